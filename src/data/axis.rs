@@ -1,0 +1,117 @@
+//! Table axes: which physical value a texel stands for, and where a lookup finds it.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Where texel i samples its axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Registration {
+    /// u = (i + 0.5) / n: what a texture unit does with a normalised coordinate.
+    Centre,
+    /// u = i / (n - 1): the ends of the axis are texels; a shader remaps u to (u (n-1) + 0.5) / n.
+    Endpoint,
+}
+
+impl Registration {
+    /// The word used in headers and the manifest.
+    pub fn name(self) -> &'static str {
+        match self {
+            Registration::Centre => "centre",
+            Registration::Endpoint => "endpoint",
+        }
+    }
+
+    /// Unit coordinate of texel `i` of `n`.
+    pub fn coordinate(self, i: usize, n: usize) -> f64 {
+        match self {
+            Registration::Centre => (i as f64 + 0.5) / n as f64,
+            Registration::Endpoint => i as f64 / (n - 1) as f64,
+        }
+    }
+
+    /// Position in texels of unit coordinate `u`: texel i lies at i. Clamped to the texels, as a sampler with
+    /// clamp-to-edge does.
+    pub fn position(self, u: f64, n: usize) -> f64 {
+        let last = (n - 1) as f64;
+        let x = match self {
+            Registration::Centre => u * n as f64 - 0.5,
+            Registration::Endpoint => u * last,
+        };
+        x.max(0.0).min(last)
+    }
+}
+
+/// The formula of the unit texture coordinate from the physical variables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+pub enum Warp {
+    /// u = (x - min) / (max - min).
+    #[serde(rename = "linear")]
+    Linear,
+    /// u = sqrt(mu): texels dense at grazing angles.
+    #[serde(rename = "sqrt")]
+    Sqrt,
+    /// u = sqrt(mu (1 + alpha) / (mu + alpha)): resolves the layer mu ~ alpha, where the albedo of a smooth lobe
+    /// depends on mu/alpha alone, at every roughness.
+    #[serde(rename = "homogeneous")]
+    Homogeneous,
+}
+
+impl Warp {
+    /// The formula as written in headers and the manifest, for a variable called `x`.
+    pub fn formula(self, x: &str) -> String {
+        match self {
+            Warp::Linear => format!("u = ({x} - min) / (max - min)"),
+            Warp::Sqrt => format!("u = sqrt({x})"),
+            Warp::Homogeneous => format!("u = sqrt({x} (1 + alpha) / ({x} + alpha))"),
+        }
+    }
+}
+
+/// One axis of a table. The first axis is the texture's x (columns), the second its y (rows, first row at the top).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Axis {
+    /// Physical variable: `mu`, `roughness`, ...
+    pub name: String,
+    /// Number of texels.
+    pub size: usize,
+    /// Where texel i samples the axis.
+    pub registration: Registration,
+    /// Texture coordinate from the physical variables.
+    pub warp: Warp,
+    /// Physical value at u = 0.
+    pub min: f64,
+    /// Physical value at u = 1.
+    pub max: f64,
+}
+
+impl Axis {
+    /// Unit coordinate of physical value `x`; `alpha` is used by the warps that need it.
+    pub fn unit(&self, x: f64, alpha: f64) -> f64 {
+        match self.warp {
+            Warp::Linear => (x - self.min) / (self.max - self.min),
+            Warp::Sqrt => x.sqrt(),
+            Warp::Homogeneous => (x * (1.0 + alpha) / (x + alpha)).sqrt(),
+        }
+    }
+
+    /// Physical value at unit coordinate `u`, the inverse of [`Axis::unit`].
+    pub fn physical(&self, u: f64, alpha: f64) -> f64 {
+        match self.warp {
+            Warp::Linear => self.min + u * (self.max - self.min),
+            Warp::Sqrt => u * u,
+            // u^2 (x + alpha) = x (1 + alpha)
+            Warp::Homogeneous => alpha * u * u / ((1.0 - u * u) + alpha),
+        }
+    }
+
+    /// Physical value of texel `i`.
+    pub fn node(&self, i: usize, alpha: f64) -> f64 {
+        self.physical(self.registration.coordinate(i, self.size), alpha)
+    }
+
+    /// Position in texels of physical value `x`, clamped to the texels.
+    pub fn position(&self, x: f64, alpha: f64) -> f64 {
+        self.registration.position(self.unit(x, alpha), self.size)
+    }
+}

@@ -1,0 +1,32 @@
+//! What was measured of an approximation: the same figures for a table, a fit and somebody else's code.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+/// A point of the domain, by input name (`alpha`, `roughness`, `mu`, ...).
+pub type Place = BTreeMap<String, f64>;
+
+/// Measured error of an approximation over its domain.
+///
+/// `max_abs` is the largest error at the measured points, rounded up in its last printed digit; the points are never
+/// those that the approximation was fitted on. For the use `normalisation` the error is the furnace error |E N - 1|.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Certificate {
+    /// Largest absolute error.
+    pub max_abs: f64,
+    /// Largest relative error (error / |truth|; for a normalisation the truth is 1).
+    pub max_rel: f64,
+    /// Root of the mean square error.
+    pub rms: f64,
+    /// Signed mean error: a bias.
+    pub mean: f64,
+    /// Where `max_abs` is attained.
+    pub at: Place,
+    /// Domain over which it was measured, by input.
+    pub domain: BTreeMap<String, [f64; 2]>,
+    /// Arithmetic of the approximation while it was measured: `f32`, `f16 texels, f32 lookup`, ...
+    pub precision: String,
+    /// Number of points measured.
+    pub points: u64,
+}

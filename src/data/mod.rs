@@ -1,0 +1,16 @@
+//! Floor 1: the nouns of the program. Everything that stands in for a truth, a table, a fit or somebody else's
+//! code, is an [`Approximation`]: it approximates a quantity, has a [`Certificate`] and a [`Cost`].
+
+mod approximation;
+mod axis;
+mod certificate;
+mod cost;
+mod lobe;
+mod table;
+
+pub use approximation::{Approximation, Form, Formula, Source, Use};
+pub use axis::{Axis, Registration, Warp};
+pub use certificate::{Certificate, Place};
+pub use cost::Cost;
+pub use lobe::{AlphaMap, Smith};
+pub use table::{Channel, Table, TableError, TexelFormat};

@@ -1,0 +1,164 @@
+//! A sampled quantity: axes, channels, texels.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::{AlphaMap, Axis, Smith};
+
+/// How a texel is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum TexelFormat {
+    /// IEEE half.
+    F16,
+    /// IEEE single.
+    F32,
+}
+
+impl TexelFormat {
+    /// The word used in file names, headers and the manifest.
+    pub fn name(self) -> &'static str {
+        match self {
+            TexelFormat::F16 => "f16",
+            TexelFormat::F32 => "f32",
+        }
+    }
+
+    /// Bytes of one channel of one texel.
+    pub fn bytes(self) -> u64 {
+        match self {
+            TexelFormat::F16 => 2,
+            TexelFormat::F32 => 4,
+        }
+    }
+
+    /// The value as stored and read back.
+    pub fn quantise(self, x: f64) -> f64 {
+        match self {
+            TexelFormat::F16 => half::f16::from_f64(x).to_f64(),
+            TexelFormat::F32 => f64::from(x as f32),
+        }
+    }
+}
+
+/// One channel: its name in the file and its texels, row by row (first axis fastest).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Channel {
+    /// Name in the file.
+    pub name: String,
+    /// `axes[0].size * axes[1].size` values.
+    pub texels: Vec<f64>,
+}
+
+/// A two-dimensional table: columns along `axes[0]`, rows along `axes[1]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Name, `ggx-dfg-...`.
+    pub name: String,
+    /// Quantity it samples.
+    pub quantity: String,
+    /// Shadowing form of the quantity.
+    pub smith: Smith,
+    /// How roughness becomes alpha on its roughness axis.
+    pub alpha_map: AlphaMap,
+    /// Columns, then rows.
+    pub axes: [Axis; 2],
+    /// Channels, all of the same size.
+    pub channels: Vec<Channel>,
+    /// How a texel is stored.
+    pub format: TexelFormat,
+}
+
+/// A table whose shape contradicts itself or whose texels are not finite.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TableError {
+    /// A channel's texel count is not the product of the axes' sizes.
+    #[error("table {table}: channel {channel} has {found} texels, its axes call for {expected}")]
+    Shape {
+        /// Table's name.
+        table: String,
+        /// Channel's name.
+        channel: String,
+        /// Texels found.
+        found: usize,
+        /// Texels called for.
+        expected: usize,
+    },
+    /// A texel is NaN or infinite.
+    #[error("table {table}: channel {channel}, column {column}, row {row}: value {value} is not finite")]
+    NotFinite {
+        /// Table's name.
+        table: String,
+        /// Channel's name.
+        channel: String,
+        /// Column of the texel.
+        column: usize,
+        /// Row of the texel.
+        row: usize,
+        /// Its value.
+        value: f64,
+    },
+}
+
+impl Table {
+    /// Checks that every channel has the axes' size and finite texels.
+    pub fn validate(&self) -> Result<(), TableError> {
+        let (columns, rows) = (self.axes[0].size, self.axes[1].size);
+        for channel in &self.channels {
+            if channel.texels.len() != columns * rows {
+                return Err(TableError::Shape {
+                    table: self.name.clone(),
+                    channel: channel.name.clone(),
+                    found: channel.texels.len(),
+                    expected: columns * rows,
+                });
+            }
+            if let Some(i) = channel.texels.iter().position(|t| !t.is_finite()) {
+                return Err(TableError::NotFinite {
+                    table: self.name.clone(),
+                    channel: channel.name.clone(),
+                    column: i % columns,
+                    row: i / columns,
+                    value: channel.texels[i],
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Bytes of all texels.
+    pub fn bytes(&self) -> u64 {
+        self.channels.iter().map(|c| c.texels.len() as u64).sum::<u64>() * self.format.bytes()
+    }
+
+    /// The table with every texel rounded to its format.
+    pub fn quantised(&self) -> Table {
+        let mut out = self.clone();
+        for channel in &mut out.channels {
+            for texel in &mut channel.texels {
+                *texel = self.format.quantise(*texel);
+            }
+        }
+        out
+    }
+
+    /// Bilinear lookup of one channel at a position in texels, clamped to the edge, in f64.
+    pub fn bilinear(&self, channel: usize, x: f64, y: f64) -> f64 {
+        let (columns, rows) = (self.axes[0].size, self.axes[1].size);
+        let (x0, fx) = cell(x, columns);
+        let (y0, fy) = cell(y, rows);
+        let (x1, y1) = ((x0 + 1).min(columns - 1), (y0 + 1).min(rows - 1));
+        let t = &self.channels[channel].texels;
+        let top = t[y0 * columns + x0] * (1.0 - fx) + t[y0 * columns + x1] * fx;
+        let bottom = t[y1 * columns + x0] * (1.0 - fx) + t[y1 * columns + x1] * fx;
+        top * (1.0 - fy) + bottom * fy
+    }
+}
+
+/// Cell and fraction of a position in texels.
+fn cell(x: f64, n: usize) -> (usize, f64) {
+    let x = x.max(0.0).min((n - 1) as f64);
+    let base = x.floor();
+    (base as usize, x - base)
+}

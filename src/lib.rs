@@ -1,0 +1,36 @@
+//! An offline toolchain for people who write renderers: it integrates BRDF quantities to a stated accuracy,
+//! compresses them into tables and fits, measures every approximation against the truth, and emits what an
+//! engine needs together with its certificate and its cost.
+//!
+//! A module imports only from the floors below it (`tests/floors.rs` reads the imports and fails on an edge that
+//! runs upward).
+//!
+//! | floor | module | purpose |
+//! |---|---|---|
+//! | 0 | [`math`] | scalar operations, quadrature rules, sums, low-discrepancy points |
+//! | 1 | [`optics`] | pure models, each with its limits and its source |
+//! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
+//! | 2 | [`integrate`] | a quantity at a point: value with error bound |
+//! | 2 | [`fit`] | hypotheses and data to fits; knows nothing of optics |
+//! | 3 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
+//! | 3 | [`scene`] | bytes to a validated scene; owns all limits on input |
+//! | 4 | [`plan`] | scene to jobs, and to effects left out with the reason |
+//! | 4 | [`emit`] | tables and fits to bytes, one file per format |
+//! | 4 | [`report`] | results to plots, renders and a page |
+//! | 4 | [`store`] | the only module that touches the file system |
+//! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 6 | [`cli`] | one file per verb |
+
+pub mod bake;
+pub mod cli;
+pub mod data;
+pub mod effects;
+pub mod emit;
+pub mod fit;
+pub mod integrate;
+pub mod math;
+pub mod optics;
+pub mod plan;
+pub mod report;
+pub mod scene;
+pub mod store;

@@ -1,0 +1,3 @@
+//! Floor 0: scalar operations, quadrature rules, deterministic sums and low-discrepancy points.
+
+pub mod ops;
