@@ -103,7 +103,7 @@ pub fn at_effort(
     let loss = Estimate::from_pair(loss(smith, alpha, mu, &coarse.outer), fine_loss, scale);
     // The light's cosine is a difference of terms near 1, so near the horizon, where the integrand varies on the scale of
     // the smaller of alpha and mu, it carries that much relative rounding.
-    let rounding = f64::EPSILON / if mu > 0.0 { mu.min(alpha) } else { alpha };
+    let rounding = 4.0 * f64::EPSILON / if mu > 0.0 { mu.min(alpha) } else { alpha };
     let value = Reflection {
         e: e.value,
         a: e.value - b.value,

@@ -1,0 +1,15 @@
+//! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities `ggx-reflection` and `ggx-average`.
+
+mod domain;
+mod field;
+mod lookup;
+mod measure;
+mod points;
+mod table;
+
+pub use domain::Domain;
+pub use field::{Counter, Field, TRUTH_ERROR};
+pub use lookup::{Lookup, Split};
+pub use measure::{Errors, LookupError, error_map, measure};
+pub use points::{PointSet, certification};
+pub use table::{TableSpec, build};
