@@ -1,3 +1,4 @@
 //! Floor 4: tables and fits to bytes, one file per format. Nothing here touches the file system.
 
 pub mod exr;
+pub mod manifest;

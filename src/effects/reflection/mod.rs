@@ -1,5 +1,6 @@
 //! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities `ggx-reflection` and `ggx-average`.
 
+mod accuracy;
 mod domain;
 mod field;
 mod lookup;
@@ -7,6 +8,7 @@ mod measure;
 mod points;
 mod table;
 
+pub use accuracy::{Series, Sources, Study, studies};
 pub use domain::Domain;
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use lookup::{Lookup, Split};

@@ -14,6 +14,27 @@ pub fn albedo(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule) -> f64 {
     rule.panels(&view.cuts(), &|u| albedo_integrand(&view, u))
 }
 
+/// A value of E and the integrand evaluations that it took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Work {
+    /// E.
+    pub value: f64,
+    /// Integrand evaluations.
+    pub evaluations: usize,
+}
+
+/// E(alpha, mu) with its cost, on the graded panels or on one panel over the whole range: for studies of what accuracy
+/// costs. alpha > 0, mu in [0, 1].
+pub fn albedo_work(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule, graded: bool) -> Work {
+    let view = View::new(smith, alpha, mu);
+    let mut cuts = view.cuts();
+    if !graded {
+        cuts = vec![cuts[0], cuts[cuts.len() - 1]];
+    }
+    let value = rule.panels(&cuts, &|u| albedo_integrand(&view, u));
+    Work { value, evaluations: (cuts.len() - 1) * rule.nodes() }
+}
+
 /// 1 - E(alpha, mu), computed directly; alpha > 0, mu in [0, 1].
 ///
 /// By the weak white furnace (Heitz 2014, sec. 5.1) int G1(v)/(4 mu) K dmu_l = 1 over mu_l in [-mu, 1], so the loss is the

@@ -14,7 +14,7 @@ mod effort;
 mod geometry;
 mod schlick;
 
-pub use albedo::{albedo, loss};
+pub use albedo::{Work, albedo, albedo_work, loss};
 pub use average::{Average, average};
 pub use effort::Effort;
 
