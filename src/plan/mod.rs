@@ -1,1 +1,54 @@
-//! (being built)
+//! Floor 4: a scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is planned
+//! that no material needs; jobs that several materials share are planned once.
+
+mod effect;
+mod job;
+mod merge;
+mod work;
+
+pub use effect::{Effect, EffectName, JobSummary, LeftOut};
+pub use job::{FitJob, FitPromise, TableJob};
+
+use serde::Serialize;
+
+use crate::scene::Scene;
+
+/// What a scene calls for.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Plan {
+    /// Version of the plan's JSON form: 1.
+    pub schema_version: u32,
+    /// The scene's name.
+    pub scene: String,
+    /// Effects that the scene calls for and this version has, in the order of [`EffectName::ALL`].
+    pub effects: Vec<Effect>,
+    /// Every other effect, with the reason.
+    pub left_out: Vec<LeftOut>,
+    /// Tables to bake, in the order in which the materials first want them; names are unique.
+    #[serde(skip)]
+    pub tables: Vec<TableJob>,
+    /// The fit to make, if any material wants one.
+    #[serde(skip)]
+    pub fit: Option<FitJob>,
+}
+
+/// Plans a validated scene.
+pub fn plan(scene: &Scene) -> Plan {
+    let tables = merge::tables(scene);
+    let fit = merge::fit(scene);
+    let reflection = effect::reflection(scene, &tables, fit.as_ref());
+    let left_out = EffectName::ALL
+        .into_iter()
+        .filter(|&name| !(name == EffectName::Reflection && reflection.is_some()))
+        .map(|name| LeftOut { effect: name, reason: effect::reason(name, scene) })
+        .collect();
+    let effects = reflection.into_iter().collect();
+    Plan { schema_version: 1, scene: scene.name.clone(), effects, left_out, tables, fit }
+}
+
+impl Plan {
+    /// Whether there is nothing to do.
+    pub fn is_empty(&self) -> bool {
+        self.effects.is_empty()
+    }
+}

@@ -1,1 +1,21 @@
-//! (being built)
+//! Floor 3: bytes to a validated scene, which owns every limit on input.
+//!
+//! A scene is JSON of our own (`lobefit schema` prints its JSON Schema). Unknown and repeated fields, `null`, negative
+//! zero and anything out of range are refused with file, line, column and field. Nothing here opens a file.
+
+mod error;
+pub mod escape;
+mod file;
+pub mod limits;
+mod material;
+mod name;
+mod number;
+mod text;
+mod value;
+mod wants;
+
+pub use error::{Position, SceneError};
+pub use file::{Scene, schema};
+pub use material::{Kind, Material, smallest_rough};
+pub use name::stem;
+pub use wants::{FitWant, Layout, Norm, Serves, TableWant, Wants};

@@ -1,1 +1,24 @@
-//! (being built)
+//! Floor 4: the only module that touches the file system: bounded reads, atomic writes, sets of files whose manifest
+//! is written last.
+//!
+//! A file is written as a temporary file beside its destination, synchronised, renamed over it, and the folder is
+//! synchronised: at every moment the destination holds its old bytes or its new ones. The operations go through the
+//! trait [`Disk`], so that tests can let each of them fail.
+
+mod bundle;
+mod disk;
+mod error;
+mod local;
+mod path;
+mod read;
+#[cfg(test)]
+mod tests;
+mod write;
+
+pub use bundle::{Files, Folder, MANIFEST, SUBFOLDERS, Written};
+pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
+pub use error::{Operation, StoreError};
+pub use local::LocalDisk;
+pub use path::inside;
+pub use read::{list, read, read_set, read_stream};
+pub use write::write;

@@ -1,0 +1,152 @@
+//! Materials to jobs: what several of them want alike is planned once.
+
+use std::collections::BTreeMap;
+
+use super::job::{FitJob, FitPromise, ROUGHNESS_WIDTH_MIN, TableJob};
+use crate::data::{AlphaMap, Smith, TexelFormat};
+use crate::scene::{Layout, Material, Scene, TableWant, Wants, smallest_rough};
+
+/// The different tables that rough materials want, in order of first mention.
+pub(super) fn tables(scene: &Scene) -> Vec<TableJob> {
+    let mut jobs: Vec<TableJob> = Vec::new();
+    let mut index: BTreeMap<String, usize> = BTreeMap::new();
+    for (material, roughness) in rough(scene) {
+        let Some(want) = &material.wants.table else { continue };
+        let name = table_name(scene.smith, want);
+        match index.get(&name) {
+            Some(&i) => {
+                let job = &mut jobs[i];
+                job.roughness = hull(job.roughness, roughness);
+                job.max_error = strictest(job.max_error, want.max_error);
+                job.materials.push(material.name.clone());
+            }
+            None => {
+                index.insert(name.clone(), jobs.len());
+                jobs.push(table_job(scene, name, want, material, roughness));
+            }
+        }
+    }
+    for job in &mut jobs {
+        job.roughness = widened(job.roughness, scene.alpha);
+    }
+    jobs
+}
+
+fn table_job(scene: &Scene, name: String, want: &TableWant, material: &Material, roughness: [f64; 2]) -> TableJob {
+    TableJob {
+        name,
+        smith: scene.smith,
+        alpha_map: scene.alpha,
+        columns: want.size.map(|s| s[0]),
+        rows: want.size.map(|s| s[1]),
+        format: want.format,
+        layout: want.layout,
+        serves: want.serves,
+        roughness,
+        max_error: want.max_error,
+        materials: vec![material.name.clone()],
+    }
+}
+
+/// Says everything that tells two tables of a scene apart, and the defaults not at all.
+fn table_name(smith: Smith, want: &TableWant) -> String {
+    let mut name = format!("ggx-dfg-{}-", smith.name());
+    match want.size {
+        Some([columns, rows]) => name += &format!("{columns}x{rows}"),
+        None => name += "auto",
+    }
+    if want.format != TexelFormat::F16 {
+        name = format!("{name}-{}", want.format.name());
+    }
+    if want.layout != Layout::default() {
+        name = format!("{name}-{}", want.layout.name());
+    }
+    if want.serves != Default::default() {
+        name = format!("{name}-{}", want.serves.name());
+    }
+    name
+}
+
+/// The fit that the scene's rough materials want together.
+pub(super) fn fit(scene: &Scene) -> Option<FitJob> {
+    let mut job: Option<FitJob> = None;
+    for (material, roughness) in rough(scene) {
+        let Some(want) = &material.wants.fit else { continue };
+        let job = job.get_or_insert_with(|| FitJob {
+            smith: scene.smith,
+            alpha_map: scene.alpha,
+            roughness,
+            mu: scene.mu,
+            max_ops: want.max_ops,
+            max_error: None,
+            promises: Vec::new(),
+            norms: Vec::new(),
+            average: false,
+            hypotheses: Vec::new(),
+            materials: Vec::new(),
+        });
+        job.roughness = hull(job.roughness, roughness);
+        job.max_ops = job.max_ops.zip(want.max_ops).map(|(a, b)| a.max(b));
+        job.max_error = strictest(job.max_error, want.max_error);
+        job.average |= want.average;
+        job.norms.extend(&want.norms);
+        job.norms.sort();
+        job.norms.dedup();
+        for path in &want.hypotheses {
+            if !job.hypotheses.contains(path) {
+                job.hypotheses.push(path.clone());
+            }
+        }
+        if let Some(max_error) = want.max_error {
+            promise(&mut job.promises, want.max_ops, max_error, &material.name);
+        }
+        job.materials.push(material.name.clone());
+    }
+    if let Some(job) = &mut job {
+        job.roughness = widened(job.roughness, scene.alpha);
+    }
+    job
+}
+
+/// Adds a material to the promise that is like its own.
+fn promise(promises: &mut Vec<FitPromise>, max_ops: Option<u32>, max_error: f64, material: &str) {
+    match promises.iter_mut().find(|p| p.max_ops == max_ops && p.max_error == max_error) {
+        Some(known) => known.materials.push(material.into()),
+        None => promises.push(FitPromise { max_ops, max_error, materials: vec![material.into()] }),
+    }
+}
+
+/// Materials with a rough specular lobe, and its roughness range.
+pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (&Material, [f64; 2])> {
+    scene.materials.iter().filter_map(|m| m.rough_range(scene.alpha).map(|range| (m, range)))
+}
+
+/// Whether a material's wants call for a rough specular of some form.
+pub(super) fn forms(wants: &Wants) -> &'static str {
+    match (wants.table.is_some(), wants.fit.is_some()) {
+        (true, true) => "a table and fits",
+        (true, false) => "a table",
+        (false, _) => "fits",
+    }
+}
+
+fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+fn strictest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some(a.min(b)),
+        (one, None) | (None, one) => one,
+    }
+}
+
+/// The range, or where it is narrower than [`ROUGHNESS_WIDTH_MIN`], one of that width about it inside the domain.
+fn widened(range: [f64; 2], map: AlphaMap) -> [f64; 2] {
+    if range[1] - range[0] >= ROUGHNESS_WIDTH_MIN {
+        return range;
+    }
+    let middle = 0.5 * (range[0] + range[1]);
+    let lo = (middle - 0.5 * ROUGHNESS_WIDTH_MIN).max(smallest_rough(map)).min(1.0 - ROUGHNESS_WIDTH_MIN);
+    [lo.min(range[0]), (lo + ROUGHNESS_WIDTH_MIN).min(1.0).max(range[1])]
+}

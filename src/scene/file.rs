@@ -1,0 +1,214 @@
+//! Bytes to a validated scene.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use schemars::{JsonSchema, Schema};
+use serde::{Deserialize, Serialize};
+
+use super::error::{Position, SceneError};
+use super::escape::identifier;
+use super::limits;
+use super::material::Material;
+use super::name::{Name, stem};
+use super::number::{Cosine, Span, Version, Whole};
+use super::text;
+use super::value::{List, Maybe, ObjectOnly, Text, Word};
+use crate::data::{AlphaMap, Smith};
+
+/// Domain of mu for fits where the scene gives none.
+const DEFAULT_MU: [f64; 2] = [0.01, 1.0];
+/// Largest side of a table whose size is left to the bake.
+const AUTO_SIDE: usize = 128;
+
+/// A validated scene: every field in its range, names unique, sizes within the [limits].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Scene {
+    /// Name without control characters; escape it where it is printed.
+    pub name: String,
+    /// Shadowing form of every material.
+    pub smith: Smith,
+    /// How roughness becomes alpha, for every material.
+    pub alpha: AlphaMap,
+    /// Domain of mu for fits, lo < hi in [1e-4, 1].
+    pub mu: [f64; 2],
+    /// Materials in the order of the file.
+    pub materials: Vec<Material>,
+}
+
+/// A scene: the materials that a renderer has, and what it wants of them.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "Scene")]
+#[serde(deny_unknown_fields, expecting = "an object that describes a scene")]
+struct SceneFile {
+    /// Version of this format: 1.
+    #[allow(dead_code, reason = "reading it is the check")]
+    schema_version: Whole<Version>,
+    /// Name for reports; default `scene`.
+    #[serde(default)]
+    name: Maybe<Text<Name>>,
+    /// Masking-shadowing form; default `correlated`.
+    #[serde(default)]
+    smith: Maybe<Word<Smith>>,
+    /// How roughness becomes GGX alpha; default `roughness^2`.
+    #[serde(default)]
+    alpha: Maybe<Word<AlphaMap>>,
+    /// Range [lo, hi] of the cosine of the view angle over which fits are made and certified; default [0.01, 1].
+    /// Tables are judged over [0.001, 1] whatever it is.
+    #[serde(default)]
+    mu: Maybe<Span<Cosine, false>>,
+    /// The materials.
+    materials: List<Material, { limits::MATERIALS }>,
+    /// Probes that capture the scene's light. No effect of this version reads them: leave the list empty.
+    #[serde(default)]
+    #[allow(dead_code, reason = "reading it is the check")]
+    probes: Maybe<List<Probe, 0>>,
+}
+
+/// A probe: none is known yet, so none is accepted.
+struct Probe;
+
+impl<'de> Deserialize<'de> for Probe {
+    fn deserialize<D: serde::Deserializer<'de>>(_: D) -> Result<Self, D::Error> {
+        Err(serde::de::Error::custom("no effect of this version reads probes; leave the list empty"))
+    }
+}
+
+impl JsonSchema for Probe {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Probe".into()
+    }
+    fn json_schema(_: &mut schemars::SchemaGenerator) -> Schema {
+        Schema::from(false)
+    }
+}
+
+impl Scene {
+    /// Reads a scene; `file` is its name in messages.
+    pub fn from_json(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
+        let text = text::accept(bytes, file)?;
+        let mut json = serde_json::Deserializer::from_str(text);
+        let mut track = serde_path_to_error::Track::new();
+        let parsed = SceneFile::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
+        let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), file))?;
+        json.end().map_err(|e| field_error(&e, "", file))?;
+        let scene = Scene {
+            name: parsed.name.0.map_or_else(|| "scene".into(), |t| t.0),
+            smith: parsed.smith.0.map_or_else(Smith::default, |w| w.0),
+            alpha: parsed.alpha.0.map_or_else(AlphaMap::default, |w| w.0),
+            mu: parsed.mu.0.map_or(DEFAULT_MU, |s| s.0),
+            materials: parsed.materials.0,
+        };
+        scene.check().map_err(|(path, message)| SceneError::Whole { file: file.into(), path, message })?;
+        Ok(scene)
+    }
+
+    /// The scene that is compiled in, which every verb uses where none is given.
+    pub fn built_in() -> Result<Scene, SceneError> {
+        Scene::from_json(include_bytes!("default.json"), "the built-in scene")
+    }
+
+    /// Hash of what the scene means: blake3 of its normal form, in which every default is filled in, so that spelling,
+    /// layout and order of fields do not matter and values do. The text of hypothesis files is not part of it.
+    pub fn hash(&self) -> Result<String, serde_json::Error> {
+        let normal = serde_json::to_vec(self)?;
+        Ok(blake3::hash(&normal).to_hex().to_string())
+    }
+
+    /// Hypothesis files that the materials name: each once, in order of first mention.
+    pub fn hypotheses(&self) -> Vec<&str> {
+        let mut paths: Vec<&str> = Vec::new();
+        for path in self.materials.iter().filter_map(|m| m.wants.fit.as_ref()).flat_map(|fit| &fit.hypotheses) {
+            if !paths.contains(&path.as_str()) {
+                paths.push(path);
+            }
+        }
+        paths
+    }
+
+    /// What only the whole scene shows: field path and message of the first contradiction.
+    fn check(&self) -> Result<(), (String, String)> {
+        if self.mu[0] >= self.mu[1] {
+            return Err(("mu".into(), "the range is a single cosine; fits need a range".into()));
+        }
+        self.check_names()?;
+        self.check_texels()?;
+        self.check_hypotheses()
+    }
+
+    fn check_names(&self) -> Result<(), (String, String)> {
+        let mut seen = BTreeMap::new();
+        for (i, material) in self.materials.iter().enumerate() {
+            if let Some(first) = seen.insert(material.name.as_str(), i) {
+                let message = format!("`{}` is already the name of materials[{first}]", material.name);
+                return Err((format!("materials[{i}].name"), message));
+            }
+        }
+        Ok(())
+    }
+
+    /// Holds the texels of all different tables together to the limits, before anything is allocated.
+    fn check_texels(&self) -> Result<(), (String, String)> {
+        let mut tables = BTreeSet::new();
+        let mut total = (0, 0);
+        for (i, material) in self.materials.iter().enumerate() {
+            let Some(table) = &material.wants.table else { continue };
+            if !tables.insert((table.size, table.format.name(), table.layout, table.serves)) {
+                continue;
+            }
+            let [columns, rows] = table.size.unwrap_or([AUTO_SIDE; 2]);
+            total = limits::texels(columns, rows, table.serves.channels() * table.format.bytes())
+                .and_then(|texels| limits::add_texels(total, texels))
+                .ok_or_else(|| {
+                    let message = format!(
+                        "the scene's tables together exceed {} texels or {} bytes",
+                        limits::CELLS,
+                        limits::TEXEL_BYTES
+                    );
+                    (format!("materials[{i}].wants.table.size"), message)
+                })?;
+        }
+        Ok(())
+    }
+
+    /// Holds hypotheses to their number, and their names apart: the name becomes a function in the emitted code.
+    fn check_hypotheses(&self) -> Result<(), (String, String)> {
+        let mut count = 0;
+        let mut seen: BTreeMap<String, &str> = BTreeMap::new();
+        for (i, material) in self.materials.iter().enumerate() {
+            let Some(fit) = &material.wants.fit else { continue };
+            let field = |j: usize| format!("materials[{i}].wants.fit.hypotheses[{j}]");
+            for (j, path) in fit.hypotheses.iter().enumerate() {
+                count += 1;
+                if count > limits::HYPOTHESES {
+                    return Err((field(j), format!("more than {} hypotheses in the scene", limits::HYPOTHESES)));
+                }
+                let name = identifier(stem(path).unwrap_or(path));
+                match seen.insert(name.clone(), path) {
+                    Some(other) if other != path => {
+                        let message = format!("`{path}` and `{other}` would both be called `{name}`");
+                        return Err((field(j), message));
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The JSON Schema of the scene format.
+pub fn schema() -> Schema {
+    schemars::schema_for!(SceneFile)
+}
+
+/// serde_json's error as ours: its place moved to the front.
+fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError {
+    let at = Position { line: error.line().max(1), column: error.column().max(1) };
+    let text = error.to_string();
+    let suffix = format!(" at line {} column {}", error.line(), error.column());
+    let message = text.strip_suffix(&suffix).unwrap_or(&text).to_owned();
+    SceneError::Field { file: file.into(), at, path: path.into(), message }
+}

@@ -1,0 +1,72 @@
+//! Every limit on what a scene may ask for, in one place. They bound time and memory before either is spent.
+
+/// Largest scene file, bytes.
+pub const FILE_BYTES: u64 = 16 << 20;
+/// Largest hypothesis file, bytes.
+pub const HYPOTHESIS_BYTES: u64 = 1 << 20;
+/// Deepest nesting of objects and arrays.
+pub const DEPTH: usize = 64;
+/// Most materials of a scene.
+pub const MATERIALS: usize = 65_536;
+/// Longest string or key, in bytes as written between its quotes.
+pub const STRING_BYTES: usize = 4096;
+/// Fewest texels of a table axis: a lookup interpolates between two.
+pub const AXIS_MIN: usize = 2;
+/// Most texels of a table axis.
+pub const AXIS_MAX: usize = 1024;
+/// Most texels of all tables of a scene together.
+pub const CELLS: u64 = 1 << 24;
+/// Most bytes of all texels of a scene together.
+pub const TEXEL_BYTES: u64 = 512 << 20;
+/// Most hypothesis files of a scene, counted once per material that names them.
+pub const HYPOTHESES: usize = 256;
+/// Most operations that a fit may be allowed.
+pub const FIT_OPS: u32 = 1000;
+/// Most worker threads.
+pub const THREADS: usize = 256;
+
+/// Smallest GGX alpha that counts as rough. Below it the lobe is narrower than the accuracy promise of the
+/// integrals reaches (alpha in [1e-4, 1]), and its albedo differs from the mirror's by less than 2e-4 for
+/// mu >= 1e-3 (the albedo depends on mu/alpha alone there): such a material is smooth.
+pub const SMOOTH_ALPHA: f64 = 1e-4;
+/// Smallest mu of the domain of a fit: where the accuracy promise of the integrals ends.
+pub const MU_MIN: f64 = 1e-4;
+
+/// Cells and bytes of a table with `columns` x `rows` texels of `texel_bytes` each (all channels), or `None` where
+/// the product overflows or exceeds [`CELLS`] or [`TEXEL_BYTES`].
+pub fn texels(columns: usize, rows: usize, texel_bytes: u64) -> Option<(u64, u64)> {
+    let cells = u64::try_from(columns).ok()?.checked_mul(u64::try_from(rows).ok()?)?;
+    let bytes = cells.checked_mul(texel_bytes)?;
+    within(cells, bytes)
+}
+
+/// Sum of two counts of cells and bytes, or `None` beyond the limits.
+pub fn add_texels(a: (u64, u64), b: (u64, u64)) -> Option<(u64, u64)> {
+    within(a.0.checked_add(b.0)?, a.1.checked_add(b.1)?)
+}
+
+fn within(cells: u64, bytes: u64) -> Option<(u64, u64)> {
+    (cells <= CELLS && bytes <= TEXEL_BYTES).then_some((cells, bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texel_products_hold_at_the_limit_and_are_refused_beyond_it() {
+        assert_eq!(texels(4096, 4096, 8), Some((CELLS, 128 << 20)));
+        assert_eq!(texels(4096, 4097, 8), None);
+        assert_eq!(texels(4096, 4096, 32), Some((CELLS, TEXEL_BYTES)));
+        assert_eq!(texels(4096, 4096, 33), None);
+        assert_eq!(texels(usize::MAX, usize::MAX, 8), None);
+        assert_eq!(texels(1, 1, u64::MAX), None);
+    }
+
+    #[test]
+    fn texel_sums_hold_at_the_limit_and_are_refused_beyond_it() {
+        assert_eq!(add_texels((CELLS - 1, 0), (1, 0)), Some((CELLS, 0)));
+        assert_eq!(add_texels((CELLS, 0), (1, 0)), None);
+        assert_eq!(add_texels((0, u64::MAX), (0, u64::MAX)), None);
+    }
+}

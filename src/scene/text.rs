@@ -1,0 +1,117 @@
+//! The look at a scene's bytes before JSON sees them: length, encoding, nesting, length of strings.
+
+use super::error::{Position, SceneError};
+use super::limits;
+
+/// The bytes as text, once they are known to be UTF-8 within the limits on length, nesting and strings.
+pub(super) fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneError> {
+    if bytes.len() as u64 > limits::FILE_BYTES {
+        return Err(SceneError::TooLarge { file: file.into(), limit: limits::FILE_BYTES });
+    }
+    let fail =
+        |at: usize, message: String| SceneError::Text { file: file.into(), at: position(bytes, at), message };
+    encoding(bytes).map_err(|message| fail(0, message.into()))?;
+    let text = std::str::from_utf8(bytes)
+        .map_err(|e| fail(e.valid_up_to(), "this byte is not UTF-8; save the scene as UTF-8".into()))?;
+    nesting(bytes).map_err(|(at, message)| fail(at, message))?;
+    Ok(text)
+}
+
+/// Refuses what is no UTF-8 text from its first bytes on.
+fn encoding(bytes: &[u8]) -> Result<(), &'static str> {
+    match bytes {
+        [0xef, 0xbb, 0xbf, ..] => {
+            Err("the file begins with a byte order mark; save it as UTF-8 without one")
+        }
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, _, ..] | [_, 0, ..] => {
+            Err("the file looks like UTF-16 or UTF-32; save it as UTF-8")
+        }
+        _ if bytes.iter().all(u8::is_ascii_whitespace) => {
+            Err("the file is empty; a scene begins with `{`; see `lobefit schema`")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Follows brackets and strings only, so that hostile nesting never reaches a recursive parser.
+fn nesting(bytes: &[u8]) -> Result<(), (usize, String)> {
+    let (mut depth, mut i) = (0, 0);
+    while i < bytes.len() {
+        match bytes[i] {
+            b'{' | b'[' if depth == limits::DEPTH => {
+                return Err((i, format!("nested deeper than {} levels", limits::DEPTH)));
+            }
+            b'{' | b'[' => depth += 1,
+            b'}' | b']' => depth = depth.saturating_sub(1),
+            b'"' => i = string_end(bytes, i)?,
+            _ => {}
+        }
+        i += 1;
+    }
+    Ok(())
+}
+
+/// Index of the closing quote of the string that opens at `start` (the end of the file where there is none).
+fn string_end(bytes: &[u8], start: usize) -> Result<usize, (usize, String)> {
+    let mut i = start + 1;
+    while i < bytes.len() && bytes[i] != b'"' {
+        i += if bytes[i] == b'\\' { 2 } else { 1 };
+        if i.min(bytes.len()) - (start + 1) > limits::STRING_BYTES {
+            return Err((start, format!("a string longer than {} bytes", limits::STRING_BYTES)));
+        }
+    }
+    Ok(i)
+}
+
+/// Line and column of byte `at`.
+fn position(bytes: &[u8], at: usize) -> Position {
+    let before = &bytes[..at.min(bytes.len())];
+    let line_start = before.iter().rposition(|&b| b == b'\n').map_or(0, |i| i + 1);
+    Position { line: 1 + before.iter().filter(|&&b| b == b'\n').count(), column: 1 + at - line_start }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depth_holds_at_the_limit_only() {
+        let nested = |n: usize| "[".repeat(n) + &"]".repeat(n);
+        assert!(accept(nested(limits::DEPTH).as_bytes(), "s").is_ok());
+        for n in [limits::DEPTH + 1, 100_000] {
+            let error = accept(nested(n).as_bytes(), "s").unwrap_err();
+            assert_eq!(error.to_string(), "s:1:65: nested deeper than 64 levels");
+        }
+        // Brackets in strings do not nest.
+        assert!(accept(format!("\"{}\"", "[".repeat(1000)).as_bytes(), "s").is_ok());
+    }
+
+    #[test]
+    fn strings_hold_at_the_limit_only() {
+        let quoted = |n: usize| format!("[\"{}\"]", "x".repeat(n));
+        assert!(accept(quoted(limits::STRING_BYTES).as_bytes(), "s").is_ok());
+        for n in [limits::STRING_BYTES + 1, 10 << 20] {
+            let error = accept(quoted(n).as_bytes(), "s").unwrap_err();
+            assert_eq!(error.to_string(), "s:1:2: a string longer than 4096 bytes");
+        }
+    }
+
+    #[test]
+    fn files_hold_at_the_limit_only() {
+        let padded = |n: u64| {
+            let mut text = vec![b' '; n as usize];
+            text[0] = b'1';
+            text
+        };
+        assert!(accept(&padded(limits::FILE_BYTES), "s").is_ok());
+        let error = accept(&padded(limits::FILE_BYTES + 1), "s").unwrap_err();
+        assert_eq!(error.to_string(), "s: the scene is larger than 16777216 bytes");
+    }
+
+    #[test]
+    fn positions_count_from_one() {
+        assert_eq!(position(b"ab\ncd", 4), Position { line: 2, column: 2 });
+        let error = accept(b"{\n \xff}", "s").unwrap_err();
+        assert!(error.to_string().starts_with("s:2:2: "), "{error}");
+    }
+}

@@ -1,0 +1,182 @@
+//! The kinds of value that a scene field can hold. Each refuses what it is not while the reader still stands at it, so
+//! that the error has the place; each says in the JSON Schema what it takes.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::marker::PhantomData;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::StrDeserializer;
+use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
+use serde_json::Value;
+
+/// An optional field: absent, or a value. `null` is neither.
+pub(super) struct Maybe<T>(pub Option<T>);
+
+impl<T> Default for Maybe<T> {
+    fn default() -> Self {
+        Maybe(None)
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Maybe<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        T::deserialize(deserializer).map(|value| Maybe(Some(value)))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Maybe<T> {
+    fn inline_schema() -> bool {
+        T::inline_schema()
+    }
+    fn schema_name() -> Cow<'static, str> {
+        T::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        T::json_schema(generator)
+    }
+}
+
+/// One of the words of an enum, as a JSON string and nothing else.
+pub(super) struct Word<T>(pub T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Word<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct WordVisitor<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for WordVisitor<T> {
+            type Value = Word<T>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a word in quotes")
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Word<T>, E> {
+                T::deserialize(StrDeserializer::new(text)).map(Word)
+            }
+        }
+        deserializer.deserialize_str(WordVisitor(PhantomData))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Word<T> {
+    fn inline_schema() -> bool {
+        T::inline_schema()
+    }
+    fn schema_name() -> Cow<'static, str> {
+        T::schema_name()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        T::json_schema(generator)
+    }
+}
+
+/// Strings with a rule: what the rule asks for, and the check.
+pub(super) trait TextRule {
+    const EXPECTED: &'static str;
+    fn check(text: &str) -> Result<(), String>;
+}
+
+/// A string that follows a rule.
+pub(super) struct Text<R>(pub String, PhantomData<R>);
+
+impl<'de, R: TextRule> Deserialize<'de> for Text<R> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct TextVisitor<R>(PhantomData<R>);
+        impl<R: TextRule> Visitor<'_> for TextVisitor<R> {
+            type Value = Text<R>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str(R::EXPECTED)
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Text<R>, E> {
+                R::check(text).map_err(E::custom)?;
+                Ok(Text(text.to_owned(), PhantomData))
+            }
+        }
+        deserializer.deserialize_str(TextVisitor(PhantomData))
+    }
+}
+
+impl<R> JsonSchema for Text<R> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "Text".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "string", "minLength": 1, "maxLength": super::limits::STRING_BYTES })
+    }
+}
+
+/// A list of at most `MAX` values.
+pub(super) struct List<T, const MAX: usize>(pub Vec<T>);
+
+impl<'de, T: Deserialize<'de>, const MAX: usize> Deserialize<'de> for List<T, MAX> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct ListVisitor<T, const MAX: usize>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>, const MAX: usize> Visitor<'de> for ListVisitor<T, MAX> {
+            type Value = List<T, MAX>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                write!(f, "a list of at most {MAX}")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+                let mut items = Vec::new();
+                while let Some(item) = seq.next_element()? {
+                    if items.len() == MAX {
+                        return Err(A::Error::custom(format!("more than {MAX} entries")));
+                    }
+                    items.push(item);
+                }
+                Ok(List(items))
+            }
+        }
+        deserializer.deserialize_seq(ListVisitor(PhantomData))
+    }
+}
+
+impl<T: JsonSchema, const MAX: usize> JsonSchema for List<T, MAX> {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> Cow<'static, str> {
+        "List".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let items: Value = generator.subschema_for::<T>().into();
+        json_schema!({ "type": "array", "items": items, "maxItems": MAX })
+    }
+}
+
+/// A deserialiser for structs that takes objects only: serde's derived structs would also take their fields as an
+/// array in the order of declaration, which no reader of the scene would see through.
+pub(super) struct ObjectOnly<D>(pub D);
+
+impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
+    type Error = D::Error;
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, D::Error> {
+        self.0.deserialize_map(visitor)
+    }
+    serde::forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit unit_struct
+        newtype_struct seq tuple tuple_struct map struct enum identifier ignored_any
+    }
+}
+
+/// Gives the public type of a scene object the reader and the schema of the struct that mirrors the file.
+macro_rules! from_file {
+    ($public:ty, $file:ty) => {
+        impl<'de> serde::Deserialize<'de> for $public {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let file = <$file>::deserialize($crate::scene::value::ObjectOnly(deserializer))?;
+                Self::try_from(file).map_err(serde::de::Error::custom)
+            }
+        }
+        impl schemars::JsonSchema for $public {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                <$file>::schema_name()
+            }
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                <$file>::json_schema(generator)
+            }
+        }
+    };
+}
+pub(super) use from_file;

@@ -1,0 +1,64 @@
+//! One file, replaced in one step.
+
+use std::io;
+use std::path::Path;
+
+use super::disk::{Disk, Kind, Temp};
+use super::{LocalDisk, Operation, StoreError};
+
+/// How the temporary file of a single file begins.
+const PREFIX: &str = ".lobefit-file-";
+
+/// Writes a file in one step: the path holds its old bytes or the new ones, whatever happens. Says whether anything
+/// had to be written.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
+    replace(&LocalDisk, path, bytes, PREFIX)
+}
+
+/// [`write`] on any disk. The destination's folder must be there.
+pub(super) fn replace<D: Disk>(disk: &D, path: &Path, bytes: &[u8], prefix: &str) -> Result<bool, StoreError> {
+    if holds(disk, path, bytes)? {
+        return Ok(false);
+    }
+    let folder = folder_of(path);
+    let mut temp = disk.create_temp(folder, prefix).map_err(StoreError::writing(folder, Operation::CreateTemp))?;
+    write_all(&mut temp, bytes).map_err(StoreError::writing(path, Operation::Write))?;
+    temp.sync().map_err(StoreError::writing(path, Operation::Sync))?;
+    temp.rename(path).map_err(StoreError::writing(path, Operation::Rename))?;
+    disk.sync_folder(folder).map_err(StoreError::writing(folder, Operation::Sync))?;
+    Ok(true)
+}
+
+/// Whether a regular file at the path holds exactly these bytes; a folder in its place is an error.
+fn holds<D: Disk>(disk: &D, path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
+    match disk.look(path).map_err(StoreError::writing(path, Operation::Look))? {
+        Some(Kind::Folder) => Err(StoreError::InTheWay { path: path.to_owned(), what: "a folder" }),
+        Some(Kind::File) => {
+            let old = disk.read(path, bytes.len() as u64 + 1);
+            Ok(old.map_err(StoreError::writing(path, Operation::Read))? == bytes)
+        }
+        // A link is replaced by a file, so that nothing is written where it leads.
+        Some(Kind::Other) | None => Ok(false),
+    }
+}
+
+/// Writes everything, in as many pieces as the disk takes, going on after interruptions.
+fn write_all(temp: &mut impl Temp, mut bytes: &[u8]) -> io::Result<()> {
+    while !bytes.is_empty() {
+        match temp.write(bytes) {
+            Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
+            Ok(n) => bytes = bytes.get(n..).unwrap_or_default(),
+            Err(e) if e.kind() == io::ErrorKind::Interrupted => {}
+            Err(e) => return Err(e),
+        }
+    }
+    Ok(())
+}
+
+/// The folder of a path; the current one for a bare name.
+pub(super) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
