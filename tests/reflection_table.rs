@@ -2,7 +2,7 @@
 
 use lobefit::data::{AlphaMap, Layout, Serves, Smith, TexelFormat};
 use lobefit::effects::reflection::{
-    Counter, Domain, Errors, Field, TableSpec, build, certification, measure,
+    Counter, Errors, Field, Region, TableSpec, build, certification, measure,
 };
 use lobefit::integrate::reflection::{TOLERANCE, reflection};
 
@@ -15,14 +15,14 @@ fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> Tab
         format,
         layout,
         serves,
-        domain: Domain { roughness: [0.02, 1.0], mu: [0.001, 1.0], alpha_map: AlphaMap::RoughnessSquared },
+        region: Region { roughness: [0.02, 1.0], mu: [0.001, 1.0], alpha_map: AlphaMap::RoughnessSquared },
     }
 }
 
 fn errors(spec: &TableSpec) -> Errors {
     let counter = Counter::default();
     let table = build(spec, &counter).expect("a table");
-    let points = certification(&spec.domain, 16);
+    let points = certification(&spec.region, 16);
     let truth = Field::split(spec.smith, &points, &counter);
     let errors = measure(&table, spec.layout, spec.serves, &points, &truth);
     println!("{:?} {:?} {:?} {:?}: {errors:?}", spec.size, spec.layout, spec.serves, spec.format);
@@ -71,7 +71,7 @@ fn plain_texels_are_the_truth_at_their_centres() {
 fn a_narrow_range_is_measured_where_it_is() {
     let mut narrow = spec(16, Layout::Homogeneous, Serves::SplitSum, TexelFormat::F32);
     let wide = errors(&narrow);
-    narrow.domain.roughness = [0.5, 0.7];
+    narrow.region.roughness = [0.5, 0.7];
     let narrow = errors(&narrow);
     assert!(narrow.lookup.max < 0.7 * wide.lookup.max, "{} {}", narrow.lookup.max, wide.lookup.max);
     let roughness = narrow.lookup.at["roughness"];

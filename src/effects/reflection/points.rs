@@ -1,6 +1,6 @@
 //! Points at which approximations are measured: never those that they were fitted on.
 
-use super::Domain;
+use super::Region;
 use crate::data::Place;
 use crate::math::sobol::Sobol;
 
@@ -18,34 +18,34 @@ pub struct PointSet {
     pub uniform: usize,
 }
 
-/// Points walked along each edge of the domain.
+/// Points walked along each edge of the region.
 const EDGE: usize = 1 << 12;
 
 /// 2^log2 scrambled Sobol points uniform in (roughness, mu), half as many uniform in roughness and in the homogeneous
 /// coordinate sqrt(mu (1+alpha)/(mu+alpha)), and all four edges with their corners.
-pub fn certification(domain: &Domain, log2: u32) -> PointSet {
+pub fn certification(region: &Region, log2: u32) -> PointSet {
     let mut points = PointSet::default();
     let uniform = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0]);
     for i in 0..1_u32 << log2 {
-        let mu = lerp(domain.mu, uniform.coordinate(i, 1));
-        points.push(domain, lerp(domain.roughness, uniform.coordinate(i, 0)), mu);
+        let mu = lerp(region.mu, uniform.coordinate(i, 1));
+        points.push(region, lerp(region.roughness, uniform.coordinate(i, 0)), mu);
     }
     points.uniform = points.len();
     let layer = Sobol::new([0x2545_f491, 0x4f6c_dd1d, 0]);
     for i in 0..1_u32 << (log2 - 1) {
-        let roughness = lerp(domain.roughness, layer.coordinate(i, 0));
-        points.push(domain, roughness, homogeneous(domain, roughness, layer.coordinate(i, 1)));
+        let roughness = lerp(region.roughness, layer.coordinate(i, 0));
+        points.push(region, roughness, homogeneous(region, roughness, layer.coordinate(i, 1)));
     }
     for i in 0..=EDGE {
         let t = i as f64 / EDGE as f64;
         for end in [0.0, 1.0] {
-            points.push(domain, lerp(domain.roughness, end), lerp(domain.mu, t));
+            points.push(region, lerp(region.roughness, end), lerp(region.mu, t));
             points.push(
-                domain,
-                lerp(domain.roughness, end),
-                homogeneous(domain, lerp(domain.roughness, end), t),
+                region,
+                lerp(region.roughness, end),
+                homogeneous(region, lerp(region.roughness, end), t),
             );
-            points.push(domain, lerp(domain.roughness, t), lerp(domain.mu, end));
+            points.push(region, lerp(region.roughness, t), lerp(region.mu, end));
         }
     }
     points
@@ -69,11 +69,11 @@ impl PointSet {
     }
 
     /// Adds a point, rounded to f32 and kept inside the domain by its f32 neighbours.
-    pub fn push(&mut self, domain: &Domain, roughness: f64, mu: f64) {
-        let roughness = inside(roughness, domain.roughness);
+    pub fn push(&mut self, region: &Region, roughness: f64, mu: f64) {
+        let roughness = inside(roughness, region.roughness);
         self.roughness.push(roughness);
-        self.alpha.push(domain.alpha_map.alpha_f32(roughness));
-        self.mu.push(inside(mu, domain.mu));
+        self.alpha.push(region.alpha_map.alpha_f32(roughness));
+        self.mu.push(inside(mu, region.mu));
     }
 }
 
@@ -94,11 +94,11 @@ fn lerp(range: [f64; 2], t: f64) -> f64 {
 }
 
 /// mu at fraction t of the domain's range of the homogeneous coordinate.
-fn homogeneous(domain: &Domain, roughness: f64, t: f64) -> f64 {
-    let alpha = domain.alpha_map.alpha(roughness).max(1e-7);
-    let u = domain.mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt());
+fn homogeneous(region: &Region, roughness: f64, t: f64) -> f64 {
+    let alpha = region.alpha_map.alpha(roughness).max(1e-7);
+    let u = region.mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt());
     let u = lerp(u, t);
-    (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(domain.mu[0], domain.mu[1])
+    (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(region.mu[0], region.mu[1])
 }
 
 /// The f64 with the fewest decimal digits that rounds to this f32.

@@ -14,7 +14,7 @@
 
 use rayon::prelude::*;
 
-use super::{Counter, Domain};
+use super::{Counter, Region};
 use crate::data::{
     AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Table, TableError, TexelFormat, Warp,
 };
@@ -39,7 +39,7 @@ pub struct TableSpec {
     /// Use.
     pub serves: Serves,
     /// Where the lookup must hold: roughness from the scene, mu in [0.001, 1].
-    pub domain: Domain,
+    pub region: Region,
 }
 
 /// Samples per cell and axis that the texels are optimised on.
@@ -71,7 +71,7 @@ fn axes(spec: &TableSpec) -> [Axis; 2] {
         Layout::Plain => (Registration::Centre, Warp::Linear),
         Layout::PlainSquared => (Registration::Centre, Warp::Sqrt),
     };
-    let [low, high] = if spec.layout == Layout::Homogeneous { spec.domain.roughness } else { [0.0, 1.0] };
+    let [low, high] = if spec.layout == Layout::Homogeneous { spec.region.roughness } else { [0.0, 1.0] };
     let axis =
         |name: &str, size, warp, min, max| Axis { name: name.into(), size, registration, warp, min, max };
     [axis("mu", spec.size[0], warp, 0.0, 1.0), axis("roughness", spec.size[1], Warp::Linear, low, high)]
@@ -126,7 +126,7 @@ fn optimised(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Chann
     let columns = spec.size[0];
     let nodes = lattice(spec, axes, 1, counter);
     let mut dense = lattice(spec, axes, PER_CELL, counter);
-    dense.retain(|n| n.mu >= spec.domain.mu[0]);
+    dense.retain(|n| n.mu >= spec.region.mu[0]);
     let start: Vec<f64> = nodes.iter().map(|n| 1.0 - n.e).collect();
     let samples = |f: &dyn Fn(&Node) -> (f64, f64)| -> Vec<TexelSample> {
         let sample = |n: &Node| {

@@ -4,7 +4,7 @@ use crate::data::AlphaMap;
 
 /// Ranges of roughness and mu, and how roughness becomes alpha.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Domain {
+pub struct Region {
     /// Roughness, inside [0, 1].
     pub roughness: [f64; 2],
     /// Cosine of the view, inside [0, 1].
@@ -13,7 +13,7 @@ pub struct Domain {
     pub alpha_map: AlphaMap,
 }
 
-impl Domain {
+impl Region {
     /// Range of alpha.
     pub fn alpha(&self) -> [f64; 2] {
         self.roughness.map(|r| self.alpha_map.alpha(r))
