@@ -87,11 +87,12 @@ impl<'a> Lookup<'a> {
     }
 }
 
+/// Position in texels by way of the texture coordinate, as a texture unit has it.
 fn position(registration: Registration, u: f32, n: usize) -> f32 {
-    let last = (n - 1) as f32;
-    let x = match registration {
-        Registration::Centre => u * n as f32 - 0.5,
-        Registration::Endpoint => u * last,
+    let (size, last) = (n as f32, (n - 1) as f32);
+    let coordinate = match registration {
+        Registration::Centre => u,
+        Registration::Endpoint => u * (last / size) + 0.5 / size,
     };
-    x.max(0.0).min(last)
+    (coordinate * size - 0.5).max(0.0).min(last)
 }

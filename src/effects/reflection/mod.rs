@@ -1,6 +1,7 @@
 //! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities `ggx-reflection` and `ggx-average`.
 
 mod accuracy;
+mod decode;
 mod field;
 mod lookup;
 mod measure;
@@ -13,5 +14,6 @@ pub use field::{Counter, Field, TRUTH_ERROR};
 pub use lookup::{Lookup, Split};
 pub use measure::{Errors, LookupError, error_map, measure};
 pub use points::{PointSet, certification};
+pub use decode::{decode, lookup_ops};
 pub use region::Region;
 pub use table::{TableSpec, build};
