@@ -8,8 +8,8 @@
 //! | floor | module | purpose |
 //! |---|---|---|
 //! | 0 | [`math`] | scalar operations, quadrature rules, sums, low-discrepancy points |
+//! | 0 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
 //! | 1 | [`optics`] | pure models, each with its limits and its source |
-//! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
 //! | 2 | [`integrate`] | a quantity at a point: value with error bound |
 //! | 2 | [`fit`] | hypotheses and data to fits; knows nothing of optics |
 //! | 3 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |

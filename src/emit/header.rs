@@ -29,7 +29,12 @@ impl Recipe {
 pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certificate) -> Vec<String> {
     let mut lines = vec![
         format!("Table {} of {}, F = 1", table.name, table.quantity),
-        format!("smith: {}; alpha = {}; texels: {}", table.smith.name(), table.alpha_map.name(), table.format.name()),
+        format!(
+            "smith: {}; alpha = {}; texels: {}",
+            table.smith.name(),
+            table.alpha_map.name(),
+            table.format.name()
+        ),
         axis_line("columns (x)", &table.axes[0]),
         axis_line("rows (y, first row at the top)", &table.axes[1]),
     ];

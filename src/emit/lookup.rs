@@ -34,8 +34,10 @@ impl Readable<'_> {
         let (texel, value) = if split { ("vec2<f32>", "vec3<f32>") } else { ("f32", "f32") };
         let meaning = if split { "E, A and B" } else { "E" };
         text += &format!("/// {meaning} from a texel of the table above.\n");
-        text += &format!("fn {name}_decode(texel: {texel}, mu: f32) -> {value} {{\n{}}}\n\n", self.decode(true));
-        text += &format!("/// {meaning} by one fetch; the sampler filters linearly and clamps to the edge.\n");
+        text +=
+            &format!("fn {name}_decode(texel: {texel}, mu: f32) -> {value} {{\n{}}}\n\n", self.decode(true));
+        text +=
+            &format!("/// {meaning} by one fetch; the sampler filters linearly and clamps to the edge.\n");
         text += &format!(
             "fn {name}_lookup(table: texture_2d<f32>, linear_clamp: sampler, roughness: f32, alpha: f32, mu: f32) -> {value} {{\n"
         );
@@ -60,8 +62,13 @@ impl Readable<'_> {
         let (texel, value) = if split { ("[f32; 2]", "[f32; 3]") } else { ("f32", "f32") };
         let meaning = if split { "E, A and B" } else { "E" };
         text += &format!("/// {meaning} from a texel of the table above.\n");
-        text += &format!("pub fn {name}_decode(texel: {texel}, mu: f32) -> {value} {{\n{}}}\n\n", self.decode(false));
-        text += &format!("/// {meaning} by a bilinear fetch, clamped to the edge, from texels row by row.\n///\n");
+        text += &format!(
+            "pub fn {name}_decode(texel: {texel}, mu: f32) -> {value} {{\n{}}}\n\n",
+            self.decode(false)
+        );
+        text += &format!(
+            "/// {meaning} by a bilinear fetch, clamped to the edge, from texels row by row.\n///\n"
+        );
         text += &format!("/// # Panics\n/// If `texels` has fewer than {} x {} entries.\n", x.size, y.size);
         text += &format!(
             "pub fn {name}_lookup(texels: &[{texel}], roughness: f32, alpha: f32, mu: f32) -> {value} {{\n"
@@ -91,14 +98,20 @@ impl Readable<'_> {
             (false, _) => "texel[1]",
         };
         let triple = |e: &str, a: &str, b: &str| {
-            if wgsl { format!("    return vec3<f32>({e}, {a}, {b});\n") } else { format!("    [{e}, {a}, {b}]\n") }
+            if wgsl {
+                format!("    return vec3<f32>({e}, {a}, {b});\n")
+            } else {
+                format!("    [{e}, {a}, {b}]\n")
+            }
         };
-        let single = |e: &str| if wgsl { format!("    return {e};\n") } else { format!("    let _ = mu;\n    {e}\n") };
+        let single =
+            |e: &str| if wgsl { format!("    return {e};\n") } else { format!("    let _ = mu;\n    {e}\n") };
         match (self.layout, self.serves) {
             (Layout::Homogeneous, Serves::Albedo) => single("1.0 - texel"),
             (_, Serves::Albedo) => single("texel"),
             (Layout::Homogeneous, Serves::SplitSum) => {
-                let mut text = format!("    let e = 1.0 - {};\n    let x = 1.0 - mu;\n    let x2 = x * x;\n", pick(0));
+                let mut text =
+                    format!("    let e = 1.0 - {};\n    let x = 1.0 - mu;\n    let x2 = x * x;\n", pick(0));
                 text += &format!("    let b = e * ({} + x2 * x2 * x);\n", pick(1));
                 text + &triple("e", "e - b", "b")
             }

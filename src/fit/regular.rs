@@ -65,7 +65,9 @@ fn hazard(tape: &Tape, node: usize, bounds: &[Interval]) -> Option<&'static str>
     let tiny = f64::from(f32::MIN_POSITIVE);
     let wrong = match tape.ops()[node] {
         Op::Binary(BinaryOp::Divide, _, b) if of(b).may_vanish() => Some("may divide by zero"),
-        Op::Unary(UnaryOp::Sqrt, a) if of(a).lo < 0.0 => Some("may take the square root of a negative number"),
+        Op::Unary(UnaryOp::Sqrt, a) if of(a).lo < 0.0 => {
+            Some("may take the square root of a negative number")
+        }
         Op::Unary(UnaryOp::InverseSqrt, a) if of(a).lo < tiny => {
             Some("may take the inverse square root of a number that is not positive")
         }
@@ -124,7 +126,11 @@ fn irregular(
         Err(error) => return error,
     };
     let range = |(name, x): (&String, &Interval)| {
-        if x.lo == x.hi { format!("{name} = {}", x.lo as f32) } else { format!("{name} = {} .. {}", x.lo as f32, x.hi as f32) }
+        if x.lo == x.hi {
+            format!("{name} = {}", x.lo as f32)
+        } else {
+            format!("{name} = {} .. {}", x.lo as f32, x.hi as f32)
+        }
     };
     let at: Vec<String> = tape.inputs().iter().zip(&inputs).map(range).collect();
     let at = if at.is_empty() { "every point".to_string() } else { at.join(", ") };

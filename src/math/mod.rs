@@ -1,5 +1,6 @@
 //! Floor 0: scalar operations, quadrature rules, deterministic sums and low-discrepancy points.
 
+pub mod chebyshev;
 pub mod gauss;
 pub mod lanes;
 pub mod ops;

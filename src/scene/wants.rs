@@ -10,7 +10,7 @@ use super::name::HypothesisPath;
 use super::number::{AxisSize, ErrorLimit, In, Numbers, Ops, Whole};
 use super::value::{List, Maybe, Text, Word, from_file};
 use crate::data::TexelFormat;
-pub use crate::data::{Layout, Serves};
+pub use crate::data::{Layout, Norm, Serves};
 
 /// The limit on the lookup error where neither size nor limit is given: what a 32x32 (albedo) and a 64x64 (split sum)
 /// table in the homogeneous layout reach with room to spare.
@@ -18,26 +18,6 @@ fn default_limit(serves: Serves) -> f64 {
     match serves {
         Serves::Albedo => 1e-3,
         Serves::SplitSum => 3e-3,
-    }
-}
-
-/// The error that a fit's coefficients minimise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Norm {
-    /// The largest error.
-    Max,
-    /// The root of the mean square error.
-    Rms,
-}
-
-impl Norm {
-    /// The word used in scenes and in the names of fits.
-    pub fn name(self) -> &'static str {
-        match self {
-            Norm::Max => "max",
-            Norm::Rms => "rms",
-        }
     }
 }
 

@@ -1,19 +1,23 @@
 //! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities `ggx-reflection` and `ggx-average`.
 
 mod accuracy;
+mod catalogue;
 mod decode;
 mod field;
+mod fits;
 mod lookup;
 mod measure;
 mod points;
 mod region;
+mod samples;
 mod table;
 
 pub use accuracy::{Series, Sources, Study, studies};
+pub use decode::{decode, lookup_ops};
 pub use field::{Counter, Field, TRUTH_ERROR};
+pub use fits::{Fit, FitSpec, FitStageError, fit_all};
 pub use lookup::{Lookup, Split};
 pub use measure::{Errors, LookupError, error_map, measure};
 pub use points::{PointSet, certification};
-pub use decode::{decode, lookup_ops};
 pub use region::Region;
 pub use table::{TableSpec, build};

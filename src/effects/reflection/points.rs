@@ -77,6 +77,13 @@ impl PointSet {
     }
 }
 
+impl PointSet {
+    /// Adds the point at fraction `t` of the region's range of the homogeneous coordinate.
+    pub fn push_layer(&mut self, region: &Region, roughness: f64, t: f64) {
+        self.push(region, roughness, homogeneous(region, roughness, t));
+    }
+}
+
 /// The f32 nearest to x that is not outside the range.
 fn inside(x: f64, range: [f64; 2]) -> f32 {
     let rounded = x as f32;

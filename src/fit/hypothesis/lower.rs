@@ -102,10 +102,12 @@ fn parse(file: &str, source: &str) -> Result<Module, FitError> {
         FitError::Syntax { place: place(span), message }
     })?;
     let flags = naga::valid::ValidationFlags::all();
-    naga::valid::Validator::new(flags, naga::valid::Capabilities::empty()).validate(&module).map_err(|e| {
-        let span = e.spans().map(|(span, _)| *span).find(Span::is_defined);
-        FitError::Syntax { place: place(span), message: chain(e.as_inner()) }
-    })?;
+    naga::valid::Validator::new(flags, naga::valid::Capabilities::empty()).validate(&module).map_err(
+        |e| {
+            let span = e.spans().map(|(span, _)| *span).find(Span::is_defined);
+            FitError::Syntax { place: place(span), message: chain(e.as_inner()) }
+        },
+    )?;
     Ok(module)
 }
 

@@ -8,6 +8,7 @@ mod reduce;
 mod samples;
 mod starts;
 
+pub use crate::data::Norm;
 pub use samples::Samples;
 
 use rayon::prelude::*;
@@ -25,25 +26,6 @@ const FINALISTS: usize = 3;
 
 /// Coefficients smaller than this become 0: shaders flush them anyway.
 const TINY: f64 = 1e-30;
-
-/// What the coefficients minimise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Norm {
-    /// Root of the mean square residual.
-    Rms,
-    /// Largest residual.
-    Max,
-}
-
-impl Norm {
-    /// The word used in the manifest.
-    pub fn name(self) -> &'static str {
-        match self {
-            Norm::Rms => "rms",
-            Norm::Max => "max",
-        }
-    }
-}
 
 /// How to search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,11 +109,7 @@ pub struct Fitted {
 /// # Errors
 /// Data that are not finite or of the wrong shape, with the index; no start at which the formula is finite at every
 /// sample and its divisors keep their sign, with the sample that refused the declared one.
-pub fn optimise(
-    hypothesis: &Hypothesis,
-    samples: &Samples,
-    options: &Options,
-) -> Result<Fitted, FitError> {
+pub fn optimise(hypothesis: &Hypothesis, samples: &Samples, options: &Options) -> Result<Fitted, FitError> {
     let objective = Objective::new(hypothesis.tape(), samples)?;
     let declared = hypothesis.starts();
     if declared.is_empty() || samples.len() < declared.len() {
@@ -145,7 +123,13 @@ pub fn optimise(
             let evaluations = searches.iter().map(|s| s.evaluations).sum();
             // `searches` is sorted and not empty.
             let best = &searches[0];
-            finish(&objective, best.coefficients.clone(), least_squares_end(best, declared.len()), evaluations, 0.0)
+            finish(
+                &objective,
+                best.coefficients.clone(),
+                least_squares_end(best, declared.len()),
+                evaluations,
+                0.0,
+            )
         }
         Norm::Max => minimax(&objective, &searches, options),
     }

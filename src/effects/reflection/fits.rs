@@ -1,0 +1,296 @@
+//! Fits of this effect: hypotheses to coefficients, proven regular and measured in f32 as emitted.
+
+use rayon::prelude::*;
+
+use super::catalogue::{AVERAGES, Entry, NORMALISATIONS, RIVALS, SEEDS};
+use super::samples::{AverageData, Data, FitData};
+use super::{Counter, Region};
+use crate::data::{
+    AlphaMap, Approximation, Certificate, Cost, Form, Formula, Norm, Place, Smith, Source, Use,
+};
+use crate::fit::{
+    Domain, FitError, Hypothesis, Measured, Options, Termination, measure, optimise, prove_regular,
+    round_to_f32, round_up,
+};
+use crate::integrate::IntegrateError;
+
+/// What to fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitSpec {
+    /// Shadowing form.
+    pub smith: Smith,
+    /// Where the fits must hold.
+    pub region: Region,
+    /// Most operations of a fit; none: any.
+    pub max_ops: Option<u32>,
+    /// Errors to minimise.
+    pub norms: Vec<Norm>,
+    /// Also fit the average albedo.
+    pub average: bool,
+    /// The user's hypotheses: file name and WGSL source.
+    pub hypotheses: Vec<(String, String)>,
+}
+
+/// A formula with coefficients, measured.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The formula as an approximation.
+    pub approximation: Approximation,
+    /// The hypothesis that it is an instance of.
+    pub hypothesis: Hypothesis,
+    /// How the search ended; none for published constants.
+    pub termination: Option<Termination>,
+    /// Whether it is emitted, or only reported for comparison.
+    pub emitted: bool,
+}
+
+/// Why there is no fit.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FitStageError {
+    /// The hypothesis, its domain or its data.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// A truth could not be integrated.
+    #[error(transparent)]
+    Integrate(#[from] IntegrateError),
+    /// The search did not end in a minimum.
+    #[error("{hypothesis}, norm {norm}: the search ended as {termination:?}: no coefficients to rely on")]
+    NotConverged {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// Norm that was minimised.
+        norm: &'static str,
+        /// How the search ended.
+        termination: Termination,
+    },
+    /// The hypothesis asks for an input that this effect does not have.
+    #[error("{hypothesis}: argument `{input}` is not one of {known}")]
+    Input {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// The argument.
+        input: String,
+        /// The inputs there are.
+        known: &'static str,
+    },
+}
+
+/// Fits and measures everything that the spec asks for: ours by rising cost, the user's, the source's published formulas, and
+/// the rivals for comparison. Counts the truths that it needs.
+pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<Vec<Fit>, FitStageError> {
+    // Parse first: a hypothesis that is refused must not cost a bake.
+    let own = parse(&NORMALISATIONS)?;
+    let user: Vec<Hypothesis> =
+        spec.hypotheses.iter().map(|(f, s)| Hypothesis::parse(f, s)).collect::<Result<_, _>>()?;
+    for hypothesis in &user {
+        check_inputs(hypothesis)?;
+    }
+    let data = FitData::new(spec.smith, &spec.region, counter)?;
+    let affordable = |h: &Hypothesis| spec.max_ops.is_none_or(|most| h.tape().cost_ops() <= most);
+    let ours = own.into_iter().chain(user).filter(affordable);
+    let jobs: Vec<(Hypothesis, Norm)> =
+        ours.flat_map(|h| spec.norms.iter().map(move |norm| (h.clone(), *norm))).collect();
+    let mut fits = each(&jobs, |(hypothesis, norm)| fit_one(spec, hypothesis, *norm, &data))?;
+    let saturating: Vec<&Fit> = fits.iter().filter(|f| f.is_named_like_its_hypothesis()).collect();
+    let saturating = each(&saturating, |fit| saturate(spec, fit, &data))?;
+    fits.extend(saturating);
+    if spec.average {
+        let averages: Vec<Hypothesis> = parse(&AVERAGES)?.into_iter().filter(affordable).collect();
+        let data = AverageData::new(spec.smith, &spec.region, counter)?;
+        let jobs: Vec<(Hypothesis, Norm)> = averages
+            .into_iter()
+            .flat_map(|h| spec.norms.iter().map(move |norm| (h.clone(), *norm)))
+            .collect();
+        fits.extend(each(&jobs, |(hypothesis, norm)| fit_one(spec, hypothesis, *norm, &data))?);
+    }
+    fits.extend(published(spec, &SEEDS, true, &data)?);
+    fits.extend(published(spec, &RIVALS, false, &data)?);
+    Ok(fits)
+}
+
+impl Fit {
+    /// The minimax fits bear their hypothesis' name; the others have their norm appended.
+    fn is_named_like_its_hypothesis(&self) -> bool {
+        self.approximation.name == self.hypothesis.name()
+    }
+}
+
+fn parse(entries: &[Entry]) -> Result<Vec<Hypothesis>, FitError> {
+    entries.iter().map(|entry| Hypothesis::parse(entry.file, entry.source)).collect()
+}
+
+/// The arguments that a normalisation may have.
+const INPUTS: [&str; 3] = ["roughness", "alpha", "mu"];
+
+fn check_inputs(hypothesis: &Hypothesis) -> Result<(), FitStageError> {
+    match hypothesis.inputs().iter().find(|input| !INPUTS.contains(&input.as_str())) {
+        None => Ok(()),
+        Some(input) => Err(FitStageError::Input {
+            hypothesis: hypothesis.file().to_string(),
+            input: input.clone(),
+            known: "roughness, alpha, mu",
+        }),
+    }
+}
+
+/// In parallel, results in order.
+fn each<T: Sync>(
+    jobs: &[T],
+    f: impl Fn(&T) -> Result<Fit, FitStageError> + Sync,
+) -> Result<Vec<Fit>, FitStageError> {
+    let results: Vec<Result<Fit, FitStageError>> = jobs.par_iter().map(|job| f(job)).collect();
+    results.into_iter().collect()
+}
+
+/// The box of inputs, alpha following from roughness.
+fn domain(region: &Region) -> Result<Domain, FitError> {
+    let power = match region.alpha_map {
+        AlphaMap::Roughness => 1,
+        AlphaMap::RoughnessSquared => 2,
+        AlphaMap::RoughnessFourth => 4,
+    };
+    let ([r0, r1], [m0, m1]) = (region.roughness, region.mu);
+    Domain::new(&[("roughness", r0, r1), ("mu", m0, m1)])?.with_derived("alpha", "roughness", power)
+}
+
+fn fit_one(
+    spec: &FitSpec,
+    hypothesis: &Hypothesis,
+    norm: Norm,
+    data: &dyn Data,
+) -> Result<Fit, FitStageError> {
+    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &Options::new(norm))?;
+    if !fitted.termination.is_converged() {
+        let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
+        return Err(FitStageError::NotConverged { hypothesis, norm, termination: fitted.termination });
+    }
+    let coefficients = round_to_f32(&fitted.coefficients)?;
+    let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
+    prove_regular(hypothesis.tape(), &exact, &domain(&spec.region)?)?;
+    let name = match norm {
+        Norm::Max => hypothesis.name().to_string(),
+        Norm::Rms => format!("{}_rms", hypothesis.name()),
+    };
+    let form = formula(hypothesis, &coefficients, norm.name());
+    let approximation = certified(spec, name, hypothesis, form, Source::Fitted, data)?;
+    Ok(Fit {
+        approximation,
+        hypothesis: hypothesis.clone(),
+        termination: Some(fitted.termination),
+        emitted: true,
+    })
+}
+
+fn published(
+    spec: &FitSpec,
+    entries: &[Entry],
+    emitted: bool,
+    data: &FitData,
+) -> Result<Vec<Fit>, FitStageError> {
+    each(entries, |entry| {
+        let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
+        let source = Source::Published(entry.publication.unwrap_or_default().to_string());
+        let form = formula(&hypothesis, &[], "published");
+        let name = hypothesis.name().to_string();
+        let approximation = certified(spec, name, &hypothesis, form, source, data)?;
+        Ok(Fit { approximation, hypothesis, termination: None, emitted })
+    })
+}
+
+/// 1 + f0 (N - 1), which is exact where f0 = 1 wherever N is. With F the furnace error of N, its relative error against
+/// 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so N's certificate stands for it.
+fn saturate(spec: &FitSpec, fit: &Fit, data: &FitData) -> Result<Fit, FitStageError> {
+    let (inner, inputs) = (fit.hypothesis.name(), fit.hypothesis.inputs());
+    let declared: Vec<String> = inputs.iter().map(|input| format!("{input}: f32")).collect();
+    let source = format!(
+        "{}\n/// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.\n\
+         fn {inner}_saturating({}, f0: f32) -> f32 {{\n    return 1.0 + f0 * ({inner}({}) - 1.0);\n}}\n",
+        fit.hypothesis.source(),
+        declared.join(", "),
+        inputs.join(", "),
+    );
+    let hypothesis = Hypothesis::parse(fit.hypothesis.file(), &source)?;
+    let Form::Formula(form) = &fit.approximation.form else {
+        return Ok(fit.clone());
+    };
+    let mut form = form.clone();
+    form.inputs = hypothesis.inputs().to_vec();
+    let name = hypothesis.name().to_string();
+    let approximation = certified(spec, name, &hypothesis, form, Source::Fitted, data)?;
+    Ok(Fit { approximation, hypothesis, termination: fit.termination, emitted: true })
+}
+
+fn formula(hypothesis: &Hypothesis, coefficients: &[f32], norm: &str) -> Formula {
+    let names = hypothesis.parameters().iter().map(|p| p.name.clone());
+    Formula {
+        hypothesis: hypothesis.file().trim_end_matches(".wgsl").to_string(),
+        inputs: hypothesis.inputs().to_vec(),
+        coefficients: names.zip(coefficients.iter().copied()).collect(),
+        norm: norm.to_string(),
+    }
+}
+
+/// Measures a formula at points that it was not fitted on, in f32 as emitted.
+fn certified(
+    spec: &FitSpec,
+    name: String,
+    hypothesis: &Hypothesis,
+    form: Formula,
+    source: Source,
+    data: &dyn Data,
+) -> Result<Approximation, FitStageError> {
+    let coefficients: Vec<f32> = form.coefficients.iter().map(|(_, value)| *value).collect();
+    let points = data.points();
+    let over = |count: usize| -> Result<Measured, FitError> {
+        let inputs = data.inputs(hypothesis.inputs(), count);
+        let (scale, target) = data.truth(count);
+        measure(hypothesis.tape(), &coefficients, &inputs, scale, target)
+    };
+    let (all, uniform) = (over(points.len())?, over(points.uniform)?);
+    let place = points.place(all.worst);
+    let at: Place =
+        data.places(hypothesis.inputs()).into_iter().map(|n| (n.clone(), place_value(&place, &n))).collect();
+    let certificate = Certificate {
+        max_abs: round_up(all.max_abs, 4),
+        max_rel: round_up(all.max_rel, 4),
+        rms: uniform.rms,
+        mean: uniform.mean,
+        domain: at.keys().map(|input| (input.clone(), range(&spec.region, input))).collect(),
+        at,
+        precision: "f32".into(),
+        points: all.points as u64,
+    };
+    let (quantity, column, used_as) = data.use_of();
+    Ok(Approximation {
+        name,
+        quantity: quantity.into(),
+        column: column.into(),
+        used_as,
+        smith: spec.smith,
+        source,
+        form: Form::Formula(form),
+        certificate,
+        cost: Cost { ops: hypothesis.tape().cost_ops(), fetches: 0, bytes: 0 },
+    })
+}
+
+/// A coordinate of a place; f0 is 1 wherever a saturating form is measured.
+fn place_value(place: &Place, input: &str) -> f64 {
+    place.get(input).copied().unwrap_or(1.0)
+}
+
+fn range(region: &Region, input: &str) -> [f64; 2] {
+    match input {
+        "roughness" => region.roughness,
+        "alpha" => region.alpha(),
+        "mu" => region.mu,
+        _ => [1.0, 1.0],
+    }
+}
+
+/// The use of the normalisations.
+pub(super) const NORMALISATION: (&str, &str, Use) = ("ggx-reflection", "E", Use::Normalisation);
+
+/// The use of the averages.
+pub(super) const AVERAGE: (&str, &str, Use) = ("ggx-average", "E_avg", Use::Value);

@@ -1,0 +1,212 @@
+//! What fits are made on and measured at: two sets of points that have none in common.
+
+use rayon::prelude::*;
+
+use super::fits::{AVERAGE, NORMALISATION};
+use super::{Counter, Field, PointSet, Region, certification};
+use crate::data::{Norm, Smith, Use};
+use crate::fit::{FitError, Hypothesis, Samples};
+use crate::integrate::IntegrateError;
+use crate::integrate::reflection::{TOLERANCE, average};
+use crate::math::chebyshev::{self, Chebyshev};
+
+/// 2^20 uniform points, half as many in the layer mu ~ alpha, and the edges.
+const LOG2_POINTS: u32 = 20;
+
+/// Samples per axis of the grids that fits are made on.
+const GRID: usize = 96;
+
+/// Data of one kind of fit.
+pub(super) trait Data: Sync {
+    /// What a hypothesis is fitted on.
+    fn samples(&self, hypothesis: &Hypothesis, norm: Norm) -> Result<Samples, FitError>;
+    /// Where it is measured.
+    fn points(&self) -> &PointSet;
+    /// Inputs of the first `count` points, by name, in f32.
+    fn inputs(&self, names: &[String], count: usize) -> Vec<Vec<f32>> {
+        names.iter().map(|name| column(self.points(), name)[..count].to_vec()).collect()
+    }
+    /// Scale and target of the first `count` points.
+    fn truth(&self, count: usize) -> (&[f64], &[f64]);
+    /// Quantity, column and use.
+    fn use_of(&self) -> (&'static str, &'static str, Use);
+    /// The inputs that a place is told by.
+    fn places(&self, inputs: &[String]) -> Vec<String> {
+        let mut names: Vec<String> = ["alpha", "mu", "roughness"].map(String::from).to_vec();
+        names.extend(inputs.iter().filter(|i| i.as_str() == "f0").cloned());
+        names
+    }
+}
+
+/// A column of inputs; f0 = 1, where a saturating form must be exact.
+fn column(points: &PointSet, name: &str) -> Vec<f32> {
+    match name {
+        "roughness" => points.roughness.clone(),
+        "alpha" => points.alpha.clone(),
+        "mu" => points.mu.clone(),
+        _ => vec![1.0; points.len()],
+    }
+}
+
+/// Furnace data: scale E, target 1.
+pub(super) struct FitData {
+    /// Grid for least squares, uniform in roughness and mu.
+    uniform: (PointSet, Field),
+    /// Grid for minimax: uniform and layer columns with the edges.
+    edged: (PointSet, Field),
+    points: PointSet,
+    truth: Field,
+    ones: Vec<f64>,
+}
+
+impl FitData {
+    /// Integrates E on the grids and at the points of measurement.
+    pub fn new(smith: Smith, region: &Region, counter: &Counter) -> Result<FitData, IntegrateError> {
+        let with_truth = |points: PointSet| {
+            let field = Field::albedo(smith, &points, counter);
+            (points, field)
+        };
+        let (points, truth) = with_truth(certification(region, LOG2_POINTS));
+        let ones = vec![1.0; points.len()];
+        Ok(FitData {
+            uniform: with_truth(uniform(region)),
+            edged: with_truth(edged(region)),
+            points,
+            truth,
+            ones,
+        })
+    }
+}
+
+impl Data for FitData {
+    fn samples(&self, hypothesis: &Hypothesis, norm: Norm) -> Result<Samples, FitError> {
+        let (points, field) = match norm {
+            Norm::Rms => &self.uniform,
+            Norm::Max => &self.edged,
+        };
+        let wide = |column: Vec<f32>| column.into_iter().map(f64::from).collect();
+        Ok(Samples {
+            inputs: hypothesis.inputs().iter().map(|name| wide(column(points, name))).collect(),
+            scale: field.e.clone(),
+            target: vec![1.0; points.len()],
+        })
+    }
+
+    fn points(&self) -> &PointSet {
+        &self.points
+    }
+
+    fn truth(&self, count: usize) -> (&[f64], &[f64]) {
+        (&self.truth.e[..count], &self.ones[..count])
+    }
+
+    fn use_of(&self) -> (&'static str, &'static str, Use) {
+        NORMALISATION
+    }
+}
+
+/// Centres of GRID x GRID equal cells: their mean square is the midpoint rule of the uniform RMS.
+fn uniform(region: &Region) -> PointSet {
+    let mut points = PointSet::default();
+    for j in 0..GRID {
+        for i in 0..GRID {
+            let centre =
+                |k: usize, [low, high]: [f64; 2]| low + (high - low) * (k as f64 + 0.5) / GRID as f64;
+            points.push(region, centre(j, region.roughness), centre(i, region.mu));
+        }
+    }
+    points
+}
+
+/// A lattice with the edges, denser towards them: half of its columns uniform in mu, half in the homogeneous coordinate.
+fn edged(region: &Region) -> PointSet {
+    let mut points = PointSet::default();
+    let nodes = |[low, high]: [f64; 2], n: usize| chebyshev::nodes(low, high, n);
+    for roughness in nodes(region.roughness, GRID) {
+        for mu in nodes(region.mu, GRID / 2) {
+            points.push(region, roughness, mu);
+        }
+        for i in 0..GRID / 2 {
+            points.push_layer(region, roughness, (i as f64 + 0.5) / (GRID / 2) as f64);
+        }
+    }
+    points
+}
+
+/// Data of the average: scale 1, target E_avg(alpha).
+pub(super) struct AverageData {
+    grid: (PointSet, Vec<f64>),
+    points: PointSet,
+    truth: Vec<f64>,
+    ones: Vec<f64>,
+}
+
+/// Nodes of the interpolant of E_avg over ln(alpha), in which it is analytic: below 1e-9 for alpha in [1e-4, 1].
+const AVERAGE_NODES: usize = 48;
+
+/// Samples that the average is fitted on.
+const AVERAGE_GRID: usize = 257;
+
+/// Smallest alpha of the interpolant; E_avg is 1 within 1e-13 below.
+const AVERAGE_SMALLEST: f64 = 1e-7;
+
+impl AverageData {
+    /// Integrates E_avg at the nodes of an interpolant, and evaluates that at the points.
+    pub fn new(smith: Smith, region: &Region, counter: &Counter) -> Result<AverageData, IntegrateError> {
+        let mut grid = PointSet::default();
+        for roughness in chebyshev::nodes(region.roughness[0], region.roughness[1], AVERAGE_GRID) {
+            grid.push(region, roughness, 1.0);
+        }
+        let mut points = certification(region, LOG2_POINTS);
+        points.mu = vec![1.0; points.len()];
+        let truth = interpolant(smith, region, counter)?;
+        let at = |points: &PointSet| -> Vec<f64> {
+            points.alpha.par_iter().map(|a| truth(f64::from(*a))).collect()
+        };
+        let (on_grid, at_points) = (at(&grid), at(&points));
+        let ones = vec![1.0; points.len()];
+        Ok(AverageData { grid: (grid, on_grid), truth: at_points, points, ones })
+    }
+}
+
+fn interpolant(
+    smith: Smith,
+    region: &Region,
+    counter: &Counter,
+) -> Result<impl Fn(f64) -> f64 + Sync + use<>, IntegrateError> {
+    let [low, high] = region.alpha().map(|a| crate::math::ops::log(a.max(AVERAGE_SMALLEST)));
+    let nodes = chebyshev::nodes(low, high, AVERAGE_NODES);
+    counter.add(nodes.len());
+    let value = |x: &f64| average(smith, crate::math::ops::exp(*x).min(1.0), TOLERANCE).map(|v| v.e_avg);
+    let values: Vec<Result<f64, IntegrateError>> = nodes.par_iter().map(value).collect();
+    let interpolant = Chebyshev::new(low, high, values.into_iter().collect::<Result<_, _>>()?);
+    Ok(move |alpha: f64| interpolant.at(crate::math::ops::log(alpha.max(AVERAGE_SMALLEST)).clamp(low, high)))
+}
+
+impl Data for AverageData {
+    fn samples(&self, hypothesis: &Hypothesis, _: Norm) -> Result<Samples, FitError> {
+        let (points, values) = &self.grid;
+        let wide = |column: Vec<f32>| column.into_iter().map(f64::from).collect();
+        Ok(Samples {
+            inputs: hypothesis.inputs().iter().map(|name| wide(column(points, name))).collect(),
+            scale: vec![1.0; values.len()],
+            target: values.clone(),
+        })
+    }
+
+    fn points(&self) -> &PointSet {
+        &self.points
+    }
+
+    fn truth(&self, count: usize) -> (&[f64], &[f64]) {
+        (&self.ones[..count], &self.truth[..count])
+    }
+
+    fn use_of(&self) -> (&'static str, &'static str, Use) {
+        AVERAGE
+    }
+
+    fn places(&self, _: &[String]) -> Vec<String> {
+        ["alpha", "roughness"].map(String::from).to_vec()
+    }
+}

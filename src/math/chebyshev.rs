@@ -1,0 +1,69 @@
+//! Polynomial interpolation in Chebyshev points of the second kind, by the barycentric formula.
+
+use super::ops;
+
+/// An interpolant on [low, high], ends included among its nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chebyshev {
+    nodes: Vec<f64>,
+    values: Vec<f64>,
+}
+
+/// The `n` >= 2 nodes on [low, high], ascending: the extrema of the Chebyshev polynomial of degree n - 1.
+pub fn nodes(low: f64, high: f64, n: usize) -> Vec<f64> {
+    let angle = |i: usize| std::f64::consts::PI * i as f64 / (n - 1) as f64;
+    let unit = |i: usize| 0.5 * (1.0 - ops::cos(angle(i)));
+    (0..n)
+        .map(|i| match i {
+            0 => low,
+            _ if i == n - 1 => high,
+            _ => low + (high - low) * unit(i),
+        })
+        .collect()
+}
+
+impl Chebyshev {
+    /// The interpolant of values at the [`nodes`] of an interval.
+    pub fn new(low: f64, high: f64, values: Vec<f64>) -> Chebyshev {
+        Chebyshev { nodes: nodes(low, high, values.len()), values }
+    }
+
+    /// Its value at x in [low, high] (Berrut and Trefethen 2004, eq. 5.3).
+    pub fn at(&self, x: f64) -> f64 {
+        let last = self.nodes.len() - 1;
+        let (mut above, mut below) = (0.0, 0.0);
+        for (i, (node, value)) in self.nodes.iter().zip(&self.values).enumerate() {
+            if x == *node {
+                return *value;
+            }
+            let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
+            let weight = if i == 0 || i == last { 0.5 * sign } else { sign };
+            let term = weight / (x - node);
+            above += term * value;
+            below += term;
+        }
+        above / below
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn converges_geometrically() {
+        let f = |x: f64| ops::exp(x) / (x + 3.0);
+        let interpolant = |n| Chebyshev::new(-1.0, 2.0, nodes(-1.0, 2.0, n).into_iter().map(f).collect());
+        let worst = |n| {
+            let p = interpolant(n);
+            (0..=300).map(|i| -1.0 + 0.01 * f64::from(i)).fold(0.0_f64, |w, x| w.max((p.at(x) - f(x)).abs()))
+        };
+        assert!(
+            worst(8) > 1e-6 && worst(16) < 1e-9 && worst(40) < 1e-14,
+            "{} {} {}",
+            worst(8),
+            worst(16),
+            worst(40)
+        );
+    }
+}

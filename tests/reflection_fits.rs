@@ -1,0 +1,43 @@
+//! The bars of the fits: certified in f32, after rounding, at more than 2^20 points that were not used in fitting.
+
+use lobefit::data::{AlphaMap, Norm, Smith, Source};
+use lobefit::effects::reflection::{Counter, Fit, FitSpec, Region, fit_all};
+
+fn spec() -> FitSpec {
+    FitSpec {
+        smith: Smith::Correlated,
+        region: Region { roughness: [0.02, 1.0], mu: [0.01, 1.0], alpha_map: AlphaMap::RoughnessSquared },
+        max_ops: Some(20),
+        norms: vec![Norm::Max, Norm::Rms],
+        average: true,
+        hypotheses: Vec::new(),
+    }
+}
+
+#[test]
+fn bars() {
+    let fits = fit_all(&spec(), &Counter::default()).expect("fits");
+    let named = |name: &str| -> &Fit {
+        fits.iter().find(|f| f.approximation.name == name).unwrap_or_else(|| panic!("no {name}"))
+    };
+    let max = |name: &str| named(name).approximation.certificate.max_abs;
+    let rms = |name: &str| named(name).approximation.certificate.rms;
+    let ops = |name: &str| named(name).approximation.cost.ops;
+    assert!(max("ggx_norm_n1") <= 0.1285 && rms("ggx_norm_n1_rms") <= 0.0625 && ops("ggx_norm_n1") == 3);
+    assert!(
+        (max("ggx_norm_pesce_n1") - 0.144).abs() < 1e-3 && (rms("ggx_norm_pesce_n1") - 0.077).abs() < 1e-3
+    );
+    assert!(max("ggx_norm_r3p") <= 0.10 && rms("ggx_norm_r3p_rms") <= 0.0375 && ops("ggx_norm_r3p") == 3);
+    assert!(max("ggx_norm_q13") <= 0.021 && ops("ggx_norm_q13") <= 13);
+    assert!(max("ggx_norm_q20") <= 0.0105 && ops("ggx_norm_q20") <= 20);
+    assert!(max("ggx_eavg_5") <= 1e-4 && ops("ggx_eavg_5") <= 5);
+    for fit in &fits {
+        let a = &fit.approximation;
+        assert!(a.certificate.points >= 1 << 20, "{}", a.name);
+        assert!(a.certificate.rms <= a.certificate.max_abs, "{}", a.name);
+        assert_eq!(
+            fit.emitted,
+            !matches!(&a.source, Source::Published(p) if !p.contains("Misunderstanding"))
+        );
+    }
+}
