@@ -166,7 +166,10 @@ fn fit_summary(job: &FitJob) -> JobSummary {
     let norms: Vec<&str> = job.norms.iter().map(|n| n.name()).collect();
     JobSummary {
         name: "normalisation".into(),
-        approximation: format!("fits of the normalisation{average}, {ops} operations, {}", norms.join(" and ")),
+        approximation: format!(
+            "fits of the normalisation{average}, {ops} operations, {}",
+            norms.join(" and ")
+        ),
         ranges: BTreeMap::from([("mu", job.mu), ("roughness", job.roughness)]),
         bytes: 0,
         expected_error: job.max_error,

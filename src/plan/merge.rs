@@ -32,7 +32,13 @@ pub(super) fn tables(scene: &Scene) -> Vec<TableJob> {
     jobs
 }
 
-fn table_job(scene: &Scene, name: String, want: &TableWant, material: &Material, roughness: [f64; 2]) -> TableJob {
+fn table_job(
+    scene: &Scene,
+    name: String,
+    want: &TableWant,
+    material: &Material,
+    roughness: [f64; 2],
+) -> TableJob {
     TableJob {
         name,
         smith: scene.smith,

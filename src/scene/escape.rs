@@ -22,7 +22,8 @@ pub fn comment(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let chars: Vec<char> = text.chars().collect();
     for (i, &c) in chars.iter().enumerate() {
-        let neighbour = |j: Option<usize>| j.and_then(|j| chars.get(j)).is_none_or(|n| matches!(n, '*' | '/'));
+        let neighbour =
+            |j: Option<usize>| j.and_then(|j| chars.get(j)).is_none_or(|n| matches!(n, '*' | '/'));
         let delimits = c == '/' && (neighbour(i.checked_sub(1)) || neighbour(i.checked_add(1)));
         if acts(c) || c == '\\' || delimits { out.extend(c.escape_unicode()) } else { out.push(c) }
     }
@@ -48,7 +49,9 @@ mod tests {
 
     #[test]
     fn comments_cannot_be_left() {
-        for hostile in ["a\nb", "a*/b", "/*", "//", "tail\\", "\u{202e}x", "\u{2028}", "\r", "\u{85}", "\u{7f}"] {
+        for hostile in
+            ["a\nb", "a*/b", "/*", "//", "tail\\", "\u{202e}x", "\u{2028}", "\r", "\u{85}", "\u{7f}"]
+        {
             let text = comment(hostile);
             assert!(!text.contains(['\n', '\r', '/', '\u{2028}', '\u{202e}', '\u{85}']), "{text}");
             assert!(!text.ends_with('\\'), "{text}");

@@ -91,7 +91,8 @@ impl Scene {
         let text = text::accept(bytes, file)?;
         let mut json = serde_json::Deserializer::from_str(text);
         let mut track = serde_path_to_error::Track::new();
-        let parsed = SceneFile::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
+        let parsed =
+            SceneFile::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
         let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), file))?;
         json.end().map_err(|e| field_error(&e, "", file))?;
         let scene = Scene {
@@ -120,7 +121,8 @@ impl Scene {
     /// Hypothesis files that the materials name: each once, in order of first mention.
     pub fn hypotheses(&self) -> Vec<&str> {
         let mut paths: Vec<&str> = Vec::new();
-        for path in self.materials.iter().filter_map(|m| m.wants.fit.as_ref()).flat_map(|fit| &fit.hypotheses) {
+        for path in self.materials.iter().filter_map(|m| m.wants.fit.as_ref()).flat_map(|fit| &fit.hypotheses)
+        {
             if !paths.contains(&path.as_str()) {
                 paths.push(path);
             }
@@ -183,7 +185,10 @@ impl Scene {
             for (j, path) in fit.hypotheses.iter().enumerate() {
                 count += 1;
                 if count > limits::HYPOTHESES {
-                    return Err((field(j), format!("more than {} hypotheses in the scene", limits::HYPOTHESES)));
+                    return Err((
+                        field(j),
+                        format!("more than {} hypotheses in the scene", limits::HYPOTHESES),
+                    ));
                 }
                 let name = identifier(stem(path).unwrap_or(path));
                 match seen.insert(name.clone(), path) {

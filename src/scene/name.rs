@@ -33,7 +33,9 @@ impl TextRule for HypothesisPath {
             return Err(format!("`{text}` is an absolute path; give it relative to the scene file"));
         }
         if text.split('/').any(|part| matches!(part, "" | "." | "..")) {
-            return Err(format!("`{text}` holds an empty part, `.` or `..`; name a file below the scene's folder"));
+            return Err(format!(
+                "`{text}` holds an empty part, `.` or `..`; name a file below the scene's folder"
+            ));
         }
         if stem(text).is_none_or(str::is_empty) {
             return Err(format!("`{text}` does not end in .wgsl"));

@@ -20,9 +20,7 @@ pub(super) fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneEr
 /// Refuses what is no UTF-8 text from its first bytes on.
 fn encoding(bytes: &[u8]) -> Result<(), &'static str> {
     match bytes {
-        [0xef, 0xbb, 0xbf, ..] => {
-            Err("the file begins with a byte order mark; save it as UTF-8 without one")
-        }
+        [0xef, 0xbb, 0xbf, ..] => Err("the file begins with a byte order mark; save it as UTF-8 without one"),
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, _, ..] | [_, 0, ..] => {
             Err("the file looks like UTF-16 or UTF-32; save it as UTF-8")
         }

@@ -207,7 +207,8 @@ impl TryFrom<FitFile> for FitWant {
     type Error = String;
 
     fn try_from(file: FitFile) -> Result<Self, String> {
-        let given = file.norms.0.map_or_else(|| vec![Norm::Max, Norm::Rms], |l| l.0.iter().map(|w| w.0).collect());
+        let given =
+            file.norms.0.map_or_else(|| vec![Norm::Max, Norm::Rms], |l| l.0.iter().map(|w| w.0).collect());
         let norms: BTreeSet<Norm> = given.iter().copied().collect();
         if norms.is_empty() {
             return Err("norms: the list is empty; leave the field out for both".into());

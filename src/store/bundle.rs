@@ -93,7 +93,11 @@ impl<D: Disk> Folder<D> {
     fn put(&self, name: &str, bytes: &[u8], done: &mut Written) -> Result<(), StoreError> {
         let path = inside(&self.root, name)?;
         self.create_below(&path)?;
-        let list = if replace(&self.disk, &path, bytes, BUNDLE_PREFIX)? { &mut done.written } else { &mut done.unchanged };
+        let list = if replace(&self.disk, &path, bytes, BUNDLE_PREFIX)? {
+            &mut done.written
+        } else {
+            &mut done.unchanged
+        };
         list.push(name.to_owned());
         Ok(())
     }
@@ -180,7 +184,9 @@ impl<D: Disk> Folder<D> {
             let temps = names.iter().filter_map(|n| n.to_str());
             for name in temps.filter(|n| n.starts_with(BUNDLE_PREFIX) && n.ends_with(TEMP_SUFFIX)) {
                 let path = folder.join(name);
-                if self.disk.look(&path).map_err(StoreError::writing(&path, Operation::Look))? != Some(Kind::File) {
+                if self.disk.look(&path).map_err(StoreError::writing(&path, Operation::Look))?
+                    != Some(Kind::File)
+                {
                     continue;
                 }
                 self.disk.remove(&path).map_err(StoreError::writing(&path, Operation::Remove))?;
@@ -197,10 +203,8 @@ impl<D: Disk> Folder<D> {
             Some(Kind::Folder) => return Err(StoreError::InTheWay { path, what: "a folder" }),
             Some(Kind::Other) | None => return Ok(BTreeSet::new()),
         }
-        let bytes = self
-            .disk
-            .read(&path, MANIFEST_BYTES + 1)
-            .map_err(StoreError::writing(&path, Operation::Read))?;
+        let bytes =
+            self.disk.read(&path, MANIFEST_BYTES + 1).map_err(StoreError::writing(&path, Operation::Read))?;
         listed(&bytes).map_err(|reason| StoreError::ForeignManifest { path, reason })
     }
 

@@ -9,9 +9,8 @@ use super::{LocalDisk, Operation, StoreError, inside};
 
 /// A file of at most `limit` bytes.
 pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StoreError> {
-    let bytes = LocalDisk
-        .read(path, limit.saturating_add(1))
-        .map_err(StoreError::reading(path, Operation::Read))?;
+    let bytes =
+        LocalDisk.read(path, limit.saturating_add(1)).map_err(StoreError::reading(path, Operation::Read))?;
     bounded(bytes, path, limit)
 }
 

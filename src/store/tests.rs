@@ -129,7 +129,10 @@ fn old_set() -> Files {
         ("fits/a.wgsl", "old fit"),
         ("tables/gone.exr", "stale"),
         ("tables/t.exr", "old table"),
-        ("manifest.json", r#"{"tables":[{"file":"tables/t.exr"},{"file":"tables/gone.exr"}],"includes":[{"file":"fits/a.wgsl"}]}"#),
+        (
+            "manifest.json",
+            r#"{"tables":[{"file":"tables/t.exr"},{"file":"tables/gone.exr"}],"includes":[{"file":"fits/a.wgsl"}]}"#,
+        ),
     ])
 }
 
@@ -156,7 +159,8 @@ fn write_all(root: &Path, files: &Files) -> Written {
 /// Old or new bytes everywhere; once the manifest is new, everything is.
 fn assert_whole(root: &Path, context: &str) {
     let (old, new) = (old_set(), new_set());
-    let found: Files = everything(root).into_iter().filter(|(name, _)| !name.contains(".lobefit-set-")).collect();
+    let found: Files =
+        everything(root).into_iter().filter(|(name, _)| !name.contains(".lobefit-set-")).collect();
     for (name, bytes) in &found {
         assert!(Some(bytes) == old.get(name) || Some(bytes) == new.get(name), "{context}: {name} is torn");
     }
@@ -267,7 +271,9 @@ fn links_lead_nowhere() {
 #[test]
 fn names_that_leave_the_folder_are_refused_before_anything_is_written() {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["../x", "/x", "tables/../x", "x", "tables", "tables/", "other/x", "tables/a\0b", "C:/x", "tables\\x"] {
+    for name in
+        ["../x", "/x", "tables/../x", "x", "tables", "tables/", "other/x", "tables/a\0b", "C:/x", "tables\\x"]
+    {
         let files = set(&[(name, "x"), ("fits/a", "x")]);
         let error = Folder::open(folder.path()).unwrap().write(&files).unwrap_err();
         assert!(matches!(error, StoreError::Outside { .. }), "{name}: {error}");

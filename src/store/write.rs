@@ -16,12 +16,18 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
 }
 
 /// [`write`] on any disk. The destination's folder must be there.
-pub(super) fn replace<D: Disk>(disk: &D, path: &Path, bytes: &[u8], prefix: &str) -> Result<bool, StoreError> {
+pub(super) fn replace<D: Disk>(
+    disk: &D,
+    path: &Path,
+    bytes: &[u8],
+    prefix: &str,
+) -> Result<bool, StoreError> {
     if holds(disk, path, bytes)? {
         return Ok(false);
     }
     let folder = folder_of(path);
-    let mut temp = disk.create_temp(folder, prefix).map_err(StoreError::writing(folder, Operation::CreateTemp))?;
+    let mut temp =
+        disk.create_temp(folder, prefix).map_err(StoreError::writing(folder, Operation::CreateTemp))?;
     write_all(&mut temp, bytes).map_err(StoreError::writing(path, Operation::Write))?;
     temp.sync().map_err(StoreError::writing(path, Operation::Sync))?;
     temp.rename(path).map_err(StoreError::writing(path, Operation::Rename))?;
