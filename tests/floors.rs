@@ -88,7 +88,13 @@ fn imports(text: &str, depth: usize) -> BTreeSet<String> {
 }
 
 /// Every forbidden edge, as `file imports module`.
-fn forbidden(file: &str, module: &str, text: &str, depth: usize, floors: &BTreeMap<String, u32>) -> Vec<String> {
+fn forbidden(
+    file: &str,
+    module: &str,
+    text: &str,
+    depth: usize,
+    floors: &BTreeMap<String, u32>,
+) -> Vec<String> {
     let own = floors[module];
     imports(text, depth)
         .into_iter()
@@ -142,7 +148,9 @@ fn planted_edges_are_caught() {
     assert_eq!(edges("fit", "fn f() -> crate::plan::Plan {}", 2), ["f.rs imports plan"]);
     assert_eq!(edges("plan", "use super::super::store::Folder;", 2), ["f.rs imports store"]);
     assert_eq!(edges("plan", "use crate::nowhere::X;", 2), ["f.rs imports nowhere"]);
-    assert!(edges("plan", "// use crate::cli::X;\nuse crate::scene::Scene;\nuse super::job::Job;", 2).is_empty());
+    assert!(
+        edges("plan", "// use crate::cli::X;\nuse crate::scene::Scene;\nuse super::job::Job;", 2).is_empty()
+    );
     assert!(edges("plan", "mod tests {\n use super::super::job::Job;\n}", 2).is_empty());
     assert!(edges("fit", "use crate::fit::tape;\nuse crate::math::{self, ops};", 2).is_empty());
 }

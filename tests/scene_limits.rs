@@ -26,7 +26,8 @@ fn materials_hold_at_the_limit_only() {
 
 #[test]
 fn a_million_elements_are_refused_early() {
-    let error = read(&format!(r#"{{"schema_version":1,"materials":[{}0]}}"#, "0,".repeat(1_000_000))).unwrap_err();
+    let error =
+        read(&format!(r#"{{"schema_version":1,"materials":[{}0]}}"#, "0,".repeat(1_000_000))).unwrap_err();
     assert!(error.starts_with("s:1:34: materials[0]: "), "{error}");
 }
 
@@ -38,7 +39,10 @@ fn axes_hold_at_the_limit_only() {
     }
     for n in ["0", "1", "1025", "2147483648", "9223372036854775808", "-1"] {
         let error = read(&size(n)).unwrap_err();
-        assert!(error.ends_with(&format!("materials[0].wants.table.size[0]: {n} is outside [2, 1024]")), "{error}");
+        assert!(
+            error.ends_with(&format!("materials[0].wants.table.size[0]: {n} is outside [2, 1024]")),
+            "{error}"
+        );
     }
 }
 
@@ -46,9 +50,9 @@ fn axes_hold_at_the_limit_only() {
 fn texels_hold_at_the_limit_only() {
     let shapes = ["f16", "f32"].into_iter().flat_map(|format| {
         ["homogeneous", "plain", "plain-squared"].into_iter().flat_map(move |layout| {
-            ["albedo", "split-sum"].into_iter().map(move |serves| {
-                format!(r#""format":"{format}","layout":"{layout}","serves":"{serves}""#)
-            })
+            ["albedo", "split-sum"]
+                .into_iter()
+                .map(move |serves| format!(r#""format":"{format}","layout":"{layout}","serves":"{serves}""#))
         })
     });
     let table = |size: &str, shape: &str| format!(r#","wants":{{"table":{{"size":{size},{shape}}}}}"#);
@@ -83,7 +87,9 @@ fn hypotheses_hold_at_the_limit_only() {
 #[test]
 fn sixteen_mebibytes_of_digits_are_a_number_or_an_error_but_no_hang() {
     let digits = "1".repeat((limits::FILE_BYTES as usize) - 200);
-    let text = format!(r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"metal","f0":0.{digits},"roughness":1}}]}}"#);
+    let text = format!(
+        r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"metal","f0":0.{digits},"roughness":1}}]}}"#
+    );
     assert_eq!(read(&text).unwrap().materials[0].f0[0], 1.0 / 9.0);
     let text = text.replace("0.1", "1");
     assert!(read(&text).unwrap_err().contains("materials[0].f0: number out of range"));

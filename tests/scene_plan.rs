@@ -82,7 +82,11 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
         ("b", "[0.1,0.2]", &table(r#","max_error":0.01"#)),
         ("c", "0.9", &table("")),
         ("smooth", "0", &table(r#","max_error":1e-9"#)),
-        ("other", "[0.5,0.7]", r#"{"table":{"size":[16,8],"format":"f32","layout":"plain","serves":"split-sum"}}"#),
+        (
+            "other",
+            "[0.5,0.7]",
+            r#"{"table":{"size":[16,8],"format":"f32","layout":"plain","serves":"split-sum"}}"#,
+        ),
     ]));
     assert_eq!(plan.tables.len(), 2);
     let merged = &plan.tables[0];
@@ -130,7 +134,8 @@ fn fits_merge_and_keep_each_promise() {
 
 #[test]
 fn ranges_begin_where_rough_begins_and_are_never_a_point() {
-    let range = |roughness: &str| plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)])).fit.map(|f| f.roughness);
+    let range =
+        |roughness: &str| plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)])).fit.map(|f| f.roughness);
     assert_eq!(range("[0,1]"), Some([0.01, 1.0]));
     assert_eq!(range("[0.02,1]"), Some([0.02, 1.0]));
     assert_eq!(range("0.0099"), None);
@@ -142,12 +147,16 @@ fn ranges_begin_where_rough_begins_and_are_never_a_point() {
 
 #[test]
 fn the_hash_is_of_the_meaning() {
-    let base = scene(r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":0.5}]}"#);
+    let base = scene(
+        r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":0.5}]}"#,
+    );
     let same = scene(
         r#"{ "materials" : [ {"roughness":[5e-1,0.5],"wants":{"fit":{"norms":["rms","max"]},"table":{"format":"f16"}},
             "kind":"dielectric","ior":1.50,"name":"\u006d"} ], "alpha":"roughness^2","schema_version":1,"probes":[]}"#,
     );
-    let other = scene(r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5000000000000002,"roughness":0.5}]}"#);
+    let other = scene(
+        r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5000000000000002,"roughness":0.5}]}"#,
+    );
     assert_eq!(base.hash().unwrap(), same.hash().unwrap());
     assert_ne!(base.hash().unwrap(), other.hash().unwrap());
     assert_eq!(base.hash().unwrap().len(), 64);
@@ -156,6 +165,8 @@ fn the_hash_is_of_the_meaning() {
 #[test]
 fn numbers_are_read_to_the_nearest_f64() {
     // 17 digits beside a tie: a reader that is one ulp off would show.
-    let m = scene(r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":[0.12345678901234566,1e-320,1.0],"roughness":1}]}"#);
+    let m = scene(
+        r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":[0.12345678901234566,1e-320,1.0],"roughness":1}]}"#,
+    );
     assert_eq!(m.materials[0].f0, [0.12345678901234566, 1e-320, 1.0]);
 }
