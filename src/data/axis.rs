@@ -63,7 +63,7 @@ impl Warp {
         match self {
             Warp::Linear => format!("u = ({x} - min) / (max - min)"),
             Warp::Sqrt => format!("u = sqrt({x})"),
-            Warp::Homogeneous => format!("u = sqrt({x} (1 + alpha) / ({x} + alpha))"),
+            Warp::Homogeneous => format!("u = sqrt({x} * (1 + alpha) / ({x} + alpha))"),
         }
     }
 }

@@ -5,6 +5,7 @@ mod approximation;
 mod axis;
 mod certificate;
 mod cost;
+mod layout;
 mod lobe;
 mod table;
 
@@ -12,5 +13,6 @@ pub use approximation::{Approximation, Form, Formula, Source, Use};
 pub use axis::{Axis, Registration, Warp};
 pub use certificate::{Certificate, Place};
 pub use cost::Cost;
+pub use layout::{Layout, Serves};
 pub use lobe::{AlphaMap, Smith};
 pub use table::{Channel, Table, TableError, TexelFormat};

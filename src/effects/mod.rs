@@ -1,1 +1,7 @@
-//! (being built)
+//! Floor 3: the catalogue of effects. Each has its quantities, default tables, hypotheses and published rivals, and knows how
+//! to measure an approximation of its quantities against the truth.
+
+mod quantity;
+pub mod reflection;
+
+pub use quantity::{Method, QUANTITIES, Quantity};

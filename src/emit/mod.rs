@@ -1,1 +1,6 @@
-//! (being built)
+//! Floor 4: tables and fits to bytes, one file per format. Nothing here touches the file system.
+
+pub mod exr;
+pub mod header;
+pub mod lookup;
+pub mod manifest;

@@ -1,1 +1,27 @@
-//! (being built)
+//! Floor 2: data and hypotheses to fits. Knows nothing of optics: a hypothesis is any WGSL function of f32 inputs,
+//! data are residuals `scale * f - target`.
+//!
+//! [`Hypothesis`] parses a formula and refuses what the dialect leaves out; [`Tape`] evaluates it in f64 and f32,
+//! with derivatives and over intervals, and counts its operations; [`prove_regular`] proves that it has no pole in
+//! a [`Domain`]; [`optimise`] finds its coefficients; [`measure`] certifies them in f32, as emitted. [`texels`] does for
+//! tables what [`optimise`] does for formulas.
+
+mod certify;
+mod domain;
+mod error;
+mod hypothesis;
+mod regular;
+mod solve;
+mod tape;
+pub mod texels;
+
+pub use certify::{Measured, measure, round_up};
+pub use domain::{Domain, DomainAxis};
+pub use error::{FitError, Place};
+pub use hypothesis::{
+    Binary, Builtin, Expr, ExprKind, Formula, Function, Hypothesis, Limits, Parameter, Statement, Unary,
+    Kind, Variable, power_steps,
+};
+pub use regular::prove_regular;
+pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, round_to_f32};
+pub use tape::{BinaryOp, Interval, Op, Real, Tape, UnaryOp};

@@ -1,1 +1,9 @@
-//! (being built)
+//! Floor 2: a quantity at a point, integrated to a value with an error bound.
+
+mod error;
+mod estimate;
+pub mod monte_carlo;
+pub mod reflection;
+
+pub use error::IntegrateError;
+pub use estimate::{Estimate, PanelRule};

@@ -1,3 +1,8 @@
 //! Floor 0: scalar operations, quadrature rules, deterministic sums and low-discrepancy points.
 
+pub mod gauss;
+pub mod lanes;
 pub mod ops;
+pub mod panels;
+pub mod sobol;
+pub mod sum;

@@ -1,1 +1,4 @@
-//! (being built)
+//! Floor 1: pure models of optics. Each function states its domain, its limits and its source.
+
+pub mod fresnel;
+pub mod ggx;

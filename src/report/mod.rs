@@ -1,1 +1,64 @@
-//! (being built)
+//! Floor 4: what was found out, as pictures and pages. Plain data in, bytes out; nothing is measured here.
+//!
+//! [`page`] shows the [`Findings`] of a bake, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a
+//! [`Page`], a list of [`Section`]s of [`Block`]s; a new effect adds a section from the figures there are
+//! ([`HeatMap`], [`Curves`], [`Scatter`], [`Spheres`], [`Bars`]). The same data gives the same bytes for any number
+//! of threads: rows of pictures are computed in parallel and joined in order, coordinates have fixed decimals, and
+//! nothing reads a clock.
+
+mod check;
+mod error;
+mod field;
+mod findings;
+mod json;
+mod numbers;
+mod page;
+mod plot;
+mod sections;
+mod timings;
+
+pub use error::ReportError;
+pub use field::{Field, Ruler};
+pub use findings::{
+    ApproximationFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings, FitCurve, FitFinding,
+    Furnace, FurnaceRow, LeftOut, Marked, Origin, SCHEMA_VERSION, Study, StudySeries, TableFinding,
+};
+pub use page::{Block, Page, Section, TextTable, html};
+pub use plot::{
+    Annotation, Bar, Bars, Curves, Dot, Figure, HeatMap, Scatter, Series, Shade, SphereRow, Spheres, Spread,
+    Style, Worst,
+};
+pub use timings::{TimedApproximation, TimedPoint, TimedSeries, Timings};
+
+/// A file to be written: path relative to the bake's folder, and its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Relative path with `/` between its parts.
+    pub path: String,
+    /// Content.
+    pub bytes: Vec<u8>,
+}
+
+/// `reports/index.html` and `reports/figures.json` of a bake.
+///
+/// # Errors
+/// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
+pub fn page(findings: &Findings) -> Result<Vec<File>, ReportError> {
+    let figures = json::document("figures.json", findings)?;
+    let text = html(&sections::of_findings(findings)?)?;
+    Ok(vec![file("reports/index.html", text.into_bytes()), file("reports/figures.json", figures)])
+}
+
+/// `reports/timings.html` and `reports/timings.json` of a measurement.
+///
+/// # Errors
+/// As [`page`].
+pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
+    let figures = json::document("timings.json", timings)?;
+    let text = html(&sections::of_timings(timings)?)?;
+    Ok(vec![file("reports/timings.html", text.into_bytes()), file("reports/timings.json", figures)])
+}
+
+fn file(path: &str, bytes: Vec<u8>) -> File {
+    File { path: path.into(), bytes }
+}

@@ -10,70 +10,14 @@ use super::name::HypothesisPath;
 use super::number::{AxisSize, ErrorLimit, In, Numbers, Ops, Whole};
 use super::value::{List, Maybe, Text, Word, from_file};
 use crate::data::TexelFormat;
+pub use crate::data::{Layout, Serves};
 
-/// Which coordinates a table is laid out in.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
-#[serde(rename_all = "kebab-case")]
-pub enum Layout {
-    /// u = sqrt(mu (1 + alpha) / (mu + alpha)): small tables for a reciprocal more in the shader.
-    #[default]
-    Homogeneous,
-    /// mu and roughness linear, texel centres: what engines use today.
-    Plain,
-    /// mu = u^2, roughness linear, texel centres.
-    PlainSquared,
-}
-
-impl Layout {
-    /// The word used in scenes and table names.
-    pub fn name(self) -> &'static str {
-        match self {
-            Layout::Homogeneous => "homogeneous",
-            Layout::Plain => "plain",
-            Layout::PlainSquared => "plain-squared",
-        }
-    }
-}
-
-/// What a table is looked up for; its error is judged in that use.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
-#[serde(rename_all = "kebab-case")]
-pub enum Serves {
-    /// E alone, for energy compensation.
-    #[default]
-    Albedo,
-    /// f0 A + B, for image-based lighting.
-    SplitSum,
-}
-
-impl Serves {
-    /// The word used in scenes and table names.
-    pub fn name(self) -> &'static str {
-        match self {
-            Serves::Albedo => "albedo",
-            Serves::SplitSum => "split-sum",
-        }
-    }
-
-    /// Channels of a texel.
-    pub fn channels(self) -> u64 {
-        match self {
-            Serves::Albedo => 1,
-            Serves::SplitSum => 2,
-        }
-    }
-
-    /// The limit on the lookup error where neither size nor limit is given: what a 32x32 (albedo) and a 64x64
-    /// (split sum) table in the homogeneous layout reach.
-    pub fn default_limit(self) -> f64 {
-        match self {
-            Serves::Albedo => 1e-3,
-            Serves::SplitSum => 3e-3,
-        }
+/// The limit on the lookup error where neither size nor limit is given: what a 32x32 (albedo) and a 64x64 (split sum)
+/// table in the homogeneous layout reach with room to spare.
+fn default_limit(serves: Serves) -> f64 {
+    match serves {
+        Serves::Albedo => 1e-3,
+        Serves::SplitSum => 3e-3,
     }
 }
 
@@ -198,7 +142,7 @@ impl TryFrom<TableFile> for TableWant {
             format: file.format.0.map_or(TexelFormat::F16, |w| w.0),
             layout: file.layout.0.map_or_else(Layout::default, |w| w.0),
             serves,
-            max_error: limit.or_else(|| size.is_none().then(|| serves.default_limit())),
+            max_error: limit.or_else(|| size.is_none().then(|| default_limit(serves))),
         })
     }
 }

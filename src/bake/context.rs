@@ -1,0 +1,29 @@
+//! What all stages of a bake share.
+
+use crate::effects::reflection::Counter;
+use crate::emit::header::Recipe;
+
+/// Receives what the bake is doing; drawing it is the caller's affair.
+pub trait Progress: Sync {
+    /// A stage begins.
+    fn stage(&self, name: &str);
+}
+
+/// No progress shown.
+pub struct Silent;
+
+impl Progress for Silent {
+    fn stage(&self, _: &str) {}
+}
+
+/// Shared state of a bake.
+pub struct Context<'a> {
+    /// What makes it again.
+    pub recipe: Recipe,
+    /// Truths integrated.
+    pub counter: Counter,
+    /// Promises that were not kept.
+    pub broken: Vec<String>,
+    /// Where stages are announced.
+    pub progress: &'a dyn Progress,
+}

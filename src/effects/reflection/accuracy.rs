@@ -1,0 +1,156 @@
+//! What accuracy costs: the error of E against the number of integrand evaluations, for Monte Carlo, scrambled Sobol points and
+//! the quadrature, with the setting of the path tracer of the sources.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+use crate::data::Smith;
+use crate::integrate::monte_carlo::{self, Draw, Points, Run};
+use crate::integrate::reflection::{Effort, TOLERANCE, Work, albedo_work, reflection};
+use crate::integrate::{IntegrateError, PanelRule};
+use crate::optics::ggx;
+
+/// Error against evaluations at one point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Study {
+    /// What the point is: `easy`, `hard`.
+    pub name: &'static str,
+    /// GGX width.
+    pub alpha: f64,
+    /// Cosine of the view.
+    pub mu: f64,
+    /// One curve per integrator.
+    pub series: Vec<Series>,
+    /// Ten million samples summed in f32.
+    pub sources: Sources,
+}
+
+/// One integrator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// Its name.
+    pub name: &'static str,
+    /// (integrand evaluations, error): for the random ones the standard error, else |value - truth|.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// The setting of the sources at this point: 500 000 dispatches of 20 samples, each mean added to an f32.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sources {
+    /// Samples.
+    pub samples: f64,
+    /// Standard error of the mean.
+    pub noise: f64,
+    /// What the f32 running sum adds: |f32 result - f64 mean of the same samples|.
+    pub bias: f64,
+}
+
+/// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the sources' running sum is at its worst.
+pub const POINTS: [(&str, f64, f64); 2] = [("easy", 0.5, 0.7), ("hard", 0.016, 0.11)];
+
+/// Largest power of two of samples drawn.
+const LOG2_SAMPLES: u32 = 17;
+
+/// Dispatches of the sources' accumulation, and samples of each.
+const DISPATCHES: u32 = 500_000;
+const PER_DISPATCH: u32 = 20;
+
+/// A rounding floor: an error of 0 cannot be drawn on a logarithmic axis.
+const FLOOR: f64 = 1e-16;
+
+/// The studies of all [`POINTS`], in order.
+pub fn studies(smith: Smith) -> Result<Vec<Study>, IntegrateError> {
+    let study = |(name, alpha, mu): (&'static str, f64, f64)| -> Result<Study, IntegrateError> {
+        let truth = reflection(smith, alpha, mu, TOLERANCE)?.e;
+        let mut series = Vec::new();
+        for (name, points, draw) in [
+            ("Monte Carlo, uniform lights", Points::Random, Draw::UniformLight),
+            ("Monte Carlo, visible normals", Points::Random, Draw::VisibleNormal),
+            ("scrambled Sobol, visible normals", Points::Sobol, Draw::VisibleNormal),
+        ] {
+            series.push(Series { name, points: sampled(smith, alpha, mu, points, draw)? });
+        }
+        series.extend(quadrature(smith, alpha, mu, truth));
+        Ok(Study { name, alpha, mu, series, sources: sources(smith, alpha, mu) })
+    };
+    POINTS.into_par_iter().map(study).collect()
+}
+
+fn sampled(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    points: Points,
+    draw: Draw,
+) -> Result<Vec<(f64, f64)>, IntegrateError> {
+    let at = |log2: u32| {
+        let run = Run { samples: 1 << log2, seed: 1, points, draw };
+        let value = monte_carlo::reflection(smith, alpha, mu, run)?;
+        Ok((run.samples as f64, value.e.standard_error))
+    };
+    (6..=LOG2_SAMPLES).map(at).collect()
+}
+
+/// Gauss nodes over the whole range of the outer variable, rising.
+const WHOLE: [usize; 6] = [8, 16, 24, 32, 40, 48];
+
+fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [Series; 2] {
+    let point = |work: Work| (work.evaluations as f64, (work.value - truth).abs().max(FLOOR));
+    let whole = WHOLE.map(|n| point(albedo_work(smith, alpha, mu, &PanelRule::new(n), false)));
+    let graded = [0, 1].map(|i| point(albedo_work(smith, alpha, mu, &Effort::ladder()[i].outer, true)));
+    [
+        Series { name: "quadrature, one panel", points: whole.to_vec() },
+        Series { name: "quadrature, graded panels (as shipped)", points: graded.to_vec() },
+    ]
+}
+
+fn sources(smith: Smith, alpha: f64, mu: f64) -> Sources {
+    let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
+    let mut random = Pcg64::seed_from_u64(10);
+    let (mut running, mut sum, mut squares) = (0.0_f32, 0.0_f64, 0.0_f64);
+    for _ in 0..DISPATCHES {
+        let mut dispatch = 0.0_f64;
+        for _ in 0..PER_DISPATCH {
+            let normal = ggx::visible_normal(alpha, view, random.random(), random.random());
+            let light = ggx::mirror(view, normal).0;
+            if light[2] > 1e-5 {
+                let weight = ggx::lit_given_visible(smith, alpha, mu, light[2].min(1.0));
+                dispatch += weight;
+                squares += weight * weight;
+            }
+        }
+        running += (dispatch / f64::from(PER_DISPATCH)) as f32;
+        sum += dispatch;
+    }
+    let samples = f64::from(DISPATCHES) * f64::from(PER_DISPATCH);
+    let mean = sum / samples;
+    Sources {
+        samples,
+        noise: ((squares / samples - mean * mean).max(0.0) / samples).sqrt(),
+        bias: (f64::from(running) / f64::from(DISPATCHES) - mean).abs(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quadrature_wins_and_the_running_sum_is_biased() {
+        let studies = studies(Smith::Correlated).expect("in the domain");
+        for study in &studies {
+            let last = |i: usize| *study.series[i].points.last().expect("points");
+            let quadrature = last(4);
+            assert!(quadrature.0 < 400.0 && quadrature.1 < 1e-12, "{}: {quadrature:?}", study.name);
+            for i in 0..3 {
+                assert!(last(i).1 > 1e6 * quadrature.1, "{}: {:?}", study.name, last(i));
+            }
+            assert!(study.sources.noise < 2e-4 && study.sources.bias < 3e-3, "{:?}", study.sources);
+        }
+        assert!(
+            studies[1].sources.bias > 3.0 * studies[1].sources.noise,
+            "smooth texels are biased: {studies:?}"
+        );
+    }
+}

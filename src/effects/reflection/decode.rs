@@ -1,0 +1,31 @@
+//! What the channels of a table mean, and what reading them costs.
+
+use crate::data::{Layout, Serves};
+
+/// E, A and B from the channels, as written in headers and the manifest: (value, formula).
+pub fn decode(layout: Layout, serves: Serves) -> &'static [(&'static str, &'static str)] {
+    match (layout, serves) {
+        (Layout::Homogeneous, Serves::Albedo) => &[("E", "1 - loss")],
+        (Layout::Homogeneous, Serves::SplitSum) => {
+            &[("E", "1 - loss"), ("B", "E * (bias + (1 - mu)^5)"), ("A", "E - B")]
+        }
+        (_, Serves::Albedo) => &[("E", "E")],
+        (_, Serves::SplitSum) => &[("E", "A + B"), ("B", "B"), ("A", "A")],
+    }
+}
+
+/// Operations of a lookup beside its fetch, coordinates and decoding, to E, or to E, A and B.
+///
+/// Homogeneous coordinate: 1 + alpha, times mu, mu + alpha, rcp 4, mul, sqrt 4 are 12; a remap to texel centres is one fma per
+/// axis. Decoding: 1 - loss; x = 1 - mu, x^2, x^4, fma with the bias, times E, A = E - B are 6. Plain: the coordinates are the
+/// inputs, or sqrt(mu); E = A + B.
+pub fn lookup_ops(layout: Layout, serves: Serves) -> u32 {
+    match (layout, serves) {
+        (Layout::Homogeneous, Serves::Albedo) => 12 + 2 + 1,
+        (Layout::Homogeneous, Serves::SplitSum) => 12 + 2 + 1 + 6,
+        (Layout::Plain, Serves::Albedo) => 0,
+        (Layout::Plain, Serves::SplitSum) => 1,
+        (Layout::PlainSquared, Serves::Albedo) => 4,
+        (Layout::PlainSquared, Serves::SplitSum) => 5,
+    }
+}

@@ -1,0 +1,107 @@
+//! Points at which approximations are measured: never those that they were fitted on.
+
+use super::Region;
+use crate::data::Place;
+use crate::math::sobol::Sobol;
+
+/// Inputs as a shader has them, in f32.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointSet {
+    /// Roughness.
+    pub roughness: Vec<f32>,
+    /// alpha, computed from the f32 roughness in f32.
+    pub alpha: Vec<f32>,
+    /// Cosine of the view.
+    pub mu: Vec<f32>,
+    /// The first `uniform` points are uniform in (roughness, mu): RMS and mean are taken over them. The others crowd into the
+    /// layer mu ~ alpha and onto the edges, where the largest errors hide.
+    pub uniform: usize,
+}
+
+/// Points walked along each edge of the region.
+const EDGE: usize = 1 << 12;
+
+/// 2^log2 scrambled Sobol points uniform in (roughness, mu), half as many uniform in roughness and in the homogeneous
+/// coordinate sqrt(mu (1+alpha)/(mu+alpha)), and all four edges with their corners.
+pub fn certification(region: &Region, log2: u32) -> PointSet {
+    let mut points = PointSet::default();
+    let uniform = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0]);
+    for i in 0..1_u32 << log2 {
+        let mu = lerp(region.mu, uniform.coordinate(i, 1));
+        points.push(region, lerp(region.roughness, uniform.coordinate(i, 0)), mu);
+    }
+    points.uniform = points.len();
+    let layer = Sobol::new([0x2545_f491, 0x4f6c_dd1d, 0]);
+    for i in 0..1_u32 << (log2 - 1) {
+        let roughness = lerp(region.roughness, layer.coordinate(i, 0));
+        points.push(region, roughness, homogeneous(region, roughness, layer.coordinate(i, 1)));
+    }
+    for i in 0..=EDGE {
+        let t = i as f64 / EDGE as f64;
+        for end in [0.0, 1.0] {
+            points.push(region, lerp(region.roughness, end), lerp(region.mu, t));
+            points.push(
+                region,
+                lerp(region.roughness, end),
+                homogeneous(region, lerp(region.roughness, end), t),
+            );
+            points.push(region, lerp(region.roughness, t), lerp(region.mu, end));
+        }
+    }
+    points
+}
+
+impl PointSet {
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.mu.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.mu.is_empty()
+    }
+
+    /// Point `i` by input name, each in the shortest decimal that reads back to its f32.
+    pub fn place(&self, i: usize) -> Place {
+        let inputs = [("alpha", self.alpha[i]), ("mu", self.mu[i]), ("roughness", self.roughness[i])];
+        inputs.into_iter().map(|(name, x)| (name.to_string(), shortest(x))).collect()
+    }
+
+    /// Adds a point, rounded to f32 and kept inside the domain by its f32 neighbours.
+    pub fn push(&mut self, region: &Region, roughness: f64, mu: f64) {
+        let roughness = inside(roughness, region.roughness);
+        self.roughness.push(roughness);
+        self.alpha.push(region.alpha_map.alpha_f32(roughness));
+        self.mu.push(inside(mu, region.mu));
+    }
+}
+
+/// The f32 nearest to x that is not outside the range.
+fn inside(x: f64, range: [f64; 2]) -> f32 {
+    let rounded = x as f32;
+    if f64::from(rounded) < range[0] {
+        rounded.next_up()
+    } else if f64::from(rounded) > range[1] {
+        rounded.next_down()
+    } else {
+        rounded
+    }
+}
+
+fn lerp(range: [f64; 2], t: f64) -> f64 {
+    if t == 1.0 { range[1] } else { range[0] + (range[1] - range[0]) * t }
+}
+
+/// mu at fraction t of the domain's range of the homogeneous coordinate.
+fn homogeneous(region: &Region, roughness: f64, t: f64) -> f64 {
+    let alpha = region.alpha_map.alpha(roughness).max(1e-7);
+    let u = region.mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt());
+    let u = lerp(u, t);
+    (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(region.mu[0], region.mu[1])
+}
+
+/// The f64 with the fewest decimal digits that rounds to this f32.
+fn shortest(x: f32) -> f64 {
+    x.to_string().parse().unwrap_or(f64::from(x))
+}

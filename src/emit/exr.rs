@@ -1,0 +1,145 @@
+//! EXR images of tables: one layer, one channel per quantity, uncompressed, with the header as string attributes.
+
+use std::io::Cursor;
+
+use ::exr::image::write::WritableImage;
+use ::exr::meta::attribute::{AttributeValue, Text};
+use ::exr::prelude::{
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, ReadChannels, ReadLayers,
+    SmallVec, read,
+};
+use half::f16;
+
+use crate::data::{Channel, Table, TexelFormat};
+
+/// A table that could not be turned into an EXR file, or a file that could not be read as one.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExrError {
+    /// The encoder refused.
+    #[error("{table}: cannot be written as EXR: {reason}")]
+    Write {
+        /// Table's name.
+        table: String,
+        /// The encoder's words.
+        reason: String,
+    },
+    /// The decoder refused.
+    #[error("not a readable EXR file: {reason}")]
+    Read {
+        /// The decoder's words.
+        reason: String,
+    },
+}
+
+/// A decoded image: width, height, channels by name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decoded {
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Channels in the file's order (alphabetical).
+    pub channels: Vec<Channel>,
+}
+
+/// The bytes of a table. `header` becomes string attributes of the layer (name, text).
+pub fn encode(table: &Table, header: &[(String, String)]) -> Result<Vec<u8>, ExrError> {
+    let size = (table.axes[0].size, table.axes[1].size);
+    let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> =
+        table.channels.iter().map(|c| AnyChannel::new(c.name.as_str(), samples(c, table.format))).collect();
+    let mut attributes = LayerAttributes::named(table.name.as_str());
+    attributes.software_name = Some(Text::from(concat!("lobefit ", env!("CARGO_PKG_VERSION"))));
+    for (name, text) in header {
+        attributes.other.insert(Text::from(name.as_str()), AttributeValue::Text(Text::from(text.as_str())));
+    }
+    let layer = Layer::new(size, attributes, Encoding::UNCOMPRESSED, AnyChannels::sort(channels));
+    let mut bytes = Cursor::new(Vec::new());
+    Image::from_layer(layer)
+        .write()
+        .non_parallel()
+        .to_buffered(&mut bytes)
+        .map_err(|e| ExrError::Write { table: table.name.clone(), reason: e.to_string() })?;
+    Ok(bytes.into_inner())
+}
+
+fn samples(channel: &Channel, format: TexelFormat) -> FlatSamples {
+    match format {
+        TexelFormat::F16 => FlatSamples::F16(channel.texels.iter().map(|t| f16::from_f64(*t)).collect()),
+        TexelFormat::F32 => FlatSamples::F32(channel.texels.iter().map(|t| *t as f32).collect()),
+    }
+}
+
+/// The texels of an EXR file of one layer.
+pub fn decode(bytes: &[u8]) -> Result<Decoded, ExrError> {
+    let reason = |e: ::exr::error::Error| ExrError::Read { reason: e.to_string() };
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(reason)?;
+    let layer = image.layer_data;
+    let channels = layer.channel_data.list.iter().map(|c| Channel {
+        name: c.name.to_string(),
+        texels: c.sample_data.values_as_f32().map(f64::from).collect(),
+    });
+    Ok(Decoded { width: layer.size.0, height: layer.size.1, channels: channels.collect() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data::{AlphaMap, Axis, Registration, Smith, Warp};
+
+    fn table(format: TexelFormat) -> Table {
+        let axis = |name: &str, size| Axis {
+            name: name.into(),
+            size,
+            registration: Registration::Endpoint,
+            warp: Warp::Linear,
+            min: 0.0,
+            max: 1.0,
+        };
+        let channel = |name: &str, f: fn(f64) -> f64| Channel {
+            name: name.into(),
+            texels: (0..12).map(|i| f(f64::from(i))).collect(),
+        };
+        Table {
+            name: "test".into(),
+            quantity: "ggx-reflection".into(),
+            smith: Smith::Correlated,
+            alpha_map: AlphaMap::RoughnessSquared,
+            axes: [axis("mu", 4), axis("roughness", 3)],
+            channels: vec![channel("loss", |i| i / 7.0), channel("bias", |i| -i / 3.0)],
+            format,
+        }
+    }
+
+    #[test]
+    fn what_is_written_reads_back_to_the_bit() {
+        for format in [TexelFormat::F16, TexelFormat::F32] {
+            let table = table(format);
+            let header = [("lobefitHeader".to_string(), "a line\nand another".to_string())];
+            let bytes = encode(&table, &header).expect("encodes");
+            assert_eq!(bytes, encode(&table, &header).expect("encodes"), "same bytes");
+            let decoded = decode(&bytes).expect("decodes");
+            assert_eq!((decoded.width, decoded.height), (4, 3));
+            for channel in table.quantised().channels {
+                let back = decoded.channels.iter().find(|c| c.name == channel.name).expect("the channel");
+                assert_eq!(back.texels, channel.texels);
+            }
+            assert!(bytes.windows(13).any(|w| w == b"lobefitHeader"));
+        }
+    }
+
+    #[test]
+    fn damaged_bytes_are_an_error() {
+        let bytes = encode(&table(TexelFormat::F16), &[]).expect("encodes");
+        assert!(decode(&bytes[..bytes.len() / 2]).is_err());
+        assert!(decode(b"not an image").is_err());
+    }
+}

@@ -1,0 +1,258 @@
+//! `manifest.json`: what a bake made, for scripts. Keys are ordered; no dates, hosts or absolute paths.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::data::{Approximation, Axis, Certificate, Form, Place, Table};
+
+/// Version of the manifest's form.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The whole manifest.
+#[derive(Clone, Debug, Serialize)]
+pub struct Manifest {
+    /// Version of this form: 1.
+    pub schema_version: u32,
+    /// Tool and version.
+    pub tool: String,
+    /// Hash of the scene.
+    pub scene: String,
+    /// Tables baked.
+    pub tables: Vec<TableEntry>,
+    /// Fits made and published formulas emitted beside them.
+    pub fits: Vec<FitEntry>,
+    /// Include files.
+    pub includes: Vec<Include>,
+    /// Pages and their data.
+    pub reports: Vec<String>,
+    /// Effects left out.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// One table.
+#[derive(Clone, Debug, Serialize)]
+pub struct TableEntry {
+    /// Effect that called for it.
+    pub effect: &'static str,
+    /// Name.
+    pub name: String,
+    /// File, relative to the manifest.
+    pub file: String,
+    /// Quantity.
+    pub quantity: String,
+    /// What it is looked up for: `value` (E) or `f0-blend` (f0 A + B).
+    #[serde(rename = "use")]
+    pub used_as: &'static str,
+    /// Shadowing form.
+    pub smith: &'static str,
+    /// Roughness to alpha.
+    pub alpha_map: &'static str,
+    /// Channels by name.
+    pub channels: Vec<String>,
+    /// How E, A and B follow from the channels.
+    pub decode: BTreeMap<&'static str, &'static str>,
+    /// Texel format.
+    pub format: &'static str,
+    /// Columns, then rows.
+    pub axes: Vec<AxisEntry>,
+    /// Measured errors.
+    pub error: TableError,
+    /// Bytes of texels.
+    pub bytes: u64,
+    /// Cost of a lookup.
+    pub cost: CostEntry,
+}
+
+/// One axis.
+#[derive(Clone, Debug, Serialize)]
+pub struct AxisEntry {
+    /// Physical variable.
+    pub name: String,
+    /// Texels.
+    pub size: usize,
+    /// `centre` or `endpoint`.
+    pub registration: &'static str,
+    /// Formula of the unit coordinate.
+    pub warp: String,
+    /// Physical value at u = 0.
+    pub min: f64,
+    /// Physical value at u = 1.
+    pub max: f64,
+}
+
+/// Errors of a table, told apart.
+#[derive(Clone, Debug, Serialize)]
+pub struct TableError {
+    /// Bound on the error of the truths it was made from.
+    pub integration: f64,
+    /// Largest change of a texel by rounding to the format.
+    pub quantisation: f64,
+    /// Bilinear lookup of the quantised texels against the truth, f32 weights.
+    pub lookup: LookupEntry,
+    /// The same with weights of 8 fractional bits.
+    pub lookup_8_bit_weights: LookupEntry,
+}
+
+/// Error of a lookup.
+#[derive(Clone, Debug, Serialize)]
+pub struct LookupEntry {
+    /// Largest absolute error.
+    pub max: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// Where the largest is.
+    pub at: Place,
+}
+
+/// One emitted formula.
+#[derive(Clone, Debug, Serialize)]
+pub struct FitEntry {
+    /// Effect that called for it.
+    pub effect: &'static str,
+    /// Name.
+    pub name: String,
+    /// Quantity.
+    pub quantity: String,
+    /// Column of the quantity.
+    pub column: String,
+    /// Use, from which the error metric follows.
+    #[serde(rename = "use")]
+    pub used_as: &'static str,
+    /// Shadowing form.
+    pub smith: &'static str,
+    /// Roughness to alpha.
+    pub alpha_map: &'static str,
+    /// Function in the emitted code.
+    pub function: String,
+    /// Argument names in order.
+    pub inputs: Vec<String>,
+    /// Hypothesis.
+    pub hypothesis: String,
+    /// Norm that the coefficients minimise: `max`, `rms` or `published`.
+    pub norm: String,
+    /// Coefficients by parameter.
+    pub coefficients: BTreeMap<String, f32>,
+    /// Measured error.
+    pub certificate: Certificate,
+    /// Cost.
+    pub cost: CostEntry,
+    /// `fitted` or the publication.
+    pub source: String,
+}
+
+/// Cost of an evaluation.
+#[derive(Clone, Debug, Serialize)]
+pub struct CostEntry {
+    /// Operations of the project's model.
+    pub ops: u32,
+    /// Texture fetches.
+    pub fetches: u32,
+    /// Bytes of texels.
+    pub bytes: u64,
+}
+
+/// One include file.
+#[derive(Clone, Debug, Serialize)]
+pub struct Include {
+    /// `rust`, `wgsl`, ...
+    pub language: &'static str,
+    /// File, relative to the manifest.
+    pub file: String,
+}
+
+/// An effect left out.
+#[derive(Clone, Debug, Serialize)]
+pub struct LeftOut {
+    /// Its name.
+    pub effect: String,
+    /// Why.
+    pub reason: String,
+}
+
+impl AxisEntry {
+    /// The entry of an axis.
+    pub fn new(axis: &Axis) -> AxisEntry {
+        AxisEntry {
+            name: axis.name.clone(),
+            size: axis.size,
+            registration: axis.registration.name(),
+            warp: axis.warp.formula(&axis.name),
+            min: axis.min,
+            max: axis.max,
+        }
+    }
+}
+
+impl CostEntry {
+    /// The entry of a cost.
+    pub fn new(approximation: &Approximation) -> CostEntry {
+        let cost = approximation.cost;
+        CostEntry { ops: cost.ops, fetches: cost.fetches, bytes: cost.bytes }
+    }
+}
+
+impl TableEntry {
+    /// The entry of a table's approximation.
+    pub fn new(
+        effect: &'static str,
+        approximation: &Approximation,
+        table: &Table,
+        decode: BTreeMap<&'static str, &'static str>,
+        error: TableError,
+    ) -> TableEntry {
+        TableEntry {
+            effect,
+            name: table.name.clone(),
+            file: format!("tables/{}.exr", table.name),
+            quantity: table.quantity.clone(),
+            used_as: approximation.used_as.name(),
+            smith: table.smith.name(),
+            alpha_map: table.alpha_map.name(),
+            channels: table.channels.iter().map(|c| c.name.clone()).collect(),
+            decode,
+            format: table.format.name(),
+            axes: table.axes.iter().map(AxisEntry::new).collect(),
+            error,
+            bytes: table.bytes(),
+            cost: CostEntry::new(approximation),
+        }
+    }
+}
+
+impl FitEntry {
+    /// The entry of a formula; `None` for a table.
+    pub fn new(
+        effect: &'static str,
+        alpha_map: &'static str,
+        approximation: &Approximation,
+    ) -> Option<FitEntry> {
+        let Form::Formula(formula) = &approximation.form else { return None };
+        Some(FitEntry {
+            effect,
+            name: approximation.name.clone(),
+            quantity: approximation.quantity.clone(),
+            column: approximation.column.clone(),
+            used_as: approximation.used_as.name(),
+            smith: approximation.smith.name(),
+            alpha_map,
+            function: approximation.name.clone(),
+            inputs: formula.inputs.clone(),
+            hypothesis: formula.hypothesis.clone(),
+            norm: formula.norm.clone(),
+            coefficients: formula.coefficients.iter().cloned().collect(),
+            certificate: approximation.certificate.clone(),
+            cost: CostEntry::new(approximation),
+            source: approximation.source.text().to_string(),
+        })
+    }
+}
+
+impl Manifest {
+    /// The manifest's bytes.
+    pub fn bytes(&self) -> Result<Vec<u8>, serde_json::Error> {
+        let mut bytes = serde_json::to_vec_pretty(self)?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+}

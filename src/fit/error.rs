@@ -1,0 +1,138 @@
+//! Everything that can be wrong with a hypothesis, its data or its domain.
+
+use std::fmt;
+
+/// A place in a hypothesis's source.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// File as named by the caller.
+    pub file: String,
+    /// 1-based line.
+    pub line: usize,
+    /// 1-based column, in characters.
+    pub column: usize,
+    /// The source text at fault, its first line only, at most 80 characters.
+    pub excerpt: String,
+}
+
+impl Place {
+    /// The place of byte range `start..end` of `source`; ends beyond the source are clamped to it.
+    pub fn of(file: &str, source: &str, start: usize, end: usize) -> Place {
+        let start = floor_char(source, start);
+        let end = floor_char(source, end).max(start);
+        let line_start = source[..start].rfind('\n').map_or(0, |i| i + 1);
+        let text = source[start..end].lines().next().unwrap_or("").trim_end();
+        Place {
+            file: file.to_string(),
+            line: source[..start].matches('\n').count() + 1,
+            column: source[line_start..start].chars().count() + 1,
+            excerpt: text.chars().take(80).collect(),
+        }
+    }
+}
+
+/// The largest character boundary of `source` not above `at`.
+fn floor_char(source: &str, at: usize) -> usize {
+    let mut at = at.min(source.len());
+    while !source.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.file, self.line, self.column)?;
+        if self.excerpt.is_empty() { Ok(()) } else { write!(f, ": `{}`", self.excerpt) }
+    }
+}
+
+/// What can be wrong with a hypothesis, its domain, its data or its coefficients.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FitError {
+    /// The source is not WGSL, or does not type-check.
+    #[error("{place}: {message}")]
+    Syntax {
+        /// Where.
+        place: Place,
+        /// What the WGSL front end says.
+        message: String,
+    },
+    /// The source is WGSL, but uses something that hypotheses may not.
+    #[error("{place}: {message}")]
+    Dialect {
+        /// Where.
+        place: Place,
+        /// What is not allowed, and what is.
+        message: String,
+    },
+    /// A limit on the size of a hypothesis is passed.
+    #[error("{file}: {what}: {found}, the limit is {limit}")]
+    TooLarge {
+        /// File as named by the caller.
+        file: String,
+        /// What is too large.
+        what: &'static str,
+        /// Size found.
+        found: usize,
+        /// Largest size allowed.
+        limit: usize,
+    },
+    /// A formula can leave the reals inside its domain, or could not be proven not to.
+    #[error("{place}: {function} {hazard} near {at}")]
+    Irregular {
+        /// The sub-expression at fault.
+        place: Place,
+        /// Function's name.
+        function: String,
+        /// What happens: `may divide by zero`, ...
+        hazard: &'static str,
+        /// The box where it could not be excluded: `alpha = 0.1 .. 0.2, mu = ...`.
+        at: String,
+    },
+    /// A domain does not make sense.
+    #[error("domain: input {input}: {message}")]
+    Domain {
+        /// Input's name.
+        input: String,
+        /// What is wrong with it.
+        message: String,
+    },
+    /// A formula asks for an input that the domain or the data do not give.
+    #[error("{function}: input {input} is not one of {given}")]
+    UnknownInput {
+        /// Function's name.
+        function: String,
+        /// Name of its argument.
+        input: String,
+        /// The inputs that are given.
+        given: String,
+    },
+    /// Data, coefficients or points of the wrong number.
+    #[error("{what}: {found} given, {expected} expected")]
+    Shape {
+        /// What was counted.
+        what: String,
+        /// Count given.
+        found: usize,
+        /// Count expected.
+        expected: usize,
+    },
+    /// A datum is NaN or infinite.
+    #[error("{column}, sample {index}: value {value} is not finite")]
+    NotFinite {
+        /// Column of the data: an input's name, `scale`, `target`, `coefficient`, `residual`.
+        column: String,
+        /// Index of the sample.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// A solver could not go on.
+    #[error("solver: {message}")]
+    Solver {
+        /// What it says.
+        message: String,
+    },
+}

@@ -1,0 +1,217 @@
+//! The syntax of a hypothesis: what is left of WGSL once the dialect's limits are applied. The evaluator and the
+//! printers both read this, so that what is fitted is what is printed.
+
+/// The kind of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// f32.
+    Number,
+    /// bool.
+    Truth,
+}
+
+/// A free parameter: an `override` declaration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// Its initial value, where the search starts; 1 if the declaration has none.
+    pub start: f32,
+}
+
+/// An argument, a `let` or a `var` of a function; names are unique within it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// Its kind.
+    pub kind: Kind,
+}
+
+/// One operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Unary {
+    /// -x
+    Negate,
+    /// !x
+    Not,
+}
+
+/// Two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Binary {
+    /// x + y
+    Add,
+    /// x - y
+    Subtract,
+    /// x * y
+    Multiply,
+    /// x / y
+    Divide,
+    /// x == y
+    Equal,
+    /// x != y
+    NotEqual,
+    /// x < y
+    Less,
+    /// x <= y
+    LessEqual,
+    /// x > y
+    Greater,
+    /// x >= y
+    GreaterEqual,
+    /// x && y
+    And,
+    /// x || y
+    Or,
+}
+
+/// The mathematical built-ins of the dialect, with their arguments in WGSL's order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Builtin {
+    /// |x|
+    Abs,
+    /// The smaller.
+    Min,
+    /// The larger.
+    Max,
+    /// clamp(x, lo, hi) = min(max(x, lo), hi)
+    Clamp,
+    /// clamp(x, 0, 1)
+    Saturate,
+    /// mix(x, y, t) = x (1 - t) + y t
+    Mix,
+    /// fma(x, y, z) = x y + z, rounded once
+    Fma,
+    /// Square root.
+    Sqrt,
+    /// 1 / sqrt(x)
+    InverseSqrt,
+    /// e^x
+    Exp,
+    /// 2^x
+    Exp2,
+    /// Natural logarithm.
+    Log,
+    /// Binary logarithm.
+    Log2,
+    /// x^y for x > 0, or x >= 0 and y > 0
+    Pow,
+    /// Largest integer not above x.
+    Floor,
+    /// -1, 0 or 1
+    Sign,
+    /// step(edge, x) = 1 where edge <= x, else 0
+    Step,
+    /// t t (3 - 2 t), t = saturate((x - lo) / (hi - lo))
+    SmoothStep,
+    /// Sine, radians.
+    Sin,
+    /// Cosine, radians.
+    Cos,
+    /// select(reject, accept, condition)
+    Select,
+}
+
+/// An expression with its place in the source.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Byte range in the source.
+    pub span: (u32, u32),
+}
+
+/// What an expression is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExprKind {
+    /// A finite f32.
+    Number(f32),
+    /// true or false.
+    Truth(bool),
+    /// A free parameter, by index into [`Formula::parameters`].
+    Parameter(usize),
+    /// A variable, by index into [`Function::variables`].
+    Variable(usize),
+    /// One operand.
+    Unary(Unary, Box<Expr>),
+    /// Two operands.
+    Binary(Binary, Box<Expr>, Box<Expr>),
+    /// x^n for a literal n = 2 ... 16: repeated squaring, see [`power_steps`].
+    Power(Box<Expr>, u32),
+    /// A built-in.
+    Builtin(Builtin, Vec<Expr>),
+    /// A function of the formula, by index into [`Formula::functions`].
+    Call(usize, Vec<Expr>),
+}
+
+/// A statement.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Statement {
+    /// Names a value.
+    Let(usize, Expr),
+    /// Declares a variable that is assigned to later.
+    Var(usize, Expr),
+    /// Assigns to a variable.
+    Assign(usize, Expr),
+    /// Branches.
+    If(Expr, Vec<Statement>, Vec<Statement>),
+    /// Returns.
+    Return(Expr),
+}
+
+/// A function of numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// Its name.
+    pub name: String,
+    /// Number of arguments: the first variables.
+    pub arguments: usize,
+    /// Arguments, then what the body declares.
+    pub variables: Vec<Variable>,
+    /// What it returns.
+    pub result: Kind,
+    /// Its statements; every path ends in a return.
+    pub body: Vec<Statement>,
+}
+
+/// A formula: functions, each after those it calls, the last being the formula itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// Functions in order of declaration.
+    pub functions: Vec<Function>,
+    /// Free parameters; none once coefficients are filled in.
+    pub parameters: Vec<Parameter>,
+}
+
+impl Formula {
+    /// The formula's own function.
+    pub fn main(&self) -> &Function {
+        // `Hypothesis::parse` refuses a module without a function.
+        &self.functions[self.functions.len() - 1]
+    }
+}
+
+impl Expr {
+    /// Its operands, in order.
+    pub fn operands(&self) -> Vec<&Expr> {
+        match &self.kind {
+            ExprKind::Number(_) | ExprKind::Truth(_) | ExprKind::Parameter(_) | ExprKind::Variable(_) => {
+                Vec::new()
+            }
+            ExprKind::Unary(_, a) | ExprKind::Power(a, _) => vec![a],
+            ExprKind::Binary(_, a, b) => vec![a, b],
+            ExprKind::Builtin(_, arguments) | ExprKind::Call(_, arguments) => arguments.iter().collect(),
+        }
+    }
+
+    /// Whether it reads the variable.
+    pub fn reads(&self, variable: usize) -> bool {
+        self.kind == ExprKind::Variable(variable) || self.operands().iter().any(|e| e.reads(variable))
+    }
+}
+
+/// The exponents 1, 2, 4, ... whose powers multiply, in this order, to x^n.
+pub fn power_steps(n: u32) -> Vec<u32> {
+    (0..32).map(|bit| 1 << bit).filter(|step| n & step != 0).collect()
+}

@@ -1,0 +1,132 @@
+//! Proof that a formula has no pole in its domain.
+
+use super::tape::{BinaryOp, Interval, Node, Op, UnaryOp};
+use super::{Domain, FitError, Tape};
+
+/// Boxes examined before the proof is given up.
+const BOXES: usize = 200_000;
+
+/// A box whose sides are all below this part of the domain's is not divided further.
+const SMALLEST: f64 = 1e-7;
+
+/// Proves, by interval arithmetic on a subdivision of the domain, that in f32 no divisor is 0 or flushed to it, no
+/// square root is of a negative number, no logarithm of one that is not positive, no power of a negative base (or
+/// of 0 to an exponent that is not positive), and nothing overflows. Branches that a condition excludes are not
+/// asked.
+///
+/// # Errors
+/// [`FitError::Irregular`] with the sub-expression and a box where it could not be excluded: the formula has a pole
+/// there, or comes too close to one to be shipped. Inputs that the domain does not give, coefficients of the wrong
+/// number.
+pub fn prove_regular(tape: &Tape, coefficients: &[f64], domain: &Domain) -> Result<(), FitError> {
+    let expected = tape.parameters();
+    if coefficients.len() != expected {
+        let what = format!("{}: coefficients", tape.function());
+        return Err(FitError::Shape { what, found: coefficients.len(), expected });
+    }
+    let whole: Vec<Interval> = domain.axes().iter().map(|a| Interval::new(a.lo, a.hi)).collect();
+    let mut pending = vec![whole.clone()];
+    let mut examined = 0;
+    while let Some(region) = pending.pop() {
+        examined += 1;
+        let Some((node, hazard)) = examine(tape, coefficients, domain, &region)? else { continue };
+        let middle: Vec<Interval> = region.iter().map(|x| Interval::point(middle(*x))).collect();
+        if let Some((node, hazard)) = examine(tape, coefficients, domain, &middle)? {
+            return Err(irregular(tape, domain, &middle, node, hazard));
+        }
+        match widest(&region, &whole) {
+            Some(axis) if examined < BOXES => {
+                let (low, high) = halves(&region, axis);
+                pending.extend([high, low]);
+            }
+            _ => return Err(irregular(tape, domain, &region, node, hazard)),
+        }
+    }
+    Ok(())
+}
+
+/// The first operation that may go wrong in a box, and how.
+fn examine(
+    tape: &Tape,
+    coefficients: &[f64],
+    domain: &Domain,
+    region: &[Interval],
+) -> Result<Option<(Node, &'static str)>, FitError> {
+    let inputs = domain.intervals(tape.function(), tape.inputs(), region)?;
+    let bounds = tape.bounds(&inputs, coefficients);
+    let needed = tape.needed(&bounds);
+    let nodes = (0..tape.ops().len()).filter(|&node| needed[node]);
+    Ok(nodes.map(|node| (node as Node, hazard(tape, node, &bounds))).find_map(|(n, h)| Some((n, h?))))
+}
+
+/// How an operation may go wrong.
+fn hazard(tape: &Tape, node: usize, bounds: &[Interval]) -> Option<&'static str> {
+    let of = |n: Node| bounds[n as usize];
+    let tiny = f64::from(f32::MIN_POSITIVE);
+    let wrong = match tape.ops()[node] {
+        Op::Binary(BinaryOp::Divide, _, b) if of(b).may_vanish() => Some("may divide by zero"),
+        Op::Unary(UnaryOp::Sqrt, a) if of(a).lo < 0.0 => Some("may take the square root of a negative number"),
+        Op::Unary(UnaryOp::InverseSqrt, a) if of(a).lo < tiny => {
+            Some("may take the inverse square root of a number that is not positive")
+        }
+        Op::Unary(UnaryOp::Log | UnaryOp::Log2, a) if of(a).lo < tiny => {
+            Some("may take the logarithm of a number that is not positive")
+        }
+        Op::Binary(BinaryOp::Pow, a, _) if of(a).lo < 0.0 => Some("may raise a negative number to a power"),
+        Op::Binary(BinaryOp::Pow, a, b) if of(a).lo < tiny && of(b).lo <= 0.0 => {
+            Some("may raise zero to a power that is not positive")
+        }
+        _ => None,
+    };
+    let endless = !(bounds[node].lo.is_finite() && bounds[node].hi.is_finite());
+    wrong.or(endless.then_some("may overflow"))
+}
+
+fn middle(x: Interval) -> f64 {
+    f64::from((0.5 * (x.lo + x.hi)) as f32)
+}
+
+/// The axis to divide: wide against the domain and against its distance from 0, where quotients are sensitive.
+/// None if the box is as small as boxes get.
+fn widest(region: &[Interval], whole: &[Interval]) -> Option<usize> {
+    let score = |axis: usize| {
+        let (x, all) = (region[axis], whole[axis]);
+        let width = x.hi - x.lo;
+        let middle = middle(x);
+        if width <= 0.0 || middle <= x.lo || middle >= x.hi {
+            return 0.0;
+        }
+        let relative = width / x.lo.abs().max(x.hi.abs());
+        let part = width / (all.hi - all.lo);
+        if part < SMALLEST { 0.0 } else { relative * part.sqrt() }
+    };
+    let best = (0..region.len()).max_by(|&a, &b| score(a).total_cmp(&score(b)))?;
+    (score(best) > 0.0).then_some(best)
+}
+
+fn halves(region: &[Interval], axis: usize) -> (Vec<Interval>, Vec<Interval>) {
+    let (mut low, mut high) = (region.to_vec(), region.to_vec());
+    let middle = middle(region[axis]);
+    low[axis].hi = middle;
+    high[axis].lo = middle;
+    (low, high)
+}
+
+fn irregular(
+    tape: &Tape,
+    domain: &Domain,
+    region: &[Interval],
+    node: Node,
+    hazard: &'static str,
+) -> FitError {
+    let inputs = match domain.intervals(tape.function(), tape.inputs(), region) {
+        Ok(inputs) => inputs,
+        Err(error) => return error,
+    };
+    let range = |(name, x): (&String, &Interval)| {
+        if x.lo == x.hi { format!("{name} = {}", x.lo as f32) } else { format!("{name} = {} .. {}", x.lo as f32, x.hi as f32) }
+    };
+    let at: Vec<String> = tape.inputs().iter().zip(&inputs).map(range).collect();
+    let at = if at.is_empty() { "every point".to_string() } else { at.join(", ") };
+    FitError::Irregular { place: tape.place(node).clone(), function: tape.function().to_string(), hazard, at }
+}

@@ -1,0 +1,177 @@
+//! Levenberg-Marquardt as an argmin solver: least squares from one start.
+
+use argmin::core::{
+    Error, Executor, IterState, KV, Problem, Solver, State, TerminationReason, TerminationStatus,
+};
+
+use super::objective::{Linear, Objective, Refused, rms};
+use crate::fit::FitError;
+
+/// Residuals orthogonal to the Jacobian within this cosine are a minimum.
+const ORTHOGONAL: f64 = 1e-9;
+
+/// A minimum that rounding keeps from being sharper than [`ORTHOGONAL`] still counts up to here.
+const NEARLY_ORTHOGONAL: f64 = 1e-5;
+
+/// Residuals below this part of the targets are zero.
+const ZERO: f64 = 1e-14;
+
+/// Trials of larger damping before an iteration gives up.
+const TRIALS: usize = 40;
+
+type LeastSquaresState = IterState<Vec<f64>, (), (), (), (), f64>;
+
+/// How a least-squares search has ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum End {
+    Minimum { cosine: f64 },
+    Zero,
+    Stalled { cosine: f64 },
+    Cap,
+}
+
+/// The outcome of one search.
+#[derive(Clone, Debug)]
+pub(super) struct Search {
+    pub coefficients: Vec<f64>,
+    pub rms: f64,
+    pub end: End,
+    pub rank: usize,
+    pub evaluations: u64,
+}
+
+/// Searches from one start.
+///
+/// # Errors
+/// Within: the start is refused. Without: the driver fails.
+pub(super) fn search(
+    objective: &Objective,
+    start: &[f64],
+    iterations: u64,
+) -> Result<Result<Search, Refused>, FitError> {
+    if let Err(refused) = objective.linearise(start) {
+        return Ok(Err(refused));
+    }
+    let solver = Marquardt { damping: 1e-3, growth: 2.0, scale: vec![0.0; start.len()] };
+    let outcome = Executor::new(objective.clone(), solver)
+        .configure(|state: LeastSquaresState| state.param(start.to_vec()).max_iters(iterations))
+        .ctrlc(false)
+        .timer(false)
+        .run()
+        .map_err(|e| FitError::Solver { message: e.to_string() })?;
+    let evaluations = outcome.problem.counts.values().sum();
+    let status = outcome.state.get_termination_status().clone();
+    let coefficients = outcome.state.get_best_param().cloned().unwrap_or_else(|| start.to_vec());
+    // argmin's Ok, and even its reason, says nothing of convergence: look again at where it ended.
+    let linear = match objective.linearise(&coefficients) {
+        Ok(linear) => linear,
+        Err(refused) => return Ok(Err(refused)),
+    };
+    let cosine = linear.triangle.orthogonality();
+    let end = if is_zero(objective, &linear.residuals) {
+        End::Zero
+    } else if cosine <= NEARLY_ORTHOGONAL {
+        End::Minimum { cosine }
+    } else if status == TerminationStatus::Terminated(TerminationReason::MaxItersReached) {
+        End::Cap
+    } else {
+        End::Stalled { cosine }
+    };
+    let rank = linear.triangle.rank();
+    Ok(Ok(Search { coefficients, rms: rms(&linear.residuals), end, rank, evaluations }))
+}
+
+fn is_zero(objective: &Objective, residuals: &[f64]) -> bool {
+    rms(residuals) <= ZERO * rms(&objective.samples.target)
+}
+
+/// Levenberg-Marquardt with Nielsen's damping and Moré's scaling (columns of the largest length seen).
+struct Marquardt {
+    damping: f64,
+    growth: f64,
+    scale: Vec<f64>,
+}
+
+/// A refused point, as argmin's error.
+fn refuse(refused: Refused) -> Error {
+    Error::msg(format!("sample {} is not finite", refused.sample))
+}
+
+impl<'a> Solver<Objective<'a>, LeastSquaresState> for Marquardt {
+    fn name(&self) -> &str {
+        "Levenberg-Marquardt"
+    }
+
+    fn init(
+        &mut self,
+        problem: &mut Problem<Objective<'a>>,
+        state: LeastSquaresState,
+    ) -> Result<(LeastSquaresState, Option<KV>), Error> {
+        let start = state.get_param().cloned().unwrap_or_default();
+        let residuals = problem.problem("cost_count", |o| o.residuals(&start).map_err(refuse))?;
+        Ok((state.param(start).cost(rms(&residuals)), None))
+    }
+
+    fn next_iter(
+        &mut self,
+        problem: &mut Problem<Objective<'a>>,
+        state: LeastSquaresState,
+    ) -> Result<(LeastSquaresState, Option<KV>), Error> {
+        let at = state.get_param().cloned().unwrap_or_default();
+        let linear = problem.problem("jacobian_count", |o| o.linearise(&at).map_err(refuse))?;
+        for (scale, norm) in self.scale.iter_mut().zip(linear.triangle.column_norms()) {
+            *scale = scale.max(norm).max(f64::MIN_POSITIVE);
+        }
+        let zero = problem.problem("zero_count", |o| Ok(is_zero(o, &linear.residuals)))?;
+        if zero || linear.triangle.orthogonality() <= ORTHOGONAL {
+            return Ok((state.terminate_with(TerminationReason::SolverConverged), None));
+        }
+        match self.advance(problem, &at, &linear) {
+            Some((next, cost)) => Ok((state.param(next).cost(cost), None)),
+            None => {
+                let reason = TerminationReason::SolverExit("no step makes the residuals smaller".into());
+                Ok((state.terminate_with(reason), None))
+            }
+        }
+    }
+}
+
+impl Marquardt {
+    /// The next point and its rms, with damping raised until the residuals shrink. None if nothing shrinks them.
+    fn advance(
+        &mut self,
+        problem: &mut Problem<Objective>,
+        at: &[f64],
+        linear: &Linear,
+    ) -> Option<(Vec<f64>, f64)> {
+        let before = linear.triangle.residual_norm();
+        let count = linear.residuals.len() as f64;
+        for _ in 0..TRIALS {
+            let trial = linear.triangle.step(&self.scale, self.damping).and_then(|step| {
+                let next: Vec<f64> = at.iter().zip(&step).map(|(p, d)| p + d).collect();
+                let moved = next.iter().zip(at).any(|(a, b)| a != b);
+                let trial = |o: &Objective| Ok(o.residuals(&next).ok());
+                let residuals = problem.problem("cost_count", trial).ok().flatten();
+                residuals.filter(|_| moved).map(|r| (next.clone(), rms(&r), step))
+            });
+            if let Some((next, rms, step)) = trial {
+                let gained = before * before - rms * rms * count;
+                let promised = before * before - linear.triangle.predicted(&step);
+                if gained > 0.0 && promised > 0.0 {
+                    let ratio = (gained / promised).min(1.0);
+                    let t = 2.0 * ratio - 1.0;
+                    // Nielsen 1999: smooth between 1/3 and 2
+                    self.damping = (self.damping * (1.0 - t * t * t).max(1.0 / 3.0)).max(1e-15);
+                    self.growth = 2.0;
+                    return Some((next, rms));
+                }
+            }
+            self.damping *= self.growth;
+            self.growth *= 2.0;
+            if !self.damping.is_finite() {
+                return None;
+            }
+        }
+        None
+    }
+}

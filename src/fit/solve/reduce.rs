@@ -1,0 +1,136 @@
+//! Orthogonal reduction of a tall Jacobian to a small triangle: everything that least squares needs, without ever
+//! forming normal equations (which square the condition number).
+
+use nalgebra::{ColPivQR, DMatrix, DVector, Dyn};
+use rayon::prelude::*;
+
+/// Rows reduced together.
+const CHUNK: usize = 1024;
+
+/// A singular value below this part of the largest counts as zero.
+const RANK_TOLERANCE: f64 = 1e-11;
+
+/// The triangular factor of [J | r]: |J d + r|^2 = |R d + q|^2 + rest^2 for every d.
+#[derive(Clone, Debug)]
+pub(super) struct Triangle {
+    /// R, n x n.
+    pub r: DMatrix<f64>,
+    /// The first n components of r in the basis of J.
+    pub q: DVector<f64>,
+    /// What no d can remove.
+    pub rest: f64,
+}
+
+/// Reduces a Jacobian of n columns, given row by row, and its residuals.
+pub(super) fn reduce(jacobian: &[f64], residuals: &[f64], n: usize) -> Triangle {
+    let width = n + 1;
+    let parts: Vec<Vec<f64>> = residuals
+        .par_chunks(CHUNK)
+        .enumerate()
+        .map(|(chunk, residuals)| {
+            let rows = &jacobian[chunk * CHUNK * n..(chunk * CHUNK + residuals.len()) * n];
+            let mut matrix = Vec::with_capacity(residuals.len() * width);
+            for (i, residual) in residuals.iter().enumerate() {
+                matrix.extend_from_slice(&rows[i * n..(i + 1) * n]);
+                matrix.push(*residual);
+            }
+            triangularise(matrix, width)
+        })
+        .collect();
+    let stacked = triangularise(parts.concat(), width);
+    let at = |i: usize, j: usize| stacked.get(i * width + j).copied().unwrap_or(0.0);
+    Triangle {
+        r: DMatrix::from_fn(n, n, |i, j| if j >= i { at(i, j) } else { 0.0 }),
+        q: DVector::from_fn(n, |i, _| at(i, n)),
+        rest: at(n, n).abs(),
+    }
+}
+
+/// The first `width` rows of the triangular factor of a matrix given row by row (Householder reflections).
+fn triangularise(mut a: Vec<f64>, width: usize) -> Vec<f64> {
+    let rows = a.len() / width;
+    for k in 0..width.min(rows) {
+        let norm = (k..rows).map(|i| a[i * width + k] * a[i * width + k]).sum::<f64>().sqrt();
+        if norm == 0.0 {
+            continue;
+        }
+        let pivot = a[k * width + k];
+        let alpha = if pivot > 0.0 { -norm } else { norm };
+        // v = x - alpha e_k; |v|^2 / 2 = norm (norm + |pivot|)
+        let half = norm * (norm + pivot.abs());
+        let v: Vec<f64> =
+            (k..rows).map(|i| a[i * width + k] - if i == k { alpha } else { 0.0 }).collect();
+        let mut dots = vec![0.0; width - k];
+        for (row, vi) in a[k * width..].chunks_exact(width).zip(&v) {
+            for (dot, x) in dots.iter_mut().zip(&row[k..]) {
+                *dot += vi * x;
+            }
+        }
+        for (row, vi) in a[k * width..].chunks_exact_mut(width).zip(&v) {
+            for (dot, x) in dots.iter().zip(&mut row[k..]) {
+                *x -= vi * dot / half;
+            }
+        }
+    }
+    a.truncate(rows.min(width) * width);
+    a
+}
+
+impl Triangle {
+    /// Length of each column of the Jacobian.
+    pub fn column_norms(&self) -> Vec<f64> {
+        self.r.column_iter().map(|c| c.norm()).collect()
+    }
+
+    /// Length of the residuals.
+    pub fn residual_norm(&self) -> f64 {
+        (self.q.norm_squared() + self.rest * self.rest).sqrt()
+    }
+
+    /// Largest cosine between the residuals and a column of the Jacobian: 0 at a minimum (Moré 1978, eq. 5.2).
+    pub fn orthogonality(&self) -> f64 {
+        let length = self.residual_norm();
+        let cosine = |j: usize| {
+            let column = self.r.column(j);
+            let size = column.norm() * length;
+            if size > 0.0 { column.dot(&self.q).abs() / size } else { 0.0 }
+        };
+        (0..self.r.ncols()).map(cosine).fold(0.0, f64::max)
+    }
+
+    /// The Jacobian's rank, its columns scaled to length 1.
+    pub fn rank(&self) -> usize {
+        let norms = self.column_norms();
+        let scaled = DMatrix::from_fn(self.r.nrows(), self.r.ncols(), |i, j| {
+            if norms[j] > 0.0 { self.r[(i, j)] / norms[j] } else { 0.0 }
+        });
+        let values = scaled.singular_values();
+        let largest = values.iter().copied().fold(0.0, f64::max);
+        values.iter().filter(|v| **v > RANK_TOLERANCE * largest).count()
+    }
+
+    /// The step d that minimises |R d + q|^2 + damping |D d|^2, D = diag(scale), by QR with column pivoting.
+    /// None if it is not finite.
+    pub fn step(&self, scale: &[f64], damping: f64) -> Option<Vec<f64>> {
+        let n = self.r.ncols();
+        let root = damping.sqrt();
+        let augmented = DMatrix::from_fn(2 * n, n, |i, j| match (i < n, i == j + n) {
+            (true, _) => self.r[(i, j)] / scale[j],
+            (_, true) => root,
+            _ => 0.0,
+        });
+        let mut right = DVector::from_fn(2 * n, |i, _| if i < n { -self.q[i] } else { 0.0 });
+        let qr: ColPivQR<f64, Dyn, Dyn> = ColPivQR::new(augmented);
+        qr.q_tr_mul(&mut right);
+        let mut z = qr.r().solve_upper_triangular(&right.rows(0, n))?;
+        qr.p().inv_permute_rows(&mut z);
+        let step: Vec<f64> = z.iter().zip(scale).map(|(z, s)| z / s).collect();
+        step.iter().all(|x| x.is_finite()).then_some(step)
+    }
+
+    /// |R d + q|^2 + rest^2: the square length of the residuals that the linear model predicts.
+    pub fn predicted(&self, step: &[f64]) -> f64 {
+        let moved = &self.r * DVector::from_column_slice(step) + &self.q;
+        moved.norm_squared() + self.rest * self.rest
+    }
+}

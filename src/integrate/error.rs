@@ -1,0 +1,49 @@
+//! What can go wrong when a truth is asked for.
+
+/// Why no value is given.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum IntegrateError {
+    /// An input lies outside the quantity's domain or is not a number.
+    #[error("{quantity}: {input} = {value} is outside {domain}")]
+    Domain {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// Input's name.
+        input: &'static str,
+        /// Its value.
+        value: f64,
+        /// The domain in words.
+        domain: &'static str,
+    },
+    /// The largest rule does not reach the tolerance.
+    #[error("{quantity} at {place}: error bound {reached:e} after the largest rule, tolerance {tolerance:e}")]
+    Tolerance {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// Where.
+        place: String,
+        /// Error bound reached.
+        reached: f64,
+        /// Tolerance asked for.
+        tolerance: f64,
+    },
+    /// A value came out NaN or infinite: a defect of this program.
+    #[error("{quantity} at {place}: the integral is not finite")]
+    NotFinite {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// Where.
+        place: String,
+    },
+    /// A tolerance or sample count that makes no sense.
+    #[error("{option} = {value}: {must}")]
+    Option {
+        /// Option's name.
+        option: &'static str,
+        /// Its value.
+        value: String,
+        /// What it must be.
+        must: &'static str,
+    },
+}

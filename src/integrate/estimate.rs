@@ -1,0 +1,80 @@
+//! A value with the bound of its error, and the panel rule that gives both.
+
+use crate::math::gauss::Gauss;
+use crate::math::lanes::{self, F8, LANES};
+
+/// A value and a bound on |value - truth|.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Estimate {
+    /// The value.
+    pub value: f64,
+    /// Bound of its absolute error.
+    pub error: f64,
+}
+
+/// Rounding of a sum of positive terms whose nodes lie up to 20 units from the peak of their variable: each term is
+/// off by some 20 eps. Measured: E + loss = 1 to 4e-14 over alpha, mu in [1e-4, 1].
+const ROUNDING: f64 = 6e-14;
+
+impl Estimate {
+    /// The finer of two values with a bound from their difference.
+    ///
+    /// The finer rule has twice the nodes, so where the rules converge geometrically its error is about the square of
+    /// the coarse one's (relative to `scale`, the size of the integrand's terms). The factor 30 is empirical: with it the
+    /// bound held in 19 992 of 20 000 random points (`tests/integrate_error_bound.rs`).
+    pub fn from_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
+        let difference = (fine - coarse).abs();
+        let error = difference * (30.0 * difference / scale).min(1.0) + ROUNDING * scale;
+        Estimate { value: fine, error }
+    }
+}
+
+/// Gauss nodes per panel, in blocks of eight lanes.
+#[derive(Clone, Debug)]
+pub struct PanelRule {
+    nodes: Vec<F8>,
+    weights: Vec<F8>,
+}
+
+impl PanelRule {
+    /// A rule of `n` nodes per panel, `n` a multiple of eight.
+    ///
+    /// # Panics
+    /// If `n` is not a positive multiple of eight: it never depends on input.
+    pub fn new(n: usize) -> PanelRule {
+        assert!(n > 0 && n.is_multiple_of(LANES), "a panel rule has a multiple of {LANES} nodes, not {n}");
+        let rule = Gauss::new(n);
+        let blocks = |x: &[f64]| x.as_chunks::<LANES>().0.to_vec();
+        PanelRule { nodes: blocks(&rule.nodes), weights: blocks(&rule.weights) }
+    }
+
+    /// Nodes per panel.
+    pub fn nodes(&self) -> usize {
+        self.nodes.len() * LANES
+    }
+
+    /// Integral of `f` over [a, b].
+    #[inline(always)]
+    pub fn panel(&self, a: f64, b: f64, f: &impl Fn(&F8) -> F8) -> f64 {
+        let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
+        let mut total = 0.0;
+        for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
+            let mut x = [0.0; LANES];
+            for i in 0..LANES {
+                x[i] = middle + half * nodes[i];
+            }
+            let mut y = f(&x);
+            for i in 0..LANES {
+                y[i] *= weights[i];
+            }
+            total += lanes::sum(&y);
+        }
+        half * total
+    }
+
+    /// Integral of `f` over all panels between the `cuts`.
+    #[inline(always)]
+    pub fn panels(&self, cuts: &[f64], f: &impl Fn(&F8) -> F8) -> f64 {
+        cuts.windows(2).map(|cut| self.panel(cut[0], cut[1], f)).sum()
+    }
+}

@@ -1,0 +1,88 @@
+//! Approximations and fits as the page shows them.
+
+use serde::Serialize;
+
+use crate::data::{Approximation, Certificate, Cost, Form, Smith, Source, Use};
+use crate::report::Field;
+
+/// One approximation: ours or somebody else's, table or formula. The same figures for all of them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ApproximationFinding {
+    /// Name; unique among the findings.
+    pub name: String,
+    /// Quantity that it approximates.
+    pub quantity: String,
+    /// Column of the quantity.
+    pub column: String,
+    /// What it is used as; decides what its error means.
+    #[serde(rename = "use")]
+    pub used_as: Use,
+    /// Shadowing form of the quantity.
+    pub smith: Smith,
+    /// `fitted`, or the publication.
+    pub source: String,
+    /// Somebody else's.
+    pub published: bool,
+    /// A table, not a formula.
+    pub table: bool,
+    /// Norm that its constants minimise: `max`, `rms`, `published`; empty for a table.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub norm: String,
+    /// Coefficients by name; none for a table.
+    pub coefficients: Vec<(String, f32)>,
+    /// Its measured error.
+    pub certificate: Certificate,
+    /// What it takes at run time.
+    pub cost: Cost,
+}
+
+impl From<&Approximation> for ApproximationFinding {
+    fn from(a: &Approximation) -> Self {
+        let (table, norm, coefficients) = match &a.form {
+            Form::Table(_) => (true, String::new(), Vec::new()),
+            Form::Formula(f) => (false, f.norm.clone(), f.coefficients.clone()),
+        };
+        ApproximationFinding {
+            name: a.name.clone(),
+            quantity: a.quantity.clone(),
+            column: a.column.clone(),
+            used_as: a.used_as,
+            smith: a.smith,
+            source: a.source.text().to_string(),
+            published: matches!(a.source, Source::Published(_)),
+            table,
+            norm,
+            coefficients,
+            certificate: a.certificate.clone(),
+            cost: a.cost,
+        }
+    }
+}
+
+/// A fit beside its truth.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FitFinding {
+    /// Name of the approximation; cost, certificate and source stand there.
+    pub name: String,
+    /// The formula as a person reads it, constants filled in; may have several lines.
+    pub formula: String,
+    /// What the curves show: `N = 1/E`, ...
+    pub value: String,
+    /// Truth and fit over mu, one per roughness, roughness rising.
+    pub curves: Vec<FitCurve>,
+    /// Signed error of the use over roughness and mu; for a normalisation E N - 1.
+    pub error: Field,
+}
+
+/// Truth and fit at one roughness.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FitCurve {
+    /// Roughness.
+    pub roughness: f64,
+    /// Cosines, increasing.
+    pub mu: Vec<f64>,
+    /// Truth at each mu.
+    pub truth: Vec<f64>,
+    /// Fit at each mu.
+    pub fit: Vec<f64>,
+}

@@ -1,0 +1,103 @@
+//! A page: a list of sections, each a list of blocks; one self-contained HTML file without script or network.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use minijinja::{AutoEscape, Environment, context};
+use serde::Serialize;
+
+use super::{Origin, ReportError, plot};
+
+/// A page of sections.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Page {
+    /// Title.
+    pub title: String,
+    /// What made it.
+    pub origin: Origin,
+    /// What the reader is about to see.
+    pub lead: String,
+    /// The sections; the table of contents lists them.
+    pub sections: Vec<Section>,
+}
+
+/// A titled part of a page.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Section {
+    /// Anchor: lower-case letters and hyphens.
+    pub id: String,
+    /// Title.
+    pub title: String,
+    /// What the section shows and how to read it.
+    pub lead: String,
+    /// Its content.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a section. All text is plain and escaped on the way into the page; only `svg` is markup.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Block {
+    /// A paragraph.
+    Text {
+        /// The words.
+        text: String,
+    },
+    /// A heading below the section's.
+    Heading {
+        /// The words.
+        text: String,
+    },
+    /// Text in a fixed pitch, its lines kept.
+    Code {
+        /// The lines.
+        text: String,
+    },
+    /// Name and value pairs.
+    Facts {
+        /// The pairs.
+        rows: Vec<(String, String)>,
+    },
+    /// Drawings side by side, as many as fit, with one caption.
+    Figures {
+        /// Markup from [`super::Figure::svg`].
+        svg: Vec<String>,
+        /// What to see in them.
+        caption: String,
+    },
+    /// A table.
+    Table(TextTable),
+}
+
+/// A table of text.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TextTable {
+    /// Heads of the columns, and whether they hold figures (aligned right).
+    pub columns: Vec<(String, bool)>,
+    /// Cells by row.
+    pub rows: Vec<Vec<String>>,
+    /// Rows to set back in grey: somebody else's.
+    pub muted: Vec<bool>,
+    /// What to see in it.
+    pub caption: String,
+}
+
+/// The page as HTML.
+///
+/// # Errors
+/// [`ReportError::Drawing`] if the template refuses, a defect of this program.
+pub fn html(page: &Page) -> Result<String, ReportError> {
+    render(page).map_err(|e| ReportError::Drawing { section: page.title.clone(), reason: e.to_string() })
+}
+
+fn render(page: &Page) -> Result<String, minijinja::Error> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.set_trim_blocks(true);
+    environment.set_lstrip_blocks(true);
+    environment.add_template("page", include_str!("assets/page.html"))?;
+    environment.get_template("page")?.render(context! {
+        page,
+        css => include_str!("assets/page.css"),
+        font => STANDARD.encode(plot::FONT_BYTES),
+    })
+}

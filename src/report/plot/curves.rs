@@ -1,0 +1,246 @@
+//! Lines over linear or logarithmic axes: fits beside their truth, error against work.
+
+use plotters::style::RGBColor;
+
+use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
+use super::legend::{Key, Legend};
+use super::{Figure, LINES, Scale, Spread, axes, font};
+use crate::math::ops;
+use crate::report::{ReportError, check};
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// A heavy black line: the truth.
+    Truth,
+    /// A line in one of the colours, counted from 0 and repeating.
+    Line(usize),
+    /// A line with a mark at every point.
+    Marked(usize),
+}
+
+/// A named line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// Name in the legend; empty for none. Equal names share an entry.
+    pub name: String,
+    /// Points in the order of drawing.
+    pub points: Vec<(f64, f64)>,
+    /// How it is drawn.
+    pub style: Style,
+    /// Text beside its last point.
+    pub end: Option<String>,
+}
+
+/// A single marked point with text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Annotation {
+    /// Place.
+    pub x: f64,
+    /// Place.
+    pub y: f64,
+    /// What is to be said.
+    pub text: String,
+}
+
+/// A chart of lines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curves {
+    /// Line above the chart; shortened to fit.
+    pub title: String,
+    /// Label and spread of the horizontal axis.
+    pub x: (String, Spread),
+    /// Label and spread of the vertical axis. On a logarithmic axis values that are not positive sit on its foot.
+    pub y: (String, Spread),
+    /// The lines, drawn in order.
+    pub series: Vec<Series>,
+    /// Marked points.
+    pub annotations: Vec<Annotation>,
+    /// Guides of constant slope through the top left corner of a log-log chart: slope and text.
+    pub guides: Vec<(f64, String)>,
+    /// Limits of the vertical axis, where charts share them.
+    pub y_limits: Option<(f64, f64)>,
+    /// Size of the plotted area in pixels.
+    pub size: (f64, f64),
+}
+
+impl Series {
+    fn colour(&self) -> RGBColor {
+        match self.style {
+            Style::Truth => INK,
+            Style::Line(i) | Style::Marked(i) => LINES[i % LINES.len()],
+        }
+    }
+
+    fn key(&self) -> Key {
+        match self.style {
+            Style::Truth => Key::Line(3.0),
+            Style::Line(_) => Key::Line(1.6),
+            Style::Marked(_) => Key::Marked,
+        }
+    }
+}
+
+impl Figure for Curves {
+    fn svg(&self) -> Result<String, ReportError> {
+        self.check()?;
+        let legend = self.legend()?;
+        let right = if self.series.iter().any(|s| s.end.is_some()) { 52.0 } else { 18.0 };
+        let top = 28.0 + legend.height();
+        let frame = Frame { left: 62.0, top, right: 62.0 + self.size.0, bottom: top + self.size.1 };
+        let plan = Plan { frame, x: self.scale_x(), y: self.scale_y() };
+        sheet(&self.title, (frame.right + right, frame.bottom + 44.0), "", |c| self.draw(c, &plan, &legend))
+    }
+}
+
+/// Where values go.
+struct Plan {
+    frame: Frame,
+    x: Scale,
+    y: Scale,
+}
+
+impl Plan {
+    fn pixel(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        let f = self.frame;
+        (f.left + self.x.position(x) * f.width(), f.bottom - self.y.position(y) * f.height())
+    }
+}
+
+impl Curves {
+    fn check(&self) -> Result<(), ReportError> {
+        check::filled(&self.title, "series", self.series.len())?;
+        for s in &self.series {
+            check::filled(&self.title, &format!("series {}", s.name), s.points.len())?;
+            for (i, &(x, y)) in s.points.iter().enumerate() {
+                self.check_point(&format!("series {}[{i}]", s.name), x, y)?;
+            }
+        }
+        self.annotations
+            .iter()
+            .try_for_each(|a| self.check_point(&format!("annotation {}", a.text), a.x, a.y))
+    }
+
+    fn check_point(&self, field: &str, x: f64, y: f64) -> Result<(), ReportError> {
+        check::finite(&self.title, &format!("{field}.x"), x)?;
+        check::finite(&self.title, &format!("{field}.y"), y)?;
+        if self.x.1 == Spread::Log && x <= 0.0 {
+            return Err(check::domain(
+                &self.title,
+                &format!("{field}.x"),
+                "must be positive on a logarithmic axis",
+            ));
+        }
+        Ok(())
+    }
+
+    fn legend(&self) -> Result<Legend, ReportError> {
+        let mut entries: Vec<super::legend::Entry> = Vec::new();
+        for s in self.series.iter().filter(|s| !s.name.is_empty()) {
+            if !entries.iter().any(|e| e.0 == s.name) {
+                entries.push((s.name.clone(), s.colour(), s.key()));
+            }
+        }
+        Legend::flow(entries, self.size.0)
+    }
+
+    fn scale_x(&self) -> Scale {
+        let points = self.series.iter().flat_map(|s| &s.points).map(|p| p.0);
+        let values = points.chain(self.annotations.iter().map(|a| a.x));
+        match self.x.1 {
+            Spread::Linear => {
+                let (min, max) =
+                    (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max));
+                Scale { spread: Spread::Linear, min, max: if max > min { max } else { min + 1.0 } }
+            }
+            spread => Scale::around(spread, values),
+        }
+    }
+
+    fn scale_y(&self) -> Scale {
+        if let Some((min, max)) = self.y_limits {
+            return Scale { spread: self.y.1, min, max };
+        }
+        let points = self.series.iter().flat_map(|s| &s.points).map(|p| p.1);
+        let values = points.chain(self.annotations.iter().map(|a| a.y));
+        if self.y.1 != Spread::Log {
+            return Scale::around(self.y.1, values);
+        }
+        let mut positive = values.filter(|&v| v > 0.0).peekable();
+        if positive.peek().is_none() {
+            // Nothing but exact zeros: one decade to sit at the foot of.
+            return Scale { spread: Spread::Log, min: 1e-17, max: 1e-16 };
+        }
+        Scale::around(Spread::Log, positive.collect::<Vec<_>>().into_iter())
+    }
+
+    fn draw(&self, canvas: &Canvas, plan: &Plan, legend: &Legend) -> Result<(), ReportError> {
+        let frame = plan.frame;
+        let title = font::shorten(&self.title, TEXT, frame.width() + 20.0)?;
+        canvas.text(&title, (frame.left, 12.0), TEXT, Align::Left, INK)?;
+        legend.draw(canvas, (frame.left, 22.0))?;
+        axes::grid(canvas, frame, (plan.x, &self.x.0), (plan.y, &self.y.0))?;
+        for guide in &self.guides {
+            draw_guide(canvas, plan, guide)?;
+        }
+        for s in &self.series {
+            draw_series(canvas, plan, s)?;
+        }
+        self.draw_ends(canvas, plan)?;
+        for a in &self.annotations {
+            let at = plan.pixel((a.x, a.y));
+            canvas.circle(at, 6.0, INK, Some(1.8))?;
+            canvas.note(&a.text, at, frame)?;
+        }
+        Ok(())
+    }
+
+    /// Texts beside the last points, pushed apart where lines end together.
+    fn draw_ends(&self, canvas: &Canvas, plan: &Plan) -> Result<(), ReportError> {
+        let mut ends: Vec<(f64, &str)> = Vec::new();
+        for s in &self.series {
+            if let (Some(text), Some(&last)) = (&s.end, s.points.last()) {
+                ends.push((plan.pixel(last).1, text));
+            }
+        }
+        ends.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut lowest = plan.frame.bottom + 6.0;
+        for (y, text) in ends {
+            let at = y.min(lowest - 12.0);
+            lowest = at;
+            canvas.text(text, (plan.frame.right + 6.0, at), SMALL, Align::Left, INK)?;
+        }
+        Ok(())
+    }
+}
+
+fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportError> {
+    let pixels: Vec<(f64, f64)> = s.points.iter().map(|&p| plan.pixel(p)).collect();
+    let width = if s.style == Style::Truth { 3.0 } else { 1.6 };
+    canvas.line(&pixels, s.colour(), width)?;
+    if !matches!(s.style, Style::Marked(_)) {
+        return Ok(());
+    }
+    for (&pixel, &(_, y)) in pixels.iter().zip(&s.points) {
+        if plan.y.spread == Spread::Log && y <= 0.0 {
+            let (x, foot) = pixel;
+            canvas.polygon(&[(x - 4.0, foot - 7.0), (x + 4.0, foot - 7.0), (x, foot)], s.colour())?;
+        } else {
+            canvas.circle(pixel, 2.8, s.colour(), None)?;
+        }
+    }
+    Ok(())
+}
+
+/// A grey line of constant slope from the top left corner down to the frame, named near its lower end.
+fn draw_guide(canvas: &Canvas, plan: &Plan, (slope, text): &(f64, String)) -> Result<(), ReportError> {
+    let decades = |s: Scale| ops::log(s.max / s.min);
+    // Fraction of the height that the guide falls over the whole width.
+    let fall = -slope * decades(plan.x) / decades(plan.y);
+    let (across, down) = if fall > 1.0 { (1.0 / fall, 1.0) } else { (1.0, fall) };
+    let f = plan.frame;
+    let end = (f.left + across * f.width(), f.top + down * f.height());
+    canvas.line(&[(f.left, f.top), end], GREY, 0.8)?;
+    let named = (f.left + 0.86 * across * f.width(), f.top + 0.86 * down * f.height() - 8.0);
+    canvas.text(text, named, SMALL, Align::Left, GREY)
+}

@@ -1,0 +1,126 @@
+//! A field in colour: a PNG of one pixel per cell inside drawn axes, with a colour bar and the worst place marked.
+
+use super::canvas::{Align, Canvas, Frame, INK, LABEL_INK, PAPER, TEXT, picture, sheet};
+use super::{Figure, Scale, Shade, Spread, axes, font, raster};
+use crate::report::field::Ruler;
+use crate::report::{Field, ReportError, check, numbers};
+
+/// A place to mark, with the text to put beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Worst {
+    /// Physical x, clamped to the grid.
+    pub x: f64,
+    /// Physical y, clamped to the grid.
+    pub y: f64,
+    /// Text: the value there.
+    pub text: String,
+}
+
+/// A field as a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeatMap<'a> {
+    /// Line above the picture; shortened to fit.
+    pub title: String,
+    /// What is shown.
+    pub field: &'a Field,
+    /// What the colours mean.
+    pub shade: Shade,
+    /// First row at the top, as a texture is stored; otherwise y increases upwards.
+    pub top_down: bool,
+    /// A place to mark.
+    pub worst: Option<Worst>,
+    /// Size of the plotted area in pixels.
+    pub size: (f64, f64),
+}
+
+impl<'a> HeatMap<'a> {
+    /// The field with its own scale and its worst place marked: signed by square root, magnitudes linear.
+    pub fn of(title: &str, field: &'a Field) -> HeatMap<'a> {
+        let worst = field.worst().filter(|_| field.signed).map(|(x, y, value)| Worst {
+            x,
+            y,
+            text: numbers::bound(value, 2),
+        });
+        let shade = if field.signed { signed(field.peak()) } else { magnitude(field) };
+        HeatMap { title: title.into(), field, shade, top_down: false, worst, size: (232.0, 200.0) }
+    }
+
+    fn cells(&self) -> Vec<u8> {
+        let columns = self.field.x.values.len();
+        let rows = self.field.y.values.len();
+        let row = |k: usize| if self.top_down { k } else { rows - 1 - k };
+        (0..rows)
+            .flat_map(|k| &self.field.values[row(k) * columns..][..columns])
+            .map(|&v| self.shade.level(f64::from(v)))
+            .collect()
+    }
+
+    fn frame(&self) -> Frame {
+        Frame { left: 60.0, top: 30.0, right: 60.0 + self.size.0, bottom: 30.0 + self.size.1 }
+    }
+
+    /// Pixel of a physical place: centres of the first and last cells lie half a cell inside the frame.
+    fn pixel(&self, x: f64, y: f64) -> (f64, f64) {
+        let frame = self.frame();
+        let across = (self.field.x.position(x) + 0.5) / self.field.x.values.len() as f64;
+        let up = (self.field.y.position(y) + 0.5) / self.field.y.values.len() as f64;
+        let down = if self.top_down { up } else { 1.0 - up };
+        (frame.left + across * frame.width(), frame.top + down * frame.height())
+    }
+
+    fn draw(&self, canvas: &Canvas) -> Result<(), ReportError> {
+        let frame = self.frame();
+        let (x, y) = (&self.field.x, &self.field.y);
+        let x_marks = marks(x, 6, |v| self.pixel(v, y.values[0]).0);
+        let y_marks = marks(y, 6, |v| self.pixel(x.values[0], v).1);
+        axes::border(canvas, frame, (&x_marks, &x.name), (&y_marks, &y.name))?;
+        axes::bar(canvas, frame, self.shade, &self.field.unit)?;
+        let title = font::shorten(&self.title, TEXT, frame.width() + axes::BAR_SPACE)?;
+        canvas.text(&title, (frame.left, 12.0), TEXT, Align::Left, INK)?;
+        let Some(worst) = &self.worst else { return Ok(()) };
+        let at = self.pixel(worst.x, worst.y);
+        canvas.circle(at, 5.0, PAPER, Some(3.0))?;
+        canvas.circle(at, 5.0, LABEL_INK, Some(1.4))?;
+        canvas.note(&worst.text, at, frame)
+    }
+}
+
+impl Figure for HeatMap<'_> {
+    fn svg(&self) -> Result<String, ReportError> {
+        self.field.check(&self.title)?;
+        if let Some(worst) = &self.worst {
+            check::finite(&self.title, "worst.x", worst.x)?;
+            check::finite(&self.title, "worst.y", worst.y)?;
+        }
+        let frame = self.frame();
+        let size = (self.field.x.values.len(), self.field.y.values.len());
+        let png = raster::png(&self.title, size, &self.cells(), self.shade)?;
+        let under = picture(&png, frame, true) + &axes::bar_picture(&self.title, frame, self.shade)?;
+        sheet(&self.title, (frame.right + axes::BAR_SPACE, frame.bottom + 44.0), &under, |c| self.draw(c))
+    }
+}
+
+/// Symmetric limits that hold `peak`, small errors spread apart; a field of zeros gets limits of 1e-12.
+pub(crate) fn signed(peak: f64) -> Shade {
+    Shade::Signed { limit: numbers::round_up(peak.max(1e-12), 2), spread: Spread::Root }
+}
+
+fn magnitude(field: &Field) -> Shade {
+    let scale = Scale::around(Spread::Linear, field.values.iter().map(|&v| f64::from(v)));
+    Shade::Magnitude { min: scale.min, max: scale.max, spread: Spread::Linear }
+}
+
+/// Ticks of a ruler at round physical values; an uneven ruler is walked by decades.
+fn marks(ruler: &Ruler, count: usize, pixel: impl Fn(f64) -> f64) -> Vec<axes::Mark> {
+    let (min, max) = (ruler.values[0], ruler.values[ruler.values.len() - 1]);
+    let spread = if min > 0.0 && !even(&ruler.values) { Spread::Log } else { Spread::Linear };
+    let ticks = Scale { spread, min, max }.ticks(count);
+    ticks.into_iter().map(|t| axes::Mark { at: pixel(t.value), label: t.label }).collect()
+}
+
+/// Whether the steps of a list agree within a thousandth.
+fn even(values: &[f64]) -> bool {
+    let steps = || values.windows(2).map(|w| w[1] - w[0]);
+    let widest = steps().fold(0.0, f64::max);
+    steps().all(|s| s > 0.999 * widest)
+}

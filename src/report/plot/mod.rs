@@ -1,0 +1,40 @@
+//! The figures, each a value that draws itself into SVG; they know values, labels and colours, and nothing of
+//! what is reported.
+
+mod axes;
+mod bars;
+mod canvas;
+mod colour;
+mod curves;
+mod font;
+mod heat_map;
+mod labels;
+mod legend;
+mod raster;
+mod scale;
+mod scatter;
+mod spheres;
+
+pub use bars::{Bar, Bars};
+pub(crate) use colour::LINES;
+pub use colour::Shade;
+pub use curves::{Annotation, Curves, Series, Style};
+pub(crate) use font::BYTES as FONT_BYTES;
+pub(crate) use heat_map::signed;
+pub use heat_map::{HeatMap, Worst};
+pub(crate) use scale::Scale;
+pub use scale::Spread;
+pub(crate) use scatter::frontier;
+pub use scatter::{Dot, Scatter};
+pub use spheres::{SphereRow, Spheres};
+
+use super::ReportError;
+
+/// Anything that draws itself as a piece of SVG markup to be put into a page.
+pub trait Figure {
+    /// The markup, one `<svg>` element; the same bytes for the same data.
+    ///
+    /// # Errors
+    /// Non-finite, empty or mismatched data, by figure and field.
+    fn svg(&self) -> Result<String, ReportError>;
+}

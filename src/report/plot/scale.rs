@@ -1,0 +1,171 @@
+//! From physical values to positions, with the ticks that people expect.
+
+use crate::math::ops;
+use crate::report::numbers;
+
+/// How values are spread along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spread {
+    /// Evenly.
+    Linear,
+    /// By logarithm; values must be positive.
+    Log,
+    /// By square root; values must not be negative.
+    Root,
+}
+
+/// An axis: a spread over an interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Scale {
+    pub(crate) spread: Spread,
+    pub(crate) min: f64,
+    pub(crate) max: f64,
+}
+
+/// A tick: its value, its label (minor ticks have none).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tick {
+    pub(crate) value: f64,
+    pub(crate) label: Option<String>,
+}
+
+impl Scale {
+    /// The scale that holds all values, rounded outward to ticks (linear) or to decades, 2 and 5 (log).
+    pub(crate) fn around(spread: Spread, values: impl Iterator<Item = f64> + Clone) -> Scale {
+        let min = values.clone().fold(f64::INFINITY, f64::min);
+        let max = values.fold(f64::NEG_INFINITY, f64::max);
+        match spread {
+            Spread::Log => {
+                let (low, high) = (decade_below(min), decade_above(max));
+                Scale { spread, min: low, max: if high > low { high } else { low * 10.0 } }
+            }
+            Spread::Root => Scale { spread, min: 0.0, max: (max * 1.04).max(1.0) },
+            Spread::Linear => {
+                let span = if max > min { max - min } else { min.abs().max(1.0) * 0.1 };
+                let step = nice_step(span, 6);
+                Scale { spread, min: (min / step).floor() * step, max: (max / step).ceil() * step }.widened()
+            }
+        }
+    }
+
+    /// Position in [0, 1] of a value, clamped to the scale.
+    pub(crate) fn position(self, x: f64) -> f64 {
+        let t = match self.spread {
+            Spread::Linear => (x - self.min) / (self.max - self.min),
+            Spread::Log => ops::log(x.max(f64::MIN_POSITIVE) / self.min) / ops::log(self.max / self.min),
+            Spread::Root => ((x - self.min).max(0.0) / (self.max - self.min)).sqrt(),
+        };
+        t.clamp(0.0, 1.0)
+    }
+
+    /// Ticks inside the scale; about `count` of them have labels.
+    pub(crate) fn ticks(self, count: usize) -> Vec<Tick> {
+        match self.spread {
+            Spread::Linear => linear_ticks(self.min, self.max, count),
+            Spread::Log => log_ticks(self.min, self.max, count),
+            Spread::Root => [0.0, 1.0, 5.0, 10.0, 20.0, 40.0, 60.0, 80.0, 120.0, 160.0, 240.0, 320.0, 640.0]
+                .into_iter()
+                .filter(|v| (self.min..=self.max).contains(v))
+                .map(|value| Tick { value, label: Some(numbers::tick(value)) })
+                .collect(),
+        }
+    }
+
+    /// A scale of positive length.
+    fn widened(self) -> Scale {
+        if self.max > self.min {
+            self
+        } else {
+            Scale { max: self.min + self.min.abs().max(1.0) * 0.1, ..self }
+        }
+    }
+}
+
+/// Ticks at multiples of 1, 2, 2.5 or 5 times a power of ten.
+fn linear_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
+    let step = nice_step(max - min, count);
+    // A millionth of a step forgives the rounding of min and max.
+    let first = (min / step - 1e-6).ceil();
+    let last = (max / step + 1e-6).floor();
+    (0..=(last - first) as usize)
+        .map(|i| (first + i as f64) * step)
+        .map(|value| Tick { value, label: Some(numbers::tick(value)) })
+        .collect()
+}
+
+/// Decades with labels, thinned to about `count`; 2..9 without, or 2 and 5 labelled where decades are few.
+fn log_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
+    let low = exponent(min * (1.0 - 1e-9));
+    let high = exponent(max * (1.0 + 1e-9));
+    let decades = (high - low).max(1) as usize;
+    let every = decades.div_ceil(count.max(1)) as i32;
+    let inside = |v: f64| v >= min * (1.0 - 1e-9) && v <= max * (1.0 + 1e-9);
+    let mut ticks = Vec::new();
+    for e in low..=high {
+        for m in 1..10 {
+            let value: f64 = format!("{m}e{e}").parse().unwrap_or(f64::NAN);
+            let labelled = (m == 1 && (e - low) % every == 0) || (decades <= 2 && (m == 2 || m == 5));
+            if inside(value) && (m == 1 || decades <= 8) {
+                ticks.push(Tick { value, label: labelled.then(|| numbers::tick(value)) });
+            }
+        }
+    }
+    ticks
+}
+
+/// The step of 1, 2, 2.5 or 5 times a power of ten that gives at most `count` intervals.
+fn nice_step(span: f64, count: usize) -> f64 {
+    let raw = span / count.max(1) as f64;
+    let e = exponent(raw);
+    for m in ["1", "2", "2.5", "5", "10"] {
+        let step: f64 = format!("{m}e{e}").parse().unwrap_or(raw);
+        if step >= raw * (1.0 - 1e-9) {
+            return step;
+        }
+    }
+    raw
+}
+
+/// Decimal exponent of a positive finite number, exactly, from its decimal form.
+pub(crate) fn exponent(x: f64) -> i32 {
+    let text = format!("{x:e}");
+    text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)
+}
+
+fn decade_below(x: f64) -> f64 {
+    format!("1e{}", exponent(x)).parse().unwrap_or(x)
+}
+
+/// The next of 1, 2, 5 times a power of ten at or above `x`.
+fn decade_above(x: f64) -> f64 {
+    let e = exponent(x);
+    [format!("1e{e}"), format!("2e{e}"), format!("5e{e}")]
+        .iter()
+        .filter_map(|t| t.parse().ok())
+        .find(|&v: &f64| v >= x)
+        .unwrap_or_else(|| format!("1e{}", e + 1).parse().unwrap_or(x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_round_numbers() {
+        let labels =
+            |s: Scale, n| -> Vec<String> { s.ticks(n).into_iter().filter_map(|t| t.label).collect() };
+        let linear = Scale { spread: Spread::Linear, min: 0.02, max: 1.0 };
+        assert_eq!(labels(linear, 5), ["0.2", "0.4", "0.6", "0.8", "1"]);
+        let log = Scale { spread: Spread::Log, min: 1e-3, max: 0.2 };
+        assert_eq!(labels(log, 5), ["0.001", "0.002", "0.005", "0.01", "0.02", "0.05", "0.1", "0.2"]);
+    }
+
+    #[test]
+    fn a_scale_holds_its_values() {
+        let values = [3.2, 3.2];
+        for spread in [Spread::Linear, Spread::Log, Spread::Root] {
+            let scale = Scale::around(spread, values.iter().copied());
+            assert!(scale.min <= 3.2 && scale.max >= 3.2 && scale.min < scale.max, "{scale:?}");
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Every approximation with its error and cost, and the chart of one against the other.
+
+use super::{figures, words};
+use crate::data::Use;
+use crate::report::{
+    ApproximationFinding, Block, Dot, Findings, ReportError, Scatter, Section, Spread, TextTable,
+};
+
+const COLUMNS: [(&str, bool); 10] = [
+    ("name", false),
+    ("use", false),
+    ("norm", false),
+    ("ops", true),
+    ("fetches", true),
+    ("bytes", true),
+    ("max", true),
+    ("RMS", true),
+    ("where", false),
+    ("source", false),
+];
+
+pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+    if findings.approximations.is_empty() {
+        return Ok(None);
+    }
+    let mut blocks = Vec::new();
+    for group in groups(&findings.approximations) {
+        blocks.extend(chart(&group)?);
+    }
+    blocks.push(Block::Table(list(&findings.approximations)));
+    Ok(Some(Section {
+        id: "approximations".into(),
+        title: "Every approximation: what accuracy costs at run time".into(),
+        lead: "Tables, our fits and published fits, all measured the same way against the same truth: lower is more \
+               accurate, further left is cheaper."
+            .into(),
+        blocks,
+    }))
+}
+
+/// Approximations of the same column of the same quantity for the same use: what may share a chart.
+fn groups(all: &[ApproximationFinding]) -> Vec<Vec<&ApproximationFinding>> {
+    let same = |a: &ApproximationFinding, b: &ApproximationFinding| {
+        (&a.quantity, &a.column, a.used_as, a.smith) == (&b.quantity, &b.column, b.used_as, b.smith)
+    };
+    let mut groups: Vec<Vec<&ApproximationFinding>> = Vec::new();
+    for a in all {
+        match groups.iter_mut().find(|g| same(g[0], a)) {
+            Some(group) => group.push(a),
+            None => groups.push(vec![a]),
+        }
+    }
+    groups
+}
+
+/// Cost against error of a group; nothing for a single approximation, and none that is exact (a log axis has no 0).
+fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> {
+    let dots: Vec<Dot> = group.iter().filter(|a| a.certificate.max_abs > 0.0).map(|a| dot(a)).collect();
+    if dots.len() < 2 {
+        return Ok(None);
+    }
+    let first = group[0];
+    let (used_as, metric) = (first.used_as, words::metric(first.used_as));
+    let title = format!("{} as {}, {} Smith", first.quantity, used_as.name(), first.smith.name());
+    let scatter = Scatter {
+        title,
+        x: ("operations (square-root scale; fetches not counted)".into(), Spread::Root),
+        y: (format!("largest {metric}"), Spread::Log),
+        dots,
+        size: (760.0, if group.len() > 8 { 460.0 } else { 300.0 }),
+    };
+    let caption = format!(
+        "Largest {metric} over the domain against operations per evaluation. The stairs join the formulas and tables of \
+         ours that nothing of ours beats in both; published ones are grey{}.",
+        if used_as == Use::Normalisation { ", judged as the factor N that should make E N = 1" } else { "" },
+    );
+    figures(&[scatter], &caption).map(Some)
+}
+
+fn dot(a: &ApproximationFinding) -> Dot {
+    Dot {
+        name: a.name.clone(),
+        x: f64::from(a.cost.ops),
+        y: a.certificate.max_abs,
+        published: a.published,
+        table: a.table,
+    }
+}
+
+fn list(all: &[ApproximationFinding]) -> TextTable {
+    let caption = "ops by the project's operation model (add, mul, fma, min, max, compare, select 1; reciprocal, sqrt, \
+                   exp2 4; exp 5; pow 9). Maxima are rounded up; where: the place of the maximum. Published constants \
+                   are set back in grey.";
+    let mut table = words::table(&COLUMNS, all.iter().map(row).collect(), caption);
+    table.muted = all.iter().map(|a| a.published).collect();
+    table
+}
+
+fn row(a: &ApproximationFinding) -> Vec<String> {
+    vec![
+        a.name.clone(),
+        a.used_as.name().into(),
+        if a.norm.is_empty() { "–".into() } else { a.norm.clone() },
+        a.cost.ops.to_string(),
+        a.cost.fetches.to_string(),
+        crate::report::numbers::grouped(a.cost.bytes),
+        words::max(a.certificate.max_abs),
+        words::mean(a.certificate.rms),
+        words::place(&a.certificate.at),
+        a.source.clone(),
+    ]
+}

@@ -1,0 +1,53 @@
+//! What the scene called for, and what it did not.
+
+use super::words;
+use crate::report::{Block, EffectFinding, Findings, ReportError, Section};
+
+const COLUMNS: [(&str, bool); 7] = [
+    ("effect", false),
+    ("because", false),
+    ("ranges", false),
+    ("approximation", false),
+    ("expected error", true),
+    ("measured error", true),
+    ("error of what", false),
+];
+
+pub(super) fn section(findings: &Findings) -> Result<Section, ReportError> {
+    let mut blocks = Vec::new();
+    if findings.effects.is_empty() {
+        let text = "The scene calls for no effect: nothing was integrated, fitted or emitted.".into();
+        blocks.push(Block::Text { text });
+    } else {
+        let rows = findings.effects.iter().map(row).collect();
+        let caption = "Maxima are rounded up. A measured error above the expected one means that the plan's \
+                       estimate was too hopeful, not that the measurement is uncertain.";
+        blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
+    }
+    if !findings.left_out.is_empty() {
+        let rows = findings.left_out.iter().map(|l| vec![l.effect.clone(), l.reason.clone()]).collect();
+        let caption = "Left out: not integrated, fitted, emitted or shown below.";
+        blocks.push(Block::Table(words::table(&[("left out", false), ("reason", false)], rows, caption)));
+    }
+    Ok(Section {
+        id: "called-for".into(),
+        title: "What the scene called for".into(),
+        lead:
+            "Only effects that a material or probe of the scene needs are computed, over the ranges that the \
+               scene spans."
+                .into(),
+        blocks,
+    })
+}
+
+fn row(e: &EffectFinding) -> Vec<String> {
+    vec![
+        e.effect.clone(),
+        e.because.join("; "),
+        words::ranges(&e.ranges),
+        e.approximation.clone(),
+        words::max(e.expected_error),
+        words::max(e.measured_error),
+        e.metric.clone(),
+    ]
+}

@@ -1,0 +1,211 @@
+//! Fits beside their truth: all of them on one scale, then each with its formula.
+
+use super::{figures, words};
+use crate::report::plot::Scale;
+use crate::report::{
+    ApproximationFinding, Block, Curves, Dot, Field, Findings, FitCurve, FitFinding, HeatMap, ReportError,
+    Section, Series, Shade, Spread, Style, Worst, check, numbers,
+};
+
+/// Fits that may share one chart of curves before colours repeat.
+const TOGETHER: usize = 6;
+
+pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+    if findings.fits.is_empty() {
+        return Ok(None);
+    }
+    let shown: Vec<Shown> =
+        findings.fits.iter().map(|f| Shown::of(f, &findings.approximations)).collect::<Result<_, _>>()?;
+    let mut blocks = vec![overview(&shown)?];
+    blocks.extend(together(&shown)?);
+    for s in &shown {
+        blocks.extend(card(s)?);
+    }
+    Ok(Some(Section {
+        id: "fits".into(),
+        title: "Fits beside the truth".into(),
+        lead: "Each fit with its constants, certified after they were rounded to f32. First all fits on one colour \
+               scale, then the cheapest of each accuracy in one chart, then every fit by itself on its own scale."
+            .into(),
+        blocks,
+    }))
+}
+
+/// A fit with the approximation that it names.
+struct Shown<'a> {
+    fit: &'a FitFinding,
+    approximation: &'a ApproximationFinding,
+    error: Field,
+}
+
+impl<'a> Shown<'a> {
+    fn of(fit: &'a FitFinding, all: &'a [ApproximationFinding]) -> Result<Shown<'a>, ReportError> {
+        let section = format!("fit {}", fit.name);
+        let Some(approximation) = all.iter().find(|a| a.name == fit.name) else {
+            return Err(check::domain(&section, "name", "is not among the approximations"));
+        };
+        fit.error.check(&section)?;
+        check::filled(&section, "curves", fit.curves.len())?;
+        for c in &fit.curves {
+            let field = format!("curve at roughness {}", c.roughness);
+            check::finite(&section, "curves: roughness", c.roughness)?;
+            check::increasing(&section, &format!("{field}: mu"), &c.mu)?;
+            check::size(&section, &format!("{field}: truth"), c.truth.len(), c.mu.len())?;
+            check::size(&section, &format!("{field}: fit"), c.fit.len(), c.mu.len())?;
+            check::values(&section, &format!("{field}: truth"), &c.truth)?;
+            check::values(&section, &format!("{field}: fit"), &c.fit)?;
+        }
+        Ok(Shown { fit, approximation, error: words::labelled(&fit.error) })
+    }
+
+    /// The certificate's worst place where it names both inputs of the map, else the map's own.
+    fn worst(&self) -> Option<Worst> {
+        let certificate = &self.approximation.certificate;
+        let at = |name: &str| certificate.at.get(name).copied();
+        match (at(&self.fit.error.x.name), at(&self.fit.error.y.name)) {
+            (Some(x), Some(y)) => Some(Worst { x, y, text: words::max(certificate.max_abs) }),
+            _ => self.error.worst().map(|(x, y, v)| Worst { x, y, text: numbers::bound(v, 3) }),
+        }
+    }
+
+    fn map(&self, title: String, shade: Shade) -> HeatMap<'_> {
+        HeatMap { title, shade, worst: self.worst(), ..HeatMap::of("", &self.error) }
+    }
+}
+
+/// Signed error of every fit on one scale.
+fn overview(shown: &[Shown]) -> Result<Block, ReportError> {
+    let peak = shown.iter().map(|s| s.error.peak()).fold(0.0, f64::max);
+    let shade = crate::report::plot::signed(peak);
+    let maps: Vec<HeatMap> =
+        shown.iter().map(|s| HeatMap { size: (170.0, 150.0), ..s.map(s.fit.name.clone(), shade) }).collect();
+    let caption = format!(
+        "Signed error over roughness and mu, every map on the same scale (±{}), which follows the square root of the \
+         magnitude: blue too dark, red too bright, white exact. The ring marks the worst place of the certificate, the \
+         figure its magnitude.",
+        numbers::tick(numbers::round_up(peak.max(1e-12), 2)),
+    );
+    figures(&maps, &caption)
+}
+
+/// The fits on the frontier of operations and error, one chart per roughness that all of them share.
+fn together(shown: &[Shown]) -> Result<Option<Block>, ReportError> {
+    let dots: Vec<Dot> = shown
+        .iter()
+        .map(|s| Dot {
+            name: String::new(),
+            x: f64::from(s.approximation.cost.ops),
+            y: s.approximation.certificate.max_abs,
+            published: false,
+            table: false,
+        })
+        .collect();
+    let mut best = crate::report::plot::frontier(&dots);
+    // Where the frontier is long, its accurate end is the one that is hard to tell apart by figures alone.
+    best.drain(..best.len().saturating_sub(TOGETHER));
+    let first = best.first().map_or(&[][..], |&i| &shown[i].fit.curves);
+    let charts: Vec<Curves> = first.iter().filter_map(|c| overlay(shown, &best, c)).collect();
+    if best.len() < 2 || charts.is_empty() {
+        return Ok(None);
+    }
+    let caption = "Truth (black) and the fits of the frontier, those that no other fit here beats in both operations and \
+                   largest error, one chart per roughness, each with its own vertical scale. Colour on black is a fit that \
+                   follows the truth.";
+    figures(&charts, caption).map(Some)
+}
+
+/// One roughness; nothing unless every fit has a curve there.
+fn overlay(shown: &[Shown], best: &[usize], curve: &FitCurve) -> Option<Curves> {
+    let mut series = vec![line("truth", curve, &curve.truth, Style::Truth, None)];
+    for (colour, &i) in best.iter().enumerate() {
+        let fit = shown[i].fit;
+        let same = fit.curves.iter().find(|c| c.roughness == curve.roughness)?;
+        series.push(line(&fit.name, same, &same.fit, Style::Line(colour), None));
+    }
+    let title = format!("roughness {}", numbers::tick(curve.roughness));
+    Some(chart(title, &shown[best[0]].fit.value, series, None, (400.0, 220.0)))
+}
+
+/// One fit: figures, formula, curves, error map on its own scale.
+fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
+    let shade = crate::report::plot::signed(s.error.peak());
+    let map = s.map(format!("{} error, own scale", s.fit.error.name), shade);
+    let svg = [crate::report::Figure::svg(&curves(s.fit))?, crate::report::Figure::svg(&map)?];
+    let caption = "Left: truth (black) under the fit (colour), each line labelled with its roughness. Right: where it errs.";
+    Ok(vec![
+        Block::Heading { text: s.fit.name.clone() },
+        Block::Facts { rows: facts(s) },
+        Block::Code { text: s.fit.formula.clone() },
+        Block::Figures { svg: svg.to_vec(), caption: caption.into() },
+    ])
+}
+
+/// All roughnesses of a fit in one chart; limits from the truth, so that a wild fit leaves the frame and the truth
+/// stays readable.
+fn curves(fit: &FitFinding) -> Curves {
+    let mut series = Vec::new();
+    for (i, c) in fit.curves.iter().enumerate() {
+        let end = Some(format!("r {}", numbers::tick(c.roughness)));
+        series.push(line(if i == 0 { "truth" } else { "" }, c, &c.truth, Style::Truth, end));
+    }
+    for (i, c) in fit.curves.iter().enumerate() {
+        series.push(line(if i == 0 { &fit.name } else { "" }, c, &c.fit, Style::Line(0), None));
+    }
+    let truths = fit.curves.iter().flat_map(|c| c.truth.iter().copied());
+    let limits = Scale::around(Spread::Linear, truths);
+    chart(String::new(), &fit.value, series, Some((limits.min, limits.max)), (400.0, 220.0))
+}
+
+fn line(name: &str, curve: &FitCurve, values: &[f64], style: Style, end: Option<String>) -> Series {
+    let points = curve.mu.iter().copied().zip(values.iter().copied()).collect();
+    Series { name: name.into(), points, style, end }
+}
+
+fn chart(
+    title: String,
+    value: &str,
+    series: Vec<Series>,
+    y_limits: Option<(f64, f64)>,
+    size: (f64, f64),
+) -> Curves {
+    Curves {
+        title,
+        x: (words::axis("mu"), Spread::Linear),
+        y: (value.into(), Spread::Linear),
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits,
+        size,
+    }
+}
+
+fn facts(s: &Shown) -> Vec<(String, String)> {
+    let a = s.approximation;
+    let c = &a.certificate;
+    vec![
+        (
+            "Error".into(),
+            format!(
+                "max {} at {}; RMS {}; mean {} ({})",
+                words::max(c.max_abs),
+                words::place(&c.at),
+                words::mean(c.rms),
+                words::mean(c.mean),
+                words::metric(a.used_as),
+            ),
+        ),
+        (
+            "Measured".into(),
+            format!(
+                "{} points, {}, in {}",
+                numbers::grouped(c.points),
+                words::ranges(&c.domain),
+                c.precision,
+            ),
+        ),
+        ("Cost".into(), format!("{} operations", a.cost.ops)),
+        ("Norm".into(), a.norm.clone()),
+        ("Source".into(), a.source.clone()),
+    ]
+}

@@ -1,0 +1,71 @@
+//! The furnace: spheres that should not be seen.
+
+use super::{figures, words};
+use crate::report::{
+    Block, Findings, Furnace, FurnaceRow, ReportError, Section, Shade, SphereRow, Spheres, check, numbers,
+};
+
+pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+    let Some(furnace) = &findings.furnace else { return Ok(None) };
+    check::filled("furnace", "rows", furnace.rows.len())?;
+    check::finite("furnace", "amplification", furnace.amplification)?;
+    if furnace.amplification <= 0.0 {
+        return Err(check::domain("furnace", "amplification", "must be positive"));
+    }
+    let limit = 1.0 / furnace.amplification;
+    let deepest = numbers::significant(limit, 2);
+    let plain = spheres(furnace, &furnace.rows[..1], Shade::Radiance { white: 1.25 });
+    let amplified = spheres(furnace, &furnace.rows, Shade::Departure { limit });
+    let plain_caption = format!(
+        "As the eye would see it: {} in an environment of radiance 1 (grey, so that gains would show too). What is \
+         darker than its surroundings is energy lost to single scattering.",
+        furnace.rows[0].name,
+    );
+    let caption = format!(
+        "Departure from the environment, amplified {} times: grey is exact, the deepest blue a loss of {deepest} or more, \
+         the deepest red a gain of {deepest} or more. A perfect compensation vanishes.",
+        numbers::significant(furnace.amplification, 3),
+    );
+    let blocks = vec![
+        figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption)?,
+        figures(&[amplified], &caption)?,
+        worst(furnace),
+    ];
+    Ok(Some(Section {
+        id: "furnace".into(),
+        title: "The furnace".into(),
+        lead: "Spheres of rising roughness under equal light from everywhere, with no absorption: whatever is not lost \
+               must come back, so the right picture is an empty one."
+            .into(),
+        blocks,
+    }))
+}
+
+fn spheres<'a>(furnace: &'a Furnace, rows: &'a [FurnaceRow], shade: Shade) -> Spheres<'a> {
+    Spheres {
+        title: String::new(),
+        column_name: "roughness".into(),
+        columns: &furnace.roughness,
+        mu: &furnace.mu,
+        rows: rows.iter().map(|r| SphereRow { name: r.name.clone(), factors: &r.factors }).collect(),
+        shade,
+        unit: "E N − 1".into(),
+    }
+}
+
+/// The largest departure of every sphere in figures.
+fn worst(furnace: &Furnace) -> Block {
+    let mut columns = vec![("roughness".to_string(), false)];
+    columns.extend(furnace.roughness.iter().map(|&r| (numbers::tick(r), true)));
+    let farthest = |factors: &Vec<f64>| {
+        factors.iter().map(|f| f - 1.0).fold(0.0, |m: f64, d| if d.abs() > m.abs() { d } else { m })
+    };
+    let row = |r: &FurnaceRow| {
+        let cells = r.factors.iter().map(|f| numbers::bound(farthest(f), 2));
+        std::iter::once(r.name.clone()).chain(cells).collect()
+    };
+    let caption = "Largest signed departure E N − 1 over each sphere, rounded away from zero.";
+    let mut table = words::table(&[], furnace.rows.iter().map(row).collect(), caption);
+    table.columns = columns;
+    Block::Table(table)
+}

@@ -1,0 +1,43 @@
+//! The sections of the pages: which figures show which findings, and the words around them.
+
+mod approximations;
+mod called_for;
+mod fits;
+mod furnace;
+mod study;
+mod tables;
+mod timings;
+mod words;
+
+use super::{Block, Figure, Findings, Page, ReportError, Timings};
+
+/// The page of a bake. Sections that the scene called for nothing in are left out.
+pub(crate) fn of_findings(findings: &Findings) -> Result<Page, ReportError> {
+    let mut sections = vec![called_for::section(findings)?];
+    sections.extend(approximations::section(findings)?);
+    sections.extend(furnace::section(findings)?);
+    sections.extend(tables::truths(findings)?);
+    sections.extend(tables::section(findings)?);
+    sections.extend(fits::section(findings)?);
+    sections.extend(study::section(&findings.studies)?);
+    Ok(Page {
+        title: format!("lobefit report: {}", findings.origin.scene),
+        origin: findings.origin.clone(),
+        lead: "What the scene called for, every approximation made for it with its measured error and its cost, \
+               and the truth beside it. Figures in full digits: figures.json, in this folder."
+            .into(),
+        sections,
+    })
+}
+
+/// The page of a measurement of time.
+pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
+    timings::page(timings)
+}
+
+/// Figures side by side under one caption, drawn in parallel and kept in order.
+fn figures<F: Figure + Sync>(figures: &[F], caption: &str) -> Result<Block, ReportError> {
+    use rayon::prelude::*;
+    let svg: Vec<Result<String, ReportError>> = figures.par_iter().map(Figure::svg).collect();
+    Ok(Block::Figures { svg: svg.into_iter().collect::<Result<_, _>>()?, caption: caption.into() })
+}

@@ -1,0 +1,139 @@
+//! The truths and the tables that sample them.
+
+use super::{figures, words};
+use crate::data::Axis;
+use crate::report::numbers::grouped;
+use crate::report::{
+    Block, ChannelFinding, Field, Findings, HeatMap, ReportError, Ruler, Section, TableFinding, check,
+};
+
+const COLUMNS: [(&str, bool); 5] =
+    [("channel", false), ("error of", false), ("max", true), ("RMS", true), ("where", false)];
+
+/// The truths over their inputs.
+pub(super) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError> {
+    if findings.truths.is_empty() {
+        return Ok(None);
+    }
+    let fields: Vec<Field> = findings.truths.iter().map(words::labelled).collect();
+    let maps: Vec<HeatMap> =
+        fields.iter().map(|f| HeatMap { size: (300.0, 260.0), ..HeatMap::of(&f.name, f) }).collect();
+    let caption = "For the GGX lobe: E is 1 for a smooth surface and at grazing view; between the two lies a valley \
+                   along the diagonal where mu is about alpha, which never closes however smooth the surface. \
+                   Polynomials cannot follow it.";
+    Ok(Some(Section {
+        id: "truth".into(),
+        title: "The truth".into(),
+        lead: "What is approximated, by quadrature: the values that every table and fit is measured against."
+            .into(),
+        blocks: vec![figures(&maps, caption)?],
+    }))
+}
+
+/// The tables: texels, errors, lookup error over the domain.
+pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+    if findings.tables.is_empty() {
+        return Ok(None);
+    }
+    let mut blocks = Vec::new();
+    for table in &findings.tables {
+        blocks.extend(shown(table)?);
+    }
+    Ok(Some(Section {
+        id: "tables".into(),
+        title: "Tables".into(),
+        lead: "A table is judged as a shader sees it: by the bilinear lookup of its quantised texels, at places off the \
+               grid. The error is split into what integration, texel format and lookup contribute."
+            .into(),
+        blocks,
+    }))
+}
+
+fn shown(table: &TableFinding) -> Result<Vec<Block>, ReportError> {
+    let section = format!("table {}", table.name);
+    check::filled(&section, "channels", table.channels.len())?;
+    let texels: Vec<Field> = table.channels.iter().map(|c| texels(table, c)).collect();
+    let pictures: Vec<HeatMap> =
+        texels.iter().map(|f| HeatMap { top_down: true, ..HeatMap::of(&f.name, f) }).collect();
+    let errors: Vec<Field> = table.lookup_error.iter().map(words::labelled).collect();
+    let maps: Vec<HeatMap> = errors.iter().map(|f| HeatMap::of(&f.name, f)).collect();
+    let mut blocks = vec![
+        Block::Heading { text: table.name.clone() },
+        Block::Facts { rows: facts(table) },
+        figures(
+            &pictures,
+            "The texels as stored, one square per texel, first row at the top as in the file.",
+        )?,
+        Block::Table(errors_of(table)),
+    ];
+    if !maps.is_empty() {
+        let caption = "Signed error of the lookup over the domain, blue too low, red too high, white exact. The colour \
+                       scale follows the square root of the magnitude, so that small errors stay visible; the ring marks \
+                       the worst place of this grid.";
+        blocks.push(figures(&maps, caption)?);
+    }
+    Ok(blocks)
+}
+
+/// A channel as a field over texel numbers.
+fn texels(table: &TableFinding, channel: &ChannelFinding) -> Field {
+    let ruler = |a: &Axis, what: &str| Ruler {
+        name: format!("{what} ({})", words::symbol(&a.name)),
+        values: (0..a.size).map(|i| i as f64).collect(),
+    };
+    Field {
+        name: channel.name.clone(),
+        unit: String::new(),
+        signed: false,
+        x: ruler(&table.axes[0], "column"),
+        y: ruler(&table.axes[1], "row"),
+        values: channel.texels.iter().map(|&t| t as f32).collect(),
+    }
+}
+
+fn facts(table: &TableFinding) -> Vec<(String, String)> {
+    let axis = |a: &Axis| {
+        let name = words::symbol(&a.name);
+        let ends = [a.min, a.max].map(|x| crate::report::numbers::significant(x, 3));
+        let registration = a.registration.name();
+        format!(
+            "{name} from {} to {}, {} texels, {registration} registration, {}",
+            ends[0],
+            ends[1],
+            a.size,
+            a.warp.formula(&a.name)
+        )
+    };
+    vec![
+        ("File".into(), table.file.clone()),
+        (
+            "Quantity".into(),
+            format!("{}, {} Smith, alpha = {}", table.quantity, table.smith.name(), table.alpha_map.name()),
+        ),
+        ("Columns".into(), axis(&table.axes[0])),
+        ("Rows".into(), axis(&table.axes[1])),
+        ("Texels".into(), format!("{}, {} bytes", table.format.name(), grouped(table.bytes))),
+    ]
+}
+
+fn errors_of(table: &TableFinding) -> crate::report::TextTable {
+    let mut rows = Vec::new();
+    for c in &table.channels {
+        for (what, figure) in
+            [("integration", &c.integration), ("quantisation", &c.quantisation), ("lookup", &c.lookup)]
+        {
+            rows.push(vec![
+                c.name.clone(),
+                what.into(),
+                words::max(figure.max),
+                words::mean(figure.rms),
+                words::place(&figure.at),
+            ]);
+        }
+    }
+    words::table(
+        &COLUMNS,
+        rows,
+        "Lookup is the whole error: integration, quantisation and interpolation together.",
+    )
+}

@@ -1,0 +1,77 @@
+//! Words and numbers that several sections use.
+
+use std::collections::BTreeMap;
+
+use crate::data::{Place, Use};
+use crate::report::numbers::{bound, significant};
+use crate::report::{Field, Ruler, TextTable};
+
+/// Name of an input as its symbol.
+pub(super) fn symbol(name: &str) -> &str {
+    match name {
+        "mu" => "μ",
+        "alpha" => "α",
+        "rho" => "ρ",
+        "phi" => "φ",
+        other => other,
+    }
+}
+
+/// Name of an axis with what it means.
+pub(super) fn axis(name: &str) -> String {
+    match name {
+        "mu" => "μ (cosine of view angle)".into(),
+        "alpha" => "α (GGX width)".into(),
+        "roughness" => "roughness".into(),
+        other => symbol(other).into(),
+    }
+}
+
+/// A field with its axes named for readers.
+pub(super) fn labelled(field: &Field) -> Field {
+    let named = |r: &Ruler| Ruler { name: axis(&r.name), values: r.values.clone() };
+    Field { x: named(&field.x), y: named(&field.y), ..field.clone() }
+}
+
+/// `μ 0.1, roughness 0.36`.
+pub(super) fn place(at: &Place) -> String {
+    let parts: Vec<String> =
+        at.iter().map(|(k, v)| format!("{} {}", symbol(k), significant(*v, 3))).collect();
+    if parts.is_empty() { "–".into() } else { parts.join(", ") }
+}
+
+/// `μ 0.01 to 1, roughness 0.02 to 1`.
+pub(super) fn ranges(ranges: &BTreeMap<String, [f64; 2]>) -> String {
+    let one = |(k, [a, b]): (&String, &[f64; 2])| {
+        format!("{} {} to {}", symbol(k), significant(*a, 3), significant(*b, 3))
+    };
+    ranges.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// A maximum, rounded up.
+pub(super) fn max(x: f64) -> String {
+    bound(x, 3)
+}
+
+/// A mean or root mean square.
+pub(super) fn mean(x: f64) -> String {
+    significant(x, 3)
+}
+
+/// What the error of a use is.
+pub(super) fn metric(used_as: Use) -> &'static str {
+    match used_as {
+        Use::Value => "absolute error",
+        Use::Normalisation => "furnace error |E N − 1|",
+        Use::F0Blend => "error of f0 A + B, for the worst f0",
+        Use::Coupling => "error of the coupling factor",
+        Use::Parallax => "error of the adjusted roughness",
+    }
+}
+
+/// A table without muted rows; `true` marks columns of figures.
+pub(super) fn table(columns: &[(&str, bool)], rows: Vec<Vec<String>>, caption: &str) -> TextTable {
+    let muted = vec![false; rows.len()];
+    let columns = columns.iter().map(|(name, figures)| (name.to_string(), *figures)).collect();
+    TextTable { columns, rows, muted, caption: caption.into() }
+}

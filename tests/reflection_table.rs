@@ -1,0 +1,79 @@
+//! `ggx-dfg` as a shader sees it: the bilinear lookup of the quantised texels over a dense off-grid set.
+
+use lobefit::data::{AlphaMap, Layout, Serves, Smith, TexelFormat};
+use lobefit::effects::reflection::{
+    Counter, Errors, Field, Region, TableSpec, build, certification, measure,
+};
+use lobefit::integrate::reflection::{TOLERANCE, reflection};
+
+fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> TableSpec {
+    TableSpec {
+        name: "ggx-dfg-test".into(),
+        smith: Smith::Correlated,
+        alpha_map: AlphaMap::RoughnessSquared,
+        size: [size, size],
+        format,
+        layout,
+        serves,
+        region: Region { roughness: [0.02, 1.0], mu: [0.001, 1.0], alpha_map: AlphaMap::RoughnessSquared },
+    }
+}
+
+fn errors(spec: &TableSpec) -> Errors {
+    let counter = Counter::default();
+    let table = build(spec, &counter).expect("a table");
+    let points = certification(&spec.region, 16);
+    let truth = Field::split(spec.smith, &points, &counter);
+    let errors = measure(&table, spec.layout, spec.serves, &points, &truth);
+    println!("{:?} {:?} {:?} {:?}: {errors:?}", spec.size, spec.layout, spec.serves, spec.format);
+    errors
+}
+
+#[test]
+fn bars_of_the_default_tables() {
+    let albedo = errors(&spec(32, Layout::Homogeneous, Serves::Albedo, TexelFormat::F16));
+    assert!(albedo.lookup.max <= 1e-3, "E at 32x32 f16: {:?}", albedo.lookup);
+    let split = errors(&spec(64, Layout::Homogeneous, Serves::SplitSum, TexelFormat::F16));
+    assert!(split.lookup.max <= 3e-3, "f0 A + B at 64x64 f16: {:?}", split.lookup);
+    assert!(split.lookup.max <= 1e-3, "and by the factored bias a third of that: {:?}", split.lookup);
+}
+
+#[test]
+fn plain_layouts_are_what_engines_have() {
+    let plain = errors(&spec(64, Layout::Plain, Serves::SplitSum, TexelFormat::F16));
+    assert!(plain.lookup.max > 0.03, "the layer mu ~ alpha is below its texels: {:?}", plain.lookup);
+    let squared = errors(&spec(64, Layout::PlainSquared, Serves::SplitSum, TexelFormat::F16));
+    assert!(squared.lookup.max < plain.lookup.max && squared.lookup.max > 5e-3, "{:?}", squared.lookup);
+}
+
+#[test]
+fn plain_texels_are_the_truth_at_their_centres() {
+    let spec = spec(8, Layout::PlainSquared, Serves::SplitSum, TexelFormat::F32);
+    let table = build(&spec, &Counter::default()).expect("a table");
+    for row in 0..8 {
+        for column in 0..8 {
+            let (u, roughness) = ((column as f64 + 0.5) / 8.0, (row as f64 + 0.5) / 8.0);
+            let truth = reflection(Smith::Correlated, roughness * roughness, u * u, TOLERANCE)
+                .expect("in the domain");
+            assert!(
+                (table.channels[0].texels[row * 8 + column] - truth.a).abs() < 1e-12,
+                "A at {column} {row}"
+            );
+            assert!(
+                (table.channels[1].texels[row * 8 + column] - truth.b).abs() < 1e-12,
+                "B at {column} {row}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_narrow_range_is_measured_where_it_is() {
+    let mut narrow = spec(16, Layout::Homogeneous, Serves::SplitSum, TexelFormat::F32);
+    let wide = errors(&narrow);
+    narrow.region.roughness = [0.5, 0.7];
+    let narrow = errors(&narrow);
+    assert!(narrow.lookup.max < 0.7 * wide.lookup.max, "{} {}", narrow.lookup.max, wide.lookup.max);
+    let roughness = narrow.lookup.at["roughness"];
+    assert!((0.5..=0.7).contains(&roughness), "{roughness}");
+}
