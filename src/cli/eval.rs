@@ -75,7 +75,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     }
     let name = points_name(&options.points);
     let points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
-    let values = options.threads.install(|| seam::evaluate(options, points.rows()))?;
+    let values = options.threads.install(|| seam::evaluate(options, &points))?;
     let csv = points.with_columns(options.quantity, &values)?;
     match &options.out {
         Some(path) => store::write(path, &csv).map(drop)?,

@@ -80,8 +80,17 @@ impl Points {
     }
 
     /// The inputs of every row, in the quantity's order.
+    #[allow(dead_code, reason = "for the work that is joined on at the seam")]
     pub(super) fn rows(&self) -> &[Vec<f64>] {
         &self.rows
+    }
+
+    /// The error that a row (from 0) cannot be computed, with its line.
+    #[allow(dead_code, reason = "for the work that is joined on at the seam")]
+    pub(super) fn refuse(&self, row: usize, message: &str) -> PointsError {
+        let before = &self.bytes[..self.records.get(row).map_or(0, |range| range.start)];
+        let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
+        PointsError::Row { file: self.file.clone(), line, message: format!("row {}: {message}", row + 1) }
     }
 
     /// The file with the quantity's outputs appended: the bytes of every row as they were, line ends LF, empty lines
@@ -260,6 +269,12 @@ mod tests {
             "note, mu ,alpha,E,A,B,loss,error\n\"a,\"\"b\",0.50,1{tail}  x ,1e-3,0.250000000000000001{tail}\"two\nlines\",.5,-0{tail}"
         );
         assert_eq!(String::from_utf8(out).unwrap(), expected);
+    }
+
+    #[test]
+    fn a_row_can_be_refused_later() {
+        let points = parse("alpha,mu\r\n1,1\r\n\r\n0.5,1\r\n").unwrap();
+        assert_eq!(points.refuse(1, "no").to_string(), "p.csv:4: row 2: no");
     }
 
     #[test]

@@ -7,6 +7,7 @@ use super::cost;
 use super::eval;
 use super::input::Input;
 use super::output::Outcome;
+use super::points::Points;
 use crate::plan::Plan;
 use crate::store::Folder;
 
@@ -25,7 +26,8 @@ pub(super) fn cost(_: &Input, _: &Plan, _: &mut Folder, _: &cost::Options) -> Re
     Err(CliError::Unavailable { verb: "cost" })
 }
 
-/// The outputs of the quantity at every row of inputs, both in the order of the quantity's columns.
-pub(super) fn evaluate(_: &eval::Options, _: &[Vec<f64>]) -> Result<Vec<Vec<f64>>, CliError> {
+/// The outputs of the quantity at every row of inputs ([`Points::rows`]), both in the order of the quantity's columns; a
+/// row that cannot be computed is refused by [`Points::refuse`].
+pub(super) fn evaluate(_: &eval::Options, _: &Points) -> Result<Vec<Vec<f64>>, CliError> {
     Err(CliError::Unavailable { verb: "eval" })
 }
