@@ -1,1 +1,81 @@
-//! (being built)
+//! Top floor: one file per verb. Results go to standard output, everything else to standard error.
+//!
+//! Exit codes: 0 done; 1 a check or promise failed; 2 bad input or usage; 3 cannot write.
+
+mod bake;
+mod check;
+mod cost;
+mod error;
+mod eval;
+mod input;
+mod options;
+mod output;
+mod plan;
+mod points;
+mod quantity;
+mod schema;
+mod seam;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+pub use error::CliError;
+
+const EXAMPLES: &str = "\
+Examples:
+  lobefit bake                          bake the built-in scene into tables/ fits/ reports/
+  lobefit plan scene.json               what the scene calls for, and what it leaves out and why
+  lobefit bake scene.json --out assets  bake a scene of your own
+  lobefit check scene.json              in CI: do the committed files follow from the scene?
+
+Exit codes: 0 done; 1 a check or promise failed; 2 bad input or usage; 3 cannot write.";
+
+/// Integrates BRDF quantities to a stated accuracy, compresses them into tables and fits, and emits what a renderer
+/// needs with its measured error.
+#[derive(Parser)]
+#[command(name = "lobefit", version, after_help = EXAMPLES)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    /// Say what a scene calls for, what it leaves out and why
+    #[command(after_help = plan::EXAMPLES)]
+    Plan(plan::Options),
+    /// Integrate, fit, emit and report what a scene calls for
+    #[command(after_help = bake::EXAMPLES)]
+    Bake(bake::Options),
+    /// Bake again and compare with the files that are there
+    #[command(after_help = check::EXAMPLES)]
+    Check(check::Options),
+    /// Compute a quantity at the points of a CSV file
+    #[command(after_help = eval::EXAMPLES)]
+    Eval(eval::Options),
+    /// Measure what accuracy costs in time
+    #[command(after_help = cost::EXAMPLES)]
+    Cost(cost::Options),
+    /// Print the JSON Schema of the scene
+    #[command(after_help = schema::EXAMPLES)]
+    Schema(schema::Options),
+}
+
+/// Runs the program on its arguments (the first is its own name).
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(usage) => return output::usage(&usage),
+    };
+    let done = match cli.verb {
+        Verb::Plan(options) => plan::run(&options),
+        Verb::Bake(options) => bake::run(&options),
+        Verb::Check(options) => check::run(&options),
+        Verb::Eval(options) => eval::run(&options),
+        Verb::Cost(options) => cost::run(&options),
+        Verb::Schema(options) => schema::run(&options),
+    };
+    output::finish(done)
+}

@@ -121,7 +121,9 @@ pub(super) fn reflection(scene: &Scene, tables: &[TableJob], fit: Option<&FitJob
     if because.is_empty() {
         return None;
     }
-    let jobs: Vec<JobSummary> = tables.iter().map(table_summary).chain(fit.map(fit_summary)).collect();
+    let seconds = work::table_seconds(tables);
+    let summaries = tables.iter().zip(seconds).map(|(job, seconds)| table_summary(job, seconds));
+    let jobs: Vec<JobSummary> = summaries.chain(fit.map(fit_summary)).collect();
     let mut ranges: BTreeMap<&'static str, [f64; 2]> = BTreeMap::new();
     for (&input, &range) in jobs.iter().flat_map(|job| &job.ranges) {
         let hull = ranges.entry(input).or_insert(range);
@@ -139,7 +141,7 @@ pub(super) fn reflection(scene: &Scene, tables: &[TableJob], fit: Option<&FitJob
     })
 }
 
-fn table_summary(job: &TableJob) -> JobSummary {
+fn table_summary(job: &TableJob, seconds: f64) -> JobSummary {
     let (size, format, layout, serves) =
         (size_text(job), job.format.name(), job.layout.name(), job.serves.name());
     JobSummary {
@@ -149,7 +151,7 @@ fn table_summary(job: &TableJob) -> JobSummary {
         ranges: BTreeMap::from([("mu", [1e-3, 1.0]), ("roughness", job.roughness)]),
         bytes: work::table_bytes(job),
         expected_error: job.max_error,
-        seconds: work::table_seconds(job),
+        seconds,
     }
 }
 

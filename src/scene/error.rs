@@ -59,5 +59,6 @@ pub enum SceneError {
 
 /// `path: `, or nothing for the scene itself.
 fn prefix(path: &str) -> String {
-    if path.is_empty() || path == "." { String::new() } else { format!("{}: ", visible(path)) }
+    // serde_path_to_error says "." for the whole and "?" where it lost its way in text that is not JSON.
+    if matches!(path, "" | "." | "?") { String::new() } else { format!("{}: ", visible(path)) }
 }

@@ -126,7 +126,7 @@ mod tests {
     fn the_smooth_end_is_rough_in_f64() {
         for map in [AlphaMap::Roughness, AlphaMap::RoughnessSquared, AlphaMap::RoughnessFourth] {
             let alpha = map.alpha(smallest_rough(map));
-            assert!(alpha >= SMOOTH_ALPHA && alpha < SMOOTH_ALPHA * (1.0 + 1e-12), "{map:?}: {alpha}");
+            assert!((SMOOTH_ALPHA..SMOOTH_ALPHA * (1.0 + 1e-12)).contains(&alpha), "{map:?}: {alpha}");
         }
     }
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
+use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Unexpected, Visitor};
 use serde_json::Value;
 
 /// An interval of the reals with a name for messages.
@@ -181,16 +181,16 @@ where
     }
     fn visit_f64<E: Error>(self, x: f64) -> Result<Self::Value, E> {
         if !ONE {
-            return Err(E::invalid_type(serde::de::Unexpected::Float(x), &self));
+            return Err(E::invalid_type(Unexpected::Float(x), &self));
         }
         let first = T::from_f64::<E>(x)?;
         Ok(Numbers(std::array::from_fn(|_| first.again())))
     }
     fn visit_u64<E: Error>(self, x: u64) -> Result<Self::Value, E> {
-        self.visit_f64(x as f64)
+        if ONE { self.visit_f64(x as f64) } else { Err(E::invalid_type(Unexpected::Unsigned(x), &self)) }
     }
     fn visit_i64<E: Error>(self, x: i64) -> Result<Self::Value, E> {
-        self.visit_f64(x as f64)
+        if ONE { self.visit_f64(x as f64) } else { Err(E::invalid_type(Unexpected::Signed(x), &self)) }
     }
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
         let mut items = Vec::with_capacity(N);

@@ -1,0 +1,64 @@
+//! Everything that ends a verb early, and its exit code.
+
+use std::io;
+
+use super::points::PointsError;
+use crate::scene::SceneError;
+use crate::store::StoreError;
+
+/// Why a verb did not do its work.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CliError {
+    /// The scene is refused.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A file could not be read or written.
+    #[error(transparent)]
+    Store(#[from] StoreError),
+    /// A file of points is refused.
+    #[error(transparent)]
+    Points(#[from] PointsError),
+    /// Options that contradict each other or the input.
+    #[error("{0}")]
+    Usage(String),
+    /// A hypothesis file that is not text.
+    #[error("{file}: byte {at} is not UTF-8; save the hypothesis as UTF-8")]
+    HypothesisText {
+        /// The file.
+        file: String,
+        /// The first bad byte.
+        at: usize,
+    },
+    /// Results could not be put into JSON.
+    #[error("cannot print the result as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+    /// Standard output could not be written.
+    #[error("standard output: cannot write: {0}")]
+    Output(#[source] io::Error),
+    /// The worker threads could not be started.
+    #[error("cannot start {threads} threads: {reason}; give --threads a smaller number")]
+    Threads {
+        /// Threads asked for.
+        threads: usize,
+        /// What the system said.
+        reason: String,
+    },
+    /// A verb whose work is not in this build.
+    #[error("`{verb}` is not available in this build")]
+    Unavailable {
+        /// The verb.
+        verb: &'static str,
+    },
+}
+
+impl CliError {
+    /// 1 a check or promise failed, 2 bad input or usage, 3 cannot write.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            CliError::Output(_) => 3,
+            CliError::Store(error) if error.is_write() => 3,
+            _ => 2,
+        }
+    }
+}

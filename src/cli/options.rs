@@ -1,0 +1,77 @@
+//! Options that several verbs share, and their ranges.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::CliError;
+use crate::data::Smith;
+use crate::plan::EffectName;
+use crate::scene::limits;
+
+/// The scene of a verb.
+#[derive(Args)]
+pub(super) struct SceneOption {
+    /// Scene file (JSON; `-`: standard input); without it, the built-in scene
+    pub scene: Option<PathBuf>,
+}
+
+/// The worker threads of a verb. They change how long it takes and no byte of what it writes.
+#[derive(Args)]
+pub(super) struct ThreadsOption {
+    /// Worker threads, 1 to 256; without it, one per core
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+}
+
+impl ThreadsOption {
+    /// Runs work on the threads asked for.
+    pub(super) fn install<T: Send>(
+        &self,
+        work: impl FnOnce() -> Result<T, CliError> + Send,
+    ) -> Result<T, CliError> {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let threads = self.threads.unwrap_or(cores.min(limits::THREADS));
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.map_err(|e| CliError::Threads { threads, reason: e.to_string() })?.install(work)
+    }
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(n) if (1..=limits::THREADS).contains(&n) => Ok(n),
+        _ => Err(format!("a whole number from 1 to {} is called for", limits::THREADS)),
+    }
+}
+
+/// The name of an effect.
+pub(super) fn effect(text: &str) -> Result<EffectName, String> {
+    EffectName::from_name(text).ok_or_else(|| {
+        let names: Vec<&str> = EffectName::ALL.into_iter().map(EffectName::name).collect();
+        format!("no such effect; the effects are {}", names.join(", "))
+    })
+}
+
+/// A shadowing form.
+pub(super) fn smith(text: &str) -> Result<Smith, String> {
+    [Smith::Correlated, Smith::Separable]
+        .into_iter()
+        .find(|s| s.name() == text)
+        .ok_or_else(|| "`correlated` or `separable` is called for".into())
+}
+
+/// A finite number above 0.
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
+        _ => Err("a finite number above 0 is called for".into()),
+    }
+}
+
+/// A finite number, 0 or above.
+pub(super) fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(x) if x.is_finite() && x >= 0.0 => Ok(x),
+        _ => Err("a finite number, 0 or above, is called for".into()),
+    }
+}

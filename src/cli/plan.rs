@@ -1,0 +1,80 @@
+//! `lobefit plan`: what a scene calls for, what it leaves out and why.
+
+use std::fmt::Write;
+
+use clap::Args;
+
+use super::CliError;
+use super::input;
+use super::options::SceneOption;
+use super::output::{Outcome, print, print_json};
+use crate::plan::{self, Effect, Plan};
+use crate::scene::escape::visible;
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  lobefit plan                          the built-in scene
+  lobefit plan scene.json               a scene of your own
+  lobefit plan scene.json --json        the same for machines";
+
+/// Options of `plan`.
+#[derive(Args)]
+pub(super) struct Options {
+    #[command(flatten)]
+    scene: SceneOption,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Print no messages beside the result (there are none)
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
+    let plan = plan::plan(&input::load(&options.scene)?.scene);
+    if options.json {
+        print_json(&plan)?
+    } else {
+        print(text(&plan).as_bytes())?
+    }
+    Ok(Outcome::Done)
+}
+
+/// The plan for people.
+fn text(plan: &Plan) -> String {
+    let mut out = format!("scene {}\n", visible(&plan.scene));
+    if plan.is_empty() {
+        out += "nothing to bake\n";
+    }
+    for effect in &plan.effects {
+        out += &effect_text(effect);
+    }
+    out += "left out\n";
+    for left in &plan.left_out {
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "  {:<17}{}", left.effect.name(), visible(&left.reason));
+    }
+    out
+}
+
+fn effect_text(effect: &Effect) -> String {
+    let mut out = format!("{}\n", effect.effect.name());
+    for reason in &effect.because {
+        let _ = writeln!(out, "  because {}", visible(reason));
+    }
+    for job in &effect.jobs {
+        let _ = writeln!(out, "  {}: {}", job.name, job.approximation);
+        let ranges: Vec<String> =
+            job.ranges.iter().map(|(name, [lo, hi])| format!("{name} {lo} to {hi}")).collect();
+        let error = job.expected_error.map_or_else(|| "no limit".into(), |e| format!("within {e}"));
+        let _ = writeln!(
+            out,
+            "    over {}; error {error}; {} bytes; about {:.1} s",
+            ranges.join(", "),
+            job.bytes,
+            job.seconds
+        );
+    }
+    let _ = writeln!(out, "  in all {} bytes, about {:.1} s on one core", effect.bytes, effect.seconds);
+    out
+}

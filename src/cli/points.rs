@@ -1,0 +1,342 @@
+//! Points in and values out: a CSV whose rows are kept byte for byte and gain columns.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use super::quantity::{Input, Quantity};
+use crate::scene::escape::visible;
+
+/// Largest file of points, bytes: some ten million points.
+pub(super) const FILE_BYTES: u64 = 512 << 20;
+
+/// A file of points that is refused.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PointsError {
+    /// The header or a row is wrong.
+    #[error("{}:{line}: {}", visible(file), visible(message))]
+    Row {
+        /// File as the user named it.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong, with the column's name.
+        message: String,
+    },
+    /// A computed value that is not finite, or a row without values: a defect of the computation, never printed.
+    #[error("{}: row {row}: the computed {column} is not a finite number", visible(file))]
+    Value {
+        /// File as the user named it.
+        file: String,
+        /// Row, from 1, the header not counted.
+        row: usize,
+        /// Output column.
+        column: &'static str,
+    },
+}
+
+/// The rows of a CSV file, and the numbers of a quantity's input columns.
+#[derive(Clone, Debug)]
+pub(super) struct Points {
+    file: String,
+    bytes: Vec<u8>,
+    header: Range<usize>,
+    records: Vec<Range<usize>>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Points {
+    /// Reads a CSV (comma, double quotes, any line end, UTF-8 byte order mark allowed) with a header that names the
+    /// quantity's inputs among its columns. Empty lines are skipped, and the byte order mark is not kept.
+    pub(super) fn parse(bytes: Vec<u8>, file: &str, quantity: &Quantity) -> Result<Points, PointsError> {
+        let mut points =
+            Points { file: file.into(), bytes, header: 0..0, records: Vec::new(), rows: Vec::new() };
+        let mut lines = Lines::new(&points.bytes);
+        let Some(header) = lines.next(file)? else {
+            let message = format!("the file is empty; a header with {} is called for", wanted(quantity));
+            return Err(PointsError::Row { file: file.into(), line: 1, message });
+        };
+        let columns = columns(&header, quantity).map_err(|message| PointsError::Row {
+            file: file.into(),
+            line: header.line,
+            message,
+        })?;
+        points.header = header.range.clone();
+        let width = header.fields.len();
+        let mut records = Vec::new();
+        let mut rows = Vec::new();
+        while let Some(record) = lines.next(file)? {
+            let row = numbers(&record, width, &columns, quantity).map_err(|message| PointsError::Row {
+                file: file.into(),
+                line: record.line,
+                message: format!("row {}: {message}", rows.len() + 1),
+            })?;
+            records.push(record.range);
+            rows.push(row);
+        }
+        points.records = records;
+        points.rows = rows;
+        Ok(points)
+    }
+
+    /// The inputs of every row, in the quantity's order.
+    #[allow(dead_code, reason = "for the work that is joined on at the seam")]
+    pub(super) fn rows(&self) -> &[Vec<f64>] {
+        &self.rows
+    }
+
+    /// The error that a row (from 0) cannot be computed, with its line.
+    #[allow(dead_code, reason = "for the work that is joined on at the seam")]
+    pub(super) fn refuse(&self, row: usize, message: &str) -> PointsError {
+        let before = &self.bytes[..self.records.get(row).map_or(0, |range| range.start)];
+        let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
+        PointsError::Row { file: self.file.clone(), line, message: format!("row {}: {message}", row + 1) }
+    }
+
+    /// The file with the quantity's outputs appended: the bytes of every row as they were, line ends LF, empty lines
+    /// left out; numbers in the shortest digits that read back to the same f64.
+    pub(super) fn with_columns(
+        &self,
+        quantity: &Quantity,
+        values: &[Vec<f64>],
+    ) -> Result<Vec<u8>, PointsError> {
+        let mut out = Vec::with_capacity(self.bytes.len() + 32 * values.len() * quantity.outputs.len());
+        out.extend(&self.bytes[self.header.clone()]);
+        for column in quantity.outputs {
+            out.push(b',');
+            out.extend(column.as_bytes());
+        }
+        out.push(b'\n');
+        for (i, record) in self.records.iter().enumerate() {
+            out.extend(&self.bytes[record.clone()]);
+            for (j, &column) in quantity.outputs.iter().enumerate() {
+                let value = values.get(i).and_then(|row| row.get(j)).filter(|x| x.is_finite());
+                let value = value.ok_or_else(|| PointsError::Value {
+                    file: self.file.clone(),
+                    row: i + 1,
+                    column,
+                })?;
+                out.push(b',');
+                out.extend(shortest(*value).as_bytes());
+            }
+            out.push(b'\n');
+        }
+        Ok(out)
+    }
+}
+
+/// The shortest digits that read back to the same f64: positional from 1e-5 to 1e16, else with an exponent; whole
+/// numbers without a point.
+pub(super) fn shortest(x: f64) -> String {
+    let text = format!("{x:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+/// One record: its bytes without line ends, the line it begins on, its fields.
+struct Record {
+    range: Range<usize>,
+    line: usize,
+    fields: csv::ByteRecord,
+}
+
+impl Record {
+    /// A field for a message and for reading: its text without surrounding blanks.
+    fn text(&self, i: usize) -> String {
+        String::from_utf8_lossy(self.fields.get(i).unwrap_or_default()).trim().to_owned()
+    }
+}
+
+/// The records of a file one by one, with the place of each.
+struct Lines<'a> {
+    bytes: &'a [u8],
+    reader: csv::Reader<&'a [u8]>,
+    /// Byte up to which lines are counted, and their number.
+    counted: (usize, usize),
+    /// Bytes of the byte order mark, which the reader does not see.
+    start: usize,
+}
+
+impl<'a> Lines<'a> {
+    fn new(bytes: &'a [u8]) -> Self {
+        let start = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        let reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[start..]);
+        Lines { bytes, reader, counted: (0, 1), start }
+    }
+
+    fn next(&mut self, file: &str) -> Result<Option<Record>, PointsError> {
+        let mut fields = csv::ByteRecord::new();
+        let from = self.start + self.reader.position().byte() as usize;
+        let more = self.reader.read_byte_record(&mut fields);
+        let to = self.start + self.reader.position().byte() as usize;
+        let fail = |line, message: String| PointsError::Row { file: file.into(), line, message };
+        if !more.map_err(|e| fail(self.counted.1, e.to_string()))? {
+            return Ok(None);
+        }
+        let ends = |b: &u8| matches!(b, b'\r' | b'\n');
+        let raw = &self.bytes[from..to];
+        let skip = raw.iter().take_while(|b| ends(b)).count();
+        let tail = raw[skip..].iter().rev().take_while(|b| ends(b)).count();
+        let range = from + skip..to - tail;
+        let (at, line) = self.counted;
+        let line = line + self.bytes[at..range.start].iter().filter(|&&b| b == b'\n').count();
+        self.counted = (range.start, line);
+        if self.bytes[range.clone()].iter().filter(|&&b| b == b'"').count() % 2 == 1 {
+            return Err(fail(line, "a double quote is not closed".into()));
+        }
+        Ok(Some(Record { range, line, fields }))
+    }
+}
+
+/// Index of every input's column.
+fn columns(header: &Record, quantity: &Quantity) -> Result<Vec<usize>, String> {
+    let mut found = BTreeMap::new();
+    for i in 0..header.fields.len() {
+        let name = header.text(i);
+        if quantity.outputs.contains(&name.as_str()) {
+            return Err(format!("column `{name}` is one that {} appends; rename it", quantity.name));
+        }
+        if found.insert(name.clone(), i).is_some() {
+            return Err(format!("column `{name}` is there twice"));
+        }
+    }
+    let missing = |input: &Input| {
+        let names: Vec<String> = (0..header.fields.len()).map(|i| header.text(i)).collect();
+        let (name, quantity, names) = (input.name, quantity.name, names.join("`, `"));
+        format!("column `{name}` is missing, which {quantity} needs; the header has `{names}`")
+    };
+    quantity.inputs.iter().map(|input| found.get(input.name).copied().ok_or_else(|| missing(input))).collect()
+}
+
+/// The inputs of one record.
+fn numbers(
+    record: &Record,
+    width: usize,
+    columns: &[usize],
+    quantity: &Quantity,
+) -> Result<Vec<f64>, String> {
+    let found = record.fields.len();
+    if found != width {
+        return Err(format!("{found} fields where the header has {width}"));
+    }
+    columns
+        .iter()
+        .zip(quantity.inputs)
+        .map(|(&i, input)| {
+            number(&record.text(i), input).map_err(|what| format!("column `{}`: {what}", input.name))
+        })
+        .collect()
+}
+
+/// A finite number in its domain. Negative zero is read as zero.
+fn number(text: &str, input: &Input) -> Result<f64, String> {
+    if text.is_empty() {
+        return Err("the field is empty".into());
+    }
+    let x: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
+    if !x.is_finite() {
+        return Err(format!("`{text}` is not a finite number"));
+    }
+    if x < input.min || x > input.max {
+        return Err(format!("{text} is outside [{}, {}]", input.min, input.max));
+    }
+    Ok(x + 0.0)
+}
+
+fn wanted(quantity: &Quantity) -> String {
+    quantity.inputs.iter().map(|i| format!("`{}`", i.name)).collect::<Vec<_>>().join(" and ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::quantity::from_name;
+    use super::*;
+
+    fn parse(text: &str) -> Result<Points, String> {
+        let quantity = from_name("ggx-reflection").unwrap();
+        Points::parse(text.as_bytes().to_vec(), "p.csv", quantity).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn rows_keep_their_bytes_and_order() {
+        let text = "\u{feff}note, mu ,alpha\r\n\"a,\"\"b\",0.50,1\r\n\r\n  x ,1e-3,0.250000000000000001\r\n\"two\nlines\",.5,-0";
+        let points = parse(text).unwrap();
+        assert_eq!(points.rows(), [[1.0, 0.5], [0.25, 1e-3], [0.0, 0.5]]);
+        assert!(points.rows()[2][0].is_sign_positive());
+        let values = vec![vec![1.0, 0.1, 1e-17, 0.30000000000000004, 0.0]; 3];
+        let out = points.with_columns(from_name("ggx-reflection").unwrap(), &values).unwrap();
+        let tail = ",1,0.1,1e-17,0.30000000000000004,0\n";
+        let expected = format!(
+            "note, mu ,alpha,E,A,B,loss,error\n\"a,\"\"b\",0.50,1{tail}  x ,1e-3,0.250000000000000001{tail}\"two\nlines\",.5,-0{tail}"
+        );
+        assert_eq!(String::from_utf8(out).unwrap(), expected);
+    }
+
+    #[test]
+    fn a_row_can_be_refused_later() {
+        let points = parse("alpha,mu\r\n1,1\r\n\r\n0.5,1\r\n").unwrap();
+        assert_eq!(points.refuse(1, "no").to_string(), "p.csv:4: row 2: no");
+    }
+
+    #[test]
+    fn a_header_alone_is_fine() {
+        let points = parse("alpha,mu").unwrap();
+        let out = points.with_columns(from_name("ggx-reflection").unwrap(), &[]).unwrap();
+        assert_eq!(out, b"alpha,mu,E,A,B,loss,error\n");
+    }
+
+    #[test]
+    fn values_that_are_not_numbers_are_never_printed() {
+        let points = parse("alpha,mu\n1,1\n").unwrap();
+        let quantity = from_name("ggx-reflection").unwrap();
+        for values in [vec![], vec![vec![1.0, f64::NAN, 0.0, 0.0, 0.0]], vec![vec![1.0]]] {
+            assert!(points.with_columns(quantity, &values).is_err());
+        }
+    }
+
+    #[test]
+    fn errors_name_line_row_and_column() {
+        for (text, expected) in [
+            ("", "p.csv:1: the file is empty; a header with `alpha` and `mu` is called for"),
+            ("\n\n", "p.csv:1: the file is empty; a header with `alpha` and `mu` is called for"),
+            (
+                "alpha\n1\n",
+                "p.csv:1: column `mu` is missing, which ggx-reflection needs; the header has `alpha`",
+            ),
+            ("alpha,mu,alpha\n", "p.csv:1: column `alpha` is there twice"),
+            ("alpha,mu,x,x\n", "p.csv:1: column `x` is there twice"),
+            ("alpha,mu,E\n", "p.csv:1: column `E` is one that ggx-reflection appends; rename it"),
+            ("alpha,mu\n1,1\n\n1\n", "p.csv:4: row 2: 1 fields where the header has 2"),
+            ("alpha,mu\n1,1,1\n", "p.csv:2: row 1: 3 fields where the header has 2"),
+            ("alpha,mu\r\n1,\r\n", "p.csv:2: row 1: column `mu`: the field is empty"),
+            ("alpha,mu\n1,abc\n", "p.csv:2: row 1: column `mu`: `abc` is not a number"),
+            ("alpha,mu\n1,NaN\n", "p.csv:2: row 1: column `mu`: `NaN` is not a finite number"),
+            ("alpha,mu\ninf,1\n", "p.csv:2: row 1: column `alpha`: `inf` is not a finite number"),
+            ("alpha,mu\n1e999,1\n", "p.csv:2: row 1: column `alpha`: `1e999` is not a finite number"),
+            ("alpha,mu\n1,1\n1,1.5\n", "p.csv:3: row 2: column `mu`: 1.5 is outside [0, 1]"),
+            ("alpha,mu\n-1e-300,1\n", "p.csv:2: row 1: column `alpha`: -1e-300 is outside [0, 1]"),
+            ("alpha,mu\n0,5,1\n", "p.csv:2: row 1: 3 fields where the header has 2"),
+            ("alpha,mu,n\n1,1,\"x\n1,1,y\n", "p.csv:2: a double quote is not closed"),
+            (
+                "alpha;mu\n1;1\n",
+                "p.csv:1: column `alpha` is missing, which ggx-reflection needs; the header has `alpha;mu`",
+            ),
+        ] {
+            assert_eq!(parse(text).unwrap_err(), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn digits_are_the_shortest_that_read_back() {
+        for (x, text) in [
+            (1.0, "1"),
+            (0.1, "0.1"),
+            (1e-7, "1e-7"),
+            (1e22, "1e22"),
+            (0.0, "0"),
+            (0.1 + 0.2, "0.30000000000000004"),
+        ] {
+            assert_eq!(shortest(x), text);
+            assert_eq!(text.parse::<f64>().unwrap(), x);
+        }
+    }
+}

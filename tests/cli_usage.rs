@@ -1,0 +1,192 @@
+//! The command line: exit codes, streams, help, what is never written.
+
+mod common;
+
+use std::process::{Command, Stdio};
+
+use common::{lobefit, names, stderr};
+use serde_json::Value;
+
+const VERBS: [&str; 6] = ["plan", "bake", "check", "eval", "cost", "schema"];
+
+#[test]
+fn wrong_usage_is_exit_2_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    for arguments in [
+        &[][..],
+        &["frobnicate"],
+        &["plan", "--frobnicate"],
+        &["plan", "a.json", "b.json"],
+        &["bake", "--threads", "0"],
+        &["bake", "--threads", "257"],
+        &["bake", "--threads", "99999999999999999999"],
+        &["bake", "--threads", "two"],
+        &["bake", "--only", "reflections"],
+        &["bake", "--only", ""],
+        &["check", "--values", "-1"],
+        &["check", "--values", "NaN"],
+        &["check", "--values", "inf"],
+        &["eval"],
+        &["eval", "ggx-reflection"],
+        &["eval", "no-such", "--points", "-"],
+        &["eval", "ggx-reflection", "--points", "-", "--smith", "Heitz"],
+        &["eval", "ggx-reflection", "--points", "-", "--tolerance", "0"],
+        &["eval", "ggx-reflection", "--points", "-", "--method", "guess"],
+        &["eval", "ggx-reflection", "--points", "-", "--samples", "16"],
+        &["eval", "ggx-reflection", "--points", "-", "--seed", "1"],
+        &["eval", "ggx-reflection", "--points", "-", "--method", "monte-carlo", "--samples", "0"],
+        &["eval", "ggx-reflection", "--points", "-", "--method", "monte-carlo", "--seed", "-1"],
+        &["eval", "ggx-reflection", "--points", "no-such.csv"],
+        &["plan", "no-such.json"],
+        &["plan", "."],
+        &["bake", "no-such.json"],
+        &["check", "no-such.json"],
+        &["cost", "no-such.json"],
+    ] {
+        let output = lobefit(folder.path(), arguments, b"alpha,mu\n");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+        assert!(!output.stderr.is_empty(), "{arguments:?}");
+        assert!(names(folder.path()).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn messages_name_the_option_and_what_it_takes() {
+    let folder = tempfile::tempdir().unwrap();
+    for (arguments, expected) in [
+        (&["bake", "--threads", "0"][..], "a whole number from 1 to 256"),
+        (&["bake", "--only", "reflections"], "the effects are reflection, anisotropy"),
+        (&["eval", "no-such", "--points", "-"], "the quantities are ggx-reflection, ggx-average"),
+        (&["eval", "ggx-average", "--points", "-", "--seed", "1"], "--method monte-carlo"),
+        (&["plan", "no-such.json"], "error: no-such.json: cannot read: "),
+    ] {
+        let output = lobefit(folder.path(), arguments, b"alpha\n");
+        assert!(stderr(&output).contains(expected), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn every_verb_has_help_with_examples() {
+    let folder = tempfile::tempdir().unwrap();
+    for verb in VERBS {
+        let output = lobefit(folder.path(), &[verb, "--help"], b"");
+        assert_eq!(output.status.code(), Some(0));
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains(&format!("Examples:\n  lobefit {verb}")), "{text}");
+        assert!(output.stderr.is_empty());
+    }
+    assert_eq!(lobefit(folder.path(), &["--version"], b"").status.code(), Some(0));
+}
+
+#[test]
+fn plan_prints_the_keys_of_the_contract() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = lobefit(folder.path(), &["plan", "--json"], b"");
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty());
+    let plan: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let effect = &plan["effects"][0];
+    for key in ["effect", "because", "ranges", "approximation", "bytes", "expected_error", "seconds"] {
+        assert!(!effect[key].is_null(), "{key}");
+    }
+    assert_eq!(effect["effect"], "reflection");
+    assert_eq!(effect["ranges"]["roughness"], serde_json::json!([0.02, 1.0]));
+    let left: Vec<&str> =
+        plan["left_out"].as_array().unwrap().iter().filter_map(|l| l["effect"].as_str()).collect();
+    assert_eq!(
+        left,
+        [
+            "anisotropy",
+            "glass",
+            "diffuse-coupling",
+            "sheen",
+            "clearcoat",
+            "oren-nayar",
+            "parallax",
+            "occlusion"
+        ]
+    );
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
+fn plan_reads_standard_input_and_says_when_there_is_nothing_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = lobefit(folder.path(), &["plan", "-"], include_bytes!("../examples/mirrors.json"));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("nothing to bake") && text.contains("no material has a rough specular lobe"),
+        "{text}"
+    );
+}
+
+#[test]
+fn names_cannot_drive_the_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "{\"schema_version\":1,\"name\":\"\u{202e}evil\",\"materials\":[]}";
+    let output = lobefit(folder.path(), &["plan", "-"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("scene \\u{202e}evil\n"), "{text}");
+}
+
+#[test]
+fn a_closed_standard_output_is_no_failure() {
+    for arguments in [&["schema"][..], &["plan"], &["plan", "--json"], &["--help"], &["bake", "--help"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let child = Command::new(env!("CARGO_BIN_EXE_lobefit"))
+            .args(arguments)
+            .stdout(writer)
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+        assert!(output.stderr.is_empty(), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_output_is_exit_3() {
+    let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+    let child =
+        Command::new(env!("CARGO_BIN_EXE_lobefit")).arg("schema").stdout(full).stderr(Stdio::piped()).spawn();
+    let output = child.unwrap().wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(3));
+    assert!(stderr(&output).contains("standard output: cannot write"), "{}", stderr(&output));
+}
+
+#[test]
+fn an_output_that_cannot_be_written_is_exit_3_before_any_work() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("file"), "mine").unwrap();
+    std::fs::create_dir(folder.path().join("web")).unwrap();
+    std::fs::write(folder.path().join("web/manifest.json"), "{\"icons\":[]}").unwrap();
+    std::fs::create_dir(folder.path().join("odd")).unwrap();
+    std::fs::write(folder.path().join("odd/tables"), "mine").unwrap();
+    for (verb, out, expected) in [
+        ("bake", "file", "error: file: a file is in the way"),
+        ("bake", "file/below", "error: file"),
+        ("bake", "web", "not the manifest of a bake"),
+        ("bake", "odd", "tables: a file is in the way"),
+        ("cost", "file", "error: file: a file is in the way"),
+    ] {
+        let output = lobefit(folder.path(), &[verb, "--out", out], b"");
+        assert_eq!(output.status.code(), Some(3), "{verb} {out}: {}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "{verb} {out}: {}", stderr(&output));
+    }
+    assert_eq!(names(folder.path()), ["file", "odd", "web"]);
+    assert_eq!(std::fs::read_to_string(folder.path().join("file")).unwrap(), "mine");
+}
+
+#[test]
+fn schema_is_one_json_document() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = lobefit(folder.path(), &["schema"], b"");
+    let schema: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(schema["title"], "Scene");
+}

@@ -1,0 +1,96 @@
+//! The limits on a scene: at the limit, one beyond, and absurd.
+
+use lobefit::scene::{Scene, limits};
+
+fn read(text: &str) -> Result<Scene, String> {
+    Scene::from_json(text.as_bytes(), "s").map_err(|e| e.to_string())
+}
+
+fn materials(wants: impl Iterator<Item = String>) -> String {
+    let list: Vec<String> = wants
+        .enumerate()
+        .map(|(i, wants)| format!(r#"{{"name":"m{i}","kind":"metal","f0":1,"roughness":1{wants}}}"#))
+        .collect();
+    format!(r#"{{"schema_version":1,"materials":[{}]}}"#, list.join(","))
+}
+
+#[test]
+fn materials_hold_at_the_limit_only() {
+    let scene = |n| materials((0..n).map(|_| String::new()));
+    assert_eq!(read(&scene(limits::MATERIALS)).unwrap().materials.len(), limits::MATERIALS);
+    for n in [limits::MATERIALS + 1, 150_000] {
+        let error = read(&scene(n)).unwrap_err();
+        assert!(error.contains("materials") && error.contains("more than 65536 entries"), "{error}");
+    }
+}
+
+#[test]
+fn a_million_elements_are_refused_early() {
+    let error =
+        read(&format!(r#"{{"schema_version":1,"materials":[{}0]}}"#, "0,".repeat(1_000_000))).unwrap_err();
+    assert!(error.starts_with("s:1:34: materials[0]: "), "{error}");
+}
+
+#[test]
+fn axes_hold_at_the_limit_only() {
+    let size = |n: &str| materials(std::iter::once(format!(r#","wants":{{"table":{{"size":[{n},2]}}}}"#)));
+    for n in ["2", "1024"] {
+        read(&size(n)).unwrap();
+    }
+    for n in ["0", "1", "1025", "2147483648", "9223372036854775808", "-1"] {
+        let error = read(&size(n)).unwrap_err();
+        assert!(
+            error.ends_with(&format!("materials[0].wants.table.size[0]: {n} is outside [2, 1024]")),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn texels_hold_at_the_limit_only() {
+    let shapes = ["f16", "f32"].into_iter().flat_map(|format| {
+        ["homogeneous", "plain", "plain-squared"].into_iter().flat_map(move |layout| {
+            ["albedo", "split-sum"]
+                .into_iter()
+                .map(move |serves| format!(r#""format":"{format}","layout":"{layout}","serves":"{serves}""#))
+        })
+    });
+    let table = |size: &str, shape: &str| format!(r#","wants":{{"table":{{"size":{size},{shape}}}}}"#);
+    let full: Vec<String> = shapes.map(|shape| table("[1024,1024]", &shape)).collect();
+    let half: Vec<String> = full.iter().map(|w| w.replace("[1024,1024]", "[1024,512]")).collect();
+    // 12 tables of 2^20 texels and 8 of 2^19 are 2^24.
+    let at: Vec<String> = full.iter().chain(&half[..8]).cloned().collect();
+    read(&materials(at.iter().cloned())).unwrap();
+    // The same tables again are the same tables.
+    read(&materials(at.iter().chain(&at).cloned())).unwrap();
+    let one_more = at.into_iter().chain([table("[2,2]", r#""format":"f16""#)]);
+    let error = read(&materials(one_more)).unwrap_err();
+    assert_eq!(
+        error,
+        "s: materials[20].wants.table.size: the scene's tables together exceed 16777216 texels or 536870912 bytes"
+    );
+}
+
+#[test]
+fn hypotheses_hold_at_the_limit_only() {
+    let fit = |from: usize, n: usize| {
+        let list: Vec<String> = (from..from + n).map(|i| format!(r#""h{i}.wgsl""#)).collect();
+        format!(r#","wants":{{"fit":{{"hypotheses":[{}]}}}}"#, list.join(","))
+    };
+    let scene = |counts: &[usize]| materials(counts.iter().enumerate().map(|(i, &n)| fit(1000 * i, n)));
+    assert_eq!(read(&scene(&[200, 56])).unwrap().hypotheses().len(), limits::HYPOTHESES);
+    let error = read(&scene(&[200, 57])).unwrap_err();
+    assert_eq!(error, "s: materials[1].wants.fit.hypotheses[56]: more than 256 hypotheses in the scene");
+    assert!(read(&scene(&[257])).unwrap_err().contains("more than 256 entries"));
+}
+
+#[test]
+fn sixteen_mebibytes_of_digits_are_a_number_or_an_error_but_no_hang() {
+    let digits = "1".repeat((limits::FILE_BYTES as usize) - 200);
+    let text = format!(
+        r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"metal","f0":0.{digits},"roughness":1}}]}}"#
+    );
+    assert_eq!(read(&text).unwrap().materials[0].f0[0], 1.0 / 9.0);
+    let text = text.replace("0.1", "1");
+    assert!(read(&text).unwrap_err().contains("materials[0].f0: number out of range"));
+}

@@ -1,0 +1,189 @@
+//! The JSON Schema of the scene: it names every field with a description, and the examples follow it.
+
+use std::path::Path;
+
+use lobefit::scene::{Scene, schema};
+use serde_json::{Value, json};
+
+/// What is wrong with `value` by the part of JSON Schema that ours is written in; any other keyword is an error.
+fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &mut Vec<String>) {
+    let Value::Object(rules) = schema else {
+        if schema == &json!(false) {
+            found.push(format!("{path}: nothing is allowed here"));
+        }
+        return;
+    };
+    let passes = |rule: &Value| {
+        let mut inner = Vec::new();
+        violations(value, rule, root, path, &mut inner);
+        inner.is_empty()
+    };
+    let number = value.as_f64();
+    let list = value.as_array();
+    for (keyword, rule) in rules {
+        let limit = rule.as_f64().unwrap_or(f64::NAN);
+        let count = list.map(|l| l.len() as f64);
+        let length = value.as_str().map(|s| s.len() as f64);
+        let ok = match keyword.as_str() {
+            "$schema" | "title" | "description" | "$defs" => true,
+            "$ref" => {
+                let target = rule.as_str().and_then(|r| r.strip_prefix('#')).and_then(|r| root.pointer(r));
+                violations(value, target.expect("a target"), root, path, found);
+                true
+            }
+            "type" => match rule.as_str().expect("one type") {
+                "object" => value.is_object(),
+                "array" => value.is_array(),
+                "string" => value.is_string(),
+                "boolean" => value.is_boolean(),
+                "integer" => value.is_u64() || value.is_i64(),
+                "number" => value.is_number(),
+                other => panic!("type {other}"),
+            },
+            "const" => value == rule,
+            "enum" => rule.as_array().expect("a list").contains(value),
+            "oneOf" => rule.as_array().expect("a list").iter().filter(|r| passes(r)).count() == 1,
+            "anyOf" => rule.as_array().expect("a list").iter().any(passes),
+            "minimum" => number.is_none_or(|x| x >= limit),
+            "exclusiveMinimum" => number.is_none_or(|x| x > limit),
+            "maximum" => number.is_none_or(|x| x <= limit),
+            "minItems" => count.is_none_or(|n| n >= limit),
+            "maxItems" => count.is_none_or(|n| n <= limit),
+            "minLength" => length.is_none_or(|n| n >= limit),
+            "maxLength" => length.is_none_or(|n| n <= limit),
+            "items" => {
+                for (i, item) in list.into_iter().flatten().enumerate() {
+                    violations(item, rule, root, &format!("{path}[{i}]"), found);
+                }
+                true
+            }
+            "properties" => {
+                for (name, rule) in rule.as_object().expect("an object") {
+                    if let Some(field) = value.get(name) {
+                        violations(field, rule, root, &format!("{path}.{name}"), found);
+                    }
+                }
+                true
+            }
+            "required" => rule
+                .as_array()
+                .expect("a list")
+                .iter()
+                .all(|n| value.get(n.as_str().expect("a name")).is_some()),
+            "additionalProperties" => {
+                let known = &rules["properties"];
+                value.as_object().is_none_or(|fields| fields.keys().all(|name| known.get(name).is_some()))
+            }
+            other => panic!("the schema uses `{other}`, which this test does not know"),
+        };
+        if !ok {
+            found.push(format!("{path}: {keyword} {rule}"));
+        }
+    }
+}
+
+fn check(text: &str) -> Vec<String> {
+    let schema: Value = schema().into();
+    let mut found = Vec::new();
+    violations(&serde_json::from_str(text).unwrap(), &schema, &schema, "", &mut found);
+    found
+}
+
+#[test]
+fn the_examples_and_the_built_in_scene_follow_it() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let examples = std::fs::read_dir(root.join("examples")).unwrap().map(|e| e.unwrap().path());
+    let mut seen = 0;
+    for path in examples
+        .filter(|p| p.extension().is_some_and(|e| e == "json"))
+        .chain([root.join("src/scene/default.json")])
+    {
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(check(&text), Vec::<String>::new(), "{}", path.display());
+        Scene::from_json(text.as_bytes(), "example").unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        seen += 1;
+    }
+    assert!(seen >= 5);
+    Scene::built_in().unwrap();
+}
+
+#[test]
+fn it_refuses_what_the_program_refuses() {
+    let base = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"wants":{"table":{"size":[8,8]}}}]}"#;
+    assert!(check(base).is_empty());
+    for (from, to) in [
+        ("\"schema_version\":1", "\"schema_version\":2"),
+        ("\"f0\":1", "\"f0\":1.5"),
+        ("\"f0\":1", "\"f0\":[1,1]"),
+        ("\"f0\":1", "\"fo\":1"),
+        ("\"roughness\":1", "\"roughness\":\"1\""),
+        ("\"roughness\":1", "\"roughness\":[0.5]"),
+        ("\"roughness\":1", "\"roughness\":1,\"ior\":1"),
+        ("[8,8]", "[1,8]"),
+        ("[8,8]", "8"),
+        ("[8,8]", "null"),
+        ("\"metal\"", "\"wood\""),
+        ("\"name\":\"m\",", ""),
+        ("{\"schema", "{\"probes\":[1],\"schema"),
+    ] {
+        let text = base.replacen(from, to, 1);
+        assert!(!check(&text).is_empty(), "{text}");
+        assert!(Scene::from_json(text.as_bytes(), "s").is_err(), "{text}");
+    }
+}
+
+/// The field names under every `properties` of the schema, with their descriptions.
+fn fields(value: &Value, found: &mut Vec<(String, bool)>) {
+    match value {
+        Value::Object(map) => {
+            for (name, field) in map.get("properties").and_then(Value::as_object).into_iter().flatten() {
+                let described = field["description"].as_str().is_some_and(|d| d.len() > 10);
+                found.push((name.clone(), described));
+            }
+            map.values().for_each(|v| fields(v, found));
+        }
+        Value::Array(list) => list.iter().for_each(|v| fields(v, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn it_names_and_describes_every_field() {
+    let mut found = Vec::new();
+    fields(&schema().into(), &mut found);
+    let mut names: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+    names.sort();
+    assert_eq!(
+        names,
+        [
+            "alpha",
+            "average",
+            "f0",
+            "fit",
+            "format",
+            "hypotheses",
+            "ior",
+            "kind",
+            "layout",
+            "materials",
+            "max_error",
+            "max_error",
+            "max_ops",
+            "mu",
+            "name",
+            "name",
+            "norms",
+            "probes",
+            "roughness",
+            "schema_version",
+            "serves",
+            "size",
+            "smith",
+            "table",
+            "wants"
+        ]
+    );
+    for (name, described) in found {
+        assert!(described, "{name} has no description");
+    }
+}
