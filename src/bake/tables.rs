@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 
 use super::BakeError;
 use super::context::Context;
-use crate::data::{Approximation, Certificate, Cost, Form, Layout, Place, Serves, Smith, Source, Table, Use};
+use crate::data::{
+    Approximation, Certificate, Channel, Cost, Form, Layout, Place, Serves, Smith, Source, Table, Use,
+};
 use crate::effects::reflection::{
-    Errors, Field, PointSet, Region, TableSpec, build, certification, lookup_ops, measure,
+    Counter, Errors, Field, PointSet, Region, TableSpec, build, certification, lookup_ops, measure,
 };
 use crate::fit::round_up;
 use crate::plan::TableJob;
@@ -170,3 +172,19 @@ pub fn ranges(region: &Region) -> BTreeMap<String, [f64; 2]> {
     inputs.into_iter().map(|(name, range)| (name.to_string(), range)).collect()
 }
 
+/// 2^15 points tell whether other texels keep a stated error; the stated one was measured at more.
+const LOG2_RECHECK: u32 = 15;
+
+/// The lookup error of a table with other texels (a permutation of its channels by name); none if a channel is missing.
+pub fn measured_again(baked: &BakedTable, channels: &[Channel]) -> Option<f64> {
+    let mut table = baked.table()?.clone();
+    for channel in &mut table.channels {
+        channel.texels = channels.iter().find(|c| c.name == channel.name)?.texels.clone();
+    }
+    let (points, counter) = (certification(&baked.region, LOG2_RECHECK), Counter::default());
+    let truth = match baked.serves {
+        Serves::SplitSum => Field::split(table.smith, &points, &counter),
+        Serves::Albedo => Field::albedo(table.smith, &points, &counter),
+    };
+    Some(measure(&table, baked.layout, baked.serves, &points, &truth).lookup.max)
+}

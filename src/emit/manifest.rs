@@ -18,6 +18,8 @@ pub struct Manifest {
     pub tool: String,
     /// Hash of the scene.
     pub scene: String,
+    /// Hash of tool version, scene and hypotheses.
+    pub recipe: String,
     /// Tables baked.
     pub tables: Vec<TableEntry>,
     /// Fits made and published formulas emitted beside them.
@@ -25,7 +27,7 @@ pub struct Manifest {
     /// Include files.
     pub includes: Vec<Include>,
     /// Pages and their data.
-    pub reports: Vec<String>,
+    pub reports: Vec<Report>,
     /// Effects left out.
     pub left_out: Vec<LeftOut>,
 }
@@ -157,6 +159,13 @@ pub struct CostEntry {
 pub struct Include {
     /// `rust`, `wgsl`, ...
     pub language: &'static str,
+    /// File, relative to the manifest.
+    pub file: String,
+}
+
+/// One page or data file of the report.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
     /// File, relative to the manifest.
     pub file: String,
 }

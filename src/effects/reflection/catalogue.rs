@@ -72,3 +72,8 @@ pub const RIVALS: [Entry; 10] = published![
     "ggx_norm_ray_tracing_gems" by "Ray Tracing Gems, ch. 32, 2019",
     "ggx_norm_materialx_m1" by "MaterialX, mx_microfacet_specular",
 ];
+
+/// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.
+pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
+    NORMALISATIONS.iter().chain(&AVERAGES).chain(&SEEDS).chain(&RIVALS).map(|entry| entry.source)
+}

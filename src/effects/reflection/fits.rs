@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::catalogue::{AVERAGES, Entry, NORMALISATIONS, RIVALS, SEEDS};
 use super::samples::{AverageData, Data, FitData};
-use super::{Counter, Region};
+use super::{Counter, PointSet, Region};
 use crate::data::{
     AlphaMap, Approximation, Certificate, Cost, Form, Formula, Norm, Place, Smith, Source, Use,
 };
@@ -42,6 +42,8 @@ pub struct Fit {
     pub termination: Option<Termination>,
     /// Whether it is emitted, or only reported for comparison.
     pub emitted: bool,
+    /// The function that a saturating form calls.
+    pub wraps: Option<String>,
 }
 
 /// Why there is no fit.
@@ -92,7 +94,7 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<Vec<Fit>, FitStageEr
     let jobs: Vec<(Hypothesis, Norm)> =
         ours.flat_map(|h| spec.norms.iter().map(move |norm| (h.clone(), *norm))).collect();
     let mut fits = each(&jobs, |(hypothesis, norm)| fit_one(spec, hypothesis, *norm, &data))?;
-    let saturating: Vec<&Fit> = fits.iter().filter(|f| f.is_named_like_its_hypothesis()).collect();
+    let saturating: Vec<&Fit> = fits.iter().filter(|f| f.norm() == Norm::Max.name()).collect();
     let saturating = each(&saturating, |fit| saturate(spec, fit, &data))?;
     fits.extend(saturating);
     if spec.average {
@@ -110,9 +112,26 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<Vec<Fit>, FitStageEr
 }
 
 impl Fit {
-    /// The minimax fits bear their hypothesis' name; the others have their norm appended.
-    fn is_named_like_its_hypothesis(&self) -> bool {
-        self.approximation.name == self.hypothesis.name()
+    /// The norm that its coefficients minimise: `max`, `rms` or `published`.
+    pub fn norm(&self) -> &str {
+        match &self.approximation.form {
+            Form::Formula(formula) => &formula.norm,
+            Form::Table(_) => "",
+        }
+    }
+
+    /// Its coefficients, in order.
+    pub fn coefficients(&self) -> Vec<f32> {
+        match &self.approximation.form {
+            Form::Formula(formula) => formula.coefficients.iter().map(|(_, value)| *value).collect(),
+            Form::Table(_) => Vec::new(),
+        }
+    }
+
+    /// Its values in f32 at the points of a set; f0 = 1.
+    pub fn values(&self, points: &PointSet) -> Result<Vec<f32>, FitError> {
+        let inputs: Vec<Vec<f32>> = self.hypothesis.inputs().iter().map(|name| points.column(name)).collect();
+        self.hypothesis.tape().evaluate(&inputs, &self.coefficients())
     }
 }
 
@@ -194,7 +213,7 @@ fn published(
         let form = formula(&hypothesis, &[], "published");
         let name = hypothesis.name().to_string();
         let approximation = certified(spec, name, &hypothesis, form, source, data)?;
-        Ok(Fit { approximation, hypothesis, termination: None, emitted })
+        Ok(Fit { approximation, hypothesis, termination: None, emitted, wraps: None })
     })
 }
 
@@ -218,7 +237,13 @@ fn saturate(spec: &FitSpec, fit: &Fit, data: &FitData) -> Result<Fit, FitStageEr
     form.inputs = hypothesis.inputs().to_vec();
     let name = hypothesis.name().to_string();
     let approximation = certified(spec, name, &hypothesis, form, Source::Fitted, data)?;
-    Ok(Fit { approximation, hypothesis, termination: fit.termination, emitted: true })
+    Ok(Fit {
+        approximation,
+        hypothesis,
+        termination: fit.termination,
+        emitted: true,
+        wraps: Some(inner.to_string()),
+    })
 }
 
 fn formula(hypothesis: &Hypothesis, coefficients: &[f32], norm: &str) -> Formula {

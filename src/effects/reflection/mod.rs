@@ -13,6 +13,7 @@ mod samples;
 mod table;
 
 pub use accuracy::{Series, Sources, Study, studies};
+pub use catalogue::catalogue_sources;
 pub use decode::{decode, lookup_ops};
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Fit, FitSpec, FitStageError, fit_all};

@@ -62,6 +62,16 @@ impl PointSet {
         self.mu.is_empty()
     }
 
+    /// A column of inputs by name; anything but roughness, alpha and mu is f0 = 1, where a saturating form must be exact.
+    pub fn column(&self, name: &str) -> Vec<f32> {
+        match name {
+            "roughness" => self.roughness.clone(),
+            "alpha" => self.alpha.clone(),
+            "mu" => self.mu.clone(),
+            _ => vec![1.0; self.len()],
+        }
+    }
+
     /// Point `i` by input name, each in the shortest decimal that reads back to its f32.
     pub fn place(&self, i: usize) -> Place {
         let inputs = [("alpha", self.alpha[i]), ("mu", self.mu[i]), ("roughness", self.roughness[i])];

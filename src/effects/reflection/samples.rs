@@ -24,7 +24,7 @@ pub(super) trait Data: Sync {
     fn points(&self) -> &PointSet;
     /// Inputs of the first `count` points, by name, in f32.
     fn inputs(&self, names: &[String], count: usize) -> Vec<Vec<f32>> {
-        names.iter().map(|name| column(self.points(), name)[..count].to_vec()).collect()
+        names.iter().map(|name| self.points().column(name)[..count].to_vec()).collect()
     }
     /// Scale and target of the first `count` points.
     fn truth(&self, count: usize) -> (&[f64], &[f64]);
@@ -35,16 +35,6 @@ pub(super) trait Data: Sync {
         let mut names: Vec<String> = ["alpha", "mu", "roughness"].map(String::from).to_vec();
         names.extend(inputs.iter().filter(|i| i.as_str() == "f0").cloned());
         names
-    }
-}
-
-/// A column of inputs; f0 = 1, where a saturating form must be exact.
-fn column(points: &PointSet, name: &str) -> Vec<f32> {
-    match name {
-        "roughness" => points.roughness.clone(),
-        "alpha" => points.alpha.clone(),
-        "mu" => points.mu.clone(),
-        _ => vec![1.0; points.len()],
     }
 }
 
@@ -86,7 +76,7 @@ impl Data for FitData {
         };
         let wide = |column: Vec<f32>| column.into_iter().map(f64::from).collect();
         Ok(Samples {
-            inputs: hypothesis.inputs().iter().map(|name| wide(column(points, name))).collect(),
+            inputs: hypothesis.inputs().iter().map(|name| wide(points.column(name))).collect(),
             scale: field.e.clone(),
             target: vec![1.0; points.len()],
         })
@@ -188,7 +178,7 @@ impl Data for AverageData {
         let (points, values) = &self.grid;
         let wide = |column: Vec<f32>| column.into_iter().map(f64::from).collect();
         Ok(Samples {
-            inputs: hypothesis.inputs().iter().map(|name| wide(column(points, name))).collect(),
+            inputs: hypothesis.inputs().iter().map(|name| wide(points.column(name))).collect(),
             scale: vec![1.0; values.len()],
             target: values.clone(),
         })

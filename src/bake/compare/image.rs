@@ -1,0 +1,97 @@
+//! Tables: texel against texel.
+
+use super::{Difference, Kind, plain};
+use crate::bake::Baked;
+use crate::bake::tables::{BakedTable, measured_again};
+use crate::data::{Channel, TexelFormat};
+use crate::emit::exr::{self, Decoded};
+
+/// How two images differ: the texel that is furthest off, and whether the texels found still keep the stated error.
+pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {
+    let (expected, found) = match (exr::decode(expected), exr::decode(found)) {
+        (Ok(expected), Ok(found)) => (expected, found),
+        (_, Err(error)) | (Err(error), _) => return plain(file, Kind::Different, &error.to_string()),
+    };
+    if shape(&expected) != shape(&found) {
+        let (want, have) = (words(&expected), words(&found));
+        return plain(file, Kind::Different, &format!("{have} where the recipe gives {want}"));
+    }
+    let table = baked.tables.iter().find(|t| file == format!("tables/{}.exr", t.approximation.name));
+    let format = table.and_then(BakedTable::table).map_or(TexelFormat::F32, |t| t.format);
+    let mut difference = texels(file, &expected, &found, format);
+    if let Some(table) = table.filter(|_| difference.max_abs != Some(0.0)) {
+        judge(table, found, &mut difference);
+    }
+    difference
+}
+
+type Shape<'a> = (usize, usize, Vec<&'a str>);
+
+fn shape(image: &Decoded) -> Shape<'_> {
+    (image.width, image.height, image.channels.iter().map(|c| c.name.as_str()).collect())
+}
+
+fn words(image: &Decoded) -> String {
+    let names: Vec<&str> = image.channels.iter().map(|c| c.name.as_str()).collect();
+    format!("{} x {} texels of {}", image.width, image.height, names.join(", "))
+}
+
+fn texels(file: &str, expected: &Decoded, found: &Decoded, format: TexelFormat) -> Difference {
+    let mut difference = plain(file, Kind::Different, "texels are equal; header or encoding differ");
+    difference.max_abs = Some(0.0);
+    let mut count = 0;
+    for (want, have) in expected.channels.iter().zip(&found.channels) {
+        for (i, (a, b)) in want.texels.iter().zip(&have.texels).enumerate().filter(|(_, (a, b))| a != b) {
+            count += 1;
+            let gap = (a - b).abs();
+            // NaN is the largest difference there is.
+            if !(gap <= difference.max_abs.unwrap_or(0.0)) {
+                let place = format!(
+                    "channel {}, column {}, row {}",
+                    want.name,
+                    i % expected.width,
+                    i / expected.width
+                );
+                difference.detail = format!("{place}: {b} where the recipe gives {a}");
+                (difference.max_abs, difference.at) = (Some(gap), Some(place));
+            }
+            difference.max_ulp = difference.max_ulp.max(Some(ulps(*a, *b, format)));
+        }
+    }
+    if let (Some(gap), Some(ulps)) = (difference.max_abs, difference.max_ulp) {
+        difference.detail += &format!("; {count} texels differ, max abs {gap:e}, max ulp {ulps}");
+    }
+    difference
+}
+
+/// Distance in representable numbers of the texel format.
+fn ulps(a: f64, b: f64, format: TexelFormat) -> u64 {
+    let index = |x: f64| match format {
+        TexelFormat::F16 => ordered(u64::from(half::f16::from_f64(x).to_bits()), 15),
+        TexelFormat::F32 => ordered(u64::from((x as f32).to_bits()), 31),
+    };
+    index(a).abs_diff(index(b))
+}
+
+/// Sign-magnitude bits to integers in the order of their values.
+fn ordered(bits: u64, sign: u32) -> i64 {
+    let magnitude = (bits & ((1 << sign) - 1)) as i64;
+    if bits >> sign == 1 { -magnitude } else { magnitude }
+}
+
+/// Measures the texels found against the truth.
+fn judge(table: &BakedTable, found: Decoded, difference: &mut Difference) {
+    let channels: Vec<Channel> = found.channels;
+    if channels.iter().any(|c| c.texels.iter().any(|t| !t.is_finite())) {
+        difference.promise_kept = Some(false);
+        difference.detail += "; promise broken: a texel is not finite";
+        return;
+    }
+    let stated = table.errors.lookup.max;
+    if let Some(error) = measured_again(table, &channels) {
+        let kept = error <= stated;
+        let word = if kept { "kept" } else { "broken" };
+        difference.promise_kept = Some(kept);
+        difference.detail += &format!("; promise {word}: lookup error {error:.4e}, stated {stated:e}");
+    }
+}

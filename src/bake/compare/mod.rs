@@ -1,0 +1,100 @@
+//! Do the files of a folder follow from their recipe? Bytes first, else values, else promises.
+
+mod image;
+mod text;
+
+use std::fmt;
+
+use serde::Serialize;
+
+use super::Baked;
+use super::context::Progress;
+use crate::store::Files;
+
+/// One file that is not what the recipe gives.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// Path, relative to the folder.
+    pub file: String,
+    /// `missing`, `extra` or `different`.
+    pub kind: Kind,
+    /// How far it is off and where, in words.
+    pub detail: String,
+    /// Largest difference of a decoded value; none where values cannot be paired.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_abs: Option<f64>,
+    /// The same in units of the last place of the stored format.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_ulp: Option<u64>,
+    /// Where the largest difference is: a cell or a line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at: Option<String>,
+    /// For a table: whether its texels keep the stated lookup error all the same.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub promise_kept: Option<bool>,
+}
+
+/// What is wrong with a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// It is not there.
+    Missing,
+    /// It is there and should not be.
+    Extra,
+    /// Its bytes are others.
+    Different,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.file, self.detail)
+    }
+}
+
+/// Every file of `found` and of the bake that differs. With `tolerance`, files whose decoded values are all within it pass;
+/// pages of the report are then not compared, since they are drawn from the figures.
+pub fn compare(
+    baked: &Baked,
+    found: &Files,
+    tolerance: Option<f64>,
+    progress: &dyn Progress,
+) -> Vec<Difference> {
+    progress.stage("compare");
+    let mut differences = Vec::new();
+    for (file, expected) in &baked.files {
+        match found.get(file) {
+            None => differences.push(plain(file, Kind::Missing, "missing: the recipe makes it")),
+            Some(bytes) if bytes == expected => {}
+            Some(_) if tolerance.is_some() && file.ends_with(".html") => {}
+            Some(bytes) => differences.push(different(baked, file, expected, bytes)),
+        }
+    }
+    for file in found.keys().filter(|file| !baked.files.contains_key(*file)) {
+        differences.push(plain(file, Kind::Extra, "extra: the recipe does not make it"));
+    }
+    if let Some(tolerance) = tolerance {
+        differences.retain(|d| d.max_abs.is_none_or(|x| x.is_nan() || x > tolerance));
+    }
+    differences
+}
+
+fn plain(file: &str, kind: Kind, detail: &str) -> Difference {
+    Difference {
+        file: file.into(),
+        kind,
+        detail: detail.into(),
+        max_abs: None,
+        max_ulp: None,
+        at: None,
+        promise_kept: None,
+    }
+}
+
+fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {
+    if file.ends_with(".exr") {
+        image::different(baked, file, expected, found)
+    } else {
+        text::different(file, expected, found)
+    }
+}

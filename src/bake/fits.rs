@@ -1,0 +1,65 @@
+//! The fit job to measured fits.
+
+use super::context::Context;
+use super::{BakeError, UserHypothesis};
+use crate::data::Use;
+use crate::effects::reflection::{Fit, FitSpec, Region, fit_all};
+use crate::plan::{FitJob, FitPromise};
+
+/// Fits all that the job asks for. A promise that no fit keeps is noted in the context.
+pub fn bake_fits(
+    job: &FitJob,
+    hypotheses: &[UserHypothesis],
+    context: &mut Context,
+) -> Result<Vec<Fit>, BakeError> {
+    context.progress.stage("fits");
+    let spec = FitSpec {
+        smith: job.smith,
+        region: Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map },
+        max_ops: job.max_ops,
+        norms: job.norms.clone(),
+        average: job.average,
+        hypotheses: hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
+    };
+    let fits = fit_all(&spec, &context.counter)?;
+    refuse_double_names(&fits)?;
+    for promise in &job.promises {
+        context.broken.extend(unkept(promise, &fits));
+    }
+    Ok(fits)
+}
+
+fn refuse_double_names(fits: &[Fit]) -> Result<(), BakeError> {
+    let mut names: Vec<&str> = Vec::new();
+    for fit in fits.iter().filter(|f| f.emitted) {
+        let name = fit.approximation.name.as_str();
+        if names.contains(&name) {
+            return Err(BakeError::Name { file: fit.hypothesis.file().into(), function: name.into() });
+        }
+        names.push(name);
+    }
+    Ok(())
+}
+
+/// A sentence where no emitted normalisation of at most so many operations is within the promised error.
+fn unkept(promise: &FitPromise, fits: &[Fit]) -> Option<String> {
+    let normalisations = fits.iter().filter(|f| f.emitted && f.wraps.is_none());
+    let affordable = normalisations
+        .map(|f| &f.approximation)
+        .filter(|a| a.used_as == Use::Normalisation)
+        .filter(|a| promise.max_ops.is_none_or(|most| a.cost.ops <= most));
+    let best = affordable.min_by(|a, b| a.certificate.max_abs.total_cmp(&b.certificate.max_abs));
+    let limit = match promise.max_ops {
+        Some(ops) => format!("max_error {} within {ops} operations", promise.max_error),
+        None => format!("max_error {}", promise.max_error),
+    };
+    let wanted = format!("{limit}, wanted by {}", promise.materials.join(", "));
+    match best {
+        None => Some(format!("fit: no normalisation is that cheap: {wanted}")),
+        Some(a) if a.certificate.max_abs > promise.max_error => Some(format!(
+            "fit: the best is {} with furnace error {}: {wanted}",
+            a.name, a.certificate.max_abs
+        )),
+        Some(_) => None,
+    }
+}

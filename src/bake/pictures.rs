@@ -1,0 +1,162 @@
+//! Samples for the report's pictures: the truth and every approximation over a grid of roughness and mu.
+
+use super::BakeError;
+use super::context::Context;
+use super::tables::BakedTable;
+use crate::data::Smith;
+use crate::effects::reflection::{Field as Truth, Fit, Lookup, PointSet, Region, error_map};
+use crate::report::{Field, FitCurve, FurnaceRow, Ruler};
+
+/// Side of the maps' grids.
+const MAP: usize = 64;
+
+/// Roughness of the curves and of the furnace's spheres, as fractions of the range.
+const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.75, 1.0];
+
+/// Spheres of a furnace row.
+const SPHERES: usize = 9;
+
+/// Cosines per curve and per sphere.
+const COSINES: usize = 64;
+
+/// A grid with its truth.
+pub struct Grid {
+    /// Ruler of roughness.
+    pub roughness: Ruler,
+    /// Ruler of mu.
+    pub mu: Ruler,
+    points: PointSet,
+    truth: Truth,
+}
+
+impl Grid {
+    /// The grid of the maps: even in roughness, mu quadratically denser towards grazing.
+    pub fn map(smith: Smith, region: &Region, split: bool, context: &Context) -> Grid {
+        let roughness = Ruler::even("roughness", region.roughness[0], region.roughness[1], MAP);
+        Grid::new(smith, region, roughness, grazing(region, MAP), split, context)
+    }
+
+    /// The grid of the curves.
+    pub fn curves(smith: Smith, region: &Region, context: &Context) -> Grid {
+        let [low, high] = region.roughness;
+        let values = CURVES.map(|t| low + (high - low) * t).to_vec();
+        let roughness = Ruler { name: "roughness".into(), values };
+        Grid::new(smith, region, roughness, grazing(region, COSINES), false, context)
+    }
+
+    /// The grid of the furnace.
+    pub fn furnace(smith: Smith, region: &Region, context: &Context) -> Grid {
+        let [low, high] = region.roughness;
+        let roughness = Ruler::even("roughness", low.max(0.1 * high), high, SPHERES);
+        Grid::new(smith, region, roughness, grazing(region, COSINES), false, context)
+    }
+
+    fn new(
+        smith: Smith,
+        region: &Region,
+        roughness: Ruler,
+        mu: Ruler,
+        split: bool,
+        context: &Context,
+    ) -> Grid {
+        let mut points = PointSet::default();
+        for m in &mu.values {
+            for r in &roughness.values {
+                points.push(region, *r, *m);
+            }
+        }
+        let truth = if split {
+            Truth::split(smith, &points, &context.counter)
+        } else {
+            Truth::albedo(smith, &points, &context.counter)
+        };
+        Grid { roughness, mu, points, truth }
+    }
+
+    /// A field over the grid, roughness along x and mu along y.
+    fn field(&self, name: &str, signed: bool, values: impl Iterator<Item = f64>) -> Field {
+        Field {
+            name: name.into(),
+            unit: String::new(),
+            signed,
+            x: self.roughness.clone(),
+            y: self.mu.clone(),
+            values: values.map(|v| v as f32).collect(),
+        }
+    }
+
+    /// The truth of E.
+    pub fn albedo(&self) -> Field {
+        self.field("E", false, self.truth.e.iter().copied())
+    }
+
+    /// E N - 1 of a normalisation.
+    pub fn furnace_error(&self, fit: &Fit) -> Result<Field, BakeError> {
+        let values = self.values(fit)?;
+        Ok(self.field("E N - 1", true, values.iter().zip(&self.truth.e).map(|(n, e)| n * e - 1.0)))
+    }
+
+    /// Error of a table's lookup.
+    pub fn lookup_error(&self, baked: &BakedTable) -> Option<Field> {
+        let lookup = Lookup::new(baked.table()?, baked.layout, baked.serves);
+        let name = match baked.serves {
+            crate::data::Serves::Albedo => "lookup error of E",
+            crate::data::Serves::SplitSum => "lookup error of E or B, the larger",
+        };
+        let values = error_map(&lookup, baked.serves, &self.points, &self.truth);
+        Some(self.field(name, true, values.into_iter()))
+    }
+
+    /// 1/E and N over mu, one per roughness.
+    pub fn fit_curves(&self, fit: &Fit) -> Result<Vec<FitCurve>, BakeError> {
+        let values = self.values(fit)?;
+        let columns = self.roughness.values.len();
+        let curve = |column: usize| FitCurve {
+            roughness: self.roughness.values[column],
+            mu: self.mu.values.clone(),
+            truth: self.truth.e.iter().skip(column).step_by(columns).map(|e| 1.0 / e).collect(),
+            fit: values.iter().skip(column).step_by(columns).copied().collect(),
+        };
+        Ok((0..columns).map(curve).collect())
+    }
+
+    /// The furnace of a lobe that is not compensated.
+    pub fn uncompensated(&self) -> FurnaceRow {
+        self.row("uncompensated", self.truth.e.clone())
+    }
+
+    /// The furnace of a lobe divided by a table's E.
+    pub fn furnace_of_table(&self, baked: &BakedTable) -> Option<FurnaceRow> {
+        let lookup = Lookup::new(baked.table()?, baked.layout, baked.serves);
+        let p = &self.points;
+        let at = |i: usize| self.truth.e[i] / f64::from(lookup.at(p.roughness[i], p.alpha[i], p.mu[i]).e);
+        Some(self.row(&baked.approximation.name, (0..p.len()).map(at).collect()))
+    }
+
+    /// The furnace of a lobe multiplied by a fit's N.
+    pub fn furnace_of_fit(&self, fit: &Fit) -> Result<FurnaceRow, BakeError> {
+        let values = self.values(fit)?;
+        let factors = values.iter().zip(&self.truth.e).map(|(n, e)| n * e).collect();
+        Ok(self.row(&fit.approximation.name, factors))
+    }
+
+    fn row(&self, name: &str, values: Vec<f64>) -> FurnaceRow {
+        let columns = self.roughness.values.len();
+        let column = |c: usize| values.iter().skip(c).step_by(columns).copied().collect();
+        FurnaceRow { name: name.into(), factors: (0..columns).map(column).collect() }
+    }
+
+    fn values(&self, fit: &Fit) -> Result<Vec<f64>, BakeError> {
+        let values = fit.values(&self.points).map_err(crate::effects::reflection::FitStageError::from)?;
+        Ok(values.into_iter().map(f64::from).collect())
+    }
+}
+
+fn grazing(region: &Region, n: usize) -> Ruler {
+    let [low, high] = region.mu;
+    let at = |i: usize| {
+        let t = i as f64 / (n - 1) as f64;
+        low + (high - low) * t * t
+    };
+    Ruler { name: "mu".into(), values: (0..n).map(at).collect() }
+}

@@ -1,0 +1,43 @@
+//! What makes a bake again.
+
+use crate::effects::reflection::catalogue_sources;
+use crate::emit::header::Recipe;
+use crate::scene::Scene;
+
+/// A hypothesis of the user's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UserHypothesis {
+    /// File, as named in the scene.
+    pub file: String,
+    /// WGSL source.
+    pub source: String,
+}
+
+/// Tool and version.
+pub const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
+
+/// The recipe of a scene: the hash covers the tool's version, the scene and every hypothesis, compiled in or the user's.
+pub fn recipe(scene: &Scene, hypotheses: &[UserHypothesis]) -> Result<Recipe, serde_json::Error> {
+    let scene_hash = scene.hash()?;
+    let mut hasher = blake3::Hasher::new();
+    let mut add = |text: &str| {
+        hasher.update(&(text.len() as u64).to_le_bytes());
+        hasher.update(text.as_bytes());
+    };
+    add(TOOL);
+    add(&scene_hash);
+    catalogue_sources().for_each(&mut add);
+    for hypothesis in hypotheses {
+        add(&hypothesis.file);
+        add(&hypothesis.source);
+    }
+    let built_in = Scene::built_in().ok().and_then(|s| s.hash().ok());
+    let command =
+        if built_in.as_ref() == Some(&scene_hash) { "lobefit bake" } else { "lobefit bake SCENE.json" };
+    Ok(Recipe {
+        command: command.into(),
+        tool: TOOL.into(),
+        scene: scene_hash,
+        hash: hasher.finalize().to_hex().to_string(),
+    })
+}
