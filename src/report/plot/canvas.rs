@@ -154,8 +154,10 @@ impl<'a> Canvas<'a> {
 
     /// The outline of a rectangle.
     pub(crate) fn outline(&self, frame: Frame, colour: RGBColor, width: f64) -> Result<(), ReportError> {
-        let corners = [place((frame.left, frame.top)), place((frame.right, frame.bottom))];
-        self.draw(&Rectangle::new(corners, stroke(colour, width)))
+        let Frame { left, top, right, bottom } = frame;
+        // The last stroke runs over the first corner, which closes the join.
+        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top), (right, top)];
+        self.line(&corners, colour, width)
     }
 
     /// A disc, or with `Some(width)` a ring.

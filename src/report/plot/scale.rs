@@ -95,18 +95,21 @@ fn linear_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
 
 /// Decades with labels, thinned to about `count`; 2..9 without, or 2 and 5 labelled where decades are few.
 fn log_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
-    let low = exponent(min * (1.0 - 1e-9));
+    let low = exponent(min * (1.0 + 1e-9));
     let high = exponent(max * (1.0 + 1e-9));
     let decades = (high - low).max(1) as usize;
     let every = decades.div_ceil(count.max(1)) as i32;
     let inside = |v: f64| v >= min * (1.0 - 1e-9) && v <= max * (1.0 + 1e-9);
+    // One notation along an axis: powers where plain numbers would not do for all of it.
+    let plain = low >= -3 && high <= 4;
+    let label = |v: f64| if plain || v == 1.0 { numbers::tick(v) } else { numbers::power_of_ten(v) };
     let mut ticks = Vec::new();
     for e in low..=high {
         for m in 1..10 {
             let value: f64 = format!("{m}e{e}").parse().unwrap_or(f64::NAN);
             let labelled = (m == 1 && (e - low) % every == 0) || (decades <= 2 && (m == 2 || m == 5));
             if inside(value) && (m == 1 || decades <= 8) {
-                ticks.push(Tick { value, label: labelled.then(|| numbers::tick(value)) });
+                ticks.push(Tick { value, label: labelled.then(|| label(value)) });
             }
         }
     }
@@ -132,8 +135,14 @@ pub(crate) fn exponent(x: f64) -> i32 {
     text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)
 }
 
+/// The next of 1, 2, 5 times a power of ten at or below `x`.
 fn decade_below(x: f64) -> f64 {
-    format!("1e{}", exponent(x)).parse().unwrap_or(x)
+    let e = exponent(x);
+    [format!("5e{e}"), format!("2e{e}"), format!("1e{e}")]
+        .iter()
+        .filter_map(|t| t.parse().ok())
+        .find(|&v: &f64| v <= x)
+        .unwrap_or(x)
 }
 
 /// The next of 1, 2, 5 times a power of ten at or above `x`.

@@ -8,14 +8,14 @@ use crate::report::{
 
 const COLUMNS: [(&str, bool); 10] = [
     ("name", false),
-    ("use", false),
-    ("norm", false),
     ("ops", true),
     ("fetches", true),
     ("bytes", true),
     ("max", true),
     ("RMS", true),
     ("where", false),
+    ("use", false),
+    ("norm", false),
     ("source", false),
 ];
 
@@ -30,7 +30,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     blocks.push(Block::Table(list(&findings.approximations)));
     Ok(Some(Section {
         id: "approximations".into(),
-        title: "Every approximation: what accuracy costs at run time".into(),
+        title: "What accuracy costs at run time".into(),
         lead: "Tables, our fits and published fits, all measured the same way against the same truth: lower is more \
                accurate, further left is cheaper."
             .into(),
@@ -70,8 +70,9 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
         size: (760.0, if group.len() > 8 { 460.0 } else { 300.0 }),
     };
     let caption = format!(
-        "Largest {metric} over the domain against operations per evaluation. The stairs join the formulas and tables of \
-         ours that nothing of ours beats in both; published ones are grey{}.",
+        "Largest {metric} over the domain against operations per evaluation. The stairs join our formulas that no other \
+         formula of ours beats in both; tables (squares) also fetch, which operations do not count; published ones are \
+         grey{}.",
         if used_as == Use::Normalisation { ", judged as the factor N that should make E N = 1" } else { "" },
     );
     figures(&[scatter], &caption).map(Some)
@@ -99,14 +100,14 @@ fn list(all: &[ApproximationFinding]) -> TextTable {
 fn row(a: &ApproximationFinding) -> Vec<String> {
     vec![
         a.name.clone(),
-        a.used_as.name().into(),
-        if a.norm.is_empty() { "–".into() } else { a.norm.clone() },
         a.cost.ops.to_string(),
         a.cost.fetches.to_string(),
         crate::report::numbers::grouped(a.cost.bytes),
         words::max(a.certificate.max_abs),
         words::mean(a.certificate.rms),
         words::place(&a.certificate.at),
+        a.used_as.name().into(),
+        if a.norm.is_empty() { "–".into() } else { a.norm.clone() },
         a.source.clone(),
     ]
 }

@@ -63,8 +63,8 @@ impl<'a> Shown<'a> {
         let certificate = &self.approximation.certificate;
         let at = |name: &str| certificate.at.get(name).copied();
         match (at(&self.fit.error.x.name), at(&self.fit.error.y.name)) {
-            (Some(x), Some(y)) => Some(Worst { x, y, text: words::max(certificate.max_abs) }),
-            _ => self.error.worst().map(|(x, y, v)| Worst { x, y, text: numbers::bound(v, 3) }),
+            (Some(x), Some(y)) => Some(Worst { x, y, text: numbers::brief_bound(certificate.max_abs, 3) }),
+            _ => self.error.worst().map(|(x, y, v)| Worst { x, y, text: numbers::brief_bound(v, 3) }),
         }
     }
 
@@ -78,7 +78,7 @@ fn overview(shown: &[Shown]) -> Result<Block, ReportError> {
     let peak = shown.iter().map(|s| s.error.peak()).fold(0.0, f64::max);
     let shade = crate::report::plot::signed(peak);
     let maps: Vec<HeatMap> =
-        shown.iter().map(|s| HeatMap { size: (170.0, 150.0), ..s.map(s.fit.name.clone(), shade) }).collect();
+        shown.iter().map(|s| HeatMap { size: (160.0, 145.0), ..s.map(s.fit.name.clone(), shade) }).collect();
     let caption = format!(
         "Signed error over roughness and mu, every map on the same scale (±{}), which follows the square root of the \
          magnitude: blue too dark, red too bright, white exact. The ring marks the worst place of the certificate, the \

@@ -13,7 +13,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
         return Err(check::domain("furnace", "amplification", "must be positive"));
     }
     let limit = 1.0 / furnace.amplification;
-    let deepest = numbers::significant(limit, 2);
+    let deepest = numbers::brief(limit, 2);
     let plain = spheres(furnace, &furnace.rows[..1], Shade::Radiance { white: 1.25 });
     let amplified = spheres(furnace, &furnace.rows, Shade::Departure { limit });
     let plain_caption = format!(
@@ -24,7 +24,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     let caption = format!(
         "Departure from the environment, amplified {} times: grey is exact, the deepest blue a loss of {deepest} or more, \
          the deepest red a gain of {deepest} or more. A perfect compensation vanishes.",
-        numbers::significant(furnace.amplification, 3),
+        numbers::brief(furnace.amplification, 3),
     );
     let blocks = vec![
         figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption)?,

@@ -2,7 +2,7 @@
 
 use super::{figures, words};
 use crate::data::Axis;
-use crate::report::numbers::grouped;
+use crate::report::numbers::{brief, grouped};
 use crate::report::{
     Block, ChannelFinding, Field, Findings, HeatMap, ReportError, Ruler, Section, TableFinding, check,
 };
@@ -94,7 +94,7 @@ fn texels(table: &TableFinding, channel: &ChannelFinding) -> Field {
 fn facts(table: &TableFinding) -> Vec<(String, String)> {
     let axis = |a: &Axis| {
         let name = words::symbol(&a.name);
-        let ends = [a.min, a.max].map(|x| crate::report::numbers::significant(x, 3));
+        let ends = [a.min, a.max].map(|x| brief(x, 3));
         let registration = a.registration.name();
         format!(
             "{name} from {} to {}, {} texels, {registration} registration, {}",
