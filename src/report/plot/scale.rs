@@ -41,7 +41,9 @@ impl Scale {
             }
             Spread::Root => Scale { spread, min: 0.0, max: (max * 1.04).max(1.0) },
             Spread::Linear => {
-                let span = if max > min { max - min } else { min.abs().max(1.0) * 0.1 };
+                // Differences below the digits of a label would give a row of equal labels.
+                let span = (max - min).max(max.abs().max(min.abs()) * 1e-9);
+                let span = if span > 0.0 { span } else { 0.1 };
                 let step = nice_step(span, 6);
                 Scale { spread, min: (min / step).floor() * step, max: (max / step).ceil() * step }.widened()
             }
@@ -52,7 +54,10 @@ impl Scale {
     pub(crate) fn position(self, x: f64) -> f64 {
         let t = match self.spread {
             Spread::Linear => (x - self.min) / (self.max - self.min),
-            Spread::Log => ops::log(x.max(f64::MIN_POSITIVE) / self.min) / ops::log(self.max / self.min),
+            Spread::Log => {
+                let (low, high) = (ops::log(self.min), ops::log(self.max));
+                (ops::log(x.max(f64::MIN_POSITIVE)) - low) / (high - low)
+            }
             Spread::Root => ((x - self.min).max(0.0) / (self.max - self.min)).sqrt(),
         };
         t.clamp(0.0, 1.0)
@@ -87,6 +92,10 @@ fn linear_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
     // A millionth of a step forgives the rounding of min and max.
     let first = (min / step - 1e-6).ceil();
     let last = (max / step + 1e-6).floor();
+    if last < first {
+        // No multiple of a round step lies inside: the axis is a single value.
+        return vec![Tick { value: min, label: Some(numbers::tick(min)) }];
+    }
     (0..=(last - first) as usize)
         .map(|i| (first + i as f64) * step)
         .map(|value| Tick { value, label: Some(numbers::tick(value)) })

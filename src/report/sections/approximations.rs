@@ -3,17 +3,17 @@
 use super::{figures, words};
 use crate::data::Use;
 use crate::report::{
-    ApproximationFinding, Block, Dot, Findings, ReportError, Scatter, Section, Spread, TextTable,
+    ApproximationFinding, Block, Dot, Findings, ReportError, Scatter, Section, Spread, TextTable, check,
 };
 
 const COLUMNS: [(&str, bool); 10] = [
     ("name", false),
     ("ops", true),
-    ("fetches", true),
-    ("bytes", true),
     ("max", true),
     ("RMS", true),
     ("where", false),
+    ("fetches", true),
+    ("bytes", true),
     ("use", false),
     ("norm", false),
     ("source", false),
@@ -23,6 +23,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     if findings.approximations.is_empty() {
         return Ok(None);
     }
+    unique(&findings.approximations)?;
     let mut blocks = Vec::new();
     for group in groups(&findings.approximations) {
         blocks.extend(chart(&group)?);
@@ -36,6 +37,14 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
             .into(),
         blocks,
     }))
+}
+
+/// Fits and timings refer to approximations by name.
+fn unique(all: &[ApproximationFinding]) -> Result<(), ReportError> {
+    let twice = all.iter().enumerate().find(|(i, a)| all[..*i].iter().any(|b| a.name == b.name));
+    twice.map_or(Ok(()), |(_, a)| {
+        Err(check::domain("approximations", &format!("name {}", a.name), "is used twice"))
+    })
 }
 
 /// Approximations of the same column of the same quantity for the same use: what may share a chart.
@@ -69,11 +78,22 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
         dots,
         size: (760.0, if group.len() > 8 { 460.0 } else { 300.0 }),
     };
+    let exact: Vec<&str> =
+        group.iter().filter(|a| a.certificate.max_abs == 0.0).map(|a| a.name.as_str()).collect();
     let caption = format!(
         "Largest {metric} over the domain against operations per evaluation. The stairs join our formulas that no other \
          formula of ours beats in both; tables (squares) also fetch, which operations do not count; published ones are \
-         grey{}.",
-        if used_as == Use::Normalisation { ", judged as the factor N that should make E N = 1" } else { "" },
+         grey{}.{}",
+        if used_as == Use::Normalisation {
+            ", judged as the factor N that should make E\u{a0}N\u{a0}=\u{a0}1"
+        } else {
+            ""
+        },
+        if exact.is_empty() {
+            String::new()
+        } else {
+            format!(" Exact, so not on a logarithmic axis: {}.", exact.join(", "))
+        },
     );
     figures(&[scatter], &caption).map(Some)
 }
@@ -101,11 +121,11 @@ fn row(a: &ApproximationFinding) -> Vec<String> {
     vec![
         a.name.clone(),
         a.cost.ops.to_string(),
-        a.cost.fetches.to_string(),
-        crate::report::numbers::grouped(a.cost.bytes),
         words::max(a.certificate.max_abs),
         words::mean(a.certificate.rms),
         words::place(&a.certificate.at),
+        a.cost.fetches.to_string(),
+        crate::report::numbers::grouped(a.cost.bytes),
         a.used_as.name().into(),
         if a.norm.is_empty() { "–".into() } else { a.norm.clone() },
         a.source.clone(),
