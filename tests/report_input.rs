@@ -5,6 +5,9 @@ mod report_support;
 use lobefit::report::{self, Findings, ReportError, Study, StudySeries};
 use report_support::{findings, timings};
 
+/// Something done to findings.
+type Spoil = Box<dyn FnOnce(&mut Findings)>;
+
 /// The message for findings spoilt in one place.
 fn refused(spoil: impl FnOnce(&mut Findings)) -> String {
     let mut spoilt = findings();
@@ -22,7 +25,7 @@ fn furnace(f: &mut Findings) -> &mut report::Furnace {
 
 #[test]
 fn numbers_that_are_not_finite_are_named() {
-    let cases: Vec<(Box<dyn FnOnce(&mut Findings)>, &str)> = vec![
+    let cases: Vec<(Spoil, &str)> = vec![
         (Box::new(|f| f.effects[0].measured_error = f64::NAN), "effects[0].measured_error is not finite"),
         (
             Box::new(|f| f.approximations[3].certificate.rms = f64::INFINITY),
@@ -54,14 +57,21 @@ fn numbers_that_are_not_finite_are_named() {
 
 #[test]
 fn empty_and_mismatched_lists_are_named() {
-    let cases: Vec<(Box<dyn FnOnce(&mut Findings)>, &str)> = vec![
+    let cases: Vec<(Spoil, &str)> = vec![
         (Box::new(|f| f.fits[0].curves.clear()), "fit n_linear_max: curves is empty"),
         (
-            Box::new(|f| drop(f.fits[0].curves[0].truth.pop())),
+            Box::new(|f| {
+                f.fits[0].curves[0].truth.pop();
+            }),
             "roughness 0.1: truth has 99 entries, expected 100",
         ),
         (Box::new(|f| f.fits[0].name = "nobody".into()), "fit nobody: name is not among the approximations"),
-        (Box::new(|f| drop(f.truths[1].values.pop())), "truth: 1/E: values has 9215 entries, expected 9216"),
+        (
+            Box::new(|f| {
+                f.truths[1].values.pop();
+            }),
+            "truth: 1/E: values has 9215 entries, expected 9216",
+        ),
         (
             Box::new(|f| f.approximations[5].name = "n_sqrt".into()),
             "approximations: name n_sqrt is used twice",
@@ -69,18 +79,24 @@ fn empty_and_mismatched_lists_are_named() {
         (Box::new(|f| f.truths[1].x.values[1] = 0.0), "truth: 1/E: roughness[1] does not increase"),
         (Box::new(|f| f.tables[1].channels.clear()), "table ggx-dfg-correlated-64-f16: channels is empty"),
         (
-            Box::new(|f| drop(f.tables[1].channels[0].texels.pop())),
+            Box::new(|f| {
+                f.tables[1].channels[0].texels.pop();
+            }),
             "channel E: texels has 4095 entries, expected 4096",
         ),
         (Box::new(|f| furnace(f).rows.clear()), "furnace: rows is empty"),
         (
-            Box::new(|f| drop(furnace(f).rows[1].factors.pop())),
+            Box::new(|f| {
+                furnace(f).rows[1].factors.pop();
+            }),
             "row ggx-dfg 32x32 f16 has 6 entries, expected 7",
         ),
         (Box::new(|f| furnace(f).amplification = 0.0), "furnace: amplification must be positive"),
         (Box::new(|f| f.studies[0].series.clear()), "easy: α 0.25, μ 0.7: series is empty"),
         (
-            Box::new(|f| drop(f.studies[0].series[1].error.pop())),
+            Box::new(|f| {
+                f.studies[0].series[1].error.pop();
+            }),
             "visible normals: error has 19 entries, expected 20",
         ),
         (Box::new(|f| f.studies[0].series[0].error[0] = -1.0), "uniform: error[0] must not be negative"),
