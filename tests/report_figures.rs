@@ -7,8 +7,10 @@ use lobefit::report::{
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
+type Picture = (usize, Vec<[u8; 3]>);
+
 /// Width, and the colours row by row, of the first PNG in a piece of SVG.
-fn first_picture(svg: &str) -> Result<(usize, Vec<[u8; 3]>), Box<dyn std::error::Error>> {
+fn first_picture(svg: &str) -> Result<Picture, Box<dyn std::error::Error>> {
     let start = svg.split_once("base64,").ok_or("no picture")?.1;
     let text = start.split_once('"').ok_or("no end of picture")?.0;
     let bytes = base64::engine::general_purpose::STANDARD.decode(text)?;

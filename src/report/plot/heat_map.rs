@@ -45,7 +45,7 @@ impl<'a> HeatMap<'a> {
             text: numbers::brief_bound(value, 2),
         });
         let shade = if field.signed { signed(field.peak()) } else { magnitude(field) };
-        HeatMap { title: title.into(), field, shade, top_down: false, worst, size: (232.0, 200.0) }
+        HeatMap { title: title.into(), field, shade, top_down: false, worst, size: (220.0, 190.0) }
     }
 
     fn cells(&self) -> Vec<u8> {
