@@ -131,7 +131,8 @@ fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
     let shade = crate::report::plot::signed(s.error.peak());
     let map = s.map(format!("{} error, own scale", s.fit.error.name), shade);
     let svg = [crate::report::Figure::svg(&curves(s.fit))?, crate::report::Figure::svg(&map)?];
-    let caption = "Left: truth (heavy) under the fit (colour), each line labelled with its roughness r. Right: where it errs.";
+    let caption = "Left: truth (heavy) under the fit (colour), each line labelled with its roughness r; a fit \
+         beyond the scale of the truth runs along the frame. Right: where it errs.";
     Ok(vec![
         Block::Heading { text: s.fit.name.clone() },
         Block::Facts { rows: facts(s) },
@@ -140,8 +141,8 @@ fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
     ])
 }
 
-/// All roughnesses of a fit in one chart; limits from the truth, so that a wild fit leaves the frame and the truth
-/// stays readable.
+/// All roughnesses of a fit in one chart; limits from the truth, so that the truth stays readable
+/// beside a wild fit.
 fn curves(fit: &FitFinding) -> Curves {
     let mut series = Vec::new();
     for (i, c) in fit.curves.iter().enumerate() {
