@@ -14,6 +14,24 @@ pub(crate) fn bound(x: f64, digits: usize) -> String {
     }
 }
 
+/// As [`significant`], without trailing zeros: for places and settings, which are exact.
+pub(crate) fn brief(x: f64, digits: usize) -> String {
+    trimmed(&significant(x, digits))
+}
+
+/// As [`bound`], without trailing zeros.
+pub(crate) fn brief_bound(x: f64, digits: usize) -> String {
+    trimmed(&bound(x, digits))
+}
+
+/// Drops the trailing zeros of a decimal fraction, before the exponent if there is one.
+fn trimmed(text: &str) -> String {
+    let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));
+    let short =
+        if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    format!("{short}{exponent}")
+}
+
 /// `x` rounded away from zero to `digits` significant digits.
 pub(crate) fn round_up(x: f64, digits: usize) -> f64 {
     let nearest = format!("{x:.*e}", digits.max(1) - 1);
@@ -48,7 +66,7 @@ pub(crate) fn tick(x: f64) -> String {
 }
 
 /// `2×10⁻⁴`, `10⁻⁴`, for axis labels.
-fn power_of_ten(size: f64) -> String {
+pub(crate) fn power_of_ten(size: f64) -> String {
     let text = format!("{size:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let raised = superscript(exponent);
@@ -135,6 +153,9 @@ mod tests {
         assert_eq!(significant(0.0, 3), "0");
         assert_eq!(significant(12345.6, 3), "12300");
         assert_eq!(significant(1.0, 3), "1.00");
+        assert_eq!(brief(1.0, 3), "1");
+        assert_eq!(brief(1200.0, 2), "1200");
+        assert_eq!(brief_bound(9.999e-6, 2), "1e\u{2212}5");
         assert_eq!(tick(0.30000000000000004), "0.3");
         assert_eq!(tick(-1e-4), "\u{2212}10⁻⁴");
         assert_eq!(tick(2.5e-9), "2.5×10⁻⁹");

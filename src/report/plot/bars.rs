@@ -66,7 +66,7 @@ impl Bars {
             )?;
             let name = font::shorten(&bar.name, SMALL, 230.0)?;
             canvas.text(&name, (frame.left - 6.0, middle), SMALL, Align::Right, INK)?;
-            let value = format!("{} {}", numbers::significant(bar.value, 3), self.unit);
+            let value = format!("{} {}", numbers::brief(bar.value, 3), self.unit);
             canvas.text(&value, (end + 6.0, middle), SMALL, Align::Left, INK)?;
         }
         canvas.line(&[(frame.left, frame.top), (frame.left, frame.bottom)], INK, 1.0)

@@ -4,7 +4,7 @@ use plotters::style::RGBColor;
 
 use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
 use super::legend::{Key, Legend};
-use super::{Figure, LINES, Scale, Spread, axes, font};
+use super::{Figure, LINES, Scale, Spread, axes, font, labels};
 use crate::math::ops;
 use crate::report::{ReportError, check};
 
@@ -85,11 +85,15 @@ impl Figure for Curves {
     fn svg(&self) -> Result<String, ReportError> {
         self.check()?;
         let legend = self.legend()?;
-        let right = if self.series.iter().any(|s| s.end.is_some()) { 52.0 } else { 18.0 };
         let top = 28.0 + legend.height();
-        let frame = Frame { left: 62.0, top, right: 62.0 + self.size.0, bottom: top + self.size.1 };
-        let plan = Plan { frame, x: self.scale_x(), y: self.scale_y() };
-        sheet(&self.title, (frame.right + right, frame.bottom + 44.0), "", |c| self.draw(c, &plan, &legend))
+        let (x, y) = (self.scale_x(), self.scale_y());
+        let left = axes::left_space(y, self.size.1)?;
+        let frame = Frame { left, top, right: left + self.size.0, bottom: top + self.size.1 };
+        let ends = axes::widest(self.series.iter().filter_map(|s| s.end.as_deref()))?;
+        let plan = Plan { frame, x, y };
+        sheet(&self.title, (frame.right + ends + 18.0, frame.bottom + 44.0), "", |c| {
+            self.draw(c, &plan, &legend)
+        })
     }
 }
 
@@ -180,17 +184,38 @@ impl Curves {
         canvas.text(&title, (frame.left, 12.0), TEXT, Align::Left, INK)?;
         legend.draw(canvas, (frame.left, 22.0))?;
         axes::grid(canvas, frame, (plan.x, &self.x.0), (plan.y, &self.y.0))?;
-        for guide in &self.guides {
-            draw_guide(canvas, plan, guide)?;
+        let guides = self.guides.iter().map(|g| guide(plan, g.0)).collect::<Vec<_>>();
+        for (from, to) in &guides {
+            canvas.line(&[*from, *to], GREY, 0.8)?;
         }
         for s in &self.series {
             draw_series(canvas, plan, s)?;
         }
         self.draw_ends(canvas, plan)?;
-        for a in &self.annotations {
-            let at = plan.pixel((a.x, a.y));
-            canvas.circle(at, 6.0, INK, Some(1.8))?;
-            canvas.note(&a.text, at, frame)?;
+        self.draw_notes(canvas, plan, &guides)
+    }
+
+    /// Rings, and the texts of rings and guides, kept off the lines.
+    fn draw_notes(&self, canvas: &Canvas, plan: &Plan, guides: &[Segment]) -> Result<(), ReportError> {
+        let lines = self.series.iter().flat_map(|s| s.points.windows(2));
+        let lines = lines.map(|w| (plan.pixel(w[0]), plan.pixel(w[1]))).chain(guides.iter().copied());
+        let obstacles: Vec<Frame> = lines.flat_map(beads).collect();
+        let rings: Vec<(f64, f64)> = self.annotations.iter().map(|a| plan.pixel((a.x, a.y))).collect();
+        let on_guides = guides.iter().map(|&segment| along(segment, 0.7));
+        let points: Vec<(f64, f64)> = rings.iter().copied().chain(on_guides).collect();
+        let texts = self.annotations.iter().map(|a| &a.text).chain(self.guides.iter().map(|g| &g.1));
+        let texts: Vec<String> = texts.cloned().collect();
+        let labels = labels::place(&points, &texts, plan.frame, &obstacles)?;
+        for (i, (text, label)) in texts.iter().zip(&labels).enumerate() {
+            let Frame { left, top, right, bottom } = label.frame;
+            let (middle, ring) = (((left + right) / 2.0, (top + bottom) / 2.0), rings.get(i));
+            if let Some(&at) = ring {
+                if label.leader {
+                    canvas.line(&[at, (at.0.clamp(left, right), at.1.clamp(top, bottom))], INK, 0.6)?;
+                }
+                canvas.circle(at, 6.0, INK, Some(1.8))?;
+            }
+            canvas.text(text, middle, SMALL, Align::Centre, if ring.is_some() { INK } else { GREY })?;
         }
         Ok(())
     }
@@ -232,15 +257,30 @@ fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportErr
     Ok(())
 }
 
-/// A grey line of constant slope from the top left corner down to the frame, named near its lower end.
-fn draw_guide(canvas: &Canvas, plan: &Plan, (slope, text): &(f64, String)) -> Result<(), ReportError> {
+/// From one pixel to another.
+type Segment = ((f64, f64), (f64, f64));
+
+/// A guide of constant slope from the top left corner down to the frame.
+fn guide(plan: &Plan, slope: f64) -> Segment {
     let decades = |s: Scale| ops::log(s.max / s.min);
     // Fraction of the height that the guide falls over the whole width.
     let fall = -slope * decades(plan.x) / decades(plan.y);
     let (across, down) = if fall > 1.0 { (1.0 / fall, 1.0) } else { (1.0, fall) };
     let f = plan.frame;
-    let end = (f.left + across * f.width(), f.top + down * f.height());
-    canvas.line(&[(f.left, f.top), end], GREY, 0.8)?;
-    let named = (f.left + 0.86 * across * f.width(), f.top + 0.86 * down * f.height() - 8.0);
-    canvas.text(text, named, SMALL, Align::Left, GREY)
+    ((f.left, f.top), (f.left + across * f.width(), f.top + down * f.height()))
+}
+
+/// The point at a fraction of a segment.
+fn along((a, b): Segment, t: f64) -> (f64, f64) {
+    (a.0 + (b.0 - a.0) * t, a.1 + (b.1 - a.1) * t)
+}
+
+/// Small squares every four pixels or so along a segment, for labels to keep off.
+fn beads(segment: Segment) -> impl Iterator<Item = Frame> {
+    let (a, b) = segment;
+    let steps = ((b.0 - a.0).abs().max((b.1 - a.1).abs()) / 4.0).ceil().max(1.0) as usize;
+    (0..=steps).map(move |i| {
+        let (x, y) = along(segment, i as f64 / steps as f64);
+        Frame { left: x - 2.0, top: y - 2.0, right: x + 2.0, bottom: y + 2.0 }
+    })
 }

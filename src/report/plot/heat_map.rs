@@ -1,9 +1,12 @@
 //! A field in colour: a PNG of one pixel per cell inside drawn axes, with a colour bar and the worst place marked.
 
 use super::canvas::{Align, Canvas, Frame, INK, LABEL_INK, PAPER, TEXT, picture, sheet};
-use super::{Figure, Scale, Shade, Spread, axes, font, raster};
+use super::{Figure, Scale, Shade, Spread, axes, colour_bar, font, raster};
 use crate::report::field::Ruler;
 use crate::report::{Field, ReportError, check, numbers};
+
+/// Labelled ticks along each axis, about.
+const TICKS: usize = 6;
 
 /// A place to mark, with the text to put beside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,10 +42,10 @@ impl<'a> HeatMap<'a> {
         let worst = field.worst().filter(|_| field.signed).map(|(x, y, value)| Worst {
             x,
             y,
-            text: numbers::bound(value, 2),
+            text: numbers::brief_bound(value, 2),
         });
         let shade = if field.signed { signed(field.peak()) } else { magnitude(field) };
-        HeatMap { title: title.into(), field, shade, top_down: false, worst, size: (232.0, 200.0) }
+        HeatMap { title: title.into(), field, shade, top_down: false, worst, size: (220.0, 190.0) }
     }
 
     fn cells(&self) -> Vec<u8> {
@@ -55,30 +58,32 @@ impl<'a> HeatMap<'a> {
             .collect()
     }
 
-    fn frame(&self) -> Frame {
-        Frame { left: 60.0, top: 30.0, right: 60.0 + self.size.0, bottom: 30.0 + self.size.1 }
+    fn frame(&self) -> Result<Frame, ReportError> {
+        let y = &self.field.y;
+        let labels = ruler_scale(y).ticks(TICKS);
+        let left = axes::label_space(labels.iter().filter_map(|t| t.label.as_deref()))?;
+        Ok(Frame { left, top: 30.0, right: left + self.size.0, bottom: 30.0 + self.size.1 })
     }
 
     /// Pixel of a physical place: centres of the first and last cells lie half a cell inside the frame.
-    fn pixel(&self, x: f64, y: f64) -> (f64, f64) {
-        let frame = self.frame();
+    fn pixel(&self, frame: Frame, x: f64, y: f64) -> (f64, f64) {
         let across = (self.field.x.position(x) + 0.5) / self.field.x.values.len() as f64;
         let up = (self.field.y.position(y) + 0.5) / self.field.y.values.len() as f64;
         let down = if self.top_down { up } else { 1.0 - up };
         (frame.left + across * frame.width(), frame.top + down * frame.height())
     }
 
-    fn draw(&self, canvas: &Canvas) -> Result<(), ReportError> {
-        let frame = self.frame();
+    fn draw(&self, canvas: &Canvas, frame: Frame) -> Result<(), ReportError> {
         let (x, y) = (&self.field.x, &self.field.y);
-        let x_marks = marks(x, 6, |v| self.pixel(v, y.values[0]).0);
-        let y_marks = marks(y, 6, |v| self.pixel(x.values[0], v).1);
+        let x_marks = marks(x, |v| self.pixel(frame, v, y.values[0]).0);
+        let y_marks = marks(y, |v| self.pixel(frame, x.values[0], v).1);
         axes::border(canvas, frame, (&x_marks, &x.name), (&y_marks, &y.name))?;
-        axes::bar(canvas, frame, self.shade, &self.field.unit)?;
-        let title = font::shorten(&self.title, TEXT, frame.width() + axes::BAR_SPACE)?;
-        canvas.text(&title, (frame.left, 12.0), TEXT, Align::Left, INK)?;
+        colour_bar::draw(canvas, frame, self.shade, &self.field.unit)?;
+        // The unit stands above the bar, so the title must end before it.
+        let title = font::shorten(&self.title, TEXT, frame.width() + 10.0)?;
+        canvas.text(&title, (frame.left, 14.0), TEXT, Align::Left, INK)?;
         let Some(worst) = &self.worst else { return Ok(()) };
-        let at = self.pixel(worst.x, worst.y);
+        let at = self.pixel(frame, worst.x, worst.y);
         canvas.circle(at, 5.0, PAPER, Some(3.0))?;
         canvas.circle(at, 5.0, LABEL_INK, Some(1.4))?;
         canvas.note(&worst.text, at, frame)
@@ -92,11 +97,12 @@ impl Figure for HeatMap<'_> {
             check::finite(&self.title, "worst.x", worst.x)?;
             check::finite(&self.title, "worst.y", worst.y)?;
         }
-        let frame = self.frame();
+        let frame = self.frame()?;
         let size = (self.field.x.values.len(), self.field.y.values.len());
         let png = raster::png(&self.title, size, &self.cells(), self.shade)?;
-        let under = picture(&png, frame, true) + &axes::bar_picture(&self.title, frame, self.shade)?;
-        sheet(&self.title, (frame.right + axes::BAR_SPACE, frame.bottom + 44.0), &under, |c| self.draw(c))
+        let under = picture(&png, frame, true) + &colour_bar::under(&self.title, frame, self.shade)?;
+        let width = frame.right + colour_bar::space(frame, self.shade, &self.field.unit)?;
+        sheet(&self.title, (width, frame.bottom + 44.0), &under, |c| self.draw(c, frame))
     }
 }
 
@@ -110,11 +116,15 @@ fn magnitude(field: &Field) -> Shade {
     Shade::Magnitude { min: scale.min, max: scale.max, spread: Spread::Linear }
 }
 
-/// Ticks of a ruler at round physical values; an uneven ruler is walked by decades.
-fn marks(ruler: &Ruler, count: usize, pixel: impl Fn(f64) -> f64) -> Vec<axes::Mark> {
+/// Round physical values along a ruler; an uneven ruler is walked by decades.
+fn ruler_scale(ruler: &Ruler) -> Scale {
     let (min, max) = (ruler.values[0], ruler.values[ruler.values.len() - 1]);
     let spread = if min > 0.0 && !even(&ruler.values) { Spread::Log } else { Spread::Linear };
-    let ticks = Scale { spread, min, max }.ticks(count);
+    Scale { spread, min, max }
+}
+
+fn marks(ruler: &Ruler, pixel: impl Fn(f64) -> f64) -> Vec<axes::Mark> {
+    let ticks = ruler_scale(ruler).ticks(TICKS);
     ticks.into_iter().map(|t| axes::Mark { at: pixel(t.value), label: t.label }).collect()
 }
 

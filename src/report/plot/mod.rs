@@ -5,6 +5,7 @@ mod axes;
 mod bars;
 mod canvas;
 mod colour;
+mod colour_bar;
 mod curves;
 mod font;
 mod heat_map;

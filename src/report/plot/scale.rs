@@ -41,7 +41,9 @@ impl Scale {
             }
             Spread::Root => Scale { spread, min: 0.0, max: (max * 1.04).max(1.0) },
             Spread::Linear => {
-                let span = if max > min { max - min } else { min.abs().max(1.0) * 0.1 };
+                // Differences below the digits of a label would give a row of equal labels.
+                let span = (max - min).max(max.abs().max(min.abs()) * 1e-9);
+                let span = if span > 0.0 { span } else { 0.1 };
                 let step = nice_step(span, 6);
                 Scale { spread, min: (min / step).floor() * step, max: (max / step).ceil() * step }.widened()
             }
@@ -52,7 +54,10 @@ impl Scale {
     pub(crate) fn position(self, x: f64) -> f64 {
         let t = match self.spread {
             Spread::Linear => (x - self.min) / (self.max - self.min),
-            Spread::Log => ops::log(x.max(f64::MIN_POSITIVE) / self.min) / ops::log(self.max / self.min),
+            Spread::Log => {
+                let (low, high) = (ops::log(self.min), ops::log(self.max));
+                (ops::log(x.max(f64::MIN_POSITIVE)) - low) / (high - low)
+            }
             Spread::Root => ((x - self.min).max(0.0) / (self.max - self.min)).sqrt(),
         };
         t.clamp(0.0, 1.0)
@@ -87,6 +92,10 @@ fn linear_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
     // A millionth of a step forgives the rounding of min and max.
     let first = (min / step - 1e-6).ceil();
     let last = (max / step + 1e-6).floor();
+    if last < first {
+        // No multiple of a round step lies inside: the axis is a single value.
+        return vec![Tick { value: min, label: Some(numbers::tick(min)) }];
+    }
     (0..=(last - first) as usize)
         .map(|i| (first + i as f64) * step)
         .map(|value| Tick { value, label: Some(numbers::tick(value)) })
@@ -95,18 +104,21 @@ fn linear_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
 
 /// Decades with labels, thinned to about `count`; 2..9 without, or 2 and 5 labelled where decades are few.
 fn log_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
-    let low = exponent(min * (1.0 - 1e-9));
+    let low = exponent(min * (1.0 + 1e-9));
     let high = exponent(max * (1.0 + 1e-9));
     let decades = (high - low).max(1) as usize;
     let every = decades.div_ceil(count.max(1)) as i32;
     let inside = |v: f64| v >= min * (1.0 - 1e-9) && v <= max * (1.0 + 1e-9);
+    // One notation along an axis: powers where plain numbers would not do for all of it.
+    let plain = low >= -3 && high <= 4;
+    let label = |v: f64| if plain || v == 1.0 { numbers::tick(v) } else { numbers::power_of_ten(v) };
     let mut ticks = Vec::new();
     for e in low..=high {
         for m in 1..10 {
             let value: f64 = format!("{m}e{e}").parse().unwrap_or(f64::NAN);
             let labelled = (m == 1 && (e - low) % every == 0) || (decades <= 2 && (m == 2 || m == 5));
             if inside(value) && (m == 1 || decades <= 8) {
-                ticks.push(Tick { value, label: labelled.then(|| numbers::tick(value)) });
+                ticks.push(Tick { value, label: labelled.then(|| label(value)) });
             }
         }
     }
@@ -132,8 +144,14 @@ pub(crate) fn exponent(x: f64) -> i32 {
     text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)
 }
 
+/// The next of 1, 2, 5 times a power of ten at or below `x`.
 fn decade_below(x: f64) -> f64 {
-    format!("1e{}", exponent(x)).parse().unwrap_or(x)
+    let e = exponent(x);
+    [format!("5e{e}"), format!("2e{e}"), format!("1e{e}")]
+        .iter()
+        .filter_map(|t| t.parse().ok())
+        .find(|&v: &f64| v <= x)
+        .unwrap_or(x)
 }
 
 /// The next of 1, 2, 5 times a power of ten at or above `x`.

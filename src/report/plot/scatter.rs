@@ -22,7 +22,8 @@ pub struct Dot {
     pub table: bool,
 }
 
-/// Points over two axes; the frontier joins the dots of ours that no other dot of ours beats in both.
+/// Points over two axes. The frontier joins the formulas of ours that no other formula of ours beats in both; tables
+/// stand apart, since a fetch is no operation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
     /// Line above the chart.
@@ -37,9 +38,9 @@ pub struct Scatter {
     pub size: (f64, f64),
 }
 
-/// Indices of the dots of ours that no other dot of ours beats, by rising x.
+/// Indices of the formulas of ours that no other formula of ours beats in both, by rising x.
 pub(crate) fn frontier(dots: &[Dot]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..dots.len()).filter(|&i| !dots[i].published).collect();
+    let mut order: Vec<usize> = (0..dots.len()).filter(|&i| !dots[i].published && !dots[i].table).collect();
     order.sort_by(|&a, &b| dots[a].x.total_cmp(&dots[b].x).then(dots[a].y.total_cmp(&dots[b].y)));
     let mut best = f64::INFINITY;
     order.retain(|&i| {
@@ -56,9 +57,10 @@ impl Figure for Scatter {
         self.check()?;
         let legend = Legend::flow(self.entries(), self.size.0)?;
         let top = 28.0 + legend.height();
-        let frame = Frame { left: 62.0, top, right: 62.0 + self.size.0, bottom: top + self.size.1 };
         let x = Scale::around(self.x.1, self.dots.iter().map(|d| d.x));
         let y = Scale::around(self.y.1, self.dots.iter().map(|d| d.y));
+        let left = axes::left_space(y, self.size.1)?;
+        let frame = Frame { left, top, right: left + self.size.0, bottom: top + self.size.1 };
         let pixels: Vec<(f64, f64)> = self
             .dots
             .iter()
@@ -106,7 +108,7 @@ impl Scatter {
         add(has(false, true), "ours: table", LINES[1], Key::Square);
         add(has(true, false), "published: formula", GREY, Key::Disc);
         add(has(true, true), "published: table", GREY, Key::Square);
-        add(self.dots.iter().any(|d| !d.published), "frontier of ours", LINES[0], Key::Line(1.6));
+        add(has(false, false), "frontier of our formulas", LINES[0], Key::Line(1.6));
         entries
     }
 

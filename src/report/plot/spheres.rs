@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use super::canvas::{Align, Canvas, Frame, INK, SMALL, TEXT, picture, sheet};
-use super::{Figure, Shade, axes, font, raster};
+use super::{Figure, Shade, colour_bar, font, raster};
 use crate::report::{ReportError, check, numbers};
 
 /// Pixels of the picture per pixel of the page.
@@ -62,10 +62,9 @@ impl Figure for Spheres<'_> {
         let frame = Frame { left, top: 48.0, right: left + width, bottom: 48.0 + height };
         let size = (self.columns.len() * CELL * DENSITY, self.rows.len() * CELL * DENSITY);
         let png = raster::png(&self.title, size, &self.render(), self.shade)?;
-        let under = picture(&png, frame, false) + &axes::bar_picture(&self.title, frame, self.shade)?;
-        sheet(&self.title, (frame.right + axes::BAR_SPACE, frame.bottom + 12.0), &under, |c| {
-            self.label(c, frame)
-        })
+        let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, self.shade)?;
+        let width = frame.right + colour_bar::space(frame, self.shade, &self.unit)?;
+        sheet(&self.title, (width, frame.bottom + 12.0), &under, |c| self.label(c, frame))
     }
 }
 
@@ -99,7 +98,7 @@ impl Spheres<'_> {
             let name = font::shorten(&row.name, SMALL, 170.0)?;
             canvas.text(&name, (frame.left - 8.0, y), SMALL, Align::Right, INK)?;
         }
-        axes::bar(canvas, frame, self.shade, &self.unit)
+        colour_bar::draw(canvas, frame, self.shade, &self.unit)
     }
 
     /// Palette indices of the whole picture, rows of spheres in parallel, joined in order.

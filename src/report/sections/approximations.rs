@@ -3,19 +3,19 @@
 use super::{figures, words};
 use crate::data::Use;
 use crate::report::{
-    ApproximationFinding, Block, Dot, Findings, ReportError, Scatter, Section, Spread, TextTable,
+    ApproximationFinding, Block, Dot, Findings, ReportError, Scatter, Section, Spread, TextTable, check,
 };
 
 const COLUMNS: [(&str, bool); 10] = [
     ("name", false),
-    ("use", false),
-    ("norm", false),
     ("ops", true),
-    ("fetches", true),
-    ("bytes", true),
     ("max", true),
     ("RMS", true),
     ("where", false),
+    ("fetches", true),
+    ("bytes", true),
+    ("use", false),
+    ("norm", false),
     ("source", false),
 ];
 
@@ -23,6 +23,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     if findings.approximations.is_empty() {
         return Ok(None);
     }
+    unique(&findings.approximations)?;
     let mut blocks = Vec::new();
     for group in groups(&findings.approximations) {
         blocks.extend(chart(&group)?);
@@ -30,12 +31,20 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     blocks.push(Block::Table(list(&findings.approximations)));
     Ok(Some(Section {
         id: "approximations".into(),
-        title: "Every approximation: what accuracy costs at run time".into(),
+        title: "What accuracy costs at run time".into(),
         lead: "Tables, our fits and published fits, all measured the same way against the same truth: lower is more \
                accurate, further left is cheaper."
             .into(),
         blocks,
     }))
+}
+
+/// Fits and timings refer to approximations by name.
+fn unique(all: &[ApproximationFinding]) -> Result<(), ReportError> {
+    let twice = all.iter().enumerate().find(|(i, a)| all[..*i].iter().any(|b| a.name == b.name));
+    twice.map_or(Ok(()), |(_, a)| {
+        Err(check::domain("approximations", &format!("name {}", a.name), "is used twice"))
+    })
 }
 
 /// Approximations of the same column of the same quantity for the same use: what may share a chart.
@@ -69,10 +78,22 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
         dots,
         size: (760.0, if group.len() > 8 { 460.0 } else { 300.0 }),
     };
+    let exact: Vec<&str> =
+        group.iter().filter(|a| a.certificate.max_abs == 0.0).map(|a| a.name.as_str()).collect();
     let caption = format!(
-        "Largest {metric} over the domain against operations per evaluation. The stairs join the formulas and tables of \
-         ours that nothing of ours beats in both; published ones are grey{}.",
-        if used_as == Use::Normalisation { ", judged as the factor N that should make E N = 1" } else { "" },
+        "Largest {metric} over the domain against operations per evaluation. The stairs join our formulas that no other \
+         formula of ours beats in both; tables (squares) also fetch, which operations do not count; published ones are \
+         grey{}.{}",
+        if used_as == Use::Normalisation {
+            ", judged as the factor N that should make E\u{a0}N\u{a0}=\u{a0}1"
+        } else {
+            ""
+        },
+        if exact.is_empty() {
+            String::new()
+        } else {
+            format!(" Exact, so not on a logarithmic axis: {}.", exact.join(", "))
+        },
     );
     figures(&[scatter], &caption).map(Some)
 }
@@ -99,14 +120,14 @@ fn list(all: &[ApproximationFinding]) -> TextTable {
 fn row(a: &ApproximationFinding) -> Vec<String> {
     vec![
         a.name.clone(),
-        a.used_as.name().into(),
-        if a.norm.is_empty() { "–".into() } else { a.norm.clone() },
         a.cost.ops.to_string(),
-        a.cost.fetches.to_string(),
-        crate::report::numbers::grouped(a.cost.bytes),
         words::max(a.certificate.max_abs),
         words::mean(a.certificate.rms),
         words::place(&a.certificate.at),
+        a.cost.fetches.to_string(),
+        crate::report::numbers::grouped(a.cost.bytes),
+        a.used_as.name().into(),
+        if a.norm.is_empty() { "–".into() } else { a.norm.clone() },
         a.source.clone(),
     ]
 }

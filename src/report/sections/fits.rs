@@ -63,8 +63,8 @@ impl<'a> Shown<'a> {
         let certificate = &self.approximation.certificate;
         let at = |name: &str| certificate.at.get(name).copied();
         match (at(&self.fit.error.x.name), at(&self.fit.error.y.name)) {
-            (Some(x), Some(y)) => Some(Worst { x, y, text: words::max(certificate.max_abs) }),
-            _ => self.error.worst().map(|(x, y, v)| Worst { x, y, text: numbers::bound(v, 3) }),
+            (Some(x), Some(y)) => Some(Worst { x, y, text: numbers::brief_bound(certificate.max_abs, 3) }),
+            _ => self.error.worst().map(|(x, y, v)| Worst { x, y, text: numbers::brief_bound(v, 3) }),
         }
     }
 
@@ -78,10 +78,10 @@ fn overview(shown: &[Shown]) -> Result<Block, ReportError> {
     let peak = shown.iter().map(|s| s.error.peak()).fold(0.0, f64::max);
     let shade = crate::report::plot::signed(peak);
     let maps: Vec<HeatMap> =
-        shown.iter().map(|s| HeatMap { size: (170.0, 150.0), ..s.map(s.fit.name.clone(), shade) }).collect();
+        shown.iter().map(|s| HeatMap { size: (152.0, 145.0), ..s.map(s.fit.name.clone(), shade) }).collect();
     let caption = format!(
         "Signed error over roughness and mu, every map on the same scale (±{}), which follows the square root of the \
-         magnitude: blue too dark, red too bright, white exact. The ring marks the worst place of the certificate, the \
+         magnitude: blue too low, red too high, white exact. The ring marks the worst place of the certificate, the \
          figure its magnitude.",
         numbers::tick(numbers::round_up(peak.max(1e-12), 2)),
     );
@@ -108,8 +108,8 @@ fn together(shown: &[Shown]) -> Result<Option<Block>, ReportError> {
     if best.len() < 2 || charts.is_empty() {
         return Ok(None);
     }
-    let caption = "Truth (black) and the fits of the frontier, those that no other fit here beats in both operations and \
-                   largest error, one chart per roughness, each with its own vertical scale. Colour on black is a fit that \
+    let caption = "Truth (the heavy line) and the fits of the frontier, those that no other fit here beats in both operations and \
+                   largest error, one chart per roughness, each with its own vertical scale. A colour that stays on the heavy line is a fit that \
                    follows the truth.";
     figures(&charts, caption).map(Some)
 }
@@ -131,7 +131,8 @@ fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
     let shade = crate::report::plot::signed(s.error.peak());
     let map = s.map(format!("{} error, own scale", s.fit.error.name), shade);
     let svg = [crate::report::Figure::svg(&curves(s.fit))?, crate::report::Figure::svg(&map)?];
-    let caption = "Left: truth (black) under the fit (colour), each line labelled with its roughness. Right: where it errs.";
+    let caption = "Left: truth (heavy) under the fit (colour), each line labelled with its roughness r; a fit \
+         beyond the scale of the truth runs along the frame. Right: where it errs.";
     Ok(vec![
         Block::Heading { text: s.fit.name.clone() },
         Block::Facts { rows: facts(s) },
@@ -140,8 +141,8 @@ fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
     ])
 }
 
-/// All roughnesses of a fit in one chart; limits from the truth, so that a wild fit leaves the frame and the truth
-/// stays readable.
+/// All roughnesses of a fit in one chart; limits from the truth, so that the truth stays readable
+/// beside a wild fit.
 fn curves(fit: &FitFinding) -> Curves {
     let mut series = Vec::new();
     for (i, c) in fit.curves.iter().enumerate() {
@@ -153,7 +154,13 @@ fn curves(fit: &FitFinding) -> Curves {
     }
     let truths = fit.curves.iter().flat_map(|c| c.truth.iter().copied());
     let limits = Scale::around(Spread::Linear, truths);
-    chart(String::new(), &fit.value, series, Some((limits.min, limits.max)), (400.0, 220.0))
+    chart(
+        format!("{}: {}", fit.name, fit.value),
+        &fit.value,
+        series,
+        Some((limits.min, limits.max)),
+        (400.0, 220.0),
+    )
 }
 
 fn line(name: &str, curve: &FitCurve, values: &[f64], style: Style, end: Option<String>) -> Series {

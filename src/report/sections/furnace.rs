@@ -13,9 +13,11 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
         return Err(check::domain("furnace", "amplification", "must be positive"));
     }
     let limit = 1.0 / furnace.amplification;
-    let deepest = numbers::significant(limit, 2);
-    let plain = spheres(furnace, &furnace.rows[..1], Shade::Radiance { white: 1.25 });
-    let amplified = spheres(furnace, &furnace.rows, Shade::Departure { limit });
+    let deepest = numbers::brief(limit, 2);
+    let plain =
+        spheres("the furnace, unamplified", furnace, &furnace.rows[..1], Shade::Radiance { white: 1.25 });
+    let amplified =
+        spheres("the furnace, departure amplified", furnace, &furnace.rows, Shade::Departure { limit });
     let plain_caption = format!(
         "As the eye would see it: {} in an environment of radiance 1 (grey, so that gains would show too). What is \
          darker than its surroundings is energy lost to single scattering.",
@@ -24,7 +26,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     let caption = format!(
         "Departure from the environment, amplified {} times: grey is exact, the deepest blue a loss of {deepest} or more, \
          the deepest red a gain of {deepest} or more. A perfect compensation vanishes.",
-        numbers::significant(furnace.amplification, 3),
+        numbers::brief(furnace.amplification, 3),
     );
     let blocks = vec![
         figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption)?,
@@ -41,9 +43,9 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     }))
 }
 
-fn spheres<'a>(furnace: &'a Furnace, rows: &'a [FurnaceRow], shade: Shade) -> Spheres<'a> {
+fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade: Shade) -> Spheres<'a> {
     Spheres {
-        title: String::new(),
+        title: title.into(),
         column_name: "roughness".into(),
         columns: &furnace.roughness,
         mu: &furnace.mu,

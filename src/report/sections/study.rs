@@ -1,7 +1,7 @@
 //! What accuracy costs offline: error against evaluations.
 
 use super::figures;
-use crate::report::numbers::{grouped, significant};
+use crate::report::numbers::{brief, grouped, significant};
 use crate::report::{
     Annotation, Block, Curves, Marked, ReportError, Section, Series, Spread, Study, StudySeries, Style, check,
 };
@@ -22,7 +22,7 @@ pub(super) fn section(studies: &[Study]) -> Result<Option<Section>, ReportError>
     }
     Ok(Some(Section {
         id: "accuracy".into(),
-        title: "What accuracy costs in work".into(),
+        title: "What accuracy costs offline".into(),
         lead: "How fast each integrator approaches the truth at an easy and at a hard point. Seconds differ from machine to \
                machine and stand in timings.html, which lobefit cost writes."
             .into(),
@@ -66,7 +66,7 @@ pub(super) fn errors(section: &str, name: &str, errors: &[f64]) -> Result<(), Re
 
 /// `hard point: α 0.01, μ 0.02`.
 pub(super) fn title(name: &str, alpha: f64, mu: f64) -> String {
-    format!("{name}: α {}, μ {}", significant(alpha, 3), significant(mu, 3))
+    format!("{name}: α {}, μ {}", brief(alpha, 3), brief(mu, 3))
 }
 
 /// The two rates that integrators are compared with.

@@ -2,7 +2,7 @@
 
 use super::{figures, words};
 use crate::data::Axis;
-use crate::report::numbers::grouped;
+use crate::report::numbers::{brief, grouped};
 use crate::report::{
     Block, ChannelFinding, Field, Findings, HeatMap, ReportError, Ruler, Section, TableFinding, check,
 };
@@ -15,9 +15,12 @@ pub(super) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError
     if findings.truths.is_empty() {
         return Ok(None);
     }
+    for f in &findings.truths {
+        f.check("truth")?;
+    }
     let fields: Vec<Field> = findings.truths.iter().map(words::labelled).collect();
     let maps: Vec<HeatMap> =
-        fields.iter().map(|f| HeatMap { size: (300.0, 260.0), ..HeatMap::of(&f.name, f) }).collect();
+        fields.iter().map(|f| HeatMap { size: (250.0, 220.0), ..HeatMap::of(&f.name, f) }).collect();
     let caption = "For the GGX lobe: E is 1 for a smooth surface and at grazing view; between the two lies a valley \
                    along the diagonal where mu is about alpha, which never closes however smooth the surface. \
                    Polynomials cannot follow it.";
@@ -52,6 +55,14 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
 fn shown(table: &TableFinding) -> Result<Vec<Block>, ReportError> {
     let section = format!("table {}", table.name);
     check::filled(&section, "channels", table.channels.len())?;
+    for c in &table.channels {
+        let field = format!("channel {}: texels", c.name);
+        check::size(&section, &field, c.texels.len(), table.axes[0].size * table.axes[1].size)?;
+        check::values(&section, &field, &c.texels)?;
+    }
+    for f in &table.lookup_error {
+        f.check(&section)?;
+    }
     let texels: Vec<Field> = table.channels.iter().map(|c| texels(table, c)).collect();
     let pictures: Vec<HeatMap> =
         texels.iter().map(|f| HeatMap { top_down: true, ..HeatMap::of(&f.name, f) }).collect();
@@ -94,7 +105,7 @@ fn texels(table: &TableFinding, channel: &ChannelFinding) -> Field {
 fn facts(table: &TableFinding) -> Vec<(String, String)> {
     let axis = |a: &Axis| {
         let name = words::symbol(&a.name);
-        let ends = [a.min, a.max].map(|x| crate::report::numbers::significant(x, 3));
+        let ends = [a.min, a.max].map(|x| brief(x, 3));
         let registration = a.registration.name();
         format!(
             "{name} from {} to {}, {} texels, {registration} registration, {}",

@@ -75,7 +75,7 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
     if dots.len() > 1 {
         let scatter = Scatter {
             title: "time against error".into(),
-            x: ("nanoseconds per evaluation (square-root scale)".into(), Spread::Root),
+            x: ("nanoseconds per evaluation".into(), Spread::Linear),
             y: ("largest error of its use".into(), Spread::Log),
             dots,
             size: (760.0, if all.len() > 8 { 460.0 } else { 300.0 }),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::data::{Place, Use};
-use crate::report::numbers::{bound, significant};
+use crate::report::numbers::{bound, brief, significant};
 use crate::report::{Field, Ruler, TextTable};
 
 /// Name of an input as its symbol.
@@ -35,15 +35,14 @@ pub(super) fn labelled(field: &Field) -> Field {
 
 /// `μ 0.1, roughness 0.36`.
 pub(super) fn place(at: &Place) -> String {
-    let parts: Vec<String> =
-        at.iter().map(|(k, v)| format!("{} {}", symbol(k), significant(*v, 3))).collect();
+    let parts: Vec<String> = at.iter().map(|(k, v)| format!("{}\u{a0}{}", symbol(k), brief(*v, 3))).collect();
     if parts.is_empty() { "–".into() } else { parts.join(", ") }
 }
 
 /// `μ 0.01 to 1, roughness 0.02 to 1`.
 pub(super) fn ranges(ranges: &BTreeMap<String, [f64; 2]>) -> String {
     let one = |(k, [a, b]): (&String, &[f64; 2])| {
-        format!("{} {} to {}", symbol(k), significant(*a, 3), significant(*b, 3))
+        format!("{}\u{a0}{}\u{a0}to\u{a0}{}", symbol(k), brief(*a, 3), brief(*b, 3))
     };
     ranges.iter().map(one).collect::<Vec<_>>().join(", ")
 }
@@ -62,7 +61,7 @@ pub(super) fn mean(x: f64) -> String {
 pub(super) fn metric(used_as: Use) -> &'static str {
     match used_as {
         Use::Value => "absolute error",
-        Use::Normalisation => "furnace error |E N − 1|",
+        Use::Normalisation => "furnace error |E\u{a0}N\u{a0}−\u{a0}1|",
         Use::F0Blend => "error of f0 A + B, for the worst f0",
         Use::Coupling => "error of the coupling factor",
         Use::Parallax => "error of the adjusted roughness",
