@@ -8,7 +8,7 @@ use super::objective::{Linear, Objective, Refused, rms};
 use crate::fit::FitError;
 
 /// Residuals orthogonal to the Jacobian within this cosine are a minimum.
-const ORTHOGONAL: f64 = 1e-9;
+const ORTHOGONAL: f64 = 1e-8;
 
 /// A minimum that rounding keeps from being sharper than [`ORTHOGONAL`] still counts up to here.
 const NEARLY_ORTHOGONAL: f64 = 1e-5;

@@ -1,6 +1,6 @@
 //! What a formula takes at run time, by the project's operation model.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use super::{BinaryOp, Node, Op, Tape, UnaryOp};
 
@@ -11,27 +11,58 @@ impl Tape {
     /// Weighted operations with parameters and literals constant: add, mul, fma, min, max, compare, select, floor,
     /// logic 1; rcp, sqrt, inverseSqrt, exp2, log2, sin, cos 4; a division is rcp + mul (the rcp of a divisor is
     /// counted once, 1/x has no mul); exp and log 5; pow 9; sign 2; negate, not, abs, saturate 0. Constant
-    /// sub-expressions cost nothing, common ones count once, a mul whose only use is an add or a subtraction fuses.
+    /// sub-expressions cost nothing, common ones count once; a mul all of whose users are additions or subtractions
+    /// fuses into them, one into each.
     pub fn cost_ops(&self) -> u32 {
         let constant = self.constants();
-        let users = self.users(&constant);
-        let mut fused = vec![false; self.ops.len()];
-        let mut reciprocals = BTreeMap::new();
-        let mut total = 0;
-        for (node, op) in self.ops.iter().enumerate() {
-            if constant[node] {
-                continue;
-            }
-            if let Op::Binary(BinaryOp::Add | BinaryOp::Subtract, a, b) = *op
-                && let Some(product) = [a, b].into_iter().find_map(|n| self.product(n, &users, &constant))
-                && !fused[product as usize]
-            {
-                fused[product as usize] = true;
-                total -= 1;
-            }
-            total += self.weight(op, &constant, &mut reciprocals);
+        let fused = self.fused(&constant);
+        let mut reciprocals = BTreeSet::new();
+        let counted = (0..self.ops.len()).filter(|&node| !constant[node]);
+        counted
+            .map(|node| self.weight(&self.ops[node], &constant, &mut reciprocals) - u32::from(fused[node]))
+            .sum()
+    }
+
+    /// The multiplications that disappear into additions.
+    fn fused(&self, constant: &[bool]) -> Vec<bool> {
+        let mut users: Vec<Vec<Node>> = vec![Vec::new(); self.ops.len()];
+        for (node, op) in self.ops.iter().enumerate().filter(|(node, _)| !constant[*node]) {
+            op.operands().for_each(|n| users[n as usize].push(node as Node));
         }
-        total as u32
+        let mut taken = vec![false; self.ops.len()];
+        let mut fused = vec![false; self.ops.len()];
+        for node in (0..self.ops.len()).filter(|&n| !constant[n] && self.multiplies(n)) {
+            let additions = self.additions(node, &users);
+            // x y + x y needs the product itself.
+            let distinct = additions.iter().collect::<BTreeSet<_>>().len() == additions.len();
+            if distinct && !additions.is_empty() && additions.iter().all(|a| a.is_some_and(|a| !taken[a])) {
+                fused[node] = true;
+                additions.into_iter().flatten().for_each(|a| taken[a] = true);
+            }
+        }
+        fused
+    }
+
+    /// The additions that use a value, through negations; `None` for every other use.
+    fn additions(&self, node: usize, users: &[Vec<Node>]) -> Vec<Option<usize>> {
+        let mut found = Vec::new();
+        for &user in &users[node] {
+            match self.ops[user as usize] {
+                Op::Unary(UnaryOp::Negate, _) => found.extend(self.additions(user as usize, users)),
+                Op::Binary(BinaryOp::Add | BinaryOp::Subtract, ..) => found.push(Some(user as usize)),
+                _ => found.push(None),
+            }
+        }
+        found
+    }
+
+    /// Whether an operation ends in a multiplication.
+    fn multiplies(&self, node: usize) -> bool {
+        match self.ops[node] {
+            Op::Binary(BinaryOp::Multiply, ..) => true,
+            Op::Binary(BinaryOp::Divide, a, _) => !self.is_one(a),
+            _ => false,
+        }
     }
 
     /// Which operations depend on no input.
@@ -44,35 +75,12 @@ impl Tape {
         constant
     }
 
-    /// How often each operation is used by others that count.
-    fn users(&self, constant: &[bool]) -> Vec<u32> {
-        let mut users = vec![0; self.ops.len()];
-        for (op, _) in self.ops.iter().zip(constant).filter(|(_, constant)| !**constant) {
-            op.operands().for_each(|n| users[n as usize] += 1);
-        }
-        users
-    }
-
-    /// The multiplication that an addition's operand is, through negations, if nothing else uses it.
-    fn product(&self, node: Node, users: &[u32], constant: &[bool]) -> Option<Node> {
-        let at = node as usize;
-        if users[at] != 1 || constant[at] {
-            return None;
-        }
-        match self.ops[at] {
-            Op::Unary(UnaryOp::Negate, a) => self.product(a, users, constant),
-            Op::Binary(BinaryOp::Multiply, ..) => Some(node),
-            Op::Binary(BinaryOp::Divide, a, _) if !self.is_one(a) => Some(node),
-            _ => None,
-        }
-    }
-
     fn is_one(&self, node: Node) -> bool {
         matches!(self.ops[node as usize], Op::Literal(x) if x.abs() == 1.0)
     }
 
-    fn weight(&self, op: &Op, constant: &[bool], reciprocals: &mut BTreeMap<Node, ()>) -> i32 {
-        let weight = match *op {
+    fn weight(&self, op: &Op, constant: &[bool], reciprocals: &mut BTreeSet<Node>) -> u32 {
+        match *op {
             Op::Input(_) | Op::Parameter(_) | Op::Literal(_) => 0,
             Op::Fma(..) | Op::Select(..) => 1,
             Op::Unary(code, _) => match code {
@@ -88,14 +96,13 @@ impl Tape {
                 | UnaryOp::Cos => SPECIAL,
             },
             Op::Binary(BinaryOp::Divide, a, b) => {
-                let paid = constant[b as usize] || reciprocals.insert(b, ()).is_some();
+                let paid = constant[b as usize] || !reciprocals.insert(b);
                 let reciprocal = if paid { 0 } else { SPECIAL };
                 reciprocal + u32::from(!self.is_one(a))
             }
             // pow(x, y) = exp2(y log2(x))
             Op::Binary(BinaryOp::Pow, ..) => 2 * SPECIAL + 1,
             Op::Binary(..) => 1,
-        };
-        weight as i32
+        }
     }
 }
