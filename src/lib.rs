@@ -19,6 +19,7 @@
 //! | 4 | [`report`] | results to plots, renders and a page |
 //! | 4 | [`store`] | the only module that touches the file system |
 //! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 5 | [`timing`] | what accuracy costs in seconds |
 //! | 6 | [`cli`] | one file per verb |
 
 pub mod bake;
@@ -34,3 +35,4 @@ pub mod plan;
 pub mod report;
 pub mod scene;
 pub mod store;
+pub mod timing;

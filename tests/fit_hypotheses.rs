@@ -150,11 +150,15 @@ fn fits_reach_the_errors_that_their_forms_allow() {
             let started = std::time::Instant::now();
             let fitted = optimise(&hypothesis, &samples, &Options::new(norm)).unwrap();
             let seconds = started.elapsed().as_secs_f64();
-            println!("{name} {norm:?}: {:.6} {:.6} {:?} gap {:e} evals {} {seconds:.2} s", fitted.max, fitted.rms, fitted.termination, fitted.gap, fitted.evaluations);
+            println!(
+                "{name} {norm:?}: {:.6} {:.6} {:?} gap {:e} evals {} {seconds:.2} s",
+                fitted.max, fitted.rms, fitted.termination, fitted.gap, fitted.evaluations
+            );
             let reached = if norm == Norm::Max { fitted.max } else { fitted.rms };
             assert!(fitted.termination.is_converged(), "{name}: {:?}", fitted.termination);
             assert!(reached <= bar * 1.02, "{name}: {norm:?} {reached} instead of {bar}");
-            prove_regular(hypothesis.tape(), &fitted.coefficients, &domain()).unwrap_or_else(|e| panic!("{e}"));
+            prove_regular(hypothesis.tape(), &fitted.coefficients, &domain())
+                .unwrap_or_else(|e| panic!("{e}"));
             round_to_f32(&fitted.coefficients).unwrap();
         }
     }

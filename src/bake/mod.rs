@@ -12,7 +12,7 @@ mod tables;
 
 pub use compare::{Difference, compare};
 pub use context::{Progress, Silent};
-pub use recipe::UserHypothesis;
+pub use recipe::{TOOL, UserHypothesis, recipe};
 
 use crate::data::TableError;
 use crate::effects::reflection::{Counter, Fit, FitStageError};
@@ -93,7 +93,7 @@ pub fn bake(
     hypotheses: &[UserHypothesis],
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
-    let recipe = recipe::recipe(scene, hypotheses)?;
+    let recipe = recipe(scene, hypotheses)?;
     let mut context = Context { recipe, counter: Counter::default(), broken: Vec::new(), progress };
     // Fits first: a hypothesis that is refused must not cost the tables.
     let fits = match &plan.fit {

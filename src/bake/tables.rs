@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::BakeError;
 use super::context::Context;
 use crate::data::{
-    Approximation, Certificate, Channel, Cost, Form, Layout, Place, Serves, Smith, Source, Table, Use,
+    Approximation, Certificate, Channel, Cost, Form, Layout, Serves, Smith, Source, Table, Use,
 };
 use crate::effects::reflection::{
     Counter, Errors, Field, PointSet, Region, TableSpec, build, certification, lookup_ops, measure,

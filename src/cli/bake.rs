@@ -5,10 +5,13 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::options::{SceneOption, ThreadsOption, effect};
-use super::output::Outcome;
-use super::{CliError, input, seam};
-use crate::plan::{self, EffectName};
-use crate::store::Folder;
+use super::output::{Outcome, print, say};
+use super::progress::Bar;
+use super::{CliError, input};
+use crate::bake::{Baked, bake};
+use crate::emit::header::place;
+use crate::plan::{self, EffectName, Plan};
+use crate::store::{Folder, MANIFEST, Written};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -42,7 +45,58 @@ pub(super) struct Options {
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
+    refuse_uncalled(&options.only, &plan)?;
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
-    options.threads.install(|| seam::bake(&input, &plan, &mut folder, options))
+    let progress = Bar::new(options.quiet || options.json);
+    let baked = options.threads.install(|| Ok(bake(&input.scene, &plan, &input.hypotheses, &progress)?))?;
+    drop(progress);
+    for promise in &baked.broken {
+        say(&format!("promise not kept: {promise}"));
+    }
+    if !baked.broken.is_empty() {
+        say("nothing written");
+        return Ok(Outcome::Failed);
+    }
+    let written = folder.write(&baked.files)?;
+    if options.json {
+        print(baked.files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
+    } else if !options.quiet {
+        print(summary(&plan, &baked, &written).as_bytes())?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// An effect asked for by name must be one that the scene calls for.
+fn refuse_uncalled(only: &[EffectName], plan: &Plan) -> Result<(), CliError> {
+    let uncalled = |name: &&EffectName| !plan.effects.iter().any(|e| e.effect == **name);
+    let Some(name) = only.iter().find(uncalled) else { return Ok(()) };
+    let left_out = plan.left_out.iter().find(|l| l.effect == *name);
+    let reason = left_out.map_or("it is not called for", |l| l.reason.as_str());
+    Err(CliError::Usage(format!("--only {}: {reason}", name.name())))
+}
+
+/// What was made, a line each.
+fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
+    let mut lines = Vec::new();
+    for table in &baked.tables {
+        let a = &table.approximation;
+        let at = place(&a.certificate.at);
+        lines.push(format!(
+            "{}: lookup error {} at {at}; {} bytes",
+            a.name, a.certificate.max_abs, a.cost.bytes
+        ));
+    }
+    let emitted = baked.fits.iter().filter(|f| f.emitted && f.wraps.is_none());
+    for a in emitted.map(|f| &f.approximation) {
+        let (c, ops) = (&a.certificate, a.cost.ops);
+        lines.push(format!("{}: {ops} operations, max error {}, rms {:.3e}", a.name, c.max_abs, c.rms));
+    }
+    if plan.is_empty() {
+        lines.push("the scene calls for no effect:".into());
+        lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect.name(), l.reason)));
+    }
+    let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
+    lines.push(format!("{new} files written, {same} unchanged, {gone} removed"));
+    lines.join("\n") + "\n"
 }

@@ -1,14 +1,19 @@
 //! `lobefit cost`: what accuracy costs in time.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::input::Input;
 use super::options::{SceneOption, ThreadsOption};
-use super::output::Outcome;
-use super::{CliError, input, seam};
+use super::output::{Outcome, print, say};
+use super::progress::Bar;
+use super::{CliError, input};
+use crate::bake::{BakeError, Progress, TOOL, bake, recipe};
 use crate::plan;
-use crate::store::Folder;
+use crate::report::{self, Origin};
+use crate::store::{self, Files, Folder};
+use crate::timing::timings;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -39,5 +44,44 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
     let mut folder = Folder::open(&options.out)?;
-    options.threads.install(|| seam::cost(&input, &plan, &mut folder, options))
+    if plan.is_empty() {
+        say("the scene calls for no effect: nothing to measure, nothing written");
+        return Ok(Outcome::Done);
+    }
+    let progress = Bar::new(options.quiet || options.json);
+    let files = options.threads.install(|| {
+        let baked = bake(&input.scene, &plan, &input.hypotheses, &progress)?;
+        progress.stage("timings");
+        let measured = timings(input.scene.smith, &baked, origin(&input)?, device())?;
+        Ok(report::timings_page(&measured).map_err(BakeError::from)?)
+    })?;
+    drop(progress);
+    let files: Files = files.into_iter().map(|f| (f.path, f.bytes)).collect();
+    folder.write(&files)?;
+    if options.json {
+        print(files.get("reports/timings.json").map_or(&[], Vec::as_slice))?;
+    } else if !options.quiet {
+        print(b"reports/timings.html and reports/timings.json written\n")?;
+    }
+    Ok(Outcome::Done)
+}
+
+fn origin(input: &Input) -> Result<Origin, CliError> {
+    Ok(Origin {
+        scene: input.scene.name.clone(),
+        recipe: recipe(&input.scene, &input.hypotheses)?.hash,
+        tool: TOOL.into(),
+        command: "lobefit cost".into(),
+    })
+}
+
+/// The processor as the system names it, and the threads in use.
+fn device() -> String {
+    const LIMIT: u64 = 1 << 20;
+    let text = store::read(Path::new("/proc/cpuinfo"), LIMIT).unwrap_or_default();
+    let text = String::from_utf8_lossy(&text);
+    let model =
+        text.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':').map(|(_, m)| m.trim()));
+    let threads = rayon::current_num_threads();
+    format!("{} ({}), {threads} threads", model.unwrap_or("processor not named"), std::env::consts::ARCH)
 }

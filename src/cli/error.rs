@@ -3,6 +3,7 @@
 use std::io;
 
 use super::points::PointsError;
+use crate::bake::BakeError;
 use crate::scene::SceneError;
 use crate::store::StoreError;
 
@@ -44,12 +45,9 @@ pub enum CliError {
         /// What the system said.
         reason: String,
     },
-    /// A verb whose work is not in this build.
-    #[error("`{verb}` is not available in this build")]
-    Unavailable {
-        /// The verb.
-        verb: &'static str,
-    },
+    /// The bake made nothing.
+    #[error(transparent)]
+    Bake(#[from] Box<BakeError>),
 }
 
 impl CliError {
@@ -60,5 +58,11 @@ impl CliError {
             CliError::Store(error) if error.is_write() => 3,
             _ => 2,
         }
+    }
+}
+
+impl From<BakeError> for CliError {
+    fn from(error: BakeError) -> CliError {
+        CliError::Bake(Box::new(error))
     }
 }

@@ -5,13 +5,15 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
-use super::options::{ThreadsOption, positive, smith};
+use super::CliError;
+use super::options::{ThreadsOption, positive, quantity, smith};
 use super::output::{Outcome, print};
 use super::points::{self, Points};
-use super::quantity::{self, Quantity};
-use super::{CliError, seam};
 use crate::data::Smith;
+use crate::effects::{self, Quantity};
+use crate::integrate::reflection::TOLERANCE;
 use crate::store;
+use rayon::prelude::*;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -38,7 +40,7 @@ pub(super) enum Method {
 #[derive(Args)]
 pub(super) struct Options {
     /// Quantity to compute
-    #[arg(value_parser = quantity::from_name)]
+    #[arg(value_parser = quantity)]
     pub quantity: &'static Quantity,
     /// CSV file with a header (`-`: standard input)
     #[arg(long, value_name = "IN.csv")]
@@ -56,7 +58,7 @@ pub(super) struct Options {
     #[arg(long, value_enum, default_value_t)]
     pub method: Method,
     /// Samples of each point (monte-carlo only)
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=1 << 40))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(32..=1 << 32))]
     pub samples: Option<u64>,
     /// Seed of the samples (monte-carlo only)
     #[arg(long, value_name = "S")]
@@ -75,13 +77,44 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     }
     let name = points_name(&options.points);
     let points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
-    let values = options.threads.install(|| seam::evaluate(options, &points))?;
+    let values = options.threads.install(|| evaluate(options, &points))?;
     let csv = points.with_columns(options.quantity, &values)?;
     match &options.out {
         Some(path) => store::write(path, &csv).map(drop)?,
         None => print(&csv)?,
     }
     Ok(Outcome::Done)
+}
+
+/// Samples of a point where none are asked for.
+const SAMPLES: u64 = 1 << 20;
+
+/// The outputs at every row, in order.
+fn evaluate(options: &Options, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
+    let method = match options.method {
+        Method::Quadrature => {
+            effects::Method::Quadrature { tolerance: options.tolerance.unwrap_or(TOLERANCE) }
+        }
+        Method::MonteCarlo => effects::Method::MonteCarlo {
+            samples: options.samples.unwrap_or(SAMPLES),
+            seed: options.seed.unwrap_or(0),
+        },
+    };
+    let row = |(i, inputs): (usize, &Vec<f64>)| {
+        let values = options.quantity.evaluate(options.smith, inputs, method);
+        let values = values.map_err(|e| points.refuse(i, &e.to_string()))?;
+        let error = values.last().copied().unwrap_or(f64::NAN);
+        match options.tolerance {
+            Some(tolerance) if error.is_nan() || error > tolerance => {
+                let message =
+                    format!("error {error:e} is above the tolerance {tolerance:e}; give more --samples");
+                Err(points.refuse(i, &message))
+            }
+            _ => Ok(values),
+        }
+    };
+    let rows: Vec<_> = points.rows().par_iter().enumerate().map(row).collect();
+    Ok(rows.into_iter().collect::<Result<_, _>>()?)
 }
 
 fn points_name(path: &Path) -> String {

@@ -5,17 +5,9 @@ use std::path::{Path, PathBuf};
 
 use super::CliError;
 use super::options::SceneOption;
+use crate::bake::UserHypothesis;
 use crate::scene::{Scene, limits};
 use crate::store;
-
-/// A hypothesis file of the user's.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct HypothesisFile {
-    /// Its path as the scene gives it.
-    pub path: String,
-    /// Its text.
-    pub text: String,
-}
 
 /// A scene and what it refers to.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +15,7 @@ pub(super) struct Input {
     /// The scene.
     pub scene: Scene,
     /// Its hypothesis files, in order of first mention.
-    pub hypotheses: Vec<HypothesisFile>,
+    pub hypotheses: Vec<UserHypothesis>,
 }
 
 /// Reads the scene of a verb: a file, standard input, or the built-in one.
@@ -44,10 +36,10 @@ pub(super) fn load(option: &SceneOption) -> Result<Input, CliError> {
     Ok(Input { scene, hypotheses })
 }
 
-fn hypothesis(folder: &Path, path: &str) -> Result<HypothesisFile, CliError> {
+fn hypothesis(folder: &Path, path: &str) -> Result<UserHypothesis, CliError> {
     let file = store::inside(folder, path)?;
     let text = String::from_utf8(store::read(&file, limits::HYPOTHESIS_BYTES)?).map_err(|e| {
         CliError::HypothesisText { file: file.display().to_string(), at: e.utf8_error().valid_up_to() }
     })?;
-    Ok(HypothesisFile { path: path.into(), text })
+    Ok(UserHypothesis { file: path.into(), source: text })
 }

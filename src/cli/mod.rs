@@ -12,9 +12,8 @@ mod options;
 mod output;
 mod plan;
 mod points;
-mod quantity;
+mod progress;
 mod schema;
-mod seam;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

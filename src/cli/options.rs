@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::CliError;
 use crate::data::Smith;
+use crate::effects::{QUANTITIES, Quantity};
 use crate::plan::EffectName;
 use crate::scene::limits;
 
@@ -49,6 +50,14 @@ pub(super) fn effect(text: &str) -> Result<EffectName, String> {
     EffectName::from_name(text).ok_or_else(|| {
         let names: Vec<&str> = EffectName::ALL.into_iter().map(EffectName::name).collect();
         format!("no such effect; the effects are {}", names.join(", "))
+    })
+}
+
+/// The quantity of a name.
+pub(super) fn quantity(name: &str) -> Result<&'static Quantity, String> {
+    Quantity::find(name).ok_or_else(|| {
+        let names: Vec<&str> = QUANTITIES.iter().map(|q| q.name).collect();
+        format!("no such quantity in this version; the quantities are {}", names.join(", "))
     })
 }
 

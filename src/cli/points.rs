@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::quantity::{Input, Quantity};
+use crate::effects::{Input, Quantity};
 use crate::scene::escape::visible;
 
 /// Largest file of points, bytes: some ten million points.
@@ -80,13 +80,11 @@ impl Points {
     }
 
     /// The inputs of every row, in the quantity's order.
-    #[allow(dead_code, reason = "for the work that is joined on at the seam")]
     pub(super) fn rows(&self) -> &[Vec<f64>] {
         &self.rows
     }
 
     /// The error that a row (from 0) cannot be computed, with its line.
-    #[allow(dead_code, reason = "for the work that is joined on at the seam")]
     pub(super) fn refuse(&self, row: usize, message: &str) -> PointsError {
         let before = &self.bytes[..self.records.get(row).map_or(0, |range| range.start)];
         let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
@@ -248,7 +246,7 @@ fn wanted(quantity: &Quantity) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::quantity::from_name;
+    use super::super::options::quantity as from_name;
     use super::*;
 
     fn parse(text: &str) -> Result<Points, String> {

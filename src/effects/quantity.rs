@@ -4,13 +4,24 @@ use crate::data::Smith;
 use crate::integrate::monte_carlo::{self, Draw, Points, Run};
 use crate::integrate::{IntegrateError, reflection};
 
+/// An input: its name and the closed interval of its values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Input {
+    /// Name of its column.
+    pub name: &'static str,
+    /// Smallest value.
+    pub min: f64,
+    /// Largest value.
+    pub max: f64,
+}
+
 /// A quantity that can be evaluated at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantity {
     /// Its name.
     pub name: &'static str,
     /// Inputs, in the order that [`Quantity::evaluate`] takes them.
-    pub inputs: &'static [&'static str],
+    pub inputs: &'static [Input],
     /// Outputs, in the order that it gives them; the last is the error.
     pub outputs: &'static [&'static str],
 }
@@ -35,10 +46,13 @@ pub enum Method {
 /// Standard errors in the error column of Monte Carlo.
 const STANDARD_ERRORS: f64 = 4.0;
 
+const ALPHA: Input = Input { name: "alpha", min: 0.0, max: 1.0 };
+const MU: Input = Input { name: "mu", min: 0.0, max: 1.0 };
+
 /// Every quantity of this version.
-pub const QUANTITIES: [Quantity; 2] = [
-    Quantity { name: "ggx-reflection", inputs: &["alpha", "mu"], outputs: &["E", "A", "B", "loss", "error"] },
-    Quantity { name: "ggx-average", inputs: &["alpha"], outputs: &["E_avg", "loss_avg", "error"] },
+pub static QUANTITIES: [Quantity; 2] = [
+    Quantity { name: "ggx-reflection", inputs: &[ALPHA, MU], outputs: &["E", "A", "B", "loss", "error"] },
+    Quantity { name: "ggx-average", inputs: &[ALPHA], outputs: &["E_avg", "loss_avg", "error"] },
 ];
 
 impl Quantity {
@@ -52,7 +66,7 @@ impl Quantity {
     /// # Panics
     /// If `inputs` has not the length of [`Quantity::inputs`].
     pub fn evaluate(&self, smith: Smith, inputs: &[f64], method: Method) -> Result<Vec<f64>, IntegrateError> {
-        assert_eq!(inputs.len(), self.inputs.len(), "{} takes {:?}", self.name, self.inputs);
+        assert_eq!(inputs.len(), self.inputs.len(), "inputs of {}", self.name);
         match (self.name, method) {
             ("ggx-reflection", Method::Quadrature { tolerance }) => {
                 let v = reflection::reflection(smith, inputs[0], inputs[1], tolerance)?;

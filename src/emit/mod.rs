@@ -1,5 +1,6 @@
 //! Floor 4: tables and fits to bytes, one file per format. Nothing here touches the file system.
 
+pub mod code;
 pub mod exr;
 pub mod header;
 pub mod lookup;

@@ -187,18 +187,23 @@ fn fit_one(
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
     prove_regular(hypothesis.tape(), &exact, &domain(&spec.region)?)?;
-    let name = match norm {
-        Norm::Max => hypothesis.name().to_string(),
-        Norm::Rms => format!("{}_rms", hypothesis.name()),
-    };
-    let form = formula(hypothesis, &coefficients, norm.name());
-    let approximation = certified(spec, name, hypothesis, form, Source::Fitted, data)?;
-    Ok(Fit {
-        approximation,
-        hypothesis: hypothesis.clone(),
-        termination: Some(fitted.termination),
-        emitted: true,
-    })
+    let hypothesis = named_for(hypothesis, norm)?;
+    let form = formula(&hypothesis, &coefficients, norm.name());
+    let name = hypothesis.name().to_string();
+    let approximation = certified(spec, name, &hypothesis, form, Source::Fitted, data)?;
+    Ok(Fit { approximation, hypothesis, termination: Some(fitted.termination), emitted: true, wraps: None })
+}
+
+/// The minimax fit bears its hypothesis' name; the least squares fit has `_rms` appended, so that both can be emitted.
+fn named_for(hypothesis: &Hypothesis, norm: Norm) -> Result<Hypothesis, FitError> {
+    match norm {
+        Norm::Max => Ok(hypothesis.clone()),
+        Norm::Rms => {
+            let name = hypothesis.name();
+            let source = hypothesis.source().replace(&format!("fn {name}("), &format!("fn {name}_rms("));
+            Hypothesis::parse(hypothesis.file(), &source)
+        }
+    }
 }
 
 fn published(

@@ -1,0 +1,148 @@
+//! Floor 5: what accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use crate::bake::{BakeError, Baked};
+use crate::data::{Approximation, Smith, Source};
+use crate::effects::reflection::{Fit, Lookup, POINTS, PointSet, Region, certification};
+use crate::integrate::monte_carlo::{self, Draw, Points, Run};
+use crate::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
+use crate::integrate::{IntegrateError, PanelRule};
+use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
+
+/// Runs of which the median is taken.
+const RUNS: usize = 5;
+
+/// Shortest time that a run is allowed to take: below it, the work is repeated within the run.
+const SHORTEST: f64 = 2e-3;
+
+/// Largest power of two of samples timed.
+const LOG2_SAMPLES: u32 = 20;
+
+/// 2^15 uniform points and half as many again: what the approximations are evaluated at.
+const LOG2_POINTS: u32 = 15;
+
+/// A rounding floor: an error of 0 cannot be drawn on a logarithmic axis.
+const FLOOR: f64 = 1e-16;
+
+/// Measures the integrators at the study's points, and every formula and table of a bake.
+pub fn timings(smith: Smith, baked: &Baked, origin: Origin, device: String) -> Result<Timings, BakeError> {
+    let points = POINTS.into_iter().map(|(name, alpha, mu)| point(smith, name, alpha, mu));
+    Ok(Timings {
+        origin,
+        device,
+        points: points.collect::<Result<_, IntegrateError>>()?,
+        evaluations: evaluations(baked)?,
+    })
+}
+
+/// Median seconds of one execution.
+fn seconds(mut work: impl FnMut()) -> f64 {
+    work();
+    let mut repeats = 1_u32;
+    loop {
+        let mut times: Vec<f64> = (0..RUNS)
+            .map(|_| {
+                let start = Instant::now();
+                (0..repeats).for_each(|_| work());
+                start.elapsed().as_secs_f64()
+            })
+            .collect();
+        times.sort_by(f64::total_cmp);
+        let median = times[RUNS / 2];
+        if median >= SHORTEST || repeats >= 1 << 20 {
+            return median / f64::from(repeats);
+        }
+        repeats *= 4;
+    }
+}
+
+fn point(smith: Smith, name: &str, alpha: f64, mu: f64) -> Result<TimedPoint, IntegrateError> {
+    let truth = reflection(smith, alpha, mu, TOLERANCE)?.e;
+    let mut series = Vec::new();
+    for (name, points, draw) in [
+        ("Monte Carlo, uniform lights", Points::Random, Draw::UniformLight),
+        ("Monte Carlo, visible normals", Points::Random, Draw::VisibleNormal),
+        ("scrambled Sobol, visible normals", Points::Sobol, Draw::VisibleNormal),
+    ] {
+        let mut one = TimedSeries { name: name.into(), seconds: Vec::new(), error: Vec::new() };
+        for log2 in (8..=LOG2_SAMPLES).step_by(2) {
+            let run = Run { samples: 1 << log2, seed: 1, points, draw };
+            one.error.push(monte_carlo::reflection(smith, alpha, mu, run)?.e.standard_error);
+            one.seconds.push(seconds(|| {
+                let _ = black_box(monte_carlo::reflection(smith, black_box(alpha), mu, run));
+            }));
+        }
+        series.push(one);
+    }
+    series.push(quadrature(smith, alpha, mu, truth));
+    Ok(TimedPoint { name: name.into(), alpha, mu, series })
+}
+
+fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> TimedSeries {
+    let mut one = TimedSeries { name: "quadrature".into(), seconds: Vec::new(), error: Vec::new() };
+    let mut add = |rule: &PanelRule, graded: bool| {
+        let value = albedo_work(smith, alpha, mu, rule, graded).value;
+        one.error.push((value - truth).abs().max(FLOOR));
+        one.seconds.push(seconds(|| {
+            black_box(albedo_work(smith, black_box(alpha), mu, rule, graded));
+        }));
+    };
+    add(&PanelRule::new(8), false);
+    add(&PanelRule::new(16), false);
+    add(&Effort::ladder()[0].outer, true);
+    add(&Effort::ladder()[1].outer, true);
+    one
+}
+
+fn evaluations(baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {
+    let mut timed = Vec::new();
+    for table in &baked.tables {
+        let Some(texels) = table.table() else { continue };
+        let points = certification(&table.region, LOG2_POINTS);
+        let lookup = Lookup::new(texels, table.layout, table.serves);
+        let time = seconds(|| {
+            for i in 0..points.len() {
+                black_box(lookup.at(points.roughness[i], points.alpha[i], points.mu[i]));
+            }
+        });
+        timed.push(entry(&table.approximation, true, time / points.len() as f64));
+    }
+    let Some(first) = baked.fits.first() else { return Ok(timed) };
+    let points = certification(&region(&first.approximation), LOG2_POINTS);
+    for fit in baked.fits.iter().filter(|f| f.wraps.is_none()) {
+        timed.push(entry(&fit.approximation, false, fit_seconds(fit, &points)? / points.len() as f64));
+    }
+    Ok(timed)
+}
+
+fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {
+    let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(|name| points.column(name)).collect();
+    let (tape, coefficients) = (fit.hypothesis.tape(), fit.coefficients());
+    tape.evaluate(&inputs, &coefficients).map_err(crate::effects::reflection::FitStageError::from)?;
+    Ok(seconds(|| {
+        let _ = black_box(tape.evaluate(&inputs, &coefficients));
+    }))
+}
+
+/// The region that a fit was certified in.
+fn region(approximation: &Approximation) -> Region {
+    let range = |name: &str| approximation.certificate.domain.get(name).copied().unwrap_or([1.0, 1.0]);
+    Region {
+        roughness: range("roughness"),
+        mu: range("mu"),
+        alpha_map: crate::data::AlphaMap::RoughnessSquared,
+    }
+}
+
+fn entry(approximation: &Approximation, table: bool, seconds: f64) -> TimedApproximation {
+    TimedApproximation {
+        name: approximation.name.clone(),
+        nanoseconds: seconds * 1e9,
+        ops: approximation.cost.ops,
+        max_error: approximation.certificate.max_abs,
+        published: matches!(approximation.source, Source::Published(_)),
+        table,
+    }
+}
