@@ -17,8 +17,8 @@ pub use certify::{Measured, measure, round_up};
 pub use domain::{Domain, DomainAxis};
 pub use error::{FitError, Place};
 pub use hypothesis::{
-    Binary, Builtin, Expr, ExprKind, Formula, Function, Hypothesis, Limits, Parameter, Statement, Unary,
-    Kind, Variable, power_steps,
+    Binary, Builtin, Expr, ExprKind, Formula, Function, Hypothesis, Kind, Limits, Parameter, Statement,
+    Unary, Variable, power_steps,
 };
 pub use regular::prove_regular;
 pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, round_to_f32};

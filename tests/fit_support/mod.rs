@@ -1,5 +1,5 @@
 //! What the tests of fits share: the hypotheses' files and a small quadrature of the GGX albedo.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::disallowed_methods)]
 
 use std::path::PathBuf;
 use std::sync::OnceLock;
@@ -88,7 +88,8 @@ fn gauss(n: usize) -> Vec<(f64, f64)> {
 /// Furnace samples of a hypothesis at the centres of `n` x `n` cells, and on the edges if wanted, over roughness [0.02, 1] and mu [0.01, 1], alpha =
 /// roughness^2.
 pub fn furnace(hypothesis: &Hypothesis, n: usize, edges: bool) -> Samples {
-    let inner = |i: usize| (0.02 + 0.98 * (i as f64 + 0.5) / n as f64, 0.01 + 0.99 * (i as f64 + 0.5) / n as f64);
+    let inner =
+        |i: usize| (0.02 + 0.98 * (i as f64 + 0.5) / n as f64, 0.01 + 0.99 * (i as f64 + 0.5) / n as f64);
     let mut grid: Vec<(f64, f64)> = (0..n * n).map(|i| (inner(i / n).0, inner(i % n).1)).collect();
     if edges {
         let edge = |i: usize| [(inner(i).0, 0.01), (inner(i).0, 1.0), (0.02, inner(i).1), (1.0, inner(i).1)];

@@ -67,7 +67,9 @@ impl Lowering<'_> {
         let op = match op {
             UnaryOperator::Negate => Unary::Negate,
             UnaryOperator::LogicalNot => Unary::Not,
-            UnaryOperator::BitwiseNot => return Err(self.context.refuse(span, "bit operators are not allowed")),
+            UnaryOperator::BitwiseNot => {
+                return Err(self.context.refuse(span, "bit operators are not allowed"));
+            }
         };
         Ok(ExprKind::Unary(op, Box::new(self.expression(expr)?)))
     }
@@ -93,7 +95,8 @@ impl Lowering<'_> {
             BinaryOperator::LogicalAnd => Binary::And,
             BinaryOperator::LogicalOr => Binary::Or,
             _ => {
-                let message = "this operator is not allowed in a hypothesis: use + - * /, comparisons, && and ||";
+                let message =
+                    "this operator is not allowed in a hypothesis: use + - * /, comparisons, && and ||";
                 return Err(self.context.refuse(span, message));
             }
         };

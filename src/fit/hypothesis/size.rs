@@ -52,8 +52,8 @@ fn longest_statement(source: &str) -> usize {
         }
         match bytes[at] {
             b';' | b'{' | b'}' => count = 0,
-            b'+' | b'-' | b'*' | b'/' | b'%' | b'(' | b'[' | b'<' | b'>' | b'&' | b'|' | b'^' | b'=' | b'!'
-            | b'~' => count += 1,
+            b'+' | b'-' | b'*' | b'/' | b'%' | b'(' | b'[' | b'<' | b'>' | b'&' | b'|' | b'^' | b'='
+            | b'!' | b'~' => count += 1,
             _ => {}
         }
         longest = longest.max(count);

@@ -31,8 +31,13 @@ pub(super) struct Descent {
 pub(super) fn descend(objective: &Objective, start: &[f64], iterations: u64) -> Result<Descent, Refused> {
     let mut linear = objective.linearise(start)?;
     let max = largest(&linear.residuals);
-    let mut best =
-        Descent { coefficients: start.to_vec(), max, gap: f64::INFINITY, optimal: max == 0.0, evaluations: 1 };
+    let mut best = Descent {
+        coefficients: start.to_vec(),
+        max,
+        gap: f64::INFINITY,
+        optimal: max == 0.0,
+        evaluations: 1,
+    };
     let mut radius = max;
     let mut steps = 0;
     while !best.optimal && steps < iterations {

@@ -127,11 +127,7 @@ pub struct Fitted {
 /// # Errors
 /// Data that are not finite or of the wrong shape, with the index; no start at which the formula is finite at every
 /// sample and its divisors keep their sign, with the sample that refused the declared one.
-pub fn optimise(
-    hypothesis: &Hypothesis,
-    samples: &Samples,
-    options: &Options,
-) -> Result<Fitted, FitError> {
+pub fn optimise(hypothesis: &Hypothesis, samples: &Samples, options: &Options) -> Result<Fitted, FitError> {
     let objective = Objective::new(hypothesis.tape(), samples)?;
     let declared = hypothesis.starts();
     if declared.is_empty() || samples.len() < declared.len() {
@@ -145,7 +141,13 @@ pub fn optimise(
             let evaluations = searches.iter().map(|s| s.evaluations).sum();
             // `searches` is sorted and not empty.
             let best = &searches[0];
-            finish(&objective, best.coefficients.clone(), least_squares_end(best, declared.len()), evaluations, 0.0)
+            finish(
+                &objective,
+                best.coefficients.clone(),
+                least_squares_end(best, declared.len()),
+                evaluations,
+                0.0,
+            )
         }
         Norm::Max => minimax(&objective, &searches, options),
     }

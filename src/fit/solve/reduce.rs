@@ -58,8 +58,7 @@ fn triangularise(mut a: Vec<f64>, width: usize) -> Vec<f64> {
         let alpha = if pivot > 0.0 { -norm } else { norm };
         // v = x - alpha e_k; |v|^2 / 2 = norm (norm + |pivot|)
         let half = norm * (norm + pivot.abs());
-        let v: Vec<f64> =
-            (k..rows).map(|i| a[i * width + k] - if i == k { alpha } else { 0.0 }).collect();
+        let v: Vec<f64> = (k..rows).map(|i| a[i * width + k] - if i == k { alpha } else { 0.0 }).collect();
         let mut dots = vec![0.0; width - k];
         for (row, vi) in a[k * width..].chunks_exact(width).zip(&v) {
             for (dot, x) in dots.iter_mut().zip(&row[k..]) {

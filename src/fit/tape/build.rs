@@ -153,7 +153,9 @@ impl<'a> Builder<'a> {
     fn block(&mut self, body: &[Statement], mut state: State) -> State {
         for statement in body {
             match statement {
-                Statement::Let(variable, e) | Statement::Var(variable, e) | Statement::Assign(variable, e) => {
+                Statement::Let(variable, e)
+                | Statement::Var(variable, e)
+                | Statement::Assign(variable, e) => {
                     let value = self.expression(e, &state.variables);
                     state.variables[*variable] = Some(value);
                 }

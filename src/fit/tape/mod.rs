@@ -10,8 +10,8 @@ mod interval_evaluate;
 mod real;
 
 pub(in crate::fit) use build::fold;
-pub use interval::Interval;
 pub(in crate::fit) use evaluate::{BLOCK, Workspace};
+pub use interval::Interval;
 pub use real::Real;
 
 use super::Place;
