@@ -7,5 +7,6 @@ override c3: f32 = -1.60695;
 /// Five operations: odd powers of roughness are the basis that its loss calls for.
 /// Exactly 1 for a mirror; holds for roughness in [0, 1].
 fn ggx_eavg_5(roughness: f32, alpha: f32) -> f32 {
-    return 1.0 + roughness * alpha * (c0 + roughness * (c1 + roughness * (c2 + c3 * roughness)));
+    let loss = c0 + roughness * (c1 + roughness * (c2 + c3 * roughness));
+    return 1.0 + roughness * alpha * loss;
 }

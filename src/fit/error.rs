@@ -16,10 +16,11 @@ pub struct Place {
 }
 
 impl Place {
-    /// The place of byte range `start..end` of `source`; ends beyond the source are clamped to it.
+    /// The place of byte range `start..end` of `source`; ends beyond the source are clamped to it. The name of a
+    /// function that is called is shown with its arguments.
     pub fn of(file: &str, source: &str, start: usize, end: usize) -> Place {
         let start = floor_char(source, start);
-        let end = floor_char(source, end).max(start);
+        let end = after_arguments(source, start, floor_char(source, end).max(start));
         let line_start = source[..start].rfind('\n').map_or(0, |i| i + 1);
         let text = source[start..end].lines().next().unwrap_or("").trim_end();
         Place {
@@ -29,6 +30,27 @@ impl Place {
             excerpt: text.chars().take(80).collect(),
         }
     }
+}
+
+/// Where the arguments end, if `start..end` is a name before an opening parenthesis; else `end`.
+fn after_arguments(source: &str, start: usize, end: usize) -> usize {
+    let name = &source[start..end];
+    if name.is_empty()
+        || !name.chars().all(|c| c.is_alphanumeric() || c == '_')
+        || !source[end..].starts_with('(')
+    {
+        return end;
+    }
+    let mut depth = 0;
+    for (at, c) in source[end..].char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' if depth == 1 => return end + at + 1,
+            ')' => depth -= 1,
+            _ => {}
+        }
+    }
+    end
 }
 
 /// The largest character boundary of `source` not above `at`.
@@ -55,7 +77,7 @@ pub enum FitError {
     #[error("{place}: {message}")]
     Syntax {
         /// Where.
-        place: Place,
+        place: Box<Place>,
         /// What the WGSL front end says.
         message: String,
     },
@@ -63,7 +85,7 @@ pub enum FitError {
     #[error("{place}: {message}")]
     Dialect {
         /// Where.
-        place: Place,
+        place: Box<Place>,
         /// What is not allowed, and what is.
         message: String,
     },
@@ -83,7 +105,7 @@ pub enum FitError {
     #[error("{place}: {function} {hazard} near {at}")]
     Irregular {
         /// The sub-expression at fault.
-        place: Place,
+        place: Box<Place>,
         /// Function's name.
         function: String,
         /// What happens: `may divide by zero`, ...

@@ -29,20 +29,30 @@ pub fn prove_regular(tape: &Tape, coefficients: &[f64], domain: &Domain) -> Resu
     let mut examined = 0;
     while let Some(region) = pending.pop() {
         examined += 1;
-        let Some((node, hazard)) = examine(tape, coefficients, domain, &region)? else { continue };
+        let Some(danger) = examine(tape, coefficients, domain, &region)? else { continue };
         let middle: Vec<Interval> = region.iter().map(|x| Interval::point(middle(*x))).collect();
-        if let Some((node, hazard)) = examine(tape, coefficients, domain, &middle)? {
-            return Err(irregular(tape, domain, &middle, node, hazard));
+        if let Some(danger) = examine(tape, coefficients, domain, &middle)? {
+            return Err(irregular(tape, domain, &middle, &danger));
         }
-        match widest(&region, &whole) {
-            Some(axis) if examined < BOXES => {
-                let (low, high) = halves(&region, axis);
-                pending.extend([high, low]);
-            }
-            _ => return Err(irregular(tape, domain, &region, node, hazard)),
+        let widths = |region: &[Interval]| -> Result<f64, FitError> {
+            let inputs = domain.intervals(tape.function(), tape.inputs(), region)?;
+            let x = tape.bounds(&inputs, coefficients)[danger.operand as usize];
+            Ok(x.hi - x.lo)
+        };
+        match divide(&region, &whole, widths)? {
+            Some((low, high)) if examined < BOXES => pending.extend([high, low]),
+            _ => return Err(irregular(tape, domain, &region, &danger)),
         }
     }
     Ok(())
+}
+
+/// An operation that may go wrong.
+struct Danger {
+    node: Node,
+    /// What must be bounded more tightly to exclude it: the divisor, the argument of the root, ...
+    operand: Node,
+    hazard: &'static str,
 }
 
 /// The first operation that may go wrong in a box, and how.
@@ -51,62 +61,77 @@ fn examine(
     coefficients: &[f64],
     domain: &Domain,
     region: &[Interval],
-) -> Result<Option<(Node, &'static str)>, FitError> {
+) -> Result<Option<Danger>, FitError> {
     let inputs = domain.intervals(tape.function(), tape.inputs(), region)?;
     let bounds = tape.bounds(&inputs, coefficients);
     let needed = tape.needed(&bounds);
-    let nodes = (0..tape.ops().len()).filter(|&node| needed[node]);
-    Ok(nodes.map(|node| (node as Node, hazard(tape, node, &bounds))).find_map(|(n, h)| Some((n, h?))))
+    let mut nodes = (0..tape.ops().len()).filter(|&node| needed[node]);
+    Ok(nodes.find_map(|node| {
+        let (operand, hazard) = hazard(tape, node, &bounds)?;
+        Some(Danger { node: node as Node, operand, hazard })
+    }))
 }
 
-/// How an operation may go wrong.
-fn hazard(tape: &Tape, node: usize, bounds: &[Interval]) -> Option<&'static str> {
+/// How an operation may go wrong, and the operand that decides it.
+fn hazard(tape: &Tape, node: usize, bounds: &[Interval]) -> Option<(Node, &'static str)> {
     let of = |n: Node| bounds[n as usize];
     let tiny = f64::from(f32::MIN_POSITIVE);
     let wrong = match tape.ops()[node] {
-        Op::Binary(BinaryOp::Divide, _, b) if of(b).may_vanish() => Some("may divide by zero"),
+        Op::Binary(BinaryOp::Divide, _, b) if of(b).may_vanish() => Some((b, "may divide by zero")),
         Op::Unary(UnaryOp::Sqrt, a) if of(a).lo < 0.0 => {
-            Some("may take the square root of a negative number")
+            Some((a, "may take the square root of a negative number"))
         }
         Op::Unary(UnaryOp::InverseSqrt, a) if of(a).lo < tiny => {
-            Some("may take the inverse square root of a number that is not positive")
+            Some((a, "may take the inverse square root of a number that is not positive"))
         }
         Op::Unary(UnaryOp::Log | UnaryOp::Log2, a) if of(a).lo < tiny => {
-            Some("may take the logarithm of a number that is not positive")
+            Some((a, "may take the logarithm of a number that is not positive"))
         }
-        Op::Binary(BinaryOp::Pow, a, _) if of(a).lo < 0.0 => Some("may raise a negative number to a power"),
+        Op::Binary(BinaryOp::Pow, a, _) if of(a).lo < 0.0 => {
+            Some((a, "may raise a negative number to a power"))
+        }
         Op::Binary(BinaryOp::Pow, a, b) if of(a).lo < tiny && of(b).lo <= 0.0 => {
-            Some("may raise zero to a power that is not positive")
+            Some((a, "may raise zero to a power that is not positive"))
         }
         _ => None,
     };
     let endless = !(bounds[node].lo.is_finite() && bounds[node].hi.is_finite());
-    wrong.or(endless.then_some("may overflow"))
+    wrong.or(endless.then_some((node as Node, "may overflow")))
 }
 
 fn middle(x: Interval) -> f64 {
     f64::from((0.5 * (x.lo + x.hi)) as f32)
 }
 
-/// The axis to divide: wide against the domain and against its distance from 0, where quotients are sensitive.
-/// None if the box is as small as boxes get.
-fn widest(region: &[Interval], whole: &[Interval]) -> Option<usize> {
-    let score = |axis: usize| {
+/// A box, halved.
+type Halves = (Vec<Interval>, Vec<Interval>);
+
+/// The two halves of a box along the axis that bounds the operand in danger best; of equal ones, along the side
+/// that is longest against its distance from 0. None if the box is as small as boxes get.
+fn divide(
+    region: &[Interval],
+    whole: &[Interval],
+    width: impl Fn(&[Interval]) -> Result<f64, FitError>,
+) -> Result<Option<Halves>, FitError> {
+    let mut best: Option<(f64, f64, Halves)> = None;
+    for axis in 0..region.len() {
         let (x, all) = (region[axis], whole[axis]);
-        let width = x.hi - x.lo;
+        let side = x.hi - x.lo;
         let middle = middle(x);
-        if width <= 0.0 || middle <= x.lo || middle >= x.hi {
-            return 0.0;
+        if middle <= x.lo || middle >= x.hi || side < SMALLEST * (all.hi - all.lo) {
+            continue;
         }
-        let relative = width / x.lo.abs().max(x.hi.abs());
-        let part = width / (all.hi - all.lo);
-        if part < SMALLEST { 0.0 } else { relative * part.sqrt() }
-    };
-    let best = (0..region.len()).max_by(|&a, &b| score(a).total_cmp(&score(b)))?;
-    (score(best) > 0.0).then_some(best)
+        let (low, high) = halves(region, axis);
+        let left = width(&low)?.max(width(&high)?);
+        let length = side / x.lo.abs().max(x.hi.abs());
+        if best.as_ref().is_none_or(|(l, k, _)| left < *l || (left == *l && length > *k)) {
+            best = Some((left, length, (low, high)));
+        }
+    }
+    Ok(best.map(|(_, _, halves)| halves))
 }
 
-fn halves(region: &[Interval], axis: usize) -> (Vec<Interval>, Vec<Interval>) {
+fn halves(region: &[Interval], axis: usize) -> Halves {
     let (mut low, mut high) = (region.to_vec(), region.to_vec());
     let middle = middle(region[axis]);
     low[axis].hi = middle;
@@ -114,13 +139,7 @@ fn halves(region: &[Interval], axis: usize) -> (Vec<Interval>, Vec<Interval>) {
     (low, high)
 }
 
-fn irregular(
-    tape: &Tape,
-    domain: &Domain,
-    region: &[Interval],
-    node: Node,
-    hazard: &'static str,
-) -> FitError {
+fn irregular(tape: &Tape, domain: &Domain, region: &[Interval], danger: &Danger) -> FitError {
     let inputs = match domain.intervals(tape.function(), tape.inputs(), region) {
         Ok(inputs) => inputs,
         Err(error) => return error,
@@ -134,5 +153,6 @@ fn irregular(
     };
     let at: Vec<String> = tape.inputs().iter().zip(&inputs).map(range).collect();
     let at = if at.is_empty() { "every point".to_string() } else { at.join(", ") };
-    FitError::Irregular { place: tape.place(node).clone(), function: tape.function().to_string(), hazard, at }
+    let place = Box::new(tape.place(danger.node).clone());
+    FitError::Irregular { place, function: tape.function().to_string(), hazard: danger.hazard, at }
 }

@@ -1,5 +1,5 @@
 //! What the tests of fits share: the hypotheses' files and a small quadrature of the GGX albedo.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::disallowed_methods)]
 
 use std::path::PathBuf;
 use std::sync::OnceLock;

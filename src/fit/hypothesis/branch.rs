@@ -241,15 +241,21 @@ impl Lowering<'_> {
             _ => false,
         };
         let span = (left.span.0.min(right.span.0), left.span.1.max(right.span.1));
-        let kind = match left.kind {
-            ExprKind::Unary(Unary::Not, left) if ends_true => {
-                ExprKind::Binary(Binary::Or, left, Box::new(right))
-            }
-            _ => ExprKind::Binary(Binary::And, Box::new(left), Box::new(right)),
-        };
+        let (op, left) = if ends_true { (Binary::Or, opposite(left)) } else { (Binary::And, left) };
+        let kind = ExprKind::Binary(op, Box::new(left), Box::new(right));
         self.logic.insert(local.index(), Expr { kind, span });
         Ok(())
     }
+}
+
+/// !x, without a double negation. naga folds the negation of a literal.
+fn opposite(expr: Expr) -> Expr {
+    let kind = match expr.kind {
+        ExprKind::Unary(Unary::Not, inner) => return *inner,
+        ExprKind::Truth(x) => ExprKind::Truth(!x),
+        other => ExprKind::Unary(Unary::Not, Box::new(Expr { kind: other, span: expr.span })),
+    };
+    Expr { kind, span: expr.span }
 }
 
 /// Why a statement is refused.

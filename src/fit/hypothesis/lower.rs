@@ -27,7 +27,7 @@ impl Context<'_> {
     pub fn refuse(&self, span: Span, message: impl Into<String>) -> FitError {
         let (start, end) = bytes(span);
         let place = Place::of(self.file, self.source, start as usize, end as usize);
-        FitError::Dialect { place, message: message.into() }
+        FitError::Dialect { place: Box::new(place), message: message.into() }
     }
 
     /// The kind of a type, if it is of the dialect.
@@ -90,7 +90,7 @@ pub(super) fn lower(file: &str, source: &str) -> Result<Lowered, FitError> {
 fn parse(file: &str, source: &str) -> Result<Module, FitError> {
     let place = |span: Option<Span>| {
         let (start, end) = span.map_or((0, 0), bytes);
-        Place::of(file, source, start as usize, end as usize)
+        Box::new(Place::of(file, source, start as usize, end as usize))
     };
     let mut options = naga::front::wgsl::Options::new();
     options.parse_doc_comments = true;

@@ -49,7 +49,7 @@ impl Hypothesis {
     pub fn parse(file: &str, source: &str) -> Result<Hypothesis, FitError> {
         size::check(file, source)?;
         let lost = || FitError::Syntax {
-            place: Place::of(file, source, 0, 0),
+            place: Box::new(Place::of(file, source, 0, 0)),
             message: "the WGSL front end failed on this source".to_string(),
         };
         std::thread::scope(|scope| {

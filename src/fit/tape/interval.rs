@@ -55,24 +55,24 @@ impl Interval {
     }
 
     /// x + y
-    pub fn add(self, y: Interval) -> Interval {
+    pub fn plus(self, y: Interval) -> Interval {
         outward(self.lo + y.lo, self.hi + y.hi, 0)
     }
 
     /// x - y
-    pub fn subtract(self, y: Interval) -> Interval {
-        self.add(y.negate())
+    pub fn minus(self, y: Interval) -> Interval {
+        self.plus(y.negate())
     }
 
     /// x y
-    pub fn multiply(self, y: Interval) -> Interval {
+    pub fn times(self, y: Interval) -> Interval {
         let (lo, hi) = corners(self, y, |a, b| a * b);
         outward(lo, hi, 0)
     }
 
     /// x y of factors that have one sign between them: a square, without the negative values of a product.
     pub fn mul_same_sign(self, y: Interval) -> Interval {
-        self.abs().multiply(y.abs())
+        self.abs().times(y.abs())
     }
 
     /// x y + z, rounded once. Products of f32 are exact in f64.
@@ -82,7 +82,7 @@ impl Interval {
     }
 
     /// x / y; any value if y may vanish.
-    pub fn divide(self, y: Interval) -> Interval {
+    pub fn over(self, y: Interval) -> Interval {
         if y.may_vanish() {
             return WHOLE;
         }

@@ -72,16 +72,16 @@ fn unary(code: UnaryOp, x: Interval) -> Interval {
         UnaryOp::Log2 => x.nonnegative().transcendental(ops::log2),
         UnaryOp::Sin => x.wave(ops::sin),
         UnaryOp::Cos => x.wave(ops::cos),
-        UnaryOp::Not => TRUE.subtract(x),
+        UnaryOp::Not => TRUE.minus(x),
     }
 }
 
 fn binary(code: BinaryOp, x: Interval, y: Interval) -> Interval {
     match code {
-        BinaryOp::Add => x.add(y),
-        BinaryOp::Subtract => x.subtract(y),
-        BinaryOp::Multiply | BinaryOp::And => x.multiply(y),
-        BinaryOp::Divide => x.divide(y),
+        BinaryOp::Add => x.plus(y),
+        BinaryOp::Subtract => x.minus(y),
+        BinaryOp::Multiply | BinaryOp::And => x.times(y),
+        BinaryOp::Divide => x.over(y),
         BinaryOp::Min => Interval { lo: x.lo.min(y.lo), hi: x.hi.min(y.hi) },
         BinaryOp::Max | BinaryOp::Or => Interval { lo: x.lo.max(y.lo), hi: x.hi.max(y.hi) },
         BinaryOp::Pow => x.power(y, ops::pow),
