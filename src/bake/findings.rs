@@ -52,7 +52,7 @@ pub fn findings(
         origin: Origin {
             scene: scene.name.clone(),
             recipe: context.recipe.hash.clone(),
-            tool: context.recipe.tool.clone(),
+            tool: env!("CARGO_PKG_VERSION").into(),
             command: context.recipe.command.clone(),
         },
         effects: plan.effects.iter().map(|e| effect(e, tables, fits)).collect(),
@@ -124,13 +124,8 @@ fn table(baked: &BakedTable, context: &Context) -> Option<TableFinding> {
     let table = baked.table()?;
     let split = baked.serves == Serves::SplitSum;
     let map = Grid::map(table.smith, &baked.region, split, context);
-    let channel = |c: &crate::data::Channel| ChannelFinding {
-        name: c.name.clone(),
-        texels: c.texels.clone(),
-        integration: figure(baked.errors.integration),
-        quantisation: figure(baked.errors.quantisation),
-        lookup: lookup(&baked.errors.lookup),
-    };
+    let channel =
+        |c: &crate::data::Channel| ChannelFinding { name: c.name.clone(), texels: c.texels.clone() };
     Some(TableFinding {
         name: table.name.clone(),
         file: format!("tables/{}.exr", table.name),
@@ -141,17 +136,29 @@ fn table(baked: &BakedTable, context: &Context) -> Option<TableFinding> {
         format: table.format,
         bytes: table.bytes(),
         channels: table.channels.iter().map(channel).collect(),
-        lookup_error: map.lookup_error(baked).into_iter().collect(),
+        errors: errors(baked),
+        lookup_error: map.lookup_errors(baked),
     })
 }
 
-/// A bound without a place.
-fn figure(max: f64) -> ErrorFigure {
-    ErrorFigure { max, rms: max, at: Place::new() }
-}
-
-fn lookup(error: &LookupError) -> ErrorFigure {
-    ErrorFigure { max: error.max, rms: error.rms, at: error.at.clone() }
+/// The errors of a table, one line each.
+fn errors(baked: &BakedTable) -> Vec<(String, ErrorFigure)> {
+    let e = &baked.errors;
+    let lookup = |what: &str, error: &LookupError| {
+        (what.to_string(), ErrorFigure { max: error.max, rms: Some(error.rms), at: error.at.clone() })
+    };
+    let mut lines = vec![(
+        "integration (bound)".to_string(),
+        ErrorFigure { max: e.integration, rms: None, at: Place::new() },
+    )];
+    for r in &e.quantisation {
+        let figure = ErrorFigure { max: r.max, rms: Some(r.rms), at: r.at.clone() };
+        lines.push((format!("quantisation of {}", r.channel), figure));
+    }
+    lines.push(lookup("lookup of E", &e.lookup_e));
+    lines.extend(e.lookup_b.iter().map(|b| lookup("lookup of B", b)));
+    lines.push(lookup("lookup in use, weights of 8 bits", &e.lookup_8_bit));
+    lines
 }
 
 fn effect(effect: &Effect, tables: &[BakedTable], fits: &[Fit]) -> EffectFinding {

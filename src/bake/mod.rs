@@ -160,7 +160,7 @@ fn errors(baked: &BakedTable) -> crate::emit::manifest::TableError {
     };
     crate::emit::manifest::TableError {
         integration: baked.errors.integration,
-        quantisation: baked.errors.quantisation,
+        quantisation: baked.errors.quantisation.iter().fold(0.0, |worst, r| r.max.max(worst)),
         lookup: entry(&baked.errors.lookup),
         lookup_8_bit_weights: entry(&baked.errors.lookup_8_bit),
     }

@@ -3,18 +3,21 @@
 use super::BakeError;
 use super::context::Context;
 use super::tables::BakedTable;
-use crate::data::Smith;
-use crate::effects::reflection::{Field as Truth, Fit, Lookup, PointSet, Region, error_map};
+use crate::data::{Serves, Smith};
+use crate::effects::reflection::{Field as Truth, Fit, Judged, Lookup, PointSet, Region, error_map};
 use crate::report::{Field, FitCurve, FurnaceRow, Ruler};
 
 /// Side of the maps' grids.
 const MAP: usize = 64;
 
-/// Roughness of the curves and of the furnace's spheres, as fractions of the range.
+/// Roughness of the curves.
 const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.75, 1.0];
 
-/// Spheres of a furnace row.
-const SPHERES: usize = 9;
+/// Roughness of the furnace's spheres.
+const SPHERES: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
+
+/// Fewest of them that a range must hold; a narrower range is divided evenly instead.
+const FEWEST: usize = 3;
 
 /// Cosines per curve and per sphere.
 const COSINES: usize = 64;
@@ -38,17 +41,12 @@ impl Grid {
 
     /// The grid of the curves.
     pub fn curves(smith: Smith, region: &Region, context: &Context) -> Grid {
-        let [low, high] = region.roughness;
-        let values = CURVES.map(|t| low + (high - low) * t).to_vec();
-        let roughness = Ruler { name: "roughness".into(), values };
-        Grid::new(smith, region, roughness, grazing(region, COSINES), false, context)
+        Grid::new(smith, region, chosen(region, &CURVES), grazing(region, COSINES), false, context)
     }
 
     /// The grid of the furnace.
     pub fn furnace(smith: Smith, region: &Region, context: &Context) -> Grid {
-        let [low, high] = region.roughness;
-        let roughness = Ruler::even("roughness", low.max(0.1 * high), high, SPHERES);
-        Grid::new(smith, region, roughness, grazing(region, COSINES), false, context)
+        Grid::new(smith, region, chosen(region, &SPHERES), grazing(region, COSINES), false, context)
     }
 
     fn new(
@@ -96,15 +94,20 @@ impl Grid {
         Ok(self.field("E N - 1", true, values.iter().zip(&self.truth.e).map(|(n, e)| n * e - 1.0)))
     }
 
-    /// Error of a table's lookup.
-    pub fn lookup_error(&self, baked: &BakedTable) -> Option<Field> {
-        let lookup = Lookup::new(baked.table()?, baked.layout, baked.serves);
-        let name = match baked.serves {
-            crate::data::Serves::Albedo => "lookup error of E",
-            crate::data::Serves::SplitSum => "lookup error of E or B, the larger",
+    /// Errors of a table's lookup: of E, and of B where it holds that.
+    pub fn lookup_errors(&self, baked: &BakedTable) -> Vec<Field> {
+        let Some(table) = baked.table() else { return Vec::new() };
+        let lookup = Lookup::new(table, baked.layout, baked.serves);
+        let map = |name: &str, judged| {
+            let values = error_map(&lookup, judged, &self.points, &self.truth);
+            self.field(name, true, values.into_iter())
         };
-        let values = error_map(&lookup, baked.serves, &self.points, &self.truth);
-        Some(self.field(name, true, values.into_iter()))
+        match baked.serves {
+            Serves::Albedo => vec![map("lookup error of E", Judged::E)],
+            Serves::SplitSum => {
+                vec![map("lookup error of E", Judged::E), map("lookup error of B", Judged::B)]
+            }
+        }
     }
 
     /// 1/E and N over mu, one per roughness.
@@ -159,4 +162,15 @@ fn grazing(region: &Region, n: usize) -> Ruler {
         low + (high - low) * t * t
     };
     Ruler { name: "mu".into(), values: (0..n).map(at).collect() }
+}
+
+/// The wanted roughnesses that lie in the region, or an even division of a range that holds too few.
+fn chosen(region: &Region, wanted: &[f64]) -> Ruler {
+    let [low, high] = region.roughness;
+    let values: Vec<f64> = wanted.iter().copied().filter(|r| (low..=high).contains(r)).collect();
+    if values.len() < FEWEST {
+        Ruler::even("roughness", low, high, 5)
+    } else {
+        Ruler { name: "roughness".into(), values }
+    }
 }

@@ -134,9 +134,13 @@ fn spec(job: &TableJob, region: Region, size: [usize; 2]) -> TableSpec {
 }
 
 fn finish(job: &TableJob, region: Region, table: &Table, mut errors: Errors) -> BakedTable {
-    errors.lookup.max = round_up(errors.lookup.max, 4);
-    errors.lookup_8_bit.max = round_up(errors.lookup_8_bit.max, 4);
-    errors.quantisation = round_up(errors.quantisation, 4);
+    let lookups = [&mut errors.lookup, &mut errors.lookup_8_bit, &mut errors.lookup_e];
+    for lookup in lookups.into_iter().chain(&mut errors.lookup_b) {
+        lookup.max = round_up(lookup.max, 4);
+    }
+    for rounding in &mut errors.quantisation {
+        rounding.max = round_up(rounding.max, 4);
+    }
     let certificate = Certificate {
         max_abs: errors.lookup.max,
         max_rel: round_up(errors.lookup.max_rel, 4),

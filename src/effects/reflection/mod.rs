@@ -18,7 +18,7 @@ pub use decode::{decode, lookup_ops};
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Fit, FitSpec, FitStageError, fit_all};
 pub use lookup::{Lookup, Split};
-pub use measure::{Errors, LookupError, error_map, measure};
+pub use measure::{Errors, Judged, LookupError, Rounding, error_map, measure};
 pub use points::{PointSet, certification};
 pub use region::Region;
 pub use table::{TableSpec, build};

@@ -26,6 +26,8 @@ pub struct TableFinding {
     pub bytes: u64,
     /// Channels in the order of the file.
     pub channels: Vec<ChannelFinding>,
+    /// Errors told apart, in the order of the page: what each is of, and its size.
+    pub errors: Vec<(String, ErrorFigure)>,
     /// Signed error of the lookup of the quantised texels, over physical inputs: one map per looked-up value.
     pub lookup_error: Vec<Field>,
 }
@@ -38,12 +40,6 @@ pub struct ChannelFinding {
     /// Texels as stored, row by row, first row at the top; for the picture only, the file holds them.
     #[serde(skip)]
     pub texels: Vec<f64>,
-    /// Error of the values before they were stored.
-    pub integration: ErrorFigure,
-    /// Error made by the texel format.
-    pub quantisation: ErrorFigure,
-    /// Error of the bilinear lookup of the quantised texels, off the grid.
-    pub lookup: ErrorFigure,
 }
 
 /// Size of an error and where it is largest.
@@ -51,8 +47,9 @@ pub struct ChannelFinding {
 pub struct ErrorFigure {
     /// Largest magnitude.
     pub max: f64,
-    /// Root of the mean square.
-    pub rms: f64,
+    /// Root of the mean square; none for a bound.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rms: Option<f64>,
     /// Where the largest is.
     pub at: Place,
 }

@@ -4,11 +4,11 @@ use super::{figures, words};
 use crate::data::Axis;
 use crate::report::numbers::{brief, grouped};
 use crate::report::{
-    Block, ChannelFinding, Field, Findings, HeatMap, ReportError, Ruler, Section, TableFinding, check,
+    Block, ChannelFinding, ErrorFigure, Field, Findings, HeatMap, ReportError, Ruler, Section, TableFinding,
+    check,
 };
 
-const COLUMNS: [(&str, bool); 5] =
-    [("channel", false), ("error of", false), ("max", true), ("RMS", true), ("where", false)];
+const COLUMNS: [(&str, bool); 4] = [("error of", false), ("max", true), ("RMS", true), ("where", false)];
 
 /// The truths over their inputs.
 pub(super) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError> {
@@ -128,20 +128,15 @@ fn facts(table: &TableFinding) -> Vec<(String, String)> {
 }
 
 fn errors_of(table: &TableFinding) -> crate::report::TextTable {
-    let mut rows = Vec::new();
-    for c in &table.channels {
-        for (what, figure) in
-            [("integration", &c.integration), ("quantisation", &c.quantisation), ("lookup", &c.lookup)]
-        {
-            rows.push(vec![
-                c.name.clone(),
-                what.into(),
-                words::max(figure.max),
-                words::mean(figure.rms),
-                words::place(&figure.at),
-            ]);
-        }
-    }
+    let row = |(what, figure): &(String, ErrorFigure)| {
+        vec![
+            what.clone(),
+            words::max(figure.max),
+            figure.rms.map_or_else(|| "–".into(), words::mean),
+            words::place(&figure.at),
+        ]
+    };
+    let rows = table.errors.iter().map(row).collect();
     words::table(
         &COLUMNS,
         rows,
