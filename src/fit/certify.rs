@@ -37,13 +37,29 @@ pub fn measure(
     scale: &[f64],
     target: &[f64],
 ) -> Result<Measured, FitError> {
+    Ok(measure_first(tape, coefficients, inputs, scale, target, target.len())?.0)
+}
+
+/// [`measure`] over all points and over the `first` of them, from one evaluation: where the others are there to find the
+/// largest error and would spoil a mean.
+///
+/// # Errors
+/// As [`measure`]; `first` is 0.
+pub fn measure_first(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    scale: &[f64],
+    target: &[f64],
+    first: usize,
+) -> Result<(Measured, Measured), FitError> {
     let points = tape.check_shape(inputs, coefficients)?;
     let shape = |what: &str, found, expected| FitError::Shape {
         what: format!("{}: {what}", tape.function()),
         found,
         expected,
     };
-    if points == 0 {
+    if points == 0 || first == 0 {
         return Err(shape("points to measure at", 0, 1));
     }
     for (name, column) in [("scale", scale), ("target", target)] {
@@ -64,7 +80,8 @@ pub fn measure(
         let value = finite("value in f32", i, f64::from(*value))?;
         errors.push(finite("scale", i, scale[i])? * value - finite("target", i, target[i])?);
     }
-    Ok(summarise(&errors, target))
+    let first = first.min(points);
+    Ok((summarise(&errors, target), summarise(&errors[..first], &target[..first])))
 }
 
 fn summarise(errors: &[f64], target: &[f64]) -> Measured {

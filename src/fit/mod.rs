@@ -15,7 +15,7 @@ mod solve;
 mod tape;
 pub mod texels;
 
-pub use certify::{Measured, measure, round_up};
+pub use certify::{Measured, measure, measure_first, round_up};
 pub use domain::{Domain, DomainAxis};
 pub use error::{FitError, Place};
 pub use hypothesis::{

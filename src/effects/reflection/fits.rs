@@ -9,8 +9,8 @@ use crate::data::{
     AlphaMap, Approximation, Certificate, Cost, Form, Formula, Norm, Place, Smith, Source, Use,
 };
 use crate::fit::{
-    Domain, FitError, Hypothesis, Measured, Options, Termination, measure, optimise, prove_regular,
-    round_to_f32, round_up,
+    Domain, FitError, Hypothesis, Options, Termination, measure_first, optimise, prove_regular, round_to_f32,
+    round_up,
 };
 use crate::integrate::IntegrateError;
 
@@ -272,12 +272,10 @@ fn certified(
 ) -> Result<Approximation, FitStageError> {
     let coefficients: Vec<f32> = form.coefficients.iter().map(|(_, value)| *value).collect();
     let points = data.points();
-    let over = |count: usize| -> Result<Measured, FitError> {
-        let inputs = data.inputs(hypothesis.inputs(), count);
-        let (scale, target) = data.truth(count);
-        measure(hypothesis.tape(), &coefficients, &inputs, scale, target)
-    };
-    let (all, uniform) = (over(points.len())?, over(points.uniform)?);
+    let (scale, target) = data.truth();
+    let inputs: Vec<Vec<f32>> = hypothesis.inputs().iter().map(|name| points.column(name)).collect();
+    let (all, uniform) =
+        measure_first(hypothesis.tape(), &coefficients, &inputs, scale, target, points.uniform)?;
     let place = points.place(all.worst);
     let at: Place =
         data.places(hypothesis.inputs()).into_iter().map(|n| (n.clone(), place_value(&place, &n))).collect();

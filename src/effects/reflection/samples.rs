@@ -22,12 +22,8 @@ pub(super) trait Data: Sync {
     fn samples(&self, hypothesis: &Hypothesis, norm: Norm) -> Result<Samples, FitError>;
     /// Where it is measured.
     fn points(&self) -> &PointSet;
-    /// Inputs of the first `count` points, by name, in f32.
-    fn inputs(&self, names: &[String], count: usize) -> Vec<Vec<f32>> {
-        names.iter().map(|name| self.points().column(name)[..count].to_vec()).collect()
-    }
-    /// Scale and target of the first `count` points.
-    fn truth(&self, count: usize) -> (&[f64], &[f64]);
+    /// Scale and target at those points.
+    fn truth(&self) -> (&[f64], &[f64]);
     /// Quantity, column and use.
     fn use_of(&self) -> (&'static str, &'static str, Use);
     /// The inputs that a place is told by.
@@ -86,8 +82,8 @@ impl Data for FitData {
         &self.points
     }
 
-    fn truth(&self, count: usize) -> (&[f64], &[f64]) {
-        (&self.truth.e[..count], &self.ones[..count])
+    fn truth(&self) -> (&[f64], &[f64]) {
+        (&self.truth.e, &self.ones)
     }
 
     fn use_of(&self) -> (&'static str, &'static str, Use) {
@@ -188,8 +184,8 @@ impl Data for AverageData {
         &self.points
     }
 
-    fn truth(&self, count: usize) -> (&[f64], &[f64]) {
-        (&self.ones[..count], &self.truth[..count])
+    fn truth(&self) -> (&[f64], &[f64]) {
+        (&self.ones, &self.truth)
     }
 
     fn use_of(&self) -> (&'static str, &'static str, Use) {

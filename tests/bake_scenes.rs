@@ -1,0 +1,114 @@
+//! Only what the scene calls for: by files, by manifest and by the number of truths integrated.
+
+use lobefit::bake::{Baked, Silent, bake};
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use serde_json::Value;
+
+fn baked(materials: &str) -> Baked {
+    let json = format!(r#"{{"schema_version": 1, "name": "test", "materials": [{materials}]}}"#);
+    let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
+    bake(&scene, &plan(&scene), &[], &Silent).expect("a bake")
+}
+
+fn manifest(baked: &Baked) -> Value {
+    serde_json::from_slice(&baked.files["manifest.json"]).expect("a manifest")
+}
+
+fn names(baked: &Baked) -> Vec<&str> {
+    baked.files.keys().map(String::as_str).collect()
+}
+
+const TABLE: &str = r#"{"table": {"size": [16, 16], "serves": "albedo"}}"#;
+const FIT: &str = r#"{"fit": {"max_ops": 3, "norms": ["max"]}}"#;
+
+fn metal(roughness: &str, wants: &str) -> String {
+    format!(r#"{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": {roughness}, "wants": {wants}}}"#)
+}
+
+#[test]
+fn smooth_materials_call_for_nothing() {
+    let baked = baked(&metal("0", TABLE));
+    assert_eq!(baked.truths, 0, "nothing is integrated");
+    assert_eq!(names(&baked), ["manifest.json", "reports/figures.json", "reports/index.html"]);
+    let manifest = manifest(&baked);
+    let reflection =
+        manifest["left_out"].as_array().expect("a list").iter().find(|l| l["effect"] == "reflection");
+    let reason = reflection.expect("reflection is left out")["reason"].as_str().expect("a reason");
+    assert!(reason.contains("rough"), "{reason}");
+    let page = String::from_utf8_lossy(&baked.files["reports/index.html"]).into_owned();
+    assert!(page.contains(reason), "the page says why");
+}
+
+#[test]
+fn a_fit_alone_bakes_no_table_and_the_reverse() {
+    let fit = baked(&metal("[0.1, 1]", FIT));
+    assert!(fit.tables.is_empty() && names(&fit).iter().all(|n| !n.starts_with("tables/")));
+    assert!(names(&fit).contains(&"fits/lobefit.wgsl"));
+    let text = String::from_utf8_lossy(&fit.files["fits/lobefit.rs"]).into_owned();
+    assert!(!text.contains("_lookup") && !text.contains("ggx_norm_q13") && text.contains("ggx_norm_r3p"));
+    assert!(!text.contains("_rms(") && !text.contains("ggx_eavg"), "one norm, no average");
+
+    let table = baked(&metal("[0.1, 1]", TABLE));
+    assert!(table.fits.is_empty() && manifest(&table)["fits"].as_array().expect("a list").is_empty());
+    let text = String::from_utf8_lossy(&table.files["fits/lobefit.rs"]).into_owned();
+    assert!(text.contains("_lookup") && !text.contains("ggx_norm_n1"));
+
+    let wants = format!("{}, {}", &TABLE[..TABLE.len() - 1], &FIT[1..]);
+    let both = baked(&metal("[0.1, 1]", &wants));
+    assert!(fit.truths > 0 && table.truths > 0);
+    assert!(both.truths <= fit.truths + table.truths, "{} {} {}", both.truths, fit.truths, table.truths);
+    assert!(both.truths > fit.truths && both.truths > table.truths);
+    assert!(
+        table.truths < fit.truths / 3,
+        "a table needs no certificate of fits: {} {}",
+        table.truths,
+        fit.truths
+    );
+}
+
+#[test]
+fn a_roughness_range_narrows_table_and_fit() {
+    let wants = format!("{}, {}", &TABLE[..TABLE.len() - 1], &FIT[1..]);
+    let (wide, narrow) = (baked(&metal("[0.02, 1]", &wants)), baked(&metal("[0.4, 0.6]", &wants)));
+    let manifest = manifest(&narrow);
+    assert_eq!(manifest["tables"][0]["axes"][1]["min"], 0.4);
+    assert_eq!(manifest["tables"][0]["axes"][1]["max"], 0.6);
+    let fits = manifest["fits"].as_array().expect("a list");
+    let fit = fits.iter().find(|f| f["name"] == "ggx_norm_r3p").expect("the fit");
+    assert_eq!(fit["certificate"]["domain"]["roughness"], serde_json::json!([0.4, 0.6]));
+    let error = |b: &Baked, name: &str| {
+        b.fits
+            .iter()
+            .find(|f| f.approximation.name == name)
+            .expect("the fit")
+            .approximation
+            .certificate
+            .max_abs
+    };
+    assert!(
+        error(&narrow, "ggx_norm_r3p") < 0.5 * error(&wide, "ggx_norm_r3p"),
+        "less to follow, less error"
+    );
+    assert!(narrow.tables[0].errors.lookup.max < wide.tables[0].errors.lookup.max);
+}
+
+#[test]
+fn an_open_size_is_the_smallest_that_keeps_the_limit() {
+    let wants = |limit: &str| {
+        format!(r#"{{"table": {{"serves": "split-sum", "format": "f32", "max_error": {limit}}}}}"#)
+    };
+    let loose = baked(&metal("[0.1, 1]", &wants("0.01")));
+    let tight = baked(&metal("[0.1, 1]", &wants("0.002")));
+    let size = |b: &Baked| manifest(b)["tables"][0]["axes"][0]["size"].as_u64().expect("a size");
+    assert!(size(&loose) == 16 && size(&tight) > 16, "{} {}", size(&loose), size(&tight));
+    assert!(tight.broken.is_empty() && tight.tables[0].errors.lookup.max <= 0.002);
+}
+
+#[test]
+fn promises_that_are_not_kept_are_told() {
+    let table = baked(&metal("[0.1, 1]", r#"{"table": {"size": [8, 8], "max_error": 1e-6}}"#));
+    assert!(table.broken.len() == 1 && table.broken[0].contains("max_error 0.000001"), "{:?}", table.broken);
+    let fit = baked(&metal("[0.1, 1]", r#"{"fit": {"max_ops": 3, "max_error": 0.001, "norms": ["max"]}}"#));
+    assert!(fit.broken.len() == 1 && fit.broken[0].contains("within 3 operations"), "{:?}", fit.broken);
+}
