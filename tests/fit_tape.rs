@@ -44,6 +44,14 @@ fn cases() -> Vec<(&'static str, ByHand)> {
             },
         ),
         (
+            "let t = true; let f = !t; return select(a, x, f || x < y) * select(b, y, t || x < y)
+                + select(x, y, t && x < y) - select(a, b, f && x < y) + select(x, b, !(t && !(x < y)) || y > 0.875);",
+            |x, y, a, b| {
+                let less = x < y;
+                (if less { x } else { a }) * y + if less { y } else { x } - a + if less || y > 0.875 { b } else { x }
+            },
+        ),
+        (
             "return pow(a - x, 3.0) + pow(b * y, 5.0) + select(a, b * b, x < y && !(y < 0.3));",
             |x, y, a, b| (a - x).powi(3) + (b * y).powi(5) + if x < y && y >= 0.3 { b * b } else { a },
         ),
@@ -69,7 +77,7 @@ fn values_are_those_of_hand_written_rust() {
             let (found, expected) = (tape.at(&[x, y], &[a, b]), by_hand(x, y, a, b));
             assert!(
                 (found - expected).abs() <= 2e-15 * expected.abs().max(1.0),
-                "{body}: {found} {expected}"
+                "{body} at {x} {y} {a} {b}: {found} {expected}"
             );
         }
         // Blocks, partial blocks and parallel tasks give what single points give.

@@ -1,5 +1,7 @@
 //! Proof that a formula has no pole in its domain.
 
+use std::cmp::Ordering;
+
 use super::tape::{BinaryOp, Interval, Node, Op, UnaryOp};
 use super::{Domain, FitError, Tape};
 
@@ -34,10 +36,12 @@ pub fn prove_regular(tape: &Tape, coefficients: &[f64], domain: &Domain) -> Resu
         if let Some(danger) = examine(tape, coefficients, domain, &middle)? {
             return Err(irregular(tape, domain, &middle, &danger));
         }
-        let widths = |region: &[Interval]| -> Result<f64, FitError> {
+        let cone = cone(tape, danger.operand);
+        let widths = |region: &[Interval]| -> Result<Widths, FitError> {
             let inputs = domain.intervals(tape.function(), tape.inputs(), region)?;
-            let x = tape.bounds(&inputs, coefficients)[danger.operand as usize];
-            Ok(x.hi - x.lo)
+            let bounds = tape.bounds(&inputs, coefficients);
+            let width = |node: usize| bounds[node].hi - bounds[node].lo;
+            Ok((width(danger.operand as usize), cone.iter().map(|&node| width(node)).sum()))
         };
         match divide(&region, &whole, widths)? {
             Some((low, high)) if examined < BOXES => pending.extend([high, low]),
@@ -103,17 +107,33 @@ fn middle(x: Interval) -> f64 {
     f64::from((0.5 * (x.lo + x.hi)) as f32)
 }
 
+/// The operations that one is computed from, itself included.
+fn cone(tape: &Tape, node: Node) -> Vec<usize> {
+    let mut inside = vec![false; tape.ops().len()];
+    inside[node as usize] = true;
+    for node in (0..=node as usize).rev() {
+        if inside[node] {
+            tape.ops()[node].operands().for_each(|n| inside[n as usize] = true);
+        }
+    }
+    (0..inside.len()).filter(|&n| inside[n]).collect()
+}
+
+/// Width of the operand in danger, and the sum of the widths of all that it is computed from.
+type Widths = (f64, f64);
+
 /// A box, halved.
 type Halves = (Vec<Interval>, Vec<Interval>);
 
-/// The two halves of a box along the axis that bounds the operand in danger best; of equal ones, along the side
+/// The two halves of a box along the axis that bounds the operand in danger best; where that is equal (the operand
+/// is clamped, or without bounds), along the one that bounds best what it is computed from; then along the side
 /// that is longest against its distance from 0. None if the box is as small as boxes get.
 fn divide(
     region: &[Interval],
     whole: &[Interval],
-    width: impl Fn(&[Interval]) -> Result<f64, FitError>,
+    widths: impl Fn(&[Interval]) -> Result<Widths, FitError>,
 ) -> Result<Option<Halves>, FitError> {
-    let mut best: Option<(f64, f64, Halves)> = None;
+    let mut best: Option<([f64; 3], Halves)> = None;
     for axis in 0..region.len() {
         let (x, all) = (region[axis], whole[axis]);
         let side = x.hi - x.lo;
@@ -122,13 +142,13 @@ fn divide(
             continue;
         }
         let (low, high) = halves(region, axis);
-        let left = width(&low)?.max(width(&high)?);
-        let length = side / x.lo.abs().max(x.hi.abs());
-        if best.as_ref().is_none_or(|(l, k, _)| left < *l || (left == *l && length > *k)) {
-            best = Some((left, length, (low, high)));
+        let (left, right) = (widths(&low)?, widths(&high)?);
+        let score = [left.0.max(right.0), left.1.max(right.1), -side / x.lo.abs().max(x.hi.abs())];
+        if best.as_ref().is_none_or(|(known, _)| score.partial_cmp(known) == Some(Ordering::Less)) {
+            best = Some((score, (low, high)));
         }
     }
-    Ok(best.map(|(_, _, halves)| halves))
+    Ok(best.map(|(_, halves)| halves))
 }
 
 fn halves(region: &[Interval], axis: usize) -> Halves {

@@ -21,6 +21,8 @@ pub(super) struct Descent {
     pub gap: f64,
     /// Whether the linear programs found nothing more to gain.
     pub optimal: bool,
+    /// Whether the iterations were used up.
+    pub capped: bool,
     pub evaluations: u64,
 }
 
@@ -36,6 +38,7 @@ pub(super) fn descend(objective: &Objective, start: &[f64], iterations: u64) -> 
         max,
         gap: f64::INFINITY,
         optimal: max == 0.0,
+        capped: false,
         evaluations: 1,
     };
     let mut radius = max;
@@ -66,6 +69,7 @@ pub(super) fn descend(objective: &Objective, start: &[f64], iterations: u64) -> 
         best.evaluations += 1;
         best = Descent { coefficients, max, ..best };
     }
+    best.capped = !best.optimal && steps >= iterations;
     Ok(best)
 }
 

@@ -221,7 +221,7 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
         Termination::RankDeficient { rank } => Termination::RankDeficient { rank },
         Termination::ZeroResidual => Termination::ZeroResidual,
         _ if best.optimal => Termination::Minimax,
-        _ if best.evaluations >= options.iterations => Termination::IterationCap,
+        _ if best.capped => Termination::IterationCap,
         _ => Termination::Stalled,
     };
     finish(objective, best.coefficients, termination, evaluations, best.gap)

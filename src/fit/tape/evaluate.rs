@@ -40,7 +40,10 @@ impl<R: Real> Workspace<R> {
 }
 
 impl Tape {
-    /// Value at one point: inputs and coefficients in order, as many as the tape has.
+    /// Value at one point: inputs and coefficients in order.
+    ///
+    /// # Panics
+    /// Fewer inputs or coefficients than the tape has; [`Tape::evaluate`] checks instead.
     pub fn at<R: Real>(&self, inputs: &[R], coefficients: &[R]) -> R {
         let mut values: Vec<R> = Vec::with_capacity(self.ops.len());
         for op in &self.ops {
