@@ -86,10 +86,8 @@ fn a_roughness_range_narrows_table_and_fit() {
             .certificate
             .max_abs
     };
-    assert!(
-        error(&narrow, "ggx_norm_r3p") < 0.5 * error(&wide, "ggx_norm_r3p"),
-        "less to follow, less error"
-    );
+    let (less, more) = (error(&narrow, "ggx_norm_r3p"), error(&wide, "ggx_norm_r3p"));
+    assert!(less < 0.8 * more, "less to follow, less error: {less} {more}");
     assert!(narrow.tables[0].errors.lookup.max < wide.tables[0].errors.lookup.max);
 }
 

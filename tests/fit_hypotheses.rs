@@ -15,8 +15,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Rivals as published: A and B both computed where E is
 /// their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 28] = [
-    ("ggx_norm_q13_f0", 14),
+const COSTS: [(&str, u32); 27] = [
     ("ggx_norm_r1", 1),
     ("ggx_norm_r2", 2),
     ("ggx_norm_n1", 3),

@@ -45,7 +45,7 @@ fn texels(file: &str, expected: &Decoded, found: &Decoded, format: TexelFormat) 
             count += 1;
             let gap = (a - b).abs();
             // NaN is the largest difference there is.
-            if !(gap <= difference.max_abs.unwrap_or(0.0)) {
+            if gap.is_nan() || gap > difference.max_abs.unwrap_or(0.0) {
                 let place = format!(
                     "channel {}, column {}, row {}",
                     want.name,

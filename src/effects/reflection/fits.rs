@@ -156,9 +156,9 @@ fn check_inputs(hypothesis: &Hypothesis) -> Result<(), FitStageError> {
 /// In parallel, results in order.
 fn each<T: Sync>(
     jobs: &[T],
-    f: impl Fn(&T) -> Result<Fit, FitStageError> + Sync,
+    f: impl Fn(&T) -> Result<Fit, FitStageError> + Sync + Send,
 ) -> Result<Vec<Fit>, FitStageError> {
-    let results: Vec<Result<Fit, FitStageError>> = jobs.par_iter().map(|job| f(job)).collect();
+    let results: Vec<Result<Fit, FitStageError>> = jobs.par_iter().map(f).collect();
     results.into_iter().collect()
 }
 
