@@ -1,0 +1,90 @@
+//! `lobefit check` on the committed files: they follow from their recipe, and a planted change is found and named.
+
+mod common;
+
+use std::path::Path;
+
+use common::{lobefit, stderr};
+use lobefit::emit::exr;
+
+/// The committed bake, copied to a folder of its own.
+fn copy() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    std::fs::copy(root.join("manifest.json"), folder.path().join("manifest.json")).expect("a manifest");
+    for sub in ["tables", "fits", "reports"] {
+        std::fs::create_dir(folder.path().join(sub)).expect("a folder");
+        for entry in std::fs::read_dir(root.join(sub)).expect("committed files") {
+            let entry = entry.expect("an entry");
+            if entry.file_type().expect("a type").is_file() {
+                std::fs::copy(entry.path(), folder.path().join(sub).join(entry.file_name())).expect("a copy");
+            }
+        }
+    }
+    folder
+}
+
+fn check(folder: &Path, options: &[&str]) -> (i32, String) {
+    let output = lobefit(folder, &[&["check"], options].concat(), b"");
+    assert_eq!(stderr(&output), "");
+    let text = String::from_utf8(output.stdout).expect("text");
+    (output.status.code().expect("a code"), text)
+}
+
+/// Flips the last bit of the last texel: with uncompressed scan lines it ends the file.
+fn flip_last_texel(path: &Path) {
+    let mut bytes = std::fs::read(path).expect("an image");
+    let last = bytes.len() - 2;
+    bytes[last] ^= 1;
+    exr::decode(&bytes).expect("still an image");
+    std::fs::write(path, bytes).expect("written");
+}
+
+#[test]
+fn the_committed_files_follow_from_their_recipe() {
+    let (code, text) = check(Path::new(env!("CARGO_MANIFEST_DIR")), &[]);
+    assert_eq!(code, 0, "{text}");
+    assert!(text.contains("follow from their recipe"), "{text}");
+}
+
+#[test]
+fn planted_changes_are_found_and_named() {
+    let folder = copy();
+    let at = |name: &str| folder.path().join(name);
+    flip_last_texel(&at("tables/ggx-dfg-correlated-32x32.exr"));
+    let rust = std::fs::read_to_string(at("fits/lobefit.rs")).expect("text");
+    let changed = rust.replacen("1.0 + 2.5", "1.0 + 2.6", 1);
+    assert_ne!(rust, changed, "the refitted constant of the source's form begins with 2.5");
+    std::fs::write(at("fits/lobefit.rs"), changed).expect("written");
+    std::fs::remove_file(at("fits/lobefit.wgsl")).expect("removed");
+    std::fs::write(at("tables/stale.exr"), b"old").expect("written");
+    std::fs::write(at("reports/timings.json"), b"measured").expect("written");
+    let (code, text) = check(folder.path(), &[]);
+    assert_eq!(code, 1, "{text}");
+    for words in [
+        "tables/ggx-dfg-correlated-32x32.exr: channel loss, column 31, row 31",
+        "max ulp 1",
+        "promise broken: lookup error",
+        "fits/lobefit.rs: line ",
+        "max abs difference 9.99",
+        "fits/lobefit.wgsl: missing",
+        "tables/stale.exr: extra",
+        "4 of 7 files",
+    ] {
+        assert!(text.contains(words), "`{words}` in\n{text}");
+    }
+    assert!(!text.contains("timings"), "{text}");
+}
+
+#[test]
+fn values_within_a_tolerance_pass_if_asked_for() {
+    let folder = copy();
+    flip_last_texel(&folder.path().join("tables/ggx-dfg-correlated-32x32.exr"));
+    let (code, text) = check(folder.path(), &["--values", "1e-3", "--json"]);
+    assert_eq!(code, 0, "{text}");
+    let (code, text) = check(folder.path(), &["--values", "1e-9", "--json"]);
+    assert_eq!(code, 1, "{text}");
+    let verdict: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(verdict["differences"][0]["at"], "channel loss, column 31, row 31");
+    assert_eq!(verdict["differences"][0]["max_ulp"], 1);
+}
