@@ -512,16 +512,6 @@ pub fn ggx_norm_q15_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
     1.0 + f0 * (ggx_norm_q15(alpha, mu) - 1.0)
 }
 
-/// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
-///
-/// ggx-reflection E, smith correlated; 22 operations; constants fitted for the smallest max error
-/// error (furnace error |E N - 1| at f0 = 1; no larger, relative to 1 + f0 (1/E - 1), at any other f0): max 0.01006, rms 0.005233, mean 0.002683
-///   worst at alpha = 0.011417048, f0 = 1, mu = 0.010000001, roughness = 0.10685059; measured at 1597446 points in f32
-///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
-pub fn ggx_norm_q20_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_q20(alpha, mu) - 1.0)
-}
-
 /// Cosine-weighted mean over directions of the GGX reflection albedo (height-correlated Smith), E_avg.
 /// Five operations: odd powers of roughness are the basis that its loss calls for.
 /// Exactly 1 for a mirror; holds for roughness in [0, 1].

@@ -12,7 +12,7 @@ mod tables;
 
 pub use compare::{Difference, compare};
 pub use context::{Progress, Silent};
-pub use recipe::{TOOL, UserHypothesis, recipe};
+pub use recipe::{UserHypothesis, recipe};
 
 use crate::data::TableError;
 use crate::effects::reflection::{Counter, Fit, FitStageError};

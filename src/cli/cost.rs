@@ -9,7 +9,7 @@ use super::options::{SceneOption, ThreadsOption};
 use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{BakeError, Progress, TOOL, bake, recipe};
+use crate::bake::{BakeError, Progress, bake, recipe};
 use crate::plan;
 use crate::report::{self, Origin};
 use crate::store::{self, Files, Folder};
@@ -70,7 +70,7 @@ fn origin(input: &Input) -> Result<Origin, CliError> {
     Ok(Origin {
         scene: input.scene.name.clone(),
         recipe: recipe(&input.scene, &input.hypotheses)?.hash,
-        tool: TOOL.into(),
+        tool: env!("CARGO_PKG_VERSION").into(),
         command: "lobefit cost".into(),
     })
 }

@@ -29,12 +29,12 @@ const FLOOR: f64 = 1e-16;
 /// Measures the integrators at the study's points, and every formula and table of a bake.
 pub fn timings(smith: Smith, baked: &Baked, origin: Origin, device: String) -> Result<Timings, BakeError> {
     let points = POINTS.into_iter().map(|(name, alpha, mu)| point(smith, name, alpha, mu));
-    Ok(Timings {
-        origin,
-        device,
-        points: points.collect::<Result<_, IntegrateError>>()?,
-        evaluations: evaluations(baked)?,
-    })
+    let points = points.collect::<Result<_, IntegrateError>>()?;
+    // One thread: a time per evaluation is that of one core.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
+    let evaluations = pool.install(|| evaluations(baked))?;
+    Ok(Timings { origin, device, points, evaluations })
 }
 
 /// Median seconds of one execution.
@@ -76,24 +76,29 @@ fn point(smith: Smith, name: &str, alpha: f64, mu: f64) -> Result<TimedPoint, In
         }
         series.push(one);
     }
-    series.push(quadrature(smith, alpha, mu, truth));
+    series.extend(quadrature(smith, alpha, mu, truth));
     Ok(TimedPoint { name: name.into(), alpha, mu, series })
 }
 
-fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> TimedSeries {
-    let mut one = TimedSeries { name: "quadrature".into(), seconds: Vec::new(), error: Vec::new() };
-    let mut add = |rule: &PanelRule, graded: bool| {
-        let value = albedo_work(smith, alpha, mu, rule, graded).value;
-        one.error.push((value - truth).abs().max(FLOOR));
-        one.seconds.push(seconds(|| {
-            black_box(albedo_work(smith, black_box(alpha), mu, rule, graded));
-        }));
+/// The rules of the study: few nodes over the whole range, and the graded panels of the product.
+fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [TimedSeries; 2] {
+    let timed = |name: &str, rules: &[PanelRule], graded: bool| {
+        let mut one = TimedSeries { name: name.into(), seconds: Vec::new(), error: Vec::new() };
+        for rule in rules {
+            let value = albedo_work(smith, alpha, mu, rule, graded).value;
+            one.error.push((value - truth).abs().max(FLOOR));
+            one.seconds.push(seconds(|| {
+                black_box(albedo_work(smith, black_box(alpha), mu, rule, graded));
+            }));
+        }
+        one
     };
-    add(&PanelRule::new(8), false);
-    add(&PanelRule::new(16), false);
-    add(&Effort::ladder()[0].outer, true);
-    add(&Effort::ladder()[1].outer, true);
-    one
+    let whole = [8, 16, 24, 32].map(PanelRule::new);
+    let graded = [0, 1].map(|i| Effort::ladder()[i].outer.clone());
+    [
+        timed("quadrature, one panel", &whole, false),
+        timed("quadrature, graded panels (as shipped)", &graded, true),
+    ]
 }
 
 fn evaluations(baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {

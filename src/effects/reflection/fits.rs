@@ -96,7 +96,7 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<Vec<Fit>, FitStageEr
     let mut fits = each(&jobs, |(hypothesis, norm)| fit_one(spec, hypothesis, *norm, &data))?;
     let saturating: Vec<&Fit> = fits.iter().filter(|f| f.norm() == Norm::Max.name()).collect();
     let saturating = each(&saturating, |fit| saturate(spec, fit, &data))?;
-    fits.extend(saturating);
+    fits.extend(saturating.into_iter().filter(|f| affordable(&f.hypothesis)));
     if spec.average {
         let averages: Vec<Hypothesis> = parse(&AVERAGES)?.into_iter().filter(affordable).collect();
         let data = AverageData::new(spec.smith, &spec.region, counter)?;
@@ -218,7 +218,8 @@ fn published(
         let form = formula(&hypothesis, &[], "published");
         let name = hypothesis.name().to_string();
         let approximation = certified(spec, name, &hypothesis, form, source, data)?;
-        Ok(Fit { approximation, hypothesis, termination: None, emitted, wraps: None })
+        let affordable = spec.max_ops.is_none_or(|most| approximation.cost.ops <= most);
+        Ok(Fit { approximation, hypothesis, termination: None, emitted: emitted && affordable, wraps: None })
     })
 }
 

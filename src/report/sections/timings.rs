@@ -86,7 +86,9 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
     Ok(Section {
         id: "run-time".into(),
         title: "Run time: nanoseconds per evaluation".into(),
-        lead: "Every approximation evaluated on this machine, beside the operations that the model counts."
+        lead: "Every approximation on one core of this machine, beside the operations that the model counts. Formulas run \
+               through the evaluator in blocks of points, tables through a scalar bilinear fetch: compare like with like. \
+               A GPU's times are others."
             .into(),
         blocks,
     })
