@@ -1,0 +1,194 @@
+//! What the tests of emitted files share: one bake of the built-in scene, points of its domain, and the tables that it
+//! emits reading functions for.
+#![allow(dead_code, reason = "each test binary uses its part")]
+
+use std::io::Write;
+use std::sync::OnceLock;
+
+use lobefit::bake::{Baked, Silent, bake};
+use lobefit::data::{AlphaMap, Layout, Serves, Smith, Table, TexelFormat};
+use lobefit::effects::reflection::{
+    Counter, Field, Fit, Lookup, PointSet, Region, Split, TRUTH_ERROR, TableSpec, build, certification,
+    measure,
+};
+use lobefit::emit::lookup::Readable;
+use lobefit::plan::{FitJob, plan};
+use lobefit::scene::Scene;
+
+/// The built-in scene's bake, once per test binary, with the fit that it called for.
+pub fn baked() -> &'static (Baked, FitJob) {
+    static BAKED: OnceLock<(Baked, FitJob)> = OnceLock::new();
+    BAKED.get_or_init(|| {
+        let scene = Scene::built_in().expect("the built-in scene");
+        let plan = plan(&scene);
+        let fit = plan.fit.clone().expect("the built-in scene calls for fits");
+        (bake(&scene, &plan, &[], &Silent).expect("the built-in scene bakes"), fit)
+    })
+}
+
+/// A file of the bake as text.
+pub fn text(path: &str) -> String {
+    let bytes = baked().0.files.get(path).unwrap_or_else(|| panic!("no {path} in the bake"));
+    String::from_utf8(bytes.clone()).expect("UTF-8")
+}
+
+/// The manifest of the bake.
+pub fn manifest() -> serde_json::Value {
+    serde_json::from_str(&text("manifest.json")).expect("JSON")
+}
+
+/// Fits that the manifest lists, in its order, with their function and its arguments.
+pub fn emitted() -> Vec<(&'static Fit, String, Vec<String>)> {
+    let manifest = manifest();
+    let entries = manifest["fits"].as_array().expect("fits[]");
+    let string = |v: &serde_json::Value| v.as_str().expect("a string").to_string();
+    let of = |entry: &serde_json::Value| {
+        let name = string(&entry["name"]);
+        let fit = baked().0.fits.iter().find(|f| f.approximation.name == name);
+        let inputs = entry["inputs"].as_array().expect("inputs").iter().map(string).collect();
+        (fit.unwrap_or_else(|| panic!("no fit {name}")), string(&entry["function"]), inputs)
+    };
+    entries.iter().map(of).collect()
+}
+
+/// At least 65,536 points, the edges and corners of a region among them: its certification points.
+const LOG2_POINTS: u32 = 15;
+
+/// Inputs of the emitted functions at every point: roughness, alpha, mu and f0.
+#[derive(Clone)]
+pub struct Points {
+    pub set: PointSet,
+    pub f0: Vec<f32>,
+}
+
+impl Points {
+    pub fn of(region: &Region) -> Points {
+        let set = certification(region, LOG2_POINTS);
+        assert!(set.len() >= 65_536, "{} points", set.len());
+        // 0, 1 and 15 values between, changing from point to point
+        let f0 = (0..set.len()).map(|i| (i * 5 % 17) as f32 / 16.0).collect();
+        Points { set, f0 }
+    }
+
+    /// The region that the fits hold in.
+    pub fn of_fits() -> Points {
+        let job = &baked().1;
+        Points::of(&Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map })
+    }
+
+    pub fn len(&self) -> usize {
+        self.set.len()
+    }
+
+    /// A column of inputs by name.
+    pub fn column(&self, name: &str) -> &[f32] {
+        match name {
+            "roughness" => &self.set.roughness,
+            "alpha" => &self.set.alpha,
+            "mu" => &self.set.mu,
+            "f0" => &self.f0,
+            other => panic!("no input {other}"),
+        }
+    }
+
+    /// roughness, alpha, mu, f0 of every point, one after another.
+    pub fn bytes(&self) -> Vec<u8> {
+        let point = |i: usize| [self.set.roughness[i], self.set.alpha[i], self.set.mu[i], self.f0[i]];
+        (0..self.len()).flat_map(point).flat_map(f32::to_le_bytes).collect()
+    }
+
+    /// A fit's value at every point, in f32.
+    pub fn values(&self, fit: &Fit, inputs: &[String]) -> Vec<f32> {
+        let columns: Vec<Vec<f32>> = inputs.iter().map(|name| self.column(name).to_vec()).collect();
+        fit.hypothesis.tape().evaluate(&columns, &fit.coefficients()).expect("as many inputs as the tape has")
+    }
+}
+
+/// A quantised table with what its emitted functions need, and its certified error.
+pub struct Looked {
+    pub table: Table,
+    pub layout: Layout,
+    pub serves: Serves,
+    pub region: Region,
+    /// Largest error with f32 weights and with 8-bit weights.
+    pub certified: [f64; 2],
+}
+
+impl Looked {
+    pub fn readable(&self) -> Readable<'_> {
+        Readable { table: &self.table, layout: self.layout, serves: self.serves, header: &[] }
+    }
+
+    pub fn lookup(&self) -> Lookup<'_> {
+        Lookup::new(&self.table, self.layout, self.serves)
+    }
+
+    /// Whether E, A and B are, to the bit, what the emitted code returns where a lookup gives E and B: A is E - B where the
+    /// texel holds E, else E is the sum A + B of what it holds.
+    pub fn agrees(&self, [e, a, b]: [f32; 3], expected: Split) -> bool {
+        let third = match self.layout {
+            Layout::Homogeneous => a.to_bits() == (e - b).to_bits(),
+            _ => (a + b).to_bits() == e.to_bits(),
+        };
+        third && e.to_bits() == expected.e.to_bits() && b.to_bits() == expected.b.to_bits()
+    }
+}
+
+/// The tables of the bake.
+pub fn baked_tables() -> Vec<Looked> {
+    let tables = baked().0.tables.iter().map(|b| Looked {
+        table: b.table().expect("a table").clone(),
+        layout: b.layout,
+        serves: b.serves,
+        region: b.region,
+        certified: [b.errors.lookup.max, b.errors.lookup_8_bit.max],
+    });
+    tables.collect()
+}
+
+/// Small tables of the layouts and uses that the built-in scene does not call for, which have emitted functions of their own.
+pub fn other_tables() -> Vec<Looked> {
+    let mut tables = Vec::new();
+    for layout in [Layout::Plain, Layout::PlainSquared] {
+        for serves in [Serves::Albedo, Serves::SplitSum] {
+            tables.push(other(layout, serves, [12, 7]));
+        }
+    }
+    tables
+}
+
+fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
+    let alpha_map = AlphaMap::RoughnessSquared;
+    let region = Region { roughness: [0.02, 1.0], mu: [0.001, 1.0], alpha_map };
+    let spec = TableSpec {
+        name: format!("other-{}-{}", layout.name(), serves.name()),
+        smith: Smith::Correlated,
+        alpha_map,
+        size,
+        format: TexelFormat::F16,
+        layout,
+        serves,
+        region,
+    };
+    let table = build(&spec, &Counter::default()).expect("a table").quantised();
+    let points = certification(&region, LOG2_POINTS);
+    let truth = Field::split(spec.smith, &points, &Counter::default());
+    let errors = measure(&table, layout, serves, &points, &truth);
+    Looked { table, layout, serves, region, certified: [errors.lookup.max, errors.lookup_8_bit.max] }
+}
+
+/// The largest error of the truth that tables are judged by.
+pub const TRUTH: f64 = TRUTH_ERROR;
+
+/// Says on standard error, past the test harness's capture, what was measured.
+pub fn say(line: &str) {
+    // Nothing depends on the message.
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// A tool or device is not there: the test is skipped and says so, or fails where LOBEFIT_REQUIRE_TOOLS=1 asks for it.
+pub fn missing(what: &str, install: &str) {
+    let required = std::env::var("LOBEFIT_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
+    assert!(!required, "{what}; LOBEFIT_REQUIRE_TOOLS=1 asks for it: install {install}");
+    say(&format!("skipped: {what}; to run it, install {install}"));
+}

@@ -1,0 +1,238 @@
+//! The emitted files in the hands of others: naga reads the WGSL, rustc compiles and runs the Rust, OpenEXR reads the tables.
+
+mod emit_support;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use emit_support::{
+    Looked, Points, baked, baked_tables, emitted, manifest, missing, other_tables, say, text,
+};
+use lobefit::data::Serves;
+use lobefit::effects::reflection::Fit;
+use lobefit::emit::lookup::RUST_HELPERS;
+
+#[test]
+fn naga_validates_the_whole_wgsl_file_and_finds_the_functions_of_the_manifest() {
+    let source = text("fits/lobefit.wgsl");
+    let module = naga::front::wgsl::parse_str(&source)
+        .unwrap_or_else(|e| panic!("{}", e.emit_to_string_with_path(&source, "fits/lobefit.wgsl")));
+    let flags = naga::valid::ValidationFlags::all();
+    naga::valid::Validator::new(flags, naga::valid::Capabilities::empty())
+        .validate(&module)
+        .unwrap_or_else(|e| panic!("{}", e.emit_to_string_with_path(&source, "fits/lobefit.wgsl")));
+    let f32 = |ty: naga::Handle<naga::Type>| module.types[ty].inner.scalar() == Some(naga::Scalar::F32);
+    let all = emitted();
+    assert!(all.len() > 30, "{} functions", all.len());
+    for (_, name, inputs) in all {
+        let named = |f: &&naga::Function| f.name.as_deref() == Some(&name);
+        let function = module.functions.iter().map(|(_, f)| f).find(named);
+        let function = function.unwrap_or_else(|| panic!("no {name}"));
+        let arguments: Vec<&str> =
+            function.arguments.iter().map(|a| a.name.as_deref().unwrap_or_default()).collect();
+        assert_eq!(arguments, inputs, "{name}");
+        assert!(function.arguments.iter().all(|a| f32(a.ty)), "{name}: f32 arguments");
+        assert!(function.result.as_ref().is_some_and(|r| f32(r.ty)), "{name}: f32 result");
+    }
+}
+
+fn rustc(arguments: &[&str], source: &Path, out: &Path) {
+    let compiler = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
+    let result =
+        Command::new(compiler).args(arguments).arg("-o").arg(out).arg(source).output().expect("rustc runs");
+    assert!(result.status.success(), "{}", String::from_utf8_lossy(&result.stderr));
+}
+
+#[test]
+fn rustc_compiles_the_rust_file_alone_without_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("lobefit.rs");
+    fs::write(&source, text("fits/lobefit.rs")).unwrap();
+    for edition in ["2021", "2024"] {
+        rustc(
+            &["--crate-type", "lib", "--edition", edition, "-D", "warnings", "-W", "missing-docs"],
+            &source,
+            &folder.path().join("liblobefit.rlib"),
+        );
+    }
+}
+
+/// Compiles a program about `lobefit.rs`, whose `main` reads the points of the file that its first argument names and
+/// writes f32 values to that of its second; returns these.
+fn run(include: &str, body: &str, points: &[u8]) -> Vec<f32> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("lobefit.rs"), include).unwrap();
+    fs::write(path("points"), points).unwrap();
+    let source = format!(
+        "mod lobefit;
+fn main() {{
+    let arguments: Vec<String> = std::env::args().collect();
+    let bytes = std::fs::read(&arguments[1]).unwrap();
+    let numbers: Vec<f32> =
+        bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect();
+    let points: Vec<[f32; 4]> = numbers.chunks_exact(4).map(|p| p.try_into().unwrap()).collect();
+    let mut out: Vec<f32> = Vec::new();
+{body}    std::fs::write(&arguments[2], out.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>()).unwrap();
+}}
+"
+    );
+    fs::write(path("main.rs"), source).unwrap();
+    rustc(&["-O", "--edition", "2021"], &path("main.rs"), &path("harness"));
+    let status = Command::new(path("harness")).arg(path("points")).arg(path("values")).status().unwrap();
+    assert!(status.success(), "{status}");
+    let bytes = fs::read(path("values")).unwrap();
+    bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect()
+}
+
+#[test]
+fn the_rust_functions_return_the_bits_that_were_certified() {
+    let (points, functions) = (Points::of_fits(), emitted());
+    let body: String = functions
+        .iter()
+        .map(|(_, name, inputs)| {
+            let inputs = inputs.join(", ");
+            format!(
+                "    for &[roughness, alpha, mu, f0] in &points {{\n        let _ = (roughness, alpha, mu, f0);\n        \
+                 out.push(lobefit::{name}({inputs}));\n    }}\n"
+            )
+        })
+        .collect();
+    let found = run(&text("fits/lobefit.rs"), &body, &points.bytes());
+    assert_eq!(found.len(), functions.len() * points.len());
+    for ((fit, name, inputs), found) in functions.iter().zip(found.chunks_exact(points.len())) {
+        same_bits(name, &points, &points.values(fit, inputs), found);
+        certified_values(fit, &points, inputs);
+    }
+    say(&format!("rust: {} functions, {} points each, every bit the same", functions.len(), points.len()));
+}
+
+fn same_bits(name: &str, points: &Points, expected: &[f32], found: &[f32]) {
+    for (i, (a, b)) in expected.iter().zip(found).enumerate() {
+        let place = || format!("{name} at {:?}, f0 {}", points.set.place(i), points.f0[i]);
+        assert!(a.is_finite() && a.to_bits() == b.to_bits(), "{}: {a:?}, as emitted {b:?}", place());
+    }
+}
+
+/// `Fit::values`, which certificates and pictures are made with, is what was compared, but for its f0 = 1.
+fn certified_values(fit: &Fit, points: &Points, inputs: &[String]) {
+    let ones = Points { set: points.set.clone(), f0: vec![1.0; points.len()] };
+    let values = fit.values(&points.set).expect("values");
+    assert!(values == ones.values(fit, inputs), "{}", fit.approximation.name);
+}
+
+/// Looks a table up with the emitted Rust at every point; its texels are given as the EXR holds them, and compared to the bit.
+fn look_up(include: &str, table: &Looked) {
+    let (name, points) = (table.readable().identifier(), Points::of(&table.region));
+    let channel = |c: usize| table.table.channels[c].texels.iter().map(|t| *t as f32).collect::<Vec<f32>>();
+    let split = table.serves == Serves::SplitSum;
+    let (texels, push) = if split {
+        let texels: Vec<[f32; 2]> =
+            channel(0).into_iter().zip(channel(1)).map(|(first, second)| [first, second]).collect();
+        (format!("&{texels:?}"), "out.extend(")
+    } else {
+        (format!("&{:?}", channel(0)), "out.push(")
+    };
+    let kind = if split { "[f32; 2]" } else { "f32" };
+    let body = format!(
+        "    let texels: &[{kind}] = {texels};\n    for &[roughness, alpha, mu, _] in &points {{\n        \
+         {push}lobefit::{name}_lookup(texels, roughness, alpha, mu));\n    }}\n"
+    );
+    let found = run(include, &body, &points.bytes());
+    let width = if split { 3 } else { 1 };
+    assert_eq!(found.len(), width * points.len());
+    let lookup = table.lookup();
+    for (i, found) in found.chunks_exact(width).enumerate() {
+        let (roughness, alpha, mu) = (points.set.roughness[i], points.set.alpha[i], points.set.mu[i]);
+        let expected = lookup.at(roughness, alpha, mu);
+        let same = match found {
+            [e, a, b] => table.agrees([*e, *a, *b], expected),
+            _ => found[0].to_bits() == expected.e.to_bits(),
+        };
+        assert!(same, "{name} at {:?}: {expected:?}, as emitted {found:?}", points.set.place(i));
+    }
+    say(&format!("rust: {name}_lookup, {} points, every bit the same", points.len()));
+}
+
+#[test]
+fn the_rust_lookups_return_the_bits_that_were_certified() {
+    let baked = baked_tables();
+    assert!(!baked.is_empty());
+    for table in baked {
+        look_up(&text("fits/lobefit.rs"), &table);
+    }
+    for table in other_tables() {
+        let mut readable = table.readable();
+        let header = ["A table.".to_string()];
+        readable.header = &header;
+        look_up(&format!("{}\n{RUST_HELPERS}", readable.rust()), &table);
+    }
+}
+
+/// Prints header and channels of the EXR file that its argument names, as JSON: floats in full.
+const READER: &str = r#"
+import json, sys
+try:
+    import OpenEXR
+except ImportError as e:
+    print(e)
+    sys.exit(77)
+with OpenEXR.File(sys.argv[1], separate_channels=True) as image:
+    assert len(image.parts) == 1, image.parts
+    header = image.header()
+    channels = {
+        name: {"type": str(channel.pixels.dtype), "rows": [[float(x) for x in row] for row in channel.pixels]}
+        for name, channel in image.channels().items()
+    }
+    print(json.dumps({"lobefit": header["lobefit"], "name": header["name"], "channels": channels}))
+"#;
+
+/// Exit status of the reader where Python has no OpenEXR.
+const NO_MODULE: i32 = 77;
+
+fn read_exr(path: &Path) -> Option<Output> {
+    let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_string());
+    match Command::new(&python).args(["-c", READER]).arg(path).output() {
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => {
+            missing(&format!("no {python}"), "python3, then pip install OpenEXR numpy");
+            None
+        }
+        Err(e) => panic!("{python}: {e}"),
+        Ok(out) if out.status.code() == Some(NO_MODULE) => {
+            let reason = String::from_utf8_lossy(&out.stdout).trim().to_string();
+            missing(&format!("{python}: {reason}"), "its modules: pip install OpenEXR numpy");
+            None
+        }
+        Ok(out) => Some(out),
+    }
+}
+
+#[test]
+fn openexr_reads_the_texels_and_the_header() {
+    let folder = tempfile::tempdir().unwrap();
+    let manifest = manifest();
+    let tables = baked_tables();
+    for (looked, entry) in tables.iter().zip(manifest["tables"].as_array().unwrap()) {
+        let (table, file) = (&looked.table, entry["file"].as_str().unwrap());
+        let path = folder.path().join("table.exr");
+        fs::write(&path, &baked().0.files[file]).unwrap();
+        let Some(out) = read_exr(&path) else { return };
+        assert!(out.status.success(), "{file}: {}", String::from_utf8_lossy(&out.stderr));
+        let read: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+        assert_eq!(read["name"], table.name.as_str());
+        let header = read["lobefit"].as_str().unwrap();
+        assert!(header.contains("lobefit bake") && header.contains("max"), "{header}");
+        let channels = read["channels"].as_object().unwrap();
+        assert_eq!(channels.len(), table.channels.len(), "{file}");
+        for (channel, name) in table.channels.iter().zip(entry["channels"].as_array().unwrap()) {
+            assert_eq!(name, channel.name.as_str());
+            let found = &channels[&channel.name];
+            assert_eq!(found["type"], "float16", "{file} {name}");
+            let rows: Vec<Vec<f64>> = serde_json::from_value(found["rows"].clone()).unwrap();
+            assert_eq!((rows.len(), rows[0].len()), (table.axes[1].size, table.axes[0].size), "{file}");
+            assert!(rows.concat() == channel.texels, "{file}, channel {name}: other texels");
+        }
+    }
+    say(&format!("openexr: {} tables, every texel the same", tables.len()));
+}
