@@ -17,6 +17,8 @@ fn spec() -> FitSpec {
 #[test]
 fn bars() {
     let fits = fit_all(&spec(), &Counter::default()).expect("fits");
+    assert!(fits.dropped.is_empty(), "{:?}", fits.dropped);
+    let fits = fits.fits;
     let named = |name: &str| -> &Fit {
         fits.iter().find(|f| f.approximation.name == name).unwrap_or_else(|| panic!("no {name}"))
     };

@@ -5,7 +5,7 @@ use super::context::Context;
 use super::pictures::Grid;
 use super::tables::BakedTable;
 use crate::data::{Place, Serves, Use};
-use crate::effects::reflection::{Fit, LookupError, Study, studies};
+use crate::effects::reflection::{Dropped, Fit, LookupError, Study, studies};
 use crate::emit::code;
 use crate::plan::{Effect, Plan};
 use crate::report::{
@@ -23,6 +23,7 @@ pub fn findings(
     plan: &Plan,
     tables: &[BakedTable],
     fits: &[Fit],
+    dropped: &[Dropped],
     context: &Context,
 ) -> Result<Findings, BakeError> {
     let shown: Vec<&Fit> = shown(fits);
@@ -56,11 +57,7 @@ pub fn findings(
             command: context.recipe.command.clone(),
         },
         effects: plan.effects.iter().map(|e| effect(e, tables, fits)).collect(),
-        left_out: plan
-            .left_out
-            .iter()
-            .map(|l| LeftOut { effect: l.effect.name().into(), reason: l.reason.clone() })
-            .collect(),
+        left_out: left_out(plan, dropped),
         tables: tables.iter().filter_map(|t| table(t, context)).collect(),
         truths,
         approximations: approximations(tables, fits),
@@ -68,6 +65,16 @@ pub fn findings(
         furnace,
         studies: studies.iter().map(study).collect(),
     })
+}
+
+/// Effects that the scene does not call for, and hypotheses that have no reliable fit in it.
+fn left_out(plan: &Plan, dropped: &[Dropped]) -> Vec<LeftOut> {
+    let effects =
+        plan.left_out.iter().map(|l| LeftOut { effect: l.effect.name().into(), reason: l.reason.clone() });
+    let fits = dropped
+        .iter()
+        .map(|d| LeftOut { effect: format!("fit {} ({})", d.hypothesis, d.norm), reason: d.reason.clone() });
+    effects.chain(fits).collect()
 }
 
 /// The fits whose pictures are worth a reader's time: the minimax fits and averages-free least squares fits that nothing of

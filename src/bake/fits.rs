@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::{BakeError, UserHypothesis};
 use crate::data::Use;
-use crate::effects::reflection::{Fit, FitSpec, Region, fit_all};
+use crate::effects::reflection::{Fit, FitSet, FitSpec, Region, fit_all};
 use crate::plan::{FitJob, FitPromise};
 
 /// Fits all that the job asks for. A promise that no fit keeps is noted in the context.
@@ -11,7 +11,7 @@ pub fn bake_fits(
     job: &FitJob,
     hypotheses: &[UserHypothesis],
     context: &mut Context,
-) -> Result<Vec<Fit>, BakeError> {
+) -> Result<FitSet, BakeError> {
     context.progress.stage("fits");
     let spec = FitSpec {
         smith: job.smith,
@@ -21,12 +21,12 @@ pub fn bake_fits(
         average: job.average,
         hypotheses: hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
     };
-    let fits = fit_all(&spec, &context.counter)?;
-    refuse_double_names(&fits)?;
+    let set = fit_all(&spec, &context.counter)?;
+    refuse_double_names(&set.fits)?;
     for promise in &job.promises {
-        context.broken.extend(unkept(promise, &fits));
+        context.broken.extend(unkept(promise, &set.fits));
     }
-    Ok(fits)
+    Ok(set)
 }
 
 fn refuse_double_names(fits: &[Fit]) -> Result<(), BakeError> {

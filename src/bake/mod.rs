@@ -10,22 +10,23 @@ mod pictures;
 mod recipe;
 mod tables;
 
-pub use compare::{Difference, compare};
-pub use context::{Progress, Silent};
-pub use recipe::{UserHypothesis, recipe};
-
 use crate::data::TableError;
-use crate::effects::reflection::{Counter, Fit, FitStageError};
+use crate::effects::reflection::{Counter, Dropped, Fit, FitSet, FitStageError};
 use crate::emit::exr::ExrError;
-use crate::emit::manifest::{FitEntry, Include, LeftOut, LookupEntry, Manifest, SCHEMA_VERSION, TableEntry};
+use crate::emit::manifest::{
+    FitEntry, FitLeftOut, Include, LeftOut, LookupEntry, Manifest, SCHEMA_VERSION, TableEntry,
+};
 use crate::emit::{code, exr, header};
 use crate::integrate::IntegrateError;
 use crate::plan::{EffectName, Plan};
 use crate::report::{self, ReportError};
 use crate::scene::Scene;
 use crate::store::{Files, MANIFEST};
+pub use compare::{Difference, compare};
 use context::Context;
-use tables::BakedTable;
+pub use context::{Progress, Silent};
+pub use recipe::{UserHypothesis, recipe};
+pub use tables::BakedTable;
 
 /// What a bake made.
 #[derive(Debug)]
@@ -40,6 +41,8 @@ pub struct Baked {
     pub tables: Vec<BakedTable>,
     /// Fits, and published formulas for comparison.
     pub fits: Vec<Fit>,
+    /// Hypotheses of the catalogue that have no reliable fit in this scene.
+    pub dropped: Vec<Dropped>,
 }
 
 /// Why a bake made nothing.
@@ -96,9 +99,9 @@ pub fn bake(
     let recipe = recipe(scene, hypotheses)?;
     let mut context = Context { recipe, counter: Counter::default(), broken: Vec::new(), progress };
     // Fits first: a hypothesis that is refused must not cost the tables.
-    let fits = match &plan.fit {
+    let FitSet { fits, dropped } = match &plan.fit {
         Some(job) => fits::bake_fits(job, hypotheses, &mut context)?,
-        None => Vec::new(),
+        None => FitSet { fits: Vec::new(), dropped: Vec::new() },
     };
     let tables = tables::bake_tables(&plan.tables, &mut context)?;
     let mut files = Files::new();
@@ -106,13 +109,14 @@ pub fn bake(
     emit_tables(&tables, &context, &mut files, &mut manifest)?;
     emit_includes(plan, &tables, &fits, &context, &mut files, &mut manifest)?;
     context.progress.stage("report");
-    let findings = findings::findings(scene, plan, &tables, &fits, &context)?;
+    manifest.fits_left_out = dropped.iter().map(left_out_fit).collect();
+    let findings = findings::findings(scene, plan, &tables, &fits, &dropped, &context)?;
     for file in report::page(&findings)? {
         manifest.reports.push(crate::emit::manifest::Report { file: file.path.clone() });
         files.insert(file.path, file.bytes);
     }
     files.insert(MANIFEST.to_string(), manifest.bytes()?);
-    Ok(Baked { files, broken: context.broken, truths: context.counter.total(), tables, fits })
+    Ok(Baked { files, broken: context.broken, truths: context.counter.total(), tables, fits, dropped })
 }
 
 fn empty_manifest(plan: &Plan, context: &Context) -> Manifest {
@@ -124,11 +128,20 @@ fn empty_manifest(plan: &Plan, context: &Context) -> Manifest {
         recipe: context.recipe.hash.clone(),
         tables: Vec::new(),
         fits: Vec::new(),
+        fits_left_out: Vec::new(),
         includes: Vec::new(),
         reports: Vec::new(),
         left_out: left_out
             .map(|l| LeftOut { effect: l.effect.name().into(), reason: l.reason.clone() })
             .collect(),
+    }
+}
+
+fn left_out_fit(dropped: &Dropped) -> FitLeftOut {
+    FitLeftOut {
+        hypothesis: dropped.hypothesis.clone(),
+        norm: dropped.norm.into(),
+        reason: dropped.reason.clone(),
     }
 }
 

@@ -92,6 +92,9 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
         let (c, ops) = (&a.certificate, a.cost.ops);
         lines.push(format!("{}: {ops} operations, max error {}, rms {:.3e}", a.name, c.max_abs, c.rms));
     }
+    for d in &baked.dropped {
+        lines.push(format!("{} ({}) left out: {}", d.hypothesis, d.norm, d.reason));
+    }
     if plan.is_empty() {
         lines.push("the scene calls for no effect:".into());
         lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect.name(), l.reason)));

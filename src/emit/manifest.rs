@@ -24,6 +24,8 @@ pub struct Manifest {
     pub tables: Vec<TableEntry>,
     /// Fits made and published formulas emitted beside them.
     pub fits: Vec<FitEntry>,
+    /// Hypotheses of the catalogue without a reliable fit in this scene.
+    pub fits_left_out: Vec<FitLeftOut>,
     /// Include files.
     pub includes: Vec<Include>,
     /// Pages and their data.
@@ -168,6 +170,17 @@ pub struct Include {
 pub struct Report {
     /// File, relative to the manifest.
     pub file: String,
+}
+
+/// A hypothesis without a fit.
+#[derive(Clone, Debug, Serialize)]
+pub struct FitLeftOut {
+    /// Its name.
+    pub hypothesis: String,
+    /// Norm that was minimised.
+    pub norm: String,
+    /// Why.
+    pub reason: String,
 }
 
 /// An effect left out.

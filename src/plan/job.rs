@@ -28,7 +28,7 @@ pub struct TableJob {
     pub layout: Layout,
     /// What it is looked up for.
     pub serves: Serves,
-    /// Roughness range: the hull of the materials' rough ranges, at least [`ROUGHNESS_WIDTH_MIN`] wide.
+    /// Roughness range: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide.
     pub roughness: [f64; 2],
     /// Limit on the lookup error: the strictest of the materials'. Always given where the size is not.
     pub max_error: Option<f64>,
@@ -58,7 +58,7 @@ pub struct FitJob {
     pub smith: Smith,
     /// How roughness becomes alpha.
     pub alpha_map: AlphaMap,
-    /// Roughness domain, at least [`ROUGHNESS_WIDTH_MIN`] wide.
+    /// Roughness domain, at least `ROUGHNESS_WIDTH_MIN` wide.
     pub roughness: [f64; 2],
     /// Domain of mu.
     pub mu: [f64; 2],

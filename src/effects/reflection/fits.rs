@@ -46,6 +46,27 @@ pub struct Fit {
     pub wraps: Option<String>,
 }
 
+/// A hypothesis without a fit: one of the catalogue whose search did not converge in this region or into which a pole moves, or
+/// one of the user's that costs more than the scene allows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Dropped {
+    /// Hypothesis.
+    pub hypothesis: String,
+    /// Norm that was minimised.
+    pub norm: &'static str,
+    /// Why, in words.
+    pub reason: String,
+}
+
+/// Everything that a fit job gives.
+#[derive(Clone, Debug)]
+pub struct FitSet {
+    /// Fits and published formulas.
+    pub fits: Vec<Fit>,
+    /// Hypotheses of the catalogue without a fit.
+    pub dropped: Vec<Dropped>,
+}
+
 /// Why there is no fit.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -79,8 +100,9 @@ pub enum FitStageError {
 }
 
 /// Fits and measures everything that the spec asks for: ours by rising cost, the user's, the source's published formulas, and
-/// the rivals for comparison. Counts the truths that it needs.
-pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<Vec<Fit>, FitStageError> {
+/// the rivals for comparison. Counts the truths that it needs. A hypothesis of the catalogue that does not converge, or has a
+/// pole, in this region is dropped with the reason; one of the user's is an error.
+pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
     // Parse first: a hypothesis that is refused must not cost a bake.
     let own = parse(&NORMALISATIONS)?;
     let user: Vec<Hypothesis> =
@@ -90,25 +112,25 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<Vec<Fit>, FitStageEr
     }
     let data = FitData::new(spec.smith, &spec.region, counter)?;
     let affordable = |h: &Hypothesis| spec.max_ops.is_none_or(|most| h.tape().cost_ops() <= most);
-    let ours = own.into_iter().chain(user).filter(affordable);
-    let jobs: Vec<(Hypothesis, Norm)> =
-        ours.flat_map(|h| spec.norms.iter().map(move |norm| (h.clone(), *norm))).collect();
-    let mut fits = each(&jobs, |(hypothesis, norm)| fit_one(spec, hypothesis, *norm, &data))?;
+    let mut dropped = Vec::new();
+    let jobs = |hypotheses: Vec<Hypothesis>| -> Vec<(Hypothesis, Norm)> {
+        let affordable = hypotheses.into_iter().filter(&affordable);
+        affordable.flat_map(|h| spec.norms.iter().map(move |norm| (h.clone(), *norm))).collect()
+    };
+    dropped.extend(user.iter().filter(|h| !affordable(h)).map(|h| too_dear(h, spec.max_ops)));
+    let mut fits = reliable(spec, &jobs(own), &data, &mut dropped)?;
+    fits.extend(each(&jobs(user), |(hypothesis, norm)| fit_one(spec, hypothesis, *norm, &data))?);
     let saturating: Vec<&Fit> = fits.iter().filter(|f| f.norm() == Norm::Max.name()).collect();
     let saturating = each(&saturating, |fit| saturate(spec, fit, &data))?;
     fits.extend(saturating.into_iter().filter(|f| affordable(&f.hypothesis)));
     if spec.average {
-        let averages: Vec<Hypothesis> = parse(&AVERAGES)?.into_iter().filter(affordable).collect();
+        let averages = jobs(parse(&AVERAGES)?);
         let data = AverageData::new(spec.smith, &spec.region, counter)?;
-        let jobs: Vec<(Hypothesis, Norm)> = averages
-            .into_iter()
-            .flat_map(|h| spec.norms.iter().map(move |norm| (h.clone(), *norm)))
-            .collect();
-        fits.extend(each(&jobs, |(hypothesis, norm)| fit_one(spec, hypothesis, *norm, &data))?);
+        fits.extend(reliable(spec, &averages, &data, &mut dropped)?);
     }
     fits.extend(published(spec, &SEEDS, true, &data)?);
     fits.extend(published(spec, &RIVALS, false, &data)?);
-    Ok(fits)
+    Ok(FitSet { fits, dropped })
 }
 
 impl Fit {
@@ -151,6 +173,42 @@ fn check_inputs(hypothesis: &Hypothesis) -> Result<(), FitStageError> {
             known: "roughness, alpha, mu",
         }),
     }
+}
+
+/// A hypothesis of the user's that costs more than the scene allows.
+fn too_dear(hypothesis: &Hypothesis, most: Option<u32>) -> Dropped {
+    let (ops, most) = (hypothesis.tape().cost_ops(), most.unwrap_or(u32::MAX));
+    Dropped {
+        hypothesis: hypothesis.name().to_string(),
+        norm: "any",
+        reason: format!("{}: {ops} operations, max_ops is {most}", hypothesis.file()),
+    }
+}
+
+/// The fits of the catalogue that can be relied on; the others are noted.
+fn reliable(
+    spec: &FitSpec,
+    jobs: &[(Hypothesis, Norm)],
+    data: &dyn Data,
+    dropped: &mut Vec<Dropped>,
+) -> Result<Vec<Fit>, FitStageError> {
+    let results: Vec<Result<Fit, FitStageError>> =
+        jobs.par_iter().map(|(hypothesis, norm)| fit_one(spec, hypothesis, *norm, data)).collect();
+    let mut fits = Vec::new();
+    for ((hypothesis, norm), result) in jobs.iter().zip(results) {
+        match result {
+            Ok(fit) => fits.push(fit),
+            Err(
+                error @ (FitStageError::NotConverged { .. } | FitStageError::Fit(FitError::Irregular { .. })),
+            ) => dropped.push(Dropped {
+                hypothesis: hypothesis.name().to_string(),
+                norm: norm.name(),
+                reason: error.to_string(),
+            }),
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(fits)
 }
 
 /// In parallel, results in order.
@@ -212,7 +270,12 @@ fn published(
     emitted: bool,
     data: &FitData,
 ) -> Result<Vec<Fit>, FitStageError> {
-    each(entries, |entry| {
+    let comparable = |entry: &&Entry| {
+        // A formula that takes roughness means alpha = roughness^2; under another map it would be judged on a misreading.
+        spec.region.alpha_map == AlphaMap::RoughnessSquared || !entry.source.contains("(roughness: f32")
+    };
+    let entries: Vec<&Entry> = entries.iter().filter(comparable).collect();
+    each(&entries, |entry| {
         let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
         let source = Source::Published(entry.publication.unwrap_or_default().to_string());
         let form = formula(&hypothesis, &[], "published");

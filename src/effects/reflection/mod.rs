@@ -16,7 +16,7 @@ pub use accuracy::{POINTS, Series, Sources, Study, studies};
 pub use catalogue::catalogue_sources;
 pub use decode::{decode, lookup_ops};
 pub use field::{Counter, Field, TRUTH_ERROR};
-pub use fits::{Fit, FitSpec, FitStageError, fit_all};
+pub use fits::{Dropped, Fit, FitSet, FitSpec, FitStageError, fit_all};
 pub use lookup::{Lookup, Split};
 pub use measure::{Errors, Judged, LookupError, Rounding, error_map, measure};
 pub use points::{PointSet, certification};

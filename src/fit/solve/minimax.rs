@@ -6,6 +6,10 @@ use super::objective::{Objective, Refused, largest};
 /// A predicted decrease below this part of the largest error is none.
 const GAP: f64 = 1e-6;
 
+/// A descent that comes to a halt with no more than this left to gain, by the linear programs' own bound, has arrived: their
+/// solutions are good to some 1e-6 of the largest error, and steps that promise less cannot be told from noise.
+const ARRIVED: f64 = 1e-4;
+
 /// A trust region smaller than this part of the largest error has collapsed.
 const COLLAPSED: f64 = 1e-9;
 
@@ -19,7 +23,7 @@ pub(super) struct Descent {
     pub max: f64,
     /// What the last linear program could still have gained, as a part of `max`.
     pub gap: f64,
-    /// Whether the linear programs found nothing more to gain.
+    /// Whether the linear programs found nothing more to gain, or next to nothing.
     pub optimal: bool,
     /// Whether the iterations were used up.
     pub capped: bool,
@@ -69,6 +73,7 @@ pub(super) fn descend(objective: &Objective, start: &[f64], iterations: u64) -> 
         best.evaluations += 1;
         best = Descent { coefficients, max, ..best };
     }
+    best.optimal |= best.gap <= ARRIVED;
     best.capped = !best.optimal && steps >= iterations;
     Ok(best)
 }

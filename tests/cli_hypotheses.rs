@@ -1,0 +1,66 @@
+//! A hypothesis of the user's: a good one is fitted and emitted, a bad one is refused with file and place, and nothing is
+//! written.
+
+mod common;
+
+use std::path::Path;
+
+use common::{lobefit, names, stderr};
+
+const SCENE: &str = r#"{"schema_version": 1, "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
+  "roughness": [0.02, 1], "wants": {"fit": {"norms": ["max"], "max_ops": 9, "hypotheses": ["mine.wgsl"]}}}]}"#;
+
+fn bake(folder: &Path, hypothesis: &str) -> (i32, String) {
+    std::fs::write(folder.join("scene.json"), SCENE).expect("written");
+    std::fs::write(folder.join("mine.wgsl"), hypothesis).expect("written");
+    let output = lobefit(folder, &["bake", "scene.json", "--out", "out", "--json"], b"");
+    (output.status.code().expect("a code"), stderr(&output))
+}
+
+#[test]
+fn a_good_one_is_fitted_and_emitted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override c: f32 = 1.0;\noverride d: f32 = 0.1;\n\
+                  fn my_norm(alpha: f32, mu: f32) -> f32 { return 1.0 + alpha * (d + c * alpha * mu); }\n";
+    let (code, error) = bake(folder.path(), source);
+    assert_eq!((code, error.as_str()), (0, ""));
+    let text = std::fs::read_to_string(folder.path().join("out/fits/lobefit.wgsl")).expect("emitted");
+    assert!(text.contains("fn my_norm(alpha: f32, mu: f32) -> f32"), "{text}");
+    let manifest = std::fs::read(folder.path().join("out/manifest.json")).expect("a manifest");
+    let manifest: serde_json::Value = serde_json::from_slice(&manifest).expect("JSON");
+    let fits = manifest["fits"].as_array().expect("a list");
+    let fit = fits.iter().find(|f| f["name"] == "my_norm").expect("the fit");
+    // Between the source's form with one constant (0.128) and what three operations reach (0.098).
+    let error = fit["certificate"]["max_abs"].as_f64().expect("a number");
+    assert!((0.095..0.12).contains(&error) && fit["cost"]["ops"] == 3, "{fit}");
+}
+
+#[test]
+fn bad_ones_are_refused_with_their_place() {
+    for (source, words) in [
+        (
+            "override c: f32 = 1.0;\nfn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + c * alpha / (mu - 0.5); }\n",
+            ["mine.wgsl:2:", "may divide by zero near", "mu = 0.5"],
+        ),
+        ("fn mine(alpha: f32 -> f32 { return alpha; }", ["mine.wgsl:1:", "expected", ""]),
+        (
+            "fn mine(mu: f32) -> f32 {\n    let v = vec2<f32>(mu, mu);\n    return v.x;\n}\n",
+            ["mine.wgsl:2:", "vectors", ""],
+        ),
+        ("fn mine(nu: f32) -> f32 { return nu; }\n", ["mine.wgsl", "`nu`", "roughness, alpha, mu"]),
+        ("fn mine(mu: f32) -> f32 { return sqrt(mu - 0.5); }\n", ["mine.wgsl:1:", "negative", ""]),
+        (
+            "override c: f32 = 1.0;\nfn ggx_norm_n1(mu: f32) -> f32 { return 1.0 + c * mu; }\n",
+            ["mine.wgsl", "ggx_norm_n1", "rename"],
+        ),
+        ("", ["mine.wgsl", "", ""]),
+    ] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (code, error) = bake(folder.path(), source);
+        assert_eq!(code, 2, "{source}: {error}");
+        for word in words {
+            assert!(error.contains(word), "`{word}` in {error} for {source}");
+        }
+        assert_eq!(names(folder.path()), ["mine.wgsl", "scene.json"], "nothing written for {source}");
+    }
+}
