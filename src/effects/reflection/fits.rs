@@ -237,14 +237,19 @@ fn fit_one(
     norm: Norm,
     data: &dyn Data,
 ) -> Result<Fit, FitStageError> {
-    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &Options::new(norm))?;
+    let domain = domain(&spec.region)?;
+    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &Options::new(norm));
+    // Where the search cannot even start, the proof knows the place in the source that is at fault.
+    let fitted = fitted.map_err(|error| {
+        prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)
+    })?;
     if !fitted.termination.is_converged() {
         let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
         return Err(FitStageError::NotConverged { hypothesis, norm, termination: fitted.termination });
     }
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
-    prove_regular(hypothesis.tape(), &exact, &domain(&spec.region)?)?;
+    prove_regular(hypothesis.tape(), &exact, &domain)?;
     let hypothesis = named_for(hypothesis, norm)?;
     let form = formula(&hypothesis, &coefficients, norm.name());
     let name = hypothesis.name().to_string();
