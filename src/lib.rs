@@ -19,8 +19,8 @@
 //! | 4 | [`report`] | results to plots, renders and a page |
 //! | 4 | [`store`] | the only module that touches the file system |
 //! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
-//! | 5 | [`timing`] | what accuracy costs in seconds |
-//! | 6 | [`cli`] | one file per verb |
+//! | 6 | [`timing`] | what accuracy costs in seconds |
+//! | 7 | [`cli`] | one file per verb |
 
 pub mod bake;
 pub mod cli;

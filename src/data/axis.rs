@@ -57,17 +57,6 @@ pub enum Warp {
     Homogeneous,
 }
 
-impl Warp {
-    /// The formula as written in headers and the manifest, for a variable called `x`.
-    pub fn formula(self, x: &str) -> String {
-        match self {
-            Warp::Linear => format!("u = ({x} - min) / (max - min)"),
-            Warp::Sqrt => format!("u = sqrt({x})"),
-            Warp::Homogeneous => format!("u = sqrt({x} * (1 + alpha) / ({x} + alpha))"),
-        }
-    }
-}
-
 /// One axis of a table. The first axis is the texture's x (columns), the second its y (rows, first row at the top).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
@@ -102,6 +91,17 @@ impl Axis {
             Warp::Sqrt => u * u,
             // u^2 (x + alpha) = x (1 + alpha)
             Warp::Homogeneous => alpha * u * u / ((1.0 - u * u) + alpha),
+        }
+    }
+
+    /// The formula of the unit coordinate from the physical variables, as written in headers and the manifest.
+    pub fn formula(&self) -> String {
+        let Axis { name, min, max, .. } = self;
+        match self.warp {
+            Warp::Linear if (*min, *max) == (0.0, 1.0) => format!("u = {name}"),
+            Warp::Linear => format!("u = ({name} - {min}) / ({max} - {min})"),
+            Warp::Sqrt => format!("u = sqrt({name})"),
+            Warp::Homogeneous => format!("u = sqrt({name} * (1 + alpha) / ({name} + alpha))"),
         }
     }
 

@@ -46,7 +46,7 @@ pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certifi
 
 fn axis_line(what: &str, axis: &Axis) -> String {
     let Axis { name, size, min, max, .. } = axis;
-    let (registration, formula) = (axis.registration.name(), axis.warp.formula(name));
+    let (registration, formula) = (axis.registration.name(), axis.formula());
     format!("{what}: {name} in [{min}, {max}], {size} texels, {registration} registration, {formula}")
 }
 

@@ -199,7 +199,7 @@ impl AxisEntry {
             name: axis.name.clone(),
             size: axis.size,
             registration: axis.registration.name(),
-            warp: axis.warp.formula(&axis.name),
+            warp: axis.formula(),
             min: axis.min,
             max: axis.max,
         }

@@ -2,7 +2,6 @@
 
 use rayon::prelude::*;
 
-use super::fits::{AVERAGE, NORMALISATION};
 use super::{Counter, Field, PointSet, Region, certification};
 use crate::data::{Norm, Smith, Use};
 use crate::fit::{FitError, Hypothesis, Samples};
@@ -15,6 +14,12 @@ const LOG2_POINTS: u32 = 20;
 
 /// Samples per axis of the grids that fits are made on.
 const GRID: usize = 96;
+
+/// The use of the normalisations.
+const NORMALISATION: (&str, &str, Use) = ("ggx-reflection", "E", Use::Normalisation);
+
+/// The use of the averages.
+const AVERAGE: (&str, &str, Use) = ("ggx-average", "E_avg", Use::Value);
 
 /// Data of one kind of fit.
 pub(super) trait Data: Sync {

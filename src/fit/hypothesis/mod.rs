@@ -74,6 +74,16 @@ impl Hypothesis {
         })
     }
 
+    /// The same formula under another function name; its source keeps the old one.
+    pub fn renamed(&self, name: &str) -> Hypothesis {
+        let mut renamed = self.clone();
+        if let Some(main) = renamed.formula.functions.last_mut() {
+            main.name = name.to_string();
+        }
+        renamed.tape = self.tape.renamed(name);
+        renamed
+    }
+
     /// Name of the formula's function.
     pub fn name(&self) -> &str {
         &self.formula.main().name

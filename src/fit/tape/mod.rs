@@ -123,6 +123,11 @@ impl Tape {
         &self.places[node as usize]
     }
 
+    /// The same operations under another function name.
+    pub(super) fn renamed(&self, name: &str) -> Tape {
+        Tape { function: name.to_string(), ..self.clone() }
+    }
+
     /// Name of the formula's function.
     pub fn function(&self) -> &str {
         &self.function

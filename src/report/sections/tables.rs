@@ -112,7 +112,7 @@ fn facts(table: &TableFinding) -> Vec<(String, String)> {
             ends[0],
             ends[1],
             a.size,
-            a.warp.formula(&a.name)
+            a.formula()
         )
     };
     vec![

@@ -1,0 +1,122 @@
+//! Fits of this effect: hypotheses to coefficients, proven regular and measured in f32 as emitted.
+
+mod certified;
+mod one;
+mod run;
+mod saturate;
+
+pub use run::fit_all;
+
+use super::{PointSet, Region};
+use crate::data::{Approximation, Form, Norm, Smith};
+use crate::fit::{FitError, Hypothesis, Termination};
+use crate::integrate::IntegrateError;
+
+/// What to fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitSpec {
+    /// Shadowing form.
+    pub smith: Smith,
+    /// Where the fits must hold.
+    pub region: Region,
+    /// Most operations of a fit; none: any.
+    pub max_ops: Option<u32>,
+    /// Errors to minimise.
+    pub norms: Vec<Norm>,
+    /// Also fit the average albedo.
+    pub average: bool,
+    /// The user's hypotheses: file name and WGSL source.
+    pub hypotheses: Vec<(String, String)>,
+}
+
+/// A formula with coefficients, measured.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The formula as an approximation.
+    pub approximation: Approximation,
+    /// The hypothesis that it is an instance of.
+    pub hypothesis: Hypothesis,
+    /// How the search ended; none for published constants.
+    pub termination: Option<Termination>,
+    /// Whether it is emitted, or only reported for comparison.
+    pub emitted: bool,
+    /// The function that a saturating form calls.
+    pub wraps: Option<String>,
+}
+
+/// A hypothesis without a fit: one of the catalogue whose search did not converge in this region or into which a pole moves, or
+/// one of the user's that costs more than the scene allows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Dropped {
+    /// Hypothesis.
+    pub hypothesis: String,
+    /// Norm that was minimised.
+    pub norm: &'static str,
+    /// Why, in words.
+    pub reason: String,
+}
+
+/// Everything that a fit job gives.
+#[derive(Clone, Debug)]
+pub struct FitSet {
+    /// Fits and published formulas.
+    pub fits: Vec<Fit>,
+    /// Hypotheses of the catalogue without a fit.
+    pub dropped: Vec<Dropped>,
+}
+
+/// Why there is no fit.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FitStageError {
+    /// The hypothesis, its domain or its data.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// A truth could not be integrated.
+    #[error(transparent)]
+    Integrate(#[from] IntegrateError),
+    /// The search did not end in a minimum.
+    #[error("{hypothesis}, norm {norm}: the search ended as {termination:?}: no coefficients to rely on")]
+    NotConverged {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// Norm that was minimised.
+        norm: &'static str,
+        /// How the search ended.
+        termination: Termination,
+    },
+    /// The hypothesis asks for an input that this effect does not have.
+    #[error("{hypothesis}: argument `{input}` is not one of {known}")]
+    Input {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// The argument.
+        input: String,
+        /// The inputs there are.
+        known: &'static str,
+    },
+}
+
+impl Fit {
+    /// The norm that its coefficients minimise: `max`, `rms` or `published`.
+    pub fn norm(&self) -> &str {
+        match &self.approximation.form {
+            Form::Formula(formula) => &formula.norm,
+            Form::Table(_) => "",
+        }
+    }
+
+    /// Its coefficients, in order.
+    pub fn coefficients(&self) -> Vec<f32> {
+        match &self.approximation.form {
+            Form::Formula(formula) => formula.coefficients.iter().map(|(_, value)| *value).collect(),
+            Form::Table(_) => Vec::new(),
+        }
+    }
+
+    /// Its values in f32 at the points of a set; f0 = 1.
+    pub fn values(&self, points: &PointSet) -> Result<Vec<f32>, FitError> {
+        let inputs: Vec<Vec<f32>> = self.hypothesis.inputs().iter().map(|name| points.column(name)).collect();
+        self.hypothesis.tape().evaluate(&inputs, &self.coefficients())
+    }
+}

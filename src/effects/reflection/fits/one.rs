@@ -1,0 +1,69 @@
+//! One hypothesis in one norm, and one published formula.
+
+use super::certified::{certified, formula};
+use super::{Fit, FitSpec, FitStageError};
+use crate::data::{AlphaMap, Norm, Source};
+use crate::effects::reflection::Region;
+use crate::effects::reflection::catalogue::Entry;
+use crate::effects::reflection::samples::Data;
+use crate::fit::{Domain, FitError, Hypothesis, Options, optimise, prove_regular, round_to_f32};
+
+/// The box of inputs, alpha following from roughness.
+fn domain(region: &Region) -> Result<Domain, FitError> {
+    let power = match region.alpha_map {
+        AlphaMap::Roughness => 1,
+        AlphaMap::RoughnessSquared => 2,
+        AlphaMap::RoughnessFourth => 4,
+    };
+    let ([r0, r1], [m0, m1]) = (region.roughness, region.mu);
+    Domain::new(&[("roughness", r0, r1), ("mu", m0, m1)])?.with_derived("alpha", "roughness", power)
+}
+
+/// Coefficients for a hypothesis: found, rounded, proven regular, measured.
+pub fn fit_one(
+    spec: &FitSpec,
+    hypothesis: &Hypothesis,
+    norm: Norm,
+    data: &dyn Data,
+) -> Result<Fit, FitStageError> {
+    let domain = domain(&spec.region)?;
+    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &Options::new(norm));
+    // Where the search cannot even start, the proof knows the place in the source that is at fault.
+    let fitted = fitted.map_err(|error| {
+        prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)
+    })?;
+    if !fitted.termination.is_converged() {
+        let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
+        return Err(FitStageError::NotConverged { hypothesis, norm, termination: fitted.termination });
+    }
+    let coefficients = round_to_f32(&fitted.coefficients)?;
+    let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
+    prove_regular(hypothesis.tape(), &exact, &domain)?;
+    let hypothesis = named_for(hypothesis, norm);
+    let form = formula(&hypothesis, &coefficients, norm.name());
+    let approximation = certified(spec, &hypothesis, form, Source::Fitted, data)?;
+    Ok(Fit { approximation, hypothesis, termination: Some(fitted.termination), emitted: true, wraps: None })
+}
+
+/// The minimax fit bears its hypothesis' name; the least squares fit has `_rms` appended, so that both can be emitted.
+fn named_for(hypothesis: &Hypothesis, norm: Norm) -> Hypothesis {
+    match norm {
+        Norm::Max => hypothesis.clone(),
+        Norm::Rms => hypothesis.renamed(&format!("{}_rms", hypothesis.name())),
+    }
+}
+
+/// A published formula with its constants, measured like ours.
+pub fn published(
+    spec: &FitSpec,
+    entry: &Entry,
+    emitted: bool,
+    data: &dyn Data,
+) -> Result<Fit, FitStageError> {
+    let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
+    let source = Source::Published(entry.publication.unwrap_or_default().to_string());
+    let form = formula(&hypothesis, &[], "published");
+    let approximation = certified(spec, &hypothesis, form, source, data)?;
+    let affordable = spec.max_ops.is_none_or(|most| approximation.cost.ops <= most);
+    Ok(Fit { approximation, hypothesis, termination: None, emitted: emitted && affordable, wraps: None })
+}
