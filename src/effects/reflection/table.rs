@@ -19,7 +19,7 @@ use crate::data::{
     AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Table, TableError, TexelFormat, Warp,
 };
 use crate::fit::texels::{self, TexelSample};
-use crate::integrate::reflection::{Effort, split};
+use crate::integrate::reflection::{Effort, albedo, split};
 
 /// What to bake.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +45,7 @@ pub struct TableSpec {
 /// Samples per cell and axis that the texels are optimised on.
 const PER_CELL: usize = 4;
 
-/// The largest quantisable loss of precision aside, the table before rounding to its format.
+/// The table before its texels are rounded to their format.
 pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, TableError> {
     let axes = axes(spec);
     let channels = match spec.layout {
@@ -77,7 +77,7 @@ fn axes(spec: &TableSpec) -> [Axis; 2] {
     [axis("mu", spec.size[0], warp, 0.0, 1.0), axis("roughness", spec.size[1], Warp::Linear, low, high)]
 }
 
-/// A point of the domain with its position in texels and its truth.
+/// A point of the domain with its position in texels and its truth; B is 0 where the table does not hold it.
 struct Node {
     x: f64,
     y: f64,
@@ -93,7 +93,10 @@ impl Node {
         let alpha = spec.alpha_map.alpha(axes[1].physical(v, 0.0));
         let mu = axes[0].physical(u, alpha).clamp(0.0, 1.0);
         let effort = &Effort::ladder()[1];
-        let (e, b) = split(spec.smith, alpha, mu, effort);
+        let (e, b) = match spec.serves {
+            Serves::SplitSum => split(spec.smith, alpha, mu, effort),
+            Serves::Albedo => (albedo(spec.smith, alpha, mu, &effort.outer), 0.0),
+        };
         Node { x, y, mu, e, b }
     }
 
