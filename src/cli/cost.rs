@@ -52,7 +52,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let files = options.threads.install(|| {
         let baked = bake(&input.scene, &plan, &input.hypotheses, &progress)?;
         progress.stage("timings");
-        let measured = timings(input.scene.smith, &baked, origin(&input)?, device())?;
+        let measured = timings(&input.scene, &baked, origin(&input)?, device())?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);

@@ -105,6 +105,34 @@ impl Axis {
         }
     }
 
+    /// Scale and offset, in f32, that a shader applies to get the texture coordinate: to the physical value itself on a linear
+    /// axis, else to the warped unit coordinate. With end points registered, u = 0 is the first texel's centre.
+    pub fn affine(&self) -> (f32, f32) {
+        let n = self.size as f64;
+        let (scale, offset) = match self.registration {
+            Registration::Centre => (1.0, 0.0),
+            Registration::Endpoint => ((n - 1.0) / n, 0.5 / n),
+        };
+        if self.warp != Warp::Linear {
+            return (scale as f32, offset as f32);
+        }
+        let scale = scale / (self.max - self.min);
+        (scale as f32, (offset - scale * self.min) as f32)
+    }
+
+    /// The texture coordinate in a shader's arithmetic.
+    pub fn texture_coordinate(&self, x: f32, alpha: f32) -> f32 {
+        let unit = match self.warp {
+            Warp::Linear => x,
+            Warp::Sqrt => x.sqrt(),
+            Warp::Homogeneous => (x * (1.0 + alpha) / (x + alpha)).sqrt(),
+        };
+        match self.affine() {
+            (1.0, 0.0) => unit,
+            (scale, offset) => unit * scale + offset,
+        }
+    }
+
     /// Physical value of texel `i`.
     pub fn node(&self, i: usize, alpha: f64) -> f64 {
         self.physical(self.registration.coordinate(i, self.size), alpha)
