@@ -598,7 +598,7 @@ fn ggx_dfg_correlated_32x32_lookup(table: texture_2d<f32>, linear_clamp: sampler
 /// rows (y, first row at the top): roughness in [0.02, 1], 64 texels, endpoint registration, u = (roughness - 0.02) / (1 - 0.02)
 /// texel: x = loss, y = bias (the EXR names its channels so)
 /// decode: E = 1 - loss, B = E * (bias + (1 - mu)^5), A = E - B
-/// error (bilinear lookup of the quantised texels): max 0.0003824, rms 0.0001321, mean -0.000009538
+/// error (bilinear lookup of the quantised texels): max 0.0003823, rms 0.0001321, mean -0.000009538
 ///   worst at alpha = 0.0019085124, mu = 0.001, roughness = 0.043686524; measured at 221190 points in f16 texels, f32 lookup
 ///   domain: alpha [0.0004, 1], mu [0.001, 1], roughness [0.02, 1]
 fn ggx_dfg_correlated_64x64_split_sum_uv(roughness: f32, alpha: f32, mu: f32) -> vec2<f32> {
