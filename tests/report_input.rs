@@ -26,7 +26,10 @@ fn furnace(f: &mut Findings) -> &mut report::Furnace {
 #[test]
 fn numbers_that_are_not_finite_are_named() {
     let cases: Vec<(Spoil, &str)> = vec![
-        (Box::new(|f| f.effects[0].measured_error = f64::NAN), "effects[0].measured_error is not finite"),
+        (
+            Box::new(|f| f.effects[0].measured_error = Some(f64::NAN)),
+            "effects[0].measured_error is not finite",
+        ),
         (
             Box::new(|f| f.approximations[3].certificate.rms = f64::INFINITY),
             "approximations[3].certificate.rms is not",

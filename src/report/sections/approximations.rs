@@ -62,12 +62,13 @@ fn groups(all: &[ApproximationFinding]) -> Vec<Vec<&ApproximationFinding>> {
     groups
 }
 
-/// Cost against error of a group; nothing for a single approximation, and none that is exact (a log axis has no 0).
+/// Cost against error of a group; nothing where the table says as much, and none that is exact (a log axis has no 0).
 fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> {
     let dots: Vec<Dot> = group.iter().filter(|a| a.certificate.max_abs > 0.0).map(|a| dot(a)).collect();
-    if dots.len() < 2 {
+    if !words::worth_a_chart(&dots) {
         return Ok(None);
     }
+    let has = |kind: fn(&ApproximationFinding) -> bool| group.iter().any(|a| kind(a));
     let first = group[0];
     let (used_as, metric) = (first.used_as, words::metric(first.used_as));
     let title = format!("{} as {}, {} Smith", first.quantity, used_as.name(), first.smith.name());
@@ -82,8 +83,9 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
         group.iter().filter(|a| a.certificate.max_abs == 0.0).map(|a| a.name.as_str()).collect();
     let caption = format!(
         "Largest {metric} over the domain against operations per evaluation. The stairs join our formulas that no other \
-         formula of ours beats in both; tables (squares) also fetch, which operations do not count; published ones are \
-         grey{}.{}",
+         formula of ours beats in both{}{}{}.{}",
+        if has(|a| a.table) { "; tables (squares) also fetch, which operations do not count" } else { "" },
+        if has(|a| a.published) { "; published ones are grey" } else { "" },
         if used_as == Use::Normalisation {
             ", judged as the factor N that should make E\u{a0}N\u{a0}=\u{a0}1"
         } else {
