@@ -10,7 +10,7 @@ const REFITTED: [&str; 2] = ["ggx_norm_n1.wgsl", "ggx_norm_n2.wgsl"];
 pub struct Selected<'a> {
     /// The fit.
     pub fit: &'a Fit,
-    /// What earns it a picture, as it reads after "shown as".
+    /// What earns it a picture, as it reads after a number of fits.
     pub because: &'static str,
 }
 
@@ -26,15 +26,18 @@ fn reason(fit: &Fit, emitted: &[&Fit]) -> Option<&'static str> {
     let error = |f: &Fit| f.approximation.certificate.max_abs;
     let ops = |f: &Fit| f.approximation.cost.ops;
     let file = fit.hypothesis.file();
+    let beats = |o: &&Fit| {
+        (ops(o) <= ops(fit) && error(o) < error(fit)) || (ops(o) < ops(fit) && error(o) <= error(fit))
+    };
     let better_twin = || emitted.iter().any(|o| o.hypothesis.file() == file && error(o) < error(fit));
     if fit.norm() == "published" {
-        Some("a formula of the source, with its published constants")
+        Some("of the source, with published constants")
     } else if !catalogue_sources().any(|source| source == fit.hypothesis.source()) {
-        Some("a hypothesis of the user")
-    } else if !emitted.iter().any(|o| ops(o) <= ops(fit) && error(o) < error(fit)) {
-        Some("on the frontier: no emitted formula beats it in both operations and largest error")
+        Some("of the user")
+    } else if !emitted.iter().any(|o| beats(o)) {
+        Some("on the frontier (no emitted formula is as cheap and more accurate, or cheaper and as accurate)")
     } else if REFITTED.contains(&file) && !better_twin() {
-        Some("a formula of the source, with fitted constants")
+        Some("of the source's form, with fitted constants")
     } else {
         None
     }

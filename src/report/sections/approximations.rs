@@ -32,11 +32,24 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     Ok(Some(Section {
         id: "approximations".into(),
         title: "What accuracy costs at run time".into(),
-        lead: "Tables, our fits and published fits, all measured the same way against the same truth: lower is more \
-               accurate, further left is cheaper."
-            .into(),
+        lead: lead(&findings.approximations, blocks.len() > 1),
         blocks,
     }))
+}
+
+/// What is listed, and how to read the charts if there are any.
+fn lead(all: &[ApproximationFinding], charts: bool) -> String {
+    let has = |kind: fn(&ApproximationFinding) -> bool| all.iter().any(kind);
+    let kinds = [
+        (has(|a| a.table), "tables"),
+        (has(|a| !a.table && !a.published), "our fits"),
+        (has(|a| a.published), "published formulas"),
+    ];
+    let there: Vec<&str> = kinds.iter().filter(|k| k.0).map(|k| k.1).collect();
+    let (of, how) =
+        (there.join(", "), if there.len() > 1 { ", all measured the same way" } else { ", measured" });
+    let read = if charts { " In a chart, lower is more accurate, further left is cheaper." } else { "" };
+    format!("What there is: {of}{how} against the truth.{read}")
 }
 
 /// Fits and timings refer to approximations by name.
@@ -111,10 +124,12 @@ fn dot(a: &ApproximationFinding) -> Dot {
 }
 
 fn list(all: &[ApproximationFinding]) -> TextTable {
-    let caption = "ops by the project's operation model (add, mul, fma, min, max, compare, select 1; reciprocal, sqrt, \
-                   exp2 4; exp 5; pow 9). Maxima are rounded up; where: the place of the maximum. Published constants \
-                   are set back in grey.";
-    let mut table = words::table(&COLUMNS, all.iter().map(row).collect(), caption);
+    let caption = format!(
+        "ops by the project's operation model (add, mul, fma, min, max, compare, select 1; reciprocal, sqrt, exp2 4; exp 5; \
+         pow 9). Maxima are rounded up; where: the place of the maximum.{}",
+        if all.iter().any(|a| a.published) { " Published constants are set back in grey." } else { "" },
+    );
+    let mut table = words::table(&COLUMNS, all.iter().map(row).collect(), &caption);
     table.muted = all.iter().map(|a| a.published).collect();
     table
 }

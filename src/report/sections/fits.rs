@@ -16,7 +16,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     }
     let shown: Vec<Shown> =
         findings.fits.iter().map(|f| Shown::of(f, &findings.approximations)).collect::<Result<_, _>>()?;
-    let mut blocks = vec![Block::Text { text: selection::told(findings) }];
+    let mut blocks = selection::told(findings);
     if !shown.is_empty() {
         blocks.push(overview(&shown)?);
         blocks.extend(together(&shown)?);
@@ -248,6 +248,6 @@ fn facts(s: &Shown) -> Vec<(String, String)> {
         ("Cost".into(), words::operations(a.cost.ops)),
         ("Norm".into(), a.norm.clone()),
         ("Source".into(), a.source.clone()),
-        ("Shown as".into(), s.fit.shown_as.clone()),
+        ("Selected".into(), s.fit.shown_as.clone()),
     ]
 }

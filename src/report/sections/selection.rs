@@ -2,33 +2,34 @@
 
 use super::words;
 use crate::data::Use;
-use crate::report::{ApproximationFinding, Findings};
+use crate::report::{ApproximationFinding, Block, Findings};
 
 /// What the section of the fits shows, and what it leaves to the table.
-pub(super) fn told(findings: &Findings) -> String {
-    let mut text = String::new();
+pub(super) fn told(findings: &Findings) -> Vec<Block> {
+    let mut texts = Vec::new();
     if !findings.fits.is_empty() {
-        text += &format!(
+        texts.push(format!(
             "{} with pictures: {}. First all of these on one colour scale, then the most accurate of the frontier in one chart \
-             per roughness, then each by itself on its own scale.",
+             per roughness, then each by itself on its own scale.{}",
             words::count(findings.fits.len(), "fit", "fits"),
             reasons(findings).join("; "),
-        );
-    }
-    if let Some(average) = &findings.averages {
-        text += &format!(" Fits of {} have curves over roughness at the end.", average.name);
+            findings.averages.as_ref().map_or_else(String::new, |a| format!(
+                " The fits of {} follow at the end, as curves over roughness.",
+                a.name
+            )),
+        ));
     }
     let rest: Vec<&str> = without_pictures(findings).map(|a| a.name.as_str()).collect();
     if !rest.is_empty() {
-        text += &format!(
-            " Without pictures, but listed with error and cost under “What accuracy costs at run time”: {}.",
+        texts.push(format!(
+            "Without pictures, but listed with error and cost under “What accuracy costs at run time”: {}.",
             rest.join(", "),
-        );
+        ));
     }
-    text.trim_start().to_string()
+    texts.into_iter().map(|text| Block::Text { text }).collect()
 }
 
-/// `11 fits on the frontier`, one for each reason, in the order of their first fit.
+/// `11 on the frontier`, one for each reason, in the order of their first fit.
 fn reasons(findings: &Findings) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
     for fit in &findings.fits {
@@ -37,7 +38,7 @@ fn reasons(findings: &Findings) -> Vec<String> {
             None => counts.push((&fit.shown_as, 1)),
         }
     }
-    counts.into_iter().map(|(reason, n)| format!("{n} as {reason}")).collect()
+    counts.into_iter().map(|(reason, n)| format!("{n} {reason}")).collect()
 }
 
 fn without_pictures(findings: &Findings) -> impl Iterator<Item = &ApproximationFinding> {

@@ -29,9 +29,11 @@ pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
 fn offline(timings: &Timings) -> Result<Section, ReportError> {
     let charts: Vec<Curves> = timings.points.iter().map(chart).collect::<Result<_, _>>()?;
     let exact = timings.points.iter().flat_map(|p| &p.series).any(|s| s.error.contains(&0.0));
+    let rounding = timings.points.iter().flat_map(|p| &p.series).any(|s| s.error.contains(&study::FLOOR));
     let caption = format!(
-        "Absolute error against seconds for one point, both logarithmic.{}",
+        "Absolute error against seconds for one point, both logarithmic.{}{}",
         if exact { study::TRIANGLE } else { "" },
+        if rounding { study::ROUNDING } else { "" },
     );
     Ok(Section {
         id: "offline".into(),
