@@ -87,6 +87,14 @@ fn empty_and_mismatched_lists_are_named() {
             }),
             "channel E: texels has 4095 entries, expected 4096",
         ),
+        (
+            Box::new(|f| f.averages.iter_mut().for_each(|a| a.fits[0].values.truncate(3))),
+            "average E_avg: fit eavg_5 has 3 entries, expected 33",
+        ),
+        (
+            Box::new(|f| f.averages.iter_mut().for_each(|a| a.fits[0].name = "nobody".into())),
+            "average E_avg: fit nobody is not among the approximations",
+        ),
         (Box::new(|f| furnace(f).rows.clear()), "furnace: rows is empty"),
         (
             Box::new(|f| {

@@ -121,7 +121,7 @@ fn time_against_error(group: &[&TimedApproximation]) -> Result<Option<Block>, Re
     let metric = words::metric(first.used_as);
     let scatter = Scatter {
         title: format!("{} as {}", first.quantity, first.used_as.name()),
-        x: ("nanoseconds per evaluation".into(), Spread::Linear),
+        x: ("nanoseconds per evaluation (square-root scale)".into(), Spread::Root),
         y: (format!("largest {metric}"), Spread::Log),
         dots,
         size: (760.0, if many { 460.0 } else { 300.0 }),
