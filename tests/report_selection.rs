@@ -28,9 +28,7 @@ fn list<'a>(findings: &'a Value, of: &str, field: &str) -> Vec<&'a str> {
 fn fits_alone_show_refits_beside_the_published_forms() -> Outcome {
     let own = UserHypothesis {
         file: "mine.wgsl".into(),
-        source:
-            "fn mine(alpha: f32, mu: f32, /* 0.5 in [-2, 2] */ a: f32) -> f32 { return 1.0 + a * alpha; }"
-                .into(),
+        source: "override a: f32 = 0.5;\nfn mine(alpha: f32) -> f32 { return 1.0 + a * alpha; }".into(),
     };
     let (findings, page) = report(r#"{"fit": {"max_ops": 3, "norms": ["max", "rms"]}}"#, &[own])?;
     let shown = list(&findings, "fits", "name");

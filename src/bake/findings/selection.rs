@@ -34,7 +34,7 @@ fn reason(fit: &Fit, emitted: &[&Fit]) -> Option<&'static str> {
         Some("of the source, with published constants")
     } else if !catalogue_sources().any(|source| source == fit.hypothesis.source()) {
         Some("of the user")
-    } else if !emitted.iter().any(|o| beats(o)) {
+    } else if !emitted.iter().any(beats) {
         Some("on the frontier (no emitted formula is as cheap and more accurate, or cheaper and as accurate)")
     } else if REFITTED.contains(&file) && !better_twin() {
         Some("of the source's form, with fitted constants")
