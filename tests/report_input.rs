@@ -26,7 +26,10 @@ fn furnace(f: &mut Findings) -> &mut report::Furnace {
 #[test]
 fn numbers_that_are_not_finite_are_named() {
     let cases: Vec<(Spoil, &str)> = vec![
-        (Box::new(|f| f.effects[0].measured_error = f64::NAN), "effects[0].measured_error is not finite"),
+        (
+            Box::new(|f| f.effects[0].measured_error = Some(f64::NAN)),
+            "effects[0].measured_error is not finite",
+        ),
         (
             Box::new(|f| f.approximations[3].certificate.rms = f64::INFINITY),
             "approximations[3].certificate.rms is not",
@@ -83,6 +86,14 @@ fn empty_and_mismatched_lists_are_named() {
                 f.tables[1].channels[0].texels.pop();
             }),
             "channel E: texels has 4095 entries, expected 4096",
+        ),
+        (
+            Box::new(|f| f.averages.iter_mut().for_each(|a| a.fits[0].values.truncate(3))),
+            "average E_avg: fit eavg_5 has 3 entries, expected 33",
+        ),
+        (
+            Box::new(|f| f.averages.iter_mut().for_each(|a| a.fits[0].name = "nobody".into())),
+            "average E_avg: fit nobody is not among the approximations",
         ),
         (Box::new(|f| furnace(f).rows.clear()), "furnace: rows is empty"),
         (

@@ -71,6 +71,18 @@ fn the_timings_page_names_its_machine() -> Outcome {
     let html = text(&files, "reports/timings.html")?;
     assert!(html.contains("an imaginary processor, 2 cores"));
     assert!(html.contains("n_rational_13"));
+    assert_eq!(
+        html.matches("The stairs").count() + html.matches("the stairs").count(),
+        1,
+        "one chart: E_avg is one dot"
+    );
+    let scatter = html.split("ggx-reflection as normalisation").last().ok_or("no chart")?;
+    let drawn = scatter.split("</svg>").next().ok_or("no end")?;
+    assert!(
+        drawn.contains("n_rational_31") && drawn.contains("tauray"),
+        "the frontier and published ones are named"
+    );
+    assert!(!drawn.contains("n_rational_13_rms"), "others are not");
     let value: serde_json::Value = serde_json::from_str(&text(&files, "reports/timings.json")?)?;
     assert_eq!(value["points"][1]["name"], "hard");
     Ok(())
@@ -85,6 +97,7 @@ fn a_scene_that_calls_for_nothing_gets_a_page_that_says_so() -> Result<(), Repor
         truths: Vec::new(),
         approximations: Vec::new(),
         fits: Vec::new(),
+        averages: None,
         furnace: None,
         studies: Vec::new(),
         ..all
@@ -94,5 +107,48 @@ fn a_scene_that_calls_for_nothing_gets_a_page_that_says_so() -> Result<(), Repor
     assert!(html.contains("The scene calls for no effect"));
     assert!(html.contains("no material transmits"), "and why");
     assert!(!html.contains("id=\"furnace\""));
+    Ok(())
+}
+
+#[test]
+fn captions_speak_only_of_what_is_there() -> Outcome {
+    let all = text(&report::page(&findings())?, "reports/index.html")?;
+    assert!(all.contains("9 fits with pictures: 9 one of the synthetic fits."), "the selection is told");
+    assert!(all.contains("Without pictures") && all.contains("pesce-linear"), "and what is not in it");
+    assert!(all.contains("The fits of E_avg follow at the end") && all.contains("<h3>E_avg</h3>"));
+    assert!(all.contains("tables (squares)") && all.contains("A triangle on the foot"));
+    assert!(all.contains("the 6 most accurate of the 7 fits of the frontier"), "six of seven have curves");
+    assert!(all.contains("the deepest colours mean"), "the common scale is clipped, and says so");
+    assert!(all.contains("E is 1 for a smooth surface") && !all.contains("The part of the domain"));
+
+    let mut few = findings();
+    few.approximations.retain(|a| !a.table);
+    few.truths = vec![report::Field::sample(
+        "E",
+        false,
+        report::Ruler::even("roughness", 0.5, 0.55, 8),
+        report::Ruler::even("mu", 0.01, 1.0, 8),
+        |_, _| 0.9,
+    )];
+    few.studies.iter_mut().for_each(|s| s.series.retain(|s| !s.error.contains(&0.0)));
+    few.approximations.iter_mut().for_each(|a| a.cost.ops = 1);
+    few.fits.truncate(1);
+    let few = text(&report::page(&few)?, "reports/index.html")?;
+    assert!(!few.contains("tables (squares)") && !few.contains("A triangle on the foot"));
+    assert!(few.contains("The part of the domain that the scene spans: roughness 0.5 to 0.55"));
+    assert!(!few.contains("The stairs join"), "no chart of one cost");
+    assert!(few.contains("<dd>1 operation</dd>"), "singular");
+    Ok(())
+}
+
+#[test]
+fn rings_of_fits_are_signed() -> Outcome {
+    let mut one = findings();
+    one.fits.truncate(1);
+    let fit = &mut one.fits[0];
+    fit.error.values.iter_mut().for_each(|v| *v = -v.abs() - 1e-3);
+    one.approximations[0].certificate.max_abs = 0.12345;
+    let html = text(&report::page(&one)?, "reports/index.html")?;
+    assert!(html.contains("\u{2212}0.124\n"), "the certificate's figure with the map's sign, away from zero");
     Ok(())
 }

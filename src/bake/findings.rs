@@ -1,16 +1,20 @@
 //! What the bake found out, for the report.
 
+mod selection;
+
+use selection::{Selected, selected};
+
 use super::BakeError;
 use super::context::Context;
-use super::pictures::Grid;
+use super::pictures::{Grid, averages};
 use super::tables::BakedTable;
-use crate::data::{Place, Serves, Use};
-use crate::effects::reflection::{Dropped, Fit, LookupError, Study, studies};
+use crate::data::{Place, Serves, Smith, Use};
+use crate::effects::reflection::{Dropped, Fit, LookupError, Region, Study, studies};
 use crate::emit::code;
 use crate::plan::{Effect, Plan};
 use crate::report::{
-    self, ApproximationFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings, FitFinding, Furnace,
-    LeftOut, Marked, Origin, StudySeries, TableFinding,
+    self, ApproximationFinding, AverageFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings,
+    FitFinding, Furnace, LeftOut, Marked, Origin, StudySeries, TableFinding,
 };
 use crate::scene::Scene;
 
@@ -26,22 +30,20 @@ pub fn findings(
     dropped: &[Dropped],
     context: &Context,
 ) -> Result<Findings, BakeError> {
-    let shown: Vec<&Fit> = shown(fits);
+    let shown = selected(fits);
+    let mut averages = None;
     let mut truths = Vec::new();
     let mut furnace = None;
     let mut fit_findings = Vec::new();
     if let Some(job) = &plan.fit {
-        let region = crate::effects::reflection::Region {
-            roughness: job.roughness,
-            mu: job.mu,
-            alpha_map: job.alpha_map,
-        };
+        let region = Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map };
         let map = Grid::map(job.smith, &region, false, context);
         let curves = Grid::curves(job.smith, &region, context);
         truths.push(map.albedo());
-        for fit in &shown {
-            fit_findings.push(fit_finding(fit, &map, &curves)?);
+        for one in &shown {
+            fit_findings.push(fit_finding(one, &map, &curves)?);
         }
+        averages = average_finding(job.smith, &region, fits, context)?;
     } else if let Some(baked) = tables.first() {
         truths.push(Grid::map(scene.smith, &baked.region, false, context).albedo());
     }
@@ -62,6 +64,7 @@ pub fn findings(
         truths,
         approximations: approximations(tables, fits),
         fits: fit_findings,
+        averages,
         furnace,
         studies: studies.iter().map(study).collect(),
     })
@@ -77,20 +80,8 @@ fn left_out(plan: &Plan, dropped: &[Dropped]) -> Vec<LeftOut> {
     effects.chain(fits).collect()
 }
 
-/// The fits whose pictures are worth a reader's time: normalisations that nothing of ours beats in both cost and largest error,
-/// and the source's published ones.
-fn shown(fits: &[Fit]) -> Vec<&Fit> {
-    let normalises =
-        |f: &&Fit| f.approximation.used_as == Use::Normalisation && f.wraps.is_none() && f.emitted;
-    let ours: Vec<&Fit> = fits.iter().filter(normalises).collect();
-    let error = |f: &Fit| f.approximation.certificate.max_abs;
-    let ops = |f: &Fit| f.approximation.cost.ops;
-    let beaten = |f: &Fit| ours.iter().any(|o| ops(o) <= ops(f) && error(o) < error(f));
-    ours.iter().copied().filter(|f| f.norm() == "published" || !beaten(f)).collect()
-}
-
-fn region_of_furnace(plan: &Plan, tables: &[BakedTable]) -> Option<crate::effects::reflection::Region> {
-    let of_fit = plan.fit.as_ref().map(|job| crate::effects::reflection::Region {
+fn region_of_furnace(plan: &Plan, tables: &[BakedTable]) -> Option<Region> {
+    let of_fit = plan.fit.as_ref().map(|job| Region {
         roughness: job.roughness,
         mu: job.mu,
         alpha_map: job.alpha_map,
@@ -98,11 +89,11 @@ fn region_of_furnace(plan: &Plan, tables: &[BakedTable]) -> Option<crate::effect
     of_fit.or_else(|| tables.first().map(|t| t.region))
 }
 
-fn furnace_of(grid: &Grid, tables: &[BakedTable], shown: &[&Fit]) -> Result<Furnace, BakeError> {
+fn furnace_of(grid: &Grid, tables: &[BakedTable], shown: &[Selected]) -> Result<Furnace, BakeError> {
     let mut rows = vec![grid.uncompensated()];
     rows.extend(tables.iter().filter_map(|t| grid.furnace_of_table(t)));
-    for fit in shown {
-        rows.push(grid.furnace_of_fit(fit)?);
+    for one in shown {
+        rows.push(grid.furnace_of_fit(one.fit)?);
     }
     Ok(Furnace {
         roughness: grid.roughness.values.clone(),
@@ -112,14 +103,27 @@ fn furnace_of(grid: &Grid, tables: &[BakedTable], shown: &[&Fit]) -> Result<Furn
     })
 }
 
-fn fit_finding(fit: &Fit, map: &Grid, curves: &Grid) -> Result<FitFinding, BakeError> {
+fn fit_finding(one: &Selected, map: &Grid, curves: &Grid) -> Result<FitFinding, BakeError> {
+    let fit = one.fit;
     Ok(FitFinding {
         name: fit.approximation.name.clone(),
+        shown_as: one.because.into(),
         formula: code::wgsl(&fit.hypothesis, &fit.coefficients(), &[])?.text.trim_end().to_string(),
         value: "N = 1/E".into(),
         curves: curves.fit_curves(fit)?,
         error: map.furnace_error(fit)?,
     })
+}
+
+/// The fits of E_avg over roughness; none where the scene wants none.
+fn average_finding(
+    smith: Smith,
+    region: &Region,
+    fits: &[Fit],
+    context: &Context,
+) -> Result<Option<AverageFinding>, BakeError> {
+    let ours: Vec<&Fit> = fits.iter().filter(|f| f.approximation.quantity == "ggx-average").collect();
+    if ours.is_empty() { Ok(None) } else { averages(smith, region, &ours, context).map(Some) }
 }
 
 fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFinding> {
@@ -169,22 +173,34 @@ fn errors(baked: &BakedTable) -> Vec<(String, ErrorFigure)> {
 }
 
 fn effect(effect: &Effect, tables: &[BakedTable], fits: &[Fit]) -> EffectFinding {
-    let best = fits
-        .iter()
-        .filter(|f| f.emitted && f.approximation.used_as == Use::Normalisation)
-        .map(|f| f.approximation.certificate.max_abs)
-        .fold(f64::INFINITY, f64::min);
-    let worst = tables.iter().map(|t| t.errors.lookup.max).fold(0.0, f64::max);
-    let measured = if best.is_finite() { worst.max(best) } else { worst };
+    let (measured_error, metric) = measured(tables, fits);
     EffectFinding {
         effect: effect.effect.name().into(),
         because: effect.because.clone(),
         ranges: effect.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
         approximation: effect.approximation.clone(),
         expected_error: effect.expected_error,
-        measured_error: measured,
-        metric: "the larger of the tables' lookup error and the best normalisation's furnace error |E N - 1|"
-            .into(),
+        measured_error,
+        metric: metric.into(),
+    }
+}
+
+/// The error of what was baked, and what error that is.
+fn measured(tables: &[BakedTable], fits: &[Fit]) -> (Option<f64>, &'static str) {
+    let of_tables = tables.iter().map(|t| t.errors.lookup.max).reduce(f64::max);
+    let of_fits = fits
+        .iter()
+        .filter(|f| f.emitted && f.approximation.used_as == Use::Normalisation)
+        .map(|f| f.approximation.certificate.max_abs)
+        .reduce(f64::min);
+    match (of_tables, of_fits) {
+        (Some(table), Some(fit)) => (
+            Some(table.max(fit)),
+            "the larger of the worst table's lookup error and the best normalisation's furnace error |E N − 1|",
+        ),
+        (Some(table), None) => (Some(table), "lookup error of the worst table"),
+        (None, Some(fit)) => (Some(fit), "furnace error |E N − 1| of the best normalisation"),
+        (None, None) => (None, "neither a table nor a normalisation was made"),
     }
 }
 

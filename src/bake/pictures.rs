@@ -1,11 +1,15 @@
 //! Samples for the report's pictures: the truth and every approximation over a grid of roughness and mu.
 
+use rayon::prelude::*;
+
 use super::BakeError;
 use super::context::Context;
 use super::tables::BakedTable;
 use crate::data::{Serves, Smith};
 use crate::effects::reflection::{Field as Truth, Fit, Judged, Lookup, PointSet, Region, error_map};
-use crate::report::{Field, FitCurve, FurnaceRow, Ruler};
+use crate::integrate::IntegrateError;
+use crate::integrate::reflection::{TOLERANCE, average};
+use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
 
 /// Side of the maps' grids.
 const MAP: usize = 64;
@@ -18,6 +22,9 @@ const SPHERES: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 
 /// Fewest of them that a range must hold; a narrower range is divided evenly instead.
 const FEWEST: usize = 3;
+
+/// Roughnesses of the curves of the average.
+const AVERAGES: usize = 49;
 
 /// Cosines per curve and per sphere.
 const COSINES: usize = 64;
@@ -90,7 +97,7 @@ impl Grid {
 
     /// E N - 1 of a normalisation.
     pub fn furnace_error(&self, fit: &Fit) -> Result<Field, BakeError> {
-        let values = self.values(fit)?;
+        let values = values(fit, &self.points)?;
         Ok(self.field("E N - 1", true, values.iter().zip(&self.truth.e).map(|(n, e)| n * e - 1.0)))
     }
 
@@ -112,7 +119,7 @@ impl Grid {
 
     /// 1/E and N over mu, one per roughness.
     pub fn fit_curves(&self, fit: &Fit) -> Result<Vec<FitCurve>, BakeError> {
-        let values = self.values(fit)?;
+        let values = values(fit, &self.points)?;
         let columns = self.roughness.values.len();
         let curve = |column: usize| FitCurve {
             roughness: self.roughness.values[column],
@@ -138,7 +145,7 @@ impl Grid {
 
     /// The furnace of a lobe multiplied by a fit's N.
     pub fn furnace_of_fit(&self, fit: &Fit) -> Result<FurnaceRow, BakeError> {
-        let values = self.values(fit)?;
+        let values = values(fit, &self.points)?;
         let factors = values.iter().zip(&self.truth.e).map(|(n, e)| n * e).collect();
         Ok(self.row(&fit.approximation.name, factors))
     }
@@ -148,11 +155,38 @@ impl Grid {
         let column = |c: usize| values.iter().skip(c).step_by(columns).copied().collect();
         FurnaceRow { name: name.into(), factors: (0..columns).map(column).collect() }
     }
+}
 
-    fn values(&self, fit: &Fit) -> Result<Vec<f64>, BakeError> {
-        let values = fit.values(&self.points).map_err(crate::effects::reflection::FitStageError::from)?;
-        Ok(values.into_iter().map(f64::from).collect())
+/// E_avg and its fits over the roughness of a region, even steps.
+pub fn averages(
+    smith: Smith,
+    region: &Region,
+    fits: &[&Fit],
+    context: &Context,
+) -> Result<AverageFinding, BakeError> {
+    let roughness = Ruler::even("roughness", region.roughness[0], region.roughness[1], AVERAGES);
+    let mut points = PointSet::default();
+    for r in &roughness.values {
+        points.push(region, *r, 1.0);
     }
+    context.counter.add(points.len());
+    let truth: Vec<Result<f64, IntegrateError>> = points
+        .alpha
+        .par_iter()
+        .map(|alpha| average(smith, f64::from(*alpha), TOLERANCE).map(|v| v.e_avg))
+        .collect();
+    let fit = |f: &&Fit| Ok(AverageFit { name: f.approximation.name.clone(), values: values(f, &points)? });
+    Ok(AverageFinding {
+        name: "E_avg".into(),
+        truth: truth.into_iter().collect::<Result<_, _>>()?,
+        fits: fits.iter().map(fit).collect::<Result<_, BakeError>>()?,
+        roughness,
+    })
+}
+
+fn values(fit: &Fit, points: &PointSet) -> Result<Vec<f64>, BakeError> {
+    let values = fit.values(points).map_err(crate::effects::reflection::FitStageError::from)?;
+    Ok(values.into_iter().map(f64::from).collect())
 }
 
 fn grazing(region: &Region, n: usize) -> Ruler {

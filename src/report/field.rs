@@ -75,6 +75,12 @@ impl Field {
         Some((*x, *y, f64::from(self.values[i])))
     }
 
+    /// Value of the node nearest to a place, clamped to the grid; 0 of an empty field.
+    pub(crate) fn nearest(&self, x: f64, y: f64) -> f64 {
+        let (i, j) = (self.x.position(x).round() as usize, self.y.position(y).round() as usize);
+        self.values.get(j * self.x.values.len() + i).map_or(0.0, |&v| f64::from(v))
+    }
+
     /// Rulers increase, the values are as many as the grid has nodes, and finite.
     pub(crate) fn check(&self, section: &str) -> Result<(), ReportError> {
         check::increasing(section, &format!("{}: {}", self.name, self.x.name), &self.x.values)?;

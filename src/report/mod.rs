@@ -20,8 +20,9 @@ mod timings;
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
-    ApproximationFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings, FitCurve, FitFinding,
-    Furnace, FurnaceRow, LeftOut, Marked, Origin, SCHEMA_VERSION, Study, StudySeries, TableFinding,
+    ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure, Findings,
+    FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Marked, Origin, SCHEMA_VERSION, Study, StudySeries,
+    TableFinding,
 };
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

@@ -40,6 +40,11 @@ pub(crate) fn round_up(x: f64, digits: usize) -> f64 {
     if value.abs() < x.abs() { up(&next_up(&nearest)) } else { value }
 }
 
+/// `x` rounded to nearest with `digits` significant digits.
+pub(crate) fn rounded(x: f64, digits: usize) -> f64 {
+    format!("{x:.*e}", digits.max(1) - 1).parse().unwrap_or(x)
+}
+
 /// An integer with thin groups of thousands: `10 000 000`.
 pub(crate) fn grouped(n: u64) -> String {
     let digits = n.to_string();

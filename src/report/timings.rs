@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Origin;
+use crate::data::Use;
 
 /// Measured times, offline and at run time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -46,6 +47,13 @@ pub struct TimedSeries {
 pub struct TimedApproximation {
     /// Name of the approximation.
     pub name: String,
+    /// Quantity that it approximates.
+    pub quantity: String,
+    /// Column of the quantity.
+    pub column: String,
+    /// What it is used as; decides what its error means.
+    #[serde(rename = "use")]
+    pub used_as: Use,
     /// Nanoseconds per evaluation, measured.
     pub nanoseconds: f64,
     /// Operations by the model of [`crate::data::Cost`].

@@ -141,6 +141,9 @@ fn region(alpha_map: AlphaMap, approximation: &Approximation) -> Region {
 fn entry(approximation: &Approximation, table: bool, seconds: f64) -> TimedApproximation {
     TimedApproximation {
         name: approximation.name.clone(),
+        quantity: approximation.quantity.clone(),
+        column: approximation.column.clone(),
+        used_as: approximation.used_as,
         nanoseconds: seconds * 1e9,
         ops: approximation.cost.ops,
         max_error: approximation.certificate.max_abs,

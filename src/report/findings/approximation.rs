@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::data::{Approximation, Certificate, Cost, Form, Smith, Source, Use};
-use crate::report::Field;
+use crate::report::{Field, Ruler};
 
 /// One approximation: ours or somebody else's, table or formula. The same figures for all of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -19,7 +19,7 @@ pub struct ApproximationFinding {
     pub used_as: Use,
     /// Shadowing form of the quantity.
     pub smith: Smith,
-    /// `fitted`, or the publication.
+    /// `fitted`, `baked` for a table of ours, or the publication.
     pub source: String,
     /// Somebody else's.
     pub published: bool,
@@ -48,7 +48,7 @@ impl From<&Approximation> for ApproximationFinding {
             column: a.column.clone(),
             used_as: a.used_as,
             smith: a.smith,
-            source: a.source.text().to_string(),
+            source: if table && a.source == Source::Fitted { "baked" } else { a.source.text() }.into(),
             published: matches!(a.source, Source::Published(_)),
             table,
             norm,
@@ -64,6 +64,8 @@ impl From<&Approximation> for ApproximationFinding {
 pub struct FitFinding {
     /// Name of the approximation; cost, certificate and source stand there.
     pub name: String,
+    /// What earns it pictures, as it reads after a number of fits; those that share the words are counted together.
+    pub shown_as: String,
     /// The formula as a person reads it, constants filled in; may have several lines.
     pub formula: String,
     /// What the curves show: `N = 1/E`, ...
@@ -85,4 +87,26 @@ pub struct FitCurve {
     pub truth: Vec<f64>,
     /// Fit at each mu.
     pub fit: Vec<f64>,
+}
+
+/// Fits of a quantity of roughness alone, beside its truth.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AverageFinding {
+    /// What it is: `E_avg`.
+    pub name: String,
+    /// Where it was sampled.
+    pub roughness: Ruler,
+    /// Truth at each roughness.
+    pub truth: Vec<f64>,
+    /// The fits.
+    pub fits: Vec<AverageFit>,
+}
+
+/// One fit of a quantity of roughness alone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AverageFit {
+    /// Name of the approximation; cost, certificate and source stand there.
+    pub name: String,
+    /// Values at each roughness.
+    pub values: Vec<f64>,
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 
 use super::Field;
 
-pub use approximation::{ApproximationFinding, FitCurve, FitFinding};
+pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 
@@ -51,6 +51,9 @@ pub struct Findings {
     pub approximations: Vec<ApproximationFinding>,
     /// Fits shown beside their truth; each names one of `approximations`.
     pub fits: Vec<FitFinding>,
+    /// Fits of the average albedo over roughness.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub averages: Option<AverageFinding>,
     /// Spheres in a white environment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furnace: Option<Furnace>,
@@ -72,8 +75,9 @@ pub struct EffectFinding {
     /// Error that the scene allows; none where it sets no limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub expected_error: Option<f64>,
-    /// Error that was measured.
-    pub measured_error: f64,
+    /// Error that was measured; none where nothing was made that has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured_error: Option<f64>,
     /// What error that is: `furnace error |E N - 1|`, ...
     pub metric: String,
 }

@@ -48,3 +48,37 @@ pub(crate) fn shorten(text: &str, size: f64, limit: f64) -> Result<String, Repor
     }
     Ok(String::new())
 }
+
+/// `text` in lines no wider than `limit` pixels, broken after hyphens, underscores and spaces; what is left after `lines` lines
+/// is shortened.
+pub(crate) fn wrap(text: &str, size: f64, limit: f64, lines: usize) -> Result<Vec<String>, ReportError> {
+    let mut out: Vec<String> = Vec::new();
+    let mut current = String::new();
+    for part in text.split_inclusive(['-', '_', ' ']) {
+        let longer = format!("{current}{part}");
+        if current.is_empty() || out.len() + 1 >= lines || width(longer.trim_end(), size)? <= limit {
+            current = longer;
+        } else {
+            out.push(std::mem::replace(&mut current, part.to_string()));
+        }
+    }
+    out.push(current);
+    out.iter().map(|line| shorten(line.trim_end(), size, limit)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_name_is_wrapped_and_keeps_its_end() -> Result<(), ReportError> {
+        let name = "ggx-dfg-correlated-64x64-split-sum";
+        let lines = wrap(name, 11.0, 170.0, 3)?;
+        assert!(lines.len() == 2 && lines.concat() == name, "{lines:?}");
+        assert_eq!(wrap("short", 11.0, 170.0, 3)?, ["short"]);
+        let endless = wrap(&"word-".repeat(100), 11.0, 170.0, 3)?;
+        assert!(endless.len() == 3 && endless[2].ends_with('…'), "{endless:?}");
+        assert_eq!(wrap(&"x".repeat(100), 11.0, 170.0, 3)?.len(), 1, "nowhere to break");
+        Ok(())
+    }
+}

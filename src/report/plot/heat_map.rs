@@ -124,7 +124,12 @@ fn ruler_scale(ruler: &Ruler) -> Scale {
 }
 
 fn marks(ruler: &Ruler, pixel: impl Fn(f64) -> f64) -> Vec<axes::Mark> {
-    let ticks = ruler_scale(ruler).ticks(TICKS);
+    let mut ticks = ruler_scale(ruler).ticks(TICKS);
+    // Between texel numbers there is nothing to point at.
+    let whole = |v: f64| v.fract() == 0.0;
+    if ruler.values.len() > 2 && ruler.values.iter().all(|&v| whole(v)) {
+        ticks.retain(|t| whole(t.value));
+    }
     ticks.into_iter().map(|t| axes::Mark { at: pixel(t.value), label: t.label }).collect()
 }
 

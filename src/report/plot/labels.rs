@@ -32,7 +32,8 @@ pub(crate) struct Label {
     pub(crate) leader: bool,
 }
 
-/// Places every label, in the order given, at the first spot that is free of obstacles, points and placed labels.
+/// Places every label, in the order given, at the first spot that is free of obstacles, points and placed labels. A point
+/// without a name only keeps others off.
 ///
 /// Greedy: a label with no free spot within the reach keeps the nearest one that is free of other labels, and
 /// failing that the first; that takes more than some hundred crowded points.
@@ -45,6 +46,10 @@ pub(crate) fn place(
     let dots: Vec<Frame> = points.iter().map(|&p| around(p, 5.0, 5.0)).collect();
     let mut placed: Vec<Label> = Vec::with_capacity(points.len());
     for (&point, name) in points.iter().zip(names) {
+        if name.is_empty() {
+            placed.push(Label { frame: around(point, 0.0, 0.0), leader: false });
+            continue;
+        }
         let half = font::width(name, SMALL)? / 2.0 + 2.0;
         let spots =
             || REACH.iter().flat_map(move |&r| DIRECTIONS.iter().map(move |&d| spot(point, half, d, r)));

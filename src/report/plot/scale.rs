@@ -50,6 +50,25 @@ impl Scale {
         }
     }
 
+    /// The scale with room beyond an end on which a value sits, so that a mark there is not cut by the frame.
+    pub(crate) fn roomy(self, values: impl Iterator<Item = f64> + Clone) -> Scale {
+        const ROOM: f64 = 0.05;
+        let near = |end: f64| values.clone().any(|v| (self.position(v) - end).abs() < ROOM / 2.0);
+        let (below, above) = (if near(0.0) { ROOM } else { 0.0 }, if near(1.0) { ROOM } else { 0.0 });
+        let (min, max) = match self.spread {
+            Spread::Log => {
+                let span = ops::log(self.max / self.min);
+                (self.min * ops::exp(-below * span), self.max * ops::exp(above * span))
+            }
+            Spread::Linear => {
+                let span = self.max - self.min;
+                (self.min - below * span, self.max + above * span)
+            }
+            Spread::Root => (self.min, self.max),
+        };
+        Scale { spread: self.spread, min, max }
+    }
+
     /// Position in [0, 1] of a value, clamped to the scale.
     pub(crate) fn position(self, x: f64) -> f64 {
         let t = match self.spread {
@@ -176,6 +195,17 @@ mod tests {
         assert_eq!(labels(linear, 5), ["0.2", "0.4", "0.6", "0.8", "1"]);
         let log = Scale { spread: Spread::Log, min: 1e-3, max: 0.2 };
         assert_eq!(labels(log, 5), ["0.001", "0.002", "0.005", "0.01", "0.02", "0.05", "0.1", "0.2"]);
+    }
+
+    #[test]
+    fn a_value_on_the_frame_gets_room() {
+        for spread in [Spread::Linear, Spread::Log] {
+            let values = [0.01, 0.4, 1.0];
+            let scale = Scale { spread, min: 0.01, max: 2.0 };
+            let roomy = scale.roomy(values.iter().copied());
+            assert!(roomy.position(0.01) > 0.03, "{roomy:?}");
+            assert_eq!(roomy.max, 2.0, "nothing sits at the upper end");
+        }
     }
 
     #[test]

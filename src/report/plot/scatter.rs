@@ -10,7 +10,7 @@ use crate::report::{ReportError, check};
 /// One named point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dot {
-    /// Name beside the point.
+    /// Name beside the point; empty for none.
     pub name: String,
     /// Cost.
     pub x: f64,
@@ -58,7 +58,7 @@ impl Figure for Scatter {
         let legend = Legend::flow(self.entries(), self.size.0)?;
         let top = 28.0 + legend.height();
         let x = Scale::around(self.x.1, self.dots.iter().map(|d| d.x));
-        let y = Scale::around(self.y.1, self.dots.iter().map(|d| d.y));
+        let y = Scale::around(self.y.1, self.dots.iter().map(|d| d.y)).roomy(self.dots.iter().map(|d| d.y));
         let left = axes::left_space(y, self.size.1)?;
         let frame = Frame { left, top, right: left + self.size.0, bottom: top + self.size.1 };
         let pixels: Vec<(f64, f64)> = self

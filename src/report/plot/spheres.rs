@@ -19,6 +19,10 @@ const CELL: usize = 78;
 /// Radius of a sphere in pixels of the page.
 const RADIUS: f64 = 35.0;
 
+/// Widest line of a row's name in pixels of the page, and the most lines: what a cell has room for.
+const NAMES: f64 = 150.0;
+const NAME_LINES: usize = 4;
+
 /// Samples per pixel and axis where the sphere's edge passes.
 const EDGE: usize = 8;
 
@@ -55,9 +59,11 @@ impl Figure for Spheres<'_> {
         self.check()?;
         let mut names: f64 = 40.0;
         for row in &self.rows {
-            names = names.max(font::width(&row.name, SMALL)?);
+            for line in font::wrap(&row.name, SMALL, NAMES, NAME_LINES)? {
+                names = names.max(font::width(&line, SMALL)?);
+            }
         }
-        let left = names.min(170.0) + 12.0;
+        let left = names + 12.0;
         let (width, height) = ((self.columns.len() * CELL) as f64, (self.rows.len() * CELL) as f64);
         let frame = Frame { left, top: 48.0, right: left + width, bottom: 48.0 + height };
         let size = (self.columns.len() * CELL * DENSITY, self.rows.len() * CELL * DENSITY);
@@ -95,8 +101,11 @@ impl Spheres<'_> {
         }
         for (i, row) in self.rows.iter().enumerate() {
             let y = frame.top + (i as f64 + 0.5) * CELL as f64;
-            let name = font::shorten(&row.name, SMALL, 170.0)?;
-            canvas.text(&name, (frame.left - 8.0, y), SMALL, Align::Right, INK)?;
+            let lines = font::wrap(&row.name, SMALL, NAMES, NAME_LINES)?;
+            for (k, line) in lines.iter().enumerate() {
+                let lift = (k as f64 - (lines.len() - 1) as f64 / 2.0) * 14.0;
+                canvas.text(line, (frame.left - 8.0, y + lift), SMALL, Align::Right, INK)?;
+            }
         }
         colour_bar::draw(canvas, frame, self.shade, &self.unit)
     }

@@ -32,11 +32,24 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     Ok(Some(Section {
         id: "approximations".into(),
         title: "What accuracy costs at run time".into(),
-        lead: "Tables, our fits and published fits, all measured the same way against the same truth: lower is more \
-               accurate, further left is cheaper."
-            .into(),
+        lead: lead(&findings.approximations, blocks.len() > 1),
         blocks,
     }))
+}
+
+/// What is listed, and how to read the charts if there are any.
+fn lead(all: &[ApproximationFinding], charts: bool) -> String {
+    let has = |kind: fn(&ApproximationFinding) -> bool| all.iter().any(kind);
+    let kinds = [
+        (has(|a| a.table), "tables"),
+        (has(|a| !a.table && !a.published), "our fits"),
+        (has(|a| a.published), "published formulas"),
+    ];
+    let there: Vec<&str> = kinds.iter().filter(|k| k.0).map(|k| k.1).collect();
+    let (of, how) =
+        (there.join(", "), if there.len() > 1 { ", all measured the same way" } else { ", measured" });
+    let read = if charts { " In a chart, lower is more accurate, further left is cheaper." } else { "" };
+    format!("What there is: {of}{how} against the truth.{read}")
 }
 
 /// Fits and timings refer to approximations by name.
@@ -62,12 +75,13 @@ fn groups(all: &[ApproximationFinding]) -> Vec<Vec<&ApproximationFinding>> {
     groups
 }
 
-/// Cost against error of a group; nothing for a single approximation, and none that is exact (a log axis has no 0).
+/// Cost against error of a group; nothing where the table says as much, and none that is exact (a log axis has no 0).
 fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> {
     let dots: Vec<Dot> = group.iter().filter(|a| a.certificate.max_abs > 0.0).map(|a| dot(a)).collect();
-    if dots.len() < 2 {
+    if !words::worth_a_chart(&dots) {
         return Ok(None);
     }
+    let has = |kind: fn(&ApproximationFinding) -> bool| group.iter().any(|a| kind(a));
     let first = group[0];
     let (used_as, metric) = (first.used_as, words::metric(first.used_as));
     let title = format!("{} as {}, {} Smith", first.quantity, used_as.name(), first.smith.name());
@@ -82,8 +96,9 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
         group.iter().filter(|a| a.certificate.max_abs == 0.0).map(|a| a.name.as_str()).collect();
     let caption = format!(
         "Largest {metric} over the domain against operations per evaluation. The stairs join our formulas that no other \
-         formula of ours beats in both; tables (squares) also fetch, which operations do not count; published ones are \
-         grey{}.{}",
+         formula of ours beats in both{}{}{}.{}",
+        if has(|a| a.table) { "; tables (squares) also fetch, which operations do not count" } else { "" },
+        if has(|a| a.published) { "; published ones are grey" } else { "" },
         if used_as == Use::Normalisation {
             ", judged as the factor N that should make E\u{a0}N\u{a0}=\u{a0}1"
         } else {
@@ -109,10 +124,12 @@ fn dot(a: &ApproximationFinding) -> Dot {
 }
 
 fn list(all: &[ApproximationFinding]) -> TextTable {
-    let caption = "ops by the project's operation model (add, mul, fma, min, max, compare, select 1; reciprocal, sqrt, \
-                   exp2 4; exp 5; pow 9). Maxima are rounded up; where: the place of the maximum. Published constants \
-                   are set back in grey.";
-    let mut table = words::table(&COLUMNS, all.iter().map(row).collect(), caption);
+    let caption = format!(
+        "ops by the project's operation model (add, mul, fma, min, max, compare, select 1; reciprocal, sqrt, exp2 4; exp 5; \
+         pow 9). Maxima are rounded up; where: the place of the maximum.{}",
+        if all.iter().any(|a| a.published) { " Published constants are set back in grey." } else { "" },
+    );
+    let mut table = words::table(&COLUMNS, all.iter().map(row).collect(), &caption);
     table.muted = all.iter().map(|a| a.published).collect();
     table
 }

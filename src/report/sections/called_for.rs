@@ -47,7 +47,7 @@ fn row(e: &EffectFinding) -> Vec<String> {
         words::ranges(&e.ranges),
         e.approximation.clone(),
         e.expected_error.map_or_else(|| "no limit".into(), words::max),
-        words::max(e.measured_error),
+        e.measured_error.map_or_else(|| "–".into(), words::max),
         e.metric.clone(),
     ]
 }

@@ -1,6 +1,6 @@
-//! Fits beside their truth: all of them on one scale, then each with its formula.
+//! Fits beside their truth: a selection on one scale, then each with its formula.
 
-use super::{figures, words};
+use super::{averages, figures, selection, words};
 use crate::report::plot::Scale;
 use crate::report::{
     ApproximationFinding, Block, Curves, Dot, Field, Findings, FitCurve, FitFinding, HeatMap, ReportError,
@@ -11,21 +11,24 @@ use crate::report::{
 const TOGETHER: usize = 6;
 
 pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
-    if findings.fits.is_empty() {
+    if findings.fits.is_empty() && findings.averages.is_none() {
         return Ok(None);
     }
     let shown: Vec<Shown> =
         findings.fits.iter().map(|f| Shown::of(f, &findings.approximations)).collect::<Result<_, _>>()?;
-    let mut blocks = vec![overview(&shown)?];
-    blocks.extend(together(&shown)?);
+    let mut blocks = selection::told(findings);
+    if !shown.is_empty() {
+        blocks.push(overview(&shown)?);
+        blocks.extend(together(&shown)?);
+    }
     for s in &shown {
         blocks.extend(card(s)?);
     }
+    blocks.extend(averages::blocks(findings)?);
     Ok(Some(Section {
         id: "fits".into(),
         title: "Fits beside the truth".into(),
-        lead: "Each fit with its constants, certified after they were rounded to f32. First all fits on one colour \
-               scale, then the cheapest of each accuracy in one chart, then every fit by itself on its own scale."
+        lead: "A selection of the fits with their constants, certified after those were rounded to f32."
             .into(),
         blocks,
     }))
@@ -58,12 +61,16 @@ impl<'a> Shown<'a> {
         Ok(Shown { fit, approximation, error: words::labelled(&fit.error) })
     }
 
-    /// The certificate's worst place where it names both inputs of the map, else the map's own.
+    /// The certificate's worst place where it names both inputs of the map, signed as the map's nearest node; else the
+    /// map's own.
     fn worst(&self) -> Option<Worst> {
         let certificate = &self.approximation.certificate;
         let at = |name: &str| certificate.at.get(name).copied();
         match (at(&self.fit.error.x.name), at(&self.fit.error.y.name)) {
-            (Some(x), Some(y)) => Some(Worst { x, y, text: numbers::brief_bound(certificate.max_abs, 3) }),
+            (Some(x), Some(y)) => {
+                let signed = certificate.max_abs.copysign(self.error.nearest(x, y));
+                Some(Worst { x, y, text: numbers::brief_bound(signed, 3) })
+            }
             _ => self.error.worst().map(|(x, y, v)| Worst { x, y, text: numbers::brief_bound(v, 3) }),
         }
     }
@@ -73,17 +80,36 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// Signed error of every fit on one scale.
+/// How many times the error of the most accurate fit the common scale reaches: farther, and good fits are all white.
+const REACH: f64 = 10.0;
+
+/// Limit of the common scale: the largest error, or a round figure below it.
+fn common_limit(shown: &[Shown]) -> (f64, bool) {
+    let peaks = || shown.iter().map(|s| s.error.peak());
+    let largest = numbers::round_up(peaks().fold(0.0, f64::max).max(1e-12), 2);
+    let reach = numbers::rounded(REACH * peaks().filter(|&p| p > 0.0).fold(f64::INFINITY, f64::min), 1);
+    if reach < largest { (reach, true) } else { (largest, false) }
+}
+
+/// Signed error of every shown fit on one scale.
 fn overview(shown: &[Shown]) -> Result<Block, ReportError> {
-    let peak = shown.iter().map(|s| s.error.peak()).fold(0.0, f64::max);
-    let shade = crate::report::plot::signed(peak);
+    let (limit, clipped) = common_limit(shown);
+    let shade = crate::report::plot::signed(limit);
     let maps: Vec<HeatMap> =
         shown.iter().map(|s| HeatMap { size: (152.0, 145.0), ..s.map(s.fit.name.clone(), shade) }).collect();
+    let limit = numbers::tick(limit);
     let caption = format!(
-        "Signed error over roughness and mu, every map on the same scale (±{}), which follows the square root of the \
-         magnitude: blue too low, red too high, white exact. The ring marks the worst place of the certificate, the \
-         figure its magnitude.",
-        numbers::tick(numbers::round_up(peak.max(1e-12), 2)),
+        "Signed error over roughness and mu, every map on the same scale (±{limit}), which follows the square root of the \
+         magnitude: blue too low, red too high, white exact.{} The ring marks the worst place of the certificate, the figure \
+         its signed error, rounded away from zero.",
+        if clipped {
+            format!(
+                " The scale ends at about {REACH} times the largest error of the most accurate fit, so that good fits can be \
+                 told apart: the deepest colours mean ±{limit} or beyond."
+            )
+        } else {
+            String::new()
+        },
     );
     figures(&maps, &caption)
 }
@@ -96,22 +122,30 @@ fn together(shown: &[Shown]) -> Result<Option<Block>, ReportError> {
             name: String::new(),
             x: f64::from(s.approximation.cost.ops),
             y: s.approximation.certificate.max_abs,
-            published: false,
+            published: s.approximation.published,
             table: false,
         })
         .collect();
     let mut best = crate::report::plot::frontier(&dots);
     // Where the frontier is long, its accurate end is the one that is hard to tell apart by figures alone.
-    best.drain(..best.len().saturating_sub(TOGETHER));
+    let all = best.len();
+    best.drain(..all.saturating_sub(TOGETHER));
     let first = best.first().map_or(&[][..], |&i| &shown[i].fit.curves);
     let charts: Vec<Curves> = first.iter().filter_map(|c| overlay(shown, &best, c)).collect();
     if best.len() < 2 || charts.is_empty() {
         return Ok(None);
     }
-    let caption = "Truth (the heavy line) and the fits of the frontier, those that no other fit here beats in both operations and \
-                   largest error, one chart per roughness, each with its own vertical scale. A colour that stays on the heavy line is a fit that \
-                   follows the truth.";
-    figures(&charts, caption).map(Some)
+    let of_the = if best.len() < all {
+        format!("the {} most accurate of the {all} fits of the frontier", best.len())
+    } else {
+        format!("the {all} fits of the frontier")
+    };
+    let caption = format!(
+        "Truth (the heavy line) and {of_the}, those of ours that no other beats in both operations and largest error; \
+         one chart per roughness, each with its own vertical scale. A colour that stays on the heavy line is a fit that \
+         follows the truth.",
+    );
+    figures(&charts, &caption).map(Some)
 }
 
 /// One roughness; nothing unless every fit has a curve there.
@@ -211,8 +245,9 @@ fn facts(s: &Shown) -> Vec<(String, String)> {
                 c.precision,
             ),
         ),
-        ("Cost".into(), format!("{} operations", a.cost.ops)),
+        ("Cost".into(), words::operations(a.cost.ops)),
         ("Norm".into(), a.norm.clone()),
         ("Source".into(), a.source.clone()),
+        ("Selected".into(), s.fit.shown_as.clone()),
     ]
 }

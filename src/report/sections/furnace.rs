@@ -1,6 +1,6 @@
 //! The furnace: spheres that should not be seen.
 
-use super::{figures, words};
+use super::{figures, selection, words};
 use crate::report::{
     Block, Findings, Furnace, FurnaceRow, ReportError, Section, Shade, SphereRow, Spheres, check, numbers,
 };
@@ -25,8 +25,9 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     );
     let caption = format!(
         "Departure from the environment, amplified {} times: grey is exact, the deepest blue a loss of {deepest} or more, \
-         the deepest red a gain of {deepest} or more. A perfect compensation vanishes.",
+         the deepest red a gain of {deepest} or more. A perfect compensation vanishes.{}",
         numbers::brief(furnace.amplification, 3),
+        absent(findings),
     );
     let blocks = vec![
         figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption)?,
@@ -41,6 +42,17 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
             .into(),
         blocks,
     }))
+}
+
+/// What has no row.
+fn absent(findings: &Findings) -> String {
+    match selection::without_sphere(findings) {
+        0 => String::new(),
+        n => format!(
+            " Not every normalisation has a row, only those selected for pictures under “Fits beside the truth”: {n} more are \
+             listed with their largest furnace error under “What accuracy costs at run time”."
+        ),
+    }
 }
 
 fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade: Shade) -> Spheres<'a> {

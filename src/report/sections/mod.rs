@@ -1,9 +1,11 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
 mod approximations;
+mod averages;
 mod called_for;
 mod fits;
 mod furnace;
+mod selection;
 mod study;
 mod tables;
 mod timings;

@@ -6,15 +6,29 @@ use crate::report::{
     Annotation, Block, Curves, Marked, ReportError, Section, Series, Spread, Study, StudySeries, Style, check,
 };
 
+/// What a mark on the foot of a logarithmic chart means.
+pub(super) const TRIANGLE: &str = " A triangle on the foot is an error of exactly 0.";
+
+/// Where those who measure put errors that are only rounding of f64.
+pub(super) const FLOOR: f64 = 1e-16;
+
+/// What a point there means.
+pub(super) const ROUNDING: &str = " A point at 10⁻¹⁶ agrees with the truth but for the rounding of f64.";
+
 pub(super) fn section(studies: &[Study]) -> Result<Option<Section>, ReportError> {
     if studies.is_empty() {
         return Ok(None);
     }
     let charts: Vec<Curves> = studies.iter().map(chart).collect::<Result<_, _>>()?;
-    let caption = "Absolute error against evaluations of the integrand, both logarithmic. The grey guides fall as plain Monte \
-                   Carlo (−1/2) and as a perfect low-discrepancy rule (−1): a steeper line buys digits more cheaply. A \
-                   triangle on the foot is an error of exactly 0.";
-    let mut blocks = vec![figures(&charts, caption)?];
+    let exact = studies.iter().flat_map(|s| &s.series).any(|s| s.error.contains(&0.0));
+    let rounding = studies.iter().flat_map(|s| &s.series).any(|s| s.error.contains(&FLOOR));
+    let caption = format!(
+        "Absolute error against evaluations of the integrand, both logarithmic. The grey guides fall as plain Monte Carlo \
+         (−1/2) and as a perfect low-discrepancy rule (−1): a steeper line buys digits more cheaply.{}{}",
+        if exact { TRIANGLE } else { "" },
+        if rounding { ROUNDING } else { "" },
+    );
+    let mut blocks = vec![figures(&charts, &caption)?];
     for study in studies {
         if let Some(marked) = &study.marked {
             blocks.push(Block::Text { text: told(study, marked) });

@@ -21,16 +21,34 @@ pub(super) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError
     let fields: Vec<Field> = findings.truths.iter().map(words::labelled).collect();
     let maps: Vec<HeatMap> =
         fields.iter().map(|f| HeatMap { size: (250.0, 220.0), ..HeatMap::of(&f.name, f) }).collect();
-    let caption = "For the GGX lobe: E is 1 for a smooth surface and at grazing view; between the two lies a valley \
-                   along the diagonal where mu is about alpha, which never closes however smooth the surface. \
-                   Polynomials cannot follow it.";
     Ok(Some(Section {
         id: "truth".into(),
         title: "The truth".into(),
         lead: "What is approximated, by quadrature: the values that every table and fit is measured against."
             .into(),
-        blocks: vec![figures(&maps, caption)?],
+        blocks: vec![figures(&maps, &landscape(&findings.truths[0]))?],
     }))
+}
+
+/// What to see in the maps of the truth; a part of the domain need not show it.
+fn landscape(field: &Field) -> String {
+    let ends = |r: &Ruler| [r.values[0], r.values[r.values.len() - 1]];
+    let (roughness, mu) = (ends(&field.x), ends(&field.y));
+    let valley = "1 for a smooth surface and at grazing view; between the two lies a valley along the diagonal where mu is \
+                  about alpha, which never closes however smooth the surface. Polynomials cannot follow it.";
+    if roughness[0] <= 0.1 && roughness[1] >= 0.9 && mu[0] <= 0.05 && mu[1] >= 0.9 {
+        return format!("For the GGX lobe: E is {valley}");
+    }
+    format!(
+        "The part of the domain that the scene spans: {} {} to {}, {} {} to {}. Over the whole domain E of the GGX lobe is \
+         {valley} How much of that is seen here depends on the part.",
+        words::symbol(&field.x.name),
+        brief(roughness[0], 3),
+        brief(roughness[1], 3),
+        words::symbol(&field.y.name),
+        brief(mu[0], 3),
+        brief(mu[1], 3),
+    )
 }
 
 /// The tables: texels, errors, lookup error over the domain.

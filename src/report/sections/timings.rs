@@ -2,8 +2,8 @@
 
 use super::{figures, study, words};
 use crate::report::{
-    Bar, Bars, Block, Curves, Dot, Page, ReportError, Scatter, Section, Series, Spread, Style, TimedPoint,
-    TimedSeries, Timings, check,
+    Bar, Bars, Block, Curves, Dot, Page, ReportError, Scatter, Section, Series, Spread, Style,
+    TimedApproximation, TimedPoint, TimedSeries, Timings, check,
 };
 
 pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
@@ -28,13 +28,18 @@ pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
 
 fn offline(timings: &Timings) -> Result<Section, ReportError> {
     let charts: Vec<Curves> = timings.points.iter().map(chart).collect::<Result<_, _>>()?;
-    let caption = "Absolute error against seconds for one point, both logarithmic. A triangle on the foot is an error of \
-                   exactly 0.";
+    let exact = timings.points.iter().flat_map(|p| &p.series).any(|s| s.error.contains(&0.0));
+    let rounding = timings.points.iter().flat_map(|p| &p.series).any(|s| s.error.contains(&study::FLOOR));
+    let caption = format!(
+        "Absolute error against seconds for one point, both logarithmic.{}{}",
+        if exact { study::TRIANGLE } else { "" },
+        if rounding { study::ROUNDING } else { "" },
+    );
     Ok(Section {
         id: "offline".into(),
         title: "Offline: error against seconds".into(),
         lead: "How long each integrator takes to an accuracy, at an easy and at a hard point.".into(),
-        blocks: vec![figures(&charts, caption)?],
+        blocks: vec![figures(&charts, &caption)?],
     })
 }
 
@@ -71,16 +76,8 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
         .collect();
     let bars = Bars { title: "time per evaluation".into(), unit: "ns".into(), bars };
     let mut blocks = vec![figures(&[bars], "Nanoseconds per evaluation; published approximations in grey.")?];
-    let dots: Vec<Dot> = all.iter().filter(|e| e.max_error > 0.0).map(dot).collect();
-    if dots.len() > 1 {
-        let scatter = Scatter {
-            title: "time against error".into(),
-            x: ("nanoseconds per evaluation".into(), Spread::Linear),
-            y: ("largest error of its use".into(), Spread::Log),
-            dots,
-            size: (760.0, if all.len() > 8 { 460.0 } else { 300.0 }),
-        };
-        blocks.push(figures(&[scatter], "Lower is more accurate, further left is faster.")?);
+    for group in groups(all) {
+        blocks.extend(time_against_error(&group)?);
     }
     blocks.push(Block::Table(table(timings)));
     Ok(Section {
@@ -94,13 +91,55 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
     })
 }
 
-fn dot(e: &crate::report::TimedApproximation) -> Dot {
+/// Approximations of the same column of the same quantity for the same use: what may share a chart.
+fn groups(all: &[TimedApproximation]) -> Vec<Vec<&TimedApproximation>> {
+    let key = |e: &TimedApproximation| (e.quantity.clone(), e.column.clone(), e.used_as);
+    let mut groups: Vec<Vec<&TimedApproximation>> = Vec::new();
+    for e in all {
+        match groups.iter_mut().find(|g| key(g[0]) == key(e)) {
+            Some(group) => group.push(e),
+            None => groups.push(vec![e]),
+        }
+    }
+    groups
+}
+
+/// Time against error of a group; only the frontier and published formulas are named, the table names all.
+fn time_against_error(group: &[&TimedApproximation]) -> Result<Option<Block>, ReportError> {
+    let mut dots: Vec<Dot> = group.iter().filter(|e| e.max_error > 0.0).map(|e| dot(e)).collect();
+    if !words::worth_a_chart(&dots) {
+        return Ok(None);
+    }
+    let best = crate::report::plot::frontier(&dots);
+    let unnamed = |(i, d): (usize, &mut Dot)| {
+        if !d.published && !best.contains(&i) {
+            d.name.clear();
+        }
+    };
+    dots.iter_mut().enumerate().for_each(unnamed);
+    let (first, many) = (group[0], dots.len() > 8);
+    let metric = words::metric(first.used_as);
+    let scatter = Scatter {
+        title: format!("{} as {}", first.quantity, first.used_as.name()),
+        x: ("nanoseconds per evaluation (square-root scale)".into(), Spread::Root),
+        y: (format!("largest {metric}"), Spread::Log),
+        dots,
+        size: (760.0, if many { 460.0 } else { 300.0 }),
+    };
+    let caption = format!(
+        "Largest {metric} against nanoseconds: lower is more accurate, further left is faster. Named are the published formulas \
+         and ours that no other formula of ours beats in both, which the stairs join; the table names all."
+    );
+    figures(&[scatter], &caption).map(Some)
+}
+
+fn dot(e: &TimedApproximation) -> Dot {
     Dot { name: e.name.clone(), x: e.nanoseconds, y: e.max_error, published: e.published, table: e.table }
 }
 
 fn table(timings: &Timings) -> crate::report::TextTable {
     let columns = [("name", false), ("ns", true), ("ops", true), ("max error", true)];
-    let row = |e: &crate::report::TimedApproximation| {
+    let row = |e: &TimedApproximation| {
         vec![e.name.clone(), words::mean(e.nanoseconds), e.ops.to_string(), words::max(e.max_error)]
     };
     let mut table =

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::data::{Place, Use};
 use crate::report::numbers::{bound, brief, significant};
-use crate::report::{Field, Ruler, TextTable};
+use crate::report::{Dot, Field, Ruler, TextTable};
 
 /// Name of an input as its symbol.
 pub(super) fn symbol(name: &str) -> &str {
@@ -57,6 +57,16 @@ pub(super) fn mean(x: f64) -> String {
     significant(x, 3)
 }
 
+/// `1 operation`, `13 operations`.
+pub(super) fn operations(n: u32) -> String {
+    count(n as usize, "operation", "operations")
+}
+
+/// A number with its noun.
+pub(super) fn count(n: usize, one: &str, many: &str) -> String {
+    format!("{n} {}", if n == 1 { one } else { many })
+}
+
 /// What the error of a use is.
 pub(super) fn metric(used_as: Use) -> &'static str {
     match used_as {
@@ -66,6 +76,11 @@ pub(super) fn metric(used_as: Use) -> &'static str {
         Use::Coupling => "error of the coupling factor",
         Use::Parallax => "error of the adjusted roughness",
     }
+}
+
+/// Whether points tell more than their rows in a table: three or more, not all at one place of the horizontal axis.
+pub(super) fn worth_a_chart(dots: &[Dot]) -> bool {
+    dots.len() >= 3 && dots.iter().any(|d| d.x != dots[0].x)
 }
 
 /// A table without muted rows; `true` marks columns of figures.

@@ -1,0 +1,65 @@
+//! The average albedo: a curve over roughness instead of maps.
+
+use super::{figures, words};
+use crate::report::{AverageFinding, Block, Curves, Findings, ReportError, Series, Spread, Style, check};
+
+/// Truth and fits over roughness, and what they miss by.
+pub(super) fn blocks(findings: &Findings) -> Result<Vec<Block>, ReportError> {
+    let Some(average) = &findings.averages else { return Ok(Vec::new()) };
+    checked(average, findings)?;
+    let values =
+        average.fits.iter().enumerate().map(|(i, f)| line(average, i, &f.name, f.values.iter().copied()));
+    let truth = Series { style: Style::Truth, ..line(average, 0, "truth", average.truth.iter().copied()) };
+    let above = chart(average, average.name.clone(), std::iter::once(truth).chain(values).collect());
+    let errors = average.fits.iter().enumerate().map(|(i, f)| {
+        let off = f.values.iter().zip(&average.truth).map(|(v, t)| v - t);
+        line(average, i, &f.name, off)
+    });
+    let below = chart(average, format!("{} fit − truth", average.name), errors.collect());
+    let caption = format!(
+        "Left: {} over roughness, truth (heavy) under the fits (colour). Right: what the fits miss by, signed, on its own \
+         scale. Constants, costs and certificates are those of the include files and of the table under “What accuracy \
+         costs at run time”.",
+        average.name,
+    );
+    Ok(vec![Block::Heading { text: average.name.clone() }, figures(&[above, below], &caption)?])
+}
+
+fn checked(average: &AverageFinding, findings: &Findings) -> Result<(), ReportError> {
+    let section = format!("average {}", average.name);
+    let n = average.roughness.values.len();
+    check::increasing(&section, "roughness", &average.roughness.values)?;
+    check::size(&section, "truth", average.truth.len(), n)?;
+    check::values(&section, "truth", &average.truth)?;
+    check::filled(&section, "fits", average.fits.len())?;
+    for fit in &average.fits {
+        if !findings.approximations.iter().any(|a| a.name == fit.name) {
+            return Err(check::domain(
+                &section,
+                &format!("fit {}", fit.name),
+                "is not among the approximations",
+            ));
+        }
+        check::size(&section, &format!("fit {}", fit.name), fit.values.len(), n)?;
+        check::values(&section, &format!("fit {}", fit.name), &fit.values)?;
+    }
+    Ok(())
+}
+
+fn line(average: &AverageFinding, i: usize, name: &str, values: impl Iterator<Item = f64>) -> Series {
+    let points = average.roughness.values.iter().copied().zip(values).collect();
+    Series { name: name.into(), points, style: Style::Line(i), end: None }
+}
+
+fn chart(average: &AverageFinding, title: String, series: Vec<Series>) -> Curves {
+    Curves {
+        x: (words::axis(&average.roughness.name), Spread::Linear),
+        y: (title.clone(), Spread::Linear),
+        title,
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: None,
+        size: (400.0, 220.0),
+    }
+}

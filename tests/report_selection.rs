@@ -1,0 +1,53 @@
+//! Which fits of a bake get pictures, and that the page's words fit what was baked.
+
+use lobefit::bake::{Silent, UserHypothesis, bake};
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use serde_json::Value;
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+/// Findings and page of a scene of one metal.
+fn report(wants: &str, hypotheses: &[UserHypothesis]) -> Result<(Value, String), Box<dyn std::error::Error>> {
+    let json = format!(
+        r#"{{"schema_version": 1, "name": "test", "materials": [
+            {{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {wants}}}]}}"#
+    );
+    let scene = Scene::from_json(json.as_bytes(), "test.json")?;
+    let baked = bake(&scene, &plan(&scene), hypotheses, &Silent)?;
+    let page = String::from_utf8(baked.files["reports/index.html"].clone())?;
+    Ok((serde_json::from_slice(&baked.files["reports/figures.json"])?, page))
+}
+
+fn list<'a>(findings: &'a Value, of: &str, field: &str) -> Vec<&'a str> {
+    let entries = findings[of].as_array().into_iter().flatten();
+    entries.filter_map(|entry| entry[field].as_str()).collect()
+}
+
+#[test]
+fn fits_alone_show_refits_beside_the_published_forms() -> Outcome {
+    let own = UserHypothesis {
+        file: "mine.wgsl".into(),
+        source: "override a: f32 = 0.5;\nfn mine(alpha: f32) -> f32 { return 1.0 + a * alpha; }".into(),
+    };
+    let (findings, page) = report(r#"{"fit": {"max_ops": 3, "norms": ["max", "rms"]}}"#, &[own])?;
+    let shown = list(&findings, "fits", "name");
+    for name in ["ggx_norm_n1", "ggx_norm_n2", "ggx_norm_pesce_n1", "ggx_norm_pesce_n2", "mine"] {
+        assert!(shown.contains(&name), "{name} is not among {shown:?}");
+    }
+    assert!(!shown.contains(&"ggx_norm_n1_rms"), "{shown:?}");
+    let metric = &findings["effects"][0]["metric"];
+    assert_eq!(metric, "furnace error |E N − 1| of the best normalisation");
+    assert!(page.contains("Without pictures") && page.contains("of the user"));
+    assert!(!page.contains("tables (squares)"));
+    Ok(())
+}
+
+#[test]
+fn a_table_alone_is_baked_not_fitted() -> Outcome {
+    let (findings, page) = report(r#"{"table": {"size": [16, 16], "serves": "albedo"}}"#, &[])?;
+    assert_eq!(list(&findings, "approximations", "source"), ["baked"]);
+    assert_eq!(findings["effects"][0]["metric"], "lookup error of the worst table");
+    assert!(!page.contains("ormalisation") && !page.contains("our fits"), "no word of fits");
+    Ok(())
+}
