@@ -72,6 +72,16 @@ impl PanelRule {
         half * total
     }
 
+    /// Calls `f` with every node of [a, b] and its weight.
+    pub fn each(&self, a: f64, b: f64, mut f: impl FnMut(f64, f64)) {
+        let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
+        for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
+            for (node, weight) in nodes.iter().zip(weights) {
+                f(middle + half * node, half * weight);
+            }
+        }
+    }
+
     /// Integral of `f` over all panels between the `cuts`.
     #[inline(always)]
     pub fn panels(&self, cuts: &[f64], f: &impl Fn(&F8) -> F8) -> f64 {

@@ -1,5 +1,6 @@
 //! Floor 2: a quantity at a point, integrated to a value with an error bound.
 
+pub mod aniso;
 mod error;
 mod estimate;
 pub mod monte_carlo;

@@ -53,19 +53,11 @@ pub fn shadowing_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: 
     }
 }
 
-/// (G1(v) - G2)/mu_v, the light that shadowing takes, with no cancellation at small alpha; `sin2_l` = 1 - mu_l^2.
-/// From s_l - mu_l = alpha^2 sin2_l/(s_l + mu_l).
+/// (G1(v) - G2)/mu_v, the light that shadowing takes, with no cancellation at small alpha. `spread` = s_l^2 - mu_l^2, which is
+/// alpha^2 (1 - mu_l^2) for an isotropic lobe: s_l - mu_l = spread/(s_l + mu_l).
 #[inline(always)]
-pub fn shadowed_over_cosine(
-    smith: Smith,
-    alpha: f64,
-    mu_v: f64,
-    s_v: f64,
-    mu_l: f64,
-    s_l: f64,
-    sin2_l: f64,
-) -> f64 {
-    let lift = alpha * alpha * sin2_l / (s_l + mu_l);
+pub fn shadowed_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64, spread: f64) -> f64 {
+    let lift = spread / (s_l + mu_l);
     let masking = 2.0 / (mu_v + s_v);
     match smith {
         Smith::Correlated => masking * mu_v * lift / (s_v * mu_l + s_l * mu_v),
@@ -143,7 +135,8 @@ mod tests {
                 assert!((sum - 1.0).abs() < 4e-16, "{sum}");
                 let (s_v, s_l) = (stretched_length(alpha, v), stretched_length(alpha, l));
                 let kept = shadowing_over_cosine(smith, v, s_v, l, s_l) * v;
-                let taken = shadowed_over_cosine(smith, alpha, v, s_v, l, s_l, (1.0 - l) * (1.0 + l)) * v;
+                let taken =
+                    shadowed_over_cosine(smith, v, s_v, l, s_l, alpha * alpha * (1.0 - l) * (1.0 + l)) * v;
                 let masking = 2.0 * v / (v + s_v);
                 assert!((kept + taken - masking).abs() < 1e-15, "{smith:?} {alpha} {v} {l}");
             }
