@@ -64,3 +64,34 @@ fn bad_ones_are_refused_with_their_place() {
         assert_eq!(names(folder.path()), ["mine.wgsl", "scene.json"], "nothing written for {source}");
     }
 }
+
+/// Bakes with two files whose names, without folder and case, are one.
+fn bake_two(folder: &Path, functions: [&str; 2]) -> (i32, String) {
+    let files = ["a/my-form.wgsl", "b/My_form.wgsl"];
+    for (file, function) in files.iter().zip(functions) {
+        let path = folder.join(file);
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("created");
+        let source = format!(
+            "override c: f32 = 0.3;\nfn {function}(alpha: f32, mu: f32) -> f32 {{ return 1.0 + c * alpha * alpha; }}\n"
+        );
+        std::fs::write(path, source).expect("written");
+    }
+    let scene = SCENE.replace(r#""mine.wgsl""#, &files.map(|f| format!("{f:?}")).join(","));
+    std::fs::write(folder.join("scene.json"), scene.replace("\"max_ops\": 9", "\"max_ops\": 3"))
+        .expect("written");
+    let output = lobefit(folder, &["bake", "scene.json", "--out", "out", "--quiet"], b"");
+    (output.status.code().expect("a code"), stderr(&output))
+}
+
+#[test]
+fn files_may_share_a_name_and_functions_may_not() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(bake_two(folder.path(), ["one_form", "other_form"]), (0, String::new()));
+    let text = std::fs::read_to_string(folder.path().join("out/fits/lobefit.rs")).expect("emitted");
+    assert!(text.contains("pub fn one_form(") && text.contains("pub fn other_form("), "{text}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let (code, error) = bake_two(folder.path(), ["one_form", "one_form"]);
+    assert_eq!(code, 2, "{error}");
+    assert!(error.contains("b/My_form.wgsl: function `one_form`"), "{error}");
+    assert_eq!(names(folder.path()), ["a", "b", "scene.json"], "nothing written");
+}

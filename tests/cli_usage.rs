@@ -190,3 +190,54 @@ fn schema_is_one_json_document() {
     let schema: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(schema["title"], "Scene");
 }
+
+#[test]
+fn an_effect_that_is_not_called_for_or_not_there_is_refused_with_the_reason_of_the_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let mirrors: &[u8] = include_bytes!("../examples/mirrors.json");
+    let rough: &[u8] =
+        br#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":0.5}]}"#;
+    for (scene, only, expected) in [
+        (rough, "glass", "error: --only glass: no material transmits light"),
+        (rough, "reflection,sheen", "error: --only sheen: no material has a sheen layer"),
+        (rough, "diffuse-coupling", "error: --only diffuse-coupling: called for by `m`"),
+        (rough, "diffuse-coupling", "not available in this version"),
+        (mirrors, "reflection", "error: --only reflection: no material has a rough specular lobe"),
+    ] {
+        let output = lobefit(folder.path(), &["bake", "-", "--only", only], scene);
+        assert_eq!(output.status.code(), Some(2), "{only}: {}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "`{expected}` in {}", stderr(&output));
+        let plan: Value =
+            serde_json::from_slice(&lobefit(folder.path(), &["plan", "-", "--json"], scene).stdout).unwrap();
+        let refused = only.rsplit(',').next().unwrap();
+        let left_out = plan["left_out"].as_array().unwrap();
+        let reason = left_out.iter().find(|l| l["effect"] == refused).unwrap()["reason"].as_str().unwrap();
+        assert!(stderr(&output).contains(reason), "`{reason}` in {}", stderr(&output));
+        assert!(output.stdout.is_empty() && names(folder.path()).is_empty(), "{only}");
+    }
+    let help = String::from_utf8(lobefit(folder.path(), &["bake", "--help"], b"").stdout).unwrap();
+    assert!(help.contains("This version has one, reflection; others are refused"), "{help}");
+}
+
+#[test]
+fn the_only_effect_asked_for_by_name_is_the_whole_bake() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,0.6],
+        "wants":{"table":{"size":[4,4],"layout":"plain"}}}]}"#;
+    let bake = |options: &[&str]| {
+        let output = lobefit(folder.path(), &[&["bake", "-", "--json"], options].concat(), scene);
+        assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+        output.stdout
+    };
+    assert_eq!(bake(&["--only", "reflection", "--out", "one"]), bake(&["--out", "all"]));
+    for sub in ["", "tables", "fits", "reports"] {
+        let [one, all] = ["one", "all"].map(|out| folder.path().join(out).join(sub));
+        assert_eq!(names(&one), names(&all));
+        for name in names(&one).iter().filter(|name| one.join(name).is_file()) {
+            assert!(
+                std::fs::read(one.join(name)).unwrap() == std::fs::read(all.join(name)).unwrap(),
+                "{name}"
+            );
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 mod emit_support;
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -12,6 +13,7 @@ use emit_support::{
 use lobefit::data::Serves;
 use lobefit::effects::reflection::Fit;
 use lobefit::emit::lookup::RUST_HELPERS;
+use lobefit::fit::Hypothesis;
 
 #[test]
 fn naga_validates_the_whole_wgsl_file_and_finds_the_functions_of_the_manifest() {
@@ -35,6 +37,51 @@ fn naga_validates_the_whole_wgsl_file_and_finds_the_functions_of_the_manifest() 
         assert!(function.arguments.iter().all(|a| f32(a.ty)), "{name}: f32 arguments");
         assert!(function.result.as_ref().is_some_and(|r| f32(r.ty)), "{name}: f32 result");
     }
+}
+
+/// The functions of a WGSL file by name, each with its whole text.
+fn functions(source: &str) -> BTreeMap<&str, &str> {
+    let mut functions = BTreeMap::new();
+    for (start, _) in source.match_indices("fn ").filter(|(i, _)| *i == 0 || source[..*i].ends_with('\n')) {
+        let text = &source[start..];
+        let end = text.find("\n}\n").unwrap_or_else(|| panic!("an end of\n{text}")) + "\n}\n".len();
+        let name = text["fn ".len()..].split('(').next().expect("a name");
+        assert!(functions.insert(name, &text[..end]).is_none(), "{name} is there twice");
+    }
+    functions
+}
+
+/// A function as a module of its own: the functions of the file that it calls, and theirs, before it.
+fn module(name: &str, functions: &BTreeMap<&str, &str>) -> String {
+    let text = functions.get(name).unwrap_or_else(|| panic!("no {name}"));
+    let called = functions.keys().filter(|other| **other != name && text.contains(&format!("{other}(")));
+    // A name may end in another: only a call begins where no name goes on.
+    let begins = |at: usize| !text[..at].ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
+    let called = called.filter(|other| text.match_indices(&format!("{other}(")).any(|(at, _)| begins(at)));
+    called.map(|other| module(other, functions)).collect::<String>() + text
+}
+
+#[test]
+fn the_wgsl_functions_read_back_have_the_bits_that_were_certified() {
+    let (source, points, all) = (text("fits/lobefit.wgsl"), Points::of_fits(), emitted());
+    let functions = functions(&source);
+    for (fit, name, inputs) in &all {
+        let read = Hypothesis::parse("fits/lobefit.wgsl", &module(name, &functions));
+        let read = read.unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert_eq!((read.name(), read.inputs()), (name.as_str(), inputs.as_slice()));
+        assert!(read.parameters().is_empty(), "{name}");
+        let columns: Vec<Vec<f32>> = inputs.iter().map(|input| points.column(input).to_vec()).collect();
+        let found = read.tape().evaluate::<f32>(&columns, &[]).expect("values");
+        same_bits(name, &points, &points.values(fit, inputs), &found);
+    }
+    // What the manifest does not list are the tables' reading functions, which are outside the dialect.
+    let tables = baked_tables();
+    let reading = |name: &str| tables.iter().any(|t| name.starts_with(&t.readable().identifier()));
+    let listed = |name: &str| all.iter().any(|(_, known, _)| known == name);
+    let others: Vec<&&str> = functions.keys().filter(|name| !listed(name) && !reading(name)).collect();
+    assert!(others.is_empty(), "{others:?}");
+    let (count, n) = (all.len(), points.len());
+    say(&format!("wgsl: {count} functions read back, {n} points each, every bit the same"));
 }
 
 fn rustc(arguments: &[&str], source: &Path, out: &Path) {

@@ -1,4 +1,4 @@
-//! Two routes that share no formula: quadrature over polar angles in closed azimuth, and Monte Carlo over visible normals.
+//! Two routes: quadrature over polar angles in closed azimuth, and Monte Carlo over visible normals or over lights.
 
 use lobefit::data::Smith;
 use lobefit::integrate::monte_carlo::{self, Draw, Points, Run, Sampled};

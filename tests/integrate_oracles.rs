@@ -1,4 +1,4 @@
-//! The truth against closed forms, published high-precision values and limits: none of them shares code with it.
+//! The truth against closed forms, published high-precision values, limits and identities.
 #![allow(
     clippy::disallowed_methods,
     reason = "a test may use the platform's functions: its tolerances allow for them"
@@ -97,22 +97,58 @@ fn values_known_from_two_routes() {
     }
 }
 
-/// E and the loss are two integrals that share no integrand: their sum is the check.
+/// E and the loss are integrals of different integrands over different ranges: by the weak white furnace they add up to 1.
 #[test]
 fn albedo_and_loss_close() {
     for smith in BOTH {
-        for i in 0..=24 {
-            for j in 0..=24 {
-                let alpha = 10_f64.powf(-6.0 * f64::from(i) / 24.0);
-                let mu = 10_f64.powf(-4.0 * f64::from(j) / 24.0);
+        for i in 0..=28 {
+            for j in 0..=40 {
+                let alpha = 10_f64.powf(-7.0 * f64::from(i) / 28.0);
+                let mu = 10_f64.powf(-10.0 * f64::from(j) / 40.0);
                 let value = reflection(smith, alpha, mu, TOLERANCE).expect("in the domain");
                 let gap = (value.e + value.loss - 1.0).abs();
-                assert!(gap <= 2.0 * value.error && gap < 1e-12, "{smith:?} {alpha} {mu}: {gap:e}");
+                assert!(gap <= 2.0 * value.error && gap < 5e-15, "{smith:?} {alpha} {mu}: {gap:e}");
                 assert!((value.a + value.b - value.e).abs() < 1e-15, "E = A + B");
                 assert!(value.b > 0.0 && value.a > -value.error, "{smith:?} {alpha} {mu}: {value:?}");
             }
         }
     }
+}
+
+/// E_avg by another rule over another variable: Gauss in ln(mu) over octaves, from the quantity itself.
+#[test]
+fn averages_are_the_means_of_the_quantity() {
+    let rule = lobefit::math::gauss::Gauss::new(24);
+    for smith in BOTH {
+        for alpha in [1e-4, 1e-3, 0.03, 0.2, 0.5, 0.9, 1.0] {
+            let (mut e_avg, mut loss_avg) = (0.0, 0.0);
+            let mut high = 1.0_f64;
+            while high > 1e-9 {
+                let low = 0.5 * high;
+                e_avg += rule.integrate(low.ln(), high.ln(), |x| {
+                    2.0 * x.exp() * x.exp() * at(smith, alpha, x.exp()).e
+                });
+                loss_avg += rule.integrate(low.ln(), high.ln(), |x| {
+                    2.0 * x.exp() * x.exp() * at(smith, alpha, x.exp()).loss
+                });
+                high = low;
+            }
+            let value = average(smith, alpha, TOLERANCE).expect("in the domain");
+            assert!(value.error <= TOLERANCE, "{smith:?} {alpha}: {value:?}");
+            assert!(
+                (value.e_avg - e_avg).abs() <= value.error.max(1e-12),
+                "{smith:?} {alpha}: {value:?} {e_avg}"
+            );
+            assert!(
+                (value.loss_avg / loss_avg - 1.0).abs() <= 1e-9,
+                "{smith:?} {alpha}: {value:?} {loss_avg}"
+            );
+        }
+    }
+}
+
+fn at(smith: Smith, alpha: f64, mu: f64) -> lobefit::integrate::reflection::Reflection {
+    reflection(smith, alpha, mu.min(1.0), TOLERANCE).expect("in the domain")
 }
 
 #[test]
@@ -129,6 +165,10 @@ fn ends_of_the_domain_are_values() {
         assert!((edge.e - near.e).abs() < 1e-7 && (edge.b - near.b).abs() < 1e-6, "{edge:?} {near:?}");
         let smooth = reflection(smith, 1e-7, 0.5, 1e-10).expect("alpha = 1e-7");
         assert!((smooth.e - 1.0).abs() < 1e-12 && (smooth.b - 0.03125).abs() < 1e-9, "{smooth:?}");
+    }
+    for mu in [5e-324, 1e-300, 1e-160, 1e-100, 1e-50] {
+        let value = reflection(Smith::Correlated, 0.5, mu, 1e-10).expect("any mu in [0, 1]");
+        assert!((value.e - 1.0).abs() < 1e-12 && value.loss < 1e-15, "mu {mu:e}: {value:?}");
     }
     let edge = reflection(Smith::Correlated, 0.5, 0.0, 1e-10).expect("mu = 0");
     assert!((edge.e - 1.0).abs() < 1e-12 && edge.loss == 0.0, "{edge:?}");

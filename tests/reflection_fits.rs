@@ -25,11 +25,11 @@ fn bars() {
     let max = |name: &str| named(name).approximation.certificate.max_abs;
     let rms = |name: &str| named(name).approximation.certificate.rms;
     let ops = |name: &str| named(name).approximation.cost.ops;
-    assert!(max("ggx_norm_n1") <= 0.1285 && rms("ggx_norm_n1_rms") <= 0.0625 && ops("ggx_norm_n1") == 3);
+    assert!(max("ggx_norm_n1") <= 0.128 && rms("ggx_norm_n1_rms") <= 0.062 && ops("ggx_norm_n1") == 3);
     assert!(
         (max("ggx_norm_pesce_n1") - 0.144).abs() < 1e-3 && (rms("ggx_norm_pesce_n1") - 0.077).abs() < 1e-3
     );
-    assert!(max("ggx_norm_r3p") <= 0.10 && rms("ggx_norm_r3p_rms") <= 0.0375 && ops("ggx_norm_r3p") == 3);
+    assert!(max("ggx_norm_r3p") <= 0.10 && rms("ggx_norm_r3p_rms") <= 0.037 && ops("ggx_norm_r3p") == 3);
     assert!(max("ggx_norm_q13") <= 0.021 && ops("ggx_norm_q13") <= 13);
     assert!(max("ggx_norm_q20") <= 0.0105 && ops("ggx_norm_q20") <= 20);
     assert!(max("ggx_eavg_5") <= 1e-4 && ops("ggx_eavg_5") <= 5);

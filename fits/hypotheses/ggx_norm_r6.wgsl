@@ -5,8 +5,8 @@ override c3: f32 = 2.84877;
 override c4: f32 = -0.0506107;
 override c5: f32 = -0.663263;
 
-/// Furnace normalisation of the GGX reflection lobe (height-correlated Smith), N with E N = 1.
-/// Six operations: a polynomial in roughness, alpha = roughness^2 and mu, in Horner form.
+/// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
+/// Six operations: a polynomial in roughness, alpha and mu, in Horner form.
 /// Exactly 1 for a mirror; holds for roughness and mu in [0, 1].
 fn ggx_norm_r6(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let grazing = c0 + roughness * (c1 * roughness + c2);

@@ -77,8 +77,8 @@ fn left_out(plan: &Plan, dropped: &[Dropped]) -> Vec<LeftOut> {
     effects.chain(fits).collect()
 }
 
-/// The fits whose pictures are worth a reader's time: the minimax fits and averages-free least squares fits that nothing of
-/// ours beats in both cost and largest error, and the source's published ones.
+/// The fits whose pictures are worth a reader's time: normalisations that nothing of ours beats in both cost and largest error,
+/// and the source's published ones.
 fn shown(fits: &[Fit]) -> Vec<&Fit> {
     let normalises =
         |f: &&Fit| f.approximation.used_as == Use::Normalisation && f.wraps.is_none() && f.emitted;
@@ -181,7 +181,7 @@ fn effect(effect: &Effect, tables: &[BakedTable], fits: &[Fit]) -> EffectFinding
         because: effect.because.clone(),
         ranges: effect.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
         approximation: effect.approximation.clone(),
-        expected_error: effect.expected_error.unwrap_or(measured),
+        expected_error: effect.expected_error,
         measured_error: measured,
         metric: "the larger of the tables' lookup error and the best normalisation's furnace error |E N - 1|"
             .into(),

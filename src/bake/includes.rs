@@ -3,12 +3,14 @@
 use super::BakeError;
 use super::context::Context;
 use super::tables::BakedTable;
+use crate::data::{AlphaMap, Smith};
 use crate::effects::reflection::{Fit, decode};
 use crate::emit::lookup::{RUST_HELPERS, Readable, comment};
 use crate::emit::{code, header};
 
 /// Language, path and text of every include file; none where there is nothing to include.
 pub fn includes(
+    lobe: (Smith, AlphaMap),
     tables: &[BakedTable],
     fits: &[Fit],
     context: &Context,
@@ -16,7 +18,7 @@ pub fn includes(
     if tables.is_empty() && fits.is_empty() {
         return Ok(Vec::new());
     }
-    let (mut rust, mut wgsl) = (opening("//!", context), opening("//", context));
+    let (mut rust, mut wgsl) = (opening("//!", lobe, context), opening("//", lobe, context));
     for fit in fits.iter().filter(|f| f.emitted) {
         let lines = function_lines(fit);
         if let Some(inner) = &fit.wraps {
@@ -42,11 +44,13 @@ pub fn includes(
     Ok(vec![("rust", "fits/lobefit.rs", rust), ("wgsl", "fits/lobefit.wgsl", wgsl)])
 }
 
-fn opening(mark: &str, context: &Context) -> String {
+fn opening(mark: &str, lobe: (Smith, AlphaMap), context: &Context) -> String {
     let mut lines = context.recipe.lines();
+    let smith = format!("GGX lobe, smith: {}; alpha = {}", lobe.0.name(), lobe.1.name());
     lines.extend(
         [
             "",
+            &smith,
             "Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and",
             "view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.",
             "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel.",

@@ -107,7 +107,7 @@ pub fn bake(
     let mut files = Files::new();
     let mut manifest = empty_manifest(plan, &context);
     emit_tables(&tables, &context, &mut files, &mut manifest)?;
-    emit_includes(plan, &tables, &fits, &context, &mut files, &mut manifest)?;
+    emit_includes(scene, plan, &tables, &fits, &context, &mut files, &mut manifest)?;
     context.progress.stage("report");
     manifest.fits_left_out = dropped.iter().map(left_out_fit).collect();
     let findings = findings::findings(scene, plan, &tables, &fits, &dropped, &context)?;
@@ -180,6 +180,7 @@ fn errors(baked: &BakedTable) -> crate::emit::manifest::TableError {
 }
 
 fn emit_includes(
+    scene: &Scene,
     plan: &Plan,
     tables: &[BakedTable],
     fits: &[Fit],
@@ -190,12 +191,13 @@ fn emit_includes(
     if !plan.effects.iter().any(|e| e.effect == EffectName::Reflection) {
         return Ok(());
     }
+    let lobe = (scene.smith, scene.alpha);
     let emitted = || fits.iter().filter(|f| f.emitted);
-    for (language, path, text) in includes::includes(tables, fits, context)? {
+    for (language, path, text) in includes::includes(lobe, tables, fits, context)? {
         files.insert(path.to_string(), text.into_bytes());
         manifest.includes.push(Include { language, file: path.to_string() });
     }
-    let alpha_map = plan.fit.as_ref().map(|job| job.alpha_map.name()).unwrap_or_default();
-    manifest.fits = emitted().filter_map(|f| FitEntry::new(EFFECT, alpha_map, &f.approximation)).collect();
+    manifest.fits =
+        emitted().filter_map(|f| FitEntry::new(EFFECT, scene.alpha.name(), &f.approximation)).collect();
     Ok(())
 }

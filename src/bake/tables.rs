@@ -16,7 +16,7 @@ use crate::plan::TableJob;
 /// Cosines over which tables are judged.
 const JUDGED_MU: [f64; 2] = [0.001, 1.0];
 
-/// 2^17 uniform points, as many again in the layer mu ~ alpha and on the edges.
+/// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 17;
 
 /// Squares tried in turn where the scene leaves the size open.
@@ -176,10 +176,10 @@ pub fn ranges(region: &Region) -> BTreeMap<String, [f64; 2]> {
     inputs.into_iter().map(|(name, range)| (name.to_string(), range)).collect()
 }
 
-/// 2^15 points tell whether other texels keep a stated error; the stated one was measured at more.
-const LOG2_RECHECK: u32 = 15;
+/// Points that tell whether other texels keep a stated error: as many as that was measured at.
+const LOG2_RECHECK: u32 = LOG2_POINTS;
 
-/// The lookup error of a table with other texels (a permutation of its channels by name); none if a channel is missing.
+/// The lookup error of a table with other texels, channels found by name; none if one is missing.
 pub fn measured_again(baked: &BakedTable, channels: &[Channel]) -> Option<f64> {
     let mut table = baked.table()?.clone();
     for channel in &mut table.channels {

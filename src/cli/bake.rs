@@ -11,6 +11,7 @@ use super::{CliError, input};
 use crate::bake::{Baked, bake};
 use crate::emit::header::place;
 use crate::plan::{self, EffectName, Plan};
+use crate::scene::escape::visible;
 use crate::store::{Folder, MANIFEST, Written};
 
 pub(super) const EXAMPLES: &str = "\
@@ -29,7 +30,7 @@ pub(super) struct Options {
     /// Output folder, created if missing
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
-    /// Bake these effects only, and keep what the folder has of others
+    /// Bake these effects only. This version has one, reflection; others are refused with the reason from the plan
     #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
     pub only: Vec<EffectName>,
     #[command(flatten)]
@@ -52,7 +53,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let baked = options.threads.install(|| Ok(bake(&input.scene, &plan, &input.hypotheses, &progress)?))?;
     drop(progress);
     for promise in &baked.broken {
-        say(&format!("promise not kept: {promise}"));
+        say(&format!("promise not kept: {}", visible(promise)));
     }
     if !baked.broken.is_empty() {
         say("nothing written");
@@ -73,7 +74,7 @@ fn refuse_uncalled(only: &[EffectName], plan: &Plan) -> Result<(), CliError> {
     let Some(name) = only.iter().find(uncalled) else { return Ok(()) };
     let left_out = plan.left_out.iter().find(|l| l.effect == *name);
     let reason = left_out.map_or("it is not called for", |l| l.reason.as_str());
-    Err(CliError::Usage(format!("--only {}: {reason}", name.name())))
+    Err(CliError::Usage(format!("--only {}: {}", name.name(), visible(reason))))
 }
 
 /// What was made, a line each.
@@ -101,5 +102,6 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
     }
     let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
     lines.push(format!("{new} files written, {same} unchanged, {gone} removed"));
-    lines.join("\n") + "\n"
+    // Reasons quote the scene's names.
+    lines.iter().map(|line| visible(line) + "\n").collect()
 }

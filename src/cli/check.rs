@@ -1,6 +1,5 @@
 //! `lobefit check`: do the files follow from their recipe?
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -12,7 +11,7 @@ use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{Baked, Difference, bake, compare};
 use crate::plan;
-use crate::store::{self, Files, SUBFOLDERS};
+use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -52,8 +51,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let progress = Bar::new(options.quiet || options.json);
     let (baked, differences) = options.threads.install(|| {
         let baked = bake(&input.scene, &plan, &input.hypotheses, &progress)?;
-        let found = found(&options.against, &baked)?;
-        let differences = compare(&baked, &found, options.values, &progress);
+        let strays = strays(&options.against, &baked)?;
+        let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
+        let differences = compare(&baked, &found, &strays, options.values, &progress);
         Ok((baked, differences))
     })?;
     drop(progress);
@@ -76,15 +76,22 @@ struct Verdict<'a> {
     differences: &'a [Difference],
 }
 
-/// The files of the folder that a bake could have written, and nothing else: hypotheses are a person's, timings are measured.
-fn found(root: &Path, baked: &Baked) -> Result<Files, CliError> {
-    let mut names: BTreeSet<String> = baked.files.keys().cloned().collect();
-    for folder in SUBFOLDERS {
-        names.extend(store::list(root, folder)?);
+/// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's
+/// and timings are measured: they may be there.
+fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
+    let mut strays = Vec::new();
+    for place in SUBFOLDERS.into_iter().chain([MANIFEST]) {
+        strays.extend(store::list(root, place)?);
     }
-    let ours =
-        |name: &&String| !name.starts_with("fits/hypotheses/") && !name.starts_with("reports/timings.");
-    Ok(store::read_set(root, names.iter().filter(ours).map(String::as_str), FILE_BYTES)?)
+    strays.retain(|entry| {
+        let name = entry.name.as_str();
+        let allowed = name == "fits/hypotheses"
+            || name.starts_with("fits/hypotheses/")
+            || name.starts_with("reports/timings.");
+        let baked = entry.kind == Kind::File && baked.files.contains_key(name);
+        !allowed && !baked
+    });
+    Ok(strays)
 }
 
 fn closing(baked: &Baked, differences: &[Difference], options: &Options) -> String {

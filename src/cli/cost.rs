@@ -6,12 +6,12 @@ use clap::Args;
 
 use super::input::Input;
 use super::options::{SceneOption, ThreadsOption};
-use super::output::{Outcome, print, say};
+use super::output::{Outcome, print};
 use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{BakeError, Progress, bake, recipe};
 use crate::plan;
-use crate::report::{self, Origin};
+use crate::report::{self, Origin, Timings};
 use crate::store::{self, Files, Folder};
 use crate::timing::timings;
 
@@ -45,25 +45,42 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let plan = plan::plan(&input.scene);
     let mut folder = Folder::open(&options.out)?;
     if plan.is_empty() {
-        say("the scene calls for no effect: nothing to measure, nothing written");
-        return Ok(Outcome::Done);
+        return nothing(options, &input);
     }
     let progress = Bar::new(options.quiet || options.json);
     let files = options.threads.install(|| {
         let baked = bake(&input.scene, &plan, &input.hypotheses, &progress)?;
         progress.stage("timings");
-        let measured = timings(input.scene.smith, &baked, origin(&input)?, device())?;
+        let measured = timings(&input.scene, &baked, origin(&input)?, device())?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);
     let files: Files = files.into_iter().map(|f| (f.path, f.bytes)).collect();
     folder.write(&files)?;
     if options.json {
-        print(files.get("reports/timings.json").map_or(&[], Vec::as_slice))?;
+        print(json(&files))?;
     } else if !options.quiet {
         print(b"reports/timings.html and reports/timings.json written\n")?;
     }
     Ok(Outcome::Done)
+}
+
+/// The end for a scene that calls for no effect: there is nothing to measure and nothing is written.
+fn nothing(options: &Options, input: &Input) -> Result<Outcome, CliError> {
+    if options.json {
+        let origin = origin(input)?;
+        let empty = Timings { origin, device: device(), points: Vec::new(), evaluations: Vec::new() };
+        let files = report::timings_page(&empty).map_err(BakeError::from)?;
+        print(json(&files.into_iter().map(|f| (f.path, f.bytes)).collect()))?;
+    } else if !options.quiet {
+        print(b"the scene calls for no effect: nothing to measure, nothing written\n")?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// The measurements as JSON.
+fn json(files: &Files) -> &[u8] {
+    files.get("reports/timings.json").map_or(&[], Vec::as_slice)
 }
 
 fn origin(input: &Input) -> Result<Origin, CliError> {

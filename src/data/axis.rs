@@ -29,17 +29,6 @@ impl Registration {
             Registration::Endpoint => i as f64 / (n - 1) as f64,
         }
     }
-
-    /// Position in texels of unit coordinate `u`: texel i lies at i. Clamped to the texels, as a sampler with
-    /// clamp-to-edge does.
-    pub fn position(self, u: f64, n: usize) -> f64 {
-        let last = (n - 1) as f64;
-        let x = match self {
-            Registration::Centre => u * n as f64 - 0.5,
-            Registration::Endpoint => u * last,
-        };
-        x.max(0.0).min(last)
-    }
 }
 
 /// The formula of the unit texture coordinate from the physical variables.
@@ -75,16 +64,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Unit coordinate of physical value `x`; `alpha` is used by the warps that need it.
-    pub fn unit(&self, x: f64, alpha: f64) -> f64 {
-        match self.warp {
-            Warp::Linear => (x - self.min) / (self.max - self.min),
-            Warp::Sqrt => x.sqrt(),
-            Warp::Homogeneous => (x * (1.0 + alpha) / (x + alpha)).sqrt(),
-        }
-    }
-
-    /// Physical value at unit coordinate `u`, the inverse of [`Axis::unit`].
+    /// Physical value at unit coordinate `u`, the inverse of the warp.
     pub fn physical(&self, u: f64, alpha: f64) -> f64 {
         match self.warp {
             Warp::Linear => self.min + u * (self.max - self.min),
@@ -105,13 +85,36 @@ impl Axis {
         }
     }
 
+    /// Scale and offset, in f32, that a shader applies to get the texture coordinate: to the physical value itself on a linear
+    /// axis, else to the warped unit coordinate. With end points registered, u = 0 is the first texel's centre.
+    pub fn affine(&self) -> (f32, f32) {
+        let n = self.size as f64;
+        let (scale, offset) = match self.registration {
+            Registration::Centre => (1.0, 0.0),
+            Registration::Endpoint => ((n - 1.0) / n, 0.5 / n),
+        };
+        if self.warp != Warp::Linear {
+            return (scale as f32, offset as f32);
+        }
+        let scale = scale / (self.max - self.min);
+        (scale as f32, (offset - scale * self.min) as f32)
+    }
+
+    /// The texture coordinate in a shader's arithmetic.
+    pub fn texture_coordinate(&self, x: f32, alpha: f32) -> f32 {
+        let unit = match self.warp {
+            Warp::Linear => x,
+            Warp::Sqrt => x.sqrt(),
+            Warp::Homogeneous => (x * (1.0 + alpha) / (x + alpha)).sqrt(),
+        };
+        match self.affine() {
+            (1.0, 0.0) => unit,
+            (scale, offset) => unit * scale + offset,
+        }
+    }
+
     /// Physical value of texel `i`.
     pub fn node(&self, i: usize, alpha: f64) -> f64 {
         self.physical(self.registration.coordinate(i, self.size), alpha)
-    }
-
-    /// Position in texels of physical value `x`, clamped to the texels.
-    pub fn position(&self, x: f64, alpha: f64) -> f64 {
-        self.registration.position(self.unit(x, alpha), self.size)
     }
 }

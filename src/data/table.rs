@@ -142,23 +142,4 @@ impl Table {
         }
         out
     }
-
-    /// Bilinear lookup of one channel at a position in texels, clamped to the edge, in f64.
-    pub fn bilinear(&self, channel: usize, x: f64, y: f64) -> f64 {
-        let (columns, rows) = (self.axes[0].size, self.axes[1].size);
-        let (x0, fx) = cell(x, columns);
-        let (y0, fy) = cell(y, rows);
-        let (x1, y1) = ((x0 + 1).min(columns - 1), (y0 + 1).min(rows - 1));
-        let t = &self.channels[channel].texels;
-        let top = t[y0 * columns + x0] * (1.0 - fx) + t[y0 * columns + x1] * fx;
-        let bottom = t[y1 * columns + x0] * (1.0 - fx) + t[y1 * columns + x1] * fx;
-        top * (1.0 - fy) + bottom * fy
-    }
-}
-
-/// Cell and fraction of a position in texels.
-fn cell(x: f64, n: usize) -> (usize, f64) {
-    let x = x.max(0.0).min((n - 1) as f64);
-    let base = x.floor();
-    (base as usize, x - base)
 }

@@ -39,6 +39,10 @@ pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certifi
         axis_line("rows (y, first row at the top)", &table.axes[1]),
     ];
     let meaning: Vec<String> = decode.iter().map(|(name, formula)| format!("{name} = {formula}")).collect();
+    let parts =
+        ["x", "y", "z", "w"].iter().zip(&table.channels).map(|(part, c)| format!("{part} = {}", c.name));
+    let parts: Vec<String> = parts.collect();
+    lines.push(format!("texel: {} (the EXR names its channels so)", parts.join(", ")));
     lines.push(format!("decode: {}", meaning.join(", ")));
     lines.extend(certificate_lines("bilinear lookup of the quantised texels", certificate));
     lines

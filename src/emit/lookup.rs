@@ -1,7 +1,7 @@
 //! The functions that read a table: coordinates with the remap of its registration, decoding, and the lookup itself, in WGSL
 //! and in Rust. The arithmetic is that in which the table was measured.
 
-use crate::data::{Axis, Layout, Registration, Serves, Table, Warp};
+use crate::data::{Axis, Layout, Serves, Table, Warp};
 
 /// A table with what its channels mean.
 #[derive(Clone, Copy, Debug)]
@@ -28,9 +28,8 @@ impl Readable<'_> {
         let mut text = comment("///", self.header);
         let [x, y] = &self.table.axes;
         text += &format!("fn {name}_uv(roughness: f32, alpha: f32, mu: f32) -> vec2<f32> {{\n");
-        text += &format!("    let u = {};\n", unit(x));
-        text += &format!("    let v = {};\n", unit(y));
-        text += &format!("    return vec2<f32>({}, {});\n}}\n\n", centred("u", x), centred("v", y));
+        text += &format!("    let u = {};\n    let v = {};\n", coordinate(x), coordinate(y));
+        text += "    return vec2<f32>(u, v);\n}\n\n";
         let (texel, value) = if split { ("vec2<f32>", "vec3<f32>") } else { ("f32", "f32") };
         let meaning = if split { "E, A and B" } else { "E" };
         text += &format!("/// {meaning} from a texel of the table above.\n");
@@ -56,9 +55,8 @@ impl Readable<'_> {
         if x.warp != Warp::Homogeneous {
             text += "    let _ = alpha;\n";
         }
-        text += &format!("    let u = {};\n", unit(x).replace("sqrt(", "f32::sqrt("));
-        text += &format!("    let v = {};\n", unit(y));
-        text += &format!("    [{}, {}]\n}}\n\n", centred("u", x), centred("v", y));
+        text += &format!("    let u = {};\n", coordinate(x).replace("sqrt(", "f32::sqrt("));
+        text += &format!("    let v = {};\n    [u, v]\n}}\n\n", coordinate(y));
         let (texel, value) = if split { ("[f32; 2]", "[f32; 3]") } else { ("f32", "f32") };
         let meaning = if split { "E, A and B" } else { "E" };
         text += &format!("/// {meaning} from a texel of the table above.\n");
@@ -144,24 +142,17 @@ pub fn comment(mark: &str, lines: &[String]) -> String {
     lines.iter().map(|line| format!("{mark} {line}").trim_end().to_string() + "\n").collect()
 }
 
-/// The unit coordinate as an expression.
-fn unit(axis: &Axis) -> String {
-    let Axis { name, warp, .. } = axis;
-    let (min, max) = (axis.min as f32, axis.max as f32);
-    match warp {
-        Warp::Linear if (min, max) == (0.0, 1.0) => name.clone(),
-        Warp::Linear if min == 0.0 => format!("{name} / {max:?}"),
-        Warp::Linear => format!("({name} - {min:?}) / {:?}", max - min),
+/// The texture coordinate of an axis as an expression, the arithmetic of [`Axis::texture_coordinate`].
+fn coordinate(axis: &Axis) -> String {
+    let name = &axis.name;
+    let unit = match axis.warp {
+        Warp::Linear => name.clone(),
         Warp::Sqrt => format!("sqrt({name})"),
         Warp::Homogeneous => format!("sqrt({name} * (1.0 + alpha) / ({name} + alpha))"),
-    }
-}
-
-/// The texture coordinate of a unit coordinate: that of the texel's centre where the ends are texels.
-fn centred(unit: &str, axis: &Axis) -> String {
-    let n = axis.size as f32;
-    match axis.registration {
-        Registration::Centre => unit.to_string(),
-        Registration::Endpoint => format!("{unit} * {:?} + {:?}", (n - 1.0) / n, 0.5 / n),
+    };
+    match axis.affine() {
+        (1.0, 0.0) => unit,
+        (scale, offset) if offset < 0.0 => format!("{unit} * {scale:?} - {:?}", -offset),
+        (scale, offset) => format!("{unit} * {scale:?} + {offset:?}"),
     }
 }

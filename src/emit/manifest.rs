@@ -88,7 +88,7 @@ pub struct AxisEntry {
 /// Errors of a table, told apart.
 #[derive(Clone, Debug, Serialize)]
 pub struct TableError {
-    /// Bound on the error of the truths it was made from.
+    /// Bound on the error of the truths that it was made from and judged against.
     pub integration: f64,
     /// Largest change of a texel by rounding to the format.
     pub quantisation: f64,

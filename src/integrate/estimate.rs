@@ -12,8 +12,8 @@ pub struct Estimate {
     pub error: f64,
 }
 
-/// Rounding of a sum of positive terms whose nodes lie up to 20 units from the peak of their variable: each term is
-/// off by some 20 eps. Measured: E + loss = 1 to 4e-14 over alpha, mu in [1e-4, 1].
+/// Rounding, relative to the size of the terms. Measured over alpha in [1e-7, 1] and mu in [1e-10, 1]: E + loss = 1 to 1e-15;
+/// B differs from a rule with four times the nodes by up to 4e-14.
 const ROUNDING: f64 = 6e-14;
 
 impl Estimate {

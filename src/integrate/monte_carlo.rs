@@ -1,4 +1,5 @@
-//! The independent second opinion: Monte Carlo over directions, sharing no formula with the quadrature.
+//! The independent second opinion: Monte Carlo over directions. It shares with the quadrature the definition of Schlick's
+//! weight and nothing else: not the azimuth integral, not its variables, not its form of the shadowing.
 //!
 //! The estimator draws visible normals by spherical caps, mirrors the view about each and averages G2/G1(v) of the lights
 //! above the horizon. Its standard error comes from independently scrambled replicas.
@@ -188,8 +189,11 @@ fn by_uniform_light(smith: Smith, alpha: f64, view: Vec3, x: [f64; DIMENSIONS]) 
     let sum = [light[0] + view[0], light[1] + view[1], light[2] + view[2]];
     let length = (sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]).sqrt();
     let half = [sum[0] / length, sum[1] / length, sum[2] / length];
-    let (s_v, s_l) = (ggx::stretched_length(alpha, view[2]), ggx::stretched_length(alpha, mu_l));
-    let geometry = ggx::shadowing_over_cosine(smith, view[2], s_v, mu_l, s_l);
-    let kept = 2.0 * std::f64::consts::PI * 0.25 * geometry * ggx::distribution(alpha, half);
+    let g2 = match smith {
+        Smith::Correlated => 1.0 / (1.0 + ggx::lambda(alpha, view[2]) + ggx::lambda(alpha, mu_l)),
+        Smith::Separable => 1.0 / ((1.0 + ggx::lambda(alpha, view[2])) * (1.0 + ggx::lambda(alpha, mu_l))),
+    };
+    // 2 pi f cos = 2 pi D G2/(4 mu_v)
+    let kept = 0.5 * std::f64::consts::PI * ggx::distribution(alpha, half) * g2 / view[2];
     [kept, kept * fresnel::schlick_weight(1.0 - 0.5 * length), 1.0 - kept]
 }

@@ -6,7 +6,11 @@ const RATIO: f64 = 3.0;
 
 /// Appends the cuts of [from, to] to `cuts`, `to` last and `from` left out (it is the cut that came before).
 /// No panel is longer than `longest`; panels shrink geometrically towards `to`, down to `scale`.
+///
+/// # Panics
+/// If `scale` is not positive: the grading would not end.
 pub fn towards_end(cuts: &mut Vec<f64>, from: f64, to: f64, longest: f64, scale: f64) {
+    assert!(scale > 0.0, "a grading scale of {scale}");
     let length = to - from;
     let mut distances = Vec::new();
     let mut distance = scale;
@@ -37,7 +41,11 @@ pub fn towards_both(cuts: &mut Vec<f64>, from: f64, to: f64, longest: f64, scale
 }
 
 /// The cuts of [0, to], graded towards 0 down to `scale`, both ends included.
+///
+/// # Panics
+/// If `scale` is not positive.
 pub fn from_zero(to: f64, scale: f64) -> Vec<f64> {
+    assert!(scale > 0.0, "a grading scale of {scale}");
     let mut cuts = vec![0.0];
     let mut x = scale;
     while x * 1.5 < to {

@@ -76,7 +76,7 @@ pub struct JobSummary {
     pub bytes: u64,
     /// The error that the scene allows; `None` where it sets no limit.
     pub expected_error: Option<f64>,
-    /// Expected time on one core of the reference machine.
+    /// Expected time on one core.
     pub seconds: f64,
 }
 
@@ -95,7 +95,7 @@ pub struct Effect {
     pub bytes: u64,
     /// The largest error that the scene allows any of the jobs; `None` where one of them has no limit.
     pub expected_error: Option<f64>,
-    /// Expected time of all jobs on one core of the reference machine.
+    /// Expected time of all jobs and of their report on one core.
     pub seconds: f64,
     /// The jobs one by one.
     pub jobs: Vec<JobSummary>,
@@ -136,7 +136,7 @@ pub(super) fn reflection(scene: &Scene, tables: &[TableJob], fit: Option<&FitJob
         approximation: jobs.iter().map(|j| j.approximation.as_str()).collect::<Vec<_>>().join("; "),
         bytes: jobs.iter().map(|j| j.bytes).sum(),
         expected_error: jobs.iter().try_fold(0.0_f64, |worst, j| j.expected_error.map(|e| worst.max(e))),
-        seconds: jobs.iter().map(|j| j.seconds).sum(),
+        seconds: jobs.iter().map(|j| j.seconds).sum::<f64>() + work::REPORT_S,
         jobs,
     })
 }

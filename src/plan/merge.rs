@@ -127,7 +127,7 @@ pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (&Material, [f64; 2])
     scene.materials.iter().filter_map(|m| m.rough_range(scene.alpha).map(|range| (m, range)))
 }
 
-/// Whether a material's wants call for a rough specular of some form.
+/// The forms of approximation that a material wants, in words. A material wants at least one.
 pub(super) fn forms(wants: &Wants) -> &'static str {
     match (wants.table.is_some(), wants.fit.is_some()) {
         (true, true) => "a table and fits",

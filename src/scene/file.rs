@@ -6,10 +6,9 @@ use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};
 
 use super::error::{Position, SceneError};
-use super::escape::identifier;
 use super::limits;
 use super::material::Material;
-use super::name::{Name, stem};
+use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word};
@@ -175,30 +174,17 @@ impl Scene {
         Ok(())
     }
 
-    /// Holds hypotheses to their number, and their names apart: the name becomes a function in the emitted code.
+    /// Holds hypotheses to their number. Whether two define one function is seen when they are read.
     fn check_hypotheses(&self) -> Result<(), (String, String)> {
         let mut count = 0;
-        let mut seen: BTreeMap<String, &str> = BTreeMap::new();
         for (i, material) in self.materials.iter().enumerate() {
             let Some(fit) = &material.wants.fit else { continue };
-            let field = |j: usize| format!("materials[{i}].wants.fit.hypotheses[{j}]");
-            for (j, path) in fit.hypotheses.iter().enumerate() {
-                count += 1;
-                if count > limits::HYPOTHESES {
-                    return Err((
-                        field(j),
-                        format!("more than {} hypotheses in the scene", limits::HYPOTHESES),
-                    ));
-                }
-                let name = identifier(stem(path).unwrap_or(path));
-                match seen.insert(name.clone(), path) {
-                    Some(other) if other != path => {
-                        let message = format!("`{path}` and `{other}` would both be called `{name}`");
-                        return Err((field(j), message));
-                    }
-                    _ => {}
-                }
+            if count + fit.hypotheses.len() > limits::HYPOTHESES {
+                let first_beyond = limits::HYPOTHESES - count;
+                let message = format!("more than {} hypotheses in the scene", limits::HYPOTHESES);
+                return Err((format!("materials[{i}].wants.fit.hypotheses[{first_beyond}]"), message));
             }
+            count += fit.hypotheses.len();
         }
         Ok(())
     }

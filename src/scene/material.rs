@@ -9,6 +9,7 @@ use super::number::{In, Ior, Numbers, Span, Unit};
 use super::value::{Maybe, Text, Word, from_file};
 use super::wants::Wants;
 use crate::data::AlphaMap;
+use crate::optics::fresnel::f0_of_ior;
 
 /// What a material is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -103,17 +104,11 @@ impl TryFrom<MaterialFile> for Material {
                 return Err("`ior` and `f0` are both given; a dielectric needs exactly one of them".into());
             }
             (_, Some(f0), None) => f0,
-            (Kind::Dielectric, None, Some(n)) => [normal_incidence(n); 3],
+            (Kind::Dielectric, None, Some(n)) => [f0_of_ior(n); 3],
         };
         let wants = file.wants.0.map_or_else(Wants::both, Ok)?;
         Ok(Material { name: file.name.0, kind, f0, ior, roughness: file.roughness.0, wants })
     }
-}
-
-/// Fresnel's reflectance at normal incidence of a dielectric of index `n` in air, ((n - 1)/(n + 1))^2.
-fn normal_incidence(n: f64) -> f64 {
-    let amplitude = (n - 1.0) / (n + 1.0);
-    amplitude * amplitude
 }
 
 from_file!(Material, MaterialFile);

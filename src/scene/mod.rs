@@ -17,5 +17,4 @@ mod wants;
 pub use error::{Position, SceneError};
 pub use file::{Scene, schema};
 pub use material::{Kind, Material, smallest_rough};
-pub use name::stem;
 pub use wants::{FitWant, Layout, Norm, Serves, TableWant, Wants};

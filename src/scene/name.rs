@@ -44,7 +44,7 @@ impl TextRule for HypothesisPath {
     }
 }
 
-/// The name of a hypothesis: its file's name without `.wgsl`.
-pub fn stem(path: &str) -> Option<&str> {
+/// The file's name without `.wgsl`.
+fn stem(path: &str) -> Option<&str> {
     path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl"))
 }

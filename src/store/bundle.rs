@@ -69,9 +69,8 @@ impl<D: Disk> Folder<D> {
     /// lists, and writes the manifest last. A set without a manifest leaves the old one and what it lists.
     pub fn write(&mut self, files: &Files) -> Result<Written, StoreError> {
         for name in files.keys() {
-            inside(&self.root, name)?;
-            if !is_ours(name) {
-                return Err(StoreError::Outside { name: name.clone() });
+            if inside(&self.root, name).is_err() || !is_ours(name) {
+                return Err(StoreError::Outside { name: name.escape_debug().to_string(), writing: true });
             }
         }
         self.create_root()?;

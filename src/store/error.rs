@@ -93,11 +93,13 @@ pub enum StoreError {
         /// What tells.
         reason: String,
     },
-    /// A name in a set of files that would leave the folder.
-    #[error("`{name}` is no path inside the output folder")]
+    /// A name that would leave its folder.
+    #[error("`{name}` is no plain path inside the folder")]
     Outside {
         /// The name.
         name: String,
+        /// Whether it was to be written.
+        writing: bool,
     },
 }
 
@@ -105,9 +107,11 @@ impl StoreError {
     /// Whether writing failed (exit code 3), rather than reading (exit code 2).
     pub fn is_write(&self) -> bool {
         match self {
-            StoreError::Io { writing, .. } => *writing,
+            StoreError::Io { writing, .. } | StoreError::Outside { writing, .. } => *writing,
             StoreError::TooLarge { .. } => false,
-            _ => true,
+            StoreError::Busy { .. } | StoreError::InTheWay { .. } | StoreError::ForeignManifest { .. } => {
+                true
+            }
         }
     }
 

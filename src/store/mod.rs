@@ -20,5 +20,5 @@ pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
 pub use local::LocalDisk;
 pub use path::inside;
-pub use read::{list, read, read_set, read_stream};
+pub use read::{Entry, list, read, read_set, read_stream};
 pub use write::write;

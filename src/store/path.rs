@@ -10,7 +10,7 @@ use super::bundle::{MANIFEST, SUBFOLDERS};
 pub fn inside(root: &Path, name: &str) -> Result<PathBuf, StoreError> {
     let hostile = |c: char| c.is_control() || matches!(c, '\\' | ':');
     if name.contains(hostile) || name.split('/').any(|part| matches!(part, "" | "." | "..")) {
-        return Err(StoreError::Outside { name: name.escape_debug().to_string() });
+        return Err(StoreError::Outside { name: name.escape_debug().to_string(), writing: false });
     }
     Ok(root.join(name.split('/').collect::<PathBuf>()))
 }

@@ -1,6 +1,7 @@
 //! Bounded reads.
 
-use std::io::Read;
+use std::ffi::OsStr;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use super::bundle::Files;
@@ -32,32 +33,56 @@ fn bounded(bytes: Vec<u8>, path: &Path, limit: u64) -> Result<Vec<u8>, StoreErro
     Ok(bytes)
 }
 
-/// The regular files below `root/folder` as relative paths with `/`, sorted; none where the folder is not there. Links
-/// are not followed. A name that is not UTF-8 is given with its odd bytes replaced.
-pub fn list(root: &Path, folder: &str) -> Result<Vec<String>, StoreError> {
+/// Something that lies in a folder and is none itself.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// Relative path with `/`, to be read and not to be opened: bytes that are not UTF-8 are written `\xff`, and nothing
+    /// is said about what else the name holds.
+    pub name: String,
+    /// [`Kind::File`], or [`Kind::Other`] for a link or device.
+    pub kind: Kind,
+}
+
+/// Everything below `root/folder` but folders, sorted by name; nothing where the folder is not there. Links are not
+/// followed: a link to a folder, and `folder` itself where it is a link, is one entry.
+pub fn list(root: &Path, folder: &str) -> Result<Vec<Entry>, StoreError> {
     let mut found = Vec::new();
     let mut pending = vec![(root.join(folder), folder.to_owned())];
     while let Some((path, name)) = pending.pop() {
         match look(&path)? {
-            Some(Kind::File) => found.push(name),
             Some(Kind::Folder) => pending.extend(entries(&path, &name)?),
-            Some(Kind::Other) | None => {}
+            Some(kind) => found.push(Entry { name, kind }),
+            None => {}
         }
     }
-    found.sort();
+    found.sort_by(|a, b| a.name.cmp(&b.name));
     Ok(found)
 }
 
+/// What is at a path; nothing where a file stands in the place of one of its folders.
 fn look(path: &Path) -> Result<Option<Kind>, StoreError> {
-    LocalDisk.look(path).map_err(StoreError::reading(path, Operation::Look))
+    match LocalDisk.look(path) {
+        Err(e) if e.kind() == io::ErrorKind::NotADirectory => Ok(None),
+        other => other.map_err(StoreError::reading(path, Operation::Look)),
+    }
 }
 
 fn entries(path: &Path, name: &str) -> Result<Vec<(PathBuf, String)>, StoreError> {
     let names = LocalDisk.list(path).map_err(StoreError::reading(path, Operation::List))?;
-    Ok(names.iter().map(|n| (path.join(n), format!("{name}/{}", n.to_string_lossy()))).collect())
+    Ok(names.iter().map(|n| (path.join(n), format!("{name}/{}", readable(n)))).collect())
 }
 
-/// The named files below a folder that are there, each of at most `limit` bytes.
+/// A file's name as text, each byte that is not UTF-8 as `\xff`.
+fn readable(name: &OsStr) -> String {
+    let mut text = String::new();
+    for chunk in name.as_encoded_bytes().utf8_chunks() {
+        text += chunk.valid();
+        text.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
+    }
+    text
+}
+
+/// The named regular files below a folder that are there, each of at most `limit` bytes.
 pub fn read_set<'a>(
     root: &Path,
     names: impl IntoIterator<Item = &'a str>,

@@ -147,9 +147,9 @@ fn new_set() -> Files {
 
 /// Everything below a folder.
 fn everything(root: &Path) -> Files {
-    let mut names = list(root, MANIFEST).unwrap();
-    names.extend(SUBFOLDERS.iter().flat_map(|f| list(root, f).unwrap()));
-    read_set(root, names.iter().map(String::as_str), 1000).unwrap()
+    let mut entries = list(root, MANIFEST).unwrap();
+    entries.extend(SUBFOLDERS.iter().flat_map(|f| list(root, f).unwrap()));
+    read_set(root, entries.iter().map(|e| e.name.as_str()), 1000).unwrap()
 }
 
 fn write_all(root: &Path, files: &Files) -> Written {
@@ -276,7 +276,7 @@ fn names_that_leave_the_folder_are_refused_before_anything_is_written() {
     {
         let files = set(&[(name, "x"), ("fits/a", "x")]);
         let error = Folder::open(folder.path()).unwrap().write(&files).unwrap_err();
-        assert!(matches!(error, StoreError::Outside { .. }), "{name}: {error}");
+        assert!(matches!(error, StoreError::Outside { .. }) && error.is_write(), "{name}: {error}");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "{name}");
     }
 }
@@ -327,6 +327,9 @@ fn reads_are_bounded() {
     assert!(matches!(read_stream(io::repeat(0), "stdin", 1000).unwrap_err(), StoreError::TooLarge { .. }));
     assert_eq!(read_stream(&b"abc"[..], "stdin", 3).unwrap(), b"abc");
     assert!(!read(&folder.path().join("none"), 4).unwrap_err().is_write());
+    for name in ["../x", "tables/a:b"] {
+        assert!(!read_set(folder.path(), [name], 4).unwrap_err().is_write(), "{name}");
+    }
 }
 
 #[cfg(unix)]

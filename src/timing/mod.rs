@@ -4,12 +4,13 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use crate::bake::{BakeError, Baked};
-use crate::data::{Approximation, Smith, Source};
+use crate::data::{AlphaMap, Approximation, Smith, Source};
 use crate::effects::reflection::{Fit, Lookup, POINTS, PointSet, Region, certification};
 use crate::integrate::monte_carlo::{self, Draw, Points, Run};
 use crate::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
 use crate::integrate::{IntegrateError, PanelRule};
 use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
+use crate::scene::Scene;
 
 /// Runs of which the median is taken.
 const RUNS: usize = 5;
@@ -27,13 +28,13 @@ const LOG2_POINTS: u32 = 15;
 const FLOOR: f64 = 1e-16;
 
 /// Measures the integrators at the study's points, and every formula and table of a bake.
-pub fn timings(smith: Smith, baked: &Baked, origin: Origin, device: String) -> Result<Timings, BakeError> {
-    let points = POINTS.into_iter().map(|(name, alpha, mu)| point(smith, name, alpha, mu));
+pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> Result<Timings, BakeError> {
+    let points = POINTS.into_iter().map(|(name, alpha, mu)| point(scene.smith, name, alpha, mu));
     let points = points.collect::<Result<_, IntegrateError>>()?;
     // One thread: a time per evaluation is that of one core.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
-    let evaluations = pool.install(|| evaluations(baked))?;
+    let evaluations = pool.install(|| evaluations(scene.alpha, baked))?;
     Ok(Timings { origin, device, points, evaluations })
 }
 
@@ -101,7 +102,7 @@ fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [TimedSeries; 2]
     ]
 }
 
-fn evaluations(baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {
+fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {
     let mut timed = Vec::new();
     for table in &baked.tables {
         let Some(texels) = table.table() else { continue };
@@ -115,7 +116,7 @@ fn evaluations(baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {
         timed.push(entry(&table.approximation, true, time / points.len() as f64));
     }
     let Some(first) = baked.fits.first() else { return Ok(timed) };
-    let points = certification(&region(&first.approximation), LOG2_POINTS);
+    let points = certification(&region(alpha_map, &first.approximation), LOG2_POINTS);
     for fit in baked.fits.iter().filter(|f| f.wraps.is_none()) {
         timed.push(entry(&fit.approximation, false, fit_seconds(fit, &points)? / points.len() as f64));
     }
@@ -132,13 +133,9 @@ fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {
 }
 
 /// The region that a fit was certified in.
-fn region(approximation: &Approximation) -> Region {
+fn region(alpha_map: AlphaMap, approximation: &Approximation) -> Region {
     let range = |name: &str| approximation.certificate.domain.get(name).copied().unwrap_or([1.0, 1.0]);
-    Region {
-        roughness: range("roughness"),
-        mu: range("mu"),
-        alpha_map: crate::data::AlphaMap::RoughnessSquared,
-    }
+    Region { roughness: range("roughness"), mu: range("mu"), alpha_map }
 }
 
 fn entry(approximation: &Approximation, table: bool, seconds: f64) -> TimedApproximation {

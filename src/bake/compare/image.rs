@@ -90,7 +90,7 @@ fn judge(table: &BakedTable, found: Decoded, difference: &mut Difference) {
     let stated = table.errors.lookup.max;
     if let Some(error) = measured_again(table, &channels) {
         let kept = error <= stated;
-        let word = if kept { "kept" } else { "broken" };
+        let word = if kept { "kept at the points tried" } else { "broken" };
         difference.promise_kept = Some(kept);
         difference.detail += &format!("; promise {word}: lookup error {error:.4e}, stated {stated:e}");
     }

@@ -9,7 +9,8 @@ use serde::Serialize;
 
 use super::Baked;
 use super::context::Progress;
-use crate::store::Files;
+use crate::scene::escape::visible;
+use crate::store::{self, Entry, Files};
 
 /// One file that is not what the recipe gives.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -48,15 +49,18 @@ pub enum Kind {
 
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.file, self.detail)
+        // Names and lines of a folder that anybody may have written.
+        write!(f, "{}: {}", visible(&self.file), visible(&self.detail))
     }
 }
 
-/// Every file of `found` and of the bake that differs. With `tolerance`, files whose decoded values are all within it pass;
-/// pages of the report are then not compared, since they are drawn from the figures.
+/// Every file of the bake that differs from that of `found`, and the `strays`: what else lies in the folder, links in the
+/// places of files among it. With `tolerance`, files whose decoded values are all within it pass; pages of the report are
+/// then not compared, since they are drawn from the figures.
 pub fn compare(
     baked: &Baked,
     found: &Files,
+    strays: &[Entry],
     tolerance: Option<f64>,
     progress: &dyn Progress,
 ) -> Vec<Difference> {
@@ -64,14 +68,25 @@ pub fn compare(
     let mut differences = Vec::new();
     for (file, expected) in &baked.files {
         match found.get(file) {
+            None if strays.iter().any(|stray| stray.name == *file) => {
+                differences.push(plain(
+                    file,
+                    Kind::Different,
+                    "a link or device where the recipe makes a file",
+                ));
+            }
             None => differences.push(plain(file, Kind::Missing, "missing: the recipe makes it")),
             Some(bytes) if bytes == expected => {}
             Some(_) if tolerance.is_some() && file.ends_with(".html") => {}
             Some(bytes) => differences.push(different(baked, file, expected, bytes)),
         }
     }
-    for file in found.keys().filter(|file| !baked.files.contains_key(*file)) {
-        differences.push(plain(file, Kind::Extra, "extra: the recipe does not make it"));
+    for stray in strays.iter().filter(|stray| !baked.files.contains_key(&stray.name)) {
+        let detail = match stray.kind {
+            store::Kind::Other => "extra: a link or device; the recipe does not make it",
+            _ => "extra: the recipe does not make it",
+        };
+        differences.push(plain(&stray.name, Kind::Extra, detail));
     }
     if let Some(tolerance) = tolerance {
         differences.retain(|d| d.max_abs.is_none_or(|x| x.is_nan() || x > tolerance));

@@ -2,7 +2,8 @@
 
 use super::{Difference, Kind, plain};
 
-/// How two texts differ: by the largest difference of their numbers if all else is equal, else by their first differing line.
+/// How two texts differ: by the largest difference of their numbers if all else is equal, else by their first differing
+/// line, else by the first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
         return plain(file, Kind::Different, "different bytes; not text");
@@ -16,8 +17,8 @@ pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
             (difference.max_abs, difference.at) = (Some(gap), Some(format!("line {line}")));
         }
         None => {
-            let (line, want, have) = first_line(expected, found);
-            difference.detail = format!("line {line}: `{have}` where the recipe gives `{want}`");
+            let (line, words) = first_line(expected, found);
+            difference.detail = format!("line {line}: {words}");
             difference.at = Some(format!("line {line}"));
         }
     }
@@ -78,16 +79,37 @@ fn number_end(bytes: &[u8], start: usize) -> usize {
     i
 }
 
-/// The first differing line, cut to a readable length.
-fn first_line(expected: &str, found: &str) -> (usize, String, String) {
+/// The first differing line, cut to a readable length; where all lines are equal, the first whose end is another.
+fn first_line(expected: &str, found: &str) -> (usize, String) {
     const END: &str = "(end of file)";
     let (mut want, mut have) = (expected.lines(), found.lines());
     let mut line = 1;
     loop {
         match (want.next(), have.next()) {
-            (a, b) if a == b && a.is_some() => line += 1,
-            (a, b) => return (line, cut(a.unwrap_or(END)), cut(b.unwrap_or(END))),
+            (None, None) => return first_end(expected, found),
+            (a, b) if a == b => line += 1,
+            (a, b) => {
+                let (want, have) = (cut(a.unwrap_or(END)), cut(b.unwrap_or(END)));
+                return (line, format!("`{have}` where the recipe gives `{want}`"));
+            }
         }
+    }
+}
+
+/// The first line that ends otherwise, of texts whose lines are equal.
+fn first_end(expected: &str, found: &str) -> (usize, String) {
+    let (want, have) = (expected.split_inclusive('\n').map(end), found.split_inclusive('\n').map(end));
+    let differing = want.zip(have).enumerate().find(|(_, (want, have))| want != have);
+    let (i, (want, have)) = differing.unwrap_or((0, ("another end", "one end")));
+    (i + 1, format!("only line ends differ: {have} where the recipe gives {want}"))
+}
+
+/// How a line ends.
+fn end(line: &str) -> &'static str {
+    match line.as_bytes() {
+        [.., b'\r', b'\n'] => "CR LF",
+        [.., b'\n'] => "LF",
+        _ => "no final newline",
     }
 }
 
@@ -121,5 +143,23 @@ mod tests {
         let d = different("a.rs", b"one\ntwo\n", b"one\n");
         assert!(d.detail.contains("(end of file)"), "{d:?}");
         assert!(different("a.rs", b"\xff", b"a").detail.contains("not text"));
+    }
+
+    #[test]
+    fn line_ends_are_told_from_lines() {
+        for (expected, found, line, words) in [
+            ("a\nb\n", "a\nb", 2, "no final newline where the recipe gives LF"),
+            ("a\nb", "a\nb\n", 2, "LF where the recipe gives no final newline"),
+            ("a\nb\n", "a\r\nb\r\n", 1, "CR LF where the recipe gives LF"),
+            ("a 1\nb 2\n", "a 1\nb 2\r\n", 2, "CR LF where the recipe gives LF"),
+            ("a\nb\n", "a\nb\r\n", 2, "CR LF where the recipe gives LF"),
+        ] {
+            let d = different("a.rs", expected.as_bytes(), found.as_bytes());
+            assert_eq!(d.detail, format!("line {line}: only line ends differ: {words}"), "{found:?}");
+            assert_eq!((d.at.as_deref(), d.max_abs), (Some(format!("line {line}").as_str()), None));
+        }
+        // A bare CR ends no line; an empty line more is a line.
+        let d = different("a.rs", b"a\n", b"a\n\n");
+        assert_eq!(d.detail, "line 2: `` where the recipe gives `(end of file)`");
     }
 }

@@ -34,8 +34,8 @@ macro_rules! published {
 
 /// N(alpha, mu) with free parameters, by rising cost.
 pub const NORMALISATIONS: [Entry; 14] = own![
-    "ggx_norm_n2",
     "ggx_norm_r1",
+    "ggx_norm_n2",
     "ggx_norm_r2",
     "ggx_norm_n1",
     "ggx_norm_r3p",
@@ -45,8 +45,8 @@ pub const NORMALISATIONS: [Entry; 14] = own![
     "ggx_norm_r6",
     "ggx_norm_q12",
     "ggx_norm_q13",
-    "ggx_norm_q14",
     "ggx_norm_q15",
+    "ggx_norm_q16",
     "ggx_norm_q20",
 ];
 

@@ -16,8 +16,8 @@ pub fn decode(layout: Layout, serves: Serves) -> &'static [(&'static str, &'stat
 
 /// Operations of a lookup beside its fetch, coordinates and decoding, to E, or to E, A and B.
 ///
-/// Homogeneous coordinate: 1 + alpha, times mu, mu + alpha, rcp 4, mul, sqrt 4 are 12; a remap to texel centres is one fma per
-/// axis. Decoding: 1 - loss; x = 1 - mu, x^2, x^4, fma with the bias, times E, A = E - B are 6. Plain: the coordinates are the
+/// Homogeneous coordinate: 1 + alpha, times mu, mu + alpha, rcp 4, mul, sqrt 4 are 12; one fma per axis to the texture
+/// coordinate. Decoding: 1 - loss; x = 1 - mu, x^2, x^4, fma with the bias, times E, A = E - B are 6. Plain: the coordinates are the
 /// inputs, or sqrt(mu); E = A + B.
 pub fn lookup_ops(layout: Layout, serves: Serves) -> u32 {
     match (layout, serves) {

@@ -1,6 +1,6 @@
 //! A table of this effect as a shader reads it: coordinates, bilinear fetch and decoding, in f32.
 
-use crate::data::{Layout, Registration, Serves, Table, Warp};
+use crate::data::{Layout, Serves, Table};
 
 /// E and B as decoded from a fetch; B is 0 for a table that serves the albedo alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,15 +38,8 @@ impl<'a> Lookup<'a> {
     /// E and B at a point, in the shader's arithmetic.
     pub fn at(&self, roughness: f32, alpha: f32, mu: f32) -> Split {
         let [columns, rows] = &self.table.axes;
-        let u = match columns.warp {
-            Warp::Linear => mu,
-            Warp::Sqrt => mu.sqrt(),
-            Warp::Homogeneous => (mu * (1.0 + alpha) / (mu + alpha)).sqrt(),
-        };
-        let (low, high) = (rows.min as f32, rows.max as f32);
-        let v = (roughness - low) / (high - low);
-        let x = position(columns.registration, u, columns.size);
-        let y = position(rows.registration, v, rows.size);
+        let x = position(columns.texture_coordinate(mu, alpha), columns.size);
+        let y = position(rows.texture_coordinate(roughness, alpha), rows.size);
         let first = self.fetch(0, x, y);
         let second = if self.serves == Serves::SplitSum { self.fetch(1, x, y) } else { 0.0 };
         self.decode(first, second, mu)
@@ -87,12 +80,7 @@ impl<'a> Lookup<'a> {
     }
 }
 
-/// Position in texels by way of the texture coordinate, as a texture unit has it.
-fn position(registration: Registration, u: f32, n: usize) -> f32 {
-    let (size, last) = (n as f32, (n - 1) as f32);
-    let coordinate = match registration {
-        Registration::Centre => u,
-        Registration::Endpoint => u * (last / size) + 0.5 / size,
-    };
-    (coordinate * size - 0.5).max(0.0).min(last)
+/// Position in texels of a texture coordinate, clamped to the edge.
+fn position(coordinate: f32, n: usize) -> f32 {
+    (coordinate * n as f32 - 0.5).max(0.0).min((n - 1) as f32)
 }

@@ -10,7 +10,7 @@ use crate::data::{Channel, Layout, Place, Serves, Table};
 pub struct LookupError {
     /// Largest absolute error, over all points.
     pub max: f64,
-    /// Largest error relative to E.
+    /// Largest error relative to E (also where the error is B's, which falls to 1e-8 itself).
     pub max_rel: f64,
     /// Root mean square over the uniform points.
     pub rms: f64,
@@ -36,7 +36,7 @@ pub struct Rounding {
 /// The errors of a table, told apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Errors {
-    /// Bound on the error of the truths that the texels were made from.
+    /// Bound on the error of the truths that the texels were made from and that the lookup is judged against.
     pub integration: f64,
     /// Rounding to the format, by channel.
     pub quantisation: Vec<Rounding>,

@@ -1,4 +1,4 @@
-//! Points at which approximations are measured: never those that they were fitted on.
+//! Points at which approximations are measured: none that they were fitted on, but for the corners of the region.
 
 use super::Region;
 use crate::data::Place;
@@ -78,12 +78,12 @@ impl PointSet {
         inputs.into_iter().map(|(name, x)| (name.to_string(), shortest(x))).collect()
     }
 
-    /// Adds a point, rounded to f32 and kept inside the domain by its f32 neighbours.
+    /// Adds a point as a shader has it, rounded to the nearest f32 (at an edge of the region that may lie outside by half an ulp).
     pub fn push(&mut self, region: &Region, roughness: f64, mu: f64) {
-        let roughness = inside(roughness, region.roughness);
+        let roughness = roughness as f32;
         self.roughness.push(roughness);
         self.alpha.push(region.alpha_map.alpha_f32(roughness));
-        self.mu.push(inside(mu, region.mu));
+        self.mu.push(mu as f32);
     }
 }
 
@@ -91,18 +91,6 @@ impl PointSet {
     /// Adds the point at fraction `t` of the region's range of the homogeneous coordinate.
     pub fn push_layer(&mut self, region: &Region, roughness: f64, t: f64) {
         self.push(region, roughness, homogeneous(region, roughness, t));
-    }
-}
-
-/// The f32 nearest to x that is not outside the range.
-fn inside(x: f64, range: [f64; 2]) -> f32 {
-    let rounded = x as f32;
-    if f64::from(rounded) < range[0] {
-        rounded.next_up()
-    } else if f64::from(rounded) > range[1] {
-        rounded.next_down()
-    } else {
-        rounded
     }
 }
 

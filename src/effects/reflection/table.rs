@@ -42,8 +42,15 @@ pub struct TableSpec {
     pub region: Region,
 }
 
-/// Samples per cell and axis that the texels are optimised on.
-const PER_CELL: usize = 4;
+/// Samples per cell and axis that the texels are optimised on: fewer in large tables, whose cells hold less curvature and whose
+/// samples would fill the memory (a 512 x 512 table has a million at 2).
+fn per_cell(size: [usize; 2]) -> usize {
+    match size[0] * size[1] {
+        0..=20_000 => 4,
+        20_001..=300_000 => 2,
+        _ => 1,
+    }
+}
 
 /// The table before its texels are rounded to their format.
 pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, TableError> {
@@ -128,7 +135,7 @@ fn sampled(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel
 fn optimised(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
     let columns = spec.size[0];
     let nodes = lattice(spec, axes, 1, counter);
-    let mut dense = lattice(spec, axes, PER_CELL, counter);
+    let mut dense = lattice(spec, axes, per_cell(spec.size), counter);
     dense.retain(|n| n.mu >= spec.region.mu[0]);
     let start: Vec<f64> = nodes.iter().map(|n| 1.0 - n.e).collect();
     let samples = |f: &dyn Fn(&Node) -> (f64, f64)| -> Vec<TexelSample> {

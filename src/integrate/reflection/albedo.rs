@@ -42,10 +42,7 @@ pub fn albedo_work(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule, graded: 
 pub fn loss(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule) -> f64 {
     let view = View::new(smith, alpha, mu);
     let above = rule.panels(&view.cuts(), &|u| shadowed_integrand(&view, u));
-    if mu == 0.0 {
-        return above;
-    }
-    let below = rule.panel(-mu, 0.0, &|cosine| below_integrand(&view, cosine));
+    let below = rule.panel(-view.mu, 0.0, &|cosine| below_integrand(&view, cosine));
     above + below
 }
 

@@ -1,6 +1,6 @@
 //! `ggx-average`: E_avg = 2 int_0^1 E(mu) mu dmu and its loss.
 
-use super::{Effort, albedo, check_inputs, loss};
+use super::{Effort, LOSS_TOLERANCE, albedo, check_inputs, loss};
 use crate::data::Smith;
 use crate::integrate::{Estimate, IntegrateError};
 use crate::math::gauss::Gauss;
@@ -40,10 +40,13 @@ pub fn average(smith: Smith, alpha: f64, tolerance: f64) -> Result<Average, Inte
     let loss_error = taken.error / taken.value;
     let error = e.error.max(taken.error);
     if !(e.value.is_finite() && taken.value.is_finite()) {
-        return Err(IntegrateError::NotFinite { quantity: "ggx-average", place: format!("alpha = {alpha}") });
+        return Err(IntegrateError::NotFinite {
+            quantity: "ggx-average",
+            place: format!("alpha = {alpha:?}"),
+        });
     }
-    if error > tolerance {
-        let place = format!("alpha = {alpha}");
+    if error > tolerance || loss_error > LOSS_TOLERANCE {
+        let place = format!("alpha = {alpha:?}");
         return Err(IntegrateError::Tolerance { quantity: "ggx-average", place, reached: error, tolerance });
     }
     Ok(Average { e_avg: e.value, loss_avg: taken.value, error, loss_error })

@@ -29,7 +29,7 @@ impl Effort {
     /// The ladder that a tolerance climbs: each step has twice the nodes of the one before.
     pub fn ladder() -> &'static [Effort] {
         static LADDER: LazyLock<Vec<Effort>> = LazyLock::new(|| {
-            vec![Effort::new(8, 8.0), Effort::new(16, 16.0), Effort::new(32, 32.0), Effort::new(64, 64.0)]
+            vec![Effort::new(8, 10.0), Effort::new(16, 16.0), Effort::new(32, 32.0), Effort::new(64, 64.0)]
         });
         &LADDER
     }

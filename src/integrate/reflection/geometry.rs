@@ -47,9 +47,13 @@ pub(super) struct Lights {
 /// (pi/2 + sqrt(pi^2/4 + 1))^-2n = 3.4^-2n: 1e-17 for n = 16.
 pub(super) const LONGEST: f64 = 2.0;
 
+/// Cosines below this are 0: panels graded down to them would be many, and E differs from its limit by less.
+const GRAZING: f64 = 1e-100;
+
 impl View {
-    /// A view with alpha > 0 and mu in [0, 1].
+    /// A view with alpha > 0 and mu in [0, 1]. A cosine below [`GRAZING`] is taken for 0, the limit that it cannot be told from.
     pub fn new(smith: Smith, alpha: f64, mu: f64) -> View {
+        let mu = if mu < GRAZING { 0.0 } else { mu };
         let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
         View { smith, alpha, mu, sine, s_v: ggx::stretched_length(alpha, mu) }
     }
@@ -83,7 +87,8 @@ impl View {
             let sin_d = -m * cos_d;
             let sin_s = self.sine * cos_d - self.mu * sin_d;
             let cos_s = self.mu * cos_d + self.sine * sin_d;
-            let mu_l = (cos_s * cos_d + sin_s * sin_d).max(0.0);
+            // cos(theta + 2 atan(m)): at grazing both terms are small, so their difference is good to eps times them.
+            let mu_l = ((self.mu * (1.0 - m) * (1.0 + m) - 2.0 * m * self.sine) / length2).max(0.0);
             let sin_l = sin_s * cos_d - cos_s * sin_d;
             out.sin_d[i] = sin_d;
             out.cos_d[i] = cos_d;
@@ -107,9 +112,10 @@ impl View {
         let mut out = Lights::zero();
         for i in 0..LANES {
             let (sin_l, cos_l) = (((1.0 - cosine[i]) * 0.5).sqrt(), ((1.0 + cosine[i]) * 0.5).sqrt());
-            out.sin_d[i] = sin_v * cos_l - cos_v * sin_l;
-            out.cos_d[i] = cos_v * cos_l + sin_v * sin_l;
             out.sin_s[i] = sin_v * cos_l + cos_v * sin_l;
+            out.cos_d[i] = cos_v * cos_l + sin_v * sin_l;
+            // mu_l - mu = 2 sin(S/2) sin(D/2), free of cancellation at grazing
+            out.sin_d[i] = 0.5 * (cosine[i] - self.mu) / out.sin_s[i];
             // cos(S/2) cos(D/2) = (mu + mu_l)/2 without cancellation at mu_l = -mu
             out.cos_s[i] = 0.5 * (self.mu + cosine[i]) / out.cos_d[i];
             out.mu_l[i] = cosine[i];

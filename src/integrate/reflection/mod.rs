@@ -21,8 +21,8 @@ pub use effort::Effort;
 use super::{Estimate, IntegrateError};
 use crate::data::Smith;
 
-/// Smallest alpha above 0 that is integrated; below it the lobe is a mirror to 1e-14 in E at mu > 1e-3, and the promise of
-/// 1e-10 holds from 1e-4.
+/// Smallest alpha above 0 that is integrated; below it the lobe is a mirror to 1e-8 in E wherever mu > 1e-3. The promise of 1e-10
+/// is tested from 1e-4, and E + loss = 1 down to here.
 pub const SMALLEST_ALPHA: f64 = 1e-7;
 
 /// Smallest cosine at which the loss is held to its relative promise; below it, `error` alone bounds the loss.
@@ -71,7 +71,7 @@ pub fn reflection(smith: Smith, alpha: f64, mu: f64, tolerance: f64) -> Result<R
     }
     Err(IntegrateError::Tolerance {
         quantity: "ggx-reflection",
-        place: format!("alpha = {alpha}, mu = {mu}"),
+        place: format!("alpha = {alpha:?}, mu = {mu:?}"),
         reached,
         tolerance,
     })
@@ -101,21 +101,20 @@ pub fn at_effort(
     let fine_loss = loss(smith, alpha, mu, &fine.outer);
     let scale = if fine_loss > 0.0 { fine_loss } else { 1.0 };
     let loss = Estimate::from_pair(loss(smith, alpha, mu, &coarse.outer), fine_loss, scale);
-    // The light's cosine is a difference of terms near 1, so near the horizon, where the integrand varies on the scale of
-    // the smaller of alpha and mu, it carries that much relative rounding.
+    // Nodes carry eps of absolute rounding in a variable where the horizon's layer is as wide as the smaller of alpha and mu.
     let rounding = 4.0 * f64::EPSILON / if mu > 0.0 { mu.min(alpha) } else { alpha };
     let value = Reflection {
         e: e.value,
         a: e.value - b.value,
         b: b.value,
         loss: loss.value,
-        error: e.error + b.error,
+        error: (e.error + b.error).max(loss.error),
         loss_error: loss.error / scale + rounding,
     };
     if [value.e, value.b, value.loss, value.error].iter().all(|x| x.is_finite()) {
         Ok(value)
     } else {
-        let place = format!("alpha = {alpha}, mu = {mu}");
+        let place = format!("alpha = {alpha:?}, mu = {mu:?}");
         Err(IntegrateError::NotFinite { quantity: "ggx-reflection", place })
     }
 }

@@ -69,8 +69,9 @@ pub struct EffectFinding {
     pub ranges: BTreeMap<String, [f64; 2]>,
     /// Approximation chosen.
     pub approximation: String,
-    /// Error that the plan expected.
-    pub expected_error: f64,
+    /// Error that the scene allows; none where it sets no limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_error: Option<f64>,
     /// Error that was measured.
     pub measured_error: f64,
     /// What error that is: `furnace error |E N - 1|`, ...

@@ -20,8 +20,8 @@ pub(super) fn section(findings: &Findings) -> Result<Section, ReportError> {
         blocks.push(Block::Text { text });
     } else {
         let rows = findings.effects.iter().map(row).collect();
-        let caption = "Maxima are rounded up. A measured error above the expected one means that the plan's \
-                       estimate was too hopeful, not that the measurement is uncertain.";
+        let caption = "Maxima are rounded up. The expected error is the limit that the scene sets; a bake that exceeds it \
+                       fails and writes nothing.";
         blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
     }
     if !findings.left_out.is_empty() {
@@ -46,7 +46,7 @@ fn row(e: &EffectFinding) -> Vec<String> {
         e.because.join("; "),
         words::ranges(&e.ranges),
         e.approximation.clone(),
-        words::max(e.expected_error),
+        e.expected_error.map_or_else(|| "no limit".into(), words::max),
         words::max(e.measured_error),
         e.metric.clone(),
     ]

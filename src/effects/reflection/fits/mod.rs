@@ -85,6 +85,16 @@ pub enum FitStageError {
         /// How the search ended.
         termination: Termination,
     },
+    /// A hypothesis of the user's has the name of another one.
+    #[error(
+        "{file}: function `{function}` has the name of another hypothesis, which is emitted too; rename it"
+    )]
+    Name {
+        /// The hypothesis' file.
+        file: String,
+        /// The name.
+        function: String,
+    },
     /// The hypothesis asks for an input that this effect does not have.
     #[error("{hypothesis}: argument `{input}` is not one of {known}")]
     Input {

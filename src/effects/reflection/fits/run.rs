@@ -11,7 +11,7 @@ use crate::effects::reflection::catalogue::{AVERAGES, Entry, NORMALISATIONS, RIV
 use crate::effects::reflection::samples::{AverageData, Data, FitData};
 use crate::fit::{FitError, Hypothesis};
 
-/// Fits and measures everything that the spec asks for: ours by rising cost, the user's, the source's published formulas, and
+/// Fits and measures everything that the spec asks for: ours in the catalogue's order, the user's, the source's published formulas, and
 /// the rivals for comparison. Counts the truths that it needs. A hypothesis of the catalogue that does not converge, or has a
 /// pole, in this region is dropped with the reason; one of the user's is an error.
 pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
@@ -19,8 +19,9 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
     let own = parse(&NORMALISATIONS)?;
     let user: Vec<Hypothesis> =
         spec.hypotheses.iter().map(|(f, s)| Hypothesis::parse(f, s)).collect::<Result<_, _>>()?;
-    for hypothesis in &user {
+    for (i, hypothesis) in user.iter().enumerate() {
         check_inputs(hypothesis)?;
+        check_name(hypothesis, own.iter().chain(&user[..i]))?;
     }
     let data = FitData::new(spec.smith, &spec.region, counter)?;
     let affordable = |h: &Hypothesis| spec.max_ops.is_none_or(|most| h.tape().cost_ops() <= most);
@@ -36,16 +37,21 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
     let norm = if spec.norms.contains(&Norm::Max) { Norm::Max } else { Norm::Rms };
     let saturating: Vec<&Fit> = fits.iter().filter(|f| f.norm() == norm.name()).collect();
     let saturating = each(&saturating, |fit| saturate(spec, fit, &data))?;
-    fits.extend(saturating.into_iter().filter(|f| affordable(&f.hypothesis)));
+    let (saturating, dear): (Vec<Fit>, Vec<Fit>) =
+        saturating.into_iter().partition(|f| affordable(&f.hypothesis));
+    dropped.extend(dear.iter().map(|f| too_dear(&f.hypothesis, spec.max_ops)));
+    fits.extend(saturating);
     if spec.average {
-        let averages = jobs(parse(&AVERAGES)?);
+        let averages = parse(&AVERAGES)?;
+        dropped.extend(averages.iter().filter(|h| !affordable(h)).map(|h| too_dear(h, spec.max_ops)));
+        let averages = jobs(averages);
         let data = AverageData::new(spec.smith, &spec.region, counter)?;
         fits.extend(reliable(spec, &averages, &data, &mut dropped)?);
     }
     let comparable = |entries: &'static [Entry]| -> Vec<&Entry> {
         // A formula that takes roughness means alpha = roughness^2; under another map it would be judged on a misreading.
         let squared = spec.region.alpha_map == AlphaMap::RoughnessSquared;
-        entries.iter().filter(|entry| squared || !entry.source.contains("(roughness: f32")).collect()
+        entries.iter().filter(|entry| squared || !takes_roughness(entry)).collect()
     };
     fits.extend(each(&comparable(&SEEDS), |entry| published(spec, entry, true, &data))?);
     fits.extend(each(&comparable(&RIVALS), |entry| published(spec, entry, false, &data))?);
@@ -54,6 +60,12 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
 
 fn parse(entries: &[Entry]) -> Result<Vec<Hypothesis>, FitError> {
     entries.iter().map(|entry| Hypothesis::parse(entry.file, entry.source)).collect()
+}
+
+/// Whether a published formula has an argument called roughness; a formula that does not parse is judged, and refused there.
+fn takes_roughness(entry: &Entry) -> bool {
+    let parsed = Hypothesis::parse(entry.file, entry.source);
+    parsed.is_ok_and(|h| h.inputs().iter().any(|input| input == "roughness"))
 }
 
 /// The arguments that a normalisation may have.
@@ -70,7 +82,20 @@ fn check_inputs(hypothesis: &Hypothesis) -> Result<(), FitStageError> {
     }
 }
 
-/// A hypothesis of the user's that costs more than the scene allows.
+/// A name that is taken would be emitted twice: refused before anything is fitted.
+fn check_name<'a>(
+    hypothesis: &Hypothesis,
+    mut others: impl Iterator<Item = &'a Hypothesis>,
+) -> Result<(), FitStageError> {
+    let taken = |other: &Hypothesis| other.name() == hypothesis.name();
+    if others.any(taken) {
+        let (file, function) = (hypothesis.file().to_string(), hypothesis.name().to_string());
+        return Err(FitStageError::Name { file, function });
+    }
+    Ok(())
+}
+
+/// A formula that was asked for and costs more than the scene allows.
 fn too_dear(hypothesis: &Hypothesis, most: Option<u32>) -> Dropped {
     let (ops, most) = (hypothesis.tape().cost_ops(), most.unwrap_or(u32::MAX));
     Dropped {
