@@ -3,6 +3,7 @@
 pub mod aniso;
 mod error;
 mod estimate;
+pub mod glass;
 pub mod monte_carlo;
 pub mod reflection;
 
