@@ -54,6 +54,15 @@ fn bad_ones_are_refused_with_their_place() {
             ["mine.wgsl", "ggx_norm_n1", "rename"],
         ),
         ("", ["mine.wgsl", "", ""]),
+        ("override k: f32 = 0.1;\nfn mine() -> f32 { return 1.0 + k; }\n", ["mine.wgsl", "no argument", ""]),
+        ("fn gen(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "gen", "Rust"]),
+        ("fn cell(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "`cell`", "rename"]),
+        ("fn ggx_norm_r1_saturating(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "rename", ""]),
+        (
+            "override k: f32 = 1.0;\noverride c: f32 = 0.3712345;\n\
+             fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + k * alpha * alpha / (mu - c); }\n",
+            ["mine.wgsl", "", ""],
+        ),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let (code, error) = bake(folder.path(), source);

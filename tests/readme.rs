@@ -32,6 +32,11 @@ fn the_table_of_fits_is_the_manifests() {
 }
 
 #[test]
+fn the_example_hypothesis_is_the_file() {
+    assert!(read("README.md").contains(read("examples/own-hypothesis.wgsl").trim()));
+}
+
+#[test]
 fn the_output_and_the_code_are_the_commands() {
     let (readme, wgsl) = (read("README.md"), read("fits/lobefit.wgsl"));
     let block = |start: &str| {

@@ -8,7 +8,7 @@ override d4: f32 = -0.621103;
 
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
 /// Sixteen operations. Rational in alpha and mu. The divisor is homogeneous of degree 2 where both are small, so the layer
-/// mu ~ alpha is resolved at every roughness. Exactly 1 at alpha = 0 and at mu = 0; undefined only where both are 0.
+/// mu ~ alpha is resolved at every roughness. Exactly 1 at alpha = 0 and at mu = 0.
 fn ggx_norm_q16(alpha: f32, mu: f32) -> f32 {
     let a2 = alpha * alpha;
     let loss = alpha * mu * (c0 + c1 * a2);

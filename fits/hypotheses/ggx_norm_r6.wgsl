@@ -7,7 +7,7 @@ override c5: f32 = -0.663263;
 
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
 /// Six operations: a polynomial in roughness, alpha and mu, in Horner form.
-/// Exactly 1 for a mirror; holds for roughness and mu in [0, 1].
+/// Exactly 1 for a mirror.
 fn ggx_norm_r6(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let grazing = c0 + roughness * (c1 * roughness + c2);
     let facing = c3 * alpha + c4 + c5 * mu;

@@ -22,23 +22,10 @@ pub fn bake_fits(
         hypotheses: hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
     };
     let set = fit_all(&spec, &context.counter)?;
-    refuse_double_names(&set.fits)?;
     for promise in &job.promises {
         context.broken.extend(unkept(promise, &set.fits));
     }
     Ok(set)
-}
-
-fn refuse_double_names(fits: &[Fit]) -> Result<(), BakeError> {
-    let mut names: Vec<&str> = Vec::new();
-    for fit in fits.iter().filter(|f| f.emitted) {
-        let name = fit.approximation.name.as_str();
-        if names.contains(&name) {
-            return Err(BakeError::Name { file: fit.hypothesis.file().into(), function: name.into() });
-        }
-        names.push(name);
-    }
-    Ok(())
 }
 
 /// A sentence where no emitted normalisation of at most so many operations is within the promised error.

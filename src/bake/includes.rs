@@ -54,17 +54,26 @@ fn opening(mark: &str, lobe: (Smith, AlphaMap), context: &Context) -> String {
             "Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and",
             "view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.",
             "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel.",
-            "Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9.",
+            "Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;",
+            "sin, cos, log2 4; log 5.",
         ]
         .map(String::from),
     );
-    comment(mark, &lines)
+    let mut text = comment(mark, &lines);
+    if mark == "//!" {
+        // An engine uses some of these functions, not all.
+        text += "\n#![allow(dead_code)]\n";
+    }
+    text
 }
 
 /// The header of one function: what it is, its error and its cost.
 fn function_lines(fit: &Fit) -> Vec<String> {
     let a = &fit.approximation;
     let mut lines: Vec<String> = fit.hypothesis.doc().to_vec();
+    if !lines.is_empty() {
+        lines.push(String::new());
+    }
     let what = match (&fit.wraps, a.used_as) {
         (Some(_), _) => {
             "furnace error |E N - 1| at f0 = 1; no larger, relative to 1 + f0 (1/E - 1), at any other f0"
@@ -76,13 +85,12 @@ fn function_lines(fit: &Fit) -> Vec<String> {
         "published" => format!("as published: {}", a.source.text()),
         norm => format!("fitted for the smallest {norm} error"),
     };
-    lines.push(String::new());
     lines.push(format!(
-        "{} {}, smith {}; {} operations; constants {constants}",
+        "{} {}, smith {}; {}; constants {constants}",
         a.quantity,
         a.column,
         a.smith.name(),
-        a.cost.ops
+        header::operations(a.cost.ops)
     ));
     lines.extend(header::certificate_lines(what, &a.certificate));
     lines

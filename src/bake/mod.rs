@@ -6,6 +6,7 @@ mod context;
 mod findings;
 mod fits;
 mod includes;
+mod names;
 mod pictures;
 mod recipe;
 mod tables;
@@ -71,12 +72,22 @@ pub enum BakeError {
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
     /// A hypothesis has the name of another function.
-    #[error("{file}: function `{function}` has the name of one that is emitted already; rename it")]
+    #[error(
+        "{file}: function `{function}` has, or leads to, the name of another emitted function; rename it"
+    )]
     Name {
         /// The hypothesis' file.
         file: String,
         /// The name.
         function: String,
+    },
+    /// A hypothesis whose function cannot be called so in an emitted language.
+    #[error("{file}: {reason}")]
+    Word {
+        /// The hypothesis' file.
+        file: String,
+        /// What the printer says.
+        reason: String,
     },
     /// A defect of this program.
     #[error("internal error: {0}")]
@@ -98,6 +109,7 @@ pub fn bake(
 ) -> Result<Baked, BakeError> {
     let recipe = recipe(scene, hypotheses)?;
     let mut context = Context { recipe, counter: Counter::default(), broken: Vec::new(), progress };
+    names::check(hypotheses)?;
     // Fits first: a hypothesis that is refused must not cost the tables.
     let FitSet { fits, dropped } = match &plan.fit {
         Some(job) => fits::bake_fits(job, hypotheses, &mut context)?,

@@ -9,7 +9,7 @@ use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{Baked, bake};
-use crate::emit::header::place;
+use crate::emit::header::{operations, place, short};
 use crate::plan::{self, EffectName, Plan};
 use crate::scene::escape::visible;
 use crate::store::{Folder, MANIFEST, Written};
@@ -91,7 +91,7 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
     let emitted = baked.fits.iter().filter(|f| f.emitted && f.wraps.is_none());
     for a in emitted.map(|f| &f.approximation) {
         let (c, ops) = (&a.certificate, a.cost.ops);
-        lines.push(format!("{}: {ops} operations, max error {}, rms {:.3e}", a.name, c.max_abs, c.rms));
+        lines.push(format!("{}: {}, max error {}, rms {}", a.name, operations(ops), c.max_abs, short(c.rms)));
     }
     for d in &baked.dropped {
         lines.push(format!("{} ({}) left out: {}", d.hypothesis, d.norm, d.reason));

@@ -71,8 +71,13 @@ pub fn place(at: &Place) -> String {
     at.iter().map(|(name, x)| format!("{name} = {x}")).collect::<Vec<_>>().join(", ")
 }
 
+/// A number of operations in words.
+pub fn operations(n: u32) -> String {
+    if n == 1 { "1 operation".into() } else { format!("{n} operations") }
+}
+
 /// Four significant digits: for figures that inform and do not bound.
-fn short(x: f64) -> String {
+pub fn short(x: f64) -> String {
     format!("{x:.3e}").parse::<f64>().map_or_else(|_| x.to_string(), |rounded| format!("{rounded}"))
 }
 

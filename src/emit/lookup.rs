@@ -121,6 +121,9 @@ impl Readable<'_> {
     }
 }
 
+/// Names of [`RUST_HELPERS`].
+pub const RUST_HELPER_NAMES: [&str; 2] = ["cell", "bilinear"];
+
 /// The helpers that the Rust lookups of all tables share.
 pub const RUST_HELPERS: &str = "\
 /// Texel before a position in texels, the step to the one after it, and the fraction between.

@@ -73,7 +73,27 @@ pub const RIVALS: [Entry; 10] = published![
     "ggx_norm_materialx_m1" by "MaterialX, mx_microfacet_specular",
 ];
 
+/// Names of the functions of the catalogue: those of the files.
+pub fn catalogue_names() -> impl Iterator<Item = String> {
+    let entries = NORMALISATIONS.iter().chain(&AVERAGES).chain(&SEEDS).chain(&RIVALS);
+    entries.map(|entry| entry.file.trim_start_matches("published/").trim_end_matches(".wgsl").to_string())
+}
+
 /// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.
 pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
     NORMALISATIONS.iter().chain(&AVERAGES).chain(&SEEDS).chain(&RIVALS).map(|entry| entry.source)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::Hypothesis;
+
+    #[test]
+    fn functions_are_named_like_their_files() {
+        let entries = NORMALISATIONS.iter().chain(&AVERAGES).chain(&SEEDS).chain(&RIVALS);
+        for (entry, name) in entries.zip(catalogue_names()) {
+            assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), name);
+        }
+    }
 }

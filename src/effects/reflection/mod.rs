@@ -13,7 +13,7 @@ mod samples;
 mod table;
 
 pub use accuracy::{POINTS, Series, Sources, Study, studies};
-pub use catalogue::catalogue_sources;
+pub use catalogue::{catalogue_names, catalogue_sources};
 pub use decode::{decode, lookup_ops};
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Dropped, Fit, FitSet, FitSpec, FitStageError, fit_all};

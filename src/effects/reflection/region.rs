@@ -14,8 +14,9 @@ pub struct Region {
 }
 
 impl Region {
-    /// Range of alpha.
+    /// Range of alpha, to nine digits: 0.1 squared is 0.01.
     pub fn alpha(&self) -> [f64; 2] {
-        self.roughness.map(|r| self.alpha_map.alpha(r))
+        let nine = |x: f64| format!("{x:.8e}").parse().unwrap_or(x);
+        self.roughness.map(|r| nine(self.alpha_map.alpha(r)))
     }
 }

@@ -85,15 +85,28 @@ pub enum FitStageError {
         /// How the search ended.
         termination: Termination,
     },
-    /// A hypothesis of the user's has the name of another one.
+    /// The search went off to infinity: the formula wants to be a simpler one.
     #[error(
-        "{file}: function `{function}` has the name of another hypothesis, which is emitted too; rename it"
+        "{hypothesis}, norm {norm}: coefficient {coefficient} ran away to {value:e}: the formula is a simpler one in \
+         disguise, or its parameters are not independent; reduce it or give better starting values"
     )]
-    Name {
-        /// The hypothesis' file.
-        file: String,
-        /// The name.
-        function: String,
+    RunAway {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// Norm that was minimised.
+        norm: &'static str,
+        /// The coefficient.
+        coefficient: String,
+        /// Its value.
+        value: f64,
+    },
+    /// The hypothesis has no argument.
+    #[error("{hypothesis}: the function has no argument; name one or more of {known}")]
+    NoInputs {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// The inputs there are.
+        known: &'static str,
     },
     /// The hypothesis asks for an input that this effect does not have.
     #[error("{hypothesis}: argument `{input}` is not one of {known}")]

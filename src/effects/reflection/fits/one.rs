@@ -33,9 +33,12 @@ pub fn fit_one(
         prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)
     })?;
     if !fitted.termination.is_converged() {
+        // A pole that the search ran into says more than how the search ended.
+        prove_regular(hypothesis.tape(), &fitted.coefficients, &domain)?;
         let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
         return Err(FitStageError::NotConverged { hypothesis, norm, termination: fitted.termination });
     }
+    refuse_run_away(hypothesis, norm, &fitted.coefficients)?;
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
     prove_regular(hypothesis.tape(), &exact, &domain)?;
@@ -43,6 +46,23 @@ pub fn fit_one(
     let form = formula(&hypothesis, &coefficients, norm.name());
     let approximation = certified(spec, &hypothesis, form, Source::Fitted, data)?;
     Ok(Fit { approximation, hypothesis, termination: Some(fitted.termination), emitted: true, wraps: None })
+}
+
+/// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1].
+const RUN_AWAY: f64 = 1e6;
+
+fn refuse_run_away(hypothesis: &Hypothesis, norm: Norm, coefficients: &[f64]) -> Result<(), FitStageError> {
+    let parameters = hypothesis.parameters().iter().zip(coefficients);
+    let away = |start: f32, value: f64| value.abs() > RUN_AWAY * f64::from(start.abs()).max(1.0);
+    match parameters.into_iter().find(|(p, value)| away(p.start, **value)) {
+        None => Ok(()),
+        Some((parameter, value)) => Err(FitStageError::RunAway {
+            hypothesis: hypothesis.file().to_string(),
+            norm: norm.name(),
+            coefficient: parameter.name.clone(),
+            value: *value,
+        }),
+    }
 }
 
 /// The minimax fit bears its hypothesis' name; the least squares fit has `_rms` appended, so that both can be emitted.

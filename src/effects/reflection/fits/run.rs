@@ -19,9 +19,8 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
     let own = parse(&NORMALISATIONS)?;
     let user: Vec<Hypothesis> =
         spec.hypotheses.iter().map(|(f, s)| Hypothesis::parse(f, s)).collect::<Result<_, _>>()?;
-    for (i, hypothesis) in user.iter().enumerate() {
+    for hypothesis in &user {
         check_inputs(hypothesis)?;
-        check_name(hypothesis, own.iter().chain(&user[..i]))?;
     }
     let data = FitData::new(spec.smith, &spec.region, counter)?;
     let affordable = |h: &Hypothesis| spec.max_ops.is_none_or(|most| h.tape().cost_ops() <= most);
@@ -72,7 +71,12 @@ fn takes_roughness(entry: &Entry) -> bool {
 const INPUTS: [&str; 3] = ["roughness", "alpha", "mu"];
 
 fn check_inputs(hypothesis: &Hypothesis) -> Result<(), FitStageError> {
-    match hypothesis.inputs().iter().find(|input| !INPUTS.contains(&input.as_str())) {
+    let unknown = |input: &&String| !INPUTS.contains(&input.as_str());
+    match hypothesis.inputs().iter().find(unknown) {
+        None if hypothesis.inputs().is_empty() => {
+            let (hypothesis, known) = (hypothesis.file().to_string(), "roughness, alpha, mu");
+            Err(FitStageError::NoInputs { hypothesis, known })
+        }
         None => Ok(()),
         Some(input) => Err(FitStageError::Input {
             hypothesis: hypothesis.file().to_string(),
@@ -80,19 +84,6 @@ fn check_inputs(hypothesis: &Hypothesis) -> Result<(), FitStageError> {
             known: "roughness, alpha, mu",
         }),
     }
-}
-
-/// A name that is taken would be emitted twice: refused before anything is fitted.
-fn check_name<'a>(
-    hypothesis: &Hypothesis,
-    mut others: impl Iterator<Item = &'a Hypothesis>,
-) -> Result<(), FitStageError> {
-    let taken = |other: &Hypothesis| other.name() == hypothesis.name();
-    if others.any(taken) {
-        let (file, function) = (hypothesis.file().to_string(), hypothesis.name().to_string());
-        return Err(FitStageError::Name { file, function });
-    }
-    Ok(())
 }
 
 /// A formula that was asked for and costs more than the scene allows.
@@ -119,7 +110,9 @@ fn reliable(
         match result {
             Ok(fit) => fits.push(fit),
             Err(
-                error @ (FitStageError::NotConverged { .. } | FitStageError::Fit(FitError::Irregular { .. })),
+                error @ (FitStageError::NotConverged { .. }
+                | FitStageError::RunAway { .. }
+                | FitStageError::Fit(FitError::Irregular { .. })),
             ) => dropped.push(Dropped {
                 hypothesis: hypothesis.name().to_string(),
                 norm: norm.name(),

@@ -1,0 +1,48 @@
+//! Names in the emitted files: a hypothesis of the user's must not take one that is emitted anyway, nor a word of a language.
+//! Refused before anything is integrated.
+
+use super::{BakeError, UserHypothesis};
+use crate::effects::reflection::{FitStageError, catalogue_names};
+use crate::emit::code;
+use crate::emit::lookup::RUST_HELPER_NAMES;
+use crate::fit::Hypothesis;
+
+/// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
+const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];
+
+/// How the functions of tables begin.
+const TABLES: &str = "ggx_dfg_";
+
+/// Parses the user's hypotheses and refuses a name that is taken.
+pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
+    let mut taken: Vec<String> = catalogue_names().flat_map(|name| forms(&name)).collect();
+    taken.extend(RUST_HELPER_NAMES.map(String::from));
+    for user in hypotheses {
+        let parsed = Hypothesis::parse(&user.file, &user.source).map_err(FitStageError::from)?;
+        let names = forms(parsed.name());
+        let clash = names.iter().find(|name| taken.contains(name) || name.starts_with(TABLES));
+        if clash.is_some() {
+            return Err(BakeError::Name { file: user.file.clone(), function: parsed.name().to_string() });
+        }
+        printable(user, &parsed)?;
+        taken.extend(names);
+    }
+    Ok(())
+}
+
+fn forms(name: &str) -> Vec<String> {
+    SUFFIXES.iter().map(|suffix| format!("{name}{suffix}")).collect()
+}
+
+/// Prints the formula once with its starting values: what the printers refuse is refused here, with the file.
+fn printable(user: &UserHypothesis, parsed: &Hypothesis) -> Result<(), BakeError> {
+    let starts: Vec<f32> = parsed.parameters().iter().map(|p| p.start).collect();
+    let printed = code::rust(parsed, &starts, &[]).and_then(|_| code::wgsl(parsed, &starts, &[]));
+    match printed {
+        Err(error @ code::CodeError::Name { .. }) => {
+            Err(BakeError::Word { file: user.file.clone(), reason: error.to_string() })
+        }
+        // Coefficients are not known yet: what is said of the starting values may not hold of them.
+        _ => Ok(()),
+    }
+}
