@@ -22,6 +22,14 @@ pub fn lambda(alpha: f64, mu: f64) -> f64 {
     square / (2.0 * (1.0 + (1.0 + square).sqrt()))
 }
 
+/// [`lambda`] of an anisotropic lobe towards a direction on either side of the surface; infinite at z = 0.
+#[inline(always)]
+pub fn lambda_towards(alpha: [f64; 2], direction: Vec3) -> f64 {
+    let (x, y, z) = (alpha[0] * direction[0], alpha[1] * direction[1], direction[2]);
+    let square = (x * x + y * y) / (z * z);
+    square / (2.0 * (1.0 + (1.0 + square).sqrt()))
+}
+
 /// Probability that a microfacet seen from `mu_v` is also lit from `mu_l`: G2/G1(v), in [0, 1].
 /// Correlated (1 + Lambda_v)/(1 + Lambda_v + Lambda_l), separable 1/(1 + Lambda_l); both cosines in (0, 1].
 #[inline(always)]
@@ -67,15 +75,15 @@ pub fn shadowed_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f
 
 /// A normal visible from `view`, drawn by the spherical cap of Dupuy and Benyoub 2023, listing 2, from two numbers in
 /// [0, 1). No tangent frame and no branch. `view` above the horizon.
-pub fn visible_normal(alpha: f64, view: Vec3, u: f64, v: f64) -> Vec3 {
-    let stretched = normalise([alpha * view[0], alpha * view[1], view[2]]);
+pub fn visible_normal(alpha: [f64; 2], view: Vec3, u: f64, v: f64) -> Vec3 {
+    let stretched = normalise([alpha[0] * view[0], alpha[1] * view[1], view[2]]);
     let azimuth = 2.0 * std::f64::consts::PI * u;
     let z = (1.0 - v) * (1.0 + stretched[2]) - stretched[2];
     let sine = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
     let (sin_azimuth, cos_azimuth) = ops::sincos(azimuth);
     let cap = [sine * cos_azimuth, sine * sin_azimuth, z];
     let sum = [cap[0] + stretched[0], cap[1] + stretched[1], cap[2] + stretched[2]];
-    normalise([alpha * sum[0], alpha * sum[1], sum[2]])
+    normalise([alpha[0] * sum[0], alpha[1] * sum[1], sum[2]])
 }
 
 /// The direction `view` mirrored about `normal`, with the cosine v.h.
@@ -147,7 +155,7 @@ mod tests {
     fn visible_normals_have_unit_length_and_face_the_view() {
         let view = [0.6, 0.0, 0.8];
         for i in 0..64 {
-            let normal = visible_normal(0.4, view, f64::from(i) / 64.0, f64::from((i * 37) % 64) / 64.0);
+            let normal = visible_normal([0.4; 2], view, f64::from(i) / 64.0, f64::from((i * 37) % 64) / 64.0);
             let length = normal.iter().map(|x| x * x).sum::<f64>();
             assert!((length - 1.0).abs() < 1e-14);
             assert!(mirror(view, normal).1 >= 0.0);

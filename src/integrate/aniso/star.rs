@@ -87,6 +87,18 @@ fn cuts(view: &View) -> Vec<f64> {
         }
         same
     });
+    // A break is also as fine as its neighbours are near.
+    let near = |at: f64| {
+        let distance = |psi: f64| {
+            let d = (at - psi).abs();
+            d.min(turn - d)
+        };
+        breaks.iter().fold(f64::INFINITY, |finest, (psi, scale)| finest.min(scale + distance(*psi)))
+    };
+    let scales: Vec<f64> = breaks.iter().map(|(psi, _)| near(*psi)).collect();
+    for (entry, scale) in breaks.iter_mut().zip(scales) {
+        entry.1 = scale;
+    }
     let first = breaks[0];
     breaks.push((first.0 + turn, first.1));
     let mut cuts = vec![first.0];

@@ -77,7 +77,8 @@ pub fn glass(
     Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
 }
 
-fn check(alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
+/// Refuses inputs outside the domain.
+pub(super) fn check(alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
     let refuse =
         |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
     if !(alpha == 0.0 || (ALPHA[0]..=ALPHA[1]).contains(&alpha)) {
@@ -92,6 +93,20 @@ fn check(alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
     Ok(())
 }
 
+/// The values by one rule of `n` nodes a panel, as their own bound: for checks of the bound.
+pub fn with_nodes(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    ior: f64,
+    side: Side,
+    n: usize,
+) -> Result<Glass, IntegrateError> {
+    check(alpha, mu, ior)?;
+    let rule = PanelRule::new(n);
+    at(smith, alpha, mu, Interface::new(ior, side), &rule, &rule)
+}
+
 /// Values of the finer rule with bounds from the pair.
 fn at(
     smith: Smith,
@@ -102,7 +117,7 @@ fn at(
     fine: &PanelRule,
 ) -> Result<Glass, IntegrateError> {
     let [a, b] = [coarse, fine].map(|rule| sweep::energies(smith, alpha, mu, interface, rule));
-    let estimate = |i: usize, scale: f64| Estimate::from_pair(a[i], b[i], scale);
+    let estimate = |i: usize, scale: f64| Estimate::from_pair(a[i], b[i], scale).with_rounding(4.0, scale);
     let (r, t) = (estimate(0, 1.0), estimate(1, 1.0));
     let scale = if b[2] > 0.0 { b[2] } else { 1.0 };
     let loss = estimate(2, scale);
