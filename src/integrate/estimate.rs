@@ -17,6 +17,19 @@ pub struct Estimate {
 const ROUNDING: f64 = 6e-14;
 
 impl Estimate {
+    /// The same with more rounding: for values that are sums of sums.
+    pub fn with_rounding(self, times: f64, scale: f64) -> Estimate {
+        Estimate { error: self.error + (times - 1.0) * ROUNDING * scale, ..self }
+    }
+
+    /// [`Estimate::from_pair`] where twice the nodes do not square the error, because a singularity lies near: the bound falls with
+    /// the power 1.5 of the difference. The factor 20 is empirical (`tests/integrate_lobes.rs`).
+    pub fn from_slow_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
+        let difference = (fine - coarse).abs();
+        let error = difference * (20.0 * (difference / scale).sqrt()).min(1.0) + ROUNDING * scale;
+        Estimate { value: fine, error }
+    }
+
     /// The finer of two values with a bound from their difference.
     ///
     /// The finer rule has twice the nodes, so where the rules converge geometrically its error is about the square of
@@ -70,6 +83,16 @@ impl PanelRule {
             total += lanes::sum(&y);
         }
         half * total
+    }
+
+    /// Calls `f` with every node of [a, b] and its weight.
+    pub fn each(&self, a: f64, b: f64, mut f: impl FnMut(f64, f64)) {
+        let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
+        for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
+            for (node, weight) in nodes.iter().zip(weights) {
+                f(middle + half * node, half * weight);
+            }
+        }
     }
 
     /// Integral of `f` over all panels between the `cuts`.

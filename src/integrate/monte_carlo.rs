@@ -4,6 +4,10 @@
 //! The estimator draws visible normals by spherical caps, mirrors the view about each and averages G2/G1(v) of the lights
 //! above the horizon. Its standard error comes from independently scrambled replicas.
 
+mod lobes;
+
+pub use lobes::{aniso, glass, sobol};
+
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -105,6 +109,10 @@ fn check(alpha: f64, mu: f64, run: Run) -> Result<(), IntegrateError> {
             return Err(IntegrateError::Domain { quantity, input, value, domain });
         }
     }
+    check_samples(run)
+}
+
+fn check_samples(run: Run) -> Result<(), IntegrateError> {
     if run.samples < REPLICAS as u64 || run.samples > MOST_SAMPLES {
         let must = "samples must be between 32 (one a replica) and 2^32";
         return Err(IntegrateError::Option { option: "samples", value: run.samples.to_string(), must });
@@ -170,7 +178,7 @@ fn sample(smith: Smith, alpha: f64, mu: f64, draw: Draw, x: [f64; DIMENSIONS]) -
 }
 
 fn by_visible_normal(smith: Smith, alpha: f64, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
-    let normal = ggx::visible_normal(alpha, view, x[0], x[1]);
+    let normal = ggx::visible_normal([alpha; 2], view, x[0], x[1]);
     let (light, cosine) = ggx::mirror(view, normal);
     if light[2] <= 0.0 {
         return [0.0, 0.0, 1.0];

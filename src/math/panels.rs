@@ -31,6 +31,15 @@ pub fn towards_end(cuts: &mut Vec<f64>, from: f64, to: f64, longest: f64, scale:
     cuts.push(to);
 }
 
+/// Appends the cuts of [from, to], graded towards both ends, `from` left out.
+pub fn towards_both(cuts: &mut Vec<f64>, from: f64, to: f64, longest: f64, scales: [f64; 2]) {
+    let middle = 0.5 * (from + to);
+    let mut mirrored = vec![-middle];
+    towards_end(&mut mirrored, -middle, -from, longest, scales[0]);
+    cuts.extend(mirrored.iter().rev().skip(1).map(|x| -x));
+    towards_end(cuts, middle, to, longest, scales[1]);
+}
+
 /// The cuts of [0, to], graded towards 0 down to `scale`, both ends included.
 ///
 /// # Panics

@@ -22,6 +22,14 @@ pub fn lambda(alpha: f64, mu: f64) -> f64 {
     square / (2.0 * (1.0 + (1.0 + square).sqrt()))
 }
 
+/// [`lambda`] of an anisotropic lobe towards a direction on either side of the surface; infinite at z = 0.
+#[inline(always)]
+pub fn lambda_towards(alpha: [f64; 2], direction: Vec3) -> f64 {
+    let (x, y, z) = (alpha[0] * direction[0], alpha[1] * direction[1], direction[2]);
+    let square = (x * x + y * y) / (z * z);
+    square / (2.0 * (1.0 + (1.0 + square).sqrt()))
+}
+
 /// Probability that a microfacet seen from `mu_v` is also lit from `mu_l`: G2/G1(v), in [0, 1].
 /// Correlated (1 + Lambda_v)/(1 + Lambda_v + Lambda_l), separable 1/(1 + Lambda_l); both cosines in (0, 1].
 #[inline(always)]
@@ -53,19 +61,11 @@ pub fn shadowing_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: 
     }
 }
 
-/// (G1(v) - G2)/mu_v, the light that shadowing takes, with no cancellation at small alpha; `sin2_l` = 1 - mu_l^2.
-/// From s_l - mu_l = alpha^2 sin2_l/(s_l + mu_l).
+/// (G1(v) - G2)/mu_v, the light that shadowing takes, with no cancellation at small alpha. `spread` = s_l^2 - mu_l^2, which is
+/// alpha^2 (1 - mu_l^2) for an isotropic lobe: s_l - mu_l = spread/(s_l + mu_l).
 #[inline(always)]
-pub fn shadowed_over_cosine(
-    smith: Smith,
-    alpha: f64,
-    mu_v: f64,
-    s_v: f64,
-    mu_l: f64,
-    s_l: f64,
-    sin2_l: f64,
-) -> f64 {
-    let lift = alpha * alpha * sin2_l / (s_l + mu_l);
+pub fn shadowed_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64, spread: f64) -> f64 {
+    let lift = spread / (s_l + mu_l);
     let masking = 2.0 / (mu_v + s_v);
     match smith {
         Smith::Correlated => masking * mu_v * lift / (s_v * mu_l + s_l * mu_v),
@@ -75,15 +75,15 @@ pub fn shadowed_over_cosine(
 
 /// A normal visible from `view`, drawn by the spherical cap of Dupuy and Benyoub 2023, listing 2, from two numbers in
 /// [0, 1). No tangent frame and no branch. `view` above the horizon.
-pub fn visible_normal(alpha: f64, view: Vec3, u: f64, v: f64) -> Vec3 {
-    let stretched = normalise([alpha * view[0], alpha * view[1], view[2]]);
+pub fn visible_normal(alpha: [f64; 2], view: Vec3, u: f64, v: f64) -> Vec3 {
+    let stretched = normalise([alpha[0] * view[0], alpha[1] * view[1], view[2]]);
     let azimuth = 2.0 * std::f64::consts::PI * u;
     let z = (1.0 - v) * (1.0 + stretched[2]) - stretched[2];
     let sine = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
     let (sin_azimuth, cos_azimuth) = ops::sincos(azimuth);
     let cap = [sine * cos_azimuth, sine * sin_azimuth, z];
     let sum = [cap[0] + stretched[0], cap[1] + stretched[1], cap[2] + stretched[2]];
-    normalise([alpha * sum[0], alpha * sum[1], sum[2]])
+    normalise([alpha[0] * sum[0], alpha[1] * sum[1], sum[2]])
 }
 
 /// The direction `view` mirrored about `normal`, with the cosine v.h.
@@ -143,7 +143,8 @@ mod tests {
                 assert!((sum - 1.0).abs() < 4e-16, "{sum}");
                 let (s_v, s_l) = (stretched_length(alpha, v), stretched_length(alpha, l));
                 let kept = shadowing_over_cosine(smith, v, s_v, l, s_l) * v;
-                let taken = shadowed_over_cosine(smith, alpha, v, s_v, l, s_l, (1.0 - l) * (1.0 + l)) * v;
+                let taken =
+                    shadowed_over_cosine(smith, v, s_v, l, s_l, alpha * alpha * (1.0 - l) * (1.0 + l)) * v;
                 let masking = 2.0 * v / (v + s_v);
                 assert!((kept + taken - masking).abs() < 1e-15, "{smith:?} {alpha} {v} {l}");
             }
@@ -154,7 +155,7 @@ mod tests {
     fn visible_normals_have_unit_length_and_face_the_view() {
         let view = [0.6, 0.0, 0.8];
         for i in 0..64 {
-            let normal = visible_normal(0.4, view, f64::from(i) / 64.0, f64::from((i * 37) % 64) / 64.0);
+            let normal = visible_normal([0.4; 2], view, f64::from(i) / 64.0, f64::from((i * 37) % 64) / 64.0);
             let length = normal.iter().map(|x| x * x).sum::<f64>();
             assert!((length - 1.0).abs() < 1e-14);
             assert!(mirror(view, normal).1 >= 0.0);

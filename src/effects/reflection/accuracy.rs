@@ -112,7 +112,7 @@ fn sources(smith: Smith, alpha: f64, mu: f64) -> Sources {
     for _ in 0..DISPATCHES {
         let mut dispatch = 0.0_f64;
         for _ in 0..PER_DISPATCH {
-            let normal = ggx::visible_normal(alpha, view, random.random(), random.random());
+            let normal = ggx::visible_normal([alpha; 2], view, random.random(), random.random());
             let light = ggx::mirror(view, normal).0;
             if light[2] > 1e-5 {
                 let weight = ggx::lit_given_visible(smith, alpha, mu, light[2].min(1.0));

@@ -62,9 +62,9 @@ fn shadowed_integrand(view: &View, u: &F8) -> F8 {
     let at = view.lights(u);
     let mut out = view.azimuth_integral(&at);
     for i in 0..LANES {
-        let (mu_l, s_l, sin2_l) = (at.mu_l[i], at.s_l[i], at.sin_l[i] * at.sin_l[i]);
-        let geometry =
-            ggx::shadowed_over_cosine(view.smith, view.alpha, view.mu, view.s_v, mu_l, s_l, sin2_l);
+        let (mu_l, s_l) = (at.mu_l[i], at.s_l[i]);
+        let spread = view.alpha * view.alpha * at.sin_l[i] * at.sin_l[i];
+        let geometry = ggx::shadowed_over_cosine(view.smith, view.mu, view.s_v, mu_l, s_l, spread);
         out[i] *= 0.25 * geometry * at.jacobian[i];
     }
     out
