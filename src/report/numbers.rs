@@ -70,6 +70,32 @@ pub(crate) fn tick(x: f64) -> String {
     if short < 0.0 { format!("\u{2212}{text}") } else { text }
 }
 
+/// As [`tick`], with at most 6 significant digits: for places that a scene gives.
+pub(crate) fn place(x: f64) -> String {
+    tick(rounded(x, 6))
+}
+
+/// A text, each decimal fraction in it with at most 6 significant digits; numbers inside names stay.
+pub(crate) fn shortened(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
+        let end =
+            rest[start..].find(|c: char| !c.is_ascii_digit() && c != '.').map_or(rest.len(), |n| start + n);
+        let (before, number) = (&rest[..start], &rest[start..end]);
+        out.push_str(before);
+        let inside = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
+        let named = inside(out.chars().next_back()) || inside(rest[end..].chars().next());
+        let long = number.bytes().filter(u8::is_ascii_digit).count() > 6;
+        match number.parse::<f64>() {
+            Ok(x) if long && !named && number.contains('.') => out.push_str(&brief(x, 6)),
+            _ => out.push_str(number),
+        }
+        rest = &rest[end..];
+    }
+    out + rest
+}
+
 /// `2×10⁻⁴`, `10⁻⁴`, for axis labels.
 pub(crate) fn power_of_ten(size: f64) -> String {
     let text = format!("{size:e}");
@@ -164,6 +190,17 @@ mod tests {
         assert_eq!(tick(0.30000000000000004), "0.3");
         assert_eq!(tick(-1e-4), "\u{2212}10⁻⁴");
         assert_eq!(tick(2.5e-9), "2.5×10⁻⁹");
+        assert_eq!(place(0.30000000000000004), "0.3");
+        assert_eq!(place(0.4000000000001), "0.4");
         assert_eq!(grouped(10_000_000), "10\u{a0}000\u{a0}000");
+    }
+
+    #[test]
+    fn numbers_in_a_text_are_shortened_and_names_are_not() {
+        let text = "plaster (roughness 0.30000000000000004 to 0.7), lamp_1.23456789, 1.2345678e-9, 12345678, at 1.23456789.";
+        let short = "plaster (roughness 0.3 to 0.7), lamp_1.23456789, 1.2345678e-9, 12345678, at 1.23456789.";
+        assert_eq!(shortened(text), short);
+        assert_eq!(shortened("u = (roughness - 0.123456789) / 2"), "u = (roughness - 0.123457) / 2");
+        assert_eq!(shortened(""), "");
     }
 }

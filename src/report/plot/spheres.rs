@@ -97,7 +97,7 @@ impl Spheres<'_> {
         canvas.text(&self.column_name, (frame.left - 8.0, 36.0), SMALL, Align::Right, INK)?;
         for (j, &value) in self.columns.iter().enumerate() {
             let x = frame.left + (j as f64 + 0.5) * CELL as f64;
-            canvas.text(&numbers::tick(value), (x, 36.0), SMALL, Align::Centre, INK)?;
+            canvas.text(&numbers::place(value), (x, 36.0), SMALL, Align::Centre, INK)?;
         }
         for (i, row) in self.rows.iter().enumerate() {
             let y = frame.top + (i as f64 + 0.5) * CELL as f64;

@@ -1,7 +1,7 @@
 //! What the scene called for, and what it did not.
 
 use super::words;
-use crate::report::{Block, EffectFinding, Findings, ReportError, Section};
+use crate::report::{Block, EffectFinding, Findings, ReportError, Section, numbers};
 
 const COLUMNS: [(&str, bool); 7] = [
     ("effect", false),
@@ -25,7 +25,8 @@ pub(super) fn section(findings: &Findings) -> Result<Section, ReportError> {
         blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
     }
     if !findings.left_out.is_empty() {
-        let rows = findings.left_out.iter().map(|l| vec![l.effect.clone(), l.reason.clone()]).collect();
+        let rows =
+            findings.left_out.iter().map(|l| vec![l.effect.clone(), numbers::shortened(&l.reason)]).collect();
         let caption = "Left out: not integrated, fitted, emitted or shown below.";
         blocks.push(Block::Table(words::table(&[("left out", false), ("reason", false)], rows, caption)));
     }
@@ -43,9 +44,9 @@ pub(super) fn section(findings: &Findings) -> Result<Section, ReportError> {
 fn row(e: &EffectFinding) -> Vec<String> {
     vec![
         e.effect.clone(),
-        e.because.join("; "),
+        numbers::shortened(&e.because.join("; ")),
         words::ranges(&e.ranges),
-        e.approximation.clone(),
+        numbers::shortened(&e.approximation),
         e.expected_error.map_or_else(|| "no limit".into(), words::max),
         e.measured_error.map_or_else(|| "–".into(), words::max),
         e.metric.clone(),

@@ -156,7 +156,7 @@ fn overlay(shown: &[Shown], best: &[usize], curve: &FitCurve) -> Option<Curves> 
         let same = fit.curves.iter().find(|c| c.roughness == curve.roughness)?;
         series.push(line(&fit.name, same, &same.fit, Style::Line(colour), None));
     }
-    let title = format!("roughness {}", numbers::tick(curve.roughness));
+    let title = format!("roughness {}", numbers::place(curve.roughness));
     Some(chart(title, &shown[best[0]].fit.value, series, None, (400.0, 220.0)))
 }
 
@@ -180,7 +180,7 @@ fn card(s: &Shown) -> Result<Vec<Block>, ReportError> {
 fn curves(fit: &FitFinding) -> Curves {
     let mut series = Vec::new();
     for (i, c) in fit.curves.iter().enumerate() {
-        let end = Some(format!("r {}", numbers::tick(c.roughness)));
+        let end = Some(format!("r {}", numbers::place(c.roughness)));
         series.push(line(if i == 0 { "truth" } else { "" }, c, &c.truth, Style::Truth, end));
     }
     for (i, c) in fit.curves.iter().enumerate() {

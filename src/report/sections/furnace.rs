@@ -70,7 +70,7 @@ fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade:
 /// The largest departure of every sphere in figures.
 fn worst(furnace: &Furnace) -> Block {
     let mut columns = vec![("roughness".to_string(), false)];
-    columns.extend(furnace.roughness.iter().map(|&r| (numbers::tick(r), true)));
+    columns.extend(furnace.roughness.iter().map(|&r| (numbers::place(r), true)));
     let farthest = |factors: &Vec<f64>| {
         factors.iter().map(|f| f - 1.0).fold(0.0, |m: f64, d| if d.abs() > m.abs() { d } else { m })
     };

@@ -2,7 +2,7 @@
 
 use super::{figures, words};
 use crate::data::Axis;
-use crate::report::numbers::{brief, grouped};
+use crate::report::numbers::{brief, grouped, shortened};
 use crate::report::{
     Block, ChannelFinding, ErrorFigure, Field, Findings, HeatMap, ReportError, Ruler, Section, TableFinding,
     check,
@@ -130,7 +130,7 @@ fn facts(table: &TableFinding) -> Vec<(String, String)> {
             ends[0],
             ends[1],
             a.size,
-            a.formula()
+            shortened(&a.formula())
         )
     };
     vec![
