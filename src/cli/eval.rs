@@ -11,7 +11,6 @@ use super::output::{Outcome, print};
 use super::points::{self, Points};
 use crate::data::Smith;
 use crate::effects::{self, Quantity};
-use crate::integrate::reflection::TOLERANCE;
 use crate::store;
 use rayon::prelude::*;
 
@@ -92,9 +91,9 @@ const SAMPLES: u64 = 1 << 20;
 /// The outputs at every row, in order.
 fn evaluate(options: &Options, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
     let method = match options.method {
-        Method::Quadrature => {
-            effects::Method::Quadrature { tolerance: options.tolerance.unwrap_or(TOLERANCE) }
-        }
+        Method::Quadrature => effects::Method::Quadrature {
+            tolerance: options.tolerance.unwrap_or(options.quantity.tolerance()),
+        },
         Method::MonteCarlo => effects::Method::MonteCarlo {
             samples: options.samples.unwrap_or(SAMPLES),
             seed: options.seed.unwrap_or(0),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::effects::{Input, Quantity};
+use crate::effects::{Input, Quantity, Values};
 use crate::scene::escape::visible;
 
 /// Largest file of points, bytes: some ten million points.
@@ -185,8 +185,8 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Index of every input's column.
-fn columns(header: &Record, quantity: &Quantity) -> Result<Vec<usize>, String> {
+/// Index of every input's column; none for an optional one that is not there.
+fn columns(header: &Record, quantity: &Quantity) -> Result<Vec<Option<usize>>, String> {
     let mut found = BTreeMap::new();
     for i in 0..header.fields.len() {
         let name = header.text(i);
@@ -202,14 +202,18 @@ fn columns(header: &Record, quantity: &Quantity) -> Result<Vec<usize>, String> {
         let (name, quantity, names) = (input.name, quantity.name, names.join("`, `"));
         format!("column `{name}` is missing, which {quantity} needs; the header has `{names}`")
     };
-    quantity.inputs.iter().map(|input| found.get(input.name).copied().ok_or_else(|| missing(input))).collect()
+    let find = |input: &Input| match found.get(input.name) {
+        None if !input.optional => Err(missing(input)),
+        index => Ok(index.copied()),
+    };
+    quantity.inputs.iter().map(find).collect()
 }
 
-/// The inputs of one record.
+/// The inputs of one record; NaN for an optional one whose column is not there.
 fn numbers(
     record: &Record,
     width: usize,
-    columns: &[usize],
+    columns: &[Option<usize>],
     quantity: &Quantity,
 ) -> Result<Vec<f64>, String> {
     let found = record.fields.len();
@@ -219,23 +223,32 @@ fn numbers(
     columns
         .iter()
         .zip(quantity.inputs)
-        .map(|(&i, input)| {
-            number(&record.text(i), input).map_err(|what| format!("column `{}`: {what}", input.name))
+        .map(|(&column, input)| {
+            let Some(i) = column else { return Ok(f64::NAN) };
+            value(&record.text(i), input).map_err(|what| format!("column `{}`: {what}", input.name))
         })
         .collect()
 }
 
-/// A finite number in its domain. Negative zero is read as zero.
-fn number(text: &str, input: &Input) -> Result<f64, String> {
+/// A finite number in its domain, or the index of a word. Negative zero is read as zero.
+fn value(text: &str, input: &Input) -> Result<f64, String> {
     if text.is_empty() {
         return Err("the field is empty".into());
     }
+    let (min, max) = match input.values {
+        Values::Numbers { min, max } => (min, max),
+        Values::Words(words) => {
+            let index = words.iter().position(|word| *word == text);
+            let index = index.ok_or_else(|| format!("`{text}` is not one of {}", words.join(", ")))?;
+            return Ok(index as f64);
+        }
+    };
     let x: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
     if !x.is_finite() {
         return Err(format!("`{text}` is not a finite number"));
     }
-    if x < input.min || x > input.max {
-        return Err(format!("{text} is outside [{}, {}]", input.min, input.max));
+    if x < min || x > max {
+        return Err(format!("{text} is outside [{min}, {max}]"));
     }
     Ok(x + 0.0)
 }

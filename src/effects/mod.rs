@@ -4,4 +4,4 @@
 mod quantity;
 pub mod reflection;
 
-pub use quantity::{Input, Method, QUANTITIES, Quantity};
+pub use quantity::{Input, Method, QUANTITIES, Quantity, Values};

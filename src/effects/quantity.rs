@@ -1,18 +1,33 @@
 //! The quantities by name: what `eval` asks for and gives.
 
 use crate::data::Smith;
-use crate::integrate::monte_carlo::{self, Draw, Points, Run};
-use crate::integrate::{IntegrateError, reflection};
+use crate::integrate::glass::Side;
+use crate::integrate::monte_carlo::{self, Run};
+use crate::integrate::{IntegrateError, aniso, glass, reflection};
 
-/// An input: its name and the closed interval of its values.
+/// What an input may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Values {
+    /// A number in [min, max].
+    Numbers {
+        /// Smallest value.
+        min: f64,
+        /// Largest value.
+        max: f64,
+    },
+    /// One of these words, given to [`Quantity::evaluate`] as its index.
+    Words(&'static [&'static str]),
+}
+
+/// An input: its name and its values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
     /// Name of its column.
     pub name: &'static str,
-    /// Smallest value.
-    pub min: f64,
-    /// Largest value.
-    pub max: f64,
+    /// What it may be.
+    pub values: Values,
+    /// Whether its column may be absent; [`Quantity::evaluate`] then gets a NaN.
+    pub optional: bool,
 }
 
 /// A quantity that can be evaluated at a point.
@@ -46,13 +61,32 @@ pub enum Method {
 /// Standard errors in the error column of Monte Carlo.
 const STANDARD_ERRORS: f64 = 4.0;
 
-const ALPHA: Input = Input { name: "alpha", min: 0.0, max: 1.0 };
-const MU: Input = Input { name: "mu", min: 0.0, max: 1.0 };
+const fn number(name: &'static str, min: f64, max: f64) -> Input {
+    Input { name, values: Values::Numbers { min, max }, optional: false }
+}
+
+const ALPHA: Input = number("alpha", 0.0, 1.0);
+const MU: Input = number("mu", 0.0, 1.0);
+/// Azimuth of the view from the alpha_x axis, radians; without it, the mean over it.
+const PHI: Input =
+    Input { name: "phi", values: Values::Numbers { min: f64::MIN, max: f64::MAX }, optional: true };
+/// Where the ray comes from.
+const SIDE: Input = Input { name: "side", values: Values::Words(&["outside", "inside"]), optional: false };
 
 /// Every quantity of this version.
-pub static QUANTITIES: [Quantity; 2] = [
+pub static QUANTITIES: [Quantity; 4] = [
     Quantity { name: "ggx-reflection", inputs: &[ALPHA, MU], outputs: &["E", "A", "B", "loss", "error"] },
+    Quantity {
+        name: "ggx-reflection-aniso",
+        inputs: &[number("alpha_x", 0.0, aniso::ALPHA[1]), number("alpha_y", 0.0, aniso::ALPHA[1]), MU, PHI],
+        outputs: &["E", "loss", "error"],
+    },
     Quantity { name: "ggx-average", inputs: &[ALPHA], outputs: &["E_avg", "loss_avg", "error"] },
+    Quantity {
+        name: "ggx-glass",
+        inputs: &[ALPHA, number("mu", glass::SMALLEST_MU, 1.0), number("ior", 1.0, glass::LARGEST_IOR), SIDE],
+        outputs: &["R", "T", "E", "loss", "error"],
+    },
 ];
 
 impl Quantity {
@@ -61,35 +95,83 @@ impl Quantity {
         QUANTITIES.iter().find(|q| q.name == name)
     }
 
+    /// The tolerance of a value when none is asked for: the quantity's promise.
+    pub fn tolerance(&self) -> f64 {
+        match self.name {
+            "ggx-reflection-aniso" => aniso::TOLERANCE,
+            "ggx-glass" => glass::TOLERANCE,
+            _ => reflection::TOLERANCE,
+        }
+    }
+
     /// The outputs at one point.
     ///
     /// # Panics
     /// If `inputs` has not the length of [`Quantity::inputs`].
     pub fn evaluate(&self, smith: Smith, inputs: &[f64], method: Method) -> Result<Vec<f64>, IntegrateError> {
         assert_eq!(inputs.len(), self.inputs.len(), "inputs of {}", self.name);
-        match (self.name, method) {
-            ("ggx-reflection", Method::Quadrature { tolerance }) => {
-                let v = reflection::reflection(smith, inputs[0], inputs[1], tolerance)?;
-                Ok(vec![v.e, v.a, v.b, v.loss, v.error])
-            }
-            ("ggx-reflection", Method::MonteCarlo { samples, seed }) => {
-                let v = monte_carlo::reflection(smith, inputs[0], inputs[1], run(samples, seed))?;
-                let worst = [v.e, v.a, v.b, v.loss].iter().fold(0.0_f64, |w, x| x.standard_error.max(w));
-                Ok(vec![v.e.value, v.a.value, v.b.value, v.loss.value, STANDARD_ERRORS * worst])
-            }
-            (_, Method::Quadrature { tolerance }) => {
-                let v = reflection::average(smith, inputs[0], tolerance)?;
-                Ok(vec![v.e_avg, v.loss_avg, v.error])
-            }
-            (_, Method::MonteCarlo { samples, seed }) => {
-                let (e, loss) = monte_carlo::average(smith, inputs[0], run(samples, seed))?;
-                let worst = e.standard_error.max(loss.standard_error);
-                Ok(vec![e.value, loss.value, STANDARD_ERRORS * worst])
+        match method {
+            Method::Quadrature { tolerance } => self.integrate(smith, inputs, tolerance),
+            Method::MonteCarlo { samples, seed } => {
+                let (mut values, errors) = self.sample(smith, inputs, monte_carlo::sobol(samples, seed))?;
+                values.push(STANDARD_ERRORS * errors.into_iter().fold(0.0, f64::max));
+                Ok(values)
             }
         }
     }
+
+    fn integrate(&self, smith: Smith, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
+        Ok(match self.name {
+            "ggx-reflection" => {
+                let v = reflection::reflection(smith, x[0], x[1], tolerance)?;
+                vec![v.e, v.a, v.b, v.loss, v.error]
+            }
+            "ggx-reflection-aniso" => {
+                let v = aniso::aniso(smith, [x[0], x[1]], x[2], given(x[3]), tolerance)?;
+                vec![v.e, v.loss, v.error]
+            }
+            "ggx-glass" => {
+                let v = glass::glass(smith, x[0], x[1], x[2], side(x[3]), tolerance)?;
+                vec![v.r, v.t, v.e, v.loss, v.error]
+            }
+            _ => {
+                let v = reflection::average(smith, x[0], tolerance)?;
+                vec![v.e_avg, v.loss_avg, v.error]
+            }
+        })
+    }
+
+    /// Values and their standard errors.
+    fn sample(&self, smith: Smith, x: &[f64], run: Run) -> Result<(Vec<f64>, Vec<f64>), IntegrateError> {
+        let columns = match self.name {
+            "ggx-reflection" => {
+                let v = monte_carlo::reflection(smith, x[0], x[1], run)?;
+                vec![v.e, v.a, v.b, v.loss]
+            }
+            "ggx-reflection-aniso" => {
+                monte_carlo::aniso(smith, [x[0], x[1]], x[2], given(x[3]), run)?.to_vec()
+            }
+            "ggx-glass" => {
+                let [r, t, loss] = monte_carlo::glass(smith, x[0], x[1], x[2], side(x[3]), run)?;
+                // The replicas of R and T are correlated: the sum's error is that of its complement.
+                let e = monte_carlo::Sampled { value: r.value + t.value, ..loss };
+                vec![r, t, e, loss]
+            }
+            _ => {
+                let (e, loss) = monte_carlo::average(smith, x[0], run)?;
+                vec![e, loss]
+            }
+        };
+        Ok((columns.iter().map(|c| c.value).collect(), columns.iter().map(|c| c.standard_error).collect()))
+    }
 }
 
-fn run(samples: u64, seed: u64) -> Run {
-    Run { samples, seed, points: Points::Sobol, draw: Draw::VisibleNormal }
+/// An optional input.
+fn given(x: f64) -> Option<f64> {
+    (!x.is_nan()).then_some(x)
+}
+
+/// The side of a word's index.
+fn side(index: f64) -> Side {
+    if index == 0.0 { Side::Outside } else { Side::Inside }
 }
