@@ -59,6 +59,11 @@ pub fn list(root: &Path, folder: &str) -> Result<Vec<Entry>, StoreError> {
     Ok(found)
 }
 
+/// Whether a folder, or a link to one, is there.
+pub fn is_folder(path: &Path) -> Result<bool, StoreError> {
+    Ok(look(&path.join("."))? == Some(Kind::Folder))
+}
+
 /// What is at a path; nothing where a file stands in the place of one of its folders.
 fn look(path: &Path) -> Result<Option<Kind>, StoreError> {
     match LocalDisk.look(path) {
