@@ -23,7 +23,7 @@ Examples:
   lobefit eval ggx-reflection --points points.csv --method monte-carlo --samples 1048576 --seed 7
 
 Quantities: ggx-reflection (columns alpha, mu; appends E, A, B, loss, error) and ggx-average (column alpha; appends
-E_avg, loss_avg, error). Other columns are kept as they are. `error` bounds the distance of every value from the truth;
+E_avg, loss_avg, error). alpha is 0 (a mirror) or in [1e-7, 1], mu in [0, 1]; Monte Carlo takes no zeros. Other columns are kept as they are. `error` bounds the distance of every value from the truth;
 with Monte Carlo it is four standard errors.";
 
 /// How the truth is computed.

@@ -69,7 +69,7 @@ impl Disk for LocalDisk {
         let mut builder = tempfile::Builder::new();
         builder.prefix(prefix).suffix(TEMP_SUFFIX);
         readable_by_all(&mut builder);
-        let (file, path) = builder.tempfile_in(folder)?.into_parts();
+        let (file, path) = builder.tempfile_in(folder).map_err(bare)?.into_parts();
         Ok(LocalTemp { file: Some(file), path })
     }
 
@@ -96,6 +96,13 @@ impl Disk for LocalDisk {
             Err(TryLockError::Error(e)) => Err(e),
         }
     }
+}
+
+/// What the system said, without the random name that tempfile adds to it.
+fn bare(error: io::Error) -> io::Error {
+    let inner = error.get_ref().and_then(|inner| inner.source());
+    let code = inner.and_then(|e| e.downcast_ref::<io::Error>()).and_then(io::Error::raw_os_error);
+    code.map_or(error, io::Error::from_raw_os_error)
 }
 
 /// tempfile creates files readable by their owner only, and renaming keeps that.
