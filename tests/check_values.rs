@@ -10,8 +10,8 @@ use common::{lobefit, stderr};
 /// A scene whose bake takes little: a small table of samples.
 const SCENE: &[u8] =
     br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,0.6],
-    "wants":{"table":{"size":[4,4],"layout":"plain","format":"f32"}}}]}"#;
-const TABLE: &str = "tables/ggx-dfg-correlated-4x4-f32-plain.exr";
+    "wants":{"table":{"size":[32,32],"layout":"plain","format":"f32"}}}]}"#;
+const TABLE: &str = "tables/ggx-dfg-correlated-32x32-f32-plain.exr";
 
 fn check(folder: &Path, options: &[&str]) -> (i32, String) {
     let output = lobefit(folder, &[&["check", "-"], options].concat(), SCENE);
@@ -19,7 +19,7 @@ fn check(folder: &Path, options: &[&str]) -> (i32, String) {
     (output.status.code().expect("a code"), String::from_utf8(output.stdout).expect("text"))
 }
 
-/// Flips the lowest bit of a byte of the last texel, which ends the file: 4 its lowest, 2 the middle of its digits.
+/// Flips the lowest bit of a byte of the last texel, which ends the file: 4 back is its lowest byte, 1 its highest.
 fn flip(path: &Path, from_end: usize) {
     let mut bytes = std::fs::read(path).expect("an image");
     let at = bytes.len() - from_end;
@@ -41,7 +41,7 @@ fn values_pass_within_the_tolerance_while_the_promise_is_kept() {
     assert_eq!(check(folder.path(), &["--values", "1e-12"]).0, 1);
     flip(&table, 4);
     assert_eq!(check(folder.path(), &[]).0, 0);
-    // The exponent's lowest bit: half the value or twice.
+    // The exponent's second bit: four times the value, or a quarter.
     flip(&table, 1);
     let (code, text) = check(folder.path(), &["--values", "10"]);
     assert_eq!(code, 1, "{text}");

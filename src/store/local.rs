@@ -98,11 +98,13 @@ impl Disk for LocalDisk {
     }
 }
 
-/// What the system said, without the random name that tempfile adds to it.
+/// What the system said, without the random path that tempfile adds to it.
 fn bare(error: io::Error) -> io::Error {
-    let inner = error.get_ref().and_then(|inner| inner.source());
-    let code = inner.and_then(|e| e.downcast_ref::<io::Error>()).and_then(io::Error::raw_os_error);
-    code.map_or(error, io::Error::from_raw_os_error)
+    let text = error.to_string();
+    match text.rsplit_once(" at path ") {
+        Some((said, _)) => io::Error::new(error.kind(), said.to_owned()),
+        None => error,
+    }
 }
 
 /// tempfile creates files readable by their owner only, and renaming keeps that.

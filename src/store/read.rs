@@ -61,7 +61,11 @@ pub fn list(root: &Path, folder: &str) -> Result<Vec<Entry>, StoreError> {
 
 /// Whether a folder, or a link to one, is there.
 pub fn is_folder(path: &Path) -> Result<bool, StoreError> {
-    Ok(look(&path.join("."))? == Some(Kind::Folder))
+    match LocalDisk.look(&path.join(".")) {
+        Ok(kind) => Ok(kind == Some(Kind::Folder)),
+        Err(e) if e.kind() == io::ErrorKind::NotADirectory => Ok(false),
+        Err(e) => Err(StoreError::reading(path, Operation::Look)(e)),
+    }
 }
 
 /// What is at a path; nothing where a file stands in the place of one of its folders.
