@@ -54,3 +54,41 @@ fn standard_input_is_named_in_messages() {
     let message = stderr(&output);
     assert!(message.contains("<stdin>:2: row 1: column `alpha`: 2 is outside [0, 1]"), "{message}");
 }
+
+#[test]
+fn values_that_a_method_cannot_take_are_named_with_the_quantity() {
+    let folder = tempfile::tempdir().unwrap();
+    for (quantity, method, points, expected) in [
+        (
+            "ggx-reflection",
+            "quadrature",
+            "alpha,mu\n1e-300,1\n",
+            "row 1: ggx-reflection: alpha = 1e-300 is neither 0 nor in [1e-7, 1]",
+        ),
+        (
+            "ggx-average",
+            "quadrature",
+            "alpha\n1e-8\n",
+            "row 1: ggx-average: alpha = 1e-8 is neither 0 nor in [1e-7, 1]",
+        ),
+        (
+            "ggx-average",
+            "monte-carlo",
+            "alpha\n0\n",
+            "row 1: ggx-average: alpha = 0.0 is a limit that Monte Carlo cannot sample",
+        ),
+        (
+            "ggx-reflection",
+            "monte-carlo",
+            "alpha,mu\n1,0\n",
+            "row 1: ggx-reflection: mu = 0.0 is a limit that Monte Carlo cannot sample",
+        ),
+    ] {
+        let arguments = ["eval", quantity, "--points", "-", "--method", method];
+        let output = lobefit(folder.path(), &arguments, points.as_bytes());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(stderr(&output).contains(expected), "{expected} in {}", stderr(&output));
+    }
+    let help = String::from_utf8(lobefit(folder.path(), &["eval", "--help"], b"").stdout).unwrap();
+    assert!(help.contains("alpha is 0 (a mirror) or in [1e-7, 1]"), "{help}");
+}

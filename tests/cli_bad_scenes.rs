@@ -62,7 +62,8 @@ fn not_json() -> Vec<Case> {
         case(top("\"name\":\"n\"") + " {}", "trailing characters"),
         case(top("\"name\":\"n\"") + "\n,", "scene.json:2:1: trailing characters"),
         case(top("\"name\":\"n\","), "trailing comma"),
-        case("{'schema_version':1}", "key must be a string"),
+        case("{'schema_version':1}", "scene.json:1:2: object keys must be strings in double quotes"),
+        case(material("3:4"), "materials[0]: object keys must be strings in double quotes"),
         case("// a comment\n{}", "scene.json:1:1: expected value"),
         case("[".repeat(65), "scene.json:1:65: nested deeper than 64 levels"),
         case("[".repeat(100_000), "nested deeper than 64 levels"),
@@ -108,7 +109,7 @@ fn not_a_scene() -> Vec<Case> {
         case(top("\"mu\":[0,1]"), "mu[0]: 0 is outside [0.0001, 1]"),
         case(top("\"mu\":[0.5,0.5]"), "scene.json: mu: the range is a single cosine"),
         case(top("\"mu\":[0.5,0.4]"), "mu: the range [0.5, 0.4] is upside down"),
-        case(top("\"mu\":[0.5]"), "mu: 1 numbers where 2 are called for"),
+        case(top("\"mu\":[0.5]"), "mu: 1 number where 2 are called for"),
         case(top("\"mu\":[0.1,0.5,1]"), "mu: more than 2 numbers"),
         case(
             top("\"probes\":[{\"name\":\"p\",\"kind\":\"box\"}]"),
@@ -172,7 +173,7 @@ fn not_a_material() -> Vec<Case> {
         case(roughness("[0.5, 1.5]"), "materials[0].roughness[1]: 1.5 is outside [0, 1]"),
         case(roughness("[0.6, 0.5]"), "materials[0].roughness: the range [0.6, 0.5] is upside down"),
         case(roughness("[]"), "materials[0].roughness: 0 numbers where 2 are called for"),
-        case(roughness("[0.5]"), "materials[0].roughness: 1 numbers where 2 are called for"),
+        case(roughness("[0.5]"), "materials[0].roughness: 1 number where 2 are called for"),
         case(roughness("[[0.5]]"), "materials[0].roughness[0]: invalid type: sequence"),
         case(roughness("NaN"), "materials[0].roughness: expected value"),
         case(roughness("Infinity"), "materials[0].roughness: expected value"),
@@ -213,7 +214,7 @@ fn not_a_want() -> Vec<Case> {
             table("\"size\":32"),
             "wants.table.size: invalid type: integer `32`, expected a list of 2 numbers in [2, 1024]",
         ),
-        case(table("\"size\":[32]"), "wants.table.size: 1 numbers where 2 are called for"),
+        case(table("\"size\":[32]"), "wants.table.size: 1 number where 2 are called for"),
         case(table("\"size\":[0,32]"), "wants.table.size[0]: 0 is outside [2, 1024]"),
         case(table("\"size\":[32,1]"), "wants.table.size[1]: 1 is outside [2, 1024]"),
         case(table("\"size\":[32,1025]"), "wants.table.size[1]: 1025 is outside [2, 1024]"),
@@ -261,7 +262,10 @@ fn not_a_want() -> Vec<Case> {
         case(fit("\"hypotheses\":[\"x\\u0000.wgsl\"]"), "the path holds \\u{0}"),
         case(fit("\"hypotheses\":[\"x.glsl\"]"), "`x.glsl` does not end in .wgsl"),
         case(fit("\"hypotheses\":[\".wgsl\"]"), "`.wgsl` does not end in .wgsl"),
-        case(fit("\"hypotheses\":[\"none.wgsl\"]"), "none.wgsl: cannot read"),
+        case(
+            fit("\"hypotheses\":[\"none.wgsl\"]"),
+            "scene.json: materials[0].wants.fit.hypotheses[0]: none.wgsl: cannot read",
+        ),
     ]
 }
 

@@ -104,3 +104,61 @@ fn files_may_share_a_name_and_functions_may_not() {
     assert!(error.contains("b/My_form.wgsl: function `one_form`"), "{error}");
     assert_eq!(names(folder.path()), ["a", "b", "scene.json"], "nothing written");
 }
+
+/// Every verb parses the files that a scene names, and names them where they lie; nothing that is written does.
+#[test]
+fn files_are_read_by_plan_and_named_where_they_lie() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let below = folder.path().join("below");
+    std::fs::create_dir(&below).expect("created");
+    std::fs::write(below.join("scene.json"), SCENE).expect("written");
+    let run = |verb: &str| {
+        let output = lobefit(folder.path(), &[verb, "below/scene.json"], b"");
+        (output.status.code().expect("a code"), stderr(&output))
+    };
+    for (source, words, verbs) in [
+        (
+            None,
+            "below/scene.json: materials[0].wants.fit.hypotheses[0]: below/mine.wgsl: cannot read: ",
+            &["plan", "bake", "check", "cost"][..],
+        ),
+        (
+            Some("fn mine(mu: f32 -> f32 { return mu; }"),
+            "error: below/mine.wgsl:1:",
+            &["plan", "bake", "check", "cost"],
+        ),
+        (Some("fn mine(nu: f32) -> f32 { return nu; }"), "error: below/mine.wgsl: argument `nu`", &["bake"]),
+        (
+            Some("fn mine(mu: f32) -> f32 { return 1.0 / (mu - 0.5); }"),
+            "error: below/mine.wgsl:1:",
+            &["bake"],
+        ),
+        (
+            Some("override c: f32 = 1.0;\nfn ggx_norm_n1(mu: f32) -> f32 { return 1.0 + c * mu; }"),
+            "error: below/mine.wgsl: function",
+            &["bake"],
+        ),
+    ] {
+        if let Some(source) = source {
+            std::fs::write(below.join("mine.wgsl"), source).expect("written");
+        }
+        for verb in verbs {
+            let (code, message) = run(verb);
+            assert_eq!(code, 2, "{verb}: {message}");
+            assert!(message.contains(words), "{verb}: `{words}` in {message}");
+        }
+    }
+    assert_eq!(names(folder.path()), ["below"], "nothing written");
+    std::fs::write(below.join("scene.json"), SCENE.replace("\"max_ops\": 9", "\"max_ops\": 1"))
+        .expect("written");
+    // Too dear: it is left out with its file, and that is the path of the scene.
+    std::fs::write(below.join("mine.wgsl"), "override c: f32 = 1.0;\nfn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + alpha * (c + alpha * mu); }\n").expect("written");
+    let output = lobefit(folder.path(), &["bake", "below/scene.json", "--out", "out"], b"");
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    let said = String::from_utf8(output.stdout).expect("text");
+    assert!(said.contains("mine left out: mine.wgsl: "), "{said}");
+    for file in ["manifest.json", "reports/index.html", "reports/figures.json"] {
+        let text = std::fs::read_to_string(folder.path().join("out").join(file)).expect("written");
+        assert!(text.contains("mine.wgsl") && !text.contains("below/"), "{file}");
+    }
+}

@@ -183,6 +183,36 @@ fn an_output_that_cannot_be_written_is_exit_3_before_any_work() {
     assert_eq!(std::fs::read_to_string(folder.path().join("file")).unwrap(), "mine");
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_device_and_a_folder_of_the_system_are_no_output() {
+    let folder = tempfile::tempdir().unwrap();
+    for (out, expected) in [
+        ("/dev/null", "error: /dev/null: a link or device is in the way; move it"),
+        ("/dev/null/below", "error: /dev/null: a link or device is in the way; move it"),
+        ("/proc", "error: /proc: cannot create a file in this folder: "),
+    ] {
+        let output = lobefit(folder.path(), &["bake", "--out", out], b"");
+        assert_eq!(output.status.code(), Some(3), "{out}: {}", stderr(&output));
+        assert!(stderr(&output).starts_with(expected), "{out}: {}", stderr(&output));
+        assert!(!stderr(&output).contains(".tmp"), "{out}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn plan_says_what_is_not_limited_and_what_is_not_yet_known() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":0.5}]}"#;
+    let text = String::from_utf8(lobefit(folder.path(), &["plan", "-"], scene).stdout).unwrap();
+    for words in [
+        "; error within 0.001; at most 32768 bytes; ",
+        "; no limit on the error; 0 bytes; ",
+        "in all at most 32768 bytes",
+    ] {
+        assert!(text.contains(words), "`{words}` in {text}");
+    }
+}
+
 #[test]
 fn schema_is_one_json_document() {
     let folder = tempfile::tempdir().unwrap();

@@ -176,16 +176,18 @@ fn ends_of_the_domain_are_values() {
 
 #[test]
 fn bad_inputs_are_named() {
-    for (alpha, mu, name) in [
-        (f64::NAN, 0.5, "alpha"),
-        (-0.1, 0.5, "alpha"),
-        (1.1, 0.5, "alpha"),
-        (0.5, 1.5, "mu"),
-        (0.5, f64::NAN, "mu"),
+    let (neither, outside) = ("is neither 0 nor in [1e-7, 1]", "is outside [0, 1]");
+    for (alpha, mu, name, fault) in [
+        (f64::NAN, 0.5, "alpha", neither),
+        (-0.1, 0.5, "alpha", neither),
+        (1.1, 0.5, "alpha", neither),
+        (1e-300, 0.5, "alpha", "alpha = 1e-300 is neither 0 nor in [1e-7, 1]"),
+        (0.5, 1.5, "mu", outside),
+        (0.5, f64::NAN, "mu", outside),
     ] {
         let error =
             reflection(Smith::Correlated, alpha, mu, 1e-10).expect_err("outside the domain").to_string();
-        assert!(error.contains(name) && error.contains("outside"), "{error}");
+        assert!(error.contains(&format!("{name} = ")) && error.ends_with(fault), "{error}");
     }
     let error = reflection(Smith::Correlated, 0.5, 0.5, 1e-18).expect_err("below rounding").to_string();
     assert!(error.contains("tolerance"), "{error}");

@@ -61,6 +61,9 @@ fn a_scene_without_rough_speculars_plans_nothing_and_says_why() {
     assert_eq!(reason(&empty, EffectName::Reflection), "the scene has no materials");
     let smooth = plan(&scene(include_str!("../examples/mirrors.json")));
     assert!(smooth.is_empty() && smooth.tables.is_empty() && smooth.fit.is_none());
+    let one = plan(&metals(&[("m", "0", "{\"fit\":{}}")]));
+    let why = reason(&one, EffectName::Reflection);
+    assert!(why.ends_with(": `m` stays below alpha 0.0001, which is smooth"), "{why}");
     let why = reason(&smooth, EffectName::Reflection);
     assert!(why.contains("`mirror`, `window`") && why.contains("smooth"), "{why}");
 }
@@ -94,6 +97,7 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
     assert_eq!(merged.roughness, [0.1, 0.9]);
     assert_eq!(merged.max_error, Some(0.01));
     assert_eq!(merged.materials, ["a", "b", "c"]);
+    assert_eq!(merged.limited_by(), "b (materials[1].wants.table.max_error)");
     assert_eq!(plan.tables[1].name, "ggx-dfg-correlated-16x8-f32-plain-split-sum");
     assert_eq!(plan.tables[1].max_error, None);
 }
@@ -108,6 +112,24 @@ fn an_open_size_has_a_limit() {
     assert_eq!((plan.tables[0].columns, plan.tables[0].rows), (None, None));
     assert_eq!(plan.tables[0].max_error, Some(1e-3));
     assert_eq!(plan.tables[1].max_error, Some(3e-3));
+    let bytes: Vec<_> = plan.effects[0].jobs.iter().map(|j| (j.bytes, j.bytes_at_most)).collect();
+    assert_eq!(bytes, [(128 * 128 * 2, true), (128 * 128 * 2 * 2, true)]);
+    assert!(plan.effects[0].bytes_at_most);
+}
+
+#[test]
+fn a_single_roughness_is_told_with_the_range_of_its_job() {
+    let because =
+        |roughness: &str| plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)])).effects[0].because[0].clone();
+    for (given, told) in [
+        ("0.5", "(roughness 0.5, widened to 0.495 to 0.505)"),
+        ("0.3", "(roughness 0.3, widened to 0.295 to 0.305)"),
+        ("1", "(roughness 1, widened to 0.99 to 1)"),
+        ("[0.5,0.502]", "(roughness 0.5 to 0.502, widened to 0.496 to 0.506)"),
+        ("[0.1,0.7]", "(roughness 0.1 to 0.7)"),
+    ] {
+        assert!(because(given).contains(told), "{}", because(given));
+    }
 }
 
 #[test]
@@ -125,6 +147,9 @@ fn fits_merge_and_keep_each_promise() {
     let promises: Vec<_> =
         fit.promises.iter().map(|p| (p.max_ops, p.max_error, p.materials.join(" "))).collect();
     assert_eq!(promises, [(Some(8), 0.05, "a c".into()), (Some(20), 0.0105, "b".into())]);
+    let wanted: Vec<String> = fit.promises.iter().map(|p| p.wanted_by()).collect();
+    let both = "a (materials[0].wants.fit.max_error), c (materials[2].wants.fit.max_error)";
+    assert_eq!(wanted, [both, "b (materials[1].wants.fit.max_error)"]);
     let unlimited = lobefit::plan::plan(&metals(&[
         ("a", "0.5", r#"{"fit":{"max_ops":8}}"#),
         ("b", "0.5", r#"{"fit":{}}"#),

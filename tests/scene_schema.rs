@@ -47,6 +47,11 @@ fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &m
             "minimum" => number.is_none_or(|x| x >= limit),
             "exclusiveMinimum" => number.is_none_or(|x| x > limit),
             "maximum" => number.is_none_or(|x| x <= limit),
+            "uniqueItems" => {
+                let distinct = |l: &Vec<Value>| l.iter().enumerate().all(|(i, x)| !l[..i].contains(x));
+                list.is_none_or(distinct)
+            }
+            "minProperties" => value.as_object().is_none_or(|fields| fields.len() as f64 >= limit),
             "minItems" => count.is_none_or(|n| n >= limit),
             "maxItems" => count.is_none_or(|n| n <= limit),
             "minLength" => length.is_none_or(|n| n >= limit),
@@ -125,6 +130,14 @@ fn it_refuses_what_the_program_refuses() {
         ("\"metal\"", "\"wood\""),
         ("\"name\":\"m\",", ""),
         ("{\"schema", "{\"probes\":[1],\"schema"),
+        ("\"f0\":1,", ""),
+        ("\"f0\":1", "\"ior\":1.5"),
+        ("\"f0\":1", "\"f0\":1,\"ior\":1.5"),
+        ("\"metal\",\"f0\":1", "\"dielectric\",\"f0\":1,\"ior\":1.5"),
+        ("\"metal\",\"f0\":1", "\"dielectric\""),
+        ("{\"table\":{\"size\":[8,8]}}", "{}"),
+        ("\"table\":{\"size\":[8,8]}", "\"fit\":{\"norms\":[]}"),
+        ("\"table\":{\"size\":[8,8]}", "\"fit\":{\"norms\":[\"max\",\"max\"]}"),
     ] {
         let text = base.replacen(from, to, 1);
         assert!(!check(&text).is_empty(), "{text}");
@@ -140,7 +153,9 @@ fn fields(value: &Value, found: &mut Vec<(String, bool)>) {
                 let described = field["description"].as_str().is_some_and(|d| d.len() > 10);
                 found.push((name.clone(), described));
             }
-            map.values().for_each(|v| fields(v, found));
+            // Conditions name fields and declare none.
+            let declaring = map.iter().filter(|(key, _)| !matches!(key.as_str(), "anyOf" | "oneOf"));
+            declaring.for_each(|(_, v)| fields(v, found));
         }
         Value::Array(list) => list.iter().for_each(|v| fields(v, found)),
         _ => {}

@@ -40,7 +40,7 @@ fn unkept(promise: &FitPromise, fits: &[Fit]) -> Option<String> {
         Some(ops) => format!("max_error {} within {ops} operations", promise.max_error),
         None => format!("max_error {}", promise.max_error),
     };
-    let wanted = format!("{limit}, wanted by {}", promise.materials.join(", "));
+    let wanted = format!("{limit}, wanted by {}", promise.wanted_by());
     match best {
         None => Some(format!("fit: no normalisation is that cheap: {wanted}")),
         Some(a) if a.certificate.max_abs > promise.max_error => Some(format!(

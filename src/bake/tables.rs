@@ -69,7 +69,7 @@ pub fn bake_tables(jobs: &[TableJob], context: &mut Context) -> Result<Vec<Baked
                 "table {}: lookup error {} exceeds the max_error {limit} of {}",
                 table.approximation.name,
                 table.errors.lookup.max,
-                job.materials.join(", "),
+                job.limited_by(),
             ));
         }
         baked.push(table);

@@ -8,7 +8,7 @@ use super::options::{SceneOption, ThreadsOption, effect};
 use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{Baked, bake};
+use crate::bake::Baked;
 use crate::emit::header::{operations, place, short};
 use crate::plan::{self, EffectName, Plan};
 use crate::scene::escape::visible;
@@ -50,7 +50,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
     let progress = Bar::new(options.quiet || options.json);
-    let baked = options.threads.install(|| Ok(bake(&input.scene, &plan, &input.hypotheses, &progress)?))?;
+    let baked = options.threads.install(|| input.bake(&plan, &progress))?;
     drop(progress);
     for promise in &baked.broken {
         say(&format!("promise not kept: {}", visible(promise)));
@@ -94,7 +94,9 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
         lines.push(format!("{}: {}, max error {}, rms {}", a.name, operations(ops), c.max_abs, short(c.rms)));
     }
     for d in &baked.dropped {
-        lines.push(format!("{} ({}) left out: {}", d.hypothesis, d.norm, d.reason));
+        // A hypothesis that is too dear is so in any norm.
+        let norm = if d.norm == "any" { String::new() } else { format!(" ({})", d.norm) };
+        lines.push(format!("{}{norm} left out: {}", d.hypothesis, d.reason));
     }
     if plan.is_empty() {
         lines.push("the scene calls for no effect:".into());

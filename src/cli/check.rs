@@ -9,8 +9,9 @@ use super::options::{SceneOption, ThreadsOption, not_negative};
 use super::output::{Outcome, print, print_json};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{Baked, Difference, bake, compare};
+use crate::bake::{Baked, Difference, compare};
 use crate::plan;
+use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
 
 pub(super) const EXAMPLES: &str = "\
@@ -19,7 +20,8 @@ Examples:
   lobefit check scene.json --against assets
   lobefit check --values 1e-6           accept decoded values within 1e-6 of each other
 
-Exit code 1 where a file is missing, extra or different; the message says how far it is off and where.";
+Exit code 1 where a file is missing, extra or different; the message says how far it is off and where. A table whose
+texels break the error that its manifest states is never accepted, whatever --values says.";
 
 /// Largest file that is compared, bytes.
 const FILE_BYTES: u64 = 1 << 30;
@@ -32,7 +34,7 @@ pub(super) struct Options {
     /// Folder that holds the bake
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub against: PathBuf,
-    /// Accept files whose decoded values differ by no more than this
+    /// Accept files whose decoded values differ by no more than this, unless a table breaks its stated error
     #[arg(long, value_name = "TOL", value_parser = not_negative)]
     pub values: Option<f64>,
     #[command(flatten)]
@@ -48,9 +50,13 @@ pub(super) struct Options {
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
+    // Before the work: it would only find that every file is missing.
+    if !store::is_folder(&options.against)? {
+        return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
+    }
     let progress = Bar::new(options.quiet || options.json);
     let (baked, differences) = options.threads.install(|| {
-        let baked = bake(&input.scene, &plan, &input.hypotheses, &progress)?;
+        let baked = input.bake(&plan, &progress)?;
         let strays = strays(&options.against, &baked)?;
         let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
         let differences = compare(&baked, &found, &strays, options.values, &progress);
@@ -94,10 +100,21 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
     Ok(strays)
 }
 
+/// The folder as the user named it.
+fn shown(options: &Options) -> String {
+    visible(&options.against.display().to_string())
+}
+
 fn closing(baked: &Baked, differences: &[Difference], options: &Options) -> String {
-    let folder = options.against.display();
-    match differences.len() {
-        0 => format!("{} files in {folder} follow from their recipe\n", baked.files.len()),
-        n => format!("{n} of {} files in {folder} do not follow from their recipe\n", baked.files.len()),
+    let (folder, files) = (shown(options), baked.files.len());
+    let extra = differences.iter().filter(|d| !baked.files.contains_key(&d.file)).count();
+    match (differences.len() - extra, extra) {
+        (0, 0) => format!("{files} files in {folder} follow from their recipe\n"),
+        (0, extra) => format!("{files} files in {folder} follow from their recipe, {extra} extra\n"),
+        (bad, extra) => {
+            let verb = if bad == 1 { "differs or is missing" } else { "differ or are missing" };
+            let more = if extra == 0 { String::new() } else { format!(", {extra} extra") };
+            format!("{bad} of {files} files in {folder} {verb}{more}\n")
+        }
     }
 }

@@ -4,7 +4,9 @@ use std::io;
 
 use super::points::PointsError;
 use crate::bake::BakeError;
+use crate::fit::FitError;
 use crate::scene::SceneError;
+use crate::scene::escape::visible;
 use crate::store::StoreError;
 
 /// Why a verb did not do its work.
@@ -23,6 +25,19 @@ pub enum CliError {
     /// Options that contradict each other or the input.
     #[error("{0}")]
     Usage(String),
+    /// A hypothesis file that a scene names and that cannot be read.
+    #[error("{}: {field}: {source}", visible(scene))]
+    HypothesisFile {
+        /// Scene file as the user named it.
+        scene: String,
+        /// The field that names the hypothesis.
+        field: String,
+        /// What went wrong.
+        source: StoreError,
+    },
+    /// A hypothesis that is refused for what it says.
+    #[error(transparent)]
+    Hypothesis(#[from] FitError),
     /// A hypothesis file that is not text.
     #[error("{file}: byte {at} is not UTF-8; save the hypothesis as UTF-8")]
     HypothesisText {

@@ -21,9 +21,14 @@ Examples:
   lobefit eval ggx-average --points alphas.csv --out averages.csv --smith separable
   lobefit eval ggx-reflection --points points.csv --method monte-carlo --samples 1048576 --seed 7
 
-Quantities: ggx-reflection (columns alpha, mu; appends E, A, B, loss, error) and ggx-average (column alpha; appends
-E_avg, loss_avg, error). Other columns are kept as they are. `error` bounds the distance of every value from the truth;
-with Monte Carlo it is four standard errors.";
+Quantities (input columns: appended columns):
+  ggx-reflection        alpha, mu: E, A, B, loss, error
+  ggx-reflection-aniso  alpha_x, alpha_y, mu, phi: E, loss, error (without phi: the mean over it)
+  ggx-average           alpha: E_avg, loss_avg, error
+  ggx-glass             alpha, mu, ior, side (outside or inside): R, T, E, loss, error
+alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass); mu is in [0, 1]
+(from 1e-6 for glass), ior in [1, 4]; Monte Carlo takes no zeros. Other columns are kept as they are. `error` bounds the
+distance of every value from the truth; with Monte Carlo it is four standard errors.";
 
 /// How the truth is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

@@ -1,11 +1,15 @@
 //! The scene that a verb works on, with the hypothesis files that it names.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use super::CliError;
 use super::options::SceneOption;
-use crate::bake::UserHypothesis;
+use crate::bake::{BakeError, Baked, Progress, UserHypothesis, bake};
+use crate::effects::reflection::FitStageError;
+use crate::fit::{FitError, Hypothesis};
+use crate::plan::Plan;
 use crate::scene::{Scene, limits};
 use crate::store;
 
@@ -14,14 +18,51 @@ use crate::store;
 pub(super) struct Input {
     /// The scene.
     pub scene: Scene,
-    /// Its hypothesis files, in order of first mention.
+    /// Its hypothesis files, in order of first mention; each parses.
     pub hypotheses: Vec<UserHypothesis>,
+    /// The paths at which they were read, by the paths that the scene gives: for messages only, since nothing that is
+    /// written may depend on where the scene lies.
+    paths: BTreeMap<String, String>,
+}
+
+impl Input {
+    /// Bakes the scene's plan. Errors name hypothesis files by the paths at which they were read.
+    pub(super) fn bake(&self, plan: &Plan, progress: &dyn Progress) -> Result<Baked, CliError> {
+        let mut baked = bake(&self.scene, plan, &self.hypotheses, progress);
+        if let Some(file) = baked.as_mut().err().and_then(hypothesis_file)
+            && let Some(path) = self.paths.get(file.as_str())
+        {
+            path.clone_into(file);
+        }
+        Ok(baked?)
+    }
+}
+
+/// The hypothesis file that an error names.
+fn hypothesis_file(error: &mut BakeError) -> Option<&mut String> {
+    match error {
+        BakeError::Name { file, .. } | BakeError::Word { file, .. } => Some(file),
+        BakeError::Fit(error) => match error {
+            FitStageError::Fit(
+                FitError::Syntax { place, .. }
+                | FitError::Dialect { place, .. }
+                | FitError::Irregular { place, .. },
+            ) => Some(&mut place.file),
+            FitStageError::Fit(FitError::TooLarge { file, .. }) => Some(file),
+            FitStageError::NotConverged { hypothesis, .. }
+            | FitStageError::RunAway { hypothesis, .. }
+            | FitStageError::NoInputs { hypothesis, .. }
+            | FitStageError::Input { hypothesis, .. } => Some(hypothesis),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// Reads the scene of a verb: a file, standard input, or the built-in one.
 pub(super) fn load(option: &SceneOption) -> Result<Input, CliError> {
     let Some(path) = &option.scene else {
-        return Ok(Input { scene: Scene::built_in()?, hypotheses: Vec::new() });
+        return Ok(Input { scene: Scene::built_in()?, hypotheses: Vec::new(), paths: BTreeMap::new() });
     };
     let (bytes, name, folder) = if path.as_os_str() == "-" {
         let name = "<stdin>".to_owned();
@@ -31,15 +72,27 @@ pub(super) fn load(option: &SceneOption) -> Result<Input, CliError> {
         (store::read(path, limits::FILE_BYTES)?, path.display().to_string(), folder)
     };
     let scene = Scene::from_json(&bytes, &name)?;
-    let hypotheses =
-        scene.hypotheses().into_iter().map(|path| hypothesis(&folder, path)).collect::<Result<_, _>>()?;
-    Ok(Input { scene, hypotheses })
+    let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
+    for (path, field) in scene.hypotheses() {
+        let file = store::inside(&folder, path)?;
+        let shown = file.display().to_string();
+        let source = hypothesis(&file, &name, field)?;
+        Hypothesis::parse(&shown, &source)?;
+        paths.insert(path.to_owned(), shown);
+        hypotheses.push(UserHypothesis { file: path.into(), source });
+    }
+    Ok(Input { scene, hypotheses, paths })
 }
 
-fn hypothesis(folder: &Path, path: &str) -> Result<UserHypothesis, CliError> {
-    let file = store::inside(folder, path)?;
-    let text = String::from_utf8(store::read(&file, limits::HYPOTHESIS_BYTES)?).map_err(|e| {
-        CliError::HypothesisText { file: file.display().to_string(), at: e.utf8_error().valid_up_to() }
+/// The text of a hypothesis file that a field of a scene names.
+fn hypothesis(file: &Path, scene: &str, field: String) -> Result<String, CliError> {
+    let bytes = store::read(file, limits::HYPOTHESIS_BYTES).map_err(|source| CliError::HypothesisFile {
+        scene: scene.to_owned(),
+        field,
+        source,
     })?;
-    Ok(UserHypothesis { file: path.into(), source: text })
+    String::from_utf8(bytes).map_err(|e| CliError::HypothesisText {
+        file: file.display().to_string(),
+        at: e.utf8_error().valid_up_to(),
+    })
 }

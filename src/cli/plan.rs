@@ -66,15 +66,22 @@ fn effect_text(effect: &Effect) -> String {
         let _ = writeln!(out, "  {}: {}", job.name, job.approximation);
         let ranges: Vec<String> =
             job.ranges.iter().map(|(name, [lo, hi])| format!("{name} {lo} to {hi}")).collect();
-        let error = job.expected_error.map_or_else(|| "no limit".into(), |e| format!("within {e}"));
+        let error = job
+            .expected_error
+            .map_or_else(|| "no limit on the error".into(), |e| format!("error within {e}"));
         let _ = writeln!(
             out,
-            "    over {}; error {error}; {} bytes; about {:.1} s",
+            "    over {}; {error}; {}; about {:.1} s",
             ranges.join(", "),
-            job.bytes,
+            bytes(job.bytes, job.bytes_at_most),
             job.seconds
         );
     }
-    let _ = writeln!(out, "  in all {} bytes, about {:.1} s on one core", effect.bytes, effect.seconds);
+    let all = bytes(effect.bytes, effect.bytes_at_most);
+    let _ = writeln!(out, "  in all {all}, about {:.1} s on one core", effect.seconds);
     out
+}
+
+fn bytes(count: u64, at_most: bool) -> String {
+    format!("{}{count} bytes", if at_most { "at most " } else { "" })
 }

@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum IntegrateError {
     /// An input lies outside the quantity's domain or is not a number.
-    #[error("{quantity}: {input} = {value} is outside {domain}")]
+    #[error("{quantity}: {input} = {value:?} {domain}")]
     Domain {
         /// Quantity asked for.
         quantity: &'static str,
@@ -13,7 +13,7 @@ pub enum IntegrateError {
         input: &'static str,
         /// Its value.
         value: f64,
-        /// The domain in words.
+        /// How it misses the domain, as `is outside [0, 1]`.
         domain: &'static str,
     },
     /// The largest rule does not reach the tolerance.

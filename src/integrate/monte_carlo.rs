@@ -84,7 +84,7 @@ type Weights = [f64; 3];
 
 /// Estimates `ggx-reflection` at alpha in [1e-7, 1], mu in (0, 1].
 pub fn reflection(smith: Smith, alpha: f64, mu: f64, run: Run) -> Result<SampledReflection, IntegrateError> {
-    check(alpha, mu, run)?;
+    check("ggx-reflection", alpha, mu, run)?;
     let means = replicas(run, |x| sample(smith, alpha, mu, run.draw, x));
     Ok(SampledReflection {
         e: column(&means, run.samples, |w| w[0]),
@@ -96,16 +96,16 @@ pub fn reflection(smith: Smith, alpha: f64, mu: f64, run: Run) -> Result<Sampled
 
 /// Estimates `ggx-average` at alpha in [1e-7, 1]: E_avg and its loss. The third coordinate draws the cosine, mu^2 uniform.
 pub fn average(smith: Smith, alpha: f64, run: Run) -> Result<(Sampled, Sampled), IntegrateError> {
-    check(alpha, 1.0, run)?;
+    check("ggx-average", alpha, 1.0, run)?;
     let means = replicas(run, |x| sample(smith, alpha, x[2].sqrt(), run.draw, x));
     Ok((column(&means, run.samples, |w| w[0]), column(&means, run.samples, |w| w[2])))
 }
 
-fn check(alpha: f64, mu: f64, run: Run) -> Result<(), IntegrateError> {
-    check_inputs("ggx-reflection", alpha, mu)?;
+fn check(quantity: &'static str, alpha: f64, mu: f64, run: Run) -> Result<(), IntegrateError> {
+    check_inputs(quantity, alpha, mu)?;
     for (input, value) in [("alpha", alpha), ("mu", mu)] {
         if value == 0.0 {
-            let (quantity, domain) = ("ggx-reflection by Monte Carlo", "(0, 1]: the limit cannot be sampled");
+            let domain = "is a limit that Monte Carlo cannot sample; use quadrature";
             return Err(IntegrateError::Domain { quantity, input, value, domain });
         }
     }

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::job::{FitJob, TableJob};
-use super::merge::{forms, rough};
+use super::merge::{forms, rough, widened};
 use super::work;
+use crate::data::AlphaMap;
 use crate::scene::{Kind, Material, Scene};
 
 /// Most materials that a reason names; the rest are counted.
@@ -72,8 +73,10 @@ pub struct JobSummary {
     pub approximation: String,
     /// Domain by input.
     pub ranges: BTreeMap<&'static str, [f64; 2]>,
-    /// Bytes of texels.
+    /// Bytes of texels; the most that there can be where `bytes_at_most`.
     pub bytes: u64,
+    /// Whether the bake chooses the size.
+    pub bytes_at_most: bool,
     /// The error that the scene allows; `None` where it sets no limit.
     pub expected_error: Option<f64>,
     /// Expected time on one core.
@@ -91,8 +94,10 @@ pub struct Effect {
     pub ranges: BTreeMap<&'static str, [f64; 2]>,
     /// The jobs' approximations in words.
     pub approximation: String,
-    /// Bytes of texels of all jobs.
+    /// Bytes of texels of all jobs; the most that there can be where `bytes_at_most`.
     pub bytes: u64,
+    /// Whether the bake chooses the size of a table.
+    pub bytes_at_most: bool,
     /// The largest error that the scene allows any of the jobs; `None` where one of them has no limit.
     pub expected_error: Option<f64>,
     /// Expected time of all jobs and of their report on one core.
@@ -113,9 +118,10 @@ pub struct LeftOut {
 /// The reflection effect, where a rough material calls for it.
 pub(super) fn reflection(scene: &Scene, tables: &[TableJob], fit: Option<&FitJob>) -> Option<Effect> {
     let because: Vec<String> = rough(scene)
-        .map(|(m, [lo, hi])| {
+        .map(|(_, m, range)| {
             let (name, kind, forms) = (&m.name, m.kind.name(), forms(&m.wants));
-            format!("{name}: {kind} with a rough specular lobe (roughness {lo} to {hi}) wants {forms}")
+            let roughness = range_text(range, scene.alpha);
+            format!("{name}: {kind} with a rough specular lobe (roughness {roughness}) wants {forms}")
         })
         .collect();
     if because.is_empty() {
@@ -135,10 +141,24 @@ pub(super) fn reflection(scene: &Scene, tables: &[TableJob], fit: Option<&FitJob
         ranges,
         approximation: jobs.iter().map(|j| j.approximation.as_str()).collect::<Vec<_>>().join("; "),
         bytes: jobs.iter().map(|j| j.bytes).sum(),
+        bytes_at_most: jobs.iter().any(|j| j.bytes_at_most),
         expected_error: jobs.iter().try_fold(0.0_f64, |worst, j| j.expected_error.map(|e| worst.max(e))),
         seconds: jobs.iter().map(|j| j.seconds).sum::<f64>() + work::REPORT_S,
         jobs,
     })
+}
+
+/// A roughness range, and what it is widened to where it is too narrow for a job.
+fn range_text(range: [f64; 2], map: AlphaMap) -> String {
+    let [lo, hi] = range;
+    let own = if lo == hi { format!("{lo}") } else { format!("{lo} to {hi}") };
+    let job = widened(range, map);
+    if job == range {
+        return own;
+    }
+    // Digits for people: the sums of widening have rounding errors behind them.
+    let [lo, hi] = job.map(|x| (x * 1e9).round() / 1e9);
+    format!("{own}, widened to {lo} to {hi}")
 }
 
 fn table_summary(job: &TableJob, seconds: f64) -> JobSummary {
@@ -150,6 +170,7 @@ fn table_summary(job: &TableJob, seconds: f64) -> JobSummary {
         // Where a table is judged, whatever the fits' domain of mu is.
         ranges: BTreeMap::from([("mu", [1e-3, 1.0]), ("roughness", job.roughness)]),
         bytes: work::table_bytes(job),
+        bytes_at_most: job.columns.is_none(),
         expected_error: job.max_error,
         seconds,
     }
@@ -174,6 +195,7 @@ fn fit_summary(job: &FitJob) -> JobSummary {
         ),
         ranges: BTreeMap::from([("mu", job.mu), ("roughness", job.roughness)]),
         bytes: 0,
+        bytes_at_most: false,
         expected_error: job.max_error,
         seconds: work::fit_seconds(job),
     }
@@ -200,7 +222,8 @@ fn no_reflection(scene: &Scene) -> String {
         return "the scene has no materials".into();
     }
     let names = named(scene.materials.iter());
-    format!("no material has a rough specular lobe: {names} stay below alpha 0.0001, which is smooth")
+    let stay = if scene.materials.len() == 1 { "stays" } else { "stay" };
+    format!("no material has a rough specular lobe: {names} {stay} below alpha 0.0001, which is smooth")
 }
 
 fn diffuse_coupling(scene: &Scene) -> String {

@@ -32,8 +32,32 @@ pub struct TableJob {
     pub roughness: [f64; 2],
     /// Limit on the lookup error: the strictest of the materials'. Always given where the size is not.
     pub max_error: Option<f64>,
+    /// The limits that `max_error` is the strictest of, in the scene's order.
+    pub limits: Vec<Limit>,
     /// Names of the materials that want it, in the scene's order.
     pub materials: Vec<String>,
+}
+
+impl TableJob {
+    /// The materials that set `max_error`, with the field of each: `gold (materials[0].wants.table.max_error)`.
+    pub fn limited_by(&self) -> String {
+        listed(self.limits.iter().filter(|limit| Some(limit.max_error) == self.max_error))
+    }
+}
+
+/// A limit on an error, and where the scene sets it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Name of the material.
+    pub material: String,
+    /// The field, as `materials[0].wants.fit.max_error`; of a table whose size is open it may be a default.
+    pub field: String,
+    /// The limit.
+    pub max_error: f64,
+}
+
+fn listed<'a>(limits: impl Iterator<Item = &'a Limit>) -> String {
+    limits.map(|l| format!("{} ({})", l.material, l.field)).collect::<Vec<_>>().join(", ")
 }
 
 /// A limit that a material sets: one emitted normalisation of at most `max_ops` operations within `max_error`.
@@ -45,6 +69,15 @@ pub struct FitPromise {
     pub max_error: f64,
     /// Names of the materials that ask for it.
     pub materials: Vec<String>,
+    /// Their fields.
+    pub limits: Vec<Limit>,
+}
+
+impl FitPromise {
+    /// The materials that ask for it, with the field of each: `gold (materials[0].wants.fit.max_error)`.
+    pub fn wanted_by(&self) -> String {
+        listed(self.limits.iter())
+    }
 }
 
 /// The fit to make: one for the whole scene, because a fit over the hull of the ranges holds in each of them.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::job::{FitJob, FitPromise, ROUGHNESS_WIDTH_MIN, TableJob};
+use super::job::{FitJob, FitPromise, Limit, ROUGHNESS_WIDTH_MIN, TableJob};
 use crate::data::{AlphaMap, Smith, TexelFormat};
 use crate::scene::{Layout, Material, Scene, TableWant, Wants, smallest_rough};
 
@@ -10,19 +10,27 @@ use crate::scene::{Layout, Material, Scene, TableWant, Wants, smallest_rough};
 pub(super) fn tables(scene: &Scene) -> Vec<TableJob> {
     let mut jobs: Vec<TableJob> = Vec::new();
     let mut index: BTreeMap<String, usize> = BTreeMap::new();
-    for (material, roughness) in rough(scene) {
+    for (i, material, roughness) in rough(scene) {
         let Some(want) = &material.wants.table else { continue };
         let name = table_name(scene.smith, want);
+        let limit = want.max_error.map(|max_error| Limit {
+            material: material.name.clone(),
+            field: format!("materials[{i}].wants.table.max_error"),
+            max_error,
+        });
         match index.get(&name) {
-            Some(&i) => {
-                let job = &mut jobs[i];
+            Some(&known) => {
+                let job = &mut jobs[known];
+                job.limits.extend(limit);
                 job.roughness = hull(job.roughness, roughness);
                 job.max_error = strictest(job.max_error, want.max_error);
                 job.materials.push(material.name.clone());
             }
             None => {
                 index.insert(name.clone(), jobs.len());
-                jobs.push(table_job(scene, name, want, material, roughness));
+                let mut job = table_job(scene, name, want, material, roughness);
+                job.limits.extend(limit);
+                jobs.push(job);
             }
         }
     }
@@ -50,6 +58,7 @@ fn table_job(
         serves: want.serves,
         roughness,
         max_error: want.max_error,
+        limits: Vec::new(),
         materials: vec![material.name.clone()],
     }
 }
@@ -76,7 +85,7 @@ fn table_name(smith: Smith, want: &TableWant) -> String {
 /// The fit that the scene's rough materials want together.
 pub(super) fn fit(scene: &Scene) -> Option<FitJob> {
     let mut job: Option<FitJob> = None;
-    for (material, roughness) in rough(scene) {
+    for (i, material, roughness) in rough(scene) {
         let Some(want) = &material.wants.fit else { continue };
         let job = job.get_or_insert_with(|| FitJob {
             smith: scene.smith,
@@ -104,7 +113,12 @@ pub(super) fn fit(scene: &Scene) -> Option<FitJob> {
             }
         }
         if let Some(max_error) = want.max_error {
-            promise(&mut job.promises, want.max_ops, max_error, &material.name);
+            let field = format!("materials[{i}].wants.fit.max_error");
+            promise(
+                &mut job.promises,
+                want.max_ops,
+                Limit { material: material.name.clone(), field, max_error },
+            );
         }
         job.materials.push(material.name.clone());
     }
@@ -115,16 +129,23 @@ pub(super) fn fit(scene: &Scene) -> Option<FitJob> {
 }
 
 /// Adds a material to the promise that is like its own.
-fn promise(promises: &mut Vec<FitPromise>, max_ops: Option<u32>, max_error: f64, material: &str) {
+fn promise(promises: &mut Vec<FitPromise>, max_ops: Option<u32>, limit: Limit) {
+    let (max_error, material) = (limit.max_error, limit.material.clone());
     match promises.iter_mut().find(|p| p.max_ops == max_ops && p.max_error == max_error) {
-        Some(known) => known.materials.push(material.into()),
-        None => promises.push(FitPromise { max_ops, max_error, materials: vec![material.into()] }),
+        Some(known) => {
+            known.materials.push(material);
+            known.limits.push(limit);
+        }
+        None => {
+            promises.push(FitPromise { max_ops, max_error, materials: vec![material], limits: vec![limit] })
+        }
     }
 }
 
-/// Materials with a rough specular lobe, and its roughness range.
-pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (&Material, [f64; 2])> {
-    scene.materials.iter().filter_map(|m| m.rough_range(scene.alpha).map(|range| (m, range)))
+/// Materials with a rough specular lobe: place in the scene, material, roughness range.
+pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f64; 2])> {
+    let materials = scene.materials.iter().enumerate();
+    materials.filter_map(|(i, m)| m.rough_range(scene.alpha).map(|range| (i, m, range)))
 }
 
 /// The forms of approximation that a material wants, in words. A material wants at least one.
@@ -148,7 +169,7 @@ fn strictest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
 }
 
 /// The range, or where it is narrower than [`ROUGHNESS_WIDTH_MIN`], one of that width about it inside the domain.
-fn widened(range: [f64; 2], map: AlphaMap) -> [f64; 2] {
+pub(super) fn widened(range: [f64; 2], map: AlphaMap) -> [f64; 2] {
     if range[1] - range[0] >= ROUGHNESS_WIDTH_MIN {
         return range;
     }

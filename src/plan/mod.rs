@@ -7,7 +7,7 @@ mod merge;
 mod work;
 
 pub use effect::{Effect, EffectName, JobSummary, LeftOut};
-pub use job::{FitJob, FitPromise, TableJob};
+pub use job::{FitJob, FitPromise, Limit, TableJob};
 
 use serde::Serialize;
 

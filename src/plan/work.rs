@@ -19,8 +19,8 @@ const JUDGED: f64 = 221_000.0;
 /// Texels of the squares that are tried one after the other where the size is left open and 32x32 is found enough:
 /// 16^2 + 32^2.
 const AUTO_TEXELS: f64 = 1_280.0;
-/// Side of the square that an open size is expected to end at.
-const AUTO_SIDE: u64 = 32;
+/// Side of the largest square that is tried for an open size.
+const AUTO_SIDE: u64 = 128;
 /// Points of a certificate of a fit: 2^20 uniform, half as many in the layer, and the edges.
 const CERTIFIED: f64 = 1.6e6;
 /// Seconds of one evaluation of one formula in its certificate.
@@ -68,7 +68,7 @@ fn texel_seconds(job: &TableJob) -> f64 {
     }
 }
 
-/// Bytes of a table's texels; of the expected size where it is open.
+/// Bytes of a table's texels; of the largest size where it is open.
 pub(super) fn table_bytes(job: &TableJob) -> u64 {
     let side = |n: Option<usize>| n.map_or(AUTO_SIDE, |n| n as u64);
     side(job.columns) * side(job.rows) * job.serves.channels() * job.format.bytes()

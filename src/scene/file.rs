@@ -117,13 +117,14 @@ impl Scene {
         Ok(blake3::hash(&normal).to_hex().to_string())
     }
 
-    /// Hypothesis files that the materials name: each once, in order of first mention.
-    pub fn hypotheses(&self) -> Vec<&str> {
-        let mut paths: Vec<&str> = Vec::new();
-        for path in self.materials.iter().filter_map(|m| m.wants.fit.as_ref()).flat_map(|fit| &fit.hypotheses)
-        {
-            if !paths.contains(&path.as_str()) {
-                paths.push(path);
+    /// Hypothesis files that the materials name, each once, in order of first mention, with the field that mentions it.
+    pub fn hypotheses(&self) -> Vec<(&str, String)> {
+        let mut paths: Vec<(&str, String)> = Vec::new();
+        for (i, material) in self.materials.iter().enumerate() {
+            for (j, path) in material.wants.fit.iter().flat_map(|fit| &fit.hypotheses).enumerate() {
+                if !paths.iter().any(|(known, _)| known == path) {
+                    paths.push((path, format!("materials[{i}].wants.fit.hypotheses[{j}]")));
+                }
             }
         }
         paths
@@ -200,6 +201,12 @@ fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError 
     let at = Position { line: error.line().max(1), column: error.column().max(1) };
     let text = error.to_string();
     let suffix = format!(" at line {} column {}", error.line(), error.column());
-    let message = text.strip_suffix(&suffix).unwrap_or(&text).to_owned();
-    SceneError::Field { file: file.into(), at, path: path.into(), message }
+    let message = text.strip_suffix(&suffix).unwrap_or(&text);
+    let message = match message {
+        "key must be a string" => "object keys must be strings in double quotes",
+        other => other,
+    };
+    // serde_path_to_error ends a path with "?" where the reader stood between two fields.
+    let path = path.strip_suffix(".?").unwrap_or(path);
+    SceneError::Field { file: file.into(), at, path: path.into(), message: message.into() }
 }

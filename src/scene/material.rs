@@ -67,7 +67,11 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 
 /// A material.
 #[derive(Deserialize, JsonSchema)]
-#[schemars(rename = "Material")]
+// Exactly one of `f0` and `ior`, and `f0` unless it is a dielectric.
+#[schemars(rename = "Material", extend(
+    "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
+    "anyOf" = [{ "required": ["f0"] }, { "properties": { "kind": { "const": "dielectric" } } }],
+))]
 #[serde(deny_unknown_fields, expecting = "an object that describes a material")]
 struct MaterialFile {
     /// Name, unique in the scene, without control characters.

@@ -201,9 +201,12 @@ where
             items.push(item);
         }
         let found = items.len();
-        let items: [T; N] = items
-            .try_into()
-            .map_err(|_| A::Error::custom(format!("{found} numbers where {N} are called for")))?;
+        let items: [T; N] = items.try_into().map_err(|_| {
+            A::Error::custom(format!(
+                "{found} number{} where {N} are called for",
+                if found == 1 { "" } else { "s" }
+            ))
+        })?;
         Ok(Numbers(items))
     }
 }

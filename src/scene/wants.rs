@@ -62,7 +62,7 @@ pub struct Wants {
 
 /// What the material wants of its specular lobe: a table, a fit, or both. Without `wants`: both, with their defaults.
 #[derive(Deserialize, JsonSchema)]
-#[schemars(rename = "Wants")]
+#[schemars(rename = "Wants", extend("minProperties" = 1))]
 #[serde(deny_unknown_fields, expecting = "an object with `table`, `fit` or both")]
 struct WantsFile {
     /// A table of the albedo for the shader to look up.
@@ -103,6 +103,7 @@ struct FitFile {
     /// fails; default: no limit.
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, one fit each; default both.
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Maybe<List<Word<Norm>, 2>>,
     /// Also fit the average albedo E_avg(alpha); default false.
     average: Maybe<bool>,

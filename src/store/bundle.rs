@@ -1,13 +1,15 @@
 //! A set of files that belong together, with a manifest that is written last: what the manifest lists is complete.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::commit::Prepared;
 use super::disk::{Disk, Kind, TEMP_SUFFIX};
 use super::path::{inside, is_ours};
-use super::write::{folder_of, replace};
+use super::write::{folder_of, stage};
 use super::{LocalDisk, Operation, StoreError};
 
 /// Contents by path relative to the output folder, with `/`.
@@ -65,85 +67,112 @@ impl<D: Disk> Folder<D> {
         Ok(folder)
     }
 
-    /// Writes a set: removes what a broken-off write left, writes every file, removes those that only the old manifest
-    /// lists, and writes the manifest last. A set without a manifest leaves the old one and what it lists.
+    /// Writes a set. First every file whose bytes are new is written and synchronised beside its destination; an error up
+    /// to here changes nothing. Then the files are renamed one after the other, those that only the old manifest lists are
+    /// removed, and so are the folders that this leaves empty; the new manifest comes last, so that the old one lists what
+    /// is left to remove until nothing is. A set without a manifest leaves the old one and what it lists.
     pub fn write(&mut self, files: &Files) -> Result<Written, StoreError> {
         for name in files.keys() {
             if inside(&self.root, name).is_err() || !is_ours(name) {
                 return Err(StoreError::Outside { name: name.escape_debug().to_string(), writing: true });
             }
         }
-        self.create_root()?;
+        let mut created = Vec::new();
+        let prepared = self.prepare(files, &mut created);
+        let written = prepared.and_then(|prepared| prepared.commit(&self.disk, &self.root));
+        if written.is_err() {
+            self.withdraw(&created);
+        }
+        written
+    }
+
+    /// Everything that can be done before a destination changes. Folders are noted as they are created.
+    fn prepare(
+        &mut self,
+        files: &Files,
+        created: &mut Vec<PathBuf>,
+    ) -> Result<Prepared<D::Temp>, StoreError> {
+        self.create_root(created)?;
         if self.lock.is_none() {
             self.acquire()?;
         }
         self.sweep()?;
-        let mut done = Written::default();
-        for (name, bytes) in files.iter().filter(|(name, _)| *name != MANIFEST) {
-            self.put(name, bytes, &mut done)?;
+        let mut prepared = Prepared::default();
+        for (name, bytes) in files {
+            let path = inside(&self.root, name)?;
+            self.create_below(&path, created)?;
+            match stage(&self.disk, &path, bytes, BUNDLE_PREFIX)? {
+                Some(temp) => prepared.add(name, path, temp),
+                None => prepared.done.unchanged.push(name.clone()),
+            }
         }
-        if let Some(manifest) = files.get(MANIFEST) {
-            self.remove_stale(files, &mut done)?;
-            self.put(MANIFEST, manifest, &mut done)?;
+        if files.contains_key(MANIFEST) {
+            self.find_stale(files, &mut prepared)?;
         }
-        Ok(done)
+        Ok(prepared)
     }
 
-    fn put(&self, name: &str, bytes: &[u8], done: &mut Written) -> Result<(), StoreError> {
-        let path = inside(&self.root, name)?;
-        self.create_below(&path)?;
-        let list = if replace(&self.disk, &path, bytes, BUNDLE_PREFIX)? {
-            &mut done.written
-        } else {
-            &mut done.unchanged
-        };
-        list.push(name.to_owned());
-        Ok(())
+    /// Removes the folders that were created for a set that was not written, where they are empty. One that cannot be
+    /// removed stays: the error that is told is the one that came first.
+    fn withdraw(&mut self, created: &[PathBuf]) {
+        if created.contains(&self.root) {
+            self.lock = None;
+        }
+        for folder in created.iter().rev() {
+            let _ = self.disk.remove_folder(folder);
+        }
     }
 
     /// Whether there is a folder; anything else in its place is an error. The root itself may be a link to one.
     fn exists(&self, path: &Path) -> Result<bool, StoreError> {
         let in_the_way = |what| Err(StoreError::InTheWay { path: path.to_owned(), what });
-        match self.disk.look(path).map_err(StoreError::writing(path, Operation::Look))? {
+        match self.look(path)? {
             None => Ok(false),
             Some(Kind::Folder) => Ok(true),
-            Some(Kind::Other) if self.root.starts_with(path) => {
-                let through = path.join(".");
-                match self.disk.look(&through).map_err(StoreError::writing(path, Operation::Look))? {
-                    Some(Kind::Folder) => Ok(true),
-                    _ => in_the_way("a link or device"),
-                }
-            }
+            Some(Kind::Other) if self.root.starts_with(path) => match self.look(&path.join("."))? {
+                Some(Kind::Folder) => Ok(true),
+                _ => in_the_way("a link or device"),
+            },
             Some(Kind::Other) => in_the_way("a link or device"),
             Some(Kind::File) => in_the_way("a file"),
         }
     }
 
+    /// What is at a path; nothing where a file stands in the place of one of its folders.
+    fn look(&self, path: &Path) -> Result<Option<Kind>, StoreError> {
+        match self.disk.look(path) {
+            Err(e) if e.kind() == io::ErrorKind::NotADirectory => Ok(None),
+            other => other.map_err(StoreError::writing(path, Operation::Look)),
+        }
+    }
+
     /// Creates the root and the folders above it that are missing.
-    fn create_root(&self) -> Result<(), StoreError> {
+    fn create_root(&self, created: &mut Vec<PathBuf>) -> Result<(), StoreError> {
         let mut missing = Vec::new();
         let mut at = self.root.as_path();
         while !self.exists(at)? {
             missing.push(at);
             at = folder_of(at);
         }
-        missing.into_iter().rev().try_for_each(|folder| self.create(folder))
+        missing.into_iter().rev().try_for_each(|folder| self.create(folder, created))
     }
 
     /// Creates the folders between the root and a file that are missing; a link among them is an error, since it may
     /// lead out of the root.
-    fn create_below(&self, file: &Path) -> Result<(), StoreError> {
+    fn create_below(&self, file: &Path, created: &mut Vec<PathBuf>) -> Result<(), StoreError> {
         let folders: Vec<&Path> = file.ancestors().skip(1).take_while(|a| *a != self.root).collect();
         for folder in folders.into_iter().rev() {
             if !self.exists(folder)? {
-                self.create(folder)?;
+                self.create(folder, created)?;
             }
         }
         Ok(())
     }
 
-    fn create(&self, folder: &Path) -> Result<(), StoreError> {
-        self.disk.create_folder(folder).map_err(StoreError::writing(folder, Operation::CreateFolder))
+    fn create(&self, folder: &Path, created: &mut Vec<PathBuf>) -> Result<(), StoreError> {
+        self.disk.create_folder(folder).map_err(StoreError::writing(folder, Operation::CreateFolder))?;
+        created.push(folder.to_owned());
+        Ok(())
     }
 
     fn acquire(&mut self) -> Result<(), StoreError> {
@@ -207,39 +236,45 @@ impl<D: Disk> Folder<D> {
         listed(&bytes).map_err(|reason| StoreError::ForeignManifest { path, reason })
     }
 
-    /// Removes the regular files and links that the old manifest lists and the new set does not have. The old manifest
-    /// is not trusted: what does not lie in a folder of a bake, or is reached through a link, is left alone.
-    fn remove_stale(&self, files: &Files, done: &mut Written) -> Result<(), StoreError> {
+    /// Finds the regular files and links that the old manifest lists and the new set does not have, and the folders that
+    /// only they are in. The old manifest is not trusted: what does not lie in a folder of a bake, or is reached through a
+    /// link, is left alone.
+    fn find_stale(&self, files: &Files, prepared: &mut Prepared<D::Temp>) -> Result<(), StoreError> {
+        let mut left = BTreeSet::new();
         for name in self.old_manifest()?.into_iter().filter(|name| !files.contains_key(name)) {
             let path = match inside(&self.root, &name) {
                 Ok(path) if is_ours(&name) && self.real_folder(folder_of(&path))? => path,
                 _ => {
-                    done.ignored.push(name);
+                    prepared.done.ignored.push(name);
                     continue;
                 }
             };
-            match self.disk.look(&path).map_err(StoreError::writing(&path, Operation::Look))? {
+            left.extend(SUBFOLDERS.into_iter().filter(|folder| within(&name, folder)));
+            match self.look(&path)? {
                 None => {}
-                Some(Kind::Folder) => done.ignored.push(name),
-                Some(Kind::File | Kind::Other) => {
-                    self.disk.remove(&path).map_err(StoreError::writing(&path, Operation::Remove))?;
-                    done.removed.push(name);
-                }
+                Some(Kind::Folder) => prepared.done.ignored.push(name),
+                Some(Kind::File | Kind::Other) => prepared.stale.push((name, path)),
             }
         }
+        left.retain(|folder| !files.keys().any(|name| within(name, folder)));
+        prepared.left = left.into_iter().map(|folder| self.root.join(folder)).collect();
         Ok(())
     }
 
-    /// Whether a path below the root is a folder reached through folders only.
+    /// Whether a path below the root is reached through folders only, so far as it is there.
     fn real_folder(&self, path: &Path) -> Result<bool, StoreError> {
         for ancestor in path.ancestors().take_while(|a| *a != self.root) {
-            let kind = self.disk.look(ancestor).map_err(StoreError::writing(ancestor, Operation::Look))?;
-            if kind != Some(Kind::Folder) {
+            if !matches!(self.look(ancestor)?, Some(Kind::Folder) | None) {
                 return Ok(false);
             }
         }
         Ok(true)
     }
+}
+
+/// Whether a name lies in a folder.
+fn within(name: &str, folder: &str) -> bool {
+    name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
 }
 
 /// The files that a manifest lists: every string under a key `file`.

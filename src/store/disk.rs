@@ -18,7 +18,8 @@ pub enum Kind {
 pub trait Temp {
     /// Writes some of the bytes and says how many.
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize>;
-    /// Brings what was written to the disk.
+    /// Brings what was written to the disk. Nothing is written after it, and no handle need stay open: a set may have more
+    /// files than a process may hold.
     fn sync(&mut self) -> io::Result<()>;
     /// Takes the destination's place.
     fn rename(self, destination: &Path) -> io::Result<()>;
@@ -44,6 +45,8 @@ pub trait Disk {
     fn sync_folder(&self, path: &Path) -> io::Result<()>;
     /// Removes a file or a link, never what it points to.
     fn remove(&self, path: &Path) -> io::Result<()>;
+    /// Removes an empty folder.
+    fn remove_folder(&self, path: &Path) -> io::Result<()>;
     /// Locks a folder; `None` where another process holds it.
     fn lock(&self, folder: &Path) -> io::Result<Option<Self::Lock>>;
 }

@@ -11,7 +11,7 @@ pub enum Operation {
     Read,
     /// Listing a folder.
     List,
-    /// Looking at what is at a path.
+    /// Finding out what is at a path.
     Look,
     /// Creating a folder.
     CreateFolder,
@@ -35,9 +35,9 @@ impl Operation {
         match self {
             Operation::Read => "read",
             Operation::List => "list the folder",
-            Operation::Look => "look at",
+            Operation::Look => "access",
             Operation::CreateFolder => "create the folder",
-            Operation::CreateTemp => "create a file in",
+            Operation::CreateTemp => "create a file in this folder",
             Operation::Write => "write",
             Operation::Sync => "synchronise",
             Operation::Rename => "rename the new file to",

@@ -11,22 +11,30 @@ use super::disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LocalDisk;
 
-impl Temp for tempfile::NamedTempFile {
+/// A temporary file of the machine; its handle is closed once it is synchronised.
+#[derive(Debug)]
+pub struct LocalTemp {
+    file: Option<File>,
+    pub(super) path: tempfile::TempPath,
+}
+
+impl Temp for LocalTemp {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.as_file_mut().write(bytes)
+        let closed = || io::Error::other("the temporary file was synchronised already");
+        self.file.as_mut().ok_or_else(closed)?.write(bytes)
     }
 
     fn sync(&mut self) -> io::Result<()> {
-        self.as_file().sync_all()
+        self.file.take().map_or(Ok(()), |file| file.sync_all())
     }
 
     fn rename(self, destination: &Path) -> io::Result<()> {
-        self.persist(destination).map(drop).map_err(|e| e.error)
+        self.path.persist(destination).map_err(|e| e.error)
     }
 }
 
 impl Disk for LocalDisk {
-    type Temp = tempfile::NamedTempFile;
+    type Temp = LocalTemp;
     type Lock = File;
 
     fn look(&self, path: &Path) -> io::Result<Option<Kind>> {
@@ -57,11 +65,12 @@ impl Disk for LocalDisk {
         fs::create_dir(path)
     }
 
-    fn create_temp(&self, folder: &Path, prefix: &str) -> io::Result<tempfile::NamedTempFile> {
+    fn create_temp(&self, folder: &Path, prefix: &str) -> io::Result<LocalTemp> {
         let mut builder = tempfile::Builder::new();
         builder.prefix(prefix).suffix(TEMP_SUFFIX);
         readable_by_all(&mut builder);
-        builder.tempfile_in(folder)
+        let (file, path) = builder.tempfile_in(folder).map_err(bare)?.into_parts();
+        Ok(LocalTemp { file: Some(file), path })
     }
 
     fn sync_folder(&self, path: &Path) -> io::Result<()> {
@@ -73,6 +82,10 @@ impl Disk for LocalDisk {
         fs::remove_file(path)
     }
 
+    fn remove_folder(&self, path: &Path) -> io::Result<()> {
+        fs::remove_dir(path)
+    }
+
     fn lock(&self, folder: &Path) -> io::Result<Option<File>> {
         let handle = lockable(folder)?;
         match handle.try_lock() {
@@ -82,6 +95,15 @@ impl Disk for LocalDisk {
             Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => Ok(Some(handle)),
             Err(TryLockError::Error(e)) => Err(e),
         }
+    }
+}
+
+/// What the system said, without the random path that tempfile adds to it.
+fn bare(error: io::Error) -> io::Error {
+    let text = error.to_string();
+    match text.rsplit_once(" at path ") {
+        Some((said, _)) => io::Error::new(error.kind(), said.to_owned()),
+        None => error,
     }
 }
 

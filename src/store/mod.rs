@@ -2,10 +2,12 @@
 //! is written last.
 //!
 //! A file is written as a temporary file beside its destination, synchronised, renamed over it, and the folder is
-//! synchronised: at every moment the destination holds its old bytes or its new ones. The operations go through the
-//! trait [`Disk`], so that tests can let each of them fail.
+//! synchronised: at every moment the destination holds its old bytes or its new ones. Of a set, every temporary file is
+//! on the disk before the first is renamed, so that a disk that is full tears no set. The operations go through the trait
+//! [`Disk`], so that tests can let each of them fail.
 
 mod bundle;
+mod commit;
 mod disk;
 mod error;
 mod local;
@@ -18,7 +20,7 @@ mod write;
 pub use bundle::{Files, Folder, MANIFEST, SUBFOLDERS, Written};
 pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
-pub use local::LocalDisk;
+pub use local::{LocalDisk, LocalTemp};
 pub use path::inside;
-pub use read::{Entry, list, read, read_set, read_stream};
+pub use read::{Entry, is_folder, list, read, read_set, read_stream};
 pub use write::write;

@@ -59,6 +59,15 @@ pub fn list(root: &Path, folder: &str) -> Result<Vec<Entry>, StoreError> {
     Ok(found)
 }
 
+/// Whether a folder, or a link to one, is there.
+pub fn is_folder(path: &Path) -> Result<bool, StoreError> {
+    match LocalDisk.look(&path.join(".")) {
+        Ok(kind) => Ok(kind == Some(Kind::Folder)),
+        Err(e) if e.kind() == io::ErrorKind::NotADirectory => Ok(false),
+        Err(e) => Err(StoreError::reading(path, Operation::Look)(e)),
+    }
+}
+
 /// What is at a path; nothing where a file stands in the place of one of its folders.
 fn look(path: &Path) -> Result<Option<Kind>, StoreError> {
     match LocalDisk.look(path) {

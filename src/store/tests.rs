@@ -23,9 +23,15 @@ enum Fault {
 struct Countdown {
     left: Cell<i64>,
     fault: Fault,
+    /// Files renamed to their destinations.
+    renamed: Cell<usize>,
 }
 
 impl Countdown {
+    fn new(left: i64, fault: Fault) -> Rc<Countdown> {
+        Rc::new(Countdown { left: Cell::new(left), fault, renamed: Cell::new(0) })
+    }
+
     /// Counts an operation; an error if it is the one, or if the process is gone.
     fn step(&self) -> io::Result<()> {
         self.left.set(self.left.get() - 1);
@@ -45,14 +51,14 @@ impl Countdown {
 struct FaultyDisk(Rc<Countdown>);
 
 struct FaultyTemp {
-    inner: Option<tempfile::NamedTempFile>,
+    inner: Option<LocalTemp>,
     count: Rc<Countdown>,
 }
 
 impl Drop for FaultyTemp {
     fn drop(&mut self) {
         if let Some(inner) = self.inner.take().filter(|_| self.count.killed()) {
-            inner.keep().expect("a killed process leaves its temporary files");
+            inner.path.keep().expect("a killed process leaves its temporary files");
         }
     }
 }
@@ -77,6 +83,7 @@ impl Temp for FaultyTemp {
 
     fn rename(mut self, destination: &Path) -> io::Result<()> {
         self.count.step()?;
+        self.count.renamed.set(self.count.renamed.get() + 1);
         Temp::rename(self.inner.take().expect("not renamed yet"), destination)
     }
 }
@@ -113,6 +120,10 @@ impl Disk for FaultyDisk {
     fn remove(&self, path: &Path) -> io::Result<()> {
         self.0.step()?;
         LocalDisk.remove(path)
+    }
+    fn remove_folder(&self, path: &Path) -> io::Result<()> {
+        self.0.step()?;
+        LocalDisk.remove_folder(path)
     }
     fn lock(&self, folder: &Path) -> io::Result<Option<std::fs::File>> {
         self.0.step()?;
@@ -156,17 +167,39 @@ fn write_all(root: &Path, files: &Files) -> Written {
     Folder::open(root).unwrap().write(files).unwrap()
 }
 
+/// A set without tables.
+fn narrow_set() -> Files {
+    set(&[
+        ("fits/a.wgsl", "narrow fit"),
+        ("manifest.json", r#"{"tables":[],"includes":[{"file":"fits/a.wgsl"}]}"#),
+    ])
+}
+
 /// Old or new bytes everywhere; once the manifest is new, everything is.
-fn assert_whole(root: &Path, context: &str) {
-    let (old, new) = (old_set(), new_set());
+fn assert_whole(root: &Path, new: &Files, context: &str) {
+    let old = old_set();
     let found: Files =
         everything(root).into_iter().filter(|(name, _)| !name.contains(".lobefit-set-")).collect();
     for (name, bytes) in &found {
         assert!(Some(bytes) == old.get(name) || Some(bytes) == new.get(name), "{context}: {name} is torn");
     }
     if found.get(MANIFEST) == new.get(MANIFEST) {
-        assert_eq!(found, new, "{context}: the manifest was written too early");
+        assert_eq!(&found, new, "{context}: the manifest was written too early");
     }
+}
+
+/// Names in a folder, sorted.
+fn names(folder: &Path) -> Vec<OsString> {
+    LocalDisk.list(folder).unwrap()
+}
+
+/// Nothing but the set: no temporary file, no folder that it does not use.
+fn assert_only(root: &Path, files: &Files, context: &str) {
+    assert_eq!(&everything(root), files, "{context}");
+    let mut tops: Vec<&str> = files.keys().filter_map(|name| name.split('/').next()).collect();
+    tops.sort();
+    tops.dedup();
+    assert_eq!(names(root), tops, "{context}");
 }
 
 #[test]
@@ -174,34 +207,80 @@ fn a_fault_at_any_operation_leaves_old_or_new_and_the_next_run_is_clean() {
     use io::ErrorKind::{CrossesDevices, Other, PermissionDenied, StorageFull};
     let faults = [Other, StorageFull, PermissionDenied, CrossesDevices].map(Fault::Error);
     for fault in faults.into_iter().chain([Fault::Kill]) {
-        let mut completed = false;
-        for k in 1..500 {
-            let folder = tempfile::tempdir().unwrap();
-            let root = folder.path();
-            write_all(root, &old_set());
-            let disk = FaultyDisk(Rc::new(Countdown { left: Cell::new(k), fault }));
-            let result = Folder::open_on(disk, root).and_then(|mut f| f.write(&new_set()));
-            let context = format!("{fault:?} at operation {k}");
-            assert_whole(root, &context);
-            if let Err(error) = &result {
-                assert!(error.is_write(), "{context}");
-                assert!(error.to_string().contains(root.to_str().unwrap()), "{context}: {error}");
-            }
-            write_all(root, &new_set());
-            assert_eq!(everything(root), new_set(), "{context}");
-            if result.is_ok() {
-                completed = true;
-                break;
+        faults_at_every_operation(fault, &new_set());
+    }
+    for fault in [Fault::Error(StorageFull), Fault::Kill] {
+        faults_at_every_operation(fault, &narrow_set());
+    }
+}
+
+fn faults_at_every_operation(fault: Fault, new: &Files) {
+    for k in 1..500 {
+        let folder = tempfile::tempdir().unwrap();
+        let root = folder.path();
+        write_all(root, &old_set());
+        let count = Countdown::new(k, fault);
+        let result = Folder::open_on(FaultyDisk(Rc::clone(&count)), root).and_then(|mut f| f.write(new));
+        let context = format!("{fault:?} at operation {k}");
+        assert_whole(root, new, &context);
+        if let Err(error) = &result {
+            assert!(error.is_write(), "{context}");
+            assert!(error.to_string().contains(root.to_str().unwrap()), "{context}: {error}");
+            if count.renamed.get() == 0 && fault != Fault::Kill {
+                assert_only(root, &old_set(), &context);
+            } else if count.renamed.get() == 0 {
+                let mut found = everything(root);
+                found.retain(|name, _| !name.contains(".lobefit-set-"));
+                assert_eq!(found, old_set(), "{context}");
             }
         }
-        assert!(completed, "{fault:?}: never ran through");
+        write_all(root, new);
+        assert_only(root, new, &context);
+        if result.is_ok() {
+            return;
+        }
     }
+    panic!("{fault:?}: never ran through");
+}
+
+#[test]
+fn a_set_that_fails_leaves_no_new_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path().join("a/b");
+    for k in 1..500 {
+        let count = Countdown::new(k, Fault::Error(io::ErrorKind::StorageFull));
+        let result =
+            Folder::open_on(FaultyDisk(Rc::clone(&count)), &root).and_then(|mut f| f.write(&new_set()));
+        if result.is_ok() {
+            return assert_only(&root, &new_set(), "written");
+        }
+        if count.renamed.get() > 0 {
+            std::fs::remove_dir_all(folder.path().join("a")).unwrap();
+        }
+        assert!(names(folder.path()).is_empty(), "operation {k}");
+    }
+    panic!("never ran through");
+}
+
+#[test]
+fn folders_left_empty_are_removed_and_others_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let root = folder.path();
+    write_all(root, &old_set());
+    std::fs::create_dir(root.join("reports")).unwrap();
+    let done = write_all(root, &narrow_set());
+    assert_eq!(done.removed, ["tables/gone.exr", "tables/t.exr"]);
+    assert_eq!(names(root), ["fits", "manifest.json", "reports"], "reports was not ours to remove");
+    write_all(root, &old_set());
+    std::fs::write(root.join("tables/mine.txt"), "mine").unwrap();
+    write_all(root, &narrow_set());
+    assert_eq!(names(&root.join("tables")), ["mine.txt"]);
 }
 
 #[test]
 fn short_and_interrupted_writes_are_carried_on() {
     let folder = tempfile::tempdir().unwrap();
-    let disk = FaultyDisk(Rc::new(Countdown { left: Cell::new(1000), fault: Fault::Interrupted }));
+    let disk = FaultyDisk(Countdown::new(1000, Fault::Interrupted));
     Folder::open_on(disk, folder.path()).unwrap().write(&new_set()).unwrap();
     assert_eq!(everything(folder.path()), new_set());
 }

@@ -16,23 +16,31 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
 }
 
 /// [`write`] on any disk. The destination's folder must be there.
-pub(super) fn replace<D: Disk>(
+fn replace<D: Disk>(disk: &D, path: &Path, bytes: &[u8], prefix: &str) -> Result<bool, StoreError> {
+    let Some(temp) = stage(disk, path, bytes, prefix)? else { return Ok(false) };
+    temp.rename(path).map_err(StoreError::writing(path, Operation::Rename))?;
+    let folder = folder_of(path);
+    disk.sync_folder(folder).map_err(StoreError::writing(folder, Operation::Sync))?;
+    Ok(true)
+}
+
+/// The bytes in a temporary file beside their destination, on the disk and ready to be renamed; none where the destination
+/// holds them already.
+pub(super) fn stage<D: Disk>(
     disk: &D,
     path: &Path,
     bytes: &[u8],
     prefix: &str,
-) -> Result<bool, StoreError> {
+) -> Result<Option<D::Temp>, StoreError> {
     if holds(disk, path, bytes)? {
-        return Ok(false);
+        return Ok(None);
     }
     let folder = folder_of(path);
     let mut temp =
         disk.create_temp(folder, prefix).map_err(StoreError::writing(folder, Operation::CreateTemp))?;
     write_all(&mut temp, bytes).map_err(StoreError::writing(path, Operation::Write))?;
     temp.sync().map_err(StoreError::writing(path, Operation::Sync))?;
-    temp.rename(path).map_err(StoreError::writing(path, Operation::Rename))?;
-    disk.sync_folder(folder).map_err(StoreError::writing(folder, Operation::Sync))?;
-    Ok(true)
+    Ok(Some(temp))
 }
 
 /// Whether a regular file at the path holds exactly these bytes; a folder in its place is an error.

@@ -87,14 +87,14 @@ pub(super) fn check(alpha: [f64; 2], mu: f64, phi: Option<f64>) -> Result<(), In
     let inside = |a: f64| (ALPHA[0]..=ALPHA[1]).contains(&a);
     for (input, value) in [("alpha_x", alpha[0]), ("alpha_y", alpha[1])] {
         if !(inside(value) || alpha == [0.0, 0.0]) {
-            return refuse(input, value, "[1e-4, 4] (or both alphas 0)");
+            return refuse(input, value, "is not in [1e-4, 4] (or both alphas 0)");
         }
     }
     if !(0.0..=1.0).contains(&mu) {
-        return refuse("mu", mu, "[0, 1]");
+        return refuse("mu", mu, "is outside [0, 1]");
     }
     match phi {
-        Some(phi) if !phi.is_finite() => refuse("phi", phi, "the finite numbers"),
+        Some(phi) if !phi.is_finite() => refuse("phi", phi, "is not finite"),
         _ => Ok(()),
     }
 }

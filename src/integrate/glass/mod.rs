@@ -82,13 +82,13 @@ pub(super) fn check(alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError>
     let refuse =
         |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
     if !(alpha == 0.0 || (ALPHA[0]..=ALPHA[1]).contains(&alpha)) {
-        return refuse("alpha", alpha, "0 or [1e-4, 1]");
+        return refuse("alpha", alpha, "is neither 0 nor in [1e-4, 1]");
     }
     if !(SMALLEST_MU..=1.0).contains(&mu) {
-        return refuse("mu", mu, "[1e-6, 1]");
+        return refuse("mu", mu, "is outside [1e-6, 1]");
     }
     if !(1.0..=LARGEST_IOR).contains(&ior) {
-        return refuse("ior", ior, "[1, 4]");
+        return refuse("ior", ior, "is outside [1, 4]");
     }
     Ok(())
 }

@@ -18,10 +18,7 @@ pub fn aniso(
     run: Run,
 ) -> Result<[Sampled; 2], IntegrateError> {
     check_aniso(alpha, mu, phi)?;
-    check_positive(
-        "ggx-reflection-aniso by Monte Carlo",
-        &[("alpha_x", alpha[0]), ("alpha_y", alpha[1]), ("mu", mu)],
-    )?;
+    check_positive("ggx-reflection-aniso", &[("alpha_x", alpha[0]), ("alpha_y", alpha[1]), ("mu", mu)])?;
     check_samples(run)?;
     let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
     let means = replicas(run, |x| {
@@ -47,7 +44,7 @@ pub fn glass(
     run: Run,
 ) -> Result<[Sampled; 3], IntegrateError> {
     check_glass(alpha, mu, ior)?;
-    check_positive("ggx-glass by Monte Carlo", &[("alpha", alpha)])?;
+    check_positive("ggx-glass", &[("alpha", alpha)])?;
     check_samples(run)?;
     let eta = match side {
         Side::Outside => 1.0 / ior,
@@ -105,7 +102,7 @@ fn shadowing(smith: Smith, alpha: [f64; 2], view: Vec3, light: Vec3) -> (f64, f6
 }
 
 fn check_positive(quantity: &'static str, inputs: &[(&'static str, f64)]) -> Result<(), IntegrateError> {
-    let domain = "(0, 1]: the limit cannot be sampled";
+    let domain = "is a limit that Monte Carlo cannot sample; use quadrature";
     match inputs.iter().find(|(_, value)| *value == 0.0) {
         None => Ok(()),
         Some((input, value)) => Err(IntegrateError::Domain { quantity, input, value: *value, domain }),

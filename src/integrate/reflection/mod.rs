@@ -133,10 +133,10 @@ pub(in crate::integrate) fn check_inputs(
 ) -> Result<(), IntegrateError> {
     let refuse = |input, value, domain| Err(IntegrateError::Domain { quantity, input, value, domain });
     if !(alpha == 0.0 || (SMALLEST_ALPHA..=1.0).contains(&alpha)) {
-        return refuse("alpha", alpha, "0 or [1e-7, 1]");
+        return refuse("alpha", alpha, "is neither 0 nor in [1e-7, 1]");
     }
     if !(0.0..=1.0).contains(&mu) {
-        return refuse("mu", mu, "[0, 1]");
+        return refuse("mu", mu, "is outside [0, 1]");
     }
     Ok(())
 }
