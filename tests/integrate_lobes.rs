@@ -147,9 +147,9 @@ fn monte_carlo_agrees_with_glass() {
 /// ior = 1 lets everything that is not masked straight through, R = 0: T = G2/G1.
 #[test]
 fn glass_of_index_one_is_a_masked_nothing() {
-    for (alpha, mu) in [(1.0, 0.2), (0.3, 0.7), (0.01, 0.05), (1.0, 1.0)] {
+    for (alpha, mu) in [(1.0_f64, 0.2), (0.3, 0.7), (0.01, 0.05), (1.0, 1.0)] {
         let tan2 = alpha * alpha * (1.0 - mu * mu) / (mu * mu);
-        let lambda = 0.5 * ((1.0 + tan2 as f64).sqrt() - 1.0);
+        let lambda = 0.5 * ((1.0 + tan2).sqrt() - 1.0);
         for side in SIDES {
             let correlated = glass(Smith::Correlated, alpha, mu, 1.0, side, 1e-10).expect("in the domain");
             let exact = (1.0 + lambda) / (1.0 + 2.0 * lambda);

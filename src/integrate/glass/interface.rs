@@ -116,7 +116,7 @@ mod tests {
         for ior in [1.0001, 1.02, 1.5, 2.5] {
             let (there, back) = (Interface::new(ior, Side::Outside), Interface::new(ior, Side::Inside));
             for c in [1.0, 0.9, 0.5, 0.1] {
-                let s = ((1.0 - c) * (1.0 + c) as f64).sqrt();
+                let s = ((1.0_f64 - c) * (1.0 + c)).sqrt();
                 let facet = there.facet(c, s);
                 let [cos_d, sin_d] = facet.deviation;
                 assert!((cos_d * cos_d + sin_d * sin_d - 1.0).abs() < 1e-14);

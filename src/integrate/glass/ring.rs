@@ -114,7 +114,7 @@ impl<'a> Ring<'a> {
         });
         let taken = rule.panels(&cuts, &|v| {
             self.along(v, |half| {
-                let mu_l = height.at(half).max(0.0).min(1.0);
+                let mu_l = height.at(half).clamp(0.0, 1.0);
                 let s_l = ggx::stretched_length(view.alpha, mu_l);
                 let spread = view.alpha * view.alpha * ((1.0 - mu_l) * (1.0 + mu_l));
                 ggx::shadowed_over_cosine(view.smith, view.mu, view.s_v, mu_l, s_l, spread)
