@@ -218,3 +218,45 @@ fn monte_carlo_is_reproducible_and_agrees_within_its_error() {
     let errors = |csv: &str| appended(csv, 5).iter().map(|row| row[4]).sum::<f64>();
     assert!(errors(&sampled("1048576", "0", points)) < errors(&first), "more samples, smaller error");
 }
+
+/// Equal alphas are the isotropic lobe at any azimuth and in the mean; the azimuth's column may be absent.
+#[test]
+fn anisotropy_contains_the_isotropic_lobe() {
+    let isotropic = appended(&eval("ggx-reflection", &[], "alpha,mu\n0.3,0.5\n"), 5);
+    let at = eval("ggx-reflection-aniso", &[], "phi,alpha_x,mu,alpha_y\n0.7,0.3,0.5,0.3\n");
+    assert!(at.starts_with("phi,alpha_x,mu,alpha_y,E,loss,error\n"), "{at}");
+    let mean = eval("ggx-reflection-aniso", &[], "alpha_x,alpha_y,mu\n0.3,0.3,0.5\n");
+    for csv in [at, mean] {
+        let row = &appended(&csv, 3)[0];
+        assert!(
+            (row[0] - isotropic[0][0]).abs() < 1e-11 && (row[1] - isotropic[0][3]).abs() < 1e-11,
+            "{csv}"
+        );
+    }
+}
+
+/// Smooth glass is Fresnel's; the side is a word; Monte Carlo agrees within its error.
+#[test]
+fn glass_is_seen_from_a_named_side() {
+    let points =
+        "alpha,mu,ior,side\n0,1,1.5,outside\n0,0.1,1.5,inside\n0.3,0.5,1.5,inside\n0.3,0.5,1,outside\n";
+    let csv = eval("ggx-glass", &[], points);
+    assert!(csv.starts_with("alpha,mu,ior,side,R,T,E,loss,error\n"), "{csv}");
+    let rows = appended(&csv, 5);
+    assert!((rows[0][0] - 0.04).abs() < 1e-15 && rows[1][0] == 1.0, "{csv}");
+    assert!(rows[3][0] == 0.0 && rows.iter().all(|r| (r[2] + r[3] - 1.0).abs() < 1e-12), "{csv}");
+    let options = ["--method", "monte-carlo", "--samples", "65536", "--seed", "0"];
+    let sampled = appended(&eval("ggx-glass", &options, "alpha,mu,ior,side\n0.3,0.5,1.5,inside\n"), 5);
+    for column in 0..4 {
+        assert!((sampled[0][column] - rows[2][column]).abs() <= sampled[0][4], "{sampled:?} {:?}", rows[2]);
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let wrong = "alpha,mu,ior,side\n0.3,0.5,1.5,above\n";
+    let output = lobefit(folder.path(), &["eval", "ggx-glass", "--points", "-"], wrong.as_bytes());
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).contains("column `side`: `above` is not one of outside, inside"),
+        "{}",
+        stderr(&output)
+    );
+}

@@ -57,7 +57,10 @@ fn messages_name_the_option_and_what_it_takes() {
     for (arguments, expected) in [
         (&["bake", "--threads", "0"][..], "a whole number from 1 to 256"),
         (&["bake", "--only", "reflections"], "the effects are reflection, anisotropy"),
-        (&["eval", "no-such", "--points", "-"], "the quantities are ggx-reflection, ggx-average"),
+        (
+            &["eval", "no-such", "--points", "-"],
+            "the quantities are ggx-reflection, ggx-reflection-aniso, ggx-average, ggx-glass",
+        ),
         (&["eval", "ggx-average", "--points", "-", "--seed", "1"], "--method monte-carlo"),
         (&["plan", "no-such.json"], "error: no-such.json: cannot read: "),
     ] {

@@ -17,7 +17,9 @@ fn spec() -> FitSpec {
 #[test]
 fn bars() {
     let fits = fit_all(&spec(), &Counter::default()).expect("fits");
-    assert!(fits.dropped.is_empty(), "{:?}", fits.dropped);
+    // 20 operations and 2 more to saturate are too many: said, not hidden.
+    let dropped: Vec<&str> = fits.dropped.iter().map(|d| d.hypothesis.as_str()).collect();
+    assert_eq!(dropped, ["ggx_norm_q20_saturating"], "{:?}", fits.dropped);
     let fits = fits.fits;
     let named = |name: &str| -> &Fit {
         fits.iter().find(|f| f.approximation.name == name).unwrap_or_else(|| panic!("no {name}"))
