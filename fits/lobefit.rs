@@ -8,6 +8,7 @@
 //! Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;
 //! sin, cos, log2 4; log 5.
 
+// An engine uses some of these functions, not all.
 #![allow(dead_code)]
 
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.

@@ -6,6 +6,7 @@ use selection::{Selected, selected};
 
 use super::BakeError;
 use super::context::Context;
+use super::fits::region as region_of_fit;
 use super::pictures::{Grid, averages};
 use super::tables::BakedTable;
 use crate::data::{Place, Serves, Smith, Use};
@@ -36,7 +37,7 @@ pub fn findings(
     let mut furnace = None;
     let mut fit_findings = Vec::new();
     if let Some(job) = &plan.fit {
-        let region = Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map };
+        let region = region_of_fit(job);
         let map = Grid::map(job.smith, &region, false, context);
         let curves = Grid::curves(job.smith, &region, context);
         truths.push(map.albedo());
@@ -81,11 +82,7 @@ fn left_out(plan: &Plan, dropped: &[Dropped]) -> Vec<LeftOut> {
 }
 
 fn region_of_furnace(plan: &Plan, tables: &[BakedTable]) -> Option<Region> {
-    let of_fit = plan.fit.as_ref().map(|job| Region {
-        roughness: job.roughness,
-        mu: job.mu,
-        alpha_map: job.alpha_map,
-    });
+    let of_fit = plan.fit.as_ref().map(region_of_fit);
     of_fit.or_else(|| tables.first().map(|t| t.region))
 }
 

@@ -15,7 +15,7 @@ pub fn bake_fits(
     context.progress.stage("fits");
     let spec = FitSpec {
         smith: job.smith,
-        region: Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map },
+        region: region(job),
         max_ops: job.max_ops,
         norms: job.norms.clone(),
         average: job.average,
@@ -26,6 +26,11 @@ pub fn bake_fits(
         context.broken.extend(unkept(promise, &set.fits));
     }
     Ok(set)
+}
+
+/// Where the fits of a job must hold.
+pub fn region(job: &FitJob) -> Region {
+    Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map }
 }
 
 /// A sentence where no emitted normalisation of at most so many operations is within the promised error.

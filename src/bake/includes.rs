@@ -61,8 +61,7 @@ fn opening(mark: &str, lobe: (Smith, AlphaMap), context: &Context) -> String {
     );
     let mut text = comment(mark, &lines);
     if mark == "//!" {
-        // An engine uses some of these functions, not all.
-        text += "\n#![allow(dead_code)]\n";
+        text += "\n// An engine uses some of these functions, not all.\n#![allow(dead_code)]\n";
     }
     text
 }

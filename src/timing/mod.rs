@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use crate::bake::{BakeError, Baked};
 use crate::data::{AlphaMap, Approximation, Smith, Source};
-use crate::effects::reflection::{Fit, Lookup, POINTS, PointSet, Region, certification};
-use crate::integrate::monte_carlo::{self, Draw, Points, Run};
+use crate::effects::reflection::{Fit, Lookup, POINTS, PointSet, Region, SAMPLERS, certification};
+use crate::integrate::monte_carlo::{self, Run};
 use crate::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
 use crate::integrate::{IntegrateError, PanelRule};
 use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
@@ -62,11 +62,7 @@ fn seconds(mut work: impl FnMut()) -> f64 {
 fn point(smith: Smith, name: &str, alpha: f64, mu: f64) -> Result<TimedPoint, IntegrateError> {
     let truth = reflection(smith, alpha, mu, TOLERANCE)?.e;
     let mut series = Vec::new();
-    for (name, points, draw) in [
-        ("Monte Carlo, uniform lights", Points::Random, Draw::UniformLight),
-        ("Monte Carlo, visible normals", Points::Random, Draw::VisibleNormal),
-        ("scrambled Sobol, visible normals", Points::Sobol, Draw::VisibleNormal),
-    ] {
+    for (name, points, draw) in SAMPLERS {
         let mut one = TimedSeries { name: name.into(), seconds: Vec::new(), error: Vec::new() };
         for log2 in (8..=LOG2_SAMPLES).step_by(2) {
             let run = Run { samples: 1 << log2, seed: 1, points, draw };

@@ -49,6 +49,13 @@ pub struct Sources {
 /// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the sources' running sum is at its worst.
 pub const POINTS: [(&str, f64, f64); 2] = [("easy", 0.5, 0.7), ("hard", 0.016, 0.11)];
 
+/// The integrators that sample: name, point set, what is drawn.
+pub const SAMPLERS: [(&str, Points, Draw); 3] = [
+    ("Monte Carlo, uniform lights", Points::Random, Draw::UniformLight),
+    ("Monte Carlo, visible normals", Points::Random, Draw::VisibleNormal),
+    ("scrambled Sobol, visible normals", Points::Sobol, Draw::VisibleNormal),
+];
+
 /// Largest power of two of samples drawn.
 const LOG2_SAMPLES: u32 = 17;
 
@@ -64,11 +71,7 @@ pub fn studies(smith: Smith) -> Result<Vec<Study>, IntegrateError> {
     let study = |(name, alpha, mu): (&'static str, f64, f64)| -> Result<Study, IntegrateError> {
         let truth = reflection(smith, alpha, mu, TOLERANCE)?.e;
         let mut series = Vec::new();
-        for (name, points, draw) in [
-            ("Monte Carlo, uniform lights", Points::Random, Draw::UniformLight),
-            ("Monte Carlo, visible normals", Points::Random, Draw::VisibleNormal),
-            ("scrambled Sobol, visible normals", Points::Sobol, Draw::VisibleNormal),
-        ] {
+        for (name, points, draw) in SAMPLERS {
             series.push(Series { name, points: sampled(smith, alpha, mu, points, draw)? });
         }
         series.extend(quadrature(smith, alpha, mu, truth));

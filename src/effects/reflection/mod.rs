@@ -12,7 +12,7 @@ mod region;
 mod samples;
 mod table;
 
-pub use accuracy::{POINTS, Series, Sources, Study, studies};
+pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{catalogue_names, catalogue_sources};
 pub use decode::{decode, lookup_ops};
 pub use field::{Counter, Field, TRUTH_ERROR};

@@ -45,6 +45,7 @@ fn print_function(formula: &Formula, function: &Function, names: &Names, index: 
         out.push_str("#[allow(non_snake_case)]\n");
     }
     if function.body.iter().any(has_var) {
+        // A `var` keeps its initial value as written, also where every branch then assigns another: printed as it stands.
         out.push_str("#[allow(unused_assignments)]\n");
     }
     let kind = |kind: Kind| if kind == Kind::Number { "f32" } else { "bool" };
