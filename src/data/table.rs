@@ -41,16 +41,16 @@ impl TexelFormat {
     }
 }
 
-/// One channel: its name in the file and its texels, row by row (first axis fastest).
+/// One channel: its name in the file and its texels, the first axis fastest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
     /// Name in the file.
     pub name: String,
-    /// `axes[0].size * axes[1].size` values.
+    /// As many values as the product of the axes' sizes.
     pub texels: Vec<f64>,
 }
 
-/// A two-dimensional table: columns along `axes[0]`, rows along `axes[1]`.
+/// A table of two or three dimensions: columns along `axes[0]`, rows along `axes[1]`, slices along `axes[2]` where there is one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Name, `ggx-dfg-...`.
@@ -61,8 +61,8 @@ pub struct Table {
     pub smith: Smith,
     /// How roughness becomes alpha on its roughness axis.
     pub alpha_map: AlphaMap,
-    /// Columns, then rows.
-    pub axes: [Axis; 2],
+    /// Columns, rows, and slices where there are any.
+    pub axes: Vec<Axis>,
     /// Channels, all of the same size.
     pub channels: Vec<Channel>,
     /// How a texel is stored.
@@ -85,17 +85,23 @@ pub enum TableError {
         /// Texels called for.
         expected: usize,
     },
+    /// Neither two nor three axes, or an axis without texels.
+    #[error("table {table}: it has axes of sizes {sizes:?}; a table has two or three, none of them empty")]
+    Axes {
+        /// Table's name.
+        table: String,
+        /// Sizes of its axes.
+        sizes: Vec<usize>,
+    },
     /// A texel is NaN or infinite.
-    #[error("table {table}: channel {channel}, column {column}, row {row}: value {value} is not finite")]
+    #[error("table {table}: channel {channel}, texel {texel:?}: value {value} is not finite")]
     NotFinite {
         /// Table's name.
         table: String,
         /// Channel's name.
         channel: String,
-        /// Column of the texel.
-        column: usize,
-        /// Row of the texel.
-        row: usize,
+        /// Column, row and slice of the texel.
+        texel: [usize; 3],
         /// Its value.
         value: f64,
     },
@@ -104,27 +110,35 @@ pub enum TableError {
 impl Table {
     /// Checks that every channel has the axes' size and finite texels.
     pub fn validate(&self) -> Result<(), TableError> {
-        let (columns, rows) = (self.axes[0].size, self.axes[1].size);
+        let sizes: Vec<usize> = self.axes.iter().map(|a| a.size).collect();
+        if !(2..=3).contains(&sizes.len()) || sizes.contains(&0) {
+            return Err(TableError::Axes { table: self.name.clone(), sizes });
+        }
+        let [columns, rows, slices] = self.size();
         for channel in &self.channels {
-            if channel.texels.len() != columns * rows {
+            if channel.texels.len() != columns * rows * slices {
                 return Err(TableError::Shape {
                     table: self.name.clone(),
                     channel: channel.name.clone(),
                     found: channel.texels.len(),
-                    expected: columns * rows,
+                    expected: columns * rows * slices,
                 });
             }
             if let Some(i) = channel.texels.iter().position(|t| !t.is_finite()) {
                 return Err(TableError::NotFinite {
                     table: self.name.clone(),
                     channel: channel.name.clone(),
-                    column: i % columns,
-                    row: i / columns,
+                    texel: [i % columns, i / columns % rows, i / columns / rows],
                     value: channel.texels[i],
                 });
             }
         }
         Ok(())
+    }
+
+    /// Columns, rows and slices; one slice where there is no third axis.
+    pub fn size(&self) -> [usize; 3] {
+        [0, 1, 2].map(|k| self.axes.get(k).map_or(1, |axis| axis.size))
     }
 
     /// Bytes of all texels.

@@ -113,7 +113,7 @@ mod tests {
             quantity: "ggx-reflection".into(),
             smith: Smith::Correlated,
             alpha_map: AlphaMap::RoughnessSquared,
-            axes: [axis("mu", 4), axis("roughness", 3)],
+            axes: vec![axis("mu", 4), axis("roughness", 3)],
             channels: vec![channel("loss", |i| i / 7.0), channel("bias", |i| -i / 3.0)],
             format,
         }

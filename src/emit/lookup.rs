@@ -26,7 +26,7 @@ impl Readable<'_> {
     pub fn wgsl(&self) -> String {
         let (name, split) = (self.identifier(), self.serves == Serves::SplitSum);
         let mut text = comment("///", self.header);
-        let [x, y] = &self.table.axes;
+        let (x, y) = (&self.table.axes[0], &self.table.axes[1]);
         text += &format!("fn {name}_uv(roughness: f32, alpha: f32, mu: f32) -> vec2<f32> {{\n");
         text += &format!("    let u = {};\n    let v = {};\n", coordinate(x), coordinate(y));
         text += "    return vec2<f32>(u, v);\n}\n\n";
@@ -50,7 +50,7 @@ impl Readable<'_> {
     pub fn rust(&self) -> String {
         let (name, split) = (self.identifier(), self.serves == Serves::SplitSum);
         let mut text = comment("///", self.header);
-        let [x, y] = &self.table.axes;
+        let (x, y) = (&self.table.axes[0], &self.table.axes[1]);
         text += &format!("pub fn {name}_uv(roughness: f32, alpha: f32, mu: f32) -> [f32; 2] {{\n");
         if x.warp != Warp::Homogeneous {
             text += "    let _ = alpha;\n";

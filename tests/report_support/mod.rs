@@ -151,7 +151,7 @@ fn table(name: &str, size: usize) -> TableFinding {
             channel("E", texels(&albedo)),
             channel("B", texels(&|r, m| (1.0 - r) * ops::pow(1.0 - m, 5.0) * 0.8)),
         ],
-        axes,
+        axes: axes.to_vec(),
         errors: vec![
             ("integration (bound)".into(), ErrorFigure { max: 1e-7, rms: None, at: Default::default() }),
             ("quantisation of E".into(), figure(2.44e-4)),

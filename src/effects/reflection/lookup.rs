@@ -37,7 +37,7 @@ impl<'a> Lookup<'a> {
 
     /// E and B at a point, in the shader's arithmetic.
     pub fn at(&self, roughness: f32, alpha: f32, mu: f32) -> Split {
-        let [columns, rows] = &self.table.axes;
+        let (columns, rows) = (&self.table.axes[0], &self.table.axes[1]);
         let x = position(columns.texture_coordinate(mu, alpha), columns.size);
         let y = position(rows.texture_coordinate(roughness, alpha), rows.size);
         let first = self.fetch(0, x, y);

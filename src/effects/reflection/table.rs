@@ -64,7 +64,7 @@ pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, TableError> {
         quantity: "ggx-reflection".into(),
         smith: spec.smith,
         alpha_map: spec.alpha_map,
-        axes,
+        axes: axes.to_vec(),
         channels,
         format: spec.format,
     };

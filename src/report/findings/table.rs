@@ -19,7 +19,7 @@ pub struct TableFinding {
     /// How roughness becomes alpha.
     pub alpha_map: AlphaMap,
     /// Columns, then rows.
-    pub axes: [Axis; 2],
+    pub axes: Vec<Axis>,
     /// How a texel is stored.
     pub format: TexelFormat,
     /// Bytes of all texels.
