@@ -11,6 +11,8 @@
 // An engine uses some of these functions, not all.
 #![allow(dead_code)]
 
+// ---- reflection ----
+
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
 /// One operation, blind to the view direction.
 ///
@@ -639,6 +641,8 @@ pub fn ggx_dfg_correlated_64x64_split_sum_lookup(texels: &[[f32; 2]], roughness:
     let (c, d) = (at(column, row + down), at(column + right, row + down));
     ggx_dfg_correlated_64x64_split_sum_decode([bilinear(a[0], b[0], c[0], d[0], fx, fy), bilinear(a[1], b[1], c[1], d[1], fx, fy)], mu)
 }
+
+// ---- shared ----
 
 /// Texel before a position in texels, the step to the one after it, and the fraction between.
 fn cell(position: f32, size: usize) -> (usize, usize, f32) {

@@ -8,6 +8,8 @@
 // Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;
 // sin, cos, log2 4; log 5.
 
+// ---- reflection ----
+
 /// Furnace normalisation of the GGX reflection lobe, N with E N = 1.
 /// One operation, blind to the view direction.
 ///

@@ -1,6 +1,6 @@
 //! Same scene, same bytes, whatever the number of threads.
 
-use lobefit::bake::{Silent, bake};
+use lobefit::bake::{Selection, Silent, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit::store::Files;
@@ -8,7 +8,7 @@ use lobefit::store::Files;
 fn files(threads: usize) -> Files {
     let scene = Scene::built_in().expect("the built-in scene");
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-    pool.install(|| bake(&scene, &plan(&scene), &[], &Silent)).expect("a bake").files
+    pool.install(|| bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)).expect("a bake").files
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Only what the scene calls for: by files, by manifest and by the number of truths integrated.
 
-use lobefit::bake::{Baked, Silent, bake};
+use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use serde_json::Value;
@@ -8,7 +8,7 @@ use serde_json::Value;
 fn baked(materials: &str) -> Baked {
     let json = format!(r#"{{"schema_version": 1, "name": "test", "materials": [{materials}]}}"#);
     let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
-    bake(&scene, &plan(&scene), &[], &Silent).expect("a bake")
+    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
 }
 
 fn manifest(baked: &Baked) -> Value {
@@ -30,7 +30,7 @@ fn metal(roughness: &str, wants: &str) -> String {
 fn smooth_materials_call_for_nothing() {
     let baked = baked(&metal("0", TABLE));
     assert_eq!(baked.truths, 0, "nothing is integrated");
-    assert_eq!(names(&baked), ["manifest.json", "reports/figures.json", "reports/index.html"]);
+    assert_eq!(names(&baked), ["manifest.json", "reports/index.html"]);
     let manifest = manifest(&baked);
     let reflection =
         manifest["left_out"].as_array().expect("a list").iter().find(|l| l["effect"] == "reflection");

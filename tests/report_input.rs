@@ -12,7 +12,7 @@ type Spoil = Box<dyn FnOnce(&mut Findings)>;
 fn refused(spoil: impl FnOnce(&mut Findings)) -> String {
     let mut spoilt = findings();
     spoil(&mut spoilt);
-    match report::page(&spoilt) {
+    match report::page("reflection", &spoilt) {
         Ok(_) => "accepted".into(),
         Err(e) => e.to_string(),
     }
@@ -148,7 +148,7 @@ fn names_from_a_scene_cannot_leave_their_place() -> Result<(), Box<dyn std::erro
     furnace(&mut spoilt).rows[2].name = HOSTILE.into();
     spoilt.studies[0].name = HOSTILE.into();
     spoilt.studies[0].series[0].name = HOSTILE.into();
-    let files = report::page(&spoilt)?;
+    let files = report::page("reflection", &spoilt)?;
     let html = std::str::from_utf8(&files[0].bytes)?;
     assert!(!html.contains("<script"), "no markup from names");
     assert_eq!(html.matches("-->").count(), 1, "the header's comment ends once");
@@ -185,7 +185,7 @@ fn odd_but_legal_data_is_shown() -> Result<(), ReportError> {
         |_, _| 1e-30,
     );
     odd.tables[0].lookup_error.push(single);
-    let files = report::page(&odd)?;
+    let files = report::page("reflection", &odd)?;
     let html = String::from_utf8_lossy(&files[0].bytes).into_owned();
     assert!(html.contains("Exact, so not on a logarithmic axis: n_linear_max."));
     Ok(())

@@ -1,6 +1,6 @@
 //! Which fits of a bake get pictures, and that the page's words fit what was baked.
 
-use lobefit::bake::{Silent, UserHypothesis, bake};
+use lobefit::bake::{Selection, Silent, UserHypothesis, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use serde_json::Value;
@@ -14,9 +14,9 @@ fn report(wants: &str, hypotheses: &[UserHypothesis]) -> Result<(Value, String),
             {{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {wants}}}]}}"#
     );
     let scene = Scene::from_json(json.as_bytes(), "test.json")?;
-    let baked = bake(&scene, &plan(&scene), hypotheses, &Silent)?;
-    let page = String::from_utf8(baked.files["reports/index.html"].clone())?;
-    Ok((serde_json::from_slice(&baked.files["reports/figures.json"])?, page))
+    let baked = bake(&scene, &plan(&scene), hypotheses, Selection::default(), &Silent)?;
+    let page = String::from_utf8(baked.files["reports/reflection.html"].clone())?;
+    Ok((serde_json::from_slice(&baked.files["reports/reflection.json"])?, page))
 }
 
 fn list<'a>(findings: &'a Value, of: &str, field: &str) -> Vec<&'a str> {

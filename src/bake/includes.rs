@@ -1,111 +1,61 @@
-//! The include files: one per language, everything that the scene called for and nothing else.
+//! The include files: one per language, everything that the scene called for and nothing else. Each effect has a section of its
+//! own between marks, so that a bake of some effects can keep the sections of the others.
 
-use super::BakeError;
 use super::context::Context;
-use super::tables::BakedTable;
-use crate::data::{AlphaMap, Smith};
-use crate::effects::reflection::{Fit, decode};
-use crate::emit::lookup::{RUST_HELPERS, Readable, comment};
-use crate::emit::{code, header};
+use super::part::Part;
+use crate::emit::lookup::{RUST_HELPERS, comment};
+
+/// Languages with their files and comment marks (of the header, of a line).
+pub const LANGUAGES: [(&str, &str, &str); 2] =
+    [("rust", "fits/lobefit.rs", "//!"), ("wgsl", "fits/lobefit.wgsl", "//")];
+
+/// Begins the line that opens a section.
+const MARK: &str = "// ---- ";
+
+/// The mark of the helpers that sections share, at the end of a file.
+const SHARED: &str = "shared";
 
 /// Language, path and text of every include file; none where there is nothing to include.
 pub fn includes(
-    lobe: (Smith, AlphaMap),
-    tables: &[BakedTable],
-    fits: &[Fit],
+    parts: &[Part],
+    opening: &[String],
     context: &Context,
-) -> Result<Vec<(&'static str, &'static str, String)>, BakeError> {
-    if tables.is_empty() && fits.is_empty() {
-        return Ok(Vec::new());
-    }
-    let (mut rust, mut wgsl) = (opening("//!", lobe, context), opening("//", lobe, context));
-    for fit in fits.iter().filter(|f| f.emitted) {
-        let lines = function_lines(fit);
-        if let Some(inner) = &fit.wraps {
-            rust += &format!("\n{}", wrapper(fit, inner, &lines, true));
-            wgsl += &format!("\n{}", wrapper(fit, inner, &lines, false));
-        } else {
-            let coefficients = fit.coefficients();
-            rust += &format!("\n{}", code::rust(&fit.hypothesis, &coefficients, &lines)?.text);
-            wgsl += &format!("\n{}", code::wgsl(&fit.hypothesis, &coefficients, &lines)?.text);
+) -> Vec<(&'static str, &'static str, String)> {
+    let file = |(language, path, mark): (&'static str, &'static str, &str)| {
+        let sections: Vec<(&str, &str)> =
+            parts.iter().filter_map(|p| Some((p.effect.name(), p.code.get(language)?.as_str()))).collect();
+        if sections.is_empty() {
+            return None;
         }
-    }
-    for baked in tables {
-        let Some(table) = baked.table() else { continue };
-        let names = decode(baked.layout, baked.serves);
-        let lines = header::table_lines(table, names, &baked.approximation.certificate);
-        let readable = Readable { table, layout: baked.layout, serves: baked.serves, header: &lines };
-        rust += &format!("\n{}", readable.rust());
-        wgsl += &format!("\n{}", readable.wgsl());
-    }
-    if !tables.is_empty() {
-        rust += &format!("\n{RUST_HELPERS}");
-    }
-    Ok(vec![("rust", "fits/lobefit.rs", rust), ("wgsl", "fits/lobefit.wgsl", wgsl)])
-}
-
-fn opening(mark: &str, lobe: (Smith, AlphaMap), context: &Context) -> String {
-    let mut lines = context.recipe.lines();
-    let smith = format!("GGX lobe, smith: {}; alpha = {}", lobe.0.name(), lobe.1.name());
-    lines.extend(
-        [
-            "",
-            &smith,
-            "Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and",
-            "view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.",
-            "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel.",
-            "Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;",
-            "sin, cos, log2 4; log 5.",
-        ]
-        .map(String::from),
-    );
-    let mut text = comment(mark, &lines);
-    if mark == "//!" {
-        text += "\n// An engine uses some of these functions, not all.\n#![allow(dead_code)]\n";
-    }
-    text
-}
-
-/// The header of one function: what it is, its error and its cost.
-fn function_lines(fit: &Fit) -> Vec<String> {
-    let a = &fit.approximation;
-    let mut lines: Vec<String> = fit.hypothesis.doc().to_vec();
-    if !lines.is_empty() {
-        lines.push(String::new());
-    }
-    let what = match (&fit.wraps, a.used_as) {
-        (Some(_), _) => {
-            "furnace error |E N - 1| at f0 = 1; no larger, relative to 1 + f0 (1/E - 1), at any other f0"
+        let mut text = comment(mark, &[context.recipe.lines(), opening.to_vec()].concat());
+        if language == "rust" {
+            text += "\n// An engine uses some of these functions, not all.\n#![allow(dead_code)]\n";
         }
-        (None, crate::data::Use::Normalisation) => "furnace error |E N - 1|",
-        (None, _) => "absolute",
+        for (effect, section) in &sections {
+            text += &format!("\n{MARK}{effect} ----\n{section}");
+        }
+        let shared = shared(language, &text);
+        if !shared.is_empty() {
+            text += &format!("\n{MARK}{SHARED} ----\n{shared}");
+        }
+        Some((language, path, text))
     };
-    let constants = match fit.norm() {
-        "published" => format!("as published: {}", a.source.text()),
-        norm => format!("fitted for the smallest {norm} error"),
-    };
-    lines.push(format!(
-        "{} {}, smith {}; {}; constants {constants}",
-        a.quantity,
-        a.column,
-        a.smith.name(),
-        header::operations(a.cost.ops)
-    ));
-    lines.extend(header::certificate_lines(what, &a.certificate));
-    lines
+    LANGUAGES.into_iter().filter_map(file).collect()
 }
 
-/// 1 + f0 (N - 1) by a call of N.
-fn wrapper(fit: &Fit, inner: &str, lines: &[String], rust: bool) -> String {
-    let inputs = fit.hypothesis.inputs();
-    let declared: Vec<String> = inputs.iter().map(|i| format!("{i}: f32")).collect();
-    let passed: Vec<&str> = inputs.iter().map(String::as_str).filter(|i| *i != "f0").collect();
-    let (head, name) = (comment("///", lines), &fit.approximation.name);
-    let (declared, passed) = (declared.join(", "), passed.join(", "));
-    let value = format!("1.0 + f0 * ({inner}({passed}) - 1.0)");
-    if rust {
-        format!("{head}pub fn {name}({declared}) -> f32 {{\n    {value}\n}}\n")
-    } else {
-        format!("{head}fn {name}({declared}) -> f32 {{\n    return {value};\n}}\n")
+/// The section of an effect in the text of an include file.
+pub fn section<'a>(text: &'a str, effect: &str) -> Option<&'a str> {
+    let open = format!("\n{MARK}{effect} ----\n");
+    let start = text.find(&open)? + open.len();
+    let rest = &text[start..];
+    let end = rest.find(&format!("\n{MARK}")).unwrap_or(rest.len());
+    Some(&rest[..end])
+}
+
+/// What the sections call: the fetches of the Rust lookups.
+fn shared(language: &str, sections: &str) -> String {
+    match language {
+        "rust" if sections.contains("cell(") => format!("\n{RUST_HELPERS}"),
+        _ => String::new(),
     }
 }

@@ -3,31 +3,29 @@
 
 mod compare;
 mod context;
-mod findings;
-mod fits;
 mod includes;
+mod kept;
 mod names;
-mod pictures;
+mod part;
 mod recipe;
-mod tables;
+mod reflection;
 
-use crate::data::TableError;
-use crate::effects::reflection::{Counter, Dropped, Fit, FitSet, FitStageError};
+use crate::data::{AlphaMap, Smith, TableError};
+use crate::effects::reflection::{Counter, Dropped, Fit, FitStageError};
+use crate::emit::code;
 use crate::emit::exr::ExrError;
-use crate::emit::manifest::{
-    FitEntry, FitLeftOut, Include, LeftOut, LookupEntry, Manifest, SCHEMA_VERSION, TableEntry,
-};
-use crate::emit::{code, exr, header};
 use crate::integrate::IntegrateError;
 use crate::plan::{EffectName, Plan};
-use crate::report::{self, ReportError};
+use crate::report::{Origin, ReportError};
 use crate::scene::Scene;
-use crate::store::{Files, MANIFEST};
+use crate::store::Files;
 pub use compare::{Difference, compare};
 use context::Context;
 pub use context::{Progress, Silent};
+pub use kept::{KeptError, kept};
+pub use part::Part;
 pub use recipe::{UserHypothesis, recipe};
-pub use tables::BakedTable;
+pub use reflection::BakedTable;
 
 /// What a bake made.
 #[derive(Debug)]
@@ -94,8 +92,14 @@ pub enum BakeError {
     Internal(String),
 }
 
-/// The effect of this version.
-const EFFECT: &str = "reflection";
+/// What to bake of a plan.
+#[derive(Clone, Debug, Default)]
+pub struct Selection {
+    /// The effects to bake; empty: all that the plan calls for.
+    pub only: Vec<EffectName>,
+    /// Parts of the others that are there already.
+    pub kept: Vec<Part>,
+}
 
 /// Bakes a plan. Nothing is integrated, fitted, emitted or reported that it does not call for.
 ///
@@ -105,111 +109,61 @@ pub fn bake(
     scene: &Scene,
     plan: &Plan,
     hypotheses: &[UserHypothesis],
+    selection: Selection,
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
     let recipe = recipe(scene, hypotheses)?;
     let mut context = Context { recipe, counter: Counter::default(), broken: Vec::new(), progress };
     names::check(hypotheses)?;
-    // Fits first: a hypothesis that is refused must not cost the tables.
-    let FitSet { fits, dropped } = match &plan.fit {
-        Some(job) => fits::bake_fits(job, hypotheses, &mut context)?,
-        None => FitSet { fits: Vec::new(), dropped: Vec::new() },
-    };
-    let tables = tables::bake_tables(&plan.tables, &mut context)?;
-    let mut files = Files::new();
-    let mut manifest = empty_manifest(plan, &context);
-    emit_tables(&tables, &context, &mut files, &mut manifest)?;
-    emit_includes(scene, plan, &tables, &fits, &context, &mut files, &mut manifest)?;
-    context.progress.stage("report");
-    manifest.fits_left_out = dropped.iter().map(left_out_fit).collect();
-    let findings = findings::findings(scene, plan, &tables, &fits, &dropped, &context)?;
-    for file in report::page(&findings)? {
-        manifest.reports.push(crate::emit::manifest::Report { file: file.path.clone() });
-        files.insert(file.path, file.bytes);
-    }
-    files.insert(MANIFEST.to_string(), manifest.bytes()?);
-    Ok(Baked { files, broken: context.broken, truths: context.counter.total(), tables, fits, dropped })
-}
-
-fn empty_manifest(plan: &Plan, context: &Context) -> Manifest {
-    let left_out = plan.left_out.iter();
-    Manifest {
-        schema_version: SCHEMA_VERSION,
-        tool: context.recipe.tool.clone(),
-        scene: context.recipe.scene.clone(),
-        recipe: context.recipe.hash.clone(),
+    let wanted = |effect| selection.only.is_empty() || selection.only.contains(&effect);
+    let mut baked = Baked {
+        files: Files::new(),
+        broken: Vec::new(),
+        truths: 0,
         tables: Vec::new(),
         fits: Vec::new(),
-        fits_left_out: Vec::new(),
-        includes: Vec::new(),
-        reports: Vec::new(),
-        left_out: left_out
-            .map(|l| LeftOut { effect: l.effect.name().into(), reason: l.reason.clone() })
-            .collect(),
-    }
-}
-
-fn left_out_fit(dropped: &Dropped) -> FitLeftOut {
-    FitLeftOut {
-        hypothesis: dropped.hypothesis.clone(),
-        norm: dropped.norm.into(),
-        reason: dropped.reason.clone(),
-    }
-}
-
-fn emit_tables(
-    tables: &[BakedTable],
-    context: &Context,
-    files: &mut Files,
-    manifest: &mut Manifest,
-) -> Result<(), BakeError> {
-    for baked in tables {
-        let Some(table) = baked.table() else { continue };
-        let decode = crate::effects::reflection::decode(baked.layout, baked.serves);
-        let lines =
-            [context.recipe.lines(), header::table_lines(table, decode, &baked.approximation.certificate)];
-        let text = lines.concat().join("\n");
-        let path = format!("tables/{}.exr", table.name);
-        files.insert(path, exr::encode(table, &[("lobefit".to_string(), text)])?);
-        let decode = decode.iter().copied().collect();
-        manifest.tables.push(TableEntry::new(EFFECT, &baked.approximation, table, decode, errors(baked)));
-    }
-    Ok(())
-}
-
-fn errors(baked: &BakedTable) -> crate::emit::manifest::TableError {
-    let entry = |e: &crate::effects::reflection::LookupError| LookupEntry {
-        max: e.max,
-        rms: e.rms,
-        at: e.at.clone(),
+        dropped: Vec::new(),
     };
-    crate::emit::manifest::TableError {
-        integration: baked.errors.integration,
-        quantisation: baked.errors.quantisation.iter().fold(0.0, |worst, r| r.max.max(worst)),
-        lookup: entry(&baked.errors.lookup),
-        lookup_8_bit_weights: entry(&baked.errors.lookup_8_bit),
+    let mut parts = selection.kept;
+    for effect in plan.effects.iter().filter(|e| wanted(e.effect)) {
+        match effect.effect {
+            EffectName::Reflection => {
+                parts.push(reflection::part(scene, plan, effect, hypotheses, &mut baked, &mut context)?);
+            }
+            other => {
+                return Err(BakeError::Internal(format!("no bake of the effect {}", other.name())));
+            }
+        }
+    }
+    parts.sort_by_key(|part| part.effect);
+    let origin = origin(scene, &context);
+    baked.files = part::assemble(plan, &parts, &opening(scene.smith, scene.alpha), origin, &context)?;
+    baked.truths = context.counter.total();
+    baked.broken = context.broken;
+    Ok(baked)
+}
+
+fn origin(scene: &Scene, context: &Context) -> Origin {
+    Origin {
+        scene: scene.name.clone(),
+        recipe: context.recipe.hash.clone(),
+        tool: env!("CARGO_PKG_VERSION").into(),
+        command: context.recipe.command.clone(),
     }
 }
 
-fn emit_includes(
-    scene: &Scene,
-    plan: &Plan,
-    tables: &[BakedTable],
-    fits: &[Fit],
-    context: &Context,
-    files: &mut Files,
-    manifest: &mut Manifest,
-) -> Result<(), BakeError> {
-    if !plan.effects.iter().any(|e| e.effect == EffectName::Reflection) {
-        return Ok(());
-    }
-    let lobe = (scene.smith, scene.alpha);
-    let emitted = || fits.iter().filter(|f| f.emitted);
-    for (language, path, text) in includes::includes(lobe, tables, fits, context)? {
-        files.insert(path.to_string(), text.into_bytes());
-        manifest.includes.push(Include { language, file: path.to_string() });
-    }
-    manifest.fits =
-        emitted().filter_map(|f| FitEntry::new(EFFECT, scene.alpha.name(), &f.approximation)).collect();
-    Ok(())
+/// What the include files say first of all.
+fn opening(smith: Smith, alpha: AlphaMap) -> Vec<String> {
+    let smith = format!("GGX lobe, smith: {}; alpha = {}", smith.name(), alpha.name());
+    [
+        "",
+        &smith,
+        "Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and",
+        "view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.",
+        "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel.",
+        "Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;",
+        "sin, cos, log2 4; log 5.",
+    ]
+    .map(String::from)
+    .to_vec()
 }

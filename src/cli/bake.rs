@@ -7,8 +7,8 @@ use clap::Args;
 use super::options::{SceneOption, ThreadsOption, effect};
 use super::output::{Outcome, print, say};
 use super::progress::Bar;
-use super::{CliError, input};
-use crate::bake::Baked;
+use super::{CliError, input, input::Input};
+use crate::bake::{Baked, Selection, kept, recipe};
 use crate::emit::header::{operations, place, short};
 use crate::plan::{self, EffectName, Plan};
 use crate::scene::escape::visible;
@@ -30,7 +30,8 @@ pub(super) struct Options {
     /// Output folder, created if missing
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
-    /// Bake these effects only. This version has one, reflection; others are refused with the reason from the plan
+    /// Bake these effects only and keep what an older bake of the same recipe left in the output folder of the others.
+    /// An effect that the scene does not call for is refused with the reason from the plan
     #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
     pub only: Vec<EffectName>,
     #[command(flatten)]
@@ -50,7 +51,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
     let progress = Bar::new(options.quiet || options.json);
-    let baked = options.threads.install(|| input.bake(&plan, &progress))?;
+    let selection = selection(options, &input)?;
+    let baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);
     for promise in &baked.broken {
         say(&format!("promise not kept: {}", visible(promise)));
@@ -75,6 +77,16 @@ fn refuse_uncalled(only: &[EffectName], plan: &Plan) -> Result<(), CliError> {
     let left_out = plan.left_out.iter().find(|l| l.effect == *name);
     let reason = left_out.map_or("it is not called for", |l| l.reason.as_str());
     Err(CliError::Usage(format!("--only {}: {}", name.name(), visible(reason))))
+}
+
+/// The effects to bake, with the parts of the others that lie in the output folder.
+fn selection(options: &Options, input: &Input) -> Result<Selection, CliError> {
+    if options.only.is_empty() {
+        return Ok(Selection::default());
+    }
+    let recipe = recipe(&input.scene, &input.hypotheses)?;
+    let kept = kept(&options.out, &recipe, &options.only)?;
+    Ok(Selection { only: options.only.clone(), kept })
 }
 
 /// What was made, a line each.

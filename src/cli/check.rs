@@ -9,7 +9,7 @@ use super::options::{SceneOption, ThreadsOption, not_negative};
 use super::output::{Outcome, print, print_json};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{Baked, Difference, compare};
+use crate::bake::{Baked, Difference, Selection, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
@@ -56,7 +56,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     }
     let progress = Bar::new(options.quiet || options.json);
     let (baked, differences) = options.threads.install(|| {
-        let baked = input.bake(&plan, &progress)?;
+        let baked = input.bake(&plan, Selection::default(), &progress)?;
         let strays = strays(&options.against, &baked)?;
         let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
         let differences = compare(&baked, &found, &strays, options.values, &progress);

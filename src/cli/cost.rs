@@ -9,7 +9,7 @@ use super::options::{SceneOption, ThreadsOption};
 use super::output::{Outcome, print};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{BakeError, Progress, recipe};
+use crate::bake::{BakeError, Progress, Selection, recipe};
 use crate::plan;
 use crate::report::{self, Origin, Timings};
 use crate::store::{self, Files, Folder};
@@ -49,7 +49,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     }
     let progress = Bar::new(options.quiet || options.json);
     let files = options.threads.install(|| {
-        let baked = input.bake(&plan, &progress)?;
+        let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");
         let measured = timings(&input.scene, &baked, origin(&input)?, device())?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)

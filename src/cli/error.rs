@@ -3,7 +3,7 @@
 use std::io;
 
 use super::points::PointsError;
-use crate::bake::BakeError;
+use crate::bake::{BakeError, KeptError};
 use crate::fit::FitError;
 use crate::scene::SceneError;
 use crate::scene::escape::visible;
@@ -60,6 +60,9 @@ pub enum CliError {
         /// What the system said.
         reason: String,
     },
+    /// An older bake whose other effects cannot be kept.
+    #[error("--only: {0}")]
+    Kept(#[from] KeptError),
     /// The bake made nothing.
     #[error(transparent)]
     Bake(#[from] Box<BakeError>),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::CliError;
 use super::options::SceneOption;
-use crate::bake::{BakeError, Baked, Progress, UserHypothesis, bake};
+use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
 use crate::effects::reflection::FitStageError;
 use crate::fit::{FitError, Hypothesis};
 use crate::plan::Plan;
@@ -27,8 +27,13 @@ pub(super) struct Input {
 
 impl Input {
     /// Bakes the scene's plan. Errors name hypothesis files by the paths at which they were read.
-    pub(super) fn bake(&self, plan: &Plan, progress: &dyn Progress) -> Result<Baked, CliError> {
-        let mut baked = bake(&self.scene, plan, &self.hypotheses, progress);
+    pub(super) fn bake(
+        &self,
+        plan: &Plan,
+        selection: Selection,
+        progress: &dyn Progress,
+    ) -> Result<Baked, CliError> {
+        let mut baked = bake(&self.scene, plan, &self.hypotheses, selection, progress);
         if let Some(file) = baked.as_mut().err().and_then(hypothesis_file)
             && let Some(path) = self.paths.get(file.as_str())
         {

@@ -1,15 +1,16 @@
-//! `manifest.json`: what a bake made, for scripts. Keys are ordered; no dates, hosts or absolute paths.
+//! `manifest.json`: what a bake made, for scripts. Keys are in alphabetical order; no dates, hosts or absolute paths.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::data::{Approximation, Axis, Certificate, Form, Place, Table};
 
 /// Version of the manifest's form.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// The whole manifest.
+/// The whole manifest. Entries are JSON already: those of an effect may come from an older manifest of the same recipe.
 #[derive(Clone, Debug, Serialize)]
 pub struct Manifest {
     /// Version of this form: 1.
@@ -20,18 +21,48 @@ pub struct Manifest {
     pub scene: String,
     /// Hash of tool version, scene and hypotheses.
     pub recipe: String,
-    /// Tables baked.
-    pub tables: Vec<TableEntry>,
-    /// Fits made and published formulas emitted beside them.
-    pub fits: Vec<FitEntry>,
-    /// Hypotheses of the catalogue without a reliable fit in this scene.
-    pub fits_left_out: Vec<FitLeftOut>,
+    /// Effects baked: what called for them, ranges, expected and measured error.
+    pub effects: Vec<Value>,
+    /// What was made.
+    #[serde(flatten)]
+    pub entries: Entries,
     /// Include files.
     pub includes: Vec<Include>,
-    /// Pages and their data.
-    pub reports: Vec<Report>,
     /// Effects left out.
     pub left_out: Vec<LeftOut>,
+}
+
+/// The lists that every effect adds to; each entry names its effect.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Entries {
+    /// Tables baked: [`TableEntry`].
+    pub tables: Vec<Value>,
+    /// Fits made and published formulas emitted beside them: [`FitEntry`].
+    pub fits: Vec<Value>,
+    /// Hypotheses of the catalogue without a reliable fit in this scene: [`FitLeftOut`].
+    pub fits_left_out: Vec<Value>,
+    /// Pages and their data: [`Report`].
+    pub reports: Vec<Value>,
+}
+
+impl Entries {
+    /// Appends those of another effect.
+    pub fn extend(&mut self, other: &Entries) {
+        self.tables.extend_from_slice(&other.tables);
+        self.fits.extend_from_slice(&other.fits);
+        self.fits_left_out.extend_from_slice(&other.fits_left_out);
+        self.reports.extend_from_slice(&other.reports);
+    }
+
+    /// The lists with their names, to be filtered alike.
+    pub fn lists(&mut self) -> [(&'static str, &mut Vec<Value>); 4] {
+        [
+            ("tables", &mut self.tables),
+            ("fits", &mut self.fits),
+            ("fits_left_out", &mut self.fits_left_out),
+            ("reports", &mut self.reports),
+        ]
+    }
 }
 
 /// One table.
@@ -168,6 +199,9 @@ pub struct Include {
 /// One page or data file of the report.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
+    /// Effect that it shows; none for the overview.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub effect: Option<&'static str>,
     /// File, relative to the manifest.
     pub file: String,
 }
@@ -175,6 +209,8 @@ pub struct Report {
 /// A hypothesis without a fit.
 #[derive(Clone, Debug, Serialize)]
 pub struct FitLeftOut {
+    /// Effect that it belongs to.
+    pub effect: &'static str,
     /// Its name.
     pub hypothesis: String,
     /// Norm that was minimised.
@@ -271,9 +307,10 @@ impl FitEntry {
 }
 
 impl Manifest {
-    /// The manifest's bytes.
+    /// The manifest's bytes, keys in alphabetical order.
     pub fn bytes(&self) -> Result<Vec<u8>, serde_json::Error> {
-        let mut bytes = serde_json::to_vec_pretty(self)?;
+        let ordered: Value = serde_json::from_slice(&serde_json::to_vec(self)?)?;
+        let mut bytes = serde_json::to_vec_pretty(&ordered)?;
         bytes.push(b'\n');
         Ok(bytes)
     }

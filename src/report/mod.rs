@@ -1,6 +1,6 @@
 //! Floor 4: what was found out, as pictures and pages. Plain data in, bytes out; nothing is measured here.
 //!
-//! [`page`] shows the [`Findings`] of a bake, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a
+//! [`index`] is the overview of a bake, [`page`] shows the [`Findings`] of one of its effects, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a
 //! [`Page`], a list of [`Section`]s of [`Block`]s; a new effect adds a section from the figures there are
 //! ([`HeatMap`], [`Curves`], [`Scatter`], [`Spheres`], [`Bars`]). The same data gives the same bytes for any number
 //! of threads: rows of pictures are computed in parallel and joined in order, coordinates have fixed decimals, and
@@ -21,8 +21,8 @@ pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure, Findings,
-    FitCurve, FitFinding, Furnace, FurnaceRow, LeftOut, Marked, Origin, SCHEMA_VERSION, Study, StudySeries,
-    TableFinding,
+    FitCurve, FitFinding, Furnace, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION,
+    Study, StudySeries, TableFinding,
 };
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
@@ -40,14 +40,26 @@ pub struct File {
     pub bytes: Vec<u8>,
 }
 
-/// `reports/index.html` and `reports/figures.json` of a bake.
+/// `reports/<effect>.html` and `reports/<effect>.json` of an effect.
 ///
 /// # Errors
 /// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
-pub fn page(findings: &Findings) -> Result<Vec<File>, ReportError> {
-    let figures = json::document("figures.json", findings)?;
-    let text = html(&sections::of_findings(findings)?)?;
-    Ok(vec![file("reports/index.html", text.into_bytes()), file("reports/figures.json", figures)])
+pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError> {
+    let figures = json::document(&format!("{effect}.json"), findings)?;
+    let text = html(&sections::of_findings(effect, findings)?)?;
+    Ok(vec![
+        file(&format!("reports/{effect}.html"), text.into_bytes()),
+        file(&format!("reports/{effect}.json"), figures),
+    ])
+}
+
+/// `reports/index.html`: the overview of a bake, with links to the pages of its effects.
+///
+/// # Errors
+/// As [`page`].
+pub fn index(index: &Index) -> Result<Vec<File>, ReportError> {
+    let text = html(&sections::of_index(index)?)?;
+    Ok(vec![file("reports/index.html", text.into_bytes())])
 }
 
 /// `reports/timings.html` and `reports/timings.json` of a measurement.

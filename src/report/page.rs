@@ -57,6 +57,11 @@ pub enum Block {
         /// The pairs.
         rows: Vec<(String, String)>,
     },
+    /// Links to other pages of the report: what they show, and their file.
+    Links {
+        /// The pairs.
+        rows: Vec<(String, String)>,
+    },
     /// Drawings side by side, as many as fit, with one caption.
     Figures {
         /// Markup from [`super::Figure::svg`].

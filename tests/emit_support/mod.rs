@@ -5,7 +5,7 @@
 use std::io::Write;
 use std::sync::OnceLock;
 
-use lobefit::bake::{Baked, Silent, bake};
+use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{AlphaMap, Layout, Serves, Smith, Table, TexelFormat};
 use lobefit::effects::reflection::{
     Counter, Field, Fit, Lookup, PointSet, Region, Split, TRUTH_ERROR, TableSpec, build, certification,
@@ -22,7 +22,7 @@ pub fn baked() -> &'static (Baked, FitJob) {
         let scene = Scene::built_in().expect("the built-in scene");
         let plan = plan(&scene);
         let fit = plan.fit.clone().expect("the built-in scene calls for fits");
-        (bake(&scene, &plan, &[], &Silent).expect("the built-in scene bakes"), fit)
+        (bake(&scene, &plan, &[], Selection::default(), &Silent).expect("the built-in scene bakes"), fit)
     })
 }
 

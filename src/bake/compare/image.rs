@@ -2,7 +2,7 @@
 
 use super::{Difference, Kind, plain};
 use crate::bake::Baked;
-use crate::bake::tables::{BakedTable, measured_again};
+use crate::bake::reflection::{BakedTable, measured_again};
 use crate::data::{Channel, TexelFormat};
 use crate::emit::exr::{self, Decoded};
 

@@ -1,21 +1,23 @@
 //! Everything a bake found out, as plain data: filled by the one who ran the jobs, shown by the page, and written
-//! as it is to `reports/figures.json`.
+//! as it is to `reports/<effect>.json`.
 
 mod approximation;
 mod furnace;
+mod index;
 mod table;
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::Field;
 
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
+pub use index::{Index, IndexRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 
-/// Version of the shape of `figures.json` and `timings.json`.
+/// Version of the shape of the reports' JSON files.
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// What made a page: enough to make it again, and nothing that changes from run to run.
@@ -62,7 +64,7 @@ pub struct Findings {
 }
 
 /// One effect that the scene called for.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EffectFinding {
     /// Name of the effect: `reflection`, ...
     pub effect: String,

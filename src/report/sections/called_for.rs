@@ -1,7 +1,7 @@
 //! What the scene called for, and what it did not.
 
 use super::words;
-use crate::report::{Block, EffectFinding, Findings, ReportError, Section, numbers};
+use crate::report::{Block, EffectFinding, Findings, LeftOut, ReportError, Section, numbers};
 
 const COLUMNS: [(&str, bool); 7] = [
     ("effect", false),
@@ -14,23 +14,27 @@ const COLUMNS: [(&str, bool); 7] = [
 ];
 
 pub(super) fn section(findings: &Findings) -> Result<Section, ReportError> {
+    Ok(of(&findings.effects, &findings.left_out))
+}
+
+/// The effects, and what was left out.
+pub(super) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
     let mut blocks = Vec::new();
-    if findings.effects.is_empty() {
+    if effects.is_empty() {
         let text = "The scene calls for no effect: nothing was integrated, fitted or emitted.".into();
         blocks.push(Block::Text { text });
     } else {
-        let rows = findings.effects.iter().map(row).collect();
+        let rows = effects.iter().map(row).collect();
         let caption = "Maxima are rounded up. The expected error is the limit that the scene sets; a bake that exceeds it \
                        fails and writes nothing.";
         blocks.push(Block::Table(words::table(&COLUMNS, rows, caption)));
     }
-    if !findings.left_out.is_empty() {
-        let rows =
-            findings.left_out.iter().map(|l| vec![l.effect.clone(), numbers::shortened(&l.reason)]).collect();
+    if !left_out.is_empty() {
+        let rows = left_out.iter().map(|l| vec![l.effect.clone(), numbers::shortened(&l.reason)]).collect();
         let caption = "Left out: not integrated, fitted, emitted or shown below.";
         blocks.push(Block::Table(words::table(&[("left out", false), ("reason", false)], rows, caption)));
     }
-    Ok(Section {
+    Section {
         id: "called-for".into(),
         title: "What the scene called for".into(),
         lead:
@@ -38,7 +42,7 @@ pub(super) fn section(findings: &Findings) -> Result<Section, ReportError> {
                scene spans."
                 .into(),
         blocks,
-    })
+    }
 }
 
 fn row(e: &EffectFinding) -> Vec<String> {

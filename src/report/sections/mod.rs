@@ -5,16 +5,17 @@ mod averages;
 mod called_for;
 mod fits;
 mod furnace;
+mod index;
 mod selection;
 mod study;
 mod tables;
 mod timings;
 mod words;
 
-use super::{Block, Figure, Findings, Page, ReportError, Timings};
+use super::{Block, Figure, Findings, Index, Page, ReportError, Timings};
 
-/// The page of a bake. Sections that the scene called for nothing in are left out.
-pub(crate) fn of_findings(findings: &Findings) -> Result<Page, ReportError> {
+/// The page of an effect. Sections that the scene called for nothing in are left out.
+pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::section(findings)?];
     sections.extend(approximations::section(findings)?);
     sections.extend(furnace::section(findings)?);
@@ -23,12 +24,25 @@ pub(crate) fn of_findings(findings: &Findings) -> Result<Page, ReportError> {
     sections.extend(fits::section(findings)?);
     sections.extend(study::section(&findings.studies)?);
     Ok(Page {
-        title: format!("lobefit report: {}", findings.origin.scene),
+        title: format!("lobefit report: {}: {effect}", findings.origin.scene),
         origin: findings.origin.clone(),
-        lead: "What the scene called for, every approximation made for it with its measured error and its cost, \
-               and the truth beside it. Figures in full digits: figures.json, in this folder."
-            .into(),
+        lead: format!(
+            "What the scene called for, every approximation made for it with its measured error and its cost, \
+             and the truth beside it. Figures in full digits: {effect}.json, in this folder."
+        ),
         sections,
+    })
+}
+
+/// The overview of a bake.
+pub(crate) fn of_index(index: &Index) -> Result<Page, ReportError> {
+    Ok(Page {
+        title: format!("lobefit report: {}", index.origin.scene),
+        origin: index.origin.clone(),
+        lead: "What the scene called for and what was made for it, with its largest measured error and its cost. Each effect has \
+               a page of its own, with the truth, the errors and the pictures."
+            .into(),
+        sections: index::sections(index),
     })
 }
 

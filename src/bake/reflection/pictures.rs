@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::BakeError;
-use super::context::Context;
 use super::tables::BakedTable;
+use crate::bake::BakeError;
+use crate::bake::context::Context;
 use crate::data::{Serves, Smith};
 use crate::effects::reflection::{Field as Truth, Fit, Judged, Lookup, PointSet, Region, error_map};
 use crate::integrate::IntegrateError;

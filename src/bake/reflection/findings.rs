@@ -4,28 +4,29 @@ mod selection;
 
 use selection::{Selected, selected};
 
-use super::BakeError;
-use super::context::Context;
 use super::fits::region as region_of_fit;
 use super::pictures::{Grid, averages};
 use super::tables::BakedTable;
+use crate::bake::context::Context;
+use crate::bake::{BakeError, origin};
 use crate::data::{Place, Serves, Smith, Use};
 use crate::effects::reflection::{Dropped, Fit, LookupError, Region, Study, studies};
 use crate::emit::code;
 use crate::plan::{Effect, Plan};
 use crate::report::{
     self, ApproximationFinding, AverageFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings,
-    FitFinding, Furnace, LeftOut, Marked, Origin, StudySeries, TableFinding,
+    FitFinding, Furnace, LeftOut, Marked, StudySeries, TableFinding,
 };
 use crate::scene::Scene;
 
 /// How often the furnace's departure from white is amplified.
 const AMPLIFICATION: f64 = 10.0;
 
-/// The findings of a bake: empty lists where the plan called for nothing.
+/// The findings of the effect.
 pub fn findings(
     scene: &Scene,
     plan: &Plan,
+    called: &Effect,
     tables: &[BakedTable],
     fits: &[Fit],
     dropped: &[Dropped],
@@ -51,16 +52,11 @@ pub fn findings(
     if let Some(region) = region_of_furnace(plan, tables) {
         furnace = Some(furnace_of(&Grid::furnace(scene.smith, &region, context), tables, &shown)?);
     }
-    let studies = if plan.is_empty() { Vec::new() } else { studies(scene.smith)? };
+    let studies = studies(scene.smith)?;
     Ok(Findings {
-        origin: Origin {
-            scene: scene.name.clone(),
-            recipe: context.recipe.hash.clone(),
-            tool: env!("CARGO_PKG_VERSION").into(),
-            command: context.recipe.command.clone(),
-        },
-        effects: plan.effects.iter().map(|e| effect(e, tables, fits)).collect(),
-        left_out: left_out(plan, dropped),
+        origin: origin(scene, context),
+        effects: vec![effect(called, tables, fits)],
+        left_out: left_out(dropped),
         tables: tables.iter().filter_map(|t| table(t, context)).collect(),
         truths,
         approximations: approximations(tables, fits),
@@ -71,14 +67,13 @@ pub fn findings(
     })
 }
 
-/// Effects that the scene does not call for, and hypotheses that have no reliable fit in it.
-fn left_out(plan: &Plan, dropped: &[Dropped]) -> Vec<LeftOut> {
-    let effects =
-        plan.left_out.iter().map(|l| LeftOut { effect: l.effect.name().into(), reason: l.reason.clone() });
-    let fits = dropped
-        .iter()
-        .map(|d| LeftOut { effect: format!("fit {} ({})", d.hypothesis, d.norm), reason: d.reason.clone() });
-    effects.chain(fits).collect()
+/// Hypotheses that have no reliable fit in the scene.
+fn left_out(dropped: &[Dropped]) -> Vec<LeftOut> {
+    let fit = |d: &Dropped| LeftOut {
+        effect: format!("fit {} ({})", d.hypothesis, d.norm),
+        reason: d.reason.clone(),
+    };
+    dropped.iter().map(fit).collect()
 }
 
 fn region_of_furnace(plan: &Plan, tables: &[BakedTable]) -> Option<Region> {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::BakeError;
-use super::context::Context;
+use crate::bake::BakeError;
+use crate::bake::context::Context;
 use crate::data::{
     Approximation, Certificate, Channel, Cost, Form, Layout, Serves, Smith, Source, Table, Use,
 };

@@ -1,7 +1,7 @@
 //! The fit job to measured fits.
 
-use super::context::Context;
-use super::{BakeError, UserHypothesis};
+use crate::bake::context::Context;
+use crate::bake::{BakeError, UserHypothesis};
 use crate::data::Use;
 use crate::effects::reflection::{Fit, FitSet, FitSpec, Region, fit_all};
 use crate::plan::{FitJob, FitPromise};
