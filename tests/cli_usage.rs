@@ -249,7 +249,7 @@ fn an_effect_that_is_not_called_for_or_not_there_is_refused_with_the_reason_of_t
         assert!(output.stdout.is_empty() && names(folder.path()).is_empty(), "{only}");
     }
     let help = String::from_utf8(lobefit(folder.path(), &["bake", "--help"], b"").stdout).unwrap();
-    assert!(help.contains("This version has one, reflection; others are refused"), "{help}");
+    assert!(help.contains("keep what an older bake"), "{help}");
 }
 
 #[test]
