@@ -20,9 +20,10 @@ mod timings;
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
-    ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure, Findings,
-    FitCurve, FitFinding, Furnace, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION,
-    Study, StudySeries, TableFinding,
+    ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
+    EffectFinding, ErrorFigure, Findings, FitCurve, FitFinding, Furnace, FurnaceFinding, FurnaceRow, Index,
+    IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, Study, StudySeries, TableFinding, VolumeFindings,
+    VolumeTable,
 };
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
@@ -47,6 +48,20 @@ pub struct File {
 pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError> {
     let figures = json::document(&format!("{effect}.json"), findings)?;
     let text = html(&sections::of_findings(effect, findings)?)?;
+    Ok(vec![
+        file(&format!("reports/{effect}.html"), text.into_bytes()),
+        file(&format!("reports/{effect}.json"), figures),
+    ])
+}
+
+/// The same of an effect whose tables have three axes.
+///
+/// # Errors
+/// As [`page`].
+pub fn volume_page(findings: &VolumeFindings) -> Result<Vec<File>, ReportError> {
+    let effect = &findings.effect.effect;
+    let figures = json::document(&format!("{effect}.json"), findings)?;
+    let text = html(&sections::of_volumes(findings)?)?;
     Ok(vec![
         file(&format!("reports/{effect}.html"), text.into_bytes()),
         file(&format!("reports/{effect}.json"), figures),

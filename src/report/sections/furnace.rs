@@ -7,32 +7,16 @@ use crate::report::{
 
 pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
     let Some(furnace) = &findings.furnace else { return Ok(None) };
-    check::filled("furnace", "rows", furnace.rows.len())?;
-    check::finite("furnace", "amplification", furnace.amplification)?;
-    if furnace.amplification <= 0.0 {
-        return Err(check::domain("furnace", "amplification", "must be positive"));
-    }
-    let limit = 1.0 / furnace.amplification;
-    let deepest = numbers::brief(limit, 2);
+    let limit = limit(furnace)?;
     let plain =
         spheres("the furnace, unamplified", furnace, &furnace.rows[..1], Shade::Radiance { white: 1.25 });
     let amplified =
         spheres("the furnace, departure amplified", furnace, &furnace.rows, Shade::Departure { limit });
-    let plain_caption = format!(
-        "As the eye would see it: {} in an environment of radiance 1 (grey, so that gains would show too). What is \
-         darker than its surroundings is energy lost to single scattering.",
-        furnace.rows[0].name,
-    );
-    let caption = format!(
-        "Departure from the environment, amplified {} times: grey is exact, the deepest blue a loss of {deepest} or more, \
-         the deepest red a gain of {deepest} or more. A perfect compensation vanishes.{}",
-        numbers::brief(furnace.amplification, 3),
-        absent(findings),
-    );
+    let caption = format!("{}{}", amplified_caption(furnace, limit), absent(findings));
     let blocks = vec![
-        figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption)?,
+        figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption(furnace))?,
         figures(&[amplified], &caption)?,
-        worst(furnace),
+        worst(furnace, "E N − 1"),
     ];
     Ok(Some(Section {
         id: "furnace".into(),
@@ -42,6 +26,54 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
             .into(),
         blocks,
     }))
+}
+
+/// The spheres of one condition: as they are, amplified, and in figures.
+pub(super) fn panel(title: &str, furnace: &Furnace) -> Result<Vec<Block>, ReportError> {
+    let limit = limit(furnace)?;
+    let plain = spheres(
+        &format!("{title}, unamplified"),
+        furnace,
+        &furnace.rows[..1],
+        Shade::Radiance { white: 1.25 },
+    );
+    let amplified =
+        spheres(&format!("{title}, amplified"), furnace, &furnace.rows, Shade::Departure { limit });
+    Ok(vec![
+        figures(&[Spheres { unit: "radiance".into(), ..plain }], &plain_caption(furnace))?,
+        figures(
+            &[Spheres { unit: "E / lookup − 1".into(), ..amplified }],
+            &amplified_caption(furnace, limit),
+        )?,
+        worst(furnace, "E / lookup − 1"),
+    ])
+}
+
+/// The departure that gets the deepest colours.
+fn limit(furnace: &Furnace) -> Result<f64, ReportError> {
+    check::filled("furnace", "rows", furnace.rows.len())?;
+    check::finite("furnace", "amplification", furnace.amplification)?;
+    if furnace.amplification <= 0.0 {
+        return Err(check::domain("furnace", "amplification", "must be positive"));
+    }
+    Ok(1.0 / furnace.amplification)
+}
+
+fn plain_caption(furnace: &Furnace) -> String {
+    format!(
+        "As the eye would see it: {} in an environment of radiance 1 (grey, so that gains would show too). What is \
+         darker than its surroundings is energy lost to single scattering.",
+        furnace.rows[0].name,
+    )
+}
+
+fn amplified_caption(furnace: &Furnace, limit: f64) -> String {
+    let deepest = numbers::brief(limit, 2);
+    format!(
+        "Departure from the environment, amplified {} times: grey is exact, the deepest blue a loss of {deepest} or more, \
+         the deepest red a gain of {deepest} or more. A perfect compensation vanishes.",
+        numbers::brief(furnace.amplification, 3),
+    )
 }
 
 /// What has no row.
@@ -68,7 +100,7 @@ fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade:
 }
 
 /// The largest departure of every sphere in figures.
-fn worst(furnace: &Furnace) -> Block {
+fn worst(furnace: &Furnace, what: &str) -> Block {
     let mut columns = vec![("roughness".to_string(), false)];
     columns.extend(furnace.roughness.iter().map(|&r| (numbers::place(r), true)));
     let farthest = |factors: &Vec<f64>| {
@@ -78,8 +110,8 @@ fn worst(furnace: &Furnace) -> Block {
         let cells = r.factors.iter().map(|f| numbers::bound(farthest(f), 2));
         std::iter::once(r.name.clone()).chain(cells).collect()
     };
-    let caption = "Largest signed departure E N − 1 over each sphere, rounded away from zero.";
-    let mut table = words::table(&[], furnace.rows.iter().map(row).collect(), caption);
+    let caption = format!("Largest signed departure {what} over each sphere, rounded away from zero.");
+    let mut table = words::table(&[], furnace.rows.iter().map(row).collect(), &caption);
     table.columns = columns;
     Block::Table(table)
 }

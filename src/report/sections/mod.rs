@@ -10,9 +10,10 @@ mod selection;
 mod study;
 mod tables;
 mod timings;
+mod volumes;
 mod words;
 
-use super::{Block, Figure, Findings, Index, Page, ReportError, Timings};
+use super::{Block, Figure, Findings, Index, Page, ReportError, Timings, VolumeFindings};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -31,6 +32,20 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
              and the truth beside it. Figures in full digits: {effect}.json, in this folder."
         ),
         sections,
+    })
+}
+
+/// The page of an effect whose tables have three axes.
+pub(crate) fn of_volumes(findings: &VolumeFindings) -> Result<Page, ReportError> {
+    let effect = &findings.effect.effect;
+    Ok(Page {
+        title: format!("lobefit report: {}: {effect}", findings.origin.scene),
+        origin: findings.origin.clone(),
+        lead: format!(
+            "What the scene called for, the tables made for it with their measured errors, and what a shader gets from each \
+             layout. Figures in full digits: {effect}.json, in this folder."
+        ),
+        sections: volumes::sections(findings)?,
     })
 }
 

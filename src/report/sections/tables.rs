@@ -93,7 +93,7 @@ fn shown(table: &TableFinding) -> Result<Vec<Block>, ReportError> {
             &pictures,
             "The texels as stored, one square per texel, first row at the top as in the file.",
         )?,
-        Block::Table(errors_of(table)),
+        Block::Table(errors_of(&table.errors)),
     ];
     if !maps.is_empty() {
         let caption = "Signed error of the lookup over the domain, blue too low, red too high, white exact. The colour \
@@ -120,19 +120,21 @@ fn texels(table: &TableFinding, channel: &ChannelFinding) -> Field {
     }
 }
 
+/// An axis in words.
+pub(super) fn axis(a: &Axis) -> String {
+    let name = words::symbol(&a.name);
+    let ends = [a.min, a.max].map(|x| brief(x, 3));
+    let registration = a.registration.name();
+    format!(
+        "{name} from {} to {}, {} texels, {registration} registration, {}",
+        ends[0],
+        ends[1],
+        a.size,
+        shortened(&a.formula())
+    )
+}
+
 fn facts(table: &TableFinding) -> Vec<(String, String)> {
-    let axis = |a: &Axis| {
-        let name = words::symbol(&a.name);
-        let ends = [a.min, a.max].map(|x| brief(x, 3));
-        let registration = a.registration.name();
-        format!(
-            "{name} from {} to {}, {} texels, {registration} registration, {}",
-            ends[0],
-            ends[1],
-            a.size,
-            shortened(&a.formula())
-        )
-    };
     vec![
         ("File".into(), table.file.clone()),
         (
@@ -145,7 +147,8 @@ fn facts(table: &TableFinding) -> Vec<(String, String)> {
     ]
 }
 
-fn errors_of(table: &TableFinding) -> crate::report::TextTable {
+/// Errors of a table, told apart.
+pub(super) fn errors_of(errors: &[(String, ErrorFigure)]) -> crate::report::TextTable {
     let row = |(what, figure): &(String, ErrorFigure)| {
         vec![
             what.clone(),
@@ -154,7 +157,7 @@ fn errors_of(table: &TableFinding) -> crate::report::TextTable {
             words::place(&figure.at),
         ]
     };
-    let rows = table.errors.iter().map(row).collect();
+    let rows = errors.iter().map(row).collect();
     words::table(
         &COLUMNS,
         rows,
