@@ -30,7 +30,9 @@ pub use plot::{
     Annotation, Bar, Bars, Curves, Dot, Figure, HeatMap, Scatter, Series, Shade, SphereRow, Spheres, Spread,
     Style, Worst,
 };
-pub use timings::{TimedApproximation, TimedPoint, TimedSeries, Timings};
+pub use timings::{
+    TimedApproximation, TimedEstimator, TimedPoint, TimedSeries, TimedTableRun, TimedTables, Timings,
+};
 
 /// A file to be written: path relative to the bake's folder, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Origin;
-use crate::data::Use;
+use crate::data::{Smith, Use};
 
 /// Measured times, offline and at run time.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -14,6 +14,9 @@ pub struct Timings {
     pub device: String,
     /// Error against seconds at single points.
     pub points: Vec<TimedPoint>,
+    /// Whole tables against the sources' estimator; none where the scene calls for no such table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tables: Option<TimedTables>,
     /// Time per evaluation of each approximation.
     pub evaluations: Vec<TimedApproximation>,
 }
@@ -64,4 +67,57 @@ pub struct TimedApproximation {
     pub published: bool,
     /// A table, not a formula.
     pub table: bool,
+}
+
+/// The three tables of the sources: reflection over mu, roughness and anisotropy; rough glass from either side over mu, alpha
+/// and the index of refraction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimedTables {
+    /// Threads at work.
+    pub threads: usize,
+    /// Texels of the three together.
+    pub texels: u64,
+    /// One run for each accuracy asked for and Smith form.
+    pub runs: Vec<TimedTableRun>,
+    /// The sources' method on the same cores.
+    pub estimator: TimedEstimator,
+}
+
+/// All three tables to one accuracy.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimedTableRun {
+    /// Largest error asked for at a texel.
+    pub tolerance: f64,
+    /// Shadowing form.
+    pub smith: Smith,
+    /// Seconds of the reflection table, its check against direct integration included.
+    pub reflection_seconds: f64,
+    /// Seconds of both glass tables, their check included.
+    pub glass_seconds: f64,
+    /// Integrand evaluations.
+    pub evaluations: u64,
+    /// Worst difference at the texels that were integrated directly.
+    pub worst: f64,
+    /// How many those are.
+    pub checked: u64,
+}
+
+impl TimedTableRun {
+    /// Seconds of all three tables.
+    pub fn seconds(&self) -> f64 {
+        self.reflection_seconds + self.glass_seconds
+    }
+}
+
+/// Random visible normals, as the sources draw them.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimedEstimator {
+    /// Samples a second on all threads: reflection, glass.
+    pub samples_per_second: [f64; 2],
+    /// Root mean square of a sample's standard deviation over the texels tried: reflection, glass.
+    pub deviation: [f64; 2],
+    /// Samples a texel in the sources.
+    pub samples_per_texel: f64,
+    /// Seconds for all texels at that number, extrapolated from the rate.
+    pub seconds: f64,
 }

@@ -35,7 +35,7 @@ pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> 
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
     let evaluations = pool.install(|| evaluations(scene.alpha, baked))?;
-    Ok(Timings { origin, device, points, evaluations })
+    Ok(Timings { origin, device, points, tables: None, evaluations })
 }
 
 /// Median seconds of one execution.

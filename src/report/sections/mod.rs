@@ -9,6 +9,7 @@ mod index;
 mod selection;
 mod study;
 mod tables;
+mod timed_tables;
 mod timings;
 mod volumes;
 mod words;

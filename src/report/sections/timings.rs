@@ -11,6 +11,9 @@ pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
     if !timings.points.is_empty() {
         sections.push(offline(timings)?);
     }
+    if let Some(tables) = &timings.tables {
+        sections.push(super::timed_tables::section(tables)?);
+    }
     if !timings.evaluations.is_empty() {
         sections.push(run_time(timings)?);
     }
