@@ -71,6 +71,7 @@ fn the_timings_page_names_its_machine() -> Outcome {
     let html = text(&files, "reports/timings.html")?;
     assert!(html.contains("an imaginary processor, 2 cores"));
     assert!(html.contains("n_rational_13"));
+    assert!(html.contains("texels of the three tables on 2 threads"));
     assert_eq!(
         html.matches("The stairs").count() + html.matches("the stairs").count(),
         1,

@@ -331,6 +331,34 @@ pub fn timings() -> Timings {
         origin: Origin { command: "lobefit cost".into(), ..findings.origin.clone() },
         device: "an imaginary processor, 2 cores".into(),
         points: findings.studies.iter().map(point).collect(),
+        tables: Some(timed_tables()),
         evaluations: findings.approximations.iter().map(timed).collect(),
+    }
+}
+
+/// Three tables that take a second at 1e-6.
+fn timed_tables() -> TimedTables {
+    let run = |tolerance: f64, smith| TimedTableRun {
+        tolerance,
+        smith,
+        reflection_seconds: 0.1 / tolerance.sqrt().sqrt() / 10.0,
+        glass_seconds: 0.3 / tolerance.sqrt().sqrt() / 10.0,
+        evaluations: (1e7 / tolerance.sqrt().sqrt()) as u64,
+        worst: 0.4 * tolerance,
+        checked: 2_000,
+    };
+    TimedTables {
+        threads: 2,
+        texels: 131_072 + 2 * 524_288,
+        runs: [1e-4, 1e-5, 1e-6, 1e-7]
+            .into_iter()
+            .flat_map(|t| [run(t, Smith::Separable), run(t, Smith::Correlated)])
+            .collect(),
+        estimator: TimedEstimator {
+            samples_per_second: [2.4e7, 1.9e7],
+            deviation: [0.31, 0.29],
+            samples_per_texel: 1e7,
+            seconds: 6.1e5,
+        },
     }
 }
