@@ -14,6 +14,14 @@ pub const STRING_BYTES: usize = 4096;
 pub const AXIS_MIN: usize = 2;
 /// Most texels of a table axis.
 pub const AXIS_MAX: usize = 1024;
+/// Fewest texels of an axis of a table of three: below it nothing is left to choose texels for.
+pub const VOLUME_AXIS_MIN: usize = 4;
+/// Most texels of an axis of a table of three.
+pub const VOLUME_AXIS_MAX: usize = 256;
+/// Most texels of a table of three axes.
+pub const VOLUME_CELLS: usize = 1 << 22;
+/// Most tables of three axes that a material may want.
+pub const VOLUMES: usize = 4;
 /// Most texels of all tables of a scene together.
 pub const CELLS: u64 = 1 << 24;
 /// Most bytes of all texels of a scene together.
