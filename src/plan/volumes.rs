@@ -10,6 +10,7 @@ use super::reflection::range_text;
 use super::work;
 use crate::data::{AlphaMap, Smith, TexelFormat};
 use crate::integrate::glass::Side;
+use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
 use crate::scene::{Lobe, Material, Scene, VolumeLayout, VolumeWant};
 
 /// The different tables of three axes that rough materials want, in order of first mention.
@@ -37,7 +38,7 @@ pub(super) fn volumes(scene: &Scene) -> Vec<VolumeJob> {
     }
     for job in &mut jobs {
         job.roughness = widened(job.roughness, job.alpha_map);
-        job.span = wide_span(job.span);
+        job.span = wide_span(job.span, job.layout);
     }
     jobs
 }
@@ -114,12 +115,13 @@ fn join(known: &mut VolumeJob, job: VolumeJob) {
     known.materials.extend(job.materials);
 }
 
-fn wide_span(span: VolumeSpan) -> VolumeSpan {
+/// The span, at least [`SPAN_WIDTH_MIN`] wide, inside what the layout reaches.
+fn wide_span(span: VolumeSpan, layout: VolumeLayout) -> VolumeSpan {
+    let ior = if layout == VolumeLayout::PathTracer { PATH_TRACER_IOR } else { GLASS_IOR };
+    let wide = |range, domain| widened_in(range, SPAN_WIDTH_MIN, domain);
     match span {
-        VolumeSpan::Anisotropy(range) => {
-            VolumeSpan::Anisotropy(widened_in(range, SPAN_WIDTH_MIN, [0.0, 1.0]))
-        }
-        VolumeSpan::Ior(range) => VolumeSpan::Ior(widened_in(range, SPAN_WIDTH_MIN, [1.0, 3.0])),
+        VolumeSpan::Anisotropy(range) => VolumeSpan::Anisotropy(wide(range, [0.0, 1.0])),
+        VolumeSpan::Ior(range) => VolumeSpan::Ior(wide(range, [1.0, ior])),
     }
 }
 
@@ -145,7 +147,7 @@ fn because(scene: &Scene, material: &Material, roughness: [f64; 2], span: Volume
         VolumeSpan::Ior(_) => "a rough surface that transmits",
     };
     let roughness = range_text(roughness, widened(roughness, scene.alpha));
-    let range = range_text(span.range(), wide_span(span).range());
+    let range = range_text(span.range(), wide_span(span, VolumeLayout::default()).range());
     let (input, forms) = (span.input(), forms(&material.wants.tables));
     format!("{name}: {kind} with {lobe} (roughness {roughness}; {input} {range}) wants {forms}")
 }

@@ -155,4 +155,17 @@ mod tests {
         assert!(fit("") < fit(r#""average":true"#));
         assert!(fit("") < fit(r#""hypotheses":["a.wgsl"]"#));
     }
+
+    #[test]
+    fn more_work_takes_longer_with_three_axes() {
+        let glass = |tables: &str| {
+            let text = format!(
+                r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"glass","ior":1.5,"roughness":1,"wants":{{"tables":[{tables}]}}}}]}}"#
+            );
+            crate::plan::plan(&Scene::from_json(text.as_bytes(), "test").expect("a scene")).effects[0].seconds
+        };
+        assert!(glass("{}") < glass(r#"{},{"layout":"path-tracer"}"#));
+        assert!(glass(r#"{"layout":"path-tracer"}"#) < glass("{}"));
+        assert!(glass(r#"{"size":[64,64,32]}"#) < glass(r#"{"size":[64,64,33]}"#));
+    }
 }

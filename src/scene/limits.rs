@@ -37,6 +37,10 @@ pub const THREADS: usize = 256;
 /// integrals reaches (alpha in [1e-4, 1]), and its albedo differs from the mirror's by less than 2e-4 for
 /// mu >= 1e-3 (the albedo depends on mu/alpha alone there): such a material is smooth.
 pub const SMOOTH_ALPHA: f64 = 1e-4;
+/// Largest index of refraction of glass: where the accuracy promise of the integrals ends.
+pub const GLASS_IOR: f64 = 3.0;
+/// Largest index of refraction that the path tracer's tables reach.
+pub const PATH_TRACER_IOR: f64 = 2.0;
 /// Smallest mu of the domain of a fit: where the accuracy promise of the integrals ends.
 pub const MU_MIN: f64 = 1e-4;
 

@@ -3,11 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
-use super::limits::SMOOTH_ALPHA;
+use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
 use super::value::{Maybe, Text, Word, from_file};
-use super::volume::{PATH_TRACER_IOR, VolumeLayout};
+use super::volume::VolumeLayout;
 use super::wants::{OpenWants, Wants};
 use crate::data::AlphaMap;
 use crate::optics::fresnel::f0_of_ior;

@@ -37,8 +37,8 @@ intervals! {
     Ior = 1.0, 4.0, false, "[1, 4]";
     /// Index of refraction of a dielectric, whose reflectance needs an interface.
     DielectricIor = 1.0, 4.0, true, "(1, 4]";
-    /// Index of refraction of glass: at 1 its albedo is a limit, and the accuracy promise of the integrals ends at 3.
-    GlassIor = 1.0, 3.0, false, "[1, 3]";
+    /// Index of refraction of glass: at 1 its albedo is a limit.
+    GlassIor = 1.0, super::limits::GLASS_IOR, false, "[1, 3]";
     /// A limit on an error: albedos lie in [0, 1], so an error of 1 is none.
     ErrorLimit = 0.0, 1.0, true, "(0, 1]";
     /// Cosine of the view angle.

@@ -10,9 +10,6 @@ use super::value::{Maybe, Word, from_file};
 use crate::data::TexelFormat;
 pub use crate::data::VolumeLayout;
 
-/// Largest index of refraction that the tables of the path tracer reach.
-pub(super) const PATH_TRACER_IOR: f64 = 2.0;
-
 /// The limit on the lookup error where neither size nor limit is given. What a 64x64x32 (anisotropic) and a 128x128x32
 /// (glass) table in the optimised layout are to reach for alpha >= 0.02, and a 32x32x16 one with the azimuth.
 fn default_limit(layout: VolumeLayout) -> Option<f64> {
