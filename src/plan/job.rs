@@ -53,7 +53,7 @@ impl TableJob {
     }
 }
 
-/// What a table of three axes holds the albedo of, with the hull of the materials' ranges, at least [`SPAN_WIDTH_MIN`]
+/// What a table of three axes holds the albedo of, with the hull of the materials' ranges, at least `SPAN_WIDTH_MIN`
 /// wide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum VolumeSpan {
@@ -115,7 +115,7 @@ pub struct VolumeJob {
     pub size: [usize; 3],
     /// How a texel is stored.
     pub format: TexelFormat,
-    /// Roughness range: the hull of the materials' rough ranges, at least [`ROUGHNESS_WIDTH_MIN`] wide.
+    /// Roughness range: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide.
     pub roughness: [f64; 2],
     /// The lobe and its range.
     pub span: VolumeSpan,
