@@ -142,11 +142,11 @@ fn not_a_material() -> Vec<Case> {
         ),
         case(
             material(r#""kind":"dielectric","ior":1,"roughness":1"#),
-            "materials[0].ior: 1 is outside (1, 4]",
+            "materials[0]: ior: 1 is outside (1, 4], where a dielectric's lies",
         ),
         case(
             material(r#""kind":"dielectric","ior":4.0000001,"roughness":1"#),
-            "materials[0].ior: 4.0000001 is outside (1, 4]",
+            "materials[0].ior: 4.0000001 is outside [1, 4]",
         ),
         case(
             material(r#""kind":"metal","f0":[1,1],"roughness":1"#),
@@ -199,6 +199,124 @@ fn not_a_material() -> Vec<Case> {
     ]
 }
 
+/// Fields of an anisotropic metal and of glass beside their names.
+const ANISOTROPIC: &str = r#""kind":"metal","f0":1,"roughness":1,"anisotropy":[0,1]"#;
+const GLASS: &str = r#""kind":"glass","ior":1.5,"roughness":1"#;
+
+/// Glass, anisotropy and file formats that contradict themselves.
+fn not_glass_nor_anisotropic() -> Vec<Case> {
+    let dielectric = |ior: &str| material(&format!(r#""kind":"dielectric","ior":{ior},"roughness":1"#));
+    let glass = |ior: &str| material(&format!(r#""kind":"glass","ior":{ior},"roughness":1"#));
+    let anisotropy =
+        |value: &str| material(&format!(r#""kind":"metal","f0":1,"roughness":1,"anisotropy":{value}"#));
+    vec![
+        case(material(r#""kind":"glass","roughness":1"#), "materials[0]: glass needs `ior`"),
+        case(
+            material(r#""kind":"glass","f0":0.04,"roughness":1"#),
+            "materials[0]: `f0` is for metals and dielectrics; give the glass's `ior`",
+        ),
+        case(
+            material(r#""kind":"glass","ior":1.5,"f0":0.04,"roughness":1"#),
+            "`f0` is for metals and dielectrics",
+        ),
+        case(glass("3.0000001"), "materials[0]: ior: 3.0000001 is outside [1, 3], where that of glass lies"),
+        case(glass("[1, 3.5]"), "materials[0]: ior: 3.5 is outside [1, 3]"),
+        case(glass("[1, 4.5]"), "materials[0].ior[1]: 4.5 is outside [1, 4]"),
+        case(glass("0.99"), "materials[0].ior: 0.99 is outside [1, 4]"),
+        case(glass("[2, 1]"), "materials[0].ior: the range [2, 1] is upside down"),
+        case(dielectric("[1.4, 1.5]"), "materials[0]: ior: a dielectric has one index of refraction"),
+        case(
+            material(&format!(r#"{GLASS},"anisotropy":0"#)),
+            "materials[0]: `anisotropy` is for metals and dielectrics; leave it out of glass",
+        ),
+        case(anisotropy("1.5"), "materials[0].anisotropy: 1.5 is outside [0, 1]"),
+        case(anisotropy("-0"), "materials[0].anisotropy: -0 is negative zero"),
+        case(anisotropy("-0.5"), "materials[0].anisotropy: -0.5 is outside [0, 1]"),
+        case(anisotropy("[0.6, 0.5]"), "materials[0].anisotropy: the range [0.6, 0.5] is upside down"),
+        case(anisotropy("[0, 0.5, 1]"), "materials[0].anisotropy: more than 2 numbers"),
+        case(anisotropy("null"), "materials[0].anisotropy: invalid type: null"),
+        case(top("\"formats\":[]"), "scene.json: formats: the list is empty"),
+        case(top("\"formats\":\"dds\""), "formats: invalid type: string \"dds\""),
+        case(top("\"formats\":[\"dds\",\"dds\"]"), "scene.json: formats: `dds` is there twice"),
+        case(
+            top("\"formats\":[\"ktx2\"]"),
+            "formats[0]: unknown variant `ktx2`, expected one of `exr`, `dds`, `npy`, `raw`",
+        ),
+        case(top("\"formats\":[\"exr\",\"dds\",\"npy\",\"raw\",\"exr\"]"), "formats: more than 4 entries"),
+    ]
+}
+
+/// Tables of three axes that cannot be made.
+fn not_a_volume() -> Vec<Case> {
+    let of = |fields: &str, wants: &str| material(&format!(r#"{fields},"wants":{{{wants}}}"#));
+    let tables = |fields: &str, tables: &str| of(fields, &format!("\"tables\":{tables}"));
+    vec![
+        case(
+            wants("{\"tables\":[{}]}"),
+            "materials[0]: wants.tables: they are for anisotropic materials and for glass; give `anisotropy`, or ask for \
+             `wants.table`",
+        ),
+        case(
+            tables(r#""kind":"metal","f0":1,"roughness":1,"anisotropy":0"#, "[{}]"),
+            "wants.tables: they are for anisotropic materials and for glass",
+        ),
+        case(
+            of(GLASS, "\"table\":{}"),
+            "materials[0]: wants.table: it is of lobes that only reflect; of glass ask for `wants.tables`",
+        ),
+        case(of(GLASS, "\"fit\":{}"), "materials[0]: wants.fit: it is of lobes that only reflect"),
+        case(of(GLASS, "\"fit\":{},\"tables\":[{}]"), "materials[0]: wants.fit: it is of lobes that only"),
+        case(
+            tables(GLASS, "[{},{\"layout\":\"azimuth\"}]"),
+            "materials[0]: wants.tables[1]: layout: `azimuth` is for anisotropic materials",
+        ),
+        case(
+            tables(r#""kind":"glass","ior":[1, 2.5],"roughness":1"#, "[{\"layout\":\"path-tracer\"}]"),
+            "materials[0]: wants.tables[0]: the path-tracer layout ends at ior 2, the material's at 2.5",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"layout\":\"path-tracer\",\"size\":[64,64,32]}]"),
+            "materials[0].wants.tables[0]: size: the path-tracer layout has its own; leave it out",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"layout\":\"path-tracer\",\"max_error\":1}]"),
+            "materials[0].wants.tables[0]: max_error: the error of the path-tracer layout is reported, not chosen",
+        ),
+        case(tables(ANISOTROPIC, "[]"), "materials[0].wants: tables: the list is empty"),
+        case(tables(ANISOTROPIC, "{}"), "materials[0].wants.tables: invalid type: map"),
+        case(tables(ANISOTROPIC, "[null]"), "materials[0].wants.tables[0]: invalid type: null"),
+        case(tables(ANISOTROPIC, "[[]]"), "materials[0].wants.tables[0]: invalid type: sequence"),
+        case(tables(ANISOTROPIC, "[{},{},{},{},{}]"), "materials[0].wants.tables: more than 4 entries"),
+        case(
+            tables(ANISOTROPIC, "[{},{\"size\":[64,64,32],\"format\":\"f16\"}]"),
+            "materials[0]: wants.tables[1]: it has the layout, size and format of wants.tables[0]",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"layout\":\"plain\"}]"),
+            "wants.tables[0].layout: unknown variant `plain`, expected one of `optimised`, `path-tracer`, `azimuth`",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"serves\":\"albedo\"}]"),
+            "wants.tables[0].serves: unknown field `serves`, expected one of `layout`, `size`, `format`, `max_error`",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"format\":\"bc6h\"}]"),
+            "wants.tables[0].format: unknown variant `bc6h`",
+        ),
+        case(tables(ANISOTROPIC, "[{\"max_error\":0}]"), "wants.tables[0].max_error: 0 is outside (0, 1]"),
+        case(
+            tables(ANISOTROPIC, "[{\"size\":[64,64]}]"),
+            "wants.tables[0].size: 2 numbers where 3 are called for",
+        ),
+        case(tables(ANISOTROPIC, "[{\"size\":64}]"), "expected a list of 3 numbers in [4, 256]"),
+        case(tables(ANISOTROPIC, "[{\"size\":[64,64,3]}]"), "wants.tables[0].size[2]: 3 is outside [4, 256]"),
+        case(
+            tables(ANISOTROPIC, "[{\"size\":[256,256,256]}]"),
+            "materials[0].wants.tables[0]: size: 256x256x256 is more than 4194304 texels",
+        ),
+    ]
+}
+
 /// A material, and wants that cannot be met.
 fn not_a_want() -> Vec<Case> {
     vec![
@@ -208,7 +326,7 @@ fn not_a_want() -> Vec<Case> {
         case(wants("\"both\""), "materials[0].wants: invalid type: string \"both\""),
         case(wants("{\"table\":null}"), "materials[0].wants.table: invalid type: null"),
         case(wants("{\"table\":true}"), "materials[0].wants.table: invalid type: boolean"),
-        case(wants("{\"tables\":{}}"), "unknown field `tables`, expected `table` or `fit`"),
+        case(wants("{\"texture\":{}}"), "unknown field `texture`, expected one of `table`, `fit`, `tables`"),
         case(wants("{\"fit\":{},\"fit\":{}}"), "duplicate field `fit`"),
         case(
             table("\"size\":32"),
@@ -299,6 +417,16 @@ fn what_is_not_a_scene_is_refused() {
 #[test]
 fn what_is_not_a_material_is_refused() {
     refused(not_a_material());
+}
+
+#[test]
+fn what_is_not_glass_nor_anisotropic_is_refused() {
+    refused(not_glass_nor_anisotropic());
+}
+
+#[test]
+fn tables_of_three_axes_that_cannot_be_made_are_refused() {
+    refused(not_a_volume());
 }
 
 #[test]

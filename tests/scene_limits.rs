@@ -71,6 +71,57 @@ fn texels_hold_at_the_limit_only() {
     );
 }
 
+/// A scene of glasses, each with these tables.
+fn glasses(tables: impl Iterator<Item = String>) -> String {
+    let list: Vec<String> = tables
+        .enumerate()
+        .map(|(i, tables)| {
+            format!(
+                r#"{{"name":"g{i}","kind":"glass","ior":1.5,"roughness":1,"wants":{{"tables":[{tables}]}}}}"#
+            )
+        })
+        .collect();
+    format!(r#"{{"schema_version":1,"materials":[{}]}}"#, list.join(","))
+}
+
+#[test]
+fn axes_of_volumes_hold_at_the_limit_only() {
+    let size = |n: &str| glasses(std::iter::once(format!(r#"{{"size":[4,{n},4]}}"#)));
+    for n in ["4", "256"] {
+        read(&size(n)).unwrap();
+    }
+    for n in ["0", "3", "257", "9223372036854775808"] {
+        let error = read(&size(n)).unwrap_err();
+        let expected = format!("materials[0].wants.tables[0].size[1]: {n} is outside [4, 256]");
+        assert!(error.ends_with(&expected), "{error}");
+    }
+}
+
+#[test]
+fn texels_of_volumes_hold_at_the_limit_only() {
+    let volume = |size: &str, more: &str| format!(r#"{{"size":{size}{more}}}"#);
+    read(&glasses(std::iter::once(volume("[256,256,64]", "")))).unwrap();
+    for size in ["[256,256,65]", "[256,256,256]"] {
+        let error = read(&glasses(std::iter::once(volume(size, "")))).unwrap_err();
+        assert!(error.contains("materials[0].wants.tables[0]: size: 256x256x"), "{error}");
+        assert!(error.ends_with(" is more than 4194304 texels"), "{error}");
+    }
+    // Twice 2^22 for the two sides, once as f16 and once as f32, are 2^24.
+    let (half, single) = (volume("[256,256,64]", ""), volume("[256,256,64]", r#","format":"f32""#));
+    let full = [half.clone(), single];
+    read(&glasses(full.iter().cloned())).unwrap();
+    // The same tables again are the same tables.
+    read(&glasses(full.iter().chain(&full).cloned())).unwrap();
+    let error = read(&glasses(full.into_iter().chain([volume("[4,4,4]", "")]))).unwrap_err();
+    assert_eq!(
+        error,
+        "s: materials[2].wants.tables[0].size: the scene's tables together exceed 16777216 texels or 536870912 bytes"
+    );
+    let five = [4, 5, 6, 7, 8].map(|n| volume(&format!("[4,4,{n}]"), "")).join(",");
+    let error = read(&glasses(std::iter::once(five))).unwrap_err();
+    assert!(error.ends_with("materials[0].wants.tables: more than 4 entries"), "{error}");
+}
+
 #[test]
 fn hypotheses_hold_at_the_limit_only() {
     let fit = |from: usize, n: usize| {
@@ -90,7 +141,7 @@ fn sixteen_mebibytes_of_digits_are_a_number_or_an_error_but_no_hang() {
     let text = format!(
         r#"{{"schema_version":1,"materials":[{{"name":"m","kind":"metal","f0":0.{digits},"roughness":1}}]}}"#
     );
-    assert_eq!(read(&text).unwrap().materials[0].f0[0], 1.0 / 9.0);
+    assert_eq!(read(&text).unwrap().materials[0].f0, Some([1.0 / 9.0; 3]));
     let text = text.replace("0.1", "1");
     assert!(read(&text).unwrap_err().contains("materials[0].f0: number out of range"));
 }

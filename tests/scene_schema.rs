@@ -145,6 +145,58 @@ fn it_refuses_what_the_program_refuses() {
     }
 }
 
+#[test]
+fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
+    let anisotropic = r#"{"schema_version":1,"formats":["exr","raw"],"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"anisotropy":[0,1],"wants":{"fit":{},"tables":[{"size":[8,8,8]},{"layout":"azimuth"},{"layout":"path-tracer"}]}}]}"#;
+    let glass = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":[1,2],"roughness":1,"wants":{"tables":[{"format":"f32"}]}}]}"#;
+    let dielectric =
+        r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
+    for (base, changes) in [
+        (
+            anisotropic,
+            &[
+                ("[\"exr\",\"raw\"]", "[\"exr\",\"exr\"]"),
+                ("[\"exr\",\"raw\"]", "[]"),
+                ("[\"exr\",\"raw\"]", "[\"png\"]"),
+                ("[\"exr\",\"raw\"]", "\"exr\""),
+                ("[0,1]", "[0,1.5]"),
+                ("[0,1]", "[0]"),
+                ("\"anisotropy\":[0,1],", ""),
+                ("[8,8,8]", "[8,8]"),
+                ("[8,8,8]", "[8,8,3]"),
+                ("[8,8,8]", "[8,8,257]"),
+                ("\"azimuth\"", "\"plain\""),
+                ("{\"layout\":\"azimuth\"}", "{\"layout\":\"path-tracer\"}"),
+                ("{\"layout\":\"azimuth\"}", "{\"serves\":\"albedo\"}"),
+            ][..],
+        ),
+        (
+            glass,
+            &[
+                ("[1,2]", "[1,3.5]"),
+                ("[1,2]", "3.5"),
+                ("[1,2]", "0.5"),
+                ("\"ior\":[1,2]", "\"f0\":0.04"),
+                ("\"ior\":[1,2],", ""),
+                ("\"roughness\":1", "\"roughness\":1,\"anisotropy\":0"),
+                ("\"tables\":[{\"format\":\"f32\"}]", "\"fit\":{}"),
+                ("\"tables\":[{\"format\":\"f32\"}]", "\"table\":{}"),
+                ("[{\"format\":\"f32\"}]", "[]"),
+            ],
+        ),
+        (dielectric, &[("1.5", "[1.5,1.6]"), ("1.5", "1"), ("1.5", "4.5")]),
+    ] {
+        assert_eq!(check(base), Vec::<String>::new());
+        Scene::from_json(base.as_bytes(), "s").unwrap();
+        for (from, to) in changes {
+            let text = base.replacen(from, to, 1);
+            assert_ne!(text, base, "{from}");
+            assert!(!check(&text).is_empty(), "{text}");
+            assert!(Scene::from_json(text.as_bytes(), "s").is_err(), "{text}");
+        }
+    }
+}
+
 /// The field names under every `properties` of the schema, with their descriptions.
 fn fields(value: &Value, found: &mut Vec<(String, bool)>) {
     match value {
@@ -172,15 +224,20 @@ fn it_names_and_describes_every_field() {
         names,
         [
             "alpha",
+            "anisotropy",
             "average",
             "f0",
             "fit",
             "format",
+            "format",
+            "formats",
             "hypotheses",
             "ior",
             "kind",
             "layout",
+            "layout",
             "materials",
+            "max_error",
             "max_error",
             "max_error",
             "max_ops",
@@ -193,8 +250,10 @@ fn it_names_and_describes_every_field() {
             "schema_version",
             "serves",
             "size",
+            "size",
             "smith",
             "table",
+            "tables",
             "wants"
         ]
     );

@@ -87,6 +87,12 @@ pub enum BakeError {
         /// What the printer says.
         reason: String,
     },
+    /// Tables that are planned and not made yet.
+    #[error("{table}: this version plans tables of three axes and does not bake them")]
+    Volume {
+        /// The first of them.
+        table: String,
+    },
     /// A defect of this program.
     #[error("internal error: {0}")]
     Internal(String),
@@ -112,6 +118,9 @@ pub fn bake(
     selection: Selection,
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
+    if let Some(table) = plan.volumes.iter().flat_map(|job| &job.tables).next() {
+        return Err(BakeError::Volume { table: table.name.clone() });
+    }
     let recipe = recipe(scene, hypotheses)?;
     let mut context = Context { recipe, counter: Counter::default(), broken: Vec::new(), progress };
     names::check(hypotheses)?;

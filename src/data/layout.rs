@@ -59,3 +59,29 @@ impl Serves {
         }
     }
 }
+
+/// Which coordinates a table of three axes is laid out in.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum VolumeLayout {
+    /// Registration, warp and texel values chosen for the trilinear lookup.
+    #[default]
+    Optimised,
+    /// The nodes, shadowing form and roughness map of a known path tracer, to drop into it.
+    PathTracer,
+    /// Anisotropic lobes only: the azimuth of the view is a coordinate, where the other layouts hold the mean over it.
+    Azimuth,
+}
+
+impl VolumeLayout {
+    /// The word used in scenes and table names.
+    pub fn name(self) -> &'static str {
+        match self {
+            VolumeLayout::Optimised => "optimised",
+            VolumeLayout::PathTracer => "path-tracer",
+            VolumeLayout::Azimuth => "azimuth",
+        }
+    }
+}

@@ -4,6 +4,7 @@
 mod approximation;
 mod axis;
 mod certificate;
+mod container;
 mod cost;
 mod layout;
 mod lobe;
@@ -13,8 +14,9 @@ mod table;
 pub use approximation::{Approximation, Form, Formula, Source, Use};
 pub use axis::{Axis, Registration, Warp};
 pub use certificate::{Certificate, Place};
+pub use container::Container;
 pub use cost::Cost;
-pub use layout::{Layout, Serves};
+pub use layout::{Layout, Serves, VolumeLayout};
 pub use lobe::{AlphaMap, Smith};
 pub use norm::Norm;
 pub use table::{Channel, Table, TableError, TexelFormat};

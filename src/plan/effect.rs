@@ -1,17 +1,10 @@
-//! The effects that a scene can call for, and why it does or does not.
+//! The effects that a scene can call for, and what a plan says of them.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::job::{FitJob, TableJob};
-use super::merge::{forms, rough, widened};
-use super::work;
-use crate::data::AlphaMap;
-use crate::scene::{Kind, Material, Scene};
-
-/// Most materials that a reason names; the rest are counted.
-const NAMED: usize = 3;
+use super::merge::hull;
 
 /// The names of effects, as the contract fixes them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
@@ -115,132 +108,29 @@ pub struct LeftOut {
     pub reason: String,
 }
 
-/// The reflection effect, where a rough material calls for it.
-pub(super) fn reflection(scene: &Scene, tables: &[TableJob], fit: Option<&FitJob>) -> Option<Effect> {
-    let because: Vec<String> = rough(scene)
-        .map(|(_, m, range)| {
-            let (name, kind, forms) = (&m.name, m.kind.name(), forms(&m.wants));
-            let roughness = range_text(range, scene.alpha);
-            format!("{name}: {kind} with a rough specular lobe (roughness {roughness}) wants {forms}")
-        })
-        .collect();
-    if because.is_empty() {
-        return None;
+impl Effect {
+    /// An effect of these jobs and a report that takes `report` seconds.
+    pub(super) fn new(
+        effect: EffectName,
+        because: Vec<String>,
+        jobs: Vec<JobSummary>,
+        report: f64,
+    ) -> Effect {
+        let mut ranges: BTreeMap<&'static str, [f64; 2]> = BTreeMap::new();
+        for (&input, &range) in jobs.iter().flat_map(|job| &job.ranges) {
+            let all = ranges.entry(input).or_insert(range);
+            *all = hull(*all, range);
+        }
+        Effect {
+            effect,
+            because,
+            ranges,
+            approximation: jobs.iter().map(|j| j.approximation.as_str()).collect::<Vec<_>>().join("; "),
+            bytes: jobs.iter().map(|j| j.bytes).sum(),
+            bytes_at_most: jobs.iter().any(|j| j.bytes_at_most),
+            expected_error: jobs.iter().try_fold(0.0_f64, |worst, j| j.expected_error.map(|e| worst.max(e))),
+            seconds: jobs.iter().map(|j| j.seconds).sum::<f64>() + report,
+            jobs,
+        }
     }
-    let seconds = work::table_seconds(tables);
-    let summaries = tables.iter().zip(seconds).map(|(job, seconds)| table_summary(job, seconds));
-    let jobs: Vec<JobSummary> = summaries.chain(fit.map(fit_summary)).collect();
-    let mut ranges: BTreeMap<&'static str, [f64; 2]> = BTreeMap::new();
-    for (&input, &range) in jobs.iter().flat_map(|job| &job.ranges) {
-        let hull = ranges.entry(input).or_insert(range);
-        *hull = [hull[0].min(range[0]), hull[1].max(range[1])];
-    }
-    Some(Effect {
-        effect: EffectName::Reflection,
-        because,
-        ranges,
-        approximation: jobs.iter().map(|j| j.approximation.as_str()).collect::<Vec<_>>().join("; "),
-        bytes: jobs.iter().map(|j| j.bytes).sum(),
-        bytes_at_most: jobs.iter().any(|j| j.bytes_at_most),
-        expected_error: jobs.iter().try_fold(0.0_f64, |worst, j| j.expected_error.map(|e| worst.max(e))),
-        seconds: jobs.iter().map(|j| j.seconds).sum::<f64>() + work::REPORT_S,
-        jobs,
-    })
-}
-
-/// A roughness range, and what it is widened to where it is too narrow for a job.
-fn range_text(range: [f64; 2], map: AlphaMap) -> String {
-    let [lo, hi] = range;
-    let own = if lo == hi { format!("{lo}") } else { format!("{lo} to {hi}") };
-    let job = widened(range, map);
-    if job == range {
-        return own;
-    }
-    // Digits for people: the sums of widening have rounding errors behind them.
-    let [lo, hi] = job.map(|x| (x * 1e9).round() / 1e9);
-    format!("{own}, widened to {lo} to {hi}")
-}
-
-fn table_summary(job: &TableJob, seconds: f64) -> JobSummary {
-    let (size, format, layout, serves) =
-        (size_text(job), job.format.name(), job.layout.name(), job.serves.name());
-    JobSummary {
-        name: job.name.clone(),
-        approximation: format!("table {size} {format}, {layout} layout, for {serves}"),
-        // Where a table is judged, whatever the fits' domain of mu is.
-        ranges: BTreeMap::from([("mu", [1e-3, 1.0]), ("roughness", job.roughness)]),
-        bytes: work::table_bytes(job),
-        bytes_at_most: job.columns.is_none(),
-        expected_error: job.max_error,
-        seconds,
-    }
-}
-
-fn size_text(job: &TableJob) -> String {
-    match (job.columns, job.rows) {
-        (Some(columns), Some(rows)) => format!("{columns}x{rows}"),
-        _ => "of the smallest sufficient size".into(),
-    }
-}
-
-fn fit_summary(job: &FitJob) -> JobSummary {
-    let ops = job.max_ops.map_or_else(|| "any number of".into(), |n| format!("up to {n}"));
-    let average = if job.average { " and of the average albedo" } else { "" };
-    let norms: Vec<&str> = job.norms.iter().map(|n| n.name()).collect();
-    JobSummary {
-        name: "normalisation".into(),
-        approximation: format!(
-            "fits of the normalisation{average}, {ops} operations, {}",
-            norms.join(" and ")
-        ),
-        ranges: BTreeMap::from([("mu", job.mu), ("roughness", job.roughness)]),
-        bytes: 0,
-        bytes_at_most: false,
-        expected_error: job.max_error,
-        seconds: work::fit_seconds(job),
-    }
-}
-
-/// Why an effect is left out.
-pub(super) fn reason(effect: EffectName, scene: &Scene) -> String {
-    let lacks = match effect {
-        EffectName::Reflection => return no_reflection(scene),
-        EffectName::DiffuseCoupling => return diffuse_coupling(scene),
-        EffectName::Anisotropy => "is anisotropic",
-        EffectName::Glass => "transmits light",
-        EffectName::Sheen => "has a sheen layer",
-        EffectName::Clearcoat => "has a clear coat",
-        EffectName::OrenNayar => "has a rough diffuse base",
-        EffectName::Parallax => "calls for it: the scene has no probe",
-        EffectName::Occlusion => "has an occlusion map",
-    };
-    format!("no material {lacks}")
-}
-
-fn no_reflection(scene: &Scene) -> String {
-    if scene.materials.is_empty() {
-        return "the scene has no materials".into();
-    }
-    let names = named(scene.materials.iter());
-    let stay = if scene.materials.len() == 1 { "stays" } else { "stay" };
-    format!("no material has a rough specular lobe: {names} {stay} below alpha 0.0001, which is smooth")
-}
-
-fn diffuse_coupling(scene: &Scene) -> String {
-    let mut dielectrics = scene.materials.iter().filter(|m| m.kind == Kind::Dielectric).peekable();
-    if dielectrics.peek().is_none() {
-        return "no material is a dielectric with a diffuse base".into();
-    }
-    let names = named(dielectrics);
-    format!("called for by {names} (the diffuse base of a dielectric); not available in this version")
-}
-
-/// The first names, and how many more there are.
-fn named<'a>(materials: impl Iterator<Item = &'a Material>) -> String {
-    let names: Vec<&str> = materials.map(|m| m.name.as_str()).collect();
-    let mut text = names.iter().take(NAMED).map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", ");
-    if names.len() > NAMED {
-        text += &format!(" and {} more", names.len() - NAMED);
-    }
-    text
 }

@@ -1,12 +1,20 @@
 //! The jobs of a plan: plain values that name everything the work needs.
 
+use super::effect::EffectName;
 use crate::data::{AlphaMap, Smith, TexelFormat};
-use crate::scene::{Layout, Norm, Serves};
+use crate::integrate::glass::Side;
+use crate::scene::{Layout, Norm, Serves, VolumeLayout};
 
 /// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no second
 /// dimension to fit, so it is widened about itself to this width; the figure is a choice, small beside the
 /// curvature of E in roughness.
 pub const ROUGHNESS_WIDTH_MIN: f64 = 0.01;
+
+/// Range of mu over which every table is judged, whatever the fits' domain is.
+pub const JUDGED_MU: [f64; 2] = [1e-3, 1.0];
+
+/// Narrowest range of anisotropy or index of refraction of a job, for the same reason and by the same choice.
+pub const SPAN_WIDTH_MIN: f64 = 0.01;
 
 /// One table to bake, for all materials that want the same size, format, layout and use.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,12 +53,98 @@ impl TableJob {
     }
 }
 
+/// What a table of three axes holds the albedo of, with the hull of the materials' ranges, at least `SPAN_WIDTH_MIN`
+/// wide.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VolumeSpan {
+    /// An anisotropic lobe: range of the anisotropy in [0, 1].
+    Anisotropy([f64; 2]),
+    /// Rough glass: range of the index of refraction in [1, 3].
+    Ior([f64; 2]),
+}
+
+impl VolumeSpan {
+    /// The variable's name: `anisotropy` or `ior`.
+    pub fn input(self) -> &'static str {
+        match self {
+            VolumeSpan::Anisotropy(_) => "anisotropy",
+            VolumeSpan::Ior(_) => "ior",
+        }
+    }
+
+    /// Its range.
+    pub fn range(self) -> [f64; 2] {
+        match self {
+            VolumeSpan::Anisotropy(range) | VolumeSpan::Ior(range) => range,
+        }
+    }
+
+    /// The effect that it belongs to.
+    pub fn effect(self) -> EffectName {
+        match self {
+            VolumeSpan::Anisotropy(_) => EffectName::Anisotropy,
+            VolumeSpan::Ior(_) => EffectName::Glass,
+        }
+    }
+}
+
+/// One table of a [`VolumeJob`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct VolumeTable {
+    /// Name, unique in its plan: `ggx-aniso-correlated-64x64x32`, `ggx-glass-inside-correlated-128x128x32`,
+    /// `path-tracer-reflection-separable-64x64x32`, with `-azimuth` before the shadowing form and `-f32` at the end
+    /// where they apply.
+    pub name: String,
+    /// Where the ray comes from; `None` of an anisotropic lobe.
+    pub side: Option<Side>,
+}
+
+/// The tables of three axes to bake for all materials that want the same size, format and layout: one of an anisotropic
+/// lobe, of rough glass one for each side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VolumeJob {
+    /// The tables; of glass outside, inside. All of the same size.
+    pub tables: Vec<VolumeTable>,
+    /// Shadowing form: the scene's; separable in the path tracer's layout.
+    pub smith: Smith,
+    /// How roughness becomes alpha: as the scene says; alpha = roughness in the path tracer's layout.
+    pub alpha_map: AlphaMap,
+    /// Coordinates.
+    pub layout: VolumeLayout,
+    /// Columns, rows and slices.
+    pub size: [usize; 3],
+    /// How a texel is stored.
+    pub format: TexelFormat,
+    /// Roughness range: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide.
+    pub roughness: [f64; 2],
+    /// The lobe and its range.
+    pub span: VolumeSpan,
+    /// Limit on the error of the trilinear lookup: the strictest of the materials'. `None` in the path tracer's layout.
+    pub max_error: Option<f64>,
+    /// The limits that `max_error` is the strictest of, in the scene's order.
+    pub limits: Vec<Limit>,
+    /// Names of the materials that want it, in the scene's order.
+    pub materials: Vec<String>,
+}
+
+impl VolumeJob {
+    /// The materials that set `max_error`, with the field of each: `gold (materials[0].wants.tables[1].max_error)`.
+    pub fn limited_by(&self) -> String {
+        listed(self.limits.iter().filter(|limit| Some(limit.max_error) == self.max_error))
+    }
+
+    /// Texels of one of its tables.
+    pub fn texels(&self) -> usize {
+        self.size.iter().product()
+    }
+}
+
 /// A limit on an error, and where the scene sets it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
     /// Name of the material.
     pub material: String,
-    /// The field, as `materials[0].wants.fit.max_error`; of a table whose size is open it may be a default.
+    /// The field, as `materials[0].wants.fit.max_error`; of a table whose size is not given it may be a default.
     pub field: String,
     /// The limit.
     pub max_error: f64,

@@ -148,7 +148,17 @@ pub(super) fn rough(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f
     materials.filter_map(|(i, m)| m.rough_range(scene.alpha).map(|range| (i, m, range)))
 }
 
-/// The forms of approximation that a material wants, in words. A material wants at least one.
+/// Whether a material's lobe is rough somewhere.
+pub(super) fn is_rough(scene: &Scene, material: &Material) -> bool {
+    material.rough_range(scene.alpha).is_some()
+}
+
+/// Those of them that want an approximation of the isotropic lobe.
+pub(super) fn isotropic(scene: &Scene) -> impl Iterator<Item = (usize, &Material, [f64; 2])> {
+    rough(scene).filter(|(_, m, _)| m.wants.table.is_some() || m.wants.fit.is_some())
+}
+
+/// The forms of approximation of the isotropic lobe that a material wants, in words. It wants at least one.
 pub(super) fn forms(wants: &Wants) -> &'static str {
     match (wants.table.is_some(), wants.fit.is_some()) {
         (true, true) => "a table and fits",
@@ -157,11 +167,11 @@ pub(super) fn forms(wants: &Wants) -> &'static str {
     }
 }
 
-fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(super) fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].min(b[0]), a[1].max(b[1])]
 }
 
-fn strictest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
+pub(super) fn strictest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     match (a, b) {
         (Some(a), Some(b)) => Some(a.min(b)),
         (one, None) | (None, one) => one,
@@ -170,10 +180,15 @@ fn strictest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
 
 /// The range, or where it is narrower than [`ROUGHNESS_WIDTH_MIN`], one of that width about it inside the domain.
 pub(super) fn widened(range: [f64; 2], map: AlphaMap) -> [f64; 2] {
-    if range[1] - range[0] >= ROUGHNESS_WIDTH_MIN {
+    widened_in(range, ROUGHNESS_WIDTH_MIN, [smallest_rough(map), 1.0])
+}
+
+/// The range, or where it is narrower than `width`, one of that width about it inside the domain.
+pub(super) fn widened_in(range: [f64; 2], width: f64, domain: [f64; 2]) -> [f64; 2] {
+    if range[1] - range[0] >= width {
         return range;
     }
     let middle = 0.5 * (range[0] + range[1]);
-    let lo = (middle - 0.5 * ROUGHNESS_WIDTH_MIN).max(smallest_rough(map)).min(1.0 - ROUGHNESS_WIDTH_MIN);
-    [lo.min(range[0]), (lo + ROUGHNESS_WIDTH_MIN).min(1.0).max(range[1])]
+    let lo = (middle - 0.5 * width).max(domain[0]).min(domain[1] - width);
+    [lo.min(range[0]), (lo + width).min(domain[1]).max(range[1])]
 }

@@ -3,11 +3,14 @@
 
 mod effect;
 mod job;
+mod left_out;
 mod merge;
+mod reflection;
+mod volumes;
 mod work;
 
 pub use effect::{Effect, EffectName, JobSummary, LeftOut};
-pub use job::{FitJob, FitPromise, Limit, TableJob};
+pub use job::{FitJob, FitPromise, Limit, TableJob, VolumeJob, VolumeSpan, VolumeTable};
 
 use serde::Serialize;
 
@@ -30,20 +33,30 @@ pub struct Plan {
     /// The fit to make, if any material wants one.
     #[serde(skip)]
     pub fit: Option<FitJob>,
+    /// Tables of three axes to bake, in the order in which the materials first want them; names are unique.
+    #[serde(skip)]
+    pub volumes: Vec<VolumeJob>,
 }
 
 /// Plans a validated scene.
 pub fn plan(scene: &Scene) -> Plan {
     let tables = merge::tables(scene);
     let fit = merge::fit(scene);
-    let reflection = effect::reflection(scene, &tables, fit.as_ref());
+    let volumes = volumes::volumes(scene);
+    let effects: Vec<Effect> = EffectName::ALL
+        .into_iter()
+        .filter_map(|name| match name {
+            EffectName::Reflection => reflection::effect(scene, &tables, fit.as_ref()),
+            EffectName::Anisotropy | EffectName::Glass => volumes::effect(scene, &volumes, name),
+            _ => None,
+        })
+        .collect();
     let left_out = EffectName::ALL
         .into_iter()
-        .filter(|&name| !(name == EffectName::Reflection && reflection.is_some()))
-        .map(|name| LeftOut { effect: name, reason: effect::reason(name, scene) })
+        .filter(|&name| !effects.iter().any(|e| e.effect == name))
+        .map(|name| LeftOut { effect: name, reason: left_out::reason(name, scene) })
         .collect();
-    let effects = reflection.into_iter().collect();
-    Plan { schema_version: 1, scene: scene.name.clone(), effects, left_out, tables, fit }
+    Plan { schema_version: 1, scene: scene.name.clone(), effects, left_out, tables, fit, volumes }
 }
 
 impl Plan {

@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::error::{Position, SceneError};
 use super::limits;
-use super::material::Material;
+use super::material::{Lobe, Material};
 use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word};
-use crate::data::{AlphaMap, Smith};
+use crate::data::{AlphaMap, Container, Smith};
 
 /// Domain of mu for fits where the scene gives none.
 const DEFAULT_MU: [f64; 2] = [0.01, 1.0];
@@ -30,6 +30,10 @@ pub struct Scene {
     pub alpha: AlphaMap,
     /// Domain of mu for fits, lo < hi in [1e-4, 1].
     pub mu: [f64; 2],
+    /// File formats in which every table is written, each once, in the order of [`Container`]; at least one.
+    // Absent at its default: the hash of a scene without it is that of the versions before it.
+    #[serde(skip_serializing_if = "exr_alone")]
+    pub formats: Vec<Container>,
     /// Materials in the order of the file.
     pub materials: Vec<Material>,
 }
@@ -55,12 +59,35 @@ struct SceneFile {
     /// Tables are judged over [0.001, 1] whatever it is.
     #[serde(default)]
     mu: Maybe<Span<Cosine, false>>,
+    /// File formats in which every table is written; default EXR alone.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    formats: Maybe<List<Word<Container>, 4>>,
     /// The materials.
     materials: List<Material, { limits::MATERIALS }>,
     /// Probes that capture the scene's light. No effect of this version reads them: leave the list empty.
     #[serde(default)]
     #[allow(dead_code, reason = "reading it is the check")]
     probes: Maybe<List<Probe, 0>>,
+}
+
+fn exr_alone(formats: &[Container]) -> bool {
+    formats == [Container::Exr]
+}
+
+/// The formats in their order; a list that is empty or names one twice is refused.
+fn formats(given: Option<List<Word<Container>, 4>>) -> Result<Vec<Container>, String> {
+    let Some(List(words)) = given else { return Ok(vec![Container::default()]) };
+    if words.is_empty() {
+        return Err("the list is empty; leave the field out for EXR".into());
+    }
+    let mut formats = BTreeSet::new();
+    for Word(format) in words {
+        if !formats.insert(format) {
+            return Err(format!("`{}` is there twice", format.name()));
+        }
+    }
+    Ok(formats.into_iter().collect())
 }
 
 /// A probe: none is known yet, so none is accepted.
@@ -94,14 +121,17 @@ impl Scene {
             SceneFile::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
         let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), file))?;
         json.end().map_err(|e| field_error(&e, "", file))?;
+        let whole = |(path, message)| SceneError::Whole { file: file.into(), path, message };
+        let formats = formats(parsed.formats.0).map_err(|message| whole(("formats".into(), message)))?;
         let scene = Scene {
             name: parsed.name.0.map_or_else(|| "scene".into(), |t| t.0),
             smith: parsed.smith.0.map_or_else(Smith::default, |w| w.0),
             alpha: parsed.alpha.0.map_or_else(AlphaMap::default, |w| w.0),
             mu: parsed.mu.0.map_or(DEFAULT_MU, |s| s.0),
+            formats,
             materials: parsed.materials.0,
         };
-        scene.check().map_err(|(path, message)| SceneError::Whole { file: file.into(), path, message })?;
+        scene.check().map_err(whole)?;
         Ok(scene)
     }
 
@@ -153,24 +183,25 @@ impl Scene {
 
     /// Holds the texels of all different tables together to the limits, before anything is allocated.
     fn check_texels(&self) -> Result<(), (String, String)> {
-        let mut tables = BTreeSet::new();
+        let (mut tables, mut volumes) = (BTreeSet::new(), BTreeSet::new());
         let mut total = (0, 0);
         for (i, material) in self.materials.iter().enumerate() {
-            let Some(table) = &material.wants.table else { continue };
-            if !tables.insert((table.size, table.format.name(), table.layout, table.serves)) {
-                continue;
+            if let Some(table) = &material.wants.table
+                && tables.insert((table.size, table.format.name(), table.layout, table.serves))
+            {
+                let size = table.size.unwrap_or([AUTO_SIDE; 2]);
+                let texel_bytes = table.serves.channels() * table.format.bytes();
+                total = add_table(total, size, texel_bytes, || format!("materials[{i}].wants.table.size"))?;
             }
-            let [columns, rows] = table.size.unwrap_or([AUTO_SIDE; 2]);
-            total = limits::texels(columns, rows, table.serves.channels() * table.format.bytes())
-                .and_then(|texels| limits::add_texels(total, texels))
-                .ok_or_else(|| {
-                    let message = format!(
-                        "the scene's tables together exceed {} texels or {} bytes",
-                        limits::CELLS,
-                        limits::TEXEL_BYTES
-                    );
-                    (format!("materials[{i}].wants.table.size"), message)
-                })?;
+            let lobe = material.lobe();
+            for (j, volume) in material.wants.tables.iter().enumerate() {
+                if volumes.insert((lobe == Lobe::Glass, volume.layout, volume.size, volume.format.name())) {
+                    let [columns, rows, slices] = volume.size;
+                    let size = [columns, rows * slices * lobe.sides()];
+                    let field = || format!("materials[{i}].wants.tables[{j}].size");
+                    total = add_table(total, size, volume.format.bytes(), field)?;
+                }
+            }
         }
         Ok(())
     }
@@ -189,6 +220,20 @@ impl Scene {
         }
         Ok(())
     }
+}
+
+/// The total with one table more, or the field of its size and the message.
+fn add_table(
+    total: (u64, u64),
+    [columns, rows]: [usize; 2],
+    texel_bytes: u64,
+    field: impl FnOnce() -> String,
+) -> Result<(u64, u64), (String, String)> {
+    let table = limits::texels(columns, rows, texel_bytes);
+    table.and_then(|texels| limits::add_texels(total, texels)).ok_or_else(|| {
+        let (cells, bytes) = (limits::CELLS, limits::TEXEL_BYTES);
+        (field(), format!("the scene's tables together exceed {cells} texels or {bytes} bytes"))
+    })
 }
 
 /// The JSON Schema of the scene format.

@@ -14,6 +14,14 @@ pub const STRING_BYTES: usize = 4096;
 pub const AXIS_MIN: usize = 2;
 /// Most texels of a table axis.
 pub const AXIS_MAX: usize = 1024;
+/// Fewest texels of an axis of a table of three: below it nothing is left to choose texels for.
+pub const VOLUME_AXIS_MIN: usize = 4;
+/// Most texels of an axis of a table of three.
+pub const VOLUME_AXIS_MAX: usize = 256;
+/// Most texels of a table of three axes.
+pub const VOLUME_CELLS: usize = 1 << 22;
+/// Most tables of three axes that a material may want.
+pub const VOLUMES: usize = 4;
 /// Most texels of all tables of a scene together.
 pub const CELLS: u64 = 1 << 24;
 /// Most bytes of all texels of a scene together.
@@ -29,6 +37,10 @@ pub const THREADS: usize = 256;
 /// integrals reaches (alpha in [1e-4, 1]), and its albedo differs from the mirror's by less than 2e-4 for
 /// mu >= 1e-3 (the albedo depends on mu/alpha alone there): such a material is smooth.
 pub const SMOOTH_ALPHA: f64 = 1e-4;
+/// Largest index of refraction of glass: where the accuracy promise of the integrals ends.
+pub const GLASS_IOR: f64 = 3.0;
+/// Largest index of refraction that the path tracer's tables reach.
+pub const PATH_TRACER_IOR: f64 = 2.0;
 /// Smallest mu of the domain of a fit: where the accuracy promise of the integrals ends.
 pub const MU_MIN: f64 = 1e-4;
 

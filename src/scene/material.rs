@@ -1,13 +1,14 @@
-//! A material: metal or dielectric, its roughness range and its reflectance.
+//! A material: metal, dielectric or glass, its roughness range and its reflectance.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
-use super::limits::SMOOTH_ALPHA;
+use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
-use super::number::{In, Ior, Numbers, Span, Unit};
+use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
 use super::value::{Maybe, Text, Word, from_file};
-use super::wants::Wants;
+use super::volume::VolumeLayout;
+use super::wants::{OpenWants, Wants};
 use crate::data::AlphaMap;
 use crate::optics::fresnel::f0_of_ior;
 
@@ -19,6 +20,8 @@ pub enum Kind {
     Metal,
     /// Reflects at its surface and scatters below it.
     Dielectric,
+    /// Reflects and refracts at its surface, and scatters nowhere.
+    Glass,
 }
 
 impl Kind {
@@ -27,7 +30,26 @@ impl Kind {
         match self {
             Kind::Metal => "metal",
             Kind::Dielectric => "dielectric",
+            Kind::Glass => "glass",
         }
+    }
+}
+
+/// What kind of specular lobe a material has: what may be wanted of it follows from that.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Lobe {
+    /// It reflects, and the azimuth does not matter.
+    Isotropic,
+    /// It reflects, wider along one tangent than along the other.
+    Anisotropic,
+    /// It reflects and transmits.
+    Glass,
+}
+
+impl Lobe {
+    /// Tables that stand for one table of three axes: of glass two, for rays from outside and from inside.
+    pub fn sides(self) -> usize {
+        if self == Lobe::Glass { 2 } else { 1 }
     }
 }
 
@@ -36,19 +58,42 @@ impl Kind {
 pub struct Material {
     /// Name, unique in its scene, without control characters; escape it where it is printed.
     pub name: String,
-    /// Metal or dielectric.
+    /// Metal, dielectric or glass.
     pub kind: Kind,
-    /// Reflectance at normal incidence, per colour channel, in [0, 1].
-    pub f0: [f64; 3],
-    /// Index of refraction in (1, 4] where the scene gave that.
-    pub ior: Option<f64>,
+    /// Reflectance at normal incidence, per colour channel, in [0, 1]; of glass `None`: `ior` says it.
+    pub f0: Option<[f64; 3]>,
+    /// Index of refraction where the scene gave that: of a dielectric one number in (1, 4], of glass a range in [1, 3].
+    #[serde(serialize_with = "one_or_range")]
+    pub ior: Option<[f64; 2]>,
     /// Roughness range in [0, 1], lo <= hi.
     pub roughness: [f64; 2],
+    /// Range of the anisotropy in [0, 1], lo <= hi: aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect,
+    /// alpha_y = alpha aspect (Burley 2012, "Physically Based Shading at Disney"). 0 to 0: isotropic.
+    // Absent at its default: the hash of an isotropic scene is that of the versions before it.
+    #[serde(skip_serializing_if = "isotropic")]
+    pub anisotropy: [f64; 2],
     /// What is wanted of its specular lobe.
     pub wants: Wants,
 }
 
+fn isotropic(anisotropy: &[f64; 2]) -> bool {
+    anisotropy[1] == 0.0
+}
+
+/// One number where both ends are equal: the normal form of `1.5` and of `[1.5, 1.5]`.
+fn one_or_range<S: Serializer>(range: &Option<[f64; 2]>, serializer: S) -> Result<S::Ok, S::Error> {
+    match range {
+        Some([lo, hi]) if lo == hi => Some(lo).serialize(serializer),
+        range => range.serialize(serializer),
+    }
+}
+
 impl Material {
+    /// What kind of specular lobe it has.
+    pub fn lobe(&self) -> Lobe {
+        lobe(self.kind, self.anisotropy)
+    }
+
     /// The part of the roughness range whose lobe is rough (alpha >= [`SMOOTH_ALPHA`]), or `None` for a smooth material.
     pub fn rough_range(&self, map: AlphaMap) -> Option<[f64; 2]> {
         let [lo, hi] = self.roughness;
@@ -67,30 +112,55 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 
 /// A material.
 #[derive(Deserialize, JsonSchema)]
-// Exactly one of `f0` and `ior`, and `f0` unless it is a dielectric.
+// Exactly one of `f0` and `ior`: a metal `f0`, a dielectric either, glass `ior`. Tables of three axes are for anisotropic
+// materials and for glass, which has neither anisotropy nor the approximations of lobes that only reflect.
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
-    "anyOf" = [{ "required": ["f0"] }, { "properties": { "kind": { "const": "dielectric" } } }],
+    "anyOf" = [
+        {
+            "required": ["f0"],
+            "properties": { "kind": { "enum": ["metal", "dielectric"] } },
+            "anyOf": [{ "required": ["anisotropy"] }, { "properties": { "wants": { "properties": { "tables": false } } } }],
+        },
+        {
+            "properties": { "kind": { "const": "dielectric" }, "ior": { "type": "number", "exclusiveMinimum": 1.0 } },
+            "anyOf": [{ "required": ["anisotropy"] }, { "properties": { "wants": { "properties": { "tables": false } } } }],
+        },
+        {
+            "required": ["ior"],
+            "properties": {
+                "kind": { "const": "glass" },
+                "ior": { "maximum": 3.0, "items": { "maximum": 3.0 } },
+                "anisotropy": false,
+                "wants": { "properties": { "table": false, "fit": false } },
+            },
+        },
+    ],
 ))]
 #[serde(deny_unknown_fields, expecting = "an object that describes a material")]
 struct MaterialFile {
     /// Name, unique in the scene, without control characters.
     name: Text<Name>,
-    /// `metal` or `dielectric`.
+    /// `metal`, `dielectric`, or `glass`, which transmits light through its rough surface.
     kind: Word<Kind>,
     /// Reflectance at normal incidence: a number, or one for red, green and blue. A metal needs it; a dielectric has
-    /// either this or `ior`.
+    /// either this or `ior`; glass has none.
     #[serde(default)]
     f0: Maybe<Numbers<In<Unit>, 3, true>>,
-    /// Index of refraction of a dielectric.
+    /// Index of refraction: of a dielectric a number in (1, 4]; of glass a number or a range [lo, hi] in [1, 3].
     #[serde(default)]
-    ior: Maybe<In<Ior>>,
+    ior: Maybe<Span<Ior, true>>,
     /// Roughness: a number, or the range [lo, hi] that the material's texture spans. Where alpha is below 0.0001 the
     /// surface counts as smooth and calls for no rough specular.
     roughness: Span<Unit, true>,
-    /// What is wanted; without it a table and fits, with their defaults.
+    /// Anisotropy of a metal or a dielectric: a number, or the range [lo, hi] that the material's texture spans; default 0.
+    /// aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect, alpha_y = alpha aspect.
     #[serde(default)]
-    wants: Maybe<Wants>,
+    anisotropy: Maybe<Span<Unit, true>>,
+    /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a table of three axes, with
+    /// their defaults.
+    #[serde(default)]
+    wants: Maybe<OpenWants>,
 }
 
 impl TryFrom<MaterialFile> for Material {
@@ -100,18 +170,65 @@ impl TryFrom<MaterialFile> for Material {
         let kind = file.kind.0;
         let f0 = file.f0.0.map(|Numbers([r, g, b])| [r.0, g.0, b.0]);
         let ior = file.ior.0.map(|n| n.0);
-        let f0 = match (kind, f0, ior) {
-            (Kind::Metal, _, Some(_)) => return Err("`ior` is for dielectrics; give the metal's `f0`".into()),
-            (Kind::Metal, None, None) => return Err("a metal needs `f0`".into()),
-            (Kind::Dielectric, None, None) => return Err("a dielectric needs `ior` or `f0`".into()),
-            (Kind::Dielectric, Some(_), Some(_)) => {
-                return Err("`ior` and `f0` are both given; a dielectric needs exactly one of them".into());
+        let f0 = reflectance(kind, f0, ior)?;
+        if kind == Kind::Glass && file.anisotropy.0.is_some() {
+            return Err("`anisotropy` is for metals and dielectrics; leave it out of glass".into());
+        }
+        let anisotropy = file.anisotropy.0.map_or([0.0; 2], |range| range.0);
+        let lobe = lobe(kind, anisotropy);
+        let wants = file.wants.0.map_or_else(|| OpenWants::default(lobe), Ok)?.of(lobe)?;
+        if kind == Kind::Glass {
+            check_path_tracer(&wants, ior)?;
+        }
+        Ok(Material { name: file.name.0, kind, f0, ior, roughness: file.roughness.0, anisotropy, wants })
+    }
+}
+
+fn lobe(kind: Kind, anisotropy: [f64; 2]) -> Lobe {
+    match kind {
+        Kind::Glass => Lobe::Glass,
+        _ if isotropic(&anisotropy) => Lobe::Isotropic,
+        _ => Lobe::Anisotropic,
+    }
+}
+
+/// The reflectance at normal incidence of what has one, from exactly one of `f0` and `ior`.
+fn reflectance(kind: Kind, f0: Option<[f64; 3]>, ior: Option<[f64; 2]>) -> Result<Option<[f64; 3]>, String> {
+    match (kind, f0, ior) {
+        (Kind::Metal, _, Some(_)) => Err("`ior` is for dielectrics and glass; give the metal's `f0`".into()),
+        (Kind::Metal, None, None) => Err("a metal needs `f0`".into()),
+        (Kind::Dielectric, None, None) => Err("a dielectric needs `ior` or `f0`".into()),
+        (Kind::Dielectric, Some(_), Some(_)) => {
+            Err("`ior` and `f0` are both given; a dielectric needs exactly one of them".into())
+        }
+        (Kind::Metal | Kind::Dielectric, Some(f0), None) => Ok(Some(f0)),
+        (Kind::Dielectric, None, Some([n, hi])) => {
+            if n != hi {
+                return Err("ior: a dielectric has one index of refraction; a range is for glass".into());
             }
-            (_, Some(f0), None) => f0,
-            (Kind::Dielectric, None, Some(n)) => [f0_of_ior(n); 3],
-        };
-        let wants = file.wants.0.map_or_else(Wants::both, Ok)?;
-        Ok(Material { name: file.name.0, kind, f0, ior, roughness: file.roughness.0, wants })
+            inside::<DielectricIor>(n, n).map_err(|e| format!("ior: {e}, where a dielectric's lies"))?;
+            Ok(Some([f0_of_ior(n); 3]))
+        }
+        (Kind::Glass, Some(_), _) => Err("`f0` is for metals and dielectrics; give the glass's `ior`".into()),
+        (Kind::Glass, None, None) => Err("glass needs `ior`".into()),
+        (Kind::Glass, None, Some(range)) => {
+            for n in range {
+                inside::<GlassIor>(n, n).map_err(|e| format!("ior: {e}, where that of glass lies"))?;
+            }
+            Ok(None)
+        }
+    }
+}
+
+/// The path tracer's tables must reach the material's index of refraction.
+fn check_path_tracer(wants: &Wants, ior: Option<[f64; 2]>) -> Result<(), String> {
+    let highest = ior.map_or(1.0, |range| range[1]);
+    let path_tracer = wants.tables.iter().position(|t| t.layout == VolumeLayout::PathTracer);
+    match path_tracer.filter(|_| highest > PATH_TRACER_IOR) {
+        None => Ok(()),
+        Some(i) => Err(format!(
+            "wants.tables[{i}]: the path-tracer layout ends at ior {PATH_TRACER_IOR}, the material's at {highest}"
+        )),
     }
 }
 

@@ -12,9 +12,11 @@ mod name;
 mod number;
 mod text;
 mod value;
+mod volume;
 mod wants;
 
 pub use error::{Position, SceneError};
 pub use file::{Scene, schema};
-pub use material::{Kind, Material, smallest_rough};
+pub use material::{Kind, Lobe, Material, smallest_rough};
+pub use volume::{VolumeLayout, VolumeWant};
 pub use wants::{FitWant, Layout, Norm, Serves, TableWant, Wants};

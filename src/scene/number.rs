@@ -33,18 +33,33 @@ macro_rules! intervals {
 intervals! {
     /// Roughness, reflectance.
     Unit = 0.0, 1.0, false, "[0, 1]";
-    /// Index of refraction of a dielectric in air; at 1 there is no interface.
-    Ior = 1.0, 4.0, true, "(1, 4]";
+    /// Index of refraction in air of any material; at 1 there is no interface.
+    Ior = 1.0, 4.0, false, "[1, 4]";
+    /// Index of refraction of a dielectric, whose reflectance needs an interface.
+    DielectricIor = 1.0, 4.0, true, "(1, 4]";
+    /// Index of refraction of glass: at 1 its albedo is a limit.
+    GlassIor = 1.0, super::limits::GLASS_IOR, false, "[1, 3]";
     /// A limit on an error: albedos lie in [0, 1], so an error of 1 is none.
     ErrorLimit = 0.0, 1.0, true, "(0, 1]";
     /// Cosine of the view angle.
     Cosine = super::limits::MU_MIN, 1.0, false, "[0.0001, 1]";
     /// Texels of an axis.
     AxisSize = super::limits::AXIS_MIN as f64, super::limits::AXIS_MAX as f64, false, "[2, 1024]";
+    /// Texels of an axis of a table of three.
+    VolumeAxisSize = super::limits::VOLUME_AXIS_MIN as f64, super::limits::VOLUME_AXIS_MAX as f64, false, "[4, 256]";
     /// Operations of a fit.
     Ops = 1.0, super::limits::FIT_OPS as f64, false, "[1, 1000]";
     /// Versions of the scene format.
     Version = 1.0, 1.0, false, "the versions that this program reads: 1";
+}
+
+/// Whether a number, `written` so in the scene, lies in the interval; if not, the message.
+pub(super) fn inside<I: Interval>(x: f64, written: impl fmt::Display) -> Result<(), String> {
+    let below = if I::OPEN { x <= I::MIN } else { x < I::MIN };
+    if below || x > I::MAX || !x.is_finite() {
+        return Err(format!("{written} is outside {}", I::TEXT));
+    }
+    Ok(())
 }
 
 /// A real number in an interval.
@@ -55,10 +70,7 @@ impl<I: Interval> In<I> {
         if x == 0.0 && x.is_sign_negative() {
             return Err(E::custom("-0 is negative zero; write 0"));
         }
-        let below = if I::OPEN { x <= I::MIN } else { x < I::MIN };
-        if below || x > I::MAX || !x.is_finite() {
-            return Err(E::custom(format!("{written} is outside {}", I::TEXT)));
-        }
+        inside::<I>(x, written).map_err(E::custom)?;
         Ok(In(x, PhantomData))
     }
 }
@@ -161,7 +173,7 @@ impl<I: Interval> Repeat for Whole<I> {
         Whole(self.0, PhantomData)
     }
     fn from_f64<E: Error>(x: f64) -> Result<Self, E> {
-        Err(E::custom(format!("{x} is not a list of two whole numbers in {}", I::TEXT)))
+        Err(E::custom(format!("{x} is not a list of whole numbers in {}", I::TEXT)))
     }
     fn interval() -> &'static str {
         I::TEXT

@@ -1,4 +1,4 @@
-//! What a material wants of its specular lobe: a table, a fit, or both.
+//! What a material wants of its specular lobe: a table, fits, tables of three axes.
 
 use std::collections::BTreeSet;
 
@@ -6,9 +6,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::limits;
+use super::material::Lobe;
 use super::name::HypothesisPath;
 use super::number::{AxisSize, ErrorLimit, In, Numbers, Ops, Whole};
 use super::value::{List, Maybe, Text, Word, from_file};
+use super::volume::{OpenVolume, VolumeWant};
 use crate::data::TexelFormat;
 pub use crate::data::{Layout, Norm, Serves};
 
@@ -51,19 +53,31 @@ pub struct FitWant {
     pub hypotheses: Vec<String>,
 }
 
-/// A table, a fit, or both; never neither.
+/// At least one of them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Wants {
-    /// A table.
+    /// A table of the isotropic lobe; never of glass.
     pub table: Option<TableWant>,
-    /// Fits.
+    /// Fits of the isotropic lobe; never of glass.
     pub fit: Option<FitWant>,
+    /// Different tables of three axes, of anisotropic materials and of glass only.
+    // Absent where empty: the hash of a scene without them is that of the versions before them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<VolumeWant>,
 }
 
-/// What the material wants of its specular lobe: a table, a fit, or both. Without `wants`: both, with their defaults.
+/// Wants as the file has them; what the lobe decides is open.
+pub(super) struct OpenWants {
+    table: Option<TableWant>,
+    fit: Option<FitWant>,
+    tables: Vec<OpenVolume>,
+}
+
+/// What the material wants of its specular lobe: a table, fits, tables of three axes, or several of them. Without `wants`:
+/// a table and fits, with their defaults; of anisotropic materials and of glass, a table of three axes.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Wants", extend("minProperties" = 1))]
-#[serde(deny_unknown_fields, expecting = "an object with `table`, `fit` or both")]
+#[serde(deny_unknown_fields, expecting = "an object with `table`, `fit` or `tables`")]
 struct WantsFile {
     /// A table of the albedo for the shader to look up.
     #[serde(default)]
@@ -71,6 +85,10 @@ struct WantsFile {
     /// Formulas for the shader to evaluate.
     #[serde(default)]
     fit: Maybe<FitWant>,
+    /// Tables of three axes: of anisotropic materials and of glass.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    tables: Maybe<List<OpenVolume, { limits::VOLUMES }>>,
 }
 
 /// A table of the albedo. The error of a table is that of its bilinear lookup after rounding to the texel format.
@@ -151,29 +169,66 @@ impl TryFrom<FitFile> for FitWant {
     }
 }
 
-impl TryFrom<WantsFile> for Wants {
+impl TryFrom<WantsFile> for OpenWants {
     type Error = String;
 
     fn try_from(file: WantsFile) -> Result<Self, String> {
-        match (file.table.0, file.fit.0) {
-            (None, None) => {
-                Err("wants neither `table` nor `fit`; give one of them, or leave `wants` out for both".into())
-            }
-            (table, fit) => Ok(Wants { table, fit }),
+        let (table, fit) = (file.table.0, file.fit.0);
+        if table.is_none() && fit.is_none() && file.tables.0.is_none() {
+            return Err(
+                "wants neither `table` nor `fit` nor `tables`; give one of them, or leave `wants` out for the default"
+                    .into(),
+            );
         }
+        let tables = file.tables.0.map(|l| l.0);
+        if tables.as_ref().is_some_and(Vec::is_empty) {
+            return Err("tables: the list is empty; leave the field out".into());
+        }
+        Ok(OpenWants { table, fit, tables: tables.unwrap_or_default() })
     }
 }
 
-impl Wants {
-    /// Both, with the defaults of every field.
-    pub(super) fn both() -> Result<Wants, String> {
-        Ok(Wants {
-            table: Some(TableWant::try_from(TableFile::default())?),
-            fit: Some(FitWant::try_from(FitFile::default())?),
-        })
+impl OpenWants {
+    /// What a material with this lobe wants where it does not say: a table and fits, or a table of three axes.
+    pub(super) fn default(lobe: Lobe) -> Result<Self, String> {
+        if lobe != Lobe::Isotropic {
+            return Ok(OpenWants { table: None, fit: None, tables: vec![OpenVolume::default()?] });
+        }
+        let table = TableWant::try_from(TableFile::default())?;
+        let fit = FitWant::try_from(FitFile::default())?;
+        Ok(OpenWants { table: Some(table), fit: Some(fit), tables: Vec::new() })
+    }
+
+    /// The wants of a material with this lobe.
+    pub(super) fn of(self, lobe: Lobe) -> Result<Wants, String> {
+        let OpenWants { table, fit, tables } = self;
+        if lobe == Lobe::Isotropic && !tables.is_empty() {
+            return Err("wants.tables: they are for anisotropic materials and for glass; give `anisotropy`, or ask for \
+                        `wants.table`"
+                .into());
+        }
+        let isotropic = [("table", table.is_some()), ("fit", fit.is_some())];
+        if let Some((field, _)) = isotropic.iter().find(|(_, wanted)| lobe == Lobe::Glass && *wanted) {
+            return Err(format!(
+                "wants.{field}: it is of lobes that only reflect; of glass ask for `wants.tables`"
+            ));
+        }
+        let mut volumes: Vec<VolumeWant> = Vec::with_capacity(tables.len());
+        for (i, open) in tables.into_iter().enumerate() {
+            let volume = open.of(lobe).map_err(|e| format!("wants.tables[{i}]: {e}"))?;
+            let same =
+                |v: &VolumeWant| (v.layout, v.size, v.format) == (volume.layout, volume.size, volume.format);
+            if let Some(first) = volumes.iter().position(same) {
+                return Err(format!(
+                    "wants.tables[{i}]: it has the layout, size and format of wants.tables[{first}]"
+                ));
+            }
+            volumes.push(volume);
+        }
+        Ok(Wants { table, fit, tables: volumes })
     }
 }
 
 from_file!(TableWant, TableFile);
 from_file!(FitWant, FitFile);
-from_file!(Wants, WantsFile);
+from_file!(OpenWants, WantsFile);
