@@ -12,7 +12,7 @@ use emit_support::{
 };
 use lobefit::data::Serves;
 use lobefit::effects::reflection::Fit;
-use lobefit::emit::lookup::RUST_HELPERS;
+use lobefit::emit::lookup::rust_helpers;
 use lobefit::fit::Hypothesis;
 
 #[test]
@@ -213,7 +213,7 @@ fn the_rust_lookups_return_the_bits_that_were_certified() {
         let mut readable = table.readable();
         let header = ["A table.".to_string()];
         readable.header = &header;
-        look_up(&format!("{}\n{RUST_HELPERS}", readable.rust()), &table);
+        look_up(&format!("{}\n{}", readable.rust(), rust_helpers([&table.table])), &table);
     }
 }
 

@@ -3,9 +3,9 @@
 use super::BakeError;
 use super::context::Context;
 use super::tables::BakedTable;
-use crate::data::{AlphaMap, Smith};
-use crate::effects::reflection::{Fit, decode};
-use crate::emit::lookup::{RUST_HELPERS, Readable, comment};
+use crate::data::{AlphaMap, Decode, Smith};
+use crate::effects::reflection::Fit;
+use crate::emit::lookup::{Readable, comment, rust_helpers};
 use crate::emit::{code, header};
 
 /// Language, path and text of every include file; none where there is nothing to include.
@@ -32,14 +32,15 @@ pub fn includes(
     }
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let names = decode(baked.layout, baked.serves);
-        let lines = header::table_lines(table, names, &baked.approximation.certificate);
-        let readable = Readable { table, layout: baked.layout, serves: baked.serves, header: &lines };
+        let decode = Decode::of(baked.layout, baked.serves);
+        let lines = header::table_lines(table, decode.formulas(), &baked.approximation.certificate);
+        let readable = Readable { table, decode, header: &lines };
         rust += &format!("\n{}", readable.rust());
         wgsl += &format!("\n{}", readable.wgsl());
     }
-    if !tables.is_empty() {
-        rust += &format!("\n{RUST_HELPERS}");
+    let helpers = rust_helpers(tables.iter().filter_map(BakedTable::table));
+    if !helpers.is_empty() {
+        rust += &format!("\n{helpers}");
     }
     Ok(vec![("rust", "fits/lobefit.rs", rust), ("wgsl", "fits/lobefit.wgsl", wgsl)])
 }
