@@ -6,7 +6,7 @@ use super::tables::BakedTable;
 use crate::data::{AlphaMap, Decode, Smith};
 use crate::effects::reflection::Fit;
 use crate::emit::lookup::{Readable, comment, rust_helpers};
-use crate::emit::{code, header};
+use crate::emit::{code, compensation, header};
 
 /// Language, path and text of every include file; none where there is nothing to include.
 pub fn includes(
@@ -41,6 +41,11 @@ pub fn includes(
     let helpers = rust_helpers(tables.iter().filter_map(BakedTable::table));
     if !helpers.is_empty() {
         rust += &format!("\n{helpers}");
+    }
+    let solid = tables.iter().filter_map(BakedTable::table).filter(|table| table.axes.len() == 3);
+    for compensation in compensation::of(solid.map(|table| table.quantity.as_str())) {
+        rust += &format!("\n{}", compensation.rust());
+        wgsl += &format!("\n{}", compensation.wgsl());
     }
     Ok(vec![("rust", "fits/lobefit.rs", rust), ("wgsl", "fits/lobefit.wgsl", wgsl)])
 }

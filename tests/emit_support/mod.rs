@@ -2,6 +2,9 @@
 //! emits reading functions for.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
+pub mod programs;
+pub mod solid;
+
 use std::io::Write;
 use std::sync::OnceLock;
 
