@@ -4,15 +4,12 @@ mod emit_support;
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 
-use emit_support::{
-    Looked, Points, baked, baked_tables, emitted, manifest, missing, other_tables, say, text,
-};
+use emit_support::programs::{READ_EXR, compile_library, python, run};
+use emit_support::{Looked, Points, baked, baked_tables, emitted, manifest, other_tables, say, text};
 use lobefit::data::Serves;
 use lobefit::effects::reflection::Fit;
-use lobefit::emit::lookup::RUST_HELPERS;
+use lobefit::emit::lookup::rust_helpers;
 use lobefit::fit::Hypothesis;
 
 #[test]
@@ -84,53 +81,9 @@ fn the_wgsl_functions_read_back_have_the_bits_that_were_certified() {
     say(&format!("wgsl: {count} functions read back, {n} points each, every bit the same"));
 }
 
-fn rustc(arguments: &[&str], source: &Path, out: &Path) {
-    let compiler = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
-    let result =
-        Command::new(compiler).args(arguments).arg("-o").arg(out).arg(source).output().expect("rustc runs");
-    assert!(result.status.success(), "{}", String::from_utf8_lossy(&result.stderr));
-}
-
 #[test]
 fn rustc_compiles_the_rust_file_alone_without_a_warning() {
-    let folder = tempfile::tempdir().unwrap();
-    let source = folder.path().join("lobefit.rs");
-    fs::write(&source, text("fits/lobefit.rs")).unwrap();
-    for edition in ["2021", "2024"] {
-        rustc(
-            &["--crate-type", "lib", "--edition", edition, "-D", "warnings", "-W", "missing-docs"],
-            &source,
-            &folder.path().join("liblobefit.rlib"),
-        );
-    }
-}
-
-/// Compiles a program about `lobefit.rs`, whose `main` reads the points of the file that its first argument names and
-/// writes f32 values to that of its second; returns these.
-fn run(include: &str, body: &str, points: &[u8]) -> Vec<f32> {
-    let folder = tempfile::tempdir().unwrap();
-    let path = |name: &str| folder.path().join(name);
-    fs::write(path("lobefit.rs"), include).unwrap();
-    fs::write(path("points"), points).unwrap();
-    let source = format!(
-        "mod lobefit;
-fn main() {{
-    let arguments: Vec<String> = std::env::args().collect();
-    let bytes = std::fs::read(&arguments[1]).unwrap();
-    let numbers: Vec<f32> =
-        bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect();
-    let points: Vec<[f32; 4]> = numbers.chunks_exact(4).map(|p| p.try_into().unwrap()).collect();
-    let mut out: Vec<f32> = Vec::new();
-{body}    std::fs::write(&arguments[2], out.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>()).unwrap();
-}}
-"
-    );
-    fs::write(path("main.rs"), source).unwrap();
-    rustc(&["-O", "--edition", "2021"], &path("main.rs"), &path("harness"));
-    let status = Command::new(path("harness")).arg(path("points")).arg(path("values")).status().unwrap();
-    assert!(status.success(), "{status}");
-    let bytes = fs::read(path("values")).unwrap();
-    bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect()
+    compile_library(&text("fits/lobefit.rs"));
 }
 
 #[test]
@@ -146,7 +99,7 @@ fn the_rust_functions_return_the_bits_that_were_certified() {
             )
         })
         .collect();
-    let found = run(&text("fits/lobefit.rs"), &body, &points.bytes());
+    let found = run(&text("fits/lobefit.rs"), 4, &body, &points.bytes());
     assert_eq!(found.len(), functions.len() * points.len());
     for ((fit, name, inputs), found) in functions.iter().zip(found.chunks_exact(points.len())) {
         same_bits(name, &points, &points.values(fit, inputs), found);
@@ -186,7 +139,7 @@ fn look_up(include: &str, table: &Looked) {
         "    let texels: &[{kind}] = {texels};\n    for &[roughness, alpha, mu, _] in &points {{\n        \
          {push}lobefit::{name}_lookup(texels, roughness, alpha, mu));\n    }}\n"
     );
-    let found = run(include, &body, &points.bytes());
+    let found = run(include, 4, &body, &points.bytes());
     let width = if split { 3 } else { 1 };
     assert_eq!(found.len(), width * points.len());
     let lookup = table.lookup();
@@ -213,45 +166,8 @@ fn the_rust_lookups_return_the_bits_that_were_certified() {
         let mut readable = table.readable();
         let header = ["A table.".to_string()];
         readable.header = &header;
-        look_up(&format!("{}\n{RUST_HELPERS}", readable.rust()), &table);
-    }
-}
-
-/// Prints header and channels of the EXR file that its argument names, as JSON: floats in full.
-const READER: &str = r#"
-import json, sys
-try:
-    import OpenEXR
-except ImportError as e:
-    print(e)
-    sys.exit(77)
-with OpenEXR.File(sys.argv[1], separate_channels=True) as image:
-    assert len(image.parts) == 1, image.parts
-    header = image.header()
-    channels = {
-        name: {"type": str(channel.pixels.dtype), "rows": [[float(x) for x in row] for row in channel.pixels]}
-        for name, channel in image.channels().items()
-    }
-    print(json.dumps({"lobefit": header["lobefit"], "name": header["name"], "channels": channels}))
-"#;
-
-/// Exit status of the reader where Python has no OpenEXR.
-const NO_MODULE: i32 = 77;
-
-fn read_exr(path: &Path) -> Option<Output> {
-    let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_string());
-    match Command::new(&python).args(["-c", READER]).arg(path).output() {
-        Err(e) if e.kind() == std::io::ErrorKind::NotFound => {
-            missing(&format!("no {python}"), "python3, then pip install OpenEXR numpy");
-            None
-        }
-        Err(e) => panic!("{python}: {e}"),
-        Ok(out) if out.status.code() == Some(NO_MODULE) => {
-            let reason = String::from_utf8_lossy(&out.stdout).trim().to_string();
-            missing(&format!("{python}: {reason}"), "its modules: pip install OpenEXR numpy");
-            None
-        }
-        Ok(out) => Some(out),
+        let lookup = readable.rust();
+        look_up(&format!("{lookup}\n{}", rust_helpers(&lookup)), &table);
     }
 }
 
@@ -264,9 +180,7 @@ fn openexr_reads_the_texels_and_the_header() {
         let (table, file) = (&looked.table, entry["file"].as_str().unwrap());
         let path = folder.path().join("table.exr");
         fs::write(&path, &baked().0.files[file]).unwrap();
-        let Some(out) = read_exr(&path) else { return };
-        assert!(out.status.success(), "{file}: {}", String::from_utf8_lossy(&out.stderr));
-        let read: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+        let Some(read) = python(READ_EXR, &path) else { return };
         assert_eq!(read["name"], table.name.as_str());
         let header = read["lobefit"].as_str().unwrap();
         assert!(header.contains("lobefit bake") && header.contains("max"), "{header}");

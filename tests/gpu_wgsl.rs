@@ -5,9 +5,10 @@
 mod emit_support;
 mod gpu_support;
 
-use emit_support::{Looked, Points, TRUTH, baked_tables, emitted, missing, other_tables, say, text};
+use emit_support::{Looked, Points, TRUTH, baked_tables, emitted, other_tables, say, text};
 use gpu_support::accuracy::{CPU, WGSL, bound, divides};
-use gpu_support::device::{Gpu, INSTALL, WORKGROUP};
+use gpu_support::device::{Gpu, WORKGROUP};
+use gpu_support::gpu;
 use lobefit::data::{Serves, Use};
 use lobefit::effects::reflection::{Counter, Field, Fit, Lookup};
 
@@ -29,17 +30,6 @@ fn class(fit: &Fit) -> usize {
         (Use::Normalisation, false) => 0,
         (Use::Normalisation, true) => 1,
         _ => 2,
-    }
-}
-
-/// The device, or none where the test is to be skipped.
-fn gpu() -> Option<Gpu> {
-    match Gpu::open() {
-        Ok(gpu) => Some(gpu),
-        Err(reason) => {
-            missing(&format!("no Vulkan adapter ({reason})"), INSTALL);
-            None
-        }
     }
 }
 
@@ -164,7 +154,7 @@ fn look_up(gpu: &Gpu, include: &str, table: &Looked, points: &Points) -> Vec<[f3
     };
     let call = format!("{name}_lookup(test_table, test_sampler, roughness, alpha, mu)");
     source += &entry("test", &call, value);
-    let (view, sampler) = (gpu.texture(&table.table, table.serves), gpu.linear_clamp());
+    let (view, sampler) = (gpu.texture(&table.table), gpu.linear_clamp());
     let buffer = gpu.buffer(&points.bytes());
     let resources = [
         wgpu::BindingResource::TextureView(&view),

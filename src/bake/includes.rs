@@ -3,7 +3,8 @@
 
 use super::context::Context;
 use super::part::Part;
-use crate::emit::lookup::{RUST_HELPERS, comment};
+use crate::emit::compensation;
+use crate::emit::lookup::{comment, rust_helpers};
 
 /// Languages with their files and comment marks (of the header, of a line).
 pub const LANGUAGES: [(&str, &str, &str); 2] =
@@ -34,9 +35,9 @@ pub fn includes(
         for (effect, section) in &sections {
             text += &format!("\n{MARK}{effect} ----\n{section}");
         }
-        let shared = shared(language, &text);
+        let shared = shared(language, &text, parts);
         if !shared.is_empty() {
-            text += &format!("\n{MARK}{SHARED} ----\n{shared}");
+            text += &format!("\n{MARK}{SHARED} ----\n\n{}", shared.trim_start());
         }
         Some((language, path, text))
     };
@@ -52,10 +53,17 @@ pub fn section<'a>(text: &'a str, effect: &str) -> Option<&'a str> {
     Some(&rest[..end])
 }
 
-/// What the sections call: the fetches of the Rust lookups.
-fn shared(language: &str, sections: &str) -> String {
-    match language {
-        "rust" if sections.contains("cell(") => format!("\n{RUST_HELPERS}"),
-        _ => String::new(),
+/// What all sections share: the fetches that the Rust lookups call, and what a value of a table is used for.
+fn shared(language: &str, sections: &str, parts: &[Part]) -> String {
+    let mut text = String::new();
+    let rust = language == "rust";
+    if rust {
+        text += &rust_helpers(sections);
     }
+    let tables = parts.iter().flat_map(|part| &part.entries.tables);
+    for compensation in compensation::of(tables.filter_map(|entry| entry["quantity"].as_str())) {
+        let function = if rust { compensation.rust() } else { compensation.wgsl() };
+        text += &format!("\n{function}");
+    }
+    text
 }

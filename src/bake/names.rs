@@ -3,8 +3,8 @@
 
 use super::{BakeError, UserHypothesis};
 use crate::effects::reflection::{FitStageError, catalogue_names};
-use crate::emit::code;
 use crate::emit::lookup::RUST_HELPER_NAMES;
+use crate::emit::{code, compensation};
 use crate::fit::Hypothesis;
 
 /// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
@@ -17,6 +17,7 @@ const TABLES: &str = "ggx_dfg_";
 pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
     let mut taken: Vec<String> = catalogue_names().flat_map(|name| forms(&name)).collect();
     taken.extend(RUST_HELPER_NAMES.map(String::from));
+    taken.extend(compensation::NAMES.map(String::from));
     for user in hypotheses {
         let parsed = Hypothesis::parse(&user.file, &user.source).map_err(FitStageError::from)?;
         let names = forms(parsed.name());

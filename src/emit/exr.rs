@@ -1,4 +1,5 @@
-//! EXR images of tables: one layer, one channel per quantity, uncompressed, with the header as string attributes.
+//! EXR images of tables: one layer, one channel per quantity, uncompressed, with the header as string attributes. The format
+//! has no third dimension: slices lie one below the other, slice z in the rows z * rows to z * rows + rows - 1.
 
 use std::io::Cursor;
 
@@ -37,15 +38,16 @@ pub enum ExrError {
 pub struct Decoded {
     /// Columns.
     pub width: usize,
-    /// Rows.
+    /// Rows, those of all slices together.
     pub height: usize,
     /// Channels in the file's order (alphabetical).
     pub channels: Vec<Channel>,
 }
 
-/// The bytes of a table. `header` becomes string attributes of the layer (name, text).
+/// The bytes of a table: an image of columns x (rows * slices). `header` becomes string attributes of the layer (name, text).
 pub fn encode(table: &Table, header: &[(String, String)]) -> Result<Vec<u8>, ExrError> {
-    let size = (table.axes[0].size, table.axes[1].size);
+    let [columns, rows, slices] = table.size();
+    let size = (columns, rows * slices);
     let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> =
         table.channels.iter().map(|c| AnyChannel::new(c.name.as_str(), samples(c, table.format))).collect();
     let mut attributes = LayerAttributes::named(table.name.as_str());

@@ -28,24 +28,43 @@ impl Recipe {
 /// The lines that describe a table: axes, channels, decoding, certificate.
 pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certificate) -> Vec<String> {
     let mut lines = vec![
-        format!("Table {} of {}, F = 1", table.name, table.quantity),
+        format!("Table {} of {}{}", table.name, table.quantity, fresnel(&table.quantity)),
         format!(
             "smith: {}; alpha = {}; texels: {}",
             table.smith.name(),
             table.alpha_map.name(),
             table.format.name()
         ),
-        axis_line("columns (x)", &table.axes[0]),
-        axis_line("rows (y, first row at the top)", &table.axes[1]),
     ];
+    lines.extend(AXES.iter().zip(&table.axes).map(|(what, axis)| axis_line(what, axis)));
+    let [_, rows, slices] = table.size();
+    if table.axes.len() == 3 {
+        lines.push(format!(
+            "an EXR holds the slices one below the other: slice z is rows {rows} z to {rows} z + {} of {}",
+            rows - 1,
+            rows * slices
+        ));
+    }
     let meaning: Vec<String> = decode.iter().map(|(name, formula)| format!("{name} = {formula}")).collect();
     let parts =
         ["x", "y", "z", "w"].iter().zip(&table.channels).map(|(part, c)| format!("{part} = {}", c.name));
     let parts: Vec<String> = parts.collect();
     lines.push(format!("texel: {} (the EXR names its channels so)", parts.join(", ")));
     lines.push(format!("decode: {}", meaning.join(", ")));
-    lines.extend(certificate_lines("bilinear lookup of the quantised texels", certificate));
+    let filter = if table.axes.len() == 3 { "trilinear" } else { "bilinear" };
+    lines.extend(certificate_lines(&format!("{filter} lookup of the quantised texels"), certificate));
     lines
+}
+
+/// What the axes of a table are, in order.
+const AXES: [&str; 3] = ["columns (x)", "rows (y, first row at the top)", "slices (z)"];
+
+/// The Fresnel term in a quantity's albedo.
+fn fresnel(quantity: &str) -> &'static str {
+    match quantity {
+        "ggx-glass" => ", exact dielectric Fresnel",
+        _ => ", F = 1",
+    }
 }
 
 fn axis_line(what: &str, axis: &Axis) -> String {

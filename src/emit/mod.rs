@@ -1,7 +1,14 @@
 //! Floor 4: tables and fits to bytes, one file per format. Nothing here touches the file system.
 
 pub mod code;
+pub mod compensation;
+pub mod container;
+pub mod dds;
 pub mod exr;
 pub mod header;
 pub mod lookup;
 pub mod manifest;
+pub mod npy;
+pub mod raw;
+pub mod sidecar;
+mod texels;

@@ -2,11 +2,14 @@
 //! emits reading functions for.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
+pub mod programs;
+pub mod solid;
+
 use std::io::Write;
 use std::sync::OnceLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::{AlphaMap, Layout, Serves, Smith, Table, TexelFormat};
+use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat};
 use lobefit::effects::reflection::{
     Counter, Field, Fit, Lookup, PointSet, Region, Split, TRUTH_ERROR, TableSpec, build, certification,
     measure,
@@ -116,7 +119,7 @@ pub struct Looked {
 
 impl Looked {
     pub fn readable(&self) -> Readable<'_> {
-        Readable { table: &self.table, layout: self.layout, serves: self.serves, header: &[] }
+        Readable { table: &self.table, decode: Decode::of(self.layout, self.serves), header: &[] }
     }
 
     pub fn lookup(&self) -> Lookup<'_> {

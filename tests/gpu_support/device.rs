@@ -1,6 +1,6 @@
 //! A Vulkan device that runs compute shaders.
 
-use lobefit::data::{Serves, Table};
+use lobefit::data::Table;
 
 /// What to install where there is none.
 pub const INSTALL: &str =
@@ -56,26 +56,31 @@ impl Gpu {
         self.device.create_buffer(&descriptor)
     }
 
-    /// A quantised f16 table as a texture: r16float for one channel, rg16float for two.
-    pub fn texture(&self, table: &Table, serves: Serves) -> wgpu::TextureView {
-        let [columns, rows] = [table.axes[0].size as u32, table.axes[1].size as u32];
-        let channels = serves.channels() as usize;
-        let format =
-            if channels == 1 { wgpu::TextureFormat::R16Float } else { wgpu::TextureFormat::Rg16Float };
-        let size = wgpu::Extent3d { width: columns, height: rows, depth_or_array_layers: 1 };
+    /// A quantised f16 table as a 2-D or 3-D texture of one, two or four halves.
+    pub fn texture(&self, table: &Table) -> wgpu::TextureView {
+        let [columns, rows, slices] = table.size().map(|n| n as u32);
+        let channels = table.channels.len();
+        let format = match channels {
+            1 => wgpu::TextureFormat::R16Float,
+            2 => wgpu::TextureFormat::Rg16Float,
+            4 => wgpu::TextureFormat::Rgba16Float,
+            n => panic!("no texture of {n} halves"),
+        };
+        let solid = table.axes.len() == 3;
+        let size = wgpu::Extent3d { width: columns, height: rows, depth_or_array_layers: slices };
         let texture = self.device.create_texture(&wgpu::TextureDescriptor {
             label: None,
             size,
             mip_level_count: 1,
             sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
+            dimension: if solid { wgpu::TextureDimension::D3 } else { wgpu::TextureDimension::D2 },
             format,
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
         let texel = |i: usize| table.channels.iter().map(move |c| half::f16::from_f64(c.texels[i]));
-        let bytes: Vec<u8> =
-            (0..(columns * rows) as usize).flat_map(texel).flat_map(half::f16::to_le_bytes).collect();
+        let texels = table.size().iter().product();
+        let bytes: Vec<u8> = (0..texels).flat_map(texel).flat_map(half::f16::to_le_bytes).collect();
         let layout = wgpu::TexelCopyBufferLayout {
             offset: 0,
             bytes_per_row: Some(columns * 2 * channels as u32),

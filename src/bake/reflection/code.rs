@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::tables::BakedTable;
 use crate::bake::BakeError;
-use crate::effects::reflection::{Fit, decode};
+use crate::data::Decode;
+use crate::effects::reflection::Fit;
 use crate::emit::lookup::{Readable, comment};
 use crate::emit::{code, header};
 
@@ -24,9 +25,9 @@ pub fn section(tables: &[BakedTable], fits: &[Fit]) -> Result<BTreeMap<String, S
     }
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let names = decode(baked.layout, baked.serves);
-        let lines = header::table_lines(table, names, &baked.approximation.certificate);
-        let readable = Readable { table, layout: baked.layout, serves: baked.serves, header: &lines };
+        let decode = Decode::of(baked.layout, baked.serves);
+        let lines = header::table_lines(table, decode.formulas(), &baked.approximation.certificate);
+        let readable = Readable { table, decode, header: &lines };
         rust += &format!("\n{}", readable.rust());
         wgsl += &format!("\n{}", readable.wgsl());
     }

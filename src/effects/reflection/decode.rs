@@ -1,17 +1,10 @@
 //! What the channels of a table mean, and what reading them costs.
 
-use crate::data::{Layout, Serves};
+use crate::data::{Decode, Layout, Serves};
 
 /// E, A and B from the channels, as written in headers and the manifest: (value, formula).
 pub fn decode(layout: Layout, serves: Serves) -> &'static [(&'static str, &'static str)] {
-    match (layout, serves) {
-        (Layout::Homogeneous, Serves::Albedo) => &[("E", "1 - loss")],
-        (Layout::Homogeneous, Serves::SplitSum) => {
-            &[("E", "1 - loss"), ("B", "E * (bias + (1 - mu)^5)"), ("A", "E - B")]
-        }
-        (_, Serves::Albedo) => &[("E", "E")],
-        (_, Serves::SplitSum) => &[("E", "A + B"), ("B", "B"), ("A", "A")],
-    }
+    Decode::of(layout, serves).formulas()
 }
 
 /// Operations of a lookup beside its fetch, coordinates and decoding, to E, or to E, A and B.

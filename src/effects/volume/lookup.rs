@@ -1,0 +1,250 @@
+//! A table of three axes as a shader reads it: coordinates, trilinear fetch and decoding, in f32.
+
+use crate::data::{Axis, Decode, Table};
+
+/// Arguments of an emitted lookup. Those that the table does not use are not read.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Point {
+    /// The parameter that alpha is made from.
+    pub roughness: f32,
+    /// GGX width.
+    pub alpha: f32,
+    /// Cosine between normal and view.
+    pub mu: f32,
+    /// Anisotropy.
+    pub anisotropy: f32,
+    /// Index of refraction, inside over outside.
+    pub ior: f32,
+}
+
+/// The variable of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Variable {
+    Roughness,
+    Alpha,
+    Mu,
+    Anisotropy,
+    Ior,
+}
+
+impl Variable {
+    fn of(axis: &Axis) -> Option<Variable> {
+        match axis.name.as_str() {
+            "roughness" => Some(Variable::Roughness),
+            "alpha" => Some(Variable::Alpha),
+            "mu" => Some(Variable::Mu),
+            "anisotropy" => Some(Variable::Anisotropy),
+            "ior" => Some(Variable::Ior),
+            _ => None,
+        }
+    }
+
+    fn at(self, point: &Point) -> f32 {
+        match self {
+            Variable::Roughness => point.roughness,
+            Variable::Alpha => point.alpha,
+            Variable::Mu => point.mu,
+            Variable::Anisotropy => point.anisotropy,
+            Variable::Ior => point.ior,
+        }
+    }
+}
+
+/// A table that cannot be looked up so.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LookupError {
+    /// Not three axes, or other channels than the decoding reads.
+    #[error(
+        "table {table}: {axes} axes and {channels} channels; this lookup reads 3 axes and {expected} channels"
+    )]
+    Shape {
+        /// Table's name.
+        table: String,
+        /// Axes found.
+        axes: usize,
+        /// Channels found.
+        channels: usize,
+        /// Channels that the decoding reads.
+        expected: usize,
+    },
+    /// An axis of no known variable.
+    #[error("table {table}: axis {axis} is none of roughness, alpha, mu, anisotropy, ior")]
+    Axis {
+        /// Table's name.
+        table: String,
+        /// The axis.
+        axis: String,
+    },
+}
+
+/// A table prepared for lookups.
+#[derive(Clone, Debug)]
+pub struct Lookup<'a> {
+    axes: [(&'a Axis, Variable); 3],
+    /// Texels, channels beside one another; what lies beyond the table's channels is 0.
+    texels: Vec<[f32; 4]>,
+    decode: Decode,
+    /// Steps of the interpolation weights: many texture units keep 8 fractional bits.
+    weight_steps: Option<f32>,
+}
+
+impl<'a> Lookup<'a> {
+    /// Lookups with f32 interpolation weights. The texels are taken as they are: quantise the table first.
+    ///
+    /// Errors: not three axes, other channels than `decode` reads, an axis of another variable than [`Point`] has.
+    pub fn new(table: &'a Table, decode: Decode) -> Result<Lookup<'a>, LookupError> {
+        let (axes, channels, expected) = (table.axes.len(), table.channels.len(), decode.channels());
+        let shape = || LookupError::Shape { table: table.name.clone(), axes, channels, expected };
+        let [x, y, z] = table.axes.as_slice() else { return Err(shape()) };
+        if channels != expected || channels > 4 {
+            return Err(shape());
+        }
+        let variable = |axis: &'a Axis| {
+            let unknown = || LookupError::Axis { table: table.name.clone(), axis: axis.name.clone() };
+            Variable::of(axis).map(|variable| (axis, variable)).ok_or_else(unknown)
+        };
+        let axes = [variable(x)?, variable(y)?, variable(z)?];
+        let mut texels = vec![[0.0; 4]; table.size().iter().product()];
+        for (c, channel) in table.channels.iter().enumerate() {
+            for (texel, value) in texels.iter_mut().zip(&channel.texels) {
+                texel[c] = *value as f32;
+            }
+        }
+        Ok(Lookup { axes, texels, decode, weight_steps: None })
+    }
+
+    /// The same with interpolation weights rounded to `bits` fractional bits, as texture units do.
+    pub fn with_weight_bits(mut self, bits: u32) -> Lookup<'a> {
+        self.weight_steps = Some((1_u32 << bits) as f32);
+        self
+    }
+
+    /// E at a point, in the shader's arithmetic.
+    pub fn at(&self, point: &Point) -> f32 {
+        self.decode.albedo(self.texel(point))
+    }
+
+    /// The texel between those around a point; channels that the table does not have are 0.
+    pub fn texel(&self, point: &Point) -> [f32; 4] {
+        let [(column, right, fx), (row, down, fy), (slice, deep, fz)] = self.axes.map(|(axis, variable)| {
+            self.cell(axis.texture_coordinate(variable.at(point), point.alpha), axis.size)
+        });
+        let [columns, rows, _] = self.axes.map(|(axis, _)| axis.size);
+        let plane = |slice: usize| {
+            let at = |row: usize| (slice * rows + row) * columns + column;
+            let (top, bottom) = (self.between(at(row), right, fx), self.between(at(row + down), right, fx));
+            mix(top, bottom, fy)
+        };
+        mix(plane(slice), plane(slice + deep), fz)
+    }
+
+    fn between(&self, at: usize, step: usize, fraction: f32) -> [f32; 4] {
+        mix(self.texels[at], self.texels[at + step], fraction)
+    }
+
+    /// Texel before a texture coordinate, clamped to the edge, the step to the one after it, and the fraction between.
+    fn cell(&self, coordinate: f32, n: usize) -> (usize, usize, f32) {
+        let position = (coordinate * n as f32 - 0.5).max(0.0).min((n - 1) as f32);
+        let position = match self.weight_steps {
+            Some(steps) => (position * steps + 0.5).floor() / steps,
+            None => position,
+        };
+        let base = (position as usize).min(n - 1);
+        let fraction = position - base as f32;
+        (base, usize::from(fraction > 0.0), fraction)
+    }
+}
+
+fn mix(a: [f32; 4], b: [f32; 4], fraction: f32) -> [f32; 4] {
+    std::array::from_fn(|c| a[c] + (b[c] - a[c]) * fraction)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::data::{AlphaMap, Channel, Registration, Smith, TexelFormat, Warp};
+
+    fn axis(name: &str, size: usize, registration: Registration, min: f64, max: f64) -> Axis {
+        Axis { name: name.into(), size, registration, warp: Warp::Linear, min, max }
+    }
+
+    /// A function that trilinear interpolation reproduces, held at the nodes of unequal axes.
+    fn plane(mu: f64, roughness: f64, ior: f64) -> f64 {
+        0.125 + 0.25 * mu + 0.125 * roughness * ior - 0.0625 * mu * roughness * ior
+    }
+
+    fn table() -> Table {
+        let axes = vec![
+            axis("mu", 5, Registration::Endpoint, 0.0, 1.0),
+            axis("roughness", 4, Registration::Centre, 0.0, 1.0),
+            axis("ior", 3, Registration::Endpoint, 1.0, 2.0),
+        ];
+        let at = |i: usize| {
+            let node = |axis: usize, i| axes[axis].node(i, 0.0);
+            plane(node(0, i % 5), node(1, i / 5 % 4), node(2, i / 20))
+        };
+        let channels = vec![Channel { name: "E".into(), texels: (0..60).map(at).collect() }];
+        Table {
+            name: "test".into(),
+            quantity: "ggx-glass".into(),
+            smith: Smith::Separable,
+            alpha_map: AlphaMap::Roughness,
+            channels,
+            axes,
+            format: TexelFormat::F32,
+        }
+    }
+
+    #[test]
+    fn what_is_linear_along_each_axis_comes_back() {
+        let table = table();
+        let lookup = Lookup::new(&table, Decode::Albedo).expect("three known axes");
+        for i in 0..=10 {
+            for j in 0..=10 {
+                for k in 0..=10 {
+                    let [mu, roughness, ior] = [i as f32 / 10.0, j as f32 / 10.0, 1.0 + k as f32 / 10.0];
+                    let found = lookup.at(&Point { mu, roughness, ior, ..Point::default() });
+                    // Centres end half a texel inside: clamped beyond.
+                    let inside = f64::from(roughness).clamp(0.125, 0.875);
+                    let expected = plane(f64::from(mu), inside, f64::from(ior));
+                    assert!(
+                        (f64::from(found) - expected).abs() < 5e-7,
+                        "{mu} {roughness} {ior}: {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn coarse_weights_are_off_by_at_most_half_a_step_of_each_axis() {
+        let table = table();
+        let exact = Lookup::new(&table, Decode::Albedo).expect("three known axes");
+        let coarse = exact.clone().with_weight_bits(8);
+        let steps = 0.25 / 4.0 + 0.125 * 2.0 / 4.0 + 0.125 * 0.5;
+        let mut worst: f32 = 0.0;
+        for i in 0..1000 {
+            let part = |k: usize| ((i * k) % 1009) as f32 / 1008.0;
+            let point = Point { mu: part(1), roughness: part(37), ior: 1.0 + part(211), ..Point::default() };
+            worst = worst.max((exact.at(&point) - coarse.at(&point)).abs());
+        }
+        assert!(worst > 0.0 && worst < steps / 512.0 + 1e-6, "{worst}");
+    }
+
+    #[test]
+    fn other_tables_are_refused() {
+        let mut two = table();
+        two.axes.pop();
+        assert!(matches!(Lookup::new(&two, Decode::Albedo), Err(LookupError::Shape { axes: 2, .. })));
+        assert!(matches!(
+            Lookup::new(&table(), Decode::LossBias),
+            Err(LookupError::Shape { channels: 1, .. })
+        ));
+        let mut unknown = table();
+        unknown.axes[2].name = "rho".into();
+        assert!(
+            matches!(Lookup::new(&unknown, Decode::Albedo), Err(LookupError::Axis { axis, .. }) if axis == "rho")
+        );
+    }
+}

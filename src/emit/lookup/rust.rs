@@ -1,0 +1,157 @@
+//! The Rust functions of a table, and the helpers that they share.
+
+use super::{LETTERS, Readable, comment, coordinate, declared, decoding, mentions};
+use crate::data::Table;
+
+fn array(n: usize) -> String {
+    format!("[f32; {n}]")
+}
+
+pub(super) fn print(readable: &Readable) -> String {
+    let [uv, decode, lookup] = [uv, decode, lookup].map(|part| part(readable));
+    format!("{}{uv}\n{decode}\n{lookup}", comment("///", readable.header))
+}
+
+/// Lines that use the arguments which a body does not mention.
+fn unused(arguments: &[&str], body: &str) -> String {
+    arguments
+        .iter()
+        .filter(|name| !mentions(body, name))
+        .map(|name| format!("    let _ = {name};\n"))
+        .collect()
+}
+
+fn uv(readable: &Readable) -> String {
+    let (name, axes) = (readable.identifier(), &readable.table.axes);
+    let (letters, arguments) = (&LETTERS[..axes.len()], readable.coordinate_arguments());
+    let line = |(letter, axis)| format!("    let {letter} = {};\n", functions(&coordinate(axis)));
+    let body: String = letters.iter().zip(axes).map(line).collect();
+    let (uv, result, unused) = (letters.concat(), array(axes.len()), unused(&arguments, &body));
+    let (arguments, value) = (declared(&arguments), letters.join(", "));
+    format!("pub fn {name}_{uv}({arguments}) -> {result} {{\n{unused}{body}    [{value}]\n}}\n")
+}
+
+/// WGSL's functions by Rust's names.
+fn functions(expression: &str) -> String {
+    expression.replace("sqrt(", "f32::sqrt(")
+}
+
+fn decode(readable: &Readable) -> String {
+    let (name, channels) = (readable.identifier(), readable.decode.channels());
+    let part = |i: usize| if channels == 1 { "texel".into() } else { format!("texel[{i}]") };
+    let body = decoding::body(readable.decode, part);
+    let arguments = readable.decode_arguments();
+    let all =
+        [vec![format!("texel: {}", texel(channels))], arguments.iter().map(|a| declared(&[a])).collect()];
+    let (meaning, result) = (body.meaning, body.result(array));
+    let lets: String = body.lets.iter().map(|line| format!("    {line}\n")).collect();
+    let values = body.values.join(", ");
+    let value = if body.values.len() == 1 { values } else { format!("[{values}]") };
+    let unused = unused(&arguments, &format!("{lets}{value}"));
+    let head = format!("/// {meaning} from a texel of the table above.\npub fn {name}_decode");
+    format!("{head}({}) -> {result} {{\n{unused}{lets}    {value}\n}}\n", all.concat().join(", "))
+}
+
+fn texel(channels: usize) -> String {
+    if channels == 1 { "f32".into() } else { array(channels) }
+}
+
+/// Names of the cells' parts along an axis: the texel, the step to the next, the fraction between.
+const CELLS: [[&str; 3]; 3] = [["column", "right", "fx"], ["row", "down", "fy"], ["slice", "deep", "fz"]];
+
+fn lookup(readable: &Readable) -> String {
+    let (name, axes, channels) = (readable.identifier(), &readable.table.axes, readable.decode.channels());
+    let body = decoding::body(readable.decode, |_| String::new());
+    let (meaning, result, letters) = (body.meaning, body.result(array), &LETTERS[..axes.len()]);
+    let sizes: Vec<String> = axes.iter().map(|axis| axis.size.to_string()).collect();
+    let (filter, order) = if axes.len() == 2 {
+        ("bilinear", "row by row")
+    } else {
+        ("trilinear", "slice by slice, each row by row")
+    };
+    let mut text =
+        format!("/// {meaning} by a {filter} fetch, clamped to the edge, from texels {order}.\n///\n");
+    text += &format!("/// # Panics\n/// If `texels` has fewer than {} entries.\n", sizes.join(" x "));
+    let arguments = declared(&readable.arguments());
+    text += &format!("pub fn {name}_lookup(texels: &[{}], {arguments}) -> {result} {{\n", texel(channels));
+    let (values, uv) = (letters.join(", "), letters.concat());
+    text += &format!("    let [{values}] = {name}_{uv}({});\n", readable.coordinate_arguments().join(", "));
+    for ((letter, axis), [base, step, fraction]) in letters.iter().zip(axes).zip(CELLS) {
+        let (size, length) = (axis.size, axis.size as f32);
+        text +=
+            &format!("    let ({base}, {step}, {fraction}) = cell({letter} * {length:?} - 0.5, {size});\n");
+    }
+    let decoded: String = readable.decode_arguments().iter().map(|name| format!(", {name}")).collect();
+    let (corners, blended) = (corners(readable.table), blended(axes.len(), channels));
+    format!("{text}{corners}    {name}_decode({blended}{decoded})\n}}\n")
+}
+
+/// The lines that fetch the texels around a position: `a` to `d` of a table of two axes, `near` and `far` of one of three.
+fn corners(table: &Table) -> String {
+    let [columns, rows, _] = table.size();
+    if table.axes.len() == 2 {
+        return format!(
+            "    let at = |column: usize, row: usize| texels[row * {columns} + column];
+    let (a, b) = (at(column, row), at(column + right, row));
+    let (c, d) = (at(column, row + down), at(column + right, row + down));
+"
+        );
+    }
+    format!(
+        "    let four = |slice: usize| {{
+        let at = |column: usize, row: usize| texels[(slice * {rows} + row) * {columns} + column];
+        [at(column, row), at(column + right, row), at(column, row + down), at(column + right, row + down)]
+    }};
+    let (near, far) = (four(slice), four(slice + deep));
+"
+    )
+}
+
+/// The texel between those of [`corners`], channel by channel.
+fn blended(axes: usize, channels: usize) -> String {
+    let blend = |part: &str| match (axes, part) {
+        (2, part) => format!("bilinear(a{part}, b{part}, c{part}, d{part}, fx, fy)"),
+        (_, "") => "trilinear(near, far, fx, fy, fz)".into(),
+        (_, part) => format!("trilinear(near.map(|t| t{part}), far.map(|t| t{part}), fx, fy, fz)"),
+    };
+    if channels == 1 {
+        return blend("");
+    }
+    let blended: Vec<String> = (0..channels).map(|i| blend(&format!("[{i}]"))).collect();
+    format!("[{}]", blended.join(", "))
+}
+
+/// Names of the functions that [`helpers`] may hold.
+pub const HELPER_NAMES: [&str; 3] = ["cell", "bilinear", "trilinear"];
+
+const PLANE: &str = "\
+/// Texel before a position in texels, the step to the one after it, and the fraction between.
+fn cell(position: f32, size: usize) -> (usize, usize, f32) {
+    let position = position.max(0.0).min((size - 1) as f32);
+    let base = (position as usize).min(size - 1);
+    let fraction = position - base as f32;
+    (base, (fraction > 0.0) as usize, fraction)
+}
+
+fn bilinear(a: f32, b: f32, c: f32, d: f32, fx: f32, fy: f32) -> f32 {
+    let (top, bottom) = (a + (b - a) * fx, c + (d - c) * fx);
+    top + (bottom - top) * fy
+}
+";
+
+const SPACE: &str = "
+fn trilinear(near: [f32; 4], far: [f32; 4], fx: f32, fy: f32, fz: f32) -> f32 {
+    let slice = |[a, b, c, d]: [f32; 4]| bilinear(a, b, c, d, fx, fy);
+    let (front, back) = (slice(near), slice(far));
+    front + (back - front) * fz
+}
+";
+
+/// The helpers that the text of Rust lookups calls; empty where it calls none.
+pub fn helpers(functions: &str) -> String {
+    match (functions.contains("trilinear("), functions.contains("cell(")) {
+        (true, _) => format!("{PLANE}{SPACE}"),
+        (false, true) => PLANE.into(),
+        (false, false) => String::new(),
+    }
+}

@@ -1,0 +1,46 @@
+//! NumPy arrays, format version 1.0 (numpy.lib.format): a magic number, a Python dictionary padded to 64 bytes, the texels.
+
+use super::texels::interleaved;
+use crate::data::{Table, TexelFormat};
+
+/// Magic number, and the version 1.0.
+const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
+
+/// The data begin at a multiple of this.
+const ALIGNMENT: usize = 64;
+
+/// The bytes of a validated table: an array of `<f2` or `<f4` in C order, of shape (slices, rows, columns), or (rows, columns)
+/// for two axes; with a last axis of channels if there are several.
+pub fn encode(table: &Table) -> Vec<u8> {
+    let mut bytes = header(table);
+    bytes.extend(interleaved(table, table.format, table.channels.len()));
+    bytes
+}
+
+/// Everything before the texels.
+fn header(table: &Table) -> Vec<u8> {
+    let kind = match table.format {
+        TexelFormat::F16 => "<f2",
+        TexelFormat::F32 => "<f4",
+    };
+    let mut shape: Vec<String> = table.axes.iter().rev().map(|axis| axis.size.to_string()).collect();
+    if table.channels.len() > 1 {
+        shape.push(table.channels.len().to_string());
+    }
+    let mut dictionary =
+        format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({}), }}", shape.join(", "));
+    // Two bytes say how long the dictionary is: at most four numbers of 20 digits are far below 65536.
+    let prefix = MAGIC.len() + 2;
+    let total = (prefix + dictionary.len() + 1).next_multiple_of(ALIGNMENT);
+    dictionary.push_str(&" ".repeat(total - prefix - dictionary.len() - 1));
+    dictionary.push('\n');
+    let mut bytes = MAGIC.to_vec();
+    bytes.extend((dictionary.len() as u16).to_le_bytes());
+    bytes.extend(dictionary.bytes());
+    bytes
+}
+
+/// Bytes before the first texel.
+pub fn offset(table: &Table) -> usize {
+    header(table).len()
+}

@@ -1,0 +1,262 @@
+//! The functions emitted for tables of three axes, and the compensations: rustc compiles and runs the Rust, naga reads the WGSL.
+
+mod emit_support;
+
+use emit_support::programs::{compile_library, run};
+use emit_support::say;
+use emit_support::solid::{Solid, bytes, points, texel, to_look_up};
+use lobefit::data::{Decode, Registration, Warp};
+use lobefit::effects::volume::{Lookup, Point};
+use lobefit::emit::compensation::{self, Compensation, NAMES};
+use lobefit::emit::lookup::{Readable, rust_helpers};
+use lobefit::fit::Hypothesis;
+
+fn readable(solid: &Solid) -> Readable<'_> {
+    Readable { table: &solid.table, decode: solid.decode, header: &[] }
+}
+
+/// Every Rust function of the tables and compensations, as a file.
+fn rust(tables: &[Solid]) -> String {
+    let mut text = String::from("//! A file.\n#![allow(dead_code)]\n");
+    for solid in tables {
+        let header = ["A table.".to_string()];
+        text += &format!("\n{}", Readable { header: &header, ..readable(solid) }.rust());
+    }
+    text = format!("{text}\n{}", rust_helpers(&text));
+    for compensation in [Compensation::Reflection, Compensation::Glass] {
+        text += &format!("\n{}", compensation.rust());
+    }
+    text
+}
+
+/// Every WGSL function of them.
+fn wgsl(tables: &[Solid]) -> String {
+    let compensations = [Compensation::Reflection, Compensation::Glass].map(Compensation::wgsl);
+    let tables: Vec<String> = tables.iter().map(|solid| readable(solid).wgsl()).collect();
+    [tables.join("\n"), compensations.join("\n")].join("\n")
+}
+
+#[test]
+fn rustc_compiles_the_lookups_and_compensations_without_a_warning() {
+    compile_library(&rust(&to_look_up()));
+}
+
+#[test]
+fn naga_validates_the_lookups_and_compensations() {
+    let tables = to_look_up();
+    let source = wgsl(&tables);
+    let module =
+        naga::front::wgsl::parse_str(&source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)));
+    naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
+        .validate(&module)
+        .unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)));
+    let arguments = |name: &str| -> Vec<String> {
+        let function = module.functions.iter().find(|(_, f)| f.name.as_deref() == Some(name));
+        let (_, function) = function.unwrap_or_else(|| panic!("no {name}"));
+        function.arguments.iter().map(|a| a.name.clone().unwrap_or_default()).collect()
+    };
+    for solid in &tables {
+        let name = readable(solid).identifier();
+        assert_eq!(arguments(&format!("{name}_lookup"))[2..], *solid.arguments, "{name}");
+        assert_eq!(readable(solid).arguments(), solid.arguments, "{name}");
+        let uvw = arguments(&format!("{name}_uvw"));
+        assert!(uvw.iter().all(|a| solid.arguments.contains(&a.as_str())), "{name}: {uvw:?}");
+        let decode = arguments(&format!("{name}_decode"));
+        let with_mu = solid.decode == Decode::LossBias;
+        assert_eq!(decode, if with_mu { vec!["texel", "mu"] } else { vec!["texel"] }, "{name}");
+    }
+    for name in NAMES {
+        arguments(name);
+    }
+}
+
+#[test]
+fn the_rust_lookups_return_the_bits_that_are_measured() {
+    let (tables, points) = (to_look_up(), points());
+    let mut body = String::new();
+    for solid in &tables {
+        let (name, channels) = (readable(solid).identifier(), solid.decode.channels());
+        let texels = solid.table.size().iter().product();
+        let at =
+            |i: usize| solid.table.channels.iter().map(move |c| c.texels[i] as f32).collect::<Vec<f32>>();
+        let (kind, list): (_, Vec<String>) = match channels {
+            1 => ("f32".into(), (0..texels).map(|i| format!("{:?}", at(i)[0])).collect()),
+            n => (format!("[f32; {n}]"), (0..texels).map(|i| format!("{:?}", at(i))).collect()),
+        };
+        let push = if channels == 1 { "out.push(" } else { "out.extend(" };
+        body += &format!(
+            "    let texels: &[{kind}] = &[{}];\n    for &[roughness, alpha, mu, anisotropy, ior] in &points {{\n        \
+             let _ = (roughness, alpha, mu, anisotropy, ior);\n        {push}lobefit::{name}_lookup(texels, {}));\n    }}\n",
+            list.join(", "),
+            solid.arguments.join(", ")
+        );
+    }
+    let mut found = run(&rust(&tables), 5, &body, &bytes(&points)).into_iter();
+    for solid in &tables {
+        let lookup = Lookup::new(&solid.table, solid.decode).expect("three known axes");
+        for point in &points {
+            let values: Vec<f32> =
+                found.by_ref().take(if solid.decode.channels() == 1 { 1 } else { 3 }).collect();
+            let expected = lookup.at(point);
+            assert_eq!(
+                values[0].to_bits(),
+                expected.to_bits(),
+                "{} at {point:?}: {values:?}",
+                solid.table.name
+            );
+            if let [e, a, b] = values[..] {
+                let texel = lookup.texel(point);
+                let parts = match solid.decode {
+                    Decode::SplitSum => [a == texel[0], b == texel[1]],
+                    _ => [a == e - b, b == e * (texel[1] + fifth(1.0 - point.mu))],
+                };
+                assert_eq!(parts, [true, true], "{} at {point:?}: {values:?}", solid.table.name);
+            }
+        }
+    }
+    assert_eq!(found.count(), 0);
+    say(&format!(
+        "rust: {} lookups in space, {} points each, every bit the same",
+        tables.len(),
+        points.len()
+    ));
+}
+
+/// x^5 as the decoding multiplies it.
+fn fifth(x: f32) -> f32 {
+    let x2 = x * x;
+    x2 * x2 * x
+}
+
+/// The point at which an axis' variables take the values of a texel's node.
+fn node(solid: &Solid, place: [usize; 3]) -> Point {
+    let mut point = Point { roughness: 0.5, alpha: 0.25, mu: 0.5, anisotropy: 0.5, ior: 1.5 };
+    // Roughness first: another axis' warp may use alpha.
+    let order = [1, 0, 2];
+    for axis in order {
+        let x = solid.table.axes[axis].node(place[axis], f64::from(point.alpha)) as f32;
+        match solid.table.axes[axis].name.as_str() {
+            "roughness" => (point.roughness, point.alpha) = (x, x * x),
+            "mu" => point.mu = x,
+            "anisotropy" => point.anisotropy = x,
+            "ior" => point.ior = x,
+            other => panic!("no input {other}"),
+        }
+    }
+    point
+}
+
+#[test]
+fn at_a_node_the_lookup_returns_its_texel() {
+    // Steps between texels are below 1; a coordinate is off by a few units in the last place of a number up to 5 texels.
+    let near = 16.0 * f64::from(f32::EPSILON) * 5.0;
+    for solid in to_look_up() {
+        let lookup = Lookup::new(&solid.table, solid.decode).expect("three known axes");
+        let size = solid.table.size();
+        for i in 0..size.iter().product() {
+            let place = [i % size[0], i / size[0] % size[1], i / size[0] / size[1]];
+            // The homogeneous coordinate's end mu = 0 is a value too.
+            let found = lookup.texel(&node(&solid, place));
+            for c in 0..solid.decode.channels() {
+                let expected = half::f16::from_f64(texel(c, place)).to_f64();
+                let off = (f64::from(found[c]) - expected).abs();
+                assert!(off <= near, "{} {place:?} {c}: {} {expected}", solid.table.name, found[c]);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_registrations_and_warps_are_all_looked_up() {
+    let tables = to_look_up();
+    let axes: Vec<_> = tables.iter().flat_map(|solid| &solid.table.axes).collect();
+    for warp in [Warp::Linear, Warp::Sqrt, Warp::Homogeneous] {
+        assert!(axes.iter().any(|axis| axis.warp == warp), "{warp:?}");
+    }
+    for registration in [Registration::Centre, Registration::Endpoint] {
+        assert!(axes.iter().any(|axis| axis.registration == registration), "{registration:?}");
+    }
+}
+
+/// F0 and E of every pair of some values: colours of metals and dielectrics, albedos down to 1e-3.
+fn pairs() -> Vec<[f32; 2]> {
+    let f0 = [0.0_f32, 0.04, 0.5, 0.95, 1.0];
+    let e = (0..=200).map(|i| 1e-3 + (1.0 - 1e-3) * i as f32 / 200.0);
+    e.flat_map(|e| f0.map(|f0| [f0, e])).collect()
+}
+
+#[test]
+fn compensated_energy_is_whole_and_its_colour_that_of_the_formula() {
+    let pairs = pairs();
+    let body = "    for &[f0, e] in &points {
+        let f = [0.25, 0.5 * e, e];
+        out.push(lobefit::ggx_compensate_reflection_factor(f0, e));
+        out.extend(lobefit::ggx_compensate_reflection(f, [f0, 1.0, 0.0], e));
+        out.push(lobefit::ggx_compensate_glass_factor(e));
+        out.extend(lobefit::ggx_compensate_glass(f, e));
+    }
+";
+    let points: Vec<u8> = pairs.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+    let found = run(&rust(&[]), 2, body, &points);
+    // Four roundings, and the difference 1 - E rounds once more.
+    let close = |a: f32, b: f64| (f64::from(a) - b).abs() <= 5.0 * f64::from(f32::EPSILON) * b.abs();
+    for ([f0, e], v) in pairs.iter().zip(found.chunks_exact(8)) {
+        let (f0, e) = (f64::from(*f0), f64::from(*e));
+        let factor = |f0: f64| 1.0 + f0 * (1.0 - e) / e;
+        let expected = [factor(f0), 0.25 * factor(f0), 0.5 * e * factor(1.0), e, 1.0 / e, 0.25 / e, 0.5, 1.0];
+        for (found, expected) in v.iter().zip(expected) {
+            assert!(close(*found, expected), "f0 {f0}, E {e}: {v:?}, {expected}");
+        }
+        // The furnace: E times the factor of a white metal, and of glass, is 1.
+        assert!((e * f64::from(v[2]) / (0.5 * e) - 1.0).abs() < 1e-6);
+        assert!((e * f64::from(v[4]) - 1.0).abs() < 1e-6);
+    }
+    // E = 1 changes nothing, to the bit.
+    let whole = pairs.iter().zip(found.chunks_exact(8)).filter(|([_, e], _)| *e == 1.0);
+    assert!(whole.map(|(_, v)| assert_eq!(v, [1.0, 0.25, 0.5, 1.0, 1.0, 0.25, 0.5, 1.0])).count() > 0);
+}
+
+#[test]
+fn the_factors_in_wgsl_have_the_bits_of_those_in_rust() {
+    let pairs = pairs();
+    let points: Vec<u8> = pairs.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+    let body = "    for &[f0, e] in &points {
+        out.push(lobefit::ggx_compensate_reflection_factor(f0, e));
+        out.push(lobefit::ggx_compensate_glass_factor(e));
+    }
+";
+    let found = run(&rust(&[]), 2, body, &points);
+    let names = ["ggx_compensate_reflection_factor", "ggx_compensate_glass_factor"];
+    for (k, (compensation, name)) in
+        [Compensation::Reflection, Compensation::Glass].into_iter().zip(names).enumerate()
+    {
+        let text = compensation.wgsl();
+        let function = &text[text.find(&format!("fn {name}(")).expect("the function")..];
+        let read = Hypothesis::parse("compensation", function).unwrap_or_else(|e| panic!("{e}"));
+        let columns: Vec<Vec<f32>> = read
+            .inputs()
+            .iter()
+            .map(|input| pairs.iter().map(|[f0, e]| if input == "f0" { *f0 } else { *e }).collect())
+            .collect();
+        let values = read.tape().evaluate::<f32>(&columns, &[]).expect("values");
+        for (i, value) in values.iter().enumerate() {
+            assert_eq!(value.to_bits(), found[2 * i + k].to_bits(), "{name} at {:?}", pairs[i]);
+        }
+    }
+}
+
+#[test]
+fn a_compensation_is_emitted_for_the_quantities_that_call_for_it() {
+    use Compensation::{Glass, Reflection};
+    assert_eq!(compensation::of(["ggx-glass", "ggx-glass"]), [Glass]);
+    assert_eq!(
+        compensation::of(["ggx-glass", "ggx-reflection-aniso", "ggx-reflection"]),
+        [Reflection, Glass]
+    );
+    assert_eq!(compensation::of(["sheen-charlie", "ggx-average"]), []);
+    for name in NAMES {
+        let texts = [Reflection, Glass].map(|c| (c.rust(), c.wgsl()));
+        let holds = |text: &str| text.contains(&format!("fn {name}("));
+        assert_eq!(texts.iter().filter(|(rust, wgsl)| holds(rust) && holds(wgsl)).count(), 1, "{name}");
+    }
+}
