@@ -57,6 +57,10 @@ fn bad_ones_are_refused_with_their_place() {
         ("override k: f32 = 0.1;\nfn mine() -> f32 { return 1.0 + k; }\n", ["mine.wgsl", "no argument", ""]),
         ("fn gen(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "gen", "Rust"]),
         ("fn cell(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "`cell`", "rename"]),
+        (
+            "fn ggx_compensate_glass(mu: f32) -> f32 { return 1.0 + mu; }\n",
+            ["mine.wgsl", "`ggx_compensate_glass`", "rename"],
+        ),
         ("fn ggx_norm_r1_saturating(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "rename", ""]),
         (
             "override k: f32 = 1.0;\noverride c: f32 = 0.3712345;\n\

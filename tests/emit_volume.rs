@@ -5,7 +5,7 @@ mod emit_support;
 use emit_support::programs::{compile_library, run};
 use emit_support::say;
 use emit_support::solid::{Solid, bytes, points, texel, to_look_up};
-use lobefit::data::{Decode, Registration, Warp};
+use lobefit::data::{Decode, Registration, TexelFormat, Warp};
 use lobefit::effects::volume::{Lookup, Point};
 use lobefit::emit::compensation::{self, Compensation, NAMES};
 use lobefit::emit::lookup::{Readable, rust_helpers};
@@ -67,6 +67,15 @@ fn naga_validates_the_lookups_and_compensations() {
     }
     for name in NAMES {
         arguments(name);
+    }
+}
+
+#[test]
+fn a_table_in_f32_says_what_its_device_must_have() {
+    for mut solid in to_look_up() {
+        assert!(!readable(&solid).wgsl().contains("float32-filterable"));
+        solid.table.format = TexelFormat::F32;
+        assert!(readable(&solid).wgsl().contains("float32-filterable"));
     }
 }
 

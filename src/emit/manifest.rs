@@ -89,7 +89,7 @@ pub struct TableEntry {
     pub decode: BTreeMap<&'static str, &'static str>,
     /// Texel format.
     pub format: &'static str,
-    /// Columns, then rows.
+    /// Columns, then rows, then slices where there are any.
     pub axes: Vec<AxisEntry>,
     /// Measured errors.
     pub error: TableError,

@@ -82,8 +82,8 @@ pub enum LookupError {
 #[derive(Clone, Debug)]
 pub struct Lookup<'a> {
     axes: [(&'a Axis, Variable); 3],
-    /// Texels, channels beside one another; what lies beyond the table's channels is 0.
-    texels: Vec<[f32; 4]>,
+    /// Texels of each channel.
+    texels: Vec<Vec<f32>>,
     decode: Decode,
     /// Steps of the interpolation weights: many texture units keep 8 fractional bits.
     weight_steps: Option<f32>,
@@ -105,12 +105,7 @@ impl<'a> Lookup<'a> {
             Variable::of(axis).map(|variable| (axis, variable)).ok_or_else(unknown)
         };
         let axes = [variable(x)?, variable(y)?, variable(z)?];
-        let mut texels = vec![[0.0; 4]; table.size().iter().product()];
-        for (c, channel) in table.channels.iter().enumerate() {
-            for (texel, value) in texels.iter_mut().zip(&channel.texels) {
-                texel[c] = *value as f32;
-            }
-        }
+        let texels = table.channels.iter().map(|c| c.texels.iter().map(|t| *t as f32).collect()).collect();
         Ok(Lookup { axes, texels, decode, weight_steps: None })
     }
 
@@ -127,20 +122,25 @@ impl<'a> Lookup<'a> {
 
     /// The texel between those around a point; channels that the table does not have are 0.
     pub fn texel(&self, point: &Point) -> [f32; 4] {
-        let [(column, right, fx), (row, down, fy), (slice, deep, fz)] = self.axes.map(|(axis, variable)| {
+        let cells = self.axes.map(|(axis, variable)| {
             self.cell(axis.texture_coordinate(variable.at(point), point.alpha), axis.size)
         });
-        let [columns, rows, _] = self.axes.map(|(axis, _)| axis.size);
-        let plane = |slice: usize| {
-            let at = |row: usize| (slice * rows + row) * columns + column;
-            let (top, bottom) = (self.between(at(row), right, fx), self.between(at(row + down), right, fx));
-            mix(top, bottom, fy)
-        };
-        mix(plane(slice), plane(slice + deep), fz)
+        let mut texel = [0.0; 4];
+        for (value, texels) in texel.iter_mut().zip(&self.texels) {
+            *value = self.fetch(texels, cells);
+        }
+        texel
     }
 
-    fn between(&self, at: usize, step: usize, fraction: f32) -> [f32; 4] {
-        mix(self.texels[at], self.texels[at + step], fraction)
+    fn fetch(&self, texels: &[f32], cells: [(usize, usize, f32); 3]) -> f32 {
+        let [columns, rows, _] = self.axes.map(|(axis, _)| axis.size);
+        let [(column, right, fx), (row, down, fy), (slice, deep, fz)] = cells;
+        let pair = |slice: usize, row: usize| {
+            let at = (slice * rows + row) * columns + column;
+            mix(texels[at], texels[at + right], fx)
+        };
+        let plane = |slice: usize| mix(pair(slice, row), pair(slice, row + down), fy);
+        mix(plane(slice), plane(slice + deep), fz)
     }
 
     /// Texel before a texture coordinate, clamped to the edge, the step to the one after it, and the fraction between.
@@ -156,8 +156,8 @@ impl<'a> Lookup<'a> {
     }
 }
 
-fn mix(a: [f32; 4], b: [f32; 4], fraction: f32) -> [f32; 4] {
-    std::array::from_fn(|c| a[c] + (b[c] - a[c]) * fraction)
+fn mix(a: f32, b: f32, fraction: f32) -> f32 {
+    a + (b - a) * fraction
 }
 
 #[cfg(test)]

@@ -46,21 +46,25 @@ impl Readable<'_> {
 
     /// Arguments of `<name>_lookup` in order.
     pub fn arguments(&self) -> Vec<&'static str> {
-        let coordinates = self.table.axes.iter().map(coordinate);
-        let used = coordinates.chain(decoding::body(self.decode, |_| String::new()).lines());
-        self.needed(&used.collect::<Vec<_>>().join("\n"), |_| true)
+        self.needed(&[self.coordinate_text(), self.decode_text()].join("\n"), |_| true)
     }
 
     /// Arguments of the coordinates.
     fn coordinate_arguments(&self) -> Vec<&'static str> {
-        let used: Vec<String> = self.table.axes.iter().map(coordinate).collect();
-        self.needed(&used.join("\n"), |_| true)
+        self.needed(&self.coordinate_text(), |_| true)
     }
 
     /// Arguments of the decoding beside the texel.
     fn decode_arguments(&self) -> Vec<&'static str> {
-        let body: Vec<String> = decoding::body(self.decode, |_| String::new()).lines().collect();
-        self.needed(&body.join("\n"), |name| name == "mu")
+        self.needed(&self.decode_text(), |name| name == "mu")
+    }
+
+    fn coordinate_text(&self) -> String {
+        self.table.axes.iter().map(coordinate).collect::<Vec<_>>().join("\n")
+    }
+
+    fn decode_text(&self) -> String {
+        decoding::body(self.decode, |_| String::new()).lines().collect::<Vec<_>>().join("\n")
     }
 
     /// The arguments that a text mentions; for a table of two axes, all that are `habitual` of the three it may have.
@@ -89,7 +93,8 @@ pub fn comment(mark: &str, lines: &[String]) -> String {
     lines.iter().map(|line| format!("{mark} {line}").trim_end().to_string() + "\n").collect()
 }
 
-/// The texture coordinate of an axis as an expression, the arithmetic of [`Axis::texture_coordinate`].
+/// The texture coordinate of an axis as an expression in WGSL, the arithmetic of [`Axis::texture_coordinate`]. What it mentions of
+/// [`ARGUMENTS`] becomes an argument; its functions must be among those that Rust has by the same name.
 fn coordinate(axis: &Axis) -> String {
     let name = &axis.name;
     let unit = match axis.warp {

@@ -31,9 +31,13 @@ fn uv(readable: &Readable) -> String {
     format!("pub fn {name}_{uv}({arguments}) -> {result} {{\n{unused}{body}    [{value}]\n}}\n")
 }
 
-/// WGSL's functions by Rust's names.
+/// Functions of coordinates that are exact on every machine, and so have the same bits in WGSL's name and in Rust's.
+const FUNCTIONS: [&str; 4] = ["sqrt", "abs", "min", "max"];
+
+/// An expression of WGSL in Rust.
 fn functions(expression: &str) -> String {
-    expression.replace("sqrt(", "f32::sqrt(")
+    let rust = |text: String, name: &&str| text.replace(&format!("{name}("), &format!("f32::{name}("));
+    FUNCTIONS.iter().fold(expression.to_string(), rust)
 }
 
 fn decode(readable: &Readable) -> String {

@@ -1,6 +1,7 @@
 //! The WGSL functions of a table.
 
 use super::{LETTERS, Readable, comment, coordinate, declared, decoding};
+use crate::data::TexelFormat;
 
 /// The swizzle of a texel's channels.
 const SWIZZLES: [&str; 4] = ["x", "xy", "xyz", "xyzw"];
@@ -47,9 +48,13 @@ fn lookup(readable: &Readable) -> String {
     let (meaning, result, uv) = (body.meaning, body.result(vector), LETTERS[..n].concat());
     let channels = SWIZZLES[readable.decode.channels() - 1];
     let decoded: String = readable.decode_arguments().iter().map(|name| format!(", {name}")).collect();
+    let feature = match readable.table.format {
+        TexelFormat::F16 => "",
+        TexelFormat::F32 => "/// Texels of 32 bits need a device with the feature float32-filterable.\n",
+    };
     format!(
         "/// {meaning} by one fetch; the sampler filters linearly and clamps to the edge.
-fn {name}_lookup(table: texture_{n}d<f32>, linear_clamp: sampler, {}) -> {result} {{
+{feature}fn {name}_lookup(table: texture_{n}d<f32>, linear_clamp: sampler, {}) -> {result} {{
     let {uv} = {name}_{uv}({});
     let texel = textureSampleLevel(table, linear_clamp, {uv}, 0.0);
     return {name}_decode(texel.{channels}{decoded});
