@@ -1,8 +1,10 @@
 //! Floor 3: the catalogue of effects. Each has its quantities, default tables, hypotheses and published rivals, and knows how
 //! to measure an approximation of its quantities against the truth.
 
+mod deviation;
 mod quantity;
 pub mod reflection;
 pub mod volume;
 
+pub use deviation::{Deviation, Rounding};
 pub use quantity::{Input, Method, QUANTITIES, Quantity, Values};

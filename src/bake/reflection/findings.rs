@@ -10,7 +10,8 @@ use super::tables::BakedTable;
 use crate::bake::context::Context;
 use crate::bake::{BakeError, origin};
 use crate::data::{Place, Serves, Smith, Use};
-use crate::effects::reflection::{Dropped, Fit, LookupError, Region, Study, studies};
+use crate::effects::Deviation;
+use crate::effects::reflection::{Dropped, Fit, Region, Study, studies};
 use crate::emit::code;
 use crate::plan::{Effect, Plan};
 use crate::report::{
@@ -147,7 +148,7 @@ fn table(baked: &BakedTable, context: &Context) -> Option<TableFinding> {
 /// The errors of a table, one line each.
 fn errors(baked: &BakedTable) -> Vec<(String, ErrorFigure)> {
     let e = &baked.errors;
-    let lookup = |what: &str, error: &LookupError| {
+    let lookup = |what: &str, error: &Deviation| {
         (what.to_string(), ErrorFigure { max: error.max, rms: Some(error.rms), at: error.at.clone() })
     };
     let mut lines = vec![(

@@ -93,11 +93,7 @@ fn emit_tables(
 }
 
 fn errors(baked: &BakedTable) -> crate::emit::manifest::TableError {
-    let entry = |e: &crate::effects::reflection::LookupError| LookupEntry {
-        max: e.max,
-        rms: e.rms,
-        at: e.at.clone(),
-    };
+    let entry = |e: &crate::effects::Deviation| LookupEntry { max: e.max, rms: e.rms, at: e.at.clone() };
     crate::emit::manifest::TableError {
         integration: baked.errors.integration,
         quantisation: baked.errors.quantisation.iter().fold(0.0, |worst, r| r.max.max(worst)),

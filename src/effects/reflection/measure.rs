@@ -3,35 +3,8 @@
 use rayon::prelude::*;
 
 use super::{Field, Lookup, PointSet, Split, TRUTH_ERROR};
-use crate::data::{Channel, Layout, Place, Serves, Table};
-
-/// Error of a lookup over a point set.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LookupError {
-    /// Largest absolute error, over all points.
-    pub max: f64,
-    /// Largest error relative to E (also where the error is B's, which falls to 1e-8 itself).
-    pub max_rel: f64,
-    /// Root mean square over the uniform points.
-    pub rms: f64,
-    /// Signed mean over the uniform points.
-    pub mean: f64,
-    /// Where the largest is.
-    pub at: Place,
-}
-
-/// What rounding to the texel format does to one channel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Rounding {
-    /// Channel.
-    pub channel: String,
-    /// Largest change of a texel.
-    pub max: f64,
-    /// Root mean square.
-    pub rms: f64,
-    /// Column and row of the largest.
-    pub at: Place,
-}
+use crate::data::{Layout, Serves, Table};
+use crate::effects::{Deviation, Rounding};
 
 /// The errors of a table, told apart.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,13 +14,13 @@ pub struct Errors {
     /// Rounding to the format, by channel.
     pub quantisation: Vec<Rounding>,
     /// Error of the bilinear lookup of the quantised texels in the table's use, f32 weights.
-    pub lookup: LookupError,
+    pub lookup: Deviation,
     /// The same with weights of 8 fractional bits, as many texture units interpolate.
-    pub lookup_8_bit: LookupError,
+    pub lookup_8_bit: Deviation,
     /// Error of E alone.
-    pub lookup_e: LookupError,
+    pub lookup_e: Deviation,
     /// Error of B alone, where the table holds it.
-    pub lookup_b: Option<LookupError>,
+    pub lookup_b: Option<Deviation>,
     /// Number of points measured.
     pub points: usize,
 }
@@ -75,31 +48,12 @@ pub fn measure(table: &Table, layout: Layout, serves: Serves, points: &PointSet,
     };
     Errors {
         integration: TRUTH_ERROR,
-        quantisation: table
-            .channels
-            .iter()
-            .zip(&quantised.channels)
-            .map(|(a, b)| rounding(a, b, table))
-            .collect(),
+        quantisation: Rounding::of(table, &quantised),
         lookup: over(&exact, use_of, points, truth),
         lookup_8_bit: over(&coarse, use_of, points, truth),
         lookup_e: over(&exact, Judged::E, points, truth),
         lookup_b: split.then(|| over(&exact, Judged::B, points, truth)),
         points: points.len(),
-    }
-}
-
-fn rounding(exact: &Channel, stored: &Channel, table: &Table) -> Rounding {
-    let gaps: Vec<f64> = exact.texels.iter().zip(&stored.texels).map(|(a, b)| (a - b).abs()).collect();
-    let worst = (0..gaps.len()).fold(0, |worst, i| if gaps[i] > gaps[worst] { i } else { worst });
-    let columns = table.axes[0].size;
-    let place = [("column", worst % columns), ("row", worst / columns)];
-    let squares: Vec<f64> = gaps.iter().map(|g| g * g).collect();
-    Rounding {
-        channel: exact.name.clone(),
-        max: gaps.get(worst).copied().unwrap_or(0.0),
-        rms: crate::math::sum::mean(&squares).sqrt(),
-        at: place.into_iter().map(|(name, i)| (name.to_string(), i as f64)).collect(),
     }
 }
 
@@ -119,23 +73,8 @@ fn signed(lookup: &Lookup, judged: Judged, points: &PointSet, truth: &Field, i: 
     if judged == Judged::B || of_b.abs() > of_e.abs() { of_b } else { of_e }
 }
 
-fn over(lookup: &Lookup, judged: Judged, points: &PointSet, truth: &Field) -> LookupError {
+fn over(lookup: &Lookup, judged: Judged, points: &PointSet, truth: &Field) -> Deviation {
     let errors: Vec<f64> =
         (0..points.len()).into_par_iter().map(|i| signed(lookup, judged, points, truth, i)).collect();
-    let (mut max, mut max_rel, mut worst) = (0.0, 0.0_f64, 0);
-    for (i, error) in errors.iter().enumerate() {
-        if error.abs() > max {
-            (max, worst) = (error.abs(), i);
-        }
-        max_rel = max_rel.max(error.abs() / truth.e[i].abs());
-    }
-    let uniform = &errors[..points.uniform];
-    let squares: Vec<f64> = uniform.iter().map(|e| e * e).collect();
-    LookupError {
-        max,
-        max_rel,
-        rms: crate::math::sum::mean(&squares).sqrt(),
-        mean: crate::math::sum::mean(uniform),
-        at: points.place(worst),
-    }
+    Deviation::of(&errors, &truth.e, points.uniform, |worst| points.place(worst))
 }

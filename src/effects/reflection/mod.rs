@@ -18,7 +18,7 @@ pub use decode::{decode, lookup_ops};
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Dropped, Fit, FitSet, FitSpec, FitStageError, fit_all};
 pub use lookup::{Lookup, Split};
-pub use measure::{Errors, Judged, LookupError, Rounding, error_map, measure};
+pub use measure::{Errors, Judged, error_map, measure};
 pub use points::{PointSet, certification};
 pub use region::Region;
 pub use table::{TableSpec, build};

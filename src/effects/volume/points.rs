@@ -1,0 +1,145 @@
+//! Points at which lookups of tables of three axes are measured: none that the texels were made from, but for the corners.
+//!
+//! They come in groups of [`GROUP`] that share roughness and mu and differ in the third input, so that a truth can share its work.
+
+use super::{Point, Region, Third};
+use crate::data::Place;
+use crate::math::sobol::Sobol;
+
+/// Points that share roughness and mu.
+pub const GROUP: usize = 8;
+
+/// Inputs as a shader has them, in f32.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Points {
+    /// The points, group by group.
+    pub all: Vec<Point>,
+    /// The first `uniform` are uniform in roughness, mu and the third input: RMS and mean are taken over them. The others crowd into
+    /// the layer mu ~ alpha, onto the edges and about the critical angle, where the largest errors hide.
+    pub uniform: usize,
+    /// The third input.
+    third: Third,
+}
+
+/// Groups walked along each edge of roughness and mu.
+const EDGE: usize = 1 << 8;
+
+impl Points {
+    /// 2^log2 groups uniform in the region, half as many in the layer, as many about the critical angle of glass, and the edges.
+    pub fn certification(region: &Region, log2: u32) -> Points {
+        let mut points = Points { third: region.third, ..Points::default() };
+        let (base, third) =
+            (Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]), Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]));
+        let spread = |group: u32| -> [f64; GROUP] {
+            std::array::from_fn(|k| lerp(region.span, third.coordinate(group * GROUP as u32 + k as u32, 0)))
+        };
+        for i in 0..1_u32 << log2 {
+            let (roughness, mu) =
+                (lerp(region.roughness, base.coordinate(i, 0)), lerp(region.mu, base.coordinate(i, 1)));
+            points.push(region, roughness, mu, spread(i));
+        }
+        points.uniform = points.all.len();
+        let layer = Sobol::new([0x2545_f491, 0x4f6c_dd1d, 0x94d0_49bb]);
+        for i in 0..1_u32 << (log2 - 1) {
+            let roughness = lerp(region.roughness, layer.coordinate(i, 0));
+            let mu = homogeneous(region, roughness, layer.coordinate(i, 1));
+            points.push(region, roughness, mu, spread(i + (1 << log2)));
+            if region.third == Third::Ior {
+                let (roughness, ior) = (
+                    lerp(region.roughness, layer.coordinate(i, 1)),
+                    lerp(region.span, layer.coordinate(i, 2)),
+                );
+                points.push_critical(region, roughness, ior, layer.coordinate(i, 0));
+            }
+        }
+        for i in 0..=EDGE {
+            let t = i as f64 / EDGE as f64;
+            let mut ends = spread(i as u32);
+            (ends[0], ends[GROUP - 1]) = (region.span[0], region.span[1]);
+            for end in [0.0, 1.0] {
+                let roughness = lerp(region.roughness, end);
+                points.push(region, roughness, lerp(region.mu, t), ends);
+                points.push(region, roughness, homogeneous(region, roughness, t), ends);
+                points.push(region, lerp(region.roughness, t), lerp(region.mu, end), ends);
+            }
+        }
+        points
+    }
+
+    /// The points of a list of roughness, mu and values of the third input, every combination: roughness fastest, then mu.
+    pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], third: f64) -> Points {
+        let mut points = Points { third: region.third, ..Points::default() };
+        for m in mu {
+            for r in roughness {
+                points.all.push(point(region, *r, *m, third));
+            }
+        }
+        points.uniform = points.all.len();
+        points
+    }
+
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.all.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
+    /// Point `i` by input name, each in the shortest decimal that reads back to its f32.
+    pub fn place(&self, i: usize) -> Place {
+        let p = &self.all[i];
+        let inputs = [
+            ("alpha", p.alpha),
+            ("mu", p.mu),
+            ("roughness", p.roughness),
+            (self.third.name(), self.third.of(p)),
+        ];
+        inputs.into_iter().map(|(name, x)| (name.to_string(), shortest(x))).collect()
+    }
+
+    fn push(&mut self, region: &Region, roughness: f64, mu: f64, third: [f64; GROUP]) {
+        self.all.extend(third.map(|x| point(region, roughness, mu, x)));
+    }
+
+    /// A group about the critical angle of an index of refraction: mu a few alpha beside its cosine, and indices beside it.
+    fn push_critical(&mut self, region: &Region, roughness: f64, ior: f64, t: f64) {
+        let alpha = region.alpha_map.alpha(roughness);
+        let cosine = |n: f64| ((1.0 - 1.0 / n) * (1.0 + 1.0 / n)).max(0.0).sqrt();
+        let mu = (cosine(ior) + alpha * (8.0 * t - 4.0)).clamp(region.mu[0], region.mu[1]);
+        let beside = |k: usize| {
+            let c = (cosine(ior) + alpha * (k as f64 - 3.0)).clamp(0.0, 0.999);
+            (1.0 / ((1.0 - c) * (1.0 + c)).sqrt()).clamp(region.span[0], region.span[1])
+        };
+        self.push(region, roughness, mu, std::array::from_fn(beside));
+    }
+}
+
+fn point(region: &Region, roughness: f64, mu: f64, third: f64) -> Point {
+    let roughness = roughness as f32;
+    let mut point =
+        Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), mu: mu as f32, ..Point::default() };
+    match region.third {
+        Third::Anisotropy => point.anisotropy = third as f32,
+        Third::Ior => point.ior = third as f32,
+    }
+    point
+}
+
+fn lerp(range: [f64; 2], t: f64) -> f64 {
+    if t == 1.0 { range[1] } else { range[0] + (range[1] - range[0]) * t }
+}
+
+/// mu at fraction t of the region's range of sqrt(mu (1+alpha)/(mu+alpha)).
+fn homogeneous(region: &Region, roughness: f64, t: f64) -> f64 {
+    let alpha = region.alpha_map.alpha(roughness).max(1e-7);
+    let u = lerp(region.mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt()), t);
+    (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(region.mu[0], region.mu[1])
+}
+
+/// The f64 with the fewest decimal digits that rounds to this f32.
+fn shortest(x: f32) -> f64 {
+    x.to_string().parse().unwrap_or(f64::from(x))
+}
