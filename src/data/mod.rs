@@ -11,7 +11,7 @@ mod norm;
 mod table;
 
 pub use approximation::{Approximation, Form, Formula, Source, Use};
-pub use axis::{Axis, Registration, Warp};
+pub use axis::{Axis, Registration, Surface, Warp};
 pub use certificate::{Certificate, Place};
 pub use cost::Cost;
 pub use layout::{Layout, Serves};

@@ -3,5 +3,6 @@
 
 mod quantity;
 pub mod reflection;
+pub mod volume;
 
 pub use quantity::{Input, Method, QUANTITIES, Quantity, Values};

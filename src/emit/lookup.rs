@@ -147,12 +147,7 @@ pub fn comment(mark: &str, lines: &[String]) -> String {
 
 /// The texture coordinate of an axis as an expression, the arithmetic of [`Axis::texture_coordinate`].
 fn coordinate(axis: &Axis) -> String {
-    let name = &axis.name;
-    let unit = match axis.warp {
-        Warp::Linear => name.clone(),
-        Warp::Sqrt => format!("sqrt({name})"),
-        Warp::Homogeneous => format!("sqrt({name} * (1.0 + alpha) / ({name} + alpha))"),
-    };
+    let unit = axis.expression();
     match axis.affine() {
         (1.0, 0.0) => unit,
         (scale, offset) if offset < 0.0 => format!("{unit} * {scale:?} - {:?}", -offset),
