@@ -5,7 +5,7 @@ mod emit_support;
 use emit_support::programs::{compile_library, run};
 use emit_support::say;
 use emit_support::solid::{Solid, bytes, points, texel, to_look_up};
-use lobefit::data::{Decode, Registration, TexelFormat, Warp};
+use lobefit::data::{Decode, Registration, Surface, TexelFormat, Warp};
 use lobefit::effects::volume::{Lookup, Point};
 use lobefit::emit::compensation::{self, Compensation, NAMES};
 use lobefit::emit::lookup::{Readable, rust_helpers};
@@ -139,11 +139,12 @@ fn fifth(x: f32) -> f32 {
 
 /// The point at which an axis' variables take the values of a texel's node.
 fn node(solid: &Solid, place: [usize; 3]) -> Point {
-    let mut point = Point { roughness: 0.5, alpha: 0.25, mu: 0.5, anisotropy: 0.5, ior: 1.5 };
+    let mut point = Point { roughness: 0.5, alpha: 0.25, mu: 0.5, anisotropy: 0.5, ior: 1.5, cos2_phi: 0.3 };
     // Roughness first: another axis' warp may use alpha.
     let order = [1, 0, 2];
     for axis in order {
-        let x = solid.table.axes[axis].node(place[axis], f64::from(point.alpha)) as f32;
+        let x =
+            solid.table.axes[axis].node(place[axis], Surface::<f64>::rough(f64::from(point.alpha))) as f32;
         match solid.table.axes[axis].name.as_str() {
             "roughness" => (point.roughness, point.alpha) = (x, x * x),
             "mu" => point.mu = x,

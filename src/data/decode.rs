@@ -1,6 +1,7 @@
 //! What the channels of a table mean.
 
-use super::{Layout, Serves};
+use super::{Layout, Serves, Surface};
+use crate::math::ops;
 
 /// How values follow from the channels of a texel. Another meaning is another variant: its channels, its formula, its f32
 /// arithmetic here and the lines that the emitted code has for it.
@@ -12,6 +13,9 @@ pub enum Decode {
     Loss,
     /// `A`, `B`: scale and bias of Schlick's F0; E = A + B.
     SplitSum,
+    /// `c0`, `c1`, `c2`, `c3`: with q = 1 - 0.9 anisotropy and (alpha_v/alpha)^2 = cos2_phi/q + (1 - cos2_phi) q, the alpha towards the view,
+    /// t = log((alpha_v/alpha)^2)/-log(q) in [-1, 1] and E = 1 - (c0 + t (c1 + t (c2 + t c3))).
+    AzimuthCubic,
     /// `loss`, `bias`: E = 1 - loss, B = E (bias + (1 - mu)^5).
     LossBias,
 }
@@ -32,6 +36,7 @@ impl Decode {
         match self {
             Decode::Albedo | Decode::Loss => 1,
             Decode::SplitSum | Decode::LossBias => 2,
+            Decode::AzimuthCubic => 4,
         }
     }
 
@@ -40,16 +45,26 @@ impl Decode {
         match self {
             Decode::Albedo => &[("E", "E")],
             Decode::Loss => &[("E", "1 - loss")],
+            Decode::AzimuthCubic => &[(
+                "E",
+                "1 - (c0 + t * (c1 + t * (c2 + t * c3))), t = log2(cos2_phi / q + (1 - cos2_phi) * q) / -log2(q), \
+                 q = 1 - 0.9 * anisotropy (t = 0 at anisotropy 0)",
+            )],
             Decode::SplitSum => &[("E", "A + B"), ("B", "B"), ("A", "A")],
             Decode::LossBias => &[("E", "1 - loss"), ("B", "E * (bias + (1 - mu)^5)"), ("A", "E - B")],
         }
     }
 
     /// E of a texel in a shader's arithmetic; what lies beyond the table's channels is not read.
-    pub fn albedo(self, texel: [f32; 4]) -> f32 {
+    pub fn albedo(self, texel: [f32; 4], surface: Surface<f32>) -> f32 {
         match self {
             Decode::Albedo => texel[0],
             Decode::Loss | Decode::LossBias => 1.0 - texel[0],
+            Decode::AzimuthCubic => {
+                let [c0, c1, c2, c3] = texel;
+                let t = ops::log2f(surface.spread()) / (-ops::log2f(surface.squash())).max(1e-6);
+                1.0 - (c0 + t * (c1 + t * (c2 + t * c3)))
+            }
             Decode::SplitSum => texel[0] + texel[1],
         }
     }

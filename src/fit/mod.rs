@@ -14,6 +14,7 @@ mod regular;
 mod solve;
 mod tape;
 pub mod texels;
+pub mod volume;
 
 pub use certify::{Measured, measure, measure_first, round_up};
 pub use domain::{Domain, DomainAxis};

@@ -116,8 +116,14 @@ pub fn to_look_up() -> Vec<Solid> {
 /// Points in the domain of the tables, their edges and corners, and some beyond, where lookups clamp.
 pub fn points() -> Vec<Point> {
     let mut points = Vec::new();
-    let point =
-        |[x, y, z, w]: [f32; 4]| Point { roughness: x, alpha: x * x, mu: y, anisotropy: z, ior: 1.0 + w };
+    let point = |[x, y, z, w]: [f32; 4]| Point {
+        roughness: x,
+        alpha: x * x,
+        mu: y,
+        anisotropy: z,
+        ior: 1.0 + w,
+        cos2_phi: 1.0,
+    };
     let edges = [0.0_f32, 0.02, 0.125, 0.5, 0.999, 1.0];
     for x in edges {
         for y in edges {

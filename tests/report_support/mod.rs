@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use lobefit::data::{AlphaMap, Axis, Certificate, Cost, Registration, Smith, TexelFormat, Use, Warp};
+use lobefit::data::{
+    AlphaMap, Axis, Certificate, Cost, Registration, Smith, Surface, TexelFormat, Use, Warp,
+};
 use lobefit::math::ops;
 use lobefit::report::*;
 
@@ -131,8 +133,8 @@ fn table(name: &str, size: usize) -> TableFinding {
     let texels = |f: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
         (0..size * size)
             .map(|i| {
-                let roughness = axes[1].node(i / size, 0.0);
-                f(roughness, axes[0].node(i % size, roughness * roughness))
+                let roughness = axes[1].node(i / size, Surface::<f64>::rough(0.0));
+                f(roughness, axes[0].node(i % size, Surface::<f64>::rough(roughness * roughness)))
             })
             .collect()
     };

@@ -1,6 +1,6 @@
 //! A table of this effect as a shader reads it: coordinates, bilinear fetch and decoding, in f32.
 
-use crate::data::{Layout, Serves, Table};
+use crate::data::{Layout, Serves, Surface, Table};
 
 /// E and B as decoded from a fetch; B is 0 for a table that serves the albedo alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,8 +38,9 @@ impl<'a> Lookup<'a> {
     /// E and B at a point, in the shader's arithmetic.
     pub fn at(&self, roughness: f32, alpha: f32, mu: f32) -> Split {
         let (columns, rows) = (&self.table.axes[0], &self.table.axes[1]);
-        let x = position(columns.texture_coordinate(mu, alpha), columns.size);
-        let y = position(rows.texture_coordinate(roughness, alpha), rows.size);
+        let surface = Surface::<f32>::rough(alpha);
+        let x = position(columns.texture_coordinate(mu, surface), columns.size);
+        let y = position(rows.texture_coordinate(roughness, surface), rows.size);
         let first = self.fetch(0, x, y);
         let second = if self.serves == Serves::SplitSum { self.fetch(1, x, y) } else { 0.0 };
         self.decode(first, second, mu)

@@ -16,7 +16,8 @@ use rayon::prelude::*;
 
 use super::{Counter, Region};
 use crate::data::{
-    AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Table, TableError, TexelFormat, Warp,
+    AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, TableError, TexelFormat,
+    Warp,
 };
 use crate::fit::texels::{self, TexelSample};
 use crate::integrate::reflection::{Effort, albedo, split};
@@ -97,8 +98,8 @@ impl Node {
     /// E and B at a position in texels.
     fn new(spec: &TableSpec, axes: &[Axis; 2], x: f64, y: f64) -> Node {
         let (u, v) = (unit(&axes[0], x), unit(&axes[1], y));
-        let alpha = spec.alpha_map.alpha(axes[1].physical(v, 0.0));
-        let mu = axes[0].physical(u, alpha).clamp(0.0, 1.0);
+        let alpha = spec.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
+        let mu = axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0);
         let effort = &Effort::ladder()[1];
         let (e, b) = match spec.serves {
             Serves::SplitSum => split(spec.smith, alpha, mu, effort),

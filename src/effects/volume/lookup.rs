@@ -1,6 +1,6 @@
 //! A table of three axes as a shader reads it: coordinates, trilinear fetch and decoding, in f32.
 
-use crate::data::{Axis, Decode, Table};
+use crate::data::{Axis, Decode, Surface, Table};
 
 /// Arguments of an emitted lookup. Those that the table does not use are not read.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,6 +15,16 @@ pub struct Point {
     pub anisotropy: f32,
     /// Index of refraction, inside over outside.
     pub ior: f32,
+    /// Square of the cosine of the view's azimuth from the alpha_x axis.
+    pub cos2_phi: f32,
+}
+
+impl Point {
+    /// What warps and decodings use of it.
+    fn surface(&self) -> Surface<f32> {
+        let Point { alpha, ior, anisotropy, cos2_phi, .. } = *self;
+        Surface { alpha, ior, anisotropy, cos2_phi }
+    }
 }
 
 /// The variable of an axis.
@@ -117,13 +127,14 @@ impl<'a> Lookup<'a> {
 
     /// E at a point, in the shader's arithmetic.
     pub fn at(&self, point: &Point) -> f32 {
-        self.decode.albedo(self.texel(point))
+        self.decode.albedo(self.texel(point), point.surface())
     }
 
     /// The texel between those around a point; channels that the table does not have are 0.
     pub fn texel(&self, point: &Point) -> [f32; 4] {
+        let surface = point.surface();
         let cells = self.axes.map(|(axis, variable)| {
-            self.cell(axis.texture_coordinate(variable.at(point), point.alpha), axis.size)
+            self.cell(axis.texture_coordinate(variable.at(point), surface), axis.size)
         });
         let mut texel = [0.0; 4];
         for (value, texels) in texel.iter_mut().zip(&self.texels) {
@@ -181,7 +192,7 @@ mod tests {
             axis("ior", 3, Registration::Endpoint, 1.0, 2.0),
         ];
         let at = |i: usize| {
-            let node = |axis: usize, i| axes[axis].node(i, 0.0);
+            let node = |axis: usize, i| axes[axis].node(i, Surface::<f64>::rough(0.0));
             plane(node(0, i % 5), node(1, i / 5 % 4), node(2, i / 20))
         };
         let channels = vec![Channel { name: "E".into(), texels: (0..60).map(at).collect() }];

@@ -1,11 +1,26 @@
 //! What the effects with tables of three axes share: mu along columns, roughness along rows, a third input along slices.
+//!
+//! The layouts that are made for the trilinear lookup ([`aniso_axes`], [`azimuth_axes`], [`glass_axes`]) hold losses, 1 - E, whose
+//! rounding to a half is small where E is close to 1; their texels are optimised for it ([`VolumePlan`]).
+//!
+//! | table | size | columns | rows | slices | texel |
+//! |---|---|---|---|---|---|
+//! | `ggx-reflection-aniso`, azimuth mean | 64 x 64 x 32 | mu, `homogeneous` | roughness | anisotropy, `aspect` | loss |
+//! | `ggx-glass`, each side | 128 x 128 x 32 | mu, `homogeneous-ior` | roughness | ior, `ior` | loss |
+//! | `ggx-reflection-aniso` with azimuth | 64 x 16 x 16 | mu, `homogeneous` in the alpha towards the view | roughness | anisotropy, `aspect` | cubic of the azimuth |
 
+mod axes;
+mod azimuth;
 mod lookup;
 mod measure;
+mod plan;
 mod points;
 mod region;
 
+pub use axes::{aniso_axes, azimuth_axes, glass_axes};
+pub use azimuth::Azimuth;
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, error_map, measure};
+pub use plan::{Node, VolumePlan};
 pub use points::{GROUP, Points};
 pub use region::{Region, Third, aspect};

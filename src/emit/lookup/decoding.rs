@@ -34,6 +34,14 @@ pub(super) fn body(decode: Decode, part: impl Fn(usize) -> String) -> Body {
     match decode {
         Decode::Albedo => of(&[], &[&part(0)]),
         Decode::Loss => of(&[], &[&format!("1.0 - {}", part(0))]),
+        Decode::AzimuthCubic => of(
+            &[
+                "let q = 1.0 - 0.9 * anisotropy;".into(),
+                "let spread = cos2_phi / q + (1.0 - cos2_phi) * q;".into(),
+                "let t = log2(spread) / max(-log2(q), 1e-6);".into(),
+            ],
+            &[&format!("1.0 - ({} + t * ({} + t * ({} + t * {})))", part(0), part(1), part(2), part(3))],
+        ),
         Decode::SplitSum => of(&[], &[&format!("{} + {}", part(0), part(1)), &part(0), &part(1)]),
         Decode::LossBias => of(
             &[

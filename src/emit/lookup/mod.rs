@@ -5,14 +5,14 @@ mod decoding;
 mod rust;
 mod wgsl;
 
-use crate::data::{Axis, Decode, Table, Warp};
+use crate::data::{Axis, Decode, Table};
 
 pub use rust::{HELPER_NAMES as RUST_HELPER_NAMES, helpers as rust_helpers};
 
 /// Arguments that the functions of a table may have, in their order. Those of a table of three axes have the ones that
 /// its axes and its decoding use; those of a table of two have `roughness`, `alpha` and `mu` whether they use them or not, so
 /// that one layout can stand in for another.
-const ARGUMENTS: [&str; 5] = ["roughness", "alpha", "mu", "anisotropy", "ior"];
+const ARGUMENTS: [&str; 6] = ["roughness", "alpha", "mu", "anisotropy", "ior", "cos2_phi"];
 
 /// A table with what its channels mean.
 #[derive(Clone, Copy, Debug)]
@@ -96,12 +96,7 @@ pub fn comment(mark: &str, lines: &[String]) -> String {
 /// The texture coordinate of an axis as an expression in WGSL, the arithmetic of [`Axis::texture_coordinate`]. What it mentions of
 /// [`ARGUMENTS`] becomes an argument; its functions must be among those that Rust has by the same name.
 fn coordinate(axis: &Axis) -> String {
-    let name = &axis.name;
-    let unit = match axis.warp {
-        Warp::Linear => name.clone(),
-        Warp::Sqrt => format!("sqrt({name})"),
-        Warp::Homogeneous => format!("sqrt({name} * (1.0 + alpha) / ({name} + alpha))"),
-    };
+    let unit = axis.expression();
     match axis.affine() {
         (1.0, 0.0) => unit,
         (scale, offset) if offset < 0.0 => format!("{unit} * {scale:?} - {:?}", -offset),

@@ -31,8 +31,8 @@ fn uv(readable: &Readable) -> String {
     format!("pub fn {name}_{uv}({arguments}) -> {result} {{\n{unused}{body}    [{value}]\n}}\n")
 }
 
-/// Functions of coordinates that are exact on every machine, and so have the same bits in WGSL's name and in Rust's.
-const FUNCTIONS: [&str; 4] = ["sqrt", "abs", "min", "max"];
+/// Functions of coordinates and decodings. All but log2 are exact on every machine; the last bits of log2 are the machine's.
+const FUNCTIONS: [&str; 5] = ["sqrt", "abs", "min", "max", "log2"];
 
 /// An expression of WGSL in Rust.
 fn functions(expression: &str) -> String {
@@ -48,7 +48,7 @@ fn decode(readable: &Readable) -> String {
     let all =
         [vec![format!("texel: {}", texel(channels))], arguments.iter().map(|a| declared(&[a])).collect()];
     let (meaning, result) = (body.meaning, body.result(array));
-    let lets: String = body.lets.iter().map(|line| format!("    {line}\n")).collect();
+    let lets: String = body.lets.iter().map(|line| format!("    {}\n", functions(line))).collect();
     let values = body.values.join(", ");
     let value = if body.values.len() == 1 { values } else { format!("[{values}]") };
     let unused = unused(&arguments, &format!("{lets}{value}"));

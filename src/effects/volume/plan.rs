@@ -1,0 +1,136 @@
+//! Which points a table of three axes needs, and its texels from their values.
+//!
+//! At a fixed column and slice the loss is a smooth function of ln(alpha), all the more since the warps follow the layers that
+//! move with it. So the truth is wanted at a few Chebyshev nodes of ln(alpha) only, for every column and slice of the
+//! lattice of samples, and interpolated to its rows.
+
+use rayon::prelude::*;
+
+use crate::data::{AlphaMap, Axis, Surface};
+use crate::fit::volume::{self, Lattice, Wanted};
+use crate::math::chebyshev::{self, Chebyshev};
+use crate::math::ops;
+
+/// A point at which the truth is wanted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Cosine of the view, in [a quarter of the region's smallest, 1].
+    pub mu: f64,
+    /// GGX width.
+    pub alpha: f64,
+    /// Physical value of the third axis: anisotropy or ior.
+    pub third: f64,
+}
+
+/// A table of three axes: mu, roughness, and ior or anisotropy.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VolumePlan {
+    axes: [Axis; 3],
+    lattice: Lattice,
+    alpha_map: AlphaMap,
+    smallest_mu: f64,
+    nodes: Vec<f64>,
+}
+
+impl VolumePlan {
+    /// Samples `per_cell` along each axis; `nodes` Chebyshev nodes in ln(alpha), at least 2; lookups count from `smallest_mu` on.
+    ///
+    /// # Panics
+    /// If the smallest roughness is not above 0, where ln(alpha) ends.
+    pub fn new(
+        axes: [Axis; 3],
+        alpha_map: AlphaMap,
+        per_cell: [usize; 3],
+        nodes: usize,
+        smallest_mu: f64,
+    ) -> VolumePlan {
+        assert!(axes[1].min > 0.0, "a table of three axes begins at a roughness above 0");
+        let lattice = Lattice { size: [axes[0].size, axes[1].size, axes[2].size], per_cell };
+        let [low, high] = [axes[1].min, axes[1].max].map(|r| alpha_map.alpha(r));
+        let ends = [low, high];
+        let mut nodes: Vec<f64> =
+            chebyshev::nodes(ops::log(low), ops::log(high), nodes).into_iter().map(ops::exp).collect();
+        let last = nodes.len() - 1;
+        (nodes[0], nodes[last]) = (ends[0], ends[1]);
+        VolumePlan { axes, lattice, alpha_map, smallest_mu, nodes }
+    }
+
+    /// The points whose values [`VolumePlan::texels`] takes: columns fastest, then slices, then nodes of alpha.
+    pub fn points(&self) -> Vec<Node> {
+        let [columns, _, slices] = self.lattice.samples();
+        let mut points = Vec::with_capacity(columns * slices * self.nodes.len());
+        for alpha in &self.nodes {
+            for slice in 0..slices {
+                points.extend((0..columns).map(|column| self.point(column, slice, *alpha)));
+            }
+        }
+        points
+    }
+
+    /// Texels from the losses at the points: optimised for the trilinear lookup in `rounds`, or exact at the texels with 0 rounds. Also
+    /// the largest error over the lattice.
+    ///
+    /// # Panics
+    /// If there are not as many losses as points.
+    pub fn texels(&self, losses: &[f64], rounds: usize) -> (Vec<f64>, f64) {
+        let [columns, rows, slices] = self.lattice.samples();
+        assert_eq!(losses.len(), columns * slices * self.nodes.len(), "a loss for each point");
+        let alphas: Vec<f64> = (0..rows).map(|row| self.alpha(row)).collect();
+        let ends = [self.nodes[0], self.nodes[self.nodes.len() - 1]].map(ops::log);
+        let mut targets = vec![0.0; columns * rows * slices];
+        let mut counts = vec![false; columns * rows * slices];
+        let planes = targets.par_chunks_mut(columns * rows).zip(counts.par_chunks_mut(columns * rows));
+        planes.enumerate().for_each(|(slice, (targets, counts))| {
+            for column in 0..columns {
+                let at = |node: usize| losses[(node * slices + slice) * columns + column];
+                let along = Chebyshev::new(ends[0], ends[1], (0..self.nodes.len()).map(at).collect());
+                for (row, alpha) in alphas.iter().enumerate() {
+                    targets[row * columns + column] = along.at(ops::log(*alpha).clamp(ends[0], ends[1]));
+                    counts[row * columns + column] = self.counts(column, slice, *alpha);
+                }
+            }
+        });
+        let start = self.at_texels(&targets);
+        volume::optimise(self.lattice, &start, &Wanted { targets, counts }, rounds)
+    }
+
+    /// Whether a lookup of the region comes near the sample.
+    fn counts(&self, column: usize, slice: usize, alpha: f64) -> bool {
+        let next = (column + 1).min(self.lattice.samples()[0] - 1);
+        self.mu(next, slice, alpha) > self.smallest_mu
+    }
+
+    fn at_texels(&self, samples: &[f64]) -> Vec<f64> {
+        let ([columns, rows, _], step) = (self.lattice.samples(), self.lattice.per_cell);
+        let [x, y, z] = self.lattice.size;
+        let at = |i: usize| {
+            let (column, row, slice) = (i % x * step[0], i / x % y * step[1], i / x / y * step[2]);
+            samples[(slice * rows + row) * columns + column]
+        };
+        (0..x * y * z).map(at).collect()
+    }
+
+    fn unit(&self, axis: usize, sample: usize) -> f64 {
+        self.lattice.position(axis, sample) / (self.axes[axis].size - 1) as f64
+    }
+
+    fn alpha(&self, row: usize) -> f64 {
+        let roughness = self.axes[1].physical(self.unit(1, row), Surface::<f64>::rough(0.0));
+        self.alpha_map.alpha(roughness)
+    }
+
+    fn third(&self, slice: usize, alpha: f64) -> f64 {
+        self.axes[2].physical(self.unit(2, slice), Surface::<f64>::rough(alpha))
+    }
+
+    fn mu(&self, column: usize, slice: usize, alpha: f64) -> f64 {
+        let third = self.third(slice, alpha);
+        let ior = if self.axes[2].name == "ior" { third } else { 1.0 };
+        self.axes[0].physical(self.unit(0, column), Surface { ior, ..Surface::<f64>::rough(alpha) })
+    }
+
+    fn point(&self, column: usize, slice: usize, alpha: f64) -> Node {
+        let mu = self.mu(column, slice, alpha).clamp(0.25 * self.smallest_mu, 1.0);
+        Node { mu, alpha, third: self.third(slice, alpha) }
+    }
+}
