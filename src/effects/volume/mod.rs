@@ -25,3 +25,12 @@ pub const GLASS_SIZE: [usize; 3] = [128, 128, 32];
 
 /// Size of the table with the azimuth: 128 KiB in halves of four channels.
 pub const AZIMUTH_SIZE: [usize; 3] = [64, 16, 16];
+
+/// Samples per cell that the texels of glass are optimised on: four from slice to slice, where the error is.
+pub const GLASS_SAMPLES: [usize; 3] = [2, 1, 4];
+
+/// The same for the azimuth mean.
+pub const ANISO_SAMPLES: [usize; 3] = [2, 2, 2];
+
+/// Rounds of relaxation after which the error of these tables stands still.
+pub const ROUNDS: usize = 12;
