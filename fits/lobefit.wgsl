@@ -625,3 +625,22 @@ fn ggx_dfg_correlated_64x64_split_sum_lookup(table: texture_2d<f32>, linear_clam
     let texel = textureSampleLevel(table, linear_clamp, uv, 0.0);
     return ggx_dfg_correlated_64x64_split_sum_decode(texel.xy, mu);
 }
+
+// ---- shared ----
+
+/// A metal's lobe f_ss compensated for the light that it loses between facets: (1 + F0 (1 - E)/E) f_ss, per colour
+/// channel. f_ss has its Fresnel factor; e is the sampled albedo of the same lobe without it (F = 1), at the same view.
+/// Energy: with f0 = 1 all light comes back, E (1 + (1 - E)/E) = 1; with f0 < 1 the light added is tinted by f0 once,
+/// where every further bounce would tint it again. Not reciprocal: E is of the view alone.
+/// Domain: 0 < e <= 1; e = 1 returns f_ss. As e goes to 0 the factor grows as f0/e, while f_ss vanishes as e does: at
+/// e = 0 itself, which no table holds for a view above the horizon, the result is not finite.
+/// Turquin, "Practical multiple scattering compensation for microfacet models", 2019.
+fn ggx_compensate_reflection(f_ss: vec3<f32>, f0: vec3<f32>, e: f32) -> vec3<f32> {
+    return f_ss * (1.0 + f0 * ((1.0 - e) / e));
+}
+
+/// The factor of ggx_compensate_reflection for one colour channel, 1 + F0 (1 - E)/E: for lobes that are sampled, to
+/// multiply the path's weight by.
+fn ggx_compensate_reflection_factor(f0: f32, e: f32) -> f32 {
+    return 1.0 + f0 * ((1.0 - e) / e);
+}

@@ -24,3 +24,12 @@ pub use measure::{Errors, error_map, measure};
 pub use plan::{Node, VolumePlan};
 pub use points::{GROUP, Points};
 pub use region::{Region, Third, aspect};
+
+/// Samples per cell that the texels of glass are optimised on: four from slice to slice, where the error is.
+pub const GLASS_SAMPLES: [usize; 3] = [2, 1, 4];
+
+/// The same for the azimuth mean.
+pub const ANISO_SAMPLES: [usize; 3] = [2, 2, 2];
+
+/// Rounds of relaxation after which the error of these tables stands still.
+pub const ROUNDS: usize = 12;
