@@ -2,112 +2,53 @@
 
 use crate::integrate::IntegrateError;
 
-/// Numbers of nodes of the kernel.
+/// Numbers of nodes of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// Longest panel in u.
+    /// Longest panel of the sweeps, in u.
     pub longest: f64,
-    /// Nodes of a panel of length 0 and of the longest.
-    pub panel: [f64; 2],
-    /// Nodes of the transmission's azimuth at reach v = 0, and their increase with v.
+    /// Nodes of a panel of the transmission's sweep.
+    pub panel: usize,
+    /// Nodes of the transmission's azimuth at reach v = 0, and their increase with v (see `lobe::Azimuth`).
     pub azimuth: [f64; 2],
-    /// Nodes of a panel of the rings, a multiple of eight.
+    /// Nodes of a panel of rings, a multiple of eight.
     pub ring_panel: usize,
-    /// Nodes of a ring at reach v = 0, and their increase with v.
-    pub ring: [f64; 2],
-    /// Nodes of a panel of the rings at the critical angle, a multiple of eight.
+    /// Nodes of a ring.
+    pub ring: usize,
+    /// Nodes of a panel of rings at the critical angle, a multiple of eight.
     pub near: usize,
 }
 
-/// By tolerance.
+/// By tolerance, measured against the truth of `ggx-glass` at 2 250 points for both shadowing forms: the nodes of the sources' grid (hard
+/// ones over-represented) and random points of the whole domain. Worst errors: 3e-5, 4e-6, 5e-7, 6e-8, 7e-10.
 const TIERS: [(f64, Effort); 5] = [
-    (
-        1e-4,
-        Effort {
-            longest: 4.0,
-            panel: [16.0, 16.0],
-            azimuth: [16.0, 0.0],
-            ring_panel: 16,
-            ring: [16.0, 0.0],
-            near: 16,
-        },
-    ),
-    (
-        1e-5,
-        Effort {
-            longest: 4.0,
-            panel: [20.0, 20.0],
-            azimuth: [20.0, 0.0],
-            ring_panel: 24,
-            ring: [20.0, 0.0],
-            near: 16,
-        },
-    ),
-    (
-        1e-6,
-        Effort {
-            longest: 2.5,
-            panel: [24.0, 24.0],
-            azimuth: [24.0, 0.0],
-            ring_panel: 24,
-            ring: [28.0, 0.0],
-            near: 24,
-        },
-    ),
-    (
-        1e-7,
-        Effort {
-            longest: 2.5,
-            panel: [24.0, 24.0],
-            azimuth: [24.0, 0.0],
-            ring_panel: 24,
-            ring: [28.0, 0.0],
-            near: 24,
-        },
-    ),
-    (
-        1e-8,
-        Effort {
-            longest: 2.5,
-            panel: [32.0, 32.0],
-            azimuth: [32.0, 0.0],
-            ring_panel: 32,
-            ring: [32.0, 0.0],
-            near: 32,
-        },
-    ),
+    (1e-4, Effort { longest: 4.0, panel: 13, azimuth: [5.0, 1.3], ring_panel: 16, ring: 16, near: 16 }),
+    (1e-5, Effort { longest: 4.0, panel: 16, azimuth: [6.0, 1.4], ring_panel: 24, ring: 20, near: 16 }),
+    (1e-6, Effort { longest: 4.0, panel: 20, azimuth: [7.0, 1.5], ring_panel: 24, ring: 28, near: 24 }),
+    (1e-7, Effort { longest: 4.0, panel: 26, azimuth: [9.0, 1.7], ring_panel: 32, ring: 36, near: 40 }),
+    (1e-8, Effort { longest: 2.5, panel: 40, azimuth: [12.0, 2.0], ring_panel: 40, ring: 48, near: 48 }),
 ];
 
 impl Effort {
     /// For an error of E of at most `tolerance` in [1e-8, 1e-2].
     pub(super) fn of(tolerance: f64) -> Result<Effort, IntegrateError> {
-        TIERS
-            .into_iter()
-            .find(|(tier, _)| *tier <= tolerance && tolerance <= 1e-2)
-            .map(|(_, effort)| effort)
-            .ok_or_else(|| IntegrateError::Option {
-                option: "tolerance",
-                value: format!("{tolerance:?}"),
-                must: "of a glass table must be in [1e-8, 1e-2]",
-            })
+        let tier = TIERS.into_iter().find(|(tier, _)| *tier <= tolerance && tolerance <= 1e-2);
+        tier.map(|(_, effort)| effort).ok_or_else(|| IntegrateError::Option {
+            option: "tolerance",
+            value: format!("{tolerance:?}"),
+            must: "of a glass table must be in [1e-8, 1e-2]",
+        })
     }
 
-    /// Half as long panels with a quarter more nodes.
+    /// Half as long panels and eight more nodes on each, for checks.
     pub(super) fn finer(self) -> Effort {
-        let more = |n: [f64; 2]| n.map(|n| n + 8.0);
         Effort {
             longest: 0.5 * self.longest,
-            panel: more(self.panel),
-            azimuth: [self.azimuth[0] + 8.0, self.azimuth[1] * 1.25],
+            panel: self.panel + 8,
+            azimuth: [self.azimuth[0] + 6.0, self.azimuth[1]],
             ring_panel: self.ring_panel + 8,
-            ring: [self.ring[0] + 8.0, self.ring[1] * 1.25],
+            ring: self.ring + 8,
             near: self.near + 8,
         }
-    }
-
-    /// Nodes of a panel.
-    pub(super) fn outer(&self, length: f64) -> usize {
-        let part = (length / self.longest).min(1.0);
-        (self.panel[0] + (self.panel[1] - self.panel[0]) * part).ceil() as usize
     }
 }

@@ -99,10 +99,17 @@ fn inside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
     let turn = lobe.u(half_tangent(root * mu - (1.0 + eta * eta) * s, root * (root * mu - s)));
     let grade = if grazing { Grade::Both } else { Grade::BothSteep };
     [
-        Some(Stretch { from: low, to: turn, grade: Grade::High, before, beyond: None }),
+        Some(Stretch { from: low, to: turn, grade: Grade::High, before, beyond: Some(critical) }),
         Some(Stretch { from: turn, to, grade, before: None, beyond }),
     ]
 }
+
+/// Below this 1 - eta^2 the cosine of refraction, sqrt(1 - eta^2 + eta^2 c_i^2), has a layer at grazing incidence that takes more nodes.
+const THIN: f64 = 0.02;
+const LAYER: usize = 6;
+
+/// A branch point nearer than this part of a piece's length comes with others on its second sheet: the same.
+const CLOSE: f64 = 0.1;
 
 /// A branch point farther from a piece than this part of its length does not matter.
 const NEAR: f64 = 0.5;
@@ -126,11 +133,14 @@ pub(super) fn append(sweep: &mut Sweep, stretch: &Stretch, seen: Seen, effort: &
         if k + 1 < count {
             piece = piece.low_only();
         }
-        let n = effort.outer(length);
-        let rule = rules.rule(n, piece);
-        if let Some(branch) = near(before, from).filter(|_| k == 0) {
+        let (before, beyond) =
+            (near(before, from).filter(|_| k == 0), near(beyond, to).filter(|_| k + 1 == count));
+        let close = |branch: Option<f64>, end: f64| branch.is_some_and(|b| (b - end).abs() < CLOSE * length);
+        let layer = (0.0..THIN).contains(&seen.contrast) || close(before, from) || close(beyond, to);
+        let rule = rules.rule(effort.panel + if layer { LAYER } else { 0 }, piece);
+        if let Some(branch) = before {
             mapped(sweep, branch, [low, low + length], rule);
-        } else if let Some(branch) = near(beyond, to).filter(|_| k + 1 == count) {
+        } else if let Some(branch) = beyond {
             mapped(sweep, branch, [low, to], rule);
         } else {
             for (t, w) in rule.nodes.iter().zip(&rule.weights) {

@@ -64,7 +64,7 @@ forms!(transmit in transmit_forms, transmit::transmit, (
     lobe: &Lobe, rules: &Rules, inner: [f64; 2], sweep: &Sweep, values: &mut Vec<f64>
 ) -> u64);
 forms!(rings in rings_forms, rings::rings, (
-    lobe: &Lobe, rules: &Rules, inner: [f64; 2], u: &[f64], values: &mut Vec<f64>
+    lobe: &Lobe, rules: &Rules, nodes: usize, u: &[f64], values: &mut Vec<f64>
 ) -> u64);
 forms!(passed in passed_forms, reflect::passed, (seen: Seen, cosine: &[F8], share: &[F8]) -> f64);
 forms!(near in near_forms, reflect::near, (lobe: &Lobe, seen: Seen, series: &[f64], nodes: [&F8; 3]) -> f64);

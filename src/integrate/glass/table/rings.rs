@@ -19,14 +19,13 @@ struct Rings {
 
 /// cos(theta_d) sin(theta_d) W/mu du-density at every u into `values`; returns the number of evaluations. `u` is a whole number of blocks.
 #[inline(always)]
-pub(super) fn rings(lobe: &Lobe, rules: &Rules, inner: [f64; 2], u: &[f64], values: &mut Vec<f64>) -> u64 {
+pub(super) fn rings(lobe: &Lobe, rules: &Rules, nodes: usize, u: &[f64], values: &mut Vec<f64>) -> u64 {
     values.clear();
+    // Shadowing has a layer at the light's horizon: of width mu (correlated) or alpha (separable).
+    let rule = rules.rule(nodes, Grade::High);
     let mut evaluations = 0;
     for block in u.as_chunks::<LANES>().0 {
         let rings = prepare(lobe, block);
-        let n = (inner[0] + inner[1] * rings.azimuth.reach) as usize;
-        // Shadowing has a layer at the light's horizon: of width mu (correlated) or alpha (separable).
-        let rule = rules.rule(n, Grade::High);
         let mut sum = [0.0; LANES];
         for (t, w) in rule.nodes.iter().zip(&rule.weights) {
             add(lobe, &rings, *t, *w, &mut sum);
