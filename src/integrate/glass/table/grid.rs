@@ -9,10 +9,11 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::check;
+use super::interpolation::Interpolation;
 use super::kernel::{Energies, Kernel};
 use crate::data::Smith;
 use crate::integrate::IntegrateError;
-use crate::math::{chebyshev, ops};
+use crate::math::ops;
 
 /// A grid of alpha (rows) by columns by indices of refraction (slices).
 pub struct GlassGrid<'a> {
@@ -24,7 +25,8 @@ pub struct GlassGrid<'a> {
     pub columns: usize,
     /// Index of refraction of every slice, in [1, 3].
     pub iors: &'a [f64],
-    /// mu in [1e-3, 1] of a column at an alpha and an index of refraction; smooth in alpha.
+    /// mu in [1e-3, 1] of a column at an alpha and an index of refraction. Fastest where it is constant or smooth in alpha (beyond the
+    /// rows' alphas it is asked for others between them), and the same for all indices.
     pub mu: &'a (dyn Fn(usize, f64, f64) -> f64 + Sync),
     /// Largest absolute error of E at a texel.
     pub tolerance: f64,
@@ -52,37 +54,55 @@ pub struct Checked {
     pub worst: f64,
 }
 
-/// Computes and checks a table. Equal texels are computed once; the result does not depend on the number of threads.
+/// Computes and checks a table. Equal columns, rows and slices are computed once; a column of which ln(mu) is not smooth in ln(alpha) (a
+/// clamp) is integrated at every row. The result does not depend on the number of threads.
 ///
 /// # Errors
-/// [`IntegrateError::Domain`] for an input outside its range, [`IntegrateError::Option`] for a tolerance below 1e-8,
+/// [`IntegrateError::Domain`] for an input outside its range, [`IntegrateError::Option`] for a tolerance outside [1e-8, 1e-2],
 /// [`IntegrateError::Tolerance`] if the check finds a texel that misses the tolerance.
 pub fn tabulate(grid: &GlassGrid) -> Result<Tabulated, IntegrateError> {
     let kernel = Kernel::new(grid.smith, grid.tolerance)?;
     let (alphas, rows) = distinct(grid.alphas);
     let (iors, slices) = distinct(grid.iors);
-    let rule = Interpolation::new(&alphas, grid.tolerance);
-    let (columns, places) = distinct_columns(grid, &rule.nodes, &iors);
-    let count = rule.nodes.len();
-    let tasks: Vec<(Vec<Energies>, u64)> = (0..columns.len() * count)
-        .into_par_iter()
-        .map(|task| column_node(grid, &kernel, columns[task / count], rule.nodes[task % count], &iors))
+    let direct = Interpolation::none(&alphas);
+    let rule = Interpolation::chebyshev(&alphas, grid.tolerance);
+    let (columns, places) = columns(grid, rule.as_ref(), &alphas, &iors);
+    let rules: Vec<&Interpolation> =
+        columns.iter().map(|column| rule.as_ref().filter(|_| column.smooth).unwrap_or(&direct)).collect();
+    let tasks: Vec<(usize, f64)> = columns
+        .iter()
+        .zip(&rules)
+        .flat_map(|(column, rule)| rule.nodes.iter().map(|alpha| (column.index, *alpha)))
+        .collect();
+    let nodes: Vec<(Vec<Energies>, u64)> = tasks
+        .par_iter()
+        .map(|(column, alpha)| column_node(grid, &kernel, *column, *alpha, &iors))
         .collect::<Result<_, _>>()?;
-    let evaluations = tasks.iter().map(|(_, n)| n).sum::<u64>();
-    let interpolated: Vec<Vec<f64>> =
-        tasks.par_chunks(count).map(|nodes| rule.apply(nodes, iors.len())).collect();
+    let mut rest = nodes.as_slice();
+    let mut shares = Vec::with_capacity(rules.len());
+    for rule in &rules {
+        let (share, next) = rest.split_at(rule.nodes.len());
+        shares.push((*rule, share));
+        rest = next;
+    }
+    let values: Vec<Vec<f64>> =
+        shares.into_par_iter().map(|(rule, nodes)| rule.apply(nodes, iors.len())).collect();
     let texels = |side: usize| -> Vec<f64> {
         let mut out = vec![0.0; grid.columns * grid.alphas.len() * grid.iors.len()];
         out.par_chunks_mut(grid.columns.max(1)).enumerate().for_each(|(line, out)| {
             let (row, slice) = (rows[line % grid.alphas.len()], slices[line / grid.alphas.len()]);
             for (texel, place) in out.iter_mut().zip(&places) {
-                *texel = interpolated[*place][(row * iors.len() + slice) * 2 + side];
+                *texel = values[*place][(row * iors.len() + slice) * 2 + side];
             }
         });
         out
     };
-    let mut table =
-        Tabulated { outside: texels(0), inside: texels(1), evaluations, checked: Checked::default() };
+    let mut table = Tabulated {
+        outside: texels(0),
+        inside: texels(1),
+        evaluations: nodes.iter().map(|(_, evaluations)| evaluations).sum(),
+        checked: Checked::default(),
+    };
     let (checked, more) = check::check(grid, &table)?;
     table.checked = checked;
     table.evaluations += more;
@@ -126,72 +146,47 @@ fn distinct(values: &[f64]) -> (Vec<f64>, Vec<usize>) {
     (found, places)
 }
 
-/// Columns of which mu differs somewhere, and the place of each column among them.
-fn distinct_columns(grid: &GlassGrid, alphas: &[f64], iors: &[f64]) -> (Vec<usize>, Vec<usize>) {
-    let (mut found, mut seen) = (Vec::new(), BTreeMap::new());
-    let places = (0..grid.columns).map(|column| {
-        let mut key = Vec::with_capacity(alphas.len() * iors.len());
-        for alpha in alphas {
-            key.extend(iors.iter().map(|ior| (grid.mu)(column, *alpha, *ior).to_bits()));
-        }
-        *seen.entry(key).or_insert_with(|| {
-            found.push(column);
-            found.len() - 1
-        })
-    });
-    let places = places.collect();
-    (found, places)
+/// A column that differs from those before it.
+struct Column {
+    index: usize,
+    /// ln(mu) is its own interpolant in ln(alpha), for every index of refraction.
+    smooth: bool,
 }
 
-/// Interpolation in ln(alpha).
-struct Interpolation {
-    /// alpha of the nodes.
-    nodes: Vec<f64>,
-    /// Weights of the nodes, by row.
-    weights: Vec<Vec<f64>>,
-}
-
-impl Interpolation {
-    /// Chebyshev nodes for the tolerance; the rows themselves where these are fewer.
-    fn new(alphas: &[f64], tolerance: f64) -> Interpolation {
-        let low = alphas.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = alphas.iter().copied().fold(0.0, f64::max);
-        let identity = |i: usize| (0..alphas.len()).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
-        let direct =
-            || Interpolation { nodes: alphas.to_vec(), weights: (0..alphas.len()).map(identity).collect() };
-        if alphas.len() < 3 || !(low > 0.0 && high.is_finite()) {
-            return direct();
-        }
-        let count = nodes_for(ops::log(high / low), tolerance);
-        if count >= alphas.len() {
-            return direct();
-        }
-        let logs = chebyshev::nodes(ops::log(low), ops::log(high), count);
-        let mut nodes: Vec<f64> = logs.iter().map(|x| ops::exp(*x)).collect();
-        (nodes[0], nodes[count - 1]) = (low, high);
-        let weights = alphas.iter().map(|alpha| chebyshev::weights(&logs, ops::log(*alpha))).collect();
-        Interpolation { nodes, weights }
-    }
-
-    /// E of every row and index of refraction: [row][index][side].
-    fn apply(&self, nodes: &[(Vec<Energies>, u64)], iors: usize) -> Vec<f64> {
-        let values: Vec<Vec<f64>> =
-            nodes.iter().map(|(energies, _)| energies.iter().flat_map(Energies::e).collect()).collect();
-        let mut out = vec![0.0; self.weights.len() * iors * 2];
-        for (row, weights) in out.chunks_mut(iors * 2).zip(&self.weights) {
-            for (values, weight) in values.iter().zip(weights) {
-                for (sum, value) in row.iter_mut().zip(values) {
-                    *sum += weight * value;
+/// The different columns, and the place of each column among them.
+fn columns(
+    grid: &GlassGrid,
+    rule: Option<&Interpolation>,
+    alphas: &[f64],
+    iors: &[f64],
+) -> (Vec<Column>, Vec<usize>) {
+    let mus = |column: usize, alphas: &[f64], ior: f64| -> Vec<f64> {
+        alphas.iter().map(|alpha| (grid.mu)(column, *alpha, ior)).collect()
+    };
+    let logs = |mus: &[f64]| -> Vec<f64> { mus.iter().map(|mu| ops::log(*mu)).collect() };
+    let keys: Vec<(Vec<u64>, bool)> = (0..grid.columns)
+        .into_par_iter()
+        .map(|column| {
+            let (mut key, mut smooth) = (Vec::new(), true);
+            for ior in iors {
+                let rows = mus(column, alphas, *ior);
+                let nodes = rule.map(|rule| mus(column, &rule.nodes, *ior)).unwrap_or_default();
+                let constant = rows.iter().chain(&nodes).all(|mu| *mu == rows[0]);
+                if let (Some(rule), false) = (rule, constant) {
+                    smooth &= rule.holds(&logs(&nodes), &logs(&rows), grid.tolerance);
                 }
+                key.extend(rows.iter().chain(&nodes).map(|mu| mu.to_bits()));
             }
-        }
-        out
+            (key, smooth)
+        })
+        .collect();
+    let (mut found, mut seen) = (Vec::new(), BTreeMap::new());
+    let mut places = Vec::with_capacity(keys.len());
+    for (index, (key, smooth)) in keys.into_iter().enumerate() {
+        places.push(*seen.entry(key).or_insert_with(|| {
+            found.push(Column { index, smooth });
+            found.len() - 1
+        }));
     }
-}
-
-/// Chebyshev nodes over a range of ln(alpha): with the singularities at distance pi/2 from the real axis, n nodes on a range of
-/// half length h leave an error of about exp(-n asinh(pi/(2 h))); the factor is measured.
-fn nodes_for(range: f64, tolerance: f64) -> usize {
-    let rate = ops::asinh(std::f64::consts::PI / range);
-    (ops::log(2.0 / tolerance) / rate).ceil() as usize
+    (found, places)
 }

@@ -11,8 +11,8 @@ use crate::data::Smith;
 use crate::integrate::IntegrateError;
 use crate::optics::ggx;
 
-/// Below this ior - 1 the limit stands: E is linear in ior - 1 there with slopes up to 7.
-const STRAIGHT: f64 = 1e-9;
+/// Below this ior - 1 the limit stands: E has slopes up to 1e5 there (at grazing, where a refraction by less than mu matters).
+const STRAIGHT: f64 = 1e-14;
 
 /// Reflected and transmitted energy, from outside and from inside.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -5,6 +5,7 @@ mod check;
 mod effort;
 mod ends;
 mod grid;
+mod interpolation;
 mod kernel;
 mod lobe;
 mod paths;

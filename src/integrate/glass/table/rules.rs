@@ -3,7 +3,7 @@
 use crate::math::gauss::Gauss;
 
 /// Most nodes of a rule.
-pub(super) const MOST: usize = 64;
+pub(super) const MOST: usize = 96;
 
 /// How fast nodes gather at the two ends of a piece: the variable is u = beta(z) with beta' ~ z^(p-1) (1-z)^(q-1), so that an
 /// integrand in powers of (distance to the end)^(1/p) is analytic in z; beta is about linear away from the ends.
