@@ -151,6 +151,7 @@ pub(super) fn append(sweep: &mut Sweep, stretch: &Stretch, seen: Seen, effort: &
     }
     sweep.eta.resize(sweep.u.len(), seen.eta);
     sweep.contrast.resize(sweep.u.len(), seen.contrast);
+    sweep.over.resize(sweep.u.len(), 1.0 / seen.contrast.abs());
 }
 
 /// A piece with a branch point outside it: about the fourth root of the distance to it is the variable.

@@ -34,14 +34,6 @@ impl Interpolation {
         Some(Interpolation { nodes, weights })
     }
 
-    /// Whether a function given at the nodes and at the rows is its own interpolant, within `tolerance`.
-    pub fn holds(&self, nodes: &[f64], rows: &[f64], tolerance: f64) -> bool {
-        self.weights.iter().zip(rows).all(|(weights, row)| {
-            let value: f64 = weights.iter().zip(nodes).map(|(w, v)| w * v).sum();
-            (value - row).abs() <= tolerance
-        })
-    }
-
     /// E of every row and index of refraction, from those of every node: [row][index][side].
     pub fn apply(&self, nodes: &[(Vec<Energies>, u64)], iors: usize) -> Vec<f64> {
         let values: Vec<Vec<f64>> =

@@ -37,18 +37,23 @@ pub struct Kernel {
     effort: Effort,
     path: Path,
     rules: Rules,
+    /// Values of rings to Legendre series: see [`Rules::series`].
+    series: Vec<Vec<f64>>,
 }
 
 impl Kernel {
     /// A kernel of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in [1e-3, 1] and ior in [1, 3].
     pub fn new(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
-        Ok(Kernel { smith, effort: Effort::of(tolerance)?, path: Path::Best, rules: Rules::new() })
+        let (effort, rules) = (Effort::of(tolerance)?, Rules::new());
+        let series = rules.series(effort.ring_panel);
+        Ok(Kernel { smith, effort, path: Path::Best, rules, series })
     }
 
     /// A kernel with more nodes on shorter panels than [`Kernel::new`]: for checks.
     pub fn finer(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
         let kernel = Kernel::new(smith, tolerance)?;
-        Ok(Kernel { effort: kernel.effort.finer(), ..kernel })
+        let finer = kernel.effort.finer();
+        Ok(kernel.with(finer))
     }
 
     /// The same kernel on another compiled form of its loops: the results are the same bits.
@@ -63,7 +68,8 @@ impl Kernel {
 
     /// The same kernel with other numbers of nodes: for studies of convergence.
     pub fn with(self, effort: Effort) -> Kernel {
-        Kernel { effort, ..self }
+        let series = self.rules.series(effort.ring_panel);
+        Kernel { effort, series, ..self }
     }
 
     /// R and T from both sides for every index of refraction into `out`, of the same length; returns the number of integrand
@@ -77,9 +83,9 @@ impl Kernel {
     ) -> Result<u64, IntegrateError> {
         check(alpha, mu, iors)?;
         let lobe = Lobe::new(self.smith, alpha, mu);
-        let Kernel { effort, path, rules, .. } = self;
-        let rings = Reflection::new(&lobe, effort, rules, *path);
-        let mut sweep = Sweep::default();
+        let Kernel { effort, path, rules, series, .. } = self;
+        let rings = Reflection::new(&lobe, effort, rules, series, *path);
+        let mut sweep = Sweep::with_capacity(6 * effort.panel * iors.len());
         let mut ends = Vec::with_capacity(2 * iors.len());
         for ior in iors {
             for seen in [Seen::outside(*ior), Seen::inside(*ior)] {

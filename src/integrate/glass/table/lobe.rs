@@ -93,9 +93,8 @@ impl Azimuth {
         for i in 0..LANES {
             let sine = end[i].sqrt();
             last[i] = sine / (1.0 + ((1.0 - sine) * (1.0 + sine)).sqrt());
-            let kappa = peak[i].sqrt();
-            let r = kappa / (1.0 + (1.0 + peak[i]).sqrt());
-            let q = last[i] / r;
+            // The peak's own tan(phi/4) is kappa/(1 + sqrt(1 + kappa^2)), kappa^2 = peak.
+            let q = last[i] * (1.0 + (1.0 + peak[i]).sqrt()) / peak[i].sqrt();
             ratio[i] = q + (q * q + 1.0).sqrt();
         }
         let mut v = lanes::ln(&ratio);

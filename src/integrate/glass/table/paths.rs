@@ -67,4 +67,4 @@ forms!(rings in rings_forms, rings::rings, (
     lobe: &Lobe, rules: &Rules, nodes: usize, u: &[f64], values: &mut Vec<f64>
 ) -> u64);
 forms!(passed in passed_forms, reflect::passed, (seen: Seen, cosine: &[F8], share: &[F8]) -> f64);
-forms!(near in near_forms, reflect::near, (lobe: &Lobe, seen: Seen, series: &[f64], nodes: [&F8; 3]) -> f64);
+forms!(near in near_forms, reflect::near, (lobe: &Lobe, seen: Seen, series: &[f64], nodes: [&[f64]; 3]) -> f64);

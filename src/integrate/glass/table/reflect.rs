@@ -10,7 +10,7 @@ use super::effort::Effort;
 use super::ends::Seen;
 use super::lobe::{Angles, Lobe};
 use super::paths::Path;
-use super::rules::{Grade, Rules};
+use super::rules::{Grade, MOST, Rules};
 use crate::math::lanes::{self, F8, LANES};
 use crate::math::ops;
 
@@ -43,7 +43,7 @@ pub(super) struct Reflection {
 }
 
 impl Reflection {
-    pub fn new(lobe: &Lobe, effort: &Effort, rules: &Rules, path: Path) -> Reflection {
+    pub fn new(lobe: &Lobe, effort: &Effort, rules: &Rules, matrix: &[Vec<f64>], path: Path) -> Reflection {
         let n = effort.ring_panel;
         let (mut nodes, mut panels) = (Vec::new(), Vec::new());
         for (from, to, grade) in cut(lobe, effort.longest) {
@@ -54,7 +54,12 @@ impl Reflection {
         let evaluations = path.rings(lobe, rules, effort.ring, &nodes, &mut density);
         let mut share = Vec::new();
         for (panel, values) in panels.iter_mut().zip(density.chunks(n)) {
-            panel.series = series(rules.legendre(n), &rules.rule(n, Grade::Plain).weights, values);
+            panel.series = vec![0.0; n];
+            for (row, value) in matrix.iter().zip(values) {
+                for (sum, weight) in panel.series.iter_mut().zip(row) {
+                    *sum += weight * value;
+                }
+            }
             let rule = rules.rule(n, panel.grade);
             share.extend(values.iter().zip(&rule.weights).map(|(v, w)| v * w * (panel.to - panel.from)));
         }
@@ -82,15 +87,14 @@ impl Reflection {
             if length <= 0.0 {
                 break;
             }
-            for (t, w) in rule.nodes.as_chunks::<LANES>().0.iter().zip(rule.weights.as_chunks::<LANES>().0) {
-                let (mut u, mut z, mut weight) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-                for i in 0..LANES {
-                    u[i] = panel.from + length * t[i];
-                    weight[i] = length * w[i];
-                    z[i] = panel.grade.inverse(length * t[i] / (panel.to - panel.from));
-                }
-                passed += path.near(lobe, seen, &panel.series, [&u, &z, &weight]);
+            let n = rule.nodes.len();
+            let (mut u, mut z, mut weight) = ([0.0; MOST], [0.0; MOST], [0.0; MOST]);
+            for (i, (t, w)) in rule.nodes.iter().zip(&rule.weights).enumerate() {
+                u[i] = panel.from + length * t;
+                z[i] = panel.grade.inverse(length * t / (panel.to - panel.from));
+                weight[i] = length * w;
             }
+            passed += path.near(lobe, seen, &panel.series, [&u[..n], &z[..n], &weight[..n]]);
         }
         passed
     }
@@ -133,20 +137,6 @@ fn cosines(lobe: &Lobe, u: &F8) -> F8 {
     out
 }
 
-/// Legendre coefficients of the polynomial through `values` at the Gauss nodes, with weights on [0, 1]: exact, because the rule is.
-fn series(nodes: &[f64], weights: &[f64], values: &[f64]) -> Vec<f64> {
-    let mut out = vec![0.0; nodes.len()];
-    for ((x, w), value) in nodes.iter().zip(weights).zip(values) {
-        let (mut previous, mut current) = (0.0, 1.0);
-        for (k, coefficient) in out.iter_mut().enumerate() {
-            let k = k as f64;
-            *coefficient += (2.0 * k + 1.0) * w * value * current;
-            (previous, current) = (current, ((2.0 * k + 1.0) * x * current - k * previous) / (k + 1.0));
-        }
-    }
-    out
-}
-
 /// 1 - F at cosines `c`: 2 eta c c_t (1/(eta c + c_t)^2 + 1/(c + eta c_t)^2), free of cancellation; 0 at total reflection.
 #[inline(always)]
 fn transmittance(seen: Seen, c: &F8) -> F8 {
@@ -175,14 +165,43 @@ pub(super) fn passed(seen: Seen, cosine: &[F8], share: &[F8]) -> f64 {
     lanes::sum(&sum)
 }
 
-/// Weighted sum of (1 - F) W at eight nodes of a panel, given by u, by the series' variable z in [-1, 1], and by weight.
+/// Weighted sum of (1 - F) W at nodes of a panel (a multiple of eight, at most [`MOST`]), given by u, by the series' variable z in
+/// [-1, 1], and by weight.
 #[inline(always)]
-pub(super) fn near(lobe: &Lobe, seen: Seen, series: &[f64], [u, z, weight]: [&F8; 3]) -> f64 {
-    let (mut previous, mut current, mut sum) = ([0.0; LANES], [1.0; LANES], [0.0; LANES]);
+pub(super) fn near(lobe: &Lobe, seen: Seen, series: &[f64], [u, z, weight]: [&[f64]; 3]) -> f64 {
+    let mut rings = [0.0; MOST];
+    let (wide, rest) = z.as_chunks::<WIDE>();
+    for (z, out) in wide.iter().zip(rings.as_chunks_mut::<WIDE>().0) {
+        *out = sum_series(series, z);
+    }
+    let done = WIDE * wide.len();
+    for (z, out) in rest.as_chunks::<LANES>().0.iter().zip(rings[done..].as_chunks_mut::<LANES>().0) {
+        *out = sum_series(series, z);
+    }
+    let blocks = u.as_chunks::<LANES>().0.iter().zip(weight.as_chunks::<LANES>().0);
+    let mut total = 0.0;
+    for ((u, weight), rings) in blocks.zip(rings.as_chunks::<LANES>().0) {
+        let passed = transmittance(seen, &cosines(lobe, u));
+        let mut term = [0.0; LANES];
+        for i in 0..LANES {
+            term[i] = rings[i] * passed[i] * weight[i];
+        }
+        total += lanes::sum(&term);
+    }
+    total
+}
+
+/// Several blocks at a time hide the latency of the recurrence.
+const WIDE: usize = 3 * LANES;
+
+/// A Legendre series at N places.
+#[inline(always)]
+fn sum_series<const N: usize>(series: &[f64], z: &[f64; N]) -> [f64; N] {
+    let (mut previous, mut current, mut sum) = ([0.0; N], [1.0; N], [0.0; N]);
     let mut k = 0.0;
     for coefficient in series {
         let (rise, fall) = ((2.0 * k + 1.0) / (k + 1.0), k / (k + 1.0));
-        for i in 0..LANES {
+        for i in 0..N {
             sum[i] += coefficient * current[i];
             let next = rise * z[i] * current[i] - fall * previous[i];
             previous[i] = current[i];
@@ -190,9 +209,5 @@ pub(super) fn near(lobe: &Lobe, seen: Seen, series: &[f64], [u, z, weight]: [&F8
         }
         k += 1.0;
     }
-    let passed = transmittance(seen, &cosines(lobe, u));
-    for i in 0..LANES {
-        sum[i] *= passed[i] * weight[i];
-    }
-    lanes::sum(&sum)
+    sum
 }

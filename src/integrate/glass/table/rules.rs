@@ -110,15 +110,15 @@ pub(super) struct Rule {
 pub(super) struct Rules {
     /// By number of nodes, then by grade.
     rules: Vec<Vec<Rule>>,
-    /// The plain nodes in [-1, 1].
-    legendre: Vec<Vec<f64>>,
+    /// The plain rules on [-1, 1].
+    gauss: Vec<Gauss>,
 }
 
 impl Rules {
     pub fn new() -> Rules {
         let gauss: Vec<Gauss> = (1..=MOST).map(Gauss::new).collect();
         let rules = gauss.iter().map(|g| GRADES.iter().map(|grade| graded(g, *grade)).collect()).collect();
-        Rules { rules, legendre: gauss.into_iter().map(|g| g.nodes).collect() }
+        Rules { rules, gauss }
     }
 
     /// The rule of `n` nodes, `n` forced into [1, MOST].
@@ -126,9 +126,21 @@ impl Rules {
         &self.rules[n.clamp(1, MOST) - 1][grade as usize]
     }
 
-    /// Its nodes before grading, in [-1, 1].
-    pub fn legendre(&self, n: usize) -> &[f64] {
-        &self.legendre[n.clamp(1, MOST) - 1]
+    /// The matrix from values at the `n` plain nodes to the coefficients of the Legendre series through them, a row a node: exact, because
+    /// the rule is exact for products of the polynomials.
+    pub fn series(&self, n: usize) -> Vec<Vec<f64>> {
+        let gauss = &self.gauss[n.clamp(1, MOST) - 1];
+        let row = |(x, w): (&f64, &f64)| {
+            let (mut previous, mut current) = (0.0, 1.0);
+            let mut row = Vec::with_capacity(n);
+            for k in 0..n {
+                let k = k as f64;
+                row.push((k + 0.5) * w * current);
+                (previous, current) = (current, ((2.0 * k + 1.0) * x * current - k * previous) / (k + 1.0));
+            }
+            row
+        };
+        gauss.nodes.iter().zip(&gauss.weights).map(row).collect()
     }
 }
 

@@ -13,20 +13,26 @@ use super::lobe::{Angles, Azimuth, Lobe};
 use super::rules::{Grade, Rules};
 use crate::math::lanes::{F8, LANES};
 
-/// Nodes of the sweep of one lobe, for any number of interfaces: node, weight, and the interface's eta and 1 - eta^2.
-#[derive(Clone, Debug, Default)]
+/// Nodes of the sweep of one lobe, for any number of interfaces: node, weight, and the interface's eta, 1 - eta^2 and 1/|1 - eta^2|.
+#[derive(Clone, Debug)]
 pub(super) struct Sweep {
     pub u: Vec<f64>,
     pub weight: Vec<f64>,
     pub eta: Vec<f64>,
     pub contrast: Vec<f64>,
+    pub over: Vec<f64>,
 }
 
 impl Sweep {
+    pub fn with_capacity(n: usize) -> Sweep {
+        let list = || Vec::with_capacity(n);
+        Sweep { u: list(), weight: list(), eta: list(), contrast: list(), over: list() }
+    }
+
     /// Fills the last block of lanes with copies of the last node of weight 0.
     pub fn pad(&mut self) {
         while !self.u.len().is_multiple_of(LANES) {
-            for list in [&mut self.u, &mut self.eta, &mut self.contrast] {
+            for list in [&mut self.u, &mut self.eta, &mut self.contrast, &mut self.over] {
                 let last = list[list.len() - 1];
                 list.push(last);
             }
@@ -57,19 +63,15 @@ pub(super) fn transmit(
 ) -> u64 {
     values.clear();
     let mut evaluations = 0;
-    let blocks = |list: &'_ Vec<f64>, at: usize| -> F8 {
-        let mut block = [0.0; LANES];
-        block.copy_from_slice(&list[at..at + LANES]);
-        block
-    };
     for at in (0..sweep.u.len()).step_by(LANES) {
-        let nodes = prepare(
-            lobe,
-            &blocks(&sweep.u, at),
-            &blocks(&sweep.weight, at),
-            &blocks(&sweep.eta, at),
-            &blocks(&sweep.contrast, at),
-        );
+        let block = |list: &[f64]| -> F8 {
+            let mut block = [0.0; LANES];
+            block.copy_from_slice(&list[at..at + LANES]);
+            block
+        };
+        let [u, weight, eta, contrast, over] =
+            [&sweep.u, &sweep.weight, &sweep.eta, &sweep.contrast, &sweep.over].map(|list| block(list));
+        let nodes = prepare(lobe, [&u, &weight, &eta, &contrast, &over]);
         let n = (inner[0] + inner[1] * nodes.azimuth.reach) as usize;
         let rule = rules.rule(n, Grade::Plain);
         let mut sum = [0.0; LANES];
@@ -106,7 +108,7 @@ fn add(nodes: &Nodes, t: f64, w: f64, sum: &mut F8) {
 }
 
 #[inline(always)]
-fn prepare(lobe: &Lobe, u: &F8, weight: &F8, eta: &F8, contrast: &F8) -> Nodes {
+fn prepare(lobe: &Lobe, [u, weight, eta, contrast, over]: [&F8; 5]) -> Nodes {
     let angles = Angles::new(lobe.alpha, u);
     let zero = [0.0; LANES];
     let (mut low, mut swing) = ([zero; 4], [zero; 4]);
@@ -117,16 +119,18 @@ fn prepare(lobe: &Lobe, u: &F8, weight: &F8, eta: &F8, contrast: &F8) -> Nodes {
         let c_i = positive(mu * cos_w - s * sin_w);
         let s_i = s * cos_w + mu * sin_w;
         let c_t = positive(contrast[i] + eta[i] * eta[i] * c_i * c_i).sqrt();
-        let inverse = 1.0 / (c_t + eta[i] * c_i);
+        let sum = c_t + eta[i] * c_i;
+        let inverse = 1.0 / sum;
         let h = contrast[i].abs() * inverse;
+        let over_h = sum * over[i];
         let sin_d = s_i * contrast[i] * inverse;
         let cos_d = c_i * c_t + eta[i] * s_i * s_i;
         let s_t = positive(s * cos_d - mu * sin_d);
         let mu_t = positive(mu * cos_d + s * sin_d);
-        let c = 2.0 * s * s_t / h;
+        let c = 2.0 * s * s_t * over_h;
         let thinner = if contrast[i] > 0.0 { 1.0 } else { -1.0 };
         let den = sin_w * sin_w + a2 * cos_w * cos_w;
-        let rise = 2.0 * eta[i] * c / h;
+        let rise = 2.0 * eta[i] * c * over_h;
         low[0][i] = c_i;
         low[1][i] = c_t;
         low[2][i] = den;
@@ -135,13 +139,14 @@ fn prepare(lobe: &Lobe, u: &F8, weight: &F8, eta: &F8, contrast: &F8) -> Nodes {
         swing[1][i] = 4.0 * thinner * eta[i] * c;
         swing[2][i] = 4.0 * rise;
         swing[3][i] = -8.0 * s * s_t;
-        let fall = if contrast[i] > 0.0 { c_i / positive(c) } else { c_t / positive(eta[i] * c) };
+        let (first, steep) = if contrast[i] > 0.0 { (c_i, c) } else { (c_t, eta[i] * c) };
+        let fall = first / positive(steep);
         end[i] = if fall < 1.0 { fall } else { 1.0 };
         let p = den / positive(rise);
         peak[i] = if p < 1e16 { p } else { 1e16 };
         let s_l = (mu_t * mu_t + a2 * ((1.0 - mu_t) * (1.0 + mu_t))).sqrt();
-        let geometry = lobe.factor * mu_t / (lobe.own * mu_t + lobe.other * s_l);
-        factor[i] = geometry * eta[i] * s_t * h / (c_t * contrast[i] * contrast[i]);
+        let shadowing = lobe.own * mu_t + lobe.other * s_l;
+        factor[i] = lobe.factor * mu_t * eta[i] * s_t * h * over[i] * over[i] / (shadowing * c_t);
     }
     let azimuth = Azimuth::new(&end, &peak);
     let mut total = [0.0; LANES];
