@@ -70,15 +70,16 @@ fn outside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
     let pole = lobe.u(half_tangent(-(1.0 - eta) * s, -(1.0 + eta) * mu));
     let first =
         Stretch { from: lobe.u(-1.0), to: 0.0, grade: Grade::Plain, before: Some(pole), beyond: None };
+    let graze = lobe.u(half_tangent(mu, s));
     if mu <= eta {
-        return [Some(Stretch { to: lobe.u(half_tangent(mu, s)), grade: Grade::Steep, ..first }), None];
+        return [Some(Stretch { to: graze, grade: Grade::Steep, ..first }), None];
     }
     let root = seen.contrast.sqrt();
     let turn = lobe.u(half_tangent(2.0 * eta * s - root * mu, root * s));
     let end = lobe.u(half_tangent(eta * s, 1.0 - eta * mu));
     [
         Some(Stretch { to: turn, grade: Grade::High, ..first }),
-        Some(Stretch { from: turn, to: end, grade: Grade::Low, before: None, beyond: None }),
+        Some(Stretch { from: turn, to: end, grade: Grade::Low, before: None, beyond: Some(graze) }),
     ]
 }
 

@@ -60,32 +60,10 @@ pub struct Checked {
 /// [`IntegrateError::Domain`] for an input outside its range, [`IntegrateError::Option`] for a tolerance outside [1e-8, 1e-2],
 /// [`IntegrateError::Tolerance`] if the check finds a texel that misses the tolerance.
 pub fn tabulate(grid: &GlassGrid) -> Result<Tabulated, IntegrateError> {
-    let kernel = Kernel::new(grid.smith, grid.tolerance)?;
     let (alphas, rows) = distinct(grid.alphas);
     let (iors, slices) = distinct(grid.iors);
-    let direct = Interpolation::none(&alphas);
-    let rule = Interpolation::chebyshev(&alphas, grid.tolerance);
     let (columns, places) = columns(grid, &alphas, &iors);
-    let rules: Vec<&Interpolation> =
-        columns.iter().map(|column| rule.as_ref().filter(|_| column.straight).unwrap_or(&direct)).collect();
-    let tasks: Vec<(usize, f64)> = columns
-        .iter()
-        .zip(&rules)
-        .flat_map(|(column, rule)| rule.nodes.iter().map(|alpha| (column.index, *alpha)))
-        .collect();
-    let nodes: Vec<(Vec<Energies>, u64)> = tasks
-        .par_iter()
-        .map(|(column, alpha)| column_node(grid, &kernel, *column, *alpha, &iors))
-        .collect::<Result<_, _>>()?;
-    let mut rest = nodes.as_slice();
-    let mut shares = Vec::with_capacity(rules.len());
-    for rule in &rules {
-        let (share, next) = rest.split_at(rule.nodes.len());
-        shares.push((*rule, share));
-        rest = next;
-    }
-    let values: Vec<Vec<f64>> =
-        shares.into_par_iter().map(|(rule, nodes)| rule.apply(nodes, iors.len())).collect();
+    let (values, evaluations) = integrate(grid, &columns, &alphas, &iors)?;
     let texels = |side: usize| -> Vec<f64> {
         let mut out = vec![0.0; grid.columns * grid.alphas.len() * grid.iors.len()];
         out.par_chunks_mut(grid.columns.max(1)).enumerate().for_each(|(line, out)| {
@@ -96,16 +74,42 @@ pub fn tabulate(grid: &GlassGrid) -> Result<Tabulated, IntegrateError> {
         });
         out
     };
-    let mut table = Tabulated {
-        outside: texels(0),
-        inside: texels(1),
-        evaluations: nodes.iter().map(|(_, evaluations)| evaluations).sum(),
-        checked: Checked::default(),
-    };
+    let table = Tabulated { outside: texels(0), inside: texels(1), evaluations, checked: Checked::default() };
     let (checked, more) = check::check(grid, &table)?;
-    table.checked = checked;
-    table.evaluations += more;
-    Ok(table)
+    Ok(Tabulated { checked, evaluations: evaluations + more, ..table })
+}
+
+/// E of every column, as [`Interpolation::apply`] orders it, and the number of evaluations.
+fn integrate(
+    grid: &GlassGrid,
+    columns: &[Column],
+    alphas: &[f64],
+    iors: &[f64],
+) -> Result<(Vec<Vec<f64>>, u64), IntegrateError> {
+    let kernel = Kernel::new(grid.smith, grid.tolerance)?;
+    let direct = Interpolation::none(alphas);
+    let chebyshev = Interpolation::chebyshev(alphas, grid.tolerance);
+    let rule = |column: &Column| chebyshev.as_ref().filter(|_| column.straight).unwrap_or(&direct);
+    let tasks: Vec<(usize, f64)> = columns
+        .iter()
+        .flat_map(|column| rule(column).nodes.iter().map(|alpha| (column.index, *alpha)))
+        .collect();
+    let nodes: Vec<(Vec<Energies>, u64)> = tasks
+        .par_iter()
+        .map(|(column, alpha)| column_node(grid, &kernel, *column, *alpha, iors))
+        .collect::<Result<_, _>>()?;
+    let mut rest = nodes.as_slice();
+    let shares: Vec<_> = columns
+        .iter()
+        .map(|column| {
+            let rule = rule(column);
+            let (share, next) = rest.split_at(rule.nodes.len());
+            rest = next;
+            (rule, share)
+        })
+        .collect();
+    let values = shares.into_par_iter().map(|(rule, nodes)| rule.apply(nodes, iors.len())).collect();
+    Ok((values, nodes.iter().map(|(_, evaluations)| evaluations).sum()))
 }
 
 /// E of one column at one alpha for every index of refraction; indices that share mu share their rings.
