@@ -46,9 +46,36 @@ impl Chebyshev {
     }
 }
 
+/// Weights of the values at Chebyshev nodes of the second kind, ascending, for the interpolant's value at x: 1 at a node itself.
+pub fn weights(nodes: &[f64], x: f64) -> Vec<f64> {
+    if let Some(hit) = nodes.iter().position(|node| *node == x) {
+        return (0..nodes.len()).map(|i| if i == hit { 1.0 } else { 0.0 }).collect();
+    }
+    let last = nodes.len() - 1;
+    let term = |(i, node): (usize, &f64)| {
+        let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
+        (if i == 0 || i == last { 0.5 * sign } else { sign }) / (x - node)
+    };
+    let mut terms: Vec<f64> = nodes.iter().enumerate().map(term).collect();
+    let sum: f64 = terms.iter().sum();
+    terms.iter_mut().for_each(|t| *t /= sum);
+    terms
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn weights_are_the_interpolant() {
+        let at = nodes(-1.0, 2.0, 9);
+        let values: Vec<f64> = at.iter().map(|x| ops::exp(*x)).collect();
+        let interpolant = Chebyshev::new(-1.0, 2.0, values.clone());
+        for x in [-1.0, -0.3, at[4], 1.99, 2.0] {
+            let value: f64 = weights(&at, x).iter().zip(&values).map(|(w, v)| w * v).sum();
+            assert!((value - interpolant.at(x)).abs() < 1e-14, "{x}");
+        }
+    }
 
     #[test]
     fn converges_geometrically() {

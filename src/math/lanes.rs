@@ -40,6 +40,42 @@ fn taylor(r: f64) -> f64 {
     a + r4 * (b + r4 * (c + r4 * d))
 }
 
+/// Bits of 1 less those of sqrt(1/2): added to a number's bits, it carries the exponent of the mantissa in [sqrt(1/2), sqrt(2)).
+const CENTRE: u64 = 0x3ff0_0000_0000_0000 - 0x3fe6_a09e_667f_3bcd;
+/// The bits of 2^52: or'ed with an integer below 2^52 they make the float 2^52 + integer.
+const INTEGER: u64 = 0x4330_0000_0000_0000;
+
+/// Natural logarithm of eight positive normal numbers, within 2 ulp (tested against `libm`); elsewhere it is meaningless.
+#[inline(always)]
+pub fn ln(x: &F8) -> F8 {
+    let mut out = [0.0; LANES];
+    for i in 0..LANES {
+        let bits = x[i].to_bits();
+        let exponent = bits.wrapping_add(CENTRE) >> 52;
+        let k = f64::from_bits(exponent | INTEGER) - (4_503_599_627_370_496.0 + 1023.0);
+        let mantissa = f64::from_bits(bits.wrapping_sub(exponent << 52).wrapping_add(1023 << 52));
+        out[i] = k * LN2_HI - (ln_tail(mantissa - 1.0, k) - (mantissa - 1.0));
+    }
+    out
+}
+
+/// f - ln(1 + f) - k LN2_LO for 1 + f in [sqrt(1/2), sqrt(2)): with s = f/(2 + f), ln(1 + f) = 2 atanh(s) = f - f^2/2 + s (f^2/2 + r),
+/// r = 2 s^2 (1/3 + s^2/5 + ...), cut where the next term is below 1e-18 (s^2 <= 0.0295).
+#[inline(always)]
+fn ln_tail(f: f64, k: f64) -> f64 {
+    let s = f / (2.0 + f);
+    let z = s * s;
+    let z2 = z * z;
+    let a = 2.0 / 3.0 + z * (2.0 / 5.0);
+    let b = 2.0 / 7.0 + z * (2.0 / 9.0);
+    let c = 2.0 / 11.0 + z * (2.0 / 13.0);
+    let d = 2.0 / 15.0 + z * (2.0 / 17.0);
+    let e = 2.0 / 19.0 + z * (2.0 / 21.0);
+    let r = z * (a + z2 * (b + z2 * (c + z2 * (d + z2 * e))));
+    let half = 0.5 * f * f;
+    half - (s * (half + r) + k * LN2_LO)
+}
+
 /// Sum of eight values in a fixed tree.
 #[inline(always)]
 pub fn sum(x: &F8) -> f64 {
@@ -62,6 +98,27 @@ mod tests {
         }
         assert!(worst <= 2.0, "worst {worst} eps");
         assert_eq!(exp(&[0.0; LANES])[3], 1.0);
+    }
+
+    #[test]
+    fn ln_is_within_two_ulp() {
+        let mut worst = 0.0_f64;
+        for step in 0..200_000 {
+            let x = ops::exp(-40.0 + 80.0 * f64::from(step) / 200_000.0);
+            let (got, want) = (ln(&[x; LANES])[5], ops::log(x));
+            worst = worst.max((got - want).abs() / (want.abs() * f64::EPSILON));
+        }
+        for step in 0..200_000 {
+            let x = 0.5 + f64::from(step) / 100_000.0;
+            let (got, want) = (ln(&[x; LANES])[5], ops::log(x));
+            worst = worst.max((got - want).abs() / (want.abs().max(1e-300) * f64::EPSILON));
+        }
+        assert!(worst <= 2.0, "worst {worst} eps");
+        for x in [1e-300, 1e300, f64::MIN_POSITIVE, f64::MAX] {
+            let (got, want) = (ln(&[x; LANES])[0], ops::log(x));
+            assert!((got - want).abs() <= 2.0 * f64::EPSILON * want.abs(), "{x}: {got} against {want}");
+        }
+        assert_eq!(ln(&[1.0; LANES])[2], 0.0);
     }
 
     #[test]

@@ -11,6 +11,7 @@
 mod interface;
 mod ring;
 mod sweep;
+pub mod table;
 
 pub use interface::Side;
 
