@@ -1,0 +1,102 @@
+//! Tables of the anisotropic reflection lobe: E (F = 1) averaged over the view's azimuth at every texel of a grid, from far fewer
+//! integrals than texels, and proved by integrating a sample of texels directly.
+
+mod axes;
+mod azimuth;
+mod barycentric;
+mod check;
+mod dispatch;
+mod grid;
+mod kernel;
+mod plan;
+mod rules;
+mod tensor;
+
+use rayon::prelude::*;
+
+use super::QUANTITY;
+use crate::data::Smith;
+use crate::integrate::IntegrateError;
+pub use azimuth::Work;
+pub use check::Checked;
+pub use dispatch::Path;
+pub use grid::{ASPECT, Columns, Grid, MU};
+
+/// Digits of a node's integral beyond the tolerance.
+const NODE_DIGITS: f64 = 0.3;
+
+/// A table's texels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tabulated {
+    /// E of every texel, columns fastest, then rows, then slices.
+    pub e: Vec<f64>,
+    /// Integrand evaluations of the nodes' integrals.
+    pub evaluations: u64,
+    /// What recomputing texels showed.
+    pub checked: Checked,
+}
+
+/// E averaged over the azimuth at every texel of a grid, to an absolute `tolerance` in [1e-8, 1e-2].
+///
+/// Errors: a grid outside its domain; a checked texel that misses the tolerance.
+pub fn tabulate(smith: Smith, grid: &Grid, tolerance: f64) -> Result<Tabulated, IntegrateError> {
+    tabulate_on(Path::Best, smith, grid, tolerance)
+}
+
+/// [`tabulate`] with given instructions, for checks that all give the same bits.
+pub fn tabulate_on(
+    path: Path,
+    smith: Smith,
+    grid: &Grid,
+    tolerance: f64,
+) -> Result<Tabulated, IntegrateError> {
+    let digits = grid::digits(tolerance)?;
+    grid.check()?;
+    let (e, evaluations) = texels(path, smith, grid, digits);
+    let checked = check::check(path, smith, grid, digits, &e);
+    let (alpha, mu) = grid.texel(checked.at);
+    let place = format!("alpha_x = {}, alpha_y = {}, mu = {mu}", alpha[0], alpha[1]);
+    if checked.worst.is_nan() {
+        return Err(IntegrateError::NotFinite { quantity: QUANTITY, place });
+    }
+    if checked.worst > tolerance {
+        return Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached: checked.worst, tolerance });
+    }
+    Ok(Tabulated { e, evaluations, checked })
+}
+
+fn texels(path: Path, smith: Smith, grid: &Grid, digits: f64) -> (Vec<f64>, u64) {
+    let rows = plan::rows(grid, digits);
+    let cosines = plan::cosines(grid, digits);
+    let mut nodes = Vec::new();
+    for group in &rows {
+        for columns in &cosines {
+            for alpha in &group.alphas {
+                nodes.extend(columns.mu.iter().map(|mu| (*alpha, *mu)));
+            }
+        }
+    }
+    let work: Vec<Work> = nodes
+        .par_iter()
+        .map(|(alpha, mu)| azimuth::mean(path, smith, *alpha, *mu, digits + NODE_DIGITS))
+        .collect();
+    let values: Vec<f64> = work.iter().map(|w| w.value).collect();
+    let mut e = vec![f64::NAN; grid.size().iter().product()];
+    let mut start = 0;
+    for group in &rows {
+        for columns in &cosines {
+            let end = start + group.alphas.len() * columns.mu.len();
+            tensor::fill(grid, group, columns, &values[start..end], &mut e);
+            start = end;
+        }
+    }
+    (e, work.iter().map(|w| w.evaluations).sum())
+}
+
+/// E averaged over the azimuth at one point, by the rules that a table of this tolerance takes: for checks against the reference.
+/// alpha in [1e-4, 4], mu in [1e-4, 1].
+pub fn mean(smith: Smith, alpha: [f64; 2], mu: f64, tolerance: f64) -> Result<Work, IntegrateError> {
+    super::check(alpha, mu, None)?;
+    let digits = grid::digits(tolerance)?;
+    Ok(azimuth::mean(Path::Best, smith, alpha, mu, digits))
+}
