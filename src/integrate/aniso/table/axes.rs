@@ -12,7 +12,7 @@ pub(super) struct Cosine {
 impl Cosine {
     /// For cosines from `from` up.
     pub fn from(from: f64) -> Cosine {
-        Cosine { low: (3.0 * from).min(0.05) }
+        Cosine { low: from.min(0.05) }
     }
 
     /// The variable.
@@ -38,32 +38,29 @@ pub(super) fn aspect(lean: f64) -> f64 {
     ops::exp(0.5 * (ops::log1p(lean) - ops::log1p(-lean)) / 0.8)
 }
 
-/// Nodes over a range of a variable: `at_six` for 10^-6 on a range as long as `usual`, more in proportion to range and digits.
+/// Nodes over a range of a variable: `at_six` for 10^-6 on a range as long as `usual`, more in proportion to range and digits
+/// (measured, 4 to 7 digits).
 fn count([low, high]: [f64; 2], usual: f64, at_six: f64, digits: f64) -> usize {
     if low == high {
         return 1;
     }
     let share = (high - low) / usual;
-    let nodes = at_six * (0.3 + 0.7 * share) * (0.35 + 0.65 * digits / 6.0);
+    let nodes = at_six * (0.3 + 0.7 * share) * (0.1 + 0.15 * digits);
     (nodes.round() as usize).max(3)
 }
 
 /// Nodes over ln(alpha); the sources' rows 1/64..1 set the scale.
 pub(super) fn alphas(range: [f64; 2], digits: f64) -> Nodes {
-    Nodes::chebyshev(range[0], range[1], count(range, 4.16, env(1, 20.0), digits))
+    Nodes::chebyshev(range[0], range[1], count(range, 4.16, 22.0, digits))
 }
 
 /// Nodes over the square of [`lean`]; the sources' slices sqrt(0.1)..1 set the scale.
 pub(super) fn leans(range: [f64; 2], digits: f64) -> Nodes {
-    Nodes::chebyshev(range[0], range[1], count(range, 0.526, env(2, 7.0), digits))
+    Nodes::chebyshev(range[0], range[1], count(range, 0.526, 8.0, digits))
 }
 
 /// Nodes over the variable of a cosine; the sources' columns 1/64..63/64 set the scale.
 pub(super) fn cosines(cosine: Cosine, [low, high]: [f64; 2], digits: f64) -> Nodes {
     let range = [cosine.of(low), cosine.of(high)];
-    Nodes::chebyshev(range[0], range[1], count(range, 3.7, env(0, 22.0), digits))
-}
-
-fn env(i: usize, x: f64) -> f64 {
-    std::env::var("KA").ok().and_then(|s| s.split(',').nth(i).and_then(|x| x.parse().ok())).unwrap_or(x)
+    Nodes::chebyshev(range[0], range[1], count(range, 3.7, 22.0, digits))
 }

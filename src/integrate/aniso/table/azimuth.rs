@@ -31,7 +31,7 @@ fn direction(root: f64, b: f64) -> [f64; 2] {
     [x / length, y / length]
 }
 
-/// E at `count` azimuths, and the evaluations that they took.
+/// E at `count` azimuths, and the evaluations that they took; alpha_x not below alpha_y.
 pub(super) fn values(
     path: Path,
     smith: Smith,
@@ -49,11 +49,29 @@ pub(super) fn values(
     ((0..count).map(star).collect(), count as u64 * rule.evaluations())
 }
 
+/// E at one azimuth of the view.
+pub(super) fn at(path: Path, smith: Smith, alpha: [f64; 2], mu: f64, phi: f64, digits: f64) -> Work {
+    let (sin_phi, cos_phi) = ops::sincos(phi);
+    let (alpha, [x, y]) = ordered(alpha, [cos_phi.abs(), sin_phi.abs()]);
+    let rule = StarRule::new(smith, alpha, mu, digits);
+    let value = dispatch::star(path, &View::towards(smith, alpha, mu, [x, y]), &rule);
+    Work { value, evaluations: rule.evaluations() }
+}
+
+/// The axes swapped, where need be, so that the second is the short one, as the star takes it.
+fn ordered(alpha: [f64; 2], direction: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+    if alpha[0] < alpha[1] {
+        return ([alpha[1], alpha[0]], [direction[1], direction[0]]);
+    }
+    (alpha, direction)
+}
+
 /// E averaged over the azimuth.
 ///
 /// The mean over phi of cos(2 k b) is p^k, p = (root - 1)/(root + 1), root = sqrt(alpha_x/alpha_y) (the Fourier series of
 /// d phi/d b, a Poisson kernel): so the nodes need to resolve E alone, not d phi/d b.
 pub(super) fn mean(path: Path, smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> Work {
+    let (alpha, _) = ordered(alpha, [1.0, 0.0]);
     let count = rules::azimuths(alpha, digits);
     let (values, evaluations) = values(path, smith, alpha, mu, digits, count);
     let root = (alpha[0] / alpha[1]).sqrt();

@@ -105,9 +105,10 @@ impl Grid<'_> {
             for &alpha in self.alphas {
                 let [x, y] = self.alpha(alpha, aspect);
                 for (input, value) in [("alpha_x", x), ("alpha_y", y)] {
-                    if !(alpha > 0.0 && (aniso::ALPHA[0]..=aniso::ALPHA[1]).contains(&value)) {
-                        return Err(domain(input, value, "is not in [1e-4, 4]"));
-                    }
+                    check_alpha(input, value)?;
+                }
+                if alpha.is_nan() || alpha <= 0.0 {
+                    return Err(domain("alpha", alpha, "is not above 0"));
                 }
                 for column in 0..size[0] {
                     let mu = self.mu(column, alpha, aspect);
@@ -119,6 +120,14 @@ impl Grid<'_> {
         }
         Ok(())
     }
+}
+
+/// Refuses alpha_x or alpha_y outside its domain.
+pub(super) fn check_alpha(input: &'static str, value: f64) -> Result<(), IntegrateError> {
+    if (aniso::ALPHA[0]..=aniso::ALPHA[1]).contains(&value) {
+        return Ok(());
+    }
+    Err(domain(input, value, "is not in [1e-4, 4]"))
 }
 
 /// An input outside its domain.

@@ -8,7 +8,7 @@ use crate::integrate::aniso::view::View;
 use crate::math::lanes::{self, F8, LANES};
 use crate::math::lanes_ln;
 
-/// E by one rule. The view's azimuth lies in the first quadrant.
+/// E by one rule. The view's azimuth lies in the first quadrant, and alpha_y is not above alpha_x.
 #[inline(always)]
 pub(super) fn star(view: &View, rule: &StarRule) -> f64 {
     let shadowing = Shadowing::new(view);
@@ -41,33 +41,46 @@ impl Shadowing {
     }
 }
 
-/// Middle direction and tangent of a quarter of the length of every panel.
+/// Middle direction and tangent of a quarter of the length of every panel, in the azimuth variable beta.
 struct Panels {
     root: f64,
     middle: [[f64; 2]; PANELS],
     tangent: [f64; PANELS],
 }
 
+/// A direction of unit length.
+#[inline(always)]
+fn unit(x: f64, y: f64) -> [f64; 2] {
+    let length = (x * x + y * y).sqrt();
+    [x / length, y / length]
+}
+
+#[inline(always)]
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
 impl Panels {
     #[inline(always)]
     fn new(view: &View, root: f64) -> Panels {
-        // (alpha_x cos psi, alpha_y sin psi) is perpendicular to the view
-        let (x, y) = (-view.alpha[1] * view.azimuth[1] * root, view.alpha[0] * view.azimuth[0]);
-        let length = (x * x + y * y).sqrt();
-        let across = [x / length, y / length];
+        let ([ax, ay], [vx, vy]) = (view.alpha, view.azimuth);
+        // The facets' azimuth (x, y) in beta: (root x/alpha_x, y/alpha_y).
+        let across = unit(-root * vy / ax, vx / ay);
         let opposite = [-across[0], -across[1]];
-        let cuts = [[1.0, 0.0], [0.0, 1.0], across, [-1.0, 0.0], [0.0, -1.0], opposite, [1.0, 0.0]];
+        let x = root * view.sine * vx / ax;
+        let (above, below) = (unit(x, (view.sine * vy + 1.0) / ay), unit(x, (view.sine * vy - 1.0) / ay));
+        let ordered = cross(opposite, below) > 0.0;
+        let (seventh, eighth) = if ordered { (opposite, below) } else { (below, opposite) };
+        let (east, north, west, south) = ([1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]);
+        let cuts = [east, above, north, across, west, south, seventh, eighth, east];
         let mut out = Panels { root, middle: [[0.0; 2]; PANELS], tangent: [0.0; PANELS] };
         for i in 0..PANELS {
             let (from, to) = (cuts[i], cuts[i + 1]);
-            let (x, y) = (from[0] + to[0], from[1] + to[1]);
-            let length = (x * x + y * y).sqrt();
-            let middle = [x / length, y / length];
+            let middle = unit(from[0] + to[0], from[1] + to[1]);
             // from and the middle enclose half the panel
             let cosine = from[0] * middle[0] + from[1] * middle[1];
-            let sine = from[0] * middle[1] - from[1] * middle[0];
             out.middle[i] = middle;
-            out.tangent[i] = sine / (1.0 + cosine);
+            out.tangent[i] = cross(from, middle) / (1.0 + cosine);
         }
         out
     }

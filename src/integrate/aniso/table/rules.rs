@@ -9,8 +9,8 @@ use crate::math::lanes::{F8, LANES};
 use crate::math::ops;
 
 /// Panels of azimuths about the macro normal: the four quadrants between the ellipse's axes, the second and the fourth cut where
-/// the rays are perpendicular to the view.
-pub(super) const PANELS: usize = 6;
+/// the rays are perpendicular to the view, the first and the fourth where they meet the horizon with the light along the short axis.
+pub(super) const PANELS: usize = 8;
 
 /// Most nodes along a ray or in a panel.
 const MOST: usize = 96;
@@ -20,6 +20,9 @@ const HORIZON: f64 = 0.85;
 
 /// Share of the clustering of nodes at both ends of a panel (measured: best of 0.5, 0.8 and 1).
 const ENDS: f64 = 0.5;
+
+/// Thinnest layer at the horizon, as a logarithm.
+const THINNEST: usize = 9;
 
 /// A node along the rays: its place in units of the ray's end, and its weight.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +56,7 @@ impl StarRule {
         // the azimuth itself, tan = (alpha_y/alpha_x) tan(psi), and the variable between the two is best (measured).
         let root = ops::pow(alpha[0] / alpha[1], 0.5 * mean.min(1.0));
         StarRule {
-            ray: ray_nodes(radial(smith, alpha, mu, digits)),
+            ray: ray_nodes(radial(smith, alpha, mu, digits), layer(smith, alpha, mu)),
             blocks: blocks(per_panel(alpha, digits)),
             root,
         }
@@ -68,7 +71,7 @@ impl StarRule {
 /// Digits above three, squared: how the harder cases grow with the digits (measured, 4 to 8 digits).
 fn growth(digits: f64) -> f64 {
     let above = (digits - 3.0).max(0.0);
-    0.8 * above * above
+    above * above
 }
 
 /// Nodes along a ray, fitted to measured errors for alpha 1e-3..1, aspect sqrt(0.1)..1: the ray is longer, in units of the peak, for
@@ -77,23 +80,40 @@ fn radial(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     let mean = (alpha[0] * alpha[1]).sqrt();
     let length = ops::asinh(1.0 / mean);
     let widest = alpha[0].max(alpha[1]);
-    let bend = if widest > 1.0 { growth(digits) * ops::log(widest) } else { 0.0 };
+    let bend = if widest > 1.0 { (1.5 + growth(digits)) * ops::log(widest) } else { 0.0 };
     let layer = match smith {
-        Smith::Correlated => (LAYER * ops::log(0.03 / mu)).max(0.0) * digits,
+        Smith::Correlated => {
+            // A clustering for a thin layer leaves fewer nodes to the peak, which is far off in units of a small alpha.
+            let spent = (layer(smith, alpha, mu) as f64 - THICKEST).max(0.0) * (length - 1.9).max(0.0);
+            ((0.3 * ops::log(0.04 / mu)).max(0.0) + 0.25 * spent) * digits
+        }
         Smith::Separable => 0.0,
     };
     let nodes = 2.5 + digits * (1.2 + 0.28 * length) + bend + layer;
     (nodes.ceil() as usize).clamp(4, MOST)
 }
 
-const LAYER: f64 = 0.3;
+/// Width of the layer at the horizon as a logarithm, rounded, where it takes nodes of its own: the correlated form has a pole at
+/// mu_l = -mu s_l/s_v. Of a narrow lobe little lies there: its share grows with alpha's logarithm (measured).
+fn layer(smith: Smith, alpha: [f64; 2], mu: f64) -> usize {
+    if smith == Smith::Separable {
+        return 0;
+    }
+    let share = 0.5 * ops::log(alpha[0] * alpha[1]) / std::f64::consts::LN_10;
+    let width = ops::log(0.3 / mu) * ((share + 2.5) / 1.3).clamp(0.0, 1.0);
+    if width < THICKEST { 0 } else { width.round() as usize }
+}
+
+/// Layers thicker than exp(-3) are resolved by the quadratic clustering.
+const THICKEST: f64 = 3.0;
 
 /// Nodes in each panel, fitted likewise.
 fn per_panel(alpha: [f64; 2], digits: f64) -> usize {
     let mean = (alpha[0] * alpha[1]).sqrt();
     let ratio = (alpha[0] / alpha[1]).max(alpha[1] / alpha[0]);
     let width = (ops::log(mean / 0.1) / std::f64::consts::LN_10).clamp(0.0, 1.0);
-    let nodes = 1.5 * digits - 0.5 + width * growth(digits) * (ratio - 1.0).min(1.0);
+    let wide = width * (ratio - 1.0).min(1.0);
+    let nodes = 1.5 * digits - 0.5 + wide * (2.0 + 0.12 * growth(digits));
     (nodes.ceil() as usize).clamp(4, MOST)
 }
 
@@ -109,17 +129,23 @@ pub(super) fn azimuths(alpha: [f64; 2], digits: f64) -> usize {
     ((folds / (4.0 * strip)).ceil() as usize).max(2)
 }
 
-/// Gauss nodes in y in [0, 1], clustered at the horizon, where the shadowing varies fast: 1 - (1-c) y - c y^2 in units of the end.
-fn ray_nodes(n: usize) -> &'static [RayNode] {
-    static NODES: [OnceLock<Vec<RayNode>>; MOST + 1] = [const { OnceLock::new() }; MOST + 1];
-    NODES[n].get_or_init(|| {
+/// Gauss nodes in y in [0, 1], clustered at the horizon, where the shadowing varies fast: 1 - (1-c) y - c y^2 in units of the end,
+/// or for a thin layer there, of width exp(-layer), 1 - (exp(layer y) - 1)/(exp(layer) - 1).
+fn ray_nodes(n: usize, layer: usize) -> &'static [RayNode] {
+    const LINE: [OnceLock<Vec<RayNode>>; MOST + 1] = [const { OnceLock::new() }; MOST + 1];
+    static NODES: [[OnceLock<Vec<RayNode>>; MOST + 1]; THINNEST + 1] = [LINE; THINNEST + 1];
+    NODES[layer][n].get_or_init(|| {
         let rule = Gauss::new(n);
         let node = |(x, w): (&f64, &f64)| {
             let y = 0.5 * (1.0 + x);
-            RayNode {
-                at: 1.0 - y * ((1.0 - HORIZON) + HORIZON * y),
-                weight: 0.5 * w * ((1.0 - HORIZON) + 2.0 * HORIZON * y),
-            }
+            let (distance, slope) = if layer == 0 {
+                (y * ((1.0 - HORIZON) + HORIZON * y), (1.0 - HORIZON) + 2.0 * HORIZON * y)
+            } else {
+                let rate = layer as f64;
+                let (grown, whole) = (ops::exp(rate * y), ops::exp(rate) - 1.0);
+                ((grown - 1.0) / whole, rate * grown / whole)
+            };
+            RayNode { at: 1.0 - distance, weight: 0.5 * w * slope }
         };
         rule.nodes.iter().zip(&rule.weights).map(node).collect()
     })
@@ -130,8 +156,9 @@ fn blocks(n: usize) -> &'static [Block] {
     static BLOCKS: [OnceLock<Vec<Block>>; MOST + 1] = [const { OnceLock::new() }; MOST + 1];
     BLOCKS[n].get_or_init(|| {
         let nodes = panel_nodes(n);
-        let all: Vec<(usize, f64, f64)> =
-            (0..PANELS).flat_map(|panel| nodes.iter().map(move |&(at, weight)| (panel, at, weight))).collect();
+        let all: Vec<(usize, f64, f64)> = (0..PANELS)
+            .flat_map(|panel| nodes.iter().map(move |&(at, weight)| (panel, at, weight)))
+            .collect();
         all.chunks(LANES).map(block).collect()
     })
 }
