@@ -1,7 +1,7 @@
 //! Tables of the anisotropic reflection lobe against the reference integrator, symmetries, bits and costs.
 
 use lobefit::data::Smith;
-use lobefit::integrate::aniso::table::{self, Columns, Grid, Path, Tabulated};
+use lobefit::integrate::aniso::table::{self, Azimuthal, Columns, Grid, Path, Tabulated};
 use lobefit::integrate::aniso::{self};
 use lobefit::integrate::{IntegrateError, PanelRule, reflection};
 use rand::{RngExt, SeedableRng};
@@ -176,4 +176,37 @@ fn what_lies_outside_is_refused() {
     assert!(matches!(refused(grid, 1e-12), IntegrateError::Option { option: "tolerance", .. }));
     assert!(table::mean(Smith::Separable, [0.5, 9.0], 0.5, 1e-6).is_err());
     assert!(table::at(Smith::Separable, [0.5, 0.5], 0.5, f64::NAN, 1e-6).is_err());
+}
+
+#[test]
+fn the_azimuthal_interpolant_keeps_its_tolerance() {
+    let (alphas, mus) = ([4e-4, 1.0], [1e-3, 1.0]);
+    let mut random = Pcg64::seed_from_u64(23);
+    for smith in BOTH {
+        let fast = Azimuthal::new(smith, alphas, [0.1_f64.sqrt(), 1.0], mus, 1e-5).expect("an interpolant");
+        assert!(fast.worst() <= 1e-5);
+        for i in 0..60 {
+            let power = |x: f64, u: f64| lobefit::math::ops::pow(x, u);
+            let (alpha, mu) = (power(4e-4, random.random()), power(1e-3, random.random()));
+            // Aspects and their inverses.
+            let aspect = if i == 0 { 1.0 } else { power(0.1, random.random::<f64>() - 0.5) };
+            let phi = 6.3 * random.random::<f64>();
+            let pair = [alpha / aspect, alpha * aspect];
+            let truth = aniso::aniso(smith, pair, mu, Some(phi), 1e-6).expect("the reference").e;
+            let value = fast.at(mu, phi, alpha, aspect);
+            assert!((value - truth).abs() <= 1e-5, "{smith:?} {alpha} {aspect} {mu} {phi}: {value} {truth}");
+            assert_eq!(fast.pinned(alpha, aspect).at(mu, phi).to_bits(), value.to_bits());
+        }
+        assert!(fast.at(5e-4, 0.0, 0.5, 0.5).is_nan() && fast.at(0.5, 0.0, 0.5, 0.1).is_nan());
+    }
+    assert!(Azimuthal::new(Smith::Separable, [0.5, 0.1], [0.5, 1.0], mus, 1e-4).is_err());
+    assert!(Azimuthal::new(Smith::Separable, alphas, [0.05, 1.0], mus, 1e-4).is_err());
+}
+
+#[test]
+fn the_isotropic_interpolant_has_no_azimuth() {
+    let fast = Azimuthal::new(Smith::Correlated, [0.1, 1.0], [1.0, 1.0], [0.05, 1.0], 1e-5).expect("one");
+    let (a, b) = (fast.at(0.3, 0.0, 0.4, 1.0), fast.at(0.3, 1.0, 0.4, 1.0));
+    let truth = reflection::albedo(Smith::Correlated, 0.4, 0.3, &PanelRule::new(32));
+    assert!((a - truth).abs() < 1e-5 && (a - b).abs() < 1e-6, "{a} {b} {truth}");
 }

@@ -59,6 +59,21 @@ pub(super) fn leans(range: [f64; 2], digits: f64) -> Nodes {
     Nodes::chebyshev(range[0], range[1], count(range, 0.526, 8.0, digits))
 }
 
+/// Nodes over the square of [`lean`] from 0 to that of `most`, 0 left out: the positive half of Chebyshev nodes over [-most, most].
+/// One node where the range is a point.
+pub(super) fn leans_without_zero(most: f64, digits: f64) -> Nodes {
+    if most == 0.0 {
+        return Nodes::new(vec![SMALLEST_LEAN * SMALLEST_LEAN]);
+    }
+    let n = count([0.0, most * most], 0.526, 8.0, digits) + 1;
+    let cosine = |i: usize| ops::cos(std::f64::consts::PI * i as f64 / (2 * n - 1) as f64);
+    let square = |i: usize| (most * cosine(i)) * (most * cosine(i));
+    Nodes::new((0..n).map(square).collect())
+}
+
+/// Stands for 0 where the isotropic lobe alone is asked for: coefficients odd in the variable are divided by it.
+const SMALLEST_LEAN: f64 = 1e-3;
+
 /// Nodes over the variable of a cosine; the sources' columns 1/64..63/64 set the scale.
 pub(super) fn cosines(cosine: Cosine, [low, high]: [f64; 2], digits: f64) -> Nodes {
     let range = [cosine.of(low), cosine.of(high)];

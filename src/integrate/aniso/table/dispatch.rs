@@ -44,3 +44,16 @@ fn avx2(view: &View, rule: &StarRule) -> f64 {
 fn baseline(view: &View, rule: &StarRule) -> f64 {
     kernel::star(view, rule)
 }
+
+/// The sum of `from`'s rows, each as long as `to`, by their weights.
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+pub(super) fn combine(weights: &[f64], from: &[f64], to: &mut [f64]) {
+    for (weight, row) in weights.iter().zip(from.chunks_exact(to.len())) {
+        for (sum, x) in to.iter_mut().zip(row) {
+            *sum += weight * x;
+        }
+    }
+}

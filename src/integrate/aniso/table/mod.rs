@@ -3,6 +3,7 @@
 
 mod axes;
 mod azimuth;
+mod azimuthal;
 mod barycentric;
 mod check;
 mod dispatch;
@@ -18,6 +19,7 @@ use super::QUANTITY;
 use crate::data::Smith;
 use crate::integrate::IntegrateError;
 pub use azimuth::Work;
+pub use azimuthal::{Azimuthal, POINTS, Pinned};
 pub use check::Checked;
 pub use dispatch::Path;
 pub use grid::{ASPECT, Columns, Grid, MU};

@@ -56,8 +56,8 @@ impl StarRule {
         // the azimuth itself, tan = (alpha_y/alpha_x) tan(psi), and the variable between the two is best (measured).
         let root = ops::pow(alpha[0] / alpha[1], 0.5 * mean.min(1.0));
         StarRule {
-            ray: ray_nodes(radial(smith, alpha, mu, digits), layer(smith, alpha, mu)),
-            blocks: blocks(per_panel(alpha, digits)),
+            ray: ray_nodes(radial(smith, alpha, mu, digits), layer(smith, alpha, mu, digits)),
+            blocks: blocks(per_panel(smith, alpha, mu, digits)),
             root,
         }
     }
@@ -81,59 +81,80 @@ fn radial(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     let length = ops::asinh(1.0 / mean);
     let widest = alpha[0].max(alpha[1]);
     let bend = if widest > 1.0 { (1.5 + growth(digits)) * ops::log(widest) } else { 0.0 };
+    // A clustering for a thin layer leaves fewer nodes to the peak, which is far off in units of a small alpha.
+    let width = layer(smith, alpha, mu, digits) as f64;
     let layer = match smith {
         Smith::Correlated => {
-            // A clustering for a thin layer leaves fewer nodes to the peak, which is far off in units of a small alpha.
-            let spent = (layer(smith, alpha, mu) as f64 - THICKEST).max(0.0) * (length - 1.9).max(0.0);
-            ((0.3 * ops::log(0.04 / mu)).max(0.0) + 0.25 * spent) * digits
+            let spent = (width - 2.0).max(0.0) * (length - 1.9).max(0.0);
+            (0.35 * ops::log(0.04 / mu)).max(0.0) + 0.15 * spent
         }
-        Smith::Separable => 0.0,
+        Smith::Separable => 0.25 * width,
     };
-    let nodes = 2.5 + digits * (1.2 + 0.28 * length) + bend + layer;
+    let nodes = 2.5 + digits * (1.2 + 0.28 * length) + bend + layer * digits;
     (nodes.ceil() as usize).clamp(4, MOST)
 }
 
 /// Width of the layer at the horizon as a logarithm, rounded, where it takes nodes of its own: the correlated form has a pole at
-/// mu_l = -mu s_l/s_v. Of a narrow lobe little lies there: its share grows with alpha's logarithm (measured).
-fn layer(smith: Smith, alpha: [f64; 2], mu: f64) -> usize {
-    if smith == Smith::Separable {
-        return 0;
-    }
-    let share = 0.5 * ops::log(alpha[0] * alpha[1]) / std::f64::consts::LN_10;
-    let width = ops::log(0.3 / mu) * ((share + 2.5) / 1.3).clamp(0.0, 1.0);
-    if width < THICKEST { 0 } else { width.round() as usize }
+/// mu_l = -mu s_l/s_v, either one turns on the scale alpha. Of a narrow lobe little lies there, and a tolerance needs only so much
+/// of it (measured).
+fn layer(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
+    let decades = 0.5 * ops::log(alpha[0] * alpha[1]) / std::f64::consts::LN_10;
+    let width = match smith {
+        Smith::Separable if digits > 6.2 && decades > -2.9 && decades < -1.9 && mu < 0.02 => THICKEST,
+        Smith::Separable => 0.0,
+        Smith::Correlated => {
+            let from = if decades > -1.1 { 0.6 } else { 0.3 };
+            ops::log(from / mu) * (decades + 3.0).clamp(0.0, 1.0)
+        }
+    };
+    let width = width.min(digits - 2.0 + 4.0 * (decades + 2.0).clamp(0.0, 1.0));
+    if width < THICKEST { 0 } else { (width.round() as usize).min(THINNEST) }
 }
 
 /// Layers thicker than exp(-3) are resolved by the quadratic clustering.
 const THICKEST: f64 = 3.0;
 
 /// Nodes in each panel, fitted likewise.
-fn per_panel(alpha: [f64; 2], digits: f64) -> usize {
+fn per_panel(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     let mean = (alpha[0] * alpha[1]).sqrt();
     let ratio = (alpha[0] / alpha[1]).max(alpha[1] / alpha[0]);
     let width = (ops::log(mean / 0.1) / std::f64::consts::LN_10).clamp(0.0, 1.0);
     let wide = width * (ratio - 1.0).min(1.0);
-    let nodes = 1.5 * digits - 0.5 + wide * (2.0 + 0.12 * growth(digits));
+    let grazing = match smith {
+        Smith::Correlated => 0.35 * ops::log(0.04 / mu).max(0.0) * (digits - 4.0).max(0.0),
+        Smith::Separable => 0.0,
+    };
+    let nodes = 1.5 * digits - 0.5 + grazing + wide * (2.0 + 0.12 * growth(digits));
     (nodes.ceil() as usize).clamp(4, MOST)
 }
 
-/// Azimuths of the view in one quadrant: E's coefficients in cos(2 k b) fall as exp(-2 k strip) and their weights in the mean
-/// likewise, strip = atanh(sqrt(min/max)); the factor 0.4 is measured.
+/// Azimuths of the view in one quadrant, for the mean: E's coefficients in cos(2 k b) fall as exp(-2 k strip) and their weights
+/// in the mean likewise.
 pub(super) fn azimuths(alpha: [f64; 2], digits: f64) -> usize {
+    folds(alpha, digits, 4.0)
+}
+
+/// Coefficients in cos(2 k b), for E at one azimuth.
+pub(super) fn harmonics(alpha: [f64; 2], digits: f64) -> usize {
+    folds(alpha, digits, 2.0)
+}
+
+/// n so that 0.4 exp(-speed strip n) is 10^-digits, strip = atanh(sqrt(min/max)); the factor 0.4 is measured.
+fn folds(alpha: [f64; 2], digits: f64, speed: f64) -> usize {
     let narrow = (alpha[0] / alpha[1]).min(alpha[1] / alpha[0]).sqrt();
     if narrow >= 1.0 {
         return 1;
     }
     let strip = 0.5 * (ops::log1p(narrow) - ops::log1p(-narrow));
-    let folds = ops::log(0.4) + digits * std::f64::consts::LN_10;
-    ((folds / (4.0 * strip)).ceil() as usize).max(2)
+    let needed = ops::log(0.4) + digits * std::f64::consts::LN_10;
+    ((needed / (speed * strip)).ceil() as usize).max(2)
 }
 
 /// Gauss nodes in y in [0, 1], clustered at the horizon, where the shadowing varies fast: 1 - (1-c) y - c y^2 in units of the end,
 /// or for a thin layer there, of width exp(-layer), 1 - (exp(layer y) - 1)/(exp(layer) - 1).
 fn ray_nodes(n: usize, layer: usize) -> &'static [RayNode] {
-    const LINE: [OnceLock<Vec<RayNode>>; MOST + 1] = [const { OnceLock::new() }; MOST + 1];
-    static NODES: [[OnceLock<Vec<RayNode>>; MOST + 1]; THINNEST + 1] = [LINE; THINNEST + 1];
+    static NODES: [[OnceLock<Vec<RayNode>>; MOST + 1]; THINNEST + 1] =
+        [const { [const { OnceLock::new() }; MOST + 1] }; THINNEST + 1];
     NODES[layer][n].get_or_init(|| {
         let rule = Gauss::new(n);
         let node = |(x, w): (&f64, &f64)| {
