@@ -100,7 +100,7 @@ fn radial(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
 fn layer(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     let decades = 0.5 * ops::log(alpha[0] * alpha[1]) / std::f64::consts::LN_10;
     let width = match smith {
-        Smith::Separable if digits > 6.2 && decades > -2.9 && decades < -1.9 && mu < 0.02 => THICKEST,
+        Smith::Separable if digits > 6.2 && decades > -2.9 && decades < -1.5 && mu < 0.02 => THICKEST,
         Smith::Separable => 0.0,
         Smith::Correlated => {
             let from = if decades > -1.1 { 0.6 } else { 0.3 };
