@@ -76,7 +76,7 @@ fn names_say_what_tells_tables_apart() {
     assert_eq!(
         found,
         [
-            "ggx-aniso-azimuth-correlated-32x32x16",
+            "ggx-aniso-azimuth-correlated-64x16x16",
             "path-tracer-reflection-separable-64x64x32",
             "ggx-aniso-correlated-8x16x4-f32",
             "path-tracer-glass-outside-separable-128x128x32",

@@ -3,6 +3,7 @@
 pub mod chebyshev;
 pub mod gauss;
 pub mod lanes;
+pub mod lanes_ln;
 pub mod ops;
 pub mod panels;
 pub mod sobol;

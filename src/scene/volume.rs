@@ -11,7 +11,7 @@ use crate::data::TexelFormat;
 pub use crate::data::VolumeLayout;
 
 /// The limit on the lookup error where neither size nor limit is given. What a 64x64x32 (anisotropic) and a 128x128x32
-/// (glass) table in the optimised layout are to reach for alpha >= 0.02, and a 32x32x16 one with the azimuth.
+/// (glass) table in the optimised layout are to reach for alpha >= 0.02, and a 64x16x16 one with the azimuth.
 fn default_limit(layout: VolumeLayout) -> Option<f64> {
     match layout {
         VolumeLayout::Optimised => Some(2e-3),
@@ -24,7 +24,7 @@ fn default_limit(layout: VolumeLayout) -> Option<f64> {
 fn default_size(lobe: Lobe, layout: VolumeLayout) -> [usize; 3] {
     match (lobe, layout) {
         (Lobe::Glass, _) => [128, 128, 32],
-        (_, VolumeLayout::Azimuth) => [32, 32, 16],
+        (_, VolumeLayout::Azimuth) => [64, 16, 16],
         _ => [64, 64, 32],
     }
 }
@@ -60,7 +60,7 @@ struct VolumeFile {
     /// Coordinates of the texels; default `optimised`. `path-tracer` takes separable Smith and alpha = roughness whatever
     /// the scene says, has its own size and takes no `max_error`; `azimuth` is for anisotropic materials.
     layout: Maybe<Word<VolumeLayout>>,
-    /// Columns, rows and slices, at most 4194304 texels. Default: 64x64x32, with the azimuth 32x32x16, of glass 128x128x32.
+    /// Columns, rows and slices, at most 4194304 texels. Default: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32.
     size: Maybe<Numbers<Whole<VolumeAxisSize>, 3, false>>,
     /// Texel format; default `f16`.
     format: Maybe<Word<TexelFormat>>,

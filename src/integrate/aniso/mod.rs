@@ -8,6 +8,7 @@
 mod average;
 mod ray;
 mod star;
+pub mod table;
 mod view;
 
 use super::{Estimate, IntegrateError, PanelRule};

@@ -124,8 +124,8 @@ fn check(alpha: f64, mu: f64, iors: &[f64]) -> Result<(), IntegrateError> {
     if !(4e-4..=1.0).contains(&alpha) {
         return refuse("alpha", alpha, "is outside [4e-4, 1] of a table");
     }
-    if !(1e-3..=1.0).contains(&mu) {
-        return refuse("mu", mu, "is outside [1e-3, 1] of a table");
+    if !(2e-4..=1.0).contains(&mu) {
+        return refuse("mu", mu, "is outside [2e-4, 1] of a table");
     }
     match iors.iter().find(|ior| !(1.0..=3.0).contains(*ior)) {
         Some(ior) => refuse("ior", *ior, "is outside [1, 3] of a table"),

@@ -1,0 +1,59 @@
+//! The kernel for the instructions that the processor has. Every path does the same operations in the same order (nothing is
+//! contracted), so all give the same bits.
+
+use multiversion::multiversion;
+
+use super::kernel;
+use super::rules::StarRule;
+use crate::integrate::aniso::view::View;
+
+/// Instructions to use.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Path {
+    /// The best that the processor has: AVX-512, AVX2, or what every processor of its kind has.
+    #[default]
+    Best,
+    /// AVX2 at most.
+    Avx2,
+    /// What every processor of its kind has.
+    Baseline,
+}
+
+/// E at one azimuth.
+pub(super) fn star(path: Path, view: &View, rule: &StarRule) -> f64 {
+    match path {
+        Path::Best => best(view, rule),
+        Path::Avx2 => avx2(view, rule),
+        Path::Baseline => baseline(view, rule),
+    }
+}
+
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+fn best(view: &View, rule: &StarRule) -> f64 {
+    kernel::star(view, rule)
+}
+
+#[multiversion(targets("x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"))]
+fn avx2(view: &View, rule: &StarRule) -> f64 {
+    kernel::star(view, rule)
+}
+
+fn baseline(view: &View, rule: &StarRule) -> f64 {
+    kernel::star(view, rule)
+}
+
+/// The sum of `from`'s rows, each as long as `to`, by their weights.
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+pub(super) fn combine(weights: &[f64], from: &[f64], to: &mut [f64]) {
+    for (weight, row) in weights.iter().zip(from.chunks_exact(to.len())) {
+        for (sum, x) in to.iter_mut().zip(row) {
+            *sum += weight * x;
+        }
+    }
+}
