@@ -127,7 +127,7 @@ fn transmission_is_reciprocal_on_average() {
         for (alpha, ior) in [(0.3, 1.5), (0.7, 1.02), (0.05, 2.0)] {
             let sine: f64 = 1.0 / ior;
             let cosine = (1.0 - sine * sine).sqrt();
-            let mut cuts = vec![1e-3, 0.05, sine, cosine, 0.5 * (1.0 + sine.max(cosine)), 1.0];
+            let mut cuts = [1e-3, 0.05, sine, cosine, 0.5 * (1.0 + sine.max(cosine)), 1.0];
             cuts.sort_by(f64::total_cmp);
             let mut averages = [0.0; 2];
             for cut in cuts.windows(2) {
