@@ -19,8 +19,13 @@ pub struct Deviation {
 }
 
 impl Deviation {
-    /// Of signed errors at points of which the first `uniform` are uniform; `truth` is E, by point, and `place` tells where a point is.
-    pub fn of(errors: &[f64], truth: &[f64], uniform: usize, place: impl Fn(usize) -> Place) -> Deviation {
+    /// Of signed errors at points; `truth` is E, by point; `uniform` tells which are uniform and `place` where a point is.
+    pub fn of(
+        errors: &[f64],
+        truth: &[f64],
+        uniform: impl Fn(usize) -> bool,
+        place: impl Fn(usize) -> Place,
+    ) -> Deviation {
         let (mut max, mut max_rel, mut worst) = (0.0, 0.0_f64, 0);
         for (i, error) in errors.iter().enumerate() {
             // An error that is no number is the largest there is.
@@ -32,15 +37,9 @@ impl Deviation {
                 break;
             }
         }
-        let uniform = &errors[..uniform];
-        let squares: Vec<f64> = uniform.iter().map(|e| e * e).collect();
-        Deviation {
-            max,
-            max_rel,
-            rms: sum::mean(&squares).sqrt(),
-            mean: sum::mean(uniform),
-            at: place(worst),
-        }
+        let even: Vec<f64> = (0..errors.len()).filter(|i| uniform(*i)).map(|i| errors[i]).collect();
+        let squares: Vec<f64> = even.iter().map(|e| e * e).collect();
+        Deviation { max, max_rel, rms: sum::mean(&squares).sqrt(), mean: sum::mean(&even), at: place(worst) }
     }
 }
 

@@ -1,7 +1,9 @@
 //! Floor 3: the catalogue of effects. Each has its quantities, default tables, hypotheses and published rivals, and knows how
 //! to measure an approximation of its quantities against the truth.
 
+pub mod anisotropy;
 mod deviation;
+pub mod glass;
 mod quantity;
 pub mod reflection;
 pub mod volume;

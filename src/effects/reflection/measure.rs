@@ -76,5 +76,5 @@ fn signed(lookup: &Lookup, judged: Judged, points: &PointSet, truth: &Field, i: 
 fn over(lookup: &Lookup, judged: Judged, points: &PointSet, truth: &Field) -> Deviation {
     let errors: Vec<f64> =
         (0..points.len()).into_par_iter().map(|i| signed(lookup, judged, points, truth, i)).collect();
-    Deviation::of(&errors, &truth.e, points.uniform, |worst| points.place(worst))
+    Deviation::of(&errors, &truth.e, |i| i < points.uniform, |worst| points.place(worst))
 }

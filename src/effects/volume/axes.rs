@@ -17,7 +17,8 @@ pub fn aniso_axes(size: [usize; 3], roughness: [f64; 2], anisotropy: [f64; 2]) -
 /// Axes of the table with the azimuth: those of [`aniso_axes`], the columns looked up with the alpha towards the view,
 /// [`super::Azimuth::alpha`], in place of alpha. E at one column then hardly depends on the azimuth for small alpha.
 pub fn azimuth_axes(size: [usize; 3], roughness: [f64; 2], anisotropy: [f64; 2]) -> [Axis; 3] {
-    aniso_axes(size, roughness, anisotropy)
+    let [_, rows, slices] = aniso_axes(size, roughness, anisotropy);
+    [axis("mu", size[0], Warp::HomogeneousAzimuth, [0.0, 1.0]), rows, slices]
 }
 
 /// Axes of one side of glass over the given range of roughness and of ior, in [1, 4].

@@ -51,5 +51,5 @@ pub fn error_map(lookup: &Lookup, points: &Points, truth: &[f64]) -> Vec<f64> {
 
 fn deviation(lookup: &Lookup, points: &Points, truth: &[f64]) -> Deviation {
     let errors = error_map(lookup, points, truth);
-    Deviation::of(&errors, truth, points.uniform, |worst| points.place(worst))
+    Deviation::of(&errors, truth, |i| points.uniform[i], |worst| points.place(worst))
 }

@@ -16,6 +16,7 @@ mod measure;
 mod plan;
 mod points;
 mod region;
+mod spec;
 
 pub use axes::{aniso_axes, azimuth_axes, glass_axes};
 pub use azimuth::Azimuth;
@@ -24,6 +25,8 @@ pub use measure::{Errors, error_map, measure};
 pub use plan::{Node, VolumePlan};
 pub use points::{GROUP, Points};
 pub use region::{Region, Third, aspect};
+pub use spec::{Made, Spec, VolumeError};
+pub(in crate::effects) use spec::{alpha_nodes, channel};
 
 /// Samples per cell that the texels of glass are optimised on: four from slice to slice, where the error is.
 pub const GLASS_SAMPLES: [usize; 3] = [2, 1, 4];

@@ -14,9 +14,9 @@ pub const GROUP: usize = 8;
 pub struct Points {
     /// The points, group by group.
     pub all: Vec<Point>,
-    /// The first `uniform` are uniform in roughness, mu and the third input: RMS and mean are taken over them. The others crowd into
-    /// the layer mu ~ alpha, onto the edges and about the critical angle, where the largest errors hide.
-    pub uniform: usize,
+    /// Which are uniform in roughness, mu and the third input: RMS and mean are taken over them. The others crowd into the layer
+    /// mu ~ alpha, onto the edges and about the critical angle, where the largest errors hide.
+    pub uniform: Vec<bool>,
     /// The third input.
     third: Third,
 }
@@ -38,7 +38,7 @@ impl Points {
                 (lerp(region.roughness, base.coordinate(i, 0)), lerp(region.mu, base.coordinate(i, 1)));
             points.push(region, roughness, mu, spread(i));
         }
-        points.uniform = points.all.len();
+        let uniform = points.all.len();
         let layer = Sobol::new([0x2545_f491, 0x4f6c_dd1d, 0x94d0_49bb]);
         for i in 0..1_u32 << (log2 - 1) {
             let roughness = lerp(region.roughness, layer.coordinate(i, 0));
@@ -63,6 +63,7 @@ impl Points {
                 points.push(region, lerp(region.roughness, t), lerp(region.mu, end), ends);
             }
         }
+        points.uniform = (0..points.all.len()).map(|i| i < uniform).collect();
         points
     }
 
@@ -74,8 +75,13 @@ impl Points {
                 points.all.push(point(region, *r, *m, third));
             }
         }
-        points.uniform = points.all.len();
+        points.uniform = vec![true; points.all.len()];
         points
+    }
+
+    /// Points as they are given, with what tells which are uniform.
+    pub(in crate::effects) fn of(all: Vec<Point>, uniform: Vec<bool>, third: Third) -> Points {
+        Points { all, uniform, third }
     }
 
     /// Number of points.

@@ -1,0 +1,15 @@
+//! The effect `anisotropy`: tables of E of the anisotropic reflection lobe over mu, roughness and anisotropy, as the mean over the
+//! azimuth of the view or with it.
+
+mod path_tracer;
+mod points;
+mod table;
+mod truth;
+
+pub use path_tracer::{SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes};
+pub use points::Judge;
+pub use table::{build, sources};
+pub use truth::{at_azimuths, means};
+
+/// The quantity of this effect.
+pub const QUANTITY: &str = "ggx-reflection-aniso";

@@ -1,0 +1,37 @@
+//! The sources' layout of anisotropic reflection: 64 x 64 x 32, separable Smith, alpha = roughness.
+
+use crate::data::{Axis, Registration, Warp};
+
+/// Columns, rows, slices.
+pub const SIZE: [usize; 3] = [64, 64, 32];
+
+/// Least mu, alpha, alpha_x and alpha_y of the sources' texels.
+pub(super) const FLOOR: f64 = 1e-4;
+
+/// The axes on which the texels lie: mu = x/64, alpha = y/64, aspect = sqrt(1 - 0.9 sqrt(z/32)), so that z/32 is the square of the
+/// anisotropy. The last texel of each axis lies one step before 1.
+pub fn axes() -> [Axis; 3] {
+    let axis = |name: &str, size: usize, warp, max| Axis {
+        name: name.into(),
+        size,
+        registration: Registration::Endpoint,
+        warp,
+        min: 0.0,
+        max,
+    };
+    let last = |n: usize| (n - 1) as f64 / n as f64;
+    [
+        axis("mu", SIZE[0], Warp::Linear, last(SIZE[0])),
+        axis("roughness", SIZE[1], Warp::Linear, last(SIZE[1])),
+        axis("anisotropy", SIZE[2], Warp::Square, last(SIZE[2]).sqrt()),
+    ]
+}
+
+/// mu, alpha and aspect of the nodes, clamped as the sources clamp them.
+pub(super) fn grid() -> [Vec<f64>; 3] {
+    let at = |i: usize, n: usize| i as f64 / n as f64;
+    let mu = (0..SIZE[0]).map(|x| at(x, SIZE[0]).clamp(FLOOR, 0.9999)).collect();
+    let alpha = (0..SIZE[1]).map(|y| at(y, SIZE[1]).clamp(FLOOR, 1.0)).collect();
+    let aspect = (0..SIZE[2]).map(|z| (1.0 - 0.9 * at(z, SIZE[2]).sqrt()).sqrt()).collect();
+    [mu, alpha, aspect]
+}

@@ -1,0 +1,97 @@
+//! Points at which the lookups of this effect are measured: every combination of scrambled roughnesses and anisotropies, each roughness
+//! with cosines of its own, since the truth is cheapest on such a grid.
+
+use crate::effects::volume::{Point, Points, Region, Third, aspect};
+use crate::math::sobol::Sobol;
+
+/// Roughnesses, anisotropies, and cosines of each kind: uniform, and in the layer mu ~ alpha.
+const COUNT: [usize; 3] = [96, 24, 40];
+
+/// The points with the grid that they lie on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judge {
+    /// The points: columns fastest, then rows, then slices.
+    pub points: Points,
+    /// Roughness and alpha of each row.
+    pub(super) rows: Vec<Point>,
+    /// Anisotropy of each slice.
+    pub(super) slices: Vec<f32>,
+    /// Cosines of each row: the uniform ones, then those in the layer.
+    pub(super) cosines: Vec<Vec<f32>>,
+    region: Region,
+}
+
+impl Judge {
+    /// The points of a region; both ends of every range are among them. Azimuths are scrambled, too.
+    pub fn new(region: &Region) -> Judge {
+        let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
+        let rows: Vec<Point> = spread(COUNT[0], region.roughness, |i| base.coordinate(i, 0))
+            .map(|roughness| {
+                let roughness = roughness as f32;
+                Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), ..Point::default() }
+            })
+            .collect();
+        let slices: Vec<f32> =
+            spread(COUNT[1], region.span, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
+        let cosines: Vec<Vec<f32>> =
+            rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
+        let azimuth = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]);
+        let mut all = Vec::with_capacity(rows.len() * slices.len() * 2 * COUNT[2]);
+        for &anisotropy in &slices {
+            for (row, cosines) in rows.iter().zip(&cosines) {
+                for &mu in cosines {
+                    let phi = std::f64::consts::FRAC_PI_2 * azimuth.coordinate(all.len() as u32, 0);
+                    let cosine = crate::math::ops::cos(phi);
+                    let cos2_phi = match all.len() % 16 {
+                        0 => 0.0,
+                        8 => 1.0,
+                        _ => (cosine * cosine) as f32,
+                    };
+                    all.push(Point { mu, anisotropy, cos2_phi, ..*row });
+                }
+            }
+        }
+        let uniform = (0..all.len()).map(|i| i % (2 * COUNT[2]) < COUNT[2]).collect();
+        let points = Points::of(all, uniform, Third::Anisotropy);
+        Judge { points, rows, slices, cosines, region: *region }
+    }
+
+    /// Cosines of each row.
+    pub(super) fn columns(&self) -> usize {
+        2 * COUNT[2]
+    }
+
+    pub(super) fn alpha(&self) -> [f64; 2] {
+        let alpha = self.rows.iter().map(|p| f64::from(p.alpha));
+        [alpha.clone().fold(f64::INFINITY, f64::min), alpha.fold(0.0, f64::max)]
+    }
+
+    pub(super) fn aspect(&self) -> [f64; 2] {
+        [self.region.span[1], self.region.span[0]].map(|a| aspect(f64::from(a as f32)))
+    }
+
+    pub(super) fn mu(&self) -> [f64; 2] {
+        let mu = self.cosines.iter().flatten().map(|m| f64::from(*m));
+        [mu.clone().fold(f64::INFINITY, f64::min), mu.fold(0.0, f64::max)]
+    }
+}
+
+/// `n` scrambled values of a range, its ends first.
+fn spread(n: usize, range: [f64; 2], at: impl Fn(u32) -> f64) -> impl Iterator<Item = f64> {
+    let inner = (0..n as u32 - 2).map(move |i| range[0] + (range[1] - range[0]) * at(i));
+    range.into_iter().chain(inner)
+}
+
+/// Cosines of a row, the ends of the range among each kind.
+fn cosines(region: &Region, row: u32, alpha: f64) -> Vec<f32> {
+    let sobol = Sobol::new([
+        row.wrapping_mul(0x9e37_79b9) ^ 0x94d0_49bb,
+        row.wrapping_mul(0x85eb_ca6b) ^ 0x1b87_3593,
+        0,
+    ]);
+    let uniform = spread(COUNT[2], region.mu, |i| sobol.coordinate(i, 0));
+    let ends = region.mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt());
+    let layer = spread(COUNT[2], ends, |i| sobol.coordinate(i, 1));
+    let homogeneous = |u: f64| (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(region.mu[0], region.mu[1]);
+    uniform.chain(layer.map(homogeneous)).map(|mu| mu as f32).collect()
+}

@@ -1,0 +1,116 @@
+//! The tables of this effect, in all layouts.
+
+use super::path_tracer::{self, FLOOR};
+use super::{QUANTITY, truth};
+use crate::data::{Axis, Smith, Surface, Table, VolumeLayout};
+use crate::effects::volume::{
+    ANISO_SAMPLES, Azimuth, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, aniso_axes,
+    aspect, azimuth_axes, channel,
+};
+use crate::integrate::IntegrateError;
+use crate::integrate::aniso::table::{Columns, Grid, Tabulated, tabulate};
+
+/// Largest error of a texel of the sources' layout.
+const SAMPLED: f64 = 1e-6;
+
+/// Largest error of the targets that the texels of our layout are optimised for, a hundredth of what the lookup leaves.
+const TARGETS: f64 = 1e-5;
+
+/// The table, its texels not yet rounded.
+///
+/// Errors: a truth that cannot be integrated.
+pub fn build(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+    match spec.layout {
+        VolumeLayout::Optimised => optimised(spec),
+        VolumeLayout::PathTracer => sampled(spec),
+        VolumeLayout::Azimuth => with_azimuth(spec),
+    }
+}
+
+/// Every texel of the sources' layout, within `tolerance`.
+pub fn sources(smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
+    let [mu, alphas, aspects] = path_tracer::grid();
+    let grid = Grid { columns: Columns::Fixed(&mu), alphas: &alphas, aspects: &aspects, floor: FLOOR };
+    tabulate(smith, &grid, tolerance)
+}
+
+fn sampled(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+    let texels = sources(spec.smith, SAMPLED)?;
+    let made = made(&texels);
+    Ok((spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels.e)])?, made))
+}
+
+fn made(table: &Tabulated) -> Made {
+    let evaluations = table.evaluations + table.checked.evaluations;
+    Made { evaluations, integration: table.checked.worst }
+}
+
+fn optimised(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+    let Spec { smith, size, region, .. } = spec;
+    let axes = aniso_axes(*size, region.roughness, region.span);
+    let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
+    let plan = VolumePlan::new(axes.clone(), region.alpha_map, ANISO_SAMPLES, nodes, region.mu[0]);
+    // Columns fastest, then slices, then nodes of alpha.
+    let points = plan.points();
+    let columns =
+        points.iter().take_while(|p| (p.alpha, p.third) == (points[0].alpha, points[0].third)).count();
+    let per_node = points.iter().take_while(|p| p.alpha == points[0].alpha).count();
+    let alphas: Vec<f64> = points.iter().step_by(per_node).map(|p| p.alpha).collect();
+    let aspects: Vec<f64> = points[..per_node].iter().step_by(columns).map(|p| aspect(p.third)).collect();
+    let row = |alpha: f64| alphas.iter().position(|a| *a == alpha).unwrap_or(0);
+    let mu = |column: usize, alpha: f64, _: f64| points[row(alpha) * per_node + column].mu;
+    let grid = Grid {
+        columns: Columns::Varying { count: columns, mu: &mu },
+        alphas: &alphas,
+        aspects: &aspects,
+        floor: 0.0,
+    };
+    let table = tabulate(*smith, &grid, TARGETS)?;
+    let loss = |i: usize, _: &Node| {
+        let (column, slice, node) = (i % columns, i / columns % aspects.len(), i / per_node);
+        1.0 - table.e[(slice * alphas.len() + node) * columns + column]
+    };
+    let losses: Vec<f64> = points.iter().enumerate().map(|(i, p)| loss(i, p)).collect();
+    let texels = plan.texels(&losses, ROUNDS).0;
+    let made = made(&table);
+    Ok((spec.table(QUANTITY, axes, vec![channel("loss", texels)])?, made))
+}
+
+/// The cubic of the azimuth at every texel, from exact values.
+fn with_azimuth(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+    let Spec { smith, region, .. } = spec;
+    let axes = azimuth_axes(spec.size, region.roughness, region.span);
+    let surface = Surface::<f64>::rough(0.0);
+    let rows: Vec<f64> =
+        (0..spec.size[1]).map(|i| region.alpha_map.alpha(axes[1].node(i, surface))).collect();
+    let aspects: Vec<f64> = (0..spec.size[2]).map(|i| aspect(axes[2].node(i, surface))).collect();
+    // Below the region's mu a lookup at its edge still blends with a texel.
+    let mu = [0.25 * region.mu[0], 1.0];
+    let ends = [aspects[aspects.len() - 1], aspects[0]];
+    let truth = truth::azimuthal(*smith, [rows[0], rows[rows.len() - 1]], ends, mu)?;
+    let mut channels = [0, 1, 2, 3].map(|k| channel(&format!("c{k}"), Vec::new()));
+    for &aspect in &aspects {
+        for &alpha in &rows {
+            let (pinned, lobe) = (truth.pinned(alpha, aspect), Azimuth { alpha, aspect });
+            for column in 0..spec.size[0] {
+                let losses: Vec<f64> = Azimuth::samples()
+                    .into_iter()
+                    .map(|t| {
+                        let mu = node(&axes[0], column, lobe.alpha(t)).clamp(mu[0], mu[1]);
+                        1.0 - pinned.at(mu, lobe.phi(t))
+                    })
+                    .collect();
+                for (channel, coefficient) in channels.iter_mut().zip(Azimuth::cubic(&losses)) {
+                    channel.texels.push(coefficient);
+                }
+            }
+        }
+    }
+    let made = Made { evaluations: truth.evaluations(), integration: truth.worst() };
+    Ok((spec.table(QUANTITY, axes, channels.to_vec())?, made))
+}
+
+/// mu of a column where the alpha towards the view is `towards`.
+fn node(columns: &Axis, column: usize, towards: f64) -> f64 {
+    columns.node(column, Surface::<f64>::rough(towards))
+}

@@ -1,0 +1,56 @@
+//! E at many points.
+
+use rayon::prelude::*;
+
+use super::points::Judge;
+use crate::data::Smith;
+use crate::effects::volume::{Made, aspect};
+use crate::integrate::IntegrateError;
+use crate::integrate::aniso::table::{Azimuthal, Columns, Grid, tabulate};
+
+/// Tolerance of the means that lookups are judged against.
+const JUDGED: f64 = 1e-6;
+
+/// Tolerance of E at an azimuth that lookups are judged against.
+const JUDGED_AZIMUTH: f64 = 1e-5;
+
+/// The mean over the azimuth at the points of a judge, in their order.
+pub fn means(smith: Smith, judge: &Judge) -> Result<(Vec<f64>, Made), IntegrateError> {
+    let alphas: Vec<f64> = judge.rows.iter().map(|p| f64::from(p.alpha)).collect();
+    let aspects: Vec<f64> = judge.slices.iter().map(|a| aspect(f64::from(*a))).collect();
+    let row = |alpha: f64| alphas.iter().position(|a| *a == alpha).unwrap_or(0);
+    let mu = |column: usize, alpha: f64, _: f64| f64::from(judge.cosines[row(alpha)][column]);
+    let columns = Columns::Varying { count: judge.columns(), mu: &mu };
+    let table = tabulate(smith, &Grid { columns, alphas: &alphas, aspects: &aspects, floor: 0.0 }, JUDGED)?;
+    let evaluations = table.evaluations + table.checked.evaluations;
+    Ok((table.e, Made { evaluations, integration: table.checked.worst }))
+}
+
+/// E at the points of a judge, each at its own azimuth.
+pub fn at_azimuths(smith: Smith, judge: &Judge) -> Result<(Vec<f64>, Made), IntegrateError> {
+    let truth = azimuthal(smith, judge.alpha(), judge.aspect(), judge.mu())?;
+    let points = &judge.points.all;
+    let lines: Vec<Vec<f64>> = points
+        .par_chunks(judge.columns())
+        .map(|line| {
+            let pinned = truth.pinned(f64::from(line[0].alpha), aspect(f64::from(line[0].anisotropy)));
+            let phi = |cos2: f32| {
+                let cos2 = f64::from(cos2);
+                crate::math::ops::atan2((1.0 - cos2).sqrt(), cos2.sqrt())
+            };
+            line.iter().map(|p| pinned.at(f64::from(p.mu), phi(p.cos2_phi))).collect()
+        })
+        .collect();
+    let made = Made { evaluations: truth.evaluations(), integration: truth.worst() };
+    Ok((lines.into_iter().flatten().collect(), made))
+}
+
+/// E at any azimuth, within 1e-5 over these ranges.
+pub(super) fn azimuthal(
+    smith: Smith,
+    alpha: [f64; 2],
+    aspect: [f64; 2],
+    mu: [f64; 2],
+) -> Result<Azimuthal, IntegrateError> {
+    Azimuthal::new(smith, alpha, aspect, mu, JUDGED_AZIMUTH)
+}

@@ -1,0 +1,82 @@
+//! The effect `glass`: tables of R + T of a rough dielectric interface over mu, roughness and index of refraction, one for rays from
+//! outside and one for rays from inside.
+
+mod path_tracer;
+mod table;
+
+use rayon::prelude::*;
+
+use crate::data::Smith;
+use crate::effects::volume::{Made, Points};
+use crate::integrate::IntegrateError;
+use crate::integrate::glass::Side;
+use crate::integrate::glass::table::{Energies, Kernel};
+
+pub use path_tracer::{SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid};
+pub use table::build;
+
+/// The quantity of this effect.
+pub const QUANTITY: &str = "ggx-glass";
+
+/// Tolerance of the truths that lookups are judged against.
+const JUDGED: f64 = 1e-6;
+
+/// E from outside and from inside at every point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Truth {
+    /// From outside.
+    pub outside: Vec<f64>,
+    /// From inside.
+    pub inside: Vec<f64>,
+    /// What it took.
+    pub made: Made,
+}
+
+impl Truth {
+    /// Integrates at every point, within 1e-6.
+    pub fn at(smith: Smith, points: &Points) -> Result<Truth, IntegrateError> {
+        let inputs: Vec<[f64; 3]> =
+            points.all.iter().map(|p| [f64::from(p.alpha), f64::from(p.mu), f64::from(p.ior)]).collect();
+        let (both, evaluations) = energies(smith, &inputs, JUDGED)?;
+        Ok(Truth {
+            outside: both.iter().map(|e| e[0]).collect(),
+            inside: both.iter().map(|e| e[1]).collect(),
+            made: Made { evaluations, integration: JUDGED },
+        })
+    }
+
+    /// Of one side.
+    pub fn of(&self, side: Side) -> &[f64] {
+        match side {
+            Side::Outside => &self.outside,
+            Side::Inside => &self.inside,
+        }
+    }
+}
+
+/// Points of one task: work is cut by index alone.
+const CHUNK: usize = 256;
+
+/// E of both sides at (alpha, mu, ior), and the evaluations that took.
+fn energies(
+    smith: Smith,
+    inputs: &[[f64; 3]],
+    tolerance: f64,
+) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
+    let kernel = Kernel::new(smith, tolerance)?;
+    let parts: Vec<(Vec<[f64; 2]>, u64)> = inputs
+        .par_chunks(CHUNK)
+        .map(|chunk| {
+            let mut evaluations = 0;
+            let mut values = Vec::with_capacity(chunk.len());
+            for [alpha, mu, ior] in chunk {
+                let mut one = [Energies::default()];
+                evaluations += kernel.energies(*alpha, *mu, &[*ior], &mut one)?;
+                values.push(one[0].e());
+            }
+            Ok((values, evaluations))
+        })
+        .collect::<Result<_, IntegrateError>>()?;
+    let evaluations = parts.iter().map(|(_, n)| n).sum();
+    Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
+}

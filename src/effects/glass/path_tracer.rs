@@ -1,0 +1,33 @@
+//! The sources' layout of rough glass: 128 x 128 x 32, separable Smith, alpha = roughness.
+
+use crate::data::{Axis, Registration, Warp};
+
+/// Columns, rows, slices.
+pub const SIZE: [usize; 3] = [128, 128, 32];
+
+/// The axes on which the texels lie: mu = (x/127)^2, alpha = y/127, ior = 1 + z/31. The sources clamp mu to [0.01, 0.9999], alpha to
+/// [0.01, 1] and ior to [1.0001, 2] where they compute a texel.
+pub fn axes() -> [Axis; 3] {
+    let axis = |name: &str, size, warp, min, max| Axis {
+        name: name.into(),
+        size,
+        registration: Registration::Endpoint,
+        warp,
+        min,
+        max,
+    };
+    [
+        axis("mu", SIZE[0], Warp::Sqrt, 0.0, 1.0),
+        axis("roughness", SIZE[1], Warp::Linear, 0.0, 1.0),
+        axis("ior", SIZE[2], Warp::Linear, 1.0, 2.0),
+    ]
+}
+
+/// mu, alpha and ior of the nodes, clamped as the sources clamp them.
+pub fn grid() -> [Vec<f64>; 3] {
+    let at = |i: usize, n: usize| i as f64 / (n - 1) as f64;
+    let mu = (0..SIZE[0]).map(|x| (at(x, SIZE[0]) * at(x, SIZE[0])).clamp(0.01, 0.9999)).collect();
+    let alpha = (0..SIZE[1]).map(|y| at(y, SIZE[1]).clamp(0.01, 1.0)).collect();
+    let ior = (0..SIZE[2]).map(|z| 1.0 + at(z, SIZE[2]).clamp(1e-4, 1.0)).collect();
+    [mu, alpha, ior]
+}

@@ -1,0 +1,62 @@
+//! The tables of this effect, in both layouts.
+
+use super::{QUANTITY, energies, path_tracer};
+use crate::data::{Smith, Table, VolumeLayout};
+use crate::effects::volume::{
+    GLASS_SAMPLES, Made, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, channel, glass_axes,
+};
+use crate::integrate::IntegrateError;
+use crate::integrate::glass::table::{GlassGrid, Tabulated, tabulate};
+
+/// Largest error of a texel of the sources' layout.
+const SAMPLED: f64 = 1e-6;
+
+/// Largest error of the targets that the texels of our layout are optimised for, a hundredth of what the lookup leaves.
+const TARGETS: f64 = 1e-5;
+
+/// The tables for rays from outside and from inside, which share their integrals; texels not yet rounded. `specs` differ in their names.
+///
+/// Errors: a truth that cannot be integrated; a layout that has no glass.
+pub fn build(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
+    match specs[0].layout {
+        VolumeLayout::Optimised => optimised(specs),
+        VolumeLayout::PathTracer => sampled(specs),
+        VolumeLayout::Azimuth => {
+            Err(VolumeError::Layout { table: specs[0].name.clone(), layout: VolumeLayout::Azimuth.name() })
+        }
+    }
+}
+
+/// Every texel of the sources' layout, within `tolerance`.
+pub fn sources(smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
+    let [mu, alphas, iors] = path_tracer::grid();
+    tabulate(&GlassGrid {
+        smith,
+        alphas: &alphas,
+        columns: mu.len(),
+        iors: &iors,
+        mu: &|column, _, _| mu[column],
+        tolerance,
+    })
+}
+
+fn sampled(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
+    let texels = sources(specs[0].smith, SAMPLED)?;
+    let made = Made { evaluations: texels.evaluations, integration: texels.checked.worst };
+    let table = |spec: &Spec, texels| spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels)]);
+    Ok(([table(&specs[0], texels.outside)?, table(&specs[1], texels.inside)?], made))
+}
+
+fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
+    let Spec { smith, size, region, .. } = &specs[0];
+    let axes = glass_axes(*size, region.roughness, region.span);
+    let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
+    let plan = VolumePlan::new(axes.clone(), region.alpha_map, GLASS_SAMPLES, nodes, region.mu[0]);
+    let inputs: Vec<[f64; 3]> = plan.points().iter().map(|p| [p.alpha, p.mu, p.third]).collect();
+    let (both, evaluations) = energies(*smith, &inputs, TARGETS)?;
+    let table = |side: usize| {
+        let losses: Vec<f64> = both.iter().map(|e| 1.0 - e[side]).collect();
+        specs[side].table(QUANTITY, axes.clone(), vec![channel("loss", plan.texels(&losses, ROUNDS).0)])
+    };
+    Ok(([table(0)?, table(1)?], Made { evaluations, integration: TARGETS }))
+}
