@@ -105,11 +105,11 @@ fn files(root: &Path, folder: &str, entries: &Entries) -> Result<Files, KeptErro
     }
 }
 
-/// Every file that an entry names: its own, and its other containers.
+/// Every file that an entry names: its own, or those of all its containers.
 fn listed(entry: &Value) -> Vec<String> {
-    let own = entry["file"].as_str().map(String::from);
-    let more = entry["containers"].as_array().into_iter().flatten();
-    own.into_iter().chain(more.filter_map(|c| c["file"].as_str().map(String::from))).collect()
+    let all = entry["files"].as_array().into_iter().flatten();
+    let all: Vec<String> = all.filter_map(|file| file.as_str().map(String::from)).collect();
+    if all.is_empty() { entry["file"].as_str().map(String::from).into_iter().collect() } else { all }
 }
 
 /// The effect's sections of the include files that the manifest lists.

@@ -2,6 +2,7 @@
 //! scene gives the same bytes.
 
 mod compare;
+mod containers;
 mod context;
 mod includes;
 mod kept;
@@ -9,10 +10,13 @@ mod names;
 mod part;
 mod recipe;
 mod reflection;
+mod volume;
 
 use crate::data::{AlphaMap, Smith, TableError};
 use crate::effects::reflection::{Counter, Dropped, Fit, FitStageError};
+use crate::effects::volume::{LookupError, VolumeError};
 use crate::emit::code;
+use crate::emit::container::ContainerError;
 use crate::emit::exr::ExrError;
 use crate::integrate::IntegrateError;
 use crate::plan::{EffectName, Plan};
@@ -26,6 +30,7 @@ pub use kept::{KeptError, kept};
 pub use part::Part;
 pub use recipe::{UserHypothesis, recipe};
 pub use reflection::BakedTable;
+pub use volume::BakedVolume;
 
 /// What a bake made.
 #[derive(Debug)]
@@ -42,6 +47,8 @@ pub struct Baked {
     pub fits: Vec<Fit>,
     /// Hypotheses of the catalogue that have no reliable fit in this scene.
     pub dropped: Vec<Dropped>,
+    /// Tables of three axes.
+    pub volumes: Vec<BakedVolume>,
 }
 
 /// Why a bake made nothing.
@@ -87,12 +94,15 @@ pub enum BakeError {
         /// What the printer says.
         reason: String,
     },
-    /// Tables that are planned and not made yet.
-    #[error("{table}: this version plans tables of three axes and does not bake them")]
-    Volume {
-        /// The first of them.
-        table: String,
-    },
+    /// A table of three axes.
+    #[error(transparent)]
+    Volume(#[from] VolumeError),
+    /// A table cannot be looked up.
+    #[error(transparent)]
+    Lookup(#[from] LookupError),
+    /// A table cannot be put into a file.
+    #[error(transparent)]
+    Container(#[from] ContainerError),
     /// A defect of this program.
     #[error("internal error: {0}")]
     Internal(String),
@@ -118,9 +128,6 @@ pub fn bake(
     selection: Selection,
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
-    if let Some(table) = plan.volumes.iter().flat_map(|job| &job.tables).next() {
-        return Err(BakeError::Volume { table: table.name.clone() });
-    }
     let recipe = recipe(scene, hypotheses)?;
     let mut context = Context { recipe, counter: Counter::default(), broken: Vec::new(), progress };
     names::check(hypotheses)?;
@@ -132,12 +139,16 @@ pub fn bake(
         tables: Vec::new(),
         fits: Vec::new(),
         dropped: Vec::new(),
+        volumes: Vec::new(),
     };
     let mut parts = selection.kept;
     for effect in plan.effects.iter().filter(|e| wanted(e.effect)) {
         match effect.effect {
             EffectName::Reflection => {
                 parts.push(reflection::part(scene, plan, effect, hypotheses, &mut baked, &mut context)?);
+            }
+            EffectName::Anisotropy | EffectName::Glass => {
+                parts.push(volume::part(scene, plan, effect, &mut baked, &mut context)?);
             }
             other => {
                 return Err(BakeError::Internal(format!("no bake of the effect {}", other.name())));

@@ -286,6 +286,25 @@ impl Axis {
         }
     }
 
+    /// Operations of [`Axis::texture_coordinate`] by the model of [`Cost`](super::Cost); a mul fuses into a following add.
+    ///
+    /// `Homogeneous`: 1 + alpha, times mu, mu + alpha, division 5, sqrt 4. `HomogeneousAzimuth`: q 1, division 5, 1 - c, fma, sqrt 4,
+    /// times alpha before that. `HomogeneousIor`: ior - 1, max, sqrt 4, fma before that. `Ior`: x - min, max, sqrt 4, c from sqrt 4 and
+    /// fma, two sums, two products, division 5, sum, sqrt 4. `Aspect`: fma, sqrt 4.
+    pub fn ops(&self) -> u32 {
+        let warp = match self.warp {
+            Warp::Linear => 0,
+            Warp::Square => 1,
+            Warp::Sqrt => 4,
+            Warp::Aspect => 5,
+            Warp::Homogeneous => 12,
+            Warp::HomogeneousIor => 7 + 12,
+            Warp::HomogeneousAzimuth => 13 + 12,
+            Warp::Ior => 25,
+        };
+        warp + if self.affine() == (1.0, 0.0) { 0 } else { 1 }
+    }
+
     /// Physical value of texel `i`.
     pub fn node(&self, i: usize, surface: Surface<f64>) -> f64 {
         self.physical(self.registration.coordinate(i, self.size), surface)

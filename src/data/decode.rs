@@ -1,6 +1,6 @@
 //! What the channels of a table mean.
 
-use super::{Layout, Serves, Surface};
+use super::{Layout, Serves, Surface, VolumeLayout};
 use crate::math::ops;
 
 /// How values follow from the channels of a texel. Another meaning is another variant: its channels, its formula, its f32
@@ -28,6 +28,27 @@ impl Decode {
             (Layout::Homogeneous, Serves::SplitSum) => Decode::LossBias,
             (_, Serves::Albedo) => Decode::Albedo,
             (_, Serves::SplitSum) => Decode::SplitSum,
+        }
+    }
+
+    /// The decoding of a table of three axes.
+    pub fn of_volume(layout: VolumeLayout) -> Decode {
+        match layout {
+            VolumeLayout::Optimised => Decode::Loss,
+            VolumeLayout::PathTracer => Decode::Albedo,
+            VolumeLayout::Azimuth => Decode::AzimuthCubic,
+        }
+    }
+
+    /// Operations of the decoding by the model of [`Cost`](super::Cost), what it shares with the coordinates counted there.
+    ///
+    /// `AzimuthCubic`: two log2 8, max 1, division 5, three fma, 1 - x. `LossBias`: see its formula.
+    pub fn ops(self) -> u32 {
+        match self {
+            Decode::Albedo => 0,
+            Decode::Loss | Decode::SplitSum => 1,
+            Decode::LossBias => 7,
+            Decode::AzimuthCubic => 18,
         }
     }
 

@@ -72,8 +72,10 @@ pub struct TableEntry {
     pub effect: &'static str,
     /// Name.
     pub name: String,
-    /// File, relative to the manifest.
+    /// File, relative to the manifest: the first of `files`.
     pub file: String,
+    /// Its files in all containers, with their sidecars.
+    pub files: Vec<String>,
     /// Quantity.
     pub quantity: String,
     /// What it is looked up for: `value` (E) or `f0-blend` (f0 A + B).
@@ -263,6 +265,7 @@ impl TableEntry {
             effect,
             name: table.name.clone(),
             file: format!("tables/{}.exr", table.name),
+            files: vec![format!("tables/{}.exr", table.name)],
             quantity: table.quantity.clone(),
             used_as: approximation.used_as.name(),
             smith: table.smith.name(),
@@ -275,6 +278,14 @@ impl TableEntry {
             bytes: table.bytes(),
             cost: CostEntry::new(approximation),
         }
+    }
+}
+
+impl TableEntry {
+    /// The entry of a table that lies in these files.
+    pub fn in_files(self, files: Vec<String>) -> TableEntry {
+        let file = files.first().cloned().unwrap_or_default();
+        TableEntry { file, files, ..self }
     }
 }
 

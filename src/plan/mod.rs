@@ -10,7 +10,7 @@ mod volumes;
 mod work;
 
 pub use effect::{Effect, EffectName, JobSummary, LeftOut};
-pub use job::{FitJob, FitPromise, Limit, TableJob, VolumeJob, VolumeSpan, VolumeTable};
+pub use job::{FitJob, FitPromise, JUDGED_MU, Limit, TableJob, VolumeJob, VolumeSpan, VolumeTable};
 
 use serde::Serialize;
 

@@ -277,7 +277,7 @@ fn within(name: &str, folder: &str) -> bool {
     name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
 }
 
-/// The files that a manifest lists: every string under a key `file`.
+/// The files that a manifest lists: every string under a key `file`, and in the lists under a key `files`.
 fn listed(bytes: &[u8]) -> Result<BTreeSet<String>, String> {
     let manifest: Value = serde_json::from_slice(bytes).map_err(|e| e.to_string())?;
     let known = |key: &&str| manifest.get(key).is_some_and(Value::is_array);
@@ -291,9 +291,10 @@ fn listed(bytes: &[u8]) -> Result<BTreeSet<String>, String> {
             Value::Array(items) => pending.extend(items),
             Value::Object(fields) => {
                 pending.extend(fields.values());
-                if let Some(Value::String(file)) = fields.get("file") {
-                    files.insert(file.clone());
-                }
+                let listed = fields.get("files").and_then(Value::as_array).into_iter().flatten();
+                files.extend(
+                    fields.get("file").into_iter().chain(listed).filter_map(Value::as_str).map(String::from),
+                );
             }
             _ => {}
         }

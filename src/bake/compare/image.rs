@@ -1,8 +1,7 @@
 //! Tables: texel against texel.
 
 use super::{Difference, Kind, plain};
-use crate::bake::Baked;
-use crate::bake::reflection::{BakedTable, measured_again};
+use crate::bake::{Baked, BakedTable, BakedVolume, reflection, volume};
 use crate::data::{Channel, TexelFormat};
 use crate::emit::exr::{self, Decoded};
 
@@ -16,11 +15,21 @@ pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Di
         let (want, have) = (words(&expected), words(&found));
         return plain(file, Kind::Different, &format!("{have} where the recipe gives {want}"));
     }
-    let table = baked.tables.iter().find(|t| file == format!("tables/{}.exr", t.approximation.name));
-    let format = table.and_then(BakedTable::table).map_or(TexelFormat::F32, |t| t.format);
+    let named = |name: &str| file == format!("tables/{name}.exr");
+    let table = baked.tables.iter().find(|t| named(&t.approximation.name));
+    let volume = baked.volumes.iter().find(|t| named(&t.approximation.name));
+    let texels_of = table.and_then(BakedTable::table).or_else(|| volume.and_then(BakedVolume::table));
+    let format = texels_of.map_or(TexelFormat::F32, |t| t.format);
     let mut difference = texels(file, &expected, &found, format);
-    if let Some(table) = table.filter(|_| difference.max_abs != Some(0.0)) {
-        judge(table, found, &mut difference);
+    if difference.max_abs != Some(0.0) {
+        if let Some(table) = table {
+            let again = |channels: &[Channel]| reflection::measured_again(table, channels);
+            judge(table.errors.lookup.max, &found.channels, &mut difference, again);
+        } else if let Some(baked) = volume {
+            // Slices lie one below the other: the order of texels is the table's.
+            let again = |channels: &[Channel]| volume::measured_again(baked, channels);
+            judge(baked.errors.lookup.max, &found.channels, &mut difference, again);
+        }
     }
     difference
 }
@@ -80,15 +89,18 @@ fn ordered(bits: u64, sign: u32) -> i64 {
 }
 
 /// Measures the texels found against the truth.
-fn judge(table: &BakedTable, found: Decoded, difference: &mut Difference) {
-    let channels: Vec<Channel> = found.channels;
+fn judge(
+    stated: f64,
+    channels: &[Channel],
+    difference: &mut Difference,
+    measured_again: impl Fn(&[Channel]) -> Option<f64>,
+) {
     if channels.iter().any(|c| c.texels.iter().any(|t| !t.is_finite())) {
         difference.promise_kept = Some(false);
         difference.detail += "; promise broken: a texel is not finite";
         return;
     }
-    let stated = table.errors.lookup.max;
-    if let Some(error) = measured_again(table, &channels) {
+    if let Some(error) = measured_again(channels) {
         let kept = error <= stated;
         let word = if kept { "kept at the points tried" } else { "broken" };
         difference.promise_kept = Some(kept);

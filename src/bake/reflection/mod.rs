@@ -9,9 +9,10 @@ mod tables;
 use super::context::Context;
 use super::part::{Part, canonical};
 use super::{BakeError, Baked, UserHypothesis};
+use crate::bake::containers::contained;
+use crate::data::{Container, Decode};
 use crate::effects::reflection::{Dropped, FitSet};
 use crate::emit::manifest::{Entries, FitEntry, FitLeftOut, LookupEntry, Report, TableEntry};
-use crate::emit::{exr, header};
 use crate::plan::{Effect, Plan};
 use crate::report;
 use crate::scene::Scene;
@@ -38,7 +39,7 @@ pub fn part(
     let tables = tables::bake_tables(&plan.tables, context)?;
     let mut entries = Entries::default();
     let mut files = Files::new();
-    emit_tables(&tables, context, &mut files, &mut entries)?;
+    emit_tables(&tables, &scene.formats, context, &mut files, &mut entries)?;
     for fit in fits.iter().filter(|f| f.emitted) {
         if let Some(entry) = FitEntry::new(EFFECT, scene.alpha.name(), &fit.approximation) {
             entries.fits.push(canonical(&entry)?);
@@ -73,21 +74,18 @@ fn left_out_fit(dropped: &Dropped) -> FitLeftOut {
 
 fn emit_tables(
     tables: &[BakedTable],
+    formats: &[Container],
     context: &Context,
     files: &mut Files,
     entries: &mut Entries,
 ) -> Result<(), BakeError> {
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let decode = crate::effects::reflection::decode(baked.layout, baked.serves);
-        let lines =
-            [context.recipe.lines(), header::table_lines(table, decode, &baked.approximation.certificate)];
-        let text = lines.concat().join("\n");
-        let path = format!("tables/{}.exr", table.name);
-        files.insert(path, exr::encode(table, &[("lobefit".to_string(), text)])?);
-        let decode = decode.iter().copied().collect();
-        let entry = TableEntry::new(EFFECT, &baked.approximation, table, decode, errors(baked));
-        entries.tables.push(canonical(&entry)?);
+        let decode = Decode::of(baked.layout, baked.serves);
+        let written = contained(table, decode, &baked.approximation.certificate, formats, context, files)?;
+        let formulas = decode.formulas().iter().copied().collect();
+        let entry = TableEntry::new(EFFECT, &baked.approximation, table, formulas, errors(baked));
+        entries.tables.push(canonical(&entry.in_files(written))?);
     }
     Ok(())
 }

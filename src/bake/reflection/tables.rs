@@ -11,10 +11,7 @@ use crate::effects::reflection::{
     Counter, Errors, Field, PointSet, Region, TableSpec, build, certification, lookup_ops, measure,
 };
 use crate::fit::round_up;
-use crate::plan::TableJob;
-
-/// Cosines over which tables are judged.
-const JUDGED_MU: [f64; 2] = [0.001, 1.0];
+use crate::plan::{JUDGED_MU, TableJob};
 
 /// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 17;

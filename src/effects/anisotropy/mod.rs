@@ -9,7 +9,7 @@ mod truth;
 pub use path_tracer::{SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes};
 pub use points::Judge;
 pub use table::{build, sources};
-pub use truth::{at_azimuths, means};
+pub use truth::{AzimuthMap, at_azimuths, azimuth_map, means, means_on};
 
 /// The quantity of this effect.
 pub const QUANTITY: &str = "ggx-reflection-aniso";

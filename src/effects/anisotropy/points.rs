@@ -22,8 +22,9 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// The points of a region; both ends of every range are among them. Azimuths are scrambled, too.
-    pub fn new(region: &Region) -> Judge {
+    /// The points of a region; both ends of every range are among them. With `azimuth` each has an
+    /// azimuth of its own, scrambled over [0, pi/2] with its ends; else all have 0, which nothing reads.
+    pub fn new(region: &Region, azimuth: bool) -> Judge {
         let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
         let rows: Vec<Point> = spread(COUNT[0], region.roughness, |i| base.coordinate(i, 0))
             .map(|roughness| {
@@ -35,14 +36,15 @@ impl Judge {
             spread(COUNT[1], region.span, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
         let cosines: Vec<Vec<f32>> =
             rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
-        let azimuth = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]);
+        let azimuths = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]);
         let mut all = Vec::with_capacity(rows.len() * slices.len() * 2 * COUNT[2]);
         for &anisotropy in &slices {
             for (row, cosines) in rows.iter().zip(&cosines) {
                 for &mu in cosines {
-                    let phi = std::f64::consts::FRAC_PI_2 * azimuth.coordinate(all.len() as u32, 0);
+                    let phi = std::f64::consts::FRAC_PI_2 * azimuths.coordinate(all.len() as u32, 0);
                     let cosine = crate::math::ops::cos(phi);
                     let cos2_phi = match all.len() % 16 {
+                        _ if !azimuth => 1.0,
                         0 => 0.0,
                         8 => 1.0,
                         _ => (cosine * cosine) as f32,
@@ -52,7 +54,7 @@ impl Judge {
             }
         }
         let uniform = (0..all.len()).map(|i| i % (2 * COUNT[2]) < COUNT[2]).collect();
-        let points = Points::of(all, uniform, Third::Anisotropy);
+        let points = Points::of(all, uniform, Third::Anisotropy, azimuth);
         Judge { points, rows, slices, cosines, region: *region }
     }
 

@@ -4,6 +4,7 @@
 
 use super::{Point, Region, Third};
 use crate::data::Place;
+use crate::math::ops;
 use crate::math::sobol::Sobol;
 
 /// Points that share roughness and mu.
@@ -19,6 +20,8 @@ pub struct Points {
     pub uniform: Vec<bool>,
     /// The third input.
     third: Third,
+    /// Whether the azimuth is an input.
+    azimuth: bool,
 }
 
 /// Groups walked along each edge of roughness and mu.
@@ -80,8 +83,8 @@ impl Points {
     }
 
     /// Points as they are given, with what tells which are uniform.
-    pub(in crate::effects) fn of(all: Vec<Point>, uniform: Vec<bool>, third: Third) -> Points {
-        Points { all, uniform, third }
+    pub(in crate::effects) fn of(all: Vec<Point>, uniform: Vec<bool>, third: Third, azimuth: bool) -> Points {
+        Points { all, uniform, third, azimuth }
     }
 
     /// Number of points.
@@ -103,7 +106,12 @@ impl Points {
             ("roughness", p.roughness),
             (self.third.name(), self.third.of(p)),
         ];
-        inputs.into_iter().map(|(name, x)| (name.to_string(), shortest(x))).collect()
+        let mut place: Place = inputs.into_iter().map(|(name, x)| (name.to_string(), shortest(x))).collect();
+        if self.azimuth {
+            let phi = ops::atan2f((1.0 - p.cos2_phi).sqrt(), p.cos2_phi.sqrt());
+            place.insert("phi".into(), shortest(phi));
+        }
+        place
     }
 
     fn push(&mut self, region: &Region, roughness: f64, mu: f64, third: [f64; GROUP]) {

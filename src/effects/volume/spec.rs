@@ -1,7 +1,7 @@
 //! What to bake, and what came of it.
 
 use super::Region;
-use crate::data::{Axis, Channel, Decode, Smith, Table, TableError, TexelFormat, VolumeLayout};
+use crate::data::{Axis, Channel, Smith, Table, TableError, TexelFormat, VolumeLayout};
 
 /// A table of three axes to bake.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,15 +21,6 @@ pub struct Spec {
 }
 
 impl Spec {
-    /// What the channels of the layout mean.
-    pub fn decode(&self) -> Decode {
-        match self.layout {
-            VolumeLayout::Optimised => Decode::Loss,
-            VolumeLayout::PathTracer => Decode::Albedo,
-            VolumeLayout::Azimuth => Decode::AzimuthCubic,
-        }
-    }
-
     /// The table of these channels.
     pub(in crate::effects) fn table(
         &self,

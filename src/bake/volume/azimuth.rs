@@ -1,0 +1,67 @@
+//! What the azimuth of the view changes, and what tables make of it.
+
+use super::BakedVolume;
+use crate::bake::BakeError;
+use crate::data::VolumeLayout;
+use crate::effects::anisotropy;
+use crate::effects::volume::{Lookup, Region, measure};
+use crate::report::{AzimuthFinding, AzimuthWay, ErrorFigure, Field, Ruler};
+
+/// Where the maps are drawn: roughness, and the number of azimuths and cosines.
+const ROUGHNESS: f64 = 0.7;
+const MAP: [usize; 2] = [48, 48];
+
+/// The finding; none where no table is laid out in the scene's own roughness.
+pub fn finding(tables: &[BakedVolume]) -> Result<Option<AzimuthFinding>, BakeError> {
+    let own: Vec<&BakedVolume> = tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).collect();
+    let Some(first) = own.first() else { return Ok(None) };
+    let (smith, region) = (first.approximation.smith, first.region);
+    let judge = anisotropy::Judge::new(&region, true);
+    let (truth, made) = anisotropy::at_azimuths(smith, &judge)?;
+    let roughness = ROUGHNESS.clamp(region.roughness[0], region.roughness[1]);
+    let anisotropy = region.span[1];
+    let rulers = rulers(&region);
+    let map = anisotropy::azimuth_map(
+        smith,
+        &region,
+        roughness,
+        anisotropy,
+        [&rulers[0].values, &rulers[1].values],
+    )?;
+    let (mut fields, mut ways) = (Vec::new(), Vec::new());
+    for baked in own {
+        let Some(table) = baked.table() else { continue };
+        let name = match baked.layout {
+            VolumeLayout::Azimuth => "azimuth in the table",
+            _ => "mean over the azimuth",
+        };
+        let errors = measure(table, baked.decode, &judge.points, &truth, made.integration)?;
+        let lookup = Lookup::new(table, baked.decode)?;
+        let values = map.points.all.iter().zip(&map.truth);
+        fields.push(Field {
+            name: format!("{name}, roughness {roughness}, anisotropy {anisotropy}"),
+            unit: String::new(),
+            signed: true,
+            x: rulers[0].clone(),
+            y: rulers[1].clone(),
+            values: values.map(|(p, e)| (f64::from(lookup.at(p)) - e) as f32).collect(),
+        });
+        let a = &baked.approximation;
+        ways.push(AzimuthWay {
+            name: format!("{name}: {}", a.name),
+            error: ErrorFigure {
+                max: errors.lookup.max,
+                rms: Some(errors.lookup.rms),
+                at: errors.lookup.at.clone(),
+            },
+            bytes: a.cost.bytes,
+            ops: a.cost.ops,
+        });
+    }
+    Ok(Some(AzimuthFinding { fields, ways }))
+}
+
+/// Azimuth in degrees, and mu.
+fn rulers(region: &Region) -> [Ruler; 2] {
+    [Ruler::even("azimuth of the view, degrees", 0.0, 90.0, MAP[0]), super::grid::grazing(region, MAP[1])]
+}

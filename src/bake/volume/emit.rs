@@ -1,0 +1,59 @@
+//! The files, entries and functions of tables of three axes.
+
+use std::collections::BTreeMap;
+
+use super::BakedVolume;
+use crate::bake::BakeError;
+use crate::bake::containers::contained;
+use crate::bake::context::Context;
+use crate::bake::part::canonical;
+use crate::data::Container;
+use crate::effects::Deviation;
+use crate::emit::header;
+use crate::emit::lookup::Readable;
+use crate::emit::manifest::{Entries, LookupEntry, TableEntry, TableError};
+use crate::store::Files;
+
+/// Every table in every container.
+pub fn tables(
+    effect: &'static str,
+    tables: &[BakedVolume],
+    formats: &[Container],
+    context: &Context,
+    files: &mut Files,
+    entries: &mut Entries,
+) -> Result<(), BakeError> {
+    for baked in tables {
+        let Some(table) = baked.table() else { continue };
+        let written =
+            contained(table, baked.decode, &baked.approximation.certificate, formats, context, files)?;
+        let decode = baked.decode.formulas().iter().copied().collect();
+        let entry = TableEntry::new(effect, &baked.approximation, table, decode, errors(baked));
+        entries.tables.push(canonical(&entry.in_files(written))?);
+    }
+    Ok(())
+}
+
+fn errors(baked: &BakedVolume) -> TableError {
+    let entry = |e: &Deviation| LookupEntry { max: e.max, rms: e.rms, at: e.at.clone() };
+    TableError {
+        integration: baked.errors.integration,
+        quantisation: baked.errors.quantisation.iter().fold(0.0, |worst, r| r.max.max(worst)),
+        lookup: entry(&baked.errors.lookup),
+        lookup_8_bit_weights: entry(&baked.errors.lookup_8_bit),
+    }
+}
+
+/// The lookups, by language.
+pub fn section(tables: &[BakedVolume]) -> BTreeMap<String, String> {
+    let (mut rust, mut wgsl) = (String::new(), String::new());
+    for baked in tables {
+        let Some(table) = baked.table() else { continue };
+        let lines = header::table_lines(table, baked.decode.formulas(), &baked.approximation.certificate);
+        let readable = Readable { table, decode: baked.decode, header: &lines };
+        rust += &format!("\n{}", readable.rust());
+        wgsl += &format!("\n{}", readable.wgsl());
+    }
+    let texts = [("rust", rust), ("wgsl", wgsl)].into_iter().filter(|(_, text)| !text.is_empty());
+    texts.map(|(language, text)| (language.to_string(), text)).collect()
+}

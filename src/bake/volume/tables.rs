@@ -1,0 +1,219 @@
+//! Jobs to measured tables.
+
+use std::collections::BTreeMap;
+
+use crate::bake::BakeError;
+use crate::bake::context::Context;
+use crate::data::{
+    Approximation, Certificate, Channel, Cost, Decode, Form, Smith, Source, Table, Use, VolumeLayout,
+};
+use crate::effects::volume::{Errors, Made, Points, Region, Spec, Third, measure};
+use crate::effects::{anisotropy, glass};
+use crate::fit::round_up;
+use crate::integrate::glass::Side;
+use crate::plan::{JUDGED_MU, VolumeJob, VolumeSpan};
+
+/// 2^12 groups of eight uniform points of glass, half as many in the layer and about the critical angle, and the edges.
+const LOG2_GROUPS: u32 = 12;
+
+/// A baked table: the approximation holds its quantised texels.
+#[derive(Clone, Debug)]
+pub struct BakedVolume {
+    /// The table as an approximation: certificate of the lookup, cost, texels.
+    pub approximation: Approximation,
+    /// Its errors, told apart.
+    pub errors: Errors,
+    /// What its channels mean.
+    pub decode: Decode,
+    /// Coordinates.
+    pub layout: VolumeLayout,
+    /// Region in which it was measured.
+    pub region: Region,
+    /// Side of glass.
+    pub side: Option<Side>,
+    /// What its texels took; of both tables of glass together.
+    pub made: Made,
+}
+
+impl BakedVolume {
+    /// The quantised table.
+    pub fn table(&self) -> Option<&Table> {
+        match &self.approximation.form {
+            Form::Table(table) => Some(table),
+            Form::Formula(_) => None,
+        }
+    }
+}
+
+/// Truths at the points of one region, shared by the tables that are judged there.
+struct Judge {
+    smith: Smith,
+    region: Region,
+    azimuth: bool,
+    points: Points,
+    /// By side; of an anisotropic lobe one.
+    truths: Vec<Vec<f64>>,
+    made: Made,
+}
+
+impl Judge {
+    fn new(smith: Smith, region: &Region, azimuth: bool) -> Result<Judge, BakeError> {
+        let (points, truths, made) = match region.third {
+            Third::Ior => {
+                let points = Points::certification(region, LOG2_GROUPS);
+                let truth = glass::Truth::at(smith, &points)?;
+                (points, vec![truth.outside, truth.inside], truth.made)
+            }
+            Third::Anisotropy => {
+                let judge = anisotropy::Judge::new(region, azimuth);
+                let (truth, made) = if azimuth {
+                    anisotropy::at_azimuths(smith, &judge)?
+                } else {
+                    anisotropy::means(smith, &judge)?
+                };
+                (judge.points, vec![truth], made)
+            }
+        };
+        Ok(Judge { smith, region: *region, azimuth, points, truths, made })
+    }
+
+    fn truth(&self, side: Option<Side>) -> &[f64] {
+        &self.truths[usize::from(side == Some(Side::Inside))]
+    }
+}
+
+/// Bakes the jobs in order. A promise that a table does not keep is noted in the context.
+pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<Vec<BakedVolume>, BakeError> {
+    let mut judges: Vec<Judge> = Vec::new();
+    let mut baked = Vec::new();
+    for job in jobs {
+        let names: Vec<&str> = job.tables.iter().map(|t| t.name.as_str()).collect();
+        context.progress.stage(&format!("table {}", names.join(" and ")));
+        let (region, azimuth) = (region(job), job.layout == VolumeLayout::Azimuth);
+        let known = |j: &Judge| j.smith == job.smith && j.region == region && j.azimuth == azimuth;
+        let judge = match judges.iter().position(known) {
+            Some(known) => &judges[known],
+            None => {
+                let judge = Judge::new(job.smith, &region, azimuth)?;
+                context.counter.add(judge.truths.iter().map(Vec::len).sum());
+                judges.push(judge);
+                &judges[judges.len() - 1]
+            }
+        };
+        let (tables, made) = build(job, &region)?;
+        context.counter.add(tables.len() * job.texels());
+        for (table, planned) in tables.into_iter().zip(&job.tables) {
+            let one = finish(job, &region, table, planned.side, made, judge)?;
+            let error = one.errors.lookup.max;
+            if let Some(limit) = job.max_error.filter(|limit| error.is_nan() || error > *limit) {
+                let (name, by) = (&planned.name, job.limited_by());
+                context.broken.push(format!(
+                    "table {name}: lookup error {error} exceeds the max_error {limit} of {by}"
+                ));
+            }
+            baked.push(one);
+        }
+    }
+    Ok(baked)
+}
+
+/// Where a job's lookups must hold.
+fn region(job: &VolumeJob) -> Region {
+    let third = match job.span {
+        VolumeSpan::Anisotropy(_) => Third::Anisotropy,
+        VolumeSpan::Ior(_) => Third::Ior,
+    };
+    Region {
+        roughness: job.roughness,
+        mu: JUDGED_MU,
+        third,
+        span: job.span.range(),
+        alpha_map: job.alpha_map,
+    }
+}
+
+fn build(job: &VolumeJob, region: &Region) -> Result<(Vec<Table>, Made), BakeError> {
+    let spec = |name: &str| Spec {
+        name: name.into(),
+        smith: job.smith,
+        size: job.size,
+        format: job.format,
+        layout: job.layout,
+        region: *region,
+    };
+    match (region.third, job.tables.as_slice()) {
+        (Third::Ior, [outside, inside]) => {
+            let (tables, made) = glass::build(&[spec(&outside.name), spec(&inside.name)])?;
+            Ok((tables.to_vec(), made))
+        }
+        (Third::Anisotropy, [one]) => {
+            let (table, made) = anisotropy::build(&spec(&one.name))?;
+            Ok((vec![table], made))
+        }
+        _ => Err(BakeError::Internal("a job of another number of tables than its lobe has".into())),
+    }
+}
+
+fn finish(
+    job: &VolumeJob,
+    region: &Region,
+    table: Table,
+    side: Option<Side>,
+    made: Made,
+    judge: &Judge,
+) -> Result<BakedVolume, BakeError> {
+    let decode = Decode::of_volume(job.layout);
+    let integration = made.integration.max(judge.made.integration);
+    let mut errors = measure(&table, decode, &judge.points, judge.truth(side), round_up(integration, 2))?;
+    for lookup in [&mut errors.lookup, &mut errors.lookup_8_bit] {
+        lookup.max = round_up(lookup.max, 4);
+    }
+    for rounding in &mut errors.quantisation {
+        rounding.max = round_up(rounding.max, 4);
+    }
+    let certificate = Certificate {
+        max_abs: errors.lookup.max,
+        max_rel: round_up(errors.lookup.max_rel, 4),
+        rms: errors.lookup.rms,
+        mean: errors.lookup.mean,
+        at: errors.lookup.at.clone(),
+        domain: ranges(region),
+        precision: format!("{} texels, f32 lookup", table.format.name()),
+        points: errors.points as u64,
+    };
+    let ops = table.axes.iter().map(crate::data::Axis::ops).sum::<u32>() + decode.ops();
+    let approximation = Approximation {
+        name: table.name.clone(),
+        quantity: table.quantity.clone(),
+        column: "E".into(),
+        used_as: Use::Value,
+        smith: table.smith,
+        source: Source::Fitted,
+        cost: Cost { ops, fetches: 1, bytes: table.bytes() },
+        form: Form::Table(table.quantised()),
+        certificate,
+    };
+    Ok(BakedVolume { approximation, errors, decode, layout: job.layout, region: *region, side, made })
+}
+
+/// The region by input, as certificates state it.
+fn ranges(region: &Region) -> BTreeMap<String, [f64; 2]> {
+    let inputs = [
+        ("alpha", region.alpha()),
+        ("mu", region.mu),
+        ("roughness", region.roughness),
+        (region.third.name(), region.span),
+    ];
+    inputs.into_iter().map(|(name, range)| (name.to_string(), range)).collect()
+}
+
+/// The lookup error of a table with other texels, channels found by name; none if one is missing.
+pub fn measured_again(baked: &BakedVolume, channels: &[Channel]) -> Option<f64> {
+    let mut table = baked.table()?.clone();
+    for channel in &mut table.channels {
+        channel.texels = channels.iter().find(|c| c.name == channel.name)?.texels.clone();
+    }
+    let judge = Judge::new(table.smith, &baked.region, baked.layout == VolumeLayout::Azimuth).ok()?;
+    let errors = measure(&table, baked.decode, &judge.points, judge.truth(baked.side), 0.0).ok()?;
+    Some(errors.lookup.max)
+}
