@@ -23,7 +23,7 @@ fn reason(plan: &Plan, effect: EffectName) -> &str {
 }
 
 #[test]
-fn the_built_in_scene_calls_for_two_tables_and_a_fit() {
+fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload() {
     let scene = Scene::built_in().unwrap();
     let plan = plan(&scene);
     let names: Vec<&str> = plan.tables.iter().map(|t| t.name.as_str()).collect();
@@ -35,7 +35,22 @@ fn the_built_in_scene_calls_for_two_tables_and_a_fit() {
     assert_eq!(fit.norms, [Norm::Max, Norm::Rms]);
     assert_eq!(fit.promises.len(), 1);
     assert_eq!(fit.promises[0].materials, ["rough metal", "rough dielectric"]);
-    assert_eq!(plan.effects.len(), 1);
+    let effects: Vec<EffectName> = plan.effects.iter().map(|e| e.effect).collect();
+    assert_eq!(effects, [EffectName::Reflection, EffectName::Anisotropy, EffectName::Glass]);
+    let volumes: Vec<&str> =
+        plan.volumes.iter().flat_map(|job| &job.tables).map(|table| table.name.as_str()).collect();
+    assert_eq!(
+        volumes,
+        [
+            "ggx-aniso-correlated-64x64x32",
+            "path-tracer-reflection-separable-64x64x32",
+            "ggx-aniso-azimuth-correlated-32x32x16",
+            "ggx-glass-outside-correlated-128x128x32",
+            "ggx-glass-inside-correlated-128x128x32",
+            "path-tracer-glass-outside-separable-128x128x32",
+            "path-tracer-glass-inside-separable-128x128x32",
+        ]
+    );
     assert_eq!(plan.effects[0].bytes, 32 * 32 * 2 + 64 * 64 * 2 * 2);
     assert_eq!(plan.effects[0].because.len(), 2);
     let coupling = reason(&plan, EffectName::DiffuseCoupling);
