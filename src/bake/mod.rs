@@ -180,7 +180,10 @@ fn opening(smith: Smith, alpha: AlphaMap) -> Vec<String> {
         &smith,
         "Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and",
         "view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.",
-        "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel.",
+        "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel. `*_lookup` is E from a table, for",
+        "`ggx_compensate_*`. ior is the index of refraction, inside over outside, for rays from either side; anisotropy a in [0, 1]",
+        "makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the squared cosine of the view's azimuth",
+        "from the alpha_x axis.",
         "Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;",
         "sin, cos, log2 4; log 5.",
     ]

@@ -11,7 +11,7 @@ use crate::fit::Hypothesis;
 const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];
 
 /// How the functions of tables begin.
-const TABLES: &str = "ggx_dfg_";
+const TABLES: [&str; 4] = ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_"];
 
 /// Parses the user's hypotheses and refuses a name that is taken.
 pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
@@ -21,7 +21,9 @@ pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
     for user in hypotheses {
         let parsed = Hypothesis::parse(&user.file, &user.source).map_err(FitStageError::from)?;
         let names = forms(parsed.name());
-        let clash = names.iter().find(|name| taken.contains(name) || name.starts_with(TABLES));
+        let clash = names
+            .iter()
+            .find(|name| taken.contains(name) || TABLES.iter().any(|table| name.starts_with(table)));
         if clash.is_some() {
             return Err(BakeError::Name { file: user.file.clone(), function: parsed.name().to_string() });
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 use super::effect::{Effect, EffectName, JobSummary};
-use super::job::{JUDGED_MU, Limit, SPAN_WIDTH_MIN, VolumeJob, VolumeSpan, VolumeTable};
+use super::job::{JUDGED_MU, Limit, ROUGHNESS_WIDTH_MIN, SPAN_WIDTH_MIN, VolumeJob, VolumeSpan, VolumeTable};
 use super::merge::{hull, rough, strictest, widened, widened_in};
 use super::reflection::range_text;
 use super::work;
@@ -37,10 +37,26 @@ pub(super) fn volumes(scene: &Scene) -> Vec<VolumeJob> {
         }
     }
     for job in &mut jobs {
-        job.roughness = widened(job.roughness, job.alpha_map);
+        job.roughness = rows(job.roughness, job.alpha_map);
         job.span = wide_span(job.span, job.layout);
     }
     jobs
+}
+
+/// Smallest roughness of a table of three axes: that of alpha = 4e-4, where its integrals begin. Below it a lookup clamps to the edge,
+/// and the lobe is so narrow that its loss matters at grazing views alone.
+fn smallest_row(map: AlphaMap) -> f64 {
+    match map {
+        AlphaMap::Roughness => 4e-4,
+        AlphaMap::RoughnessSquared => 0.02,
+        AlphaMap::RoughnessFourth => 0.141_421_356_237_309_5,
+    }
+}
+
+/// The roughness that the rows span: at least `ROUGHNESS_WIDTH_MIN` wide, from the smallest row on.
+fn rows(range: [f64; 2], map: AlphaMap) -> [f64; 2] {
+    let least = smallest_row(map);
+    widened_in(range.map(|r| r.max(least)), ROUGHNESS_WIDTH_MIN, [least, 1.0])
 }
 
 /// The job of one material alone, without its limit. In the path tracer's layout alpha = roughness, which is rough wherever

@@ -15,7 +15,7 @@ pub use crate::data::VolumeLayout;
 fn default_limit(layout: VolumeLayout) -> Option<f64> {
     match layout {
         VolumeLayout::Optimised => Some(2e-3),
-        VolumeLayout::Azimuth => Some(2e-2),
+        VolumeLayout::Azimuth => Some(1e-2),
         VolumeLayout::PathTracer => None,
     }
 }
@@ -65,7 +65,7 @@ struct VolumeFile {
     /// Texel format; default `f16`.
     format: Maybe<Word<TexelFormat>>,
     /// Limit on the lookup error; the bake fails where it is exceeded. Default without `size`: 0.002, with the azimuth
-    /// 0.02; with `size`: no limit.
+    /// 0.01; with `size`: no limit.
     max_error: Maybe<In<ErrorLimit>>,
 }
 

@@ -39,7 +39,7 @@ pub fn finding(tables: &[BakedVolume]) -> Result<Option<AzimuthFinding>, BakeErr
         let lookup = Lookup::new(table, baked.decode)?;
         let values = map.points.all.iter().zip(&map.truth);
         fields.push(Field {
-            name: format!("{name}, roughness {roughness}, anisotropy {anisotropy}"),
+            name: name.into(),
             unit: String::new(),
             signed: true,
             x: rulers[0].clone(),
@@ -58,7 +58,8 @@ pub fn finding(tables: &[BakedVolume]) -> Result<Option<AzimuthFinding>, BakeErr
             ops: a.cost.ops,
         });
     }
-    Ok(Some(AzimuthFinding { fields, ways }))
+    let at = format!("roughness {roughness}, anisotropy {anisotropy}");
+    Ok(Some(AzimuthFinding { at, fields, ways }))
 }
 
 /// Azimuth in degrees, and mu.

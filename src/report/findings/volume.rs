@@ -69,7 +69,9 @@ pub struct FurnaceFinding {
 /// What a table of the azimuth's mean leaves out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AzimuthFinding {
-    /// Error over azimuth and mu of each way, under the condition that its name tells.
+    /// Where the fields are drawn: `roughness 0.7, anisotropy 1`.
+    pub at: String,
+    /// Error over azimuth and mu of each way.
     pub fields: Vec<Field>,
     /// Each way: name, largest error over the domain, root mean square, bytes of texels.
     pub ways: Vec<AzimuthWay>,

@@ -107,7 +107,7 @@ fn azimuth(finding: &AzimuthFinding) -> Result<Section, ReportError> {
                 rows.collect(),
                 "Error of E at a fixed azimuth, over the whole domain. Maxima are rounded up.",
             )),
-            maps(&finding.fields, SIGNED)?,
+            maps(&finding.fields, &format!("Error at {}. {SIGNED}", finding.at))?,
         ],
     })
 }
