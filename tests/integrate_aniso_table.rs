@@ -1,7 +1,8 @@
 //! Tables of the anisotropic reflection lobe against the reference integrator, symmetries, bits and costs.
 
 use lobefit::data::Smith;
-use lobefit::integrate::aniso::table::{self, Azimuthal, Columns, Grid, Path, Tabulated};
+use lobefit::integrate::Path;
+use lobefit::integrate::aniso::table::{self, Azimuthal, Columns, Grid, Tabulated};
 use lobefit::integrate::aniso::{self};
 use lobefit::integrate::{IntegrateError, PanelRule, reflection};
 use rand::{RngExt, SeedableRng};

@@ -6,7 +6,8 @@
 
 use lobefit::data::Smith;
 use lobefit::integrate::IntegrateError;
-use lobefit::integrate::glass::table::{Energies, GlassGrid, Kernel, Path, Tabulated, tabulate};
+use lobefit::integrate::Path;
+use lobefit::integrate::glass::table::{Energies, GlassGrid, Kernel, Tabulated, tabulate};
 use lobefit::integrate::glass::{Side, glass};
 use lobefit::math::gauss::Gauss;
 use rand::{RngExt, SeedableRng};

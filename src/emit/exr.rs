@@ -1,13 +1,15 @@
-//! EXR images of tables: one layer, one channel per quantity, uncompressed, with the header as string attributes. The format
+//! EXR images of tables: one layer, one channel per quantity, with the header as string attributes.
+//! Tables of two axes are uncompressed; those of three, megabytes, are compressed without loss (ZIP, blocks of 16 rows). The format
 //! has no third dimension: slices lie one below the other, slice z in the rows z * rows to z * rows + rows - 1.
 
 use std::io::Cursor;
 
+use ::exr::image::Blocks;
 use ::exr::image::write::WritableImage;
 use ::exr::meta::attribute::{AttributeValue, Text};
 use ::exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, ReadChannels, ReadLayers,
-    SmallVec, read,
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes, LineOrder,
+    ReadChannels, ReadLayers, SmallVec, read,
 };
 use half::f16;
 
@@ -55,7 +57,7 @@ pub fn encode(table: &Table, header: &[(String, String)]) -> Result<Vec<u8>, Exr
     for (name, text) in header {
         attributes.other.insert(Text::from(name.as_str()), AttributeValue::Text(Text::from(text.as_str())));
     }
-    let layer = Layer::new(size, attributes, Encoding::UNCOMPRESSED, AnyChannels::sort(channels));
+    let layer = Layer::new(size, attributes, encoding(table), AnyChannels::sort(channels));
     let mut bytes = Cursor::new(Vec::new());
     Image::from_layer(layer)
         .write()
@@ -63,6 +65,18 @@ pub fn encode(table: &Table, header: &[(String, String)]) -> Result<Vec<u8>, Exr
         .to_buffered(&mut bytes)
         .map_err(|e| ExrError::Write { table: table.name.clone(), reason: e.to_string() })?;
     Ok(bytes.into_inner())
+}
+
+/// How the texels are stored.
+fn encoding(table: &Table) -> Encoding {
+    match table.axes.len() {
+        3 => Encoding {
+            compression: Compression::ZIP16,
+            blocks: Blocks::ScanLines,
+            line_order: LineOrder::Increasing,
+        },
+        _ => Encoding::UNCOMPRESSED,
+    }
 }
 
 fn samples(channel: &Channel, format: TexelFormat) -> FlatSamples {

@@ -5,7 +5,9 @@ mod error;
 mod estimate;
 pub mod glass;
 pub mod monte_carlo;
+mod path;
 pub mod reflection;
 
 pub use error::IntegrateError;
 pub use estimate::{Estimate, PanelRule};
+pub use path::Path;

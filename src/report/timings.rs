@@ -86,6 +86,8 @@ pub struct TimedTables {
 /// All three tables to one accuracy.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TimedTableRun {
+    /// Instructions that the kernels were allowed: `best`, `at most AVX2`, `baseline`.
+    pub instructions: &'static str,
     /// Largest error asked for at a texel.
     pub tolerance: f64,
     /// Shadowing form.

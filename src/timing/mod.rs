@@ -1,11 +1,14 @@
 //! Floor 6: what accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
 
+mod tables;
+
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::bake::{BakeError, Baked};
+use crate::bake::{BakeError, Baked, BakedVolume};
 use crate::data::{AlphaMap, Approximation, Smith, Source};
 use crate::effects::reflection::{Fit, Lookup, POINTS, PointSet, Region, SAMPLERS, certification};
+use crate::effects::volume;
 use crate::integrate::monte_carlo::{self, Run};
 use crate::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
 use crate::integrate::{IntegrateError, PanelRule};
@@ -24,6 +27,9 @@ const LOG2_SAMPLES: u32 = 20;
 /// 2^15 uniform points and half as many again: what the approximations are evaluated at.
 const LOG2_POINTS: u32 = 15;
 
+/// 2^12 groups of eight points: what lookups of tables of three axes are timed at.
+const LOG2_GROUPS: u32 = 12;
+
 /// A rounding floor: an error of 0 cannot be drawn on a logarithmic axis.
 const FLOOR: f64 = 1e-16;
 
@@ -35,7 +41,9 @@ pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> 
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
     let evaluations = pool.install(|| evaluations(scene.alpha, baked))?;
-    Ok(Timings { origin, device, points, tables: None, evaluations })
+    // The whole machine: tables are made on all threads.
+    let tables = if baked.volumes.is_empty() { None } else { Some(tables::tables()?) };
+    Ok(Timings { origin, device, points, tables, evaluations })
 }
 
 /// Median seconds of one execution.
@@ -111,12 +119,28 @@ fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximat
         });
         timed.push(entry(&table.approximation, true, time / points.len() as f64));
     }
+    for volume in &baked.volumes {
+        timed.extend(volume_entry(volume)?);
+    }
     let Some(first) = baked.fits.first() else { return Ok(timed) };
     let points = certification(&region(alpha_map, &first.approximation), LOG2_POINTS);
     for fit in baked.fits.iter().filter(|f| f.wraps.is_none()) {
         timed.push(entry(&fit.approximation, false, fit_seconds(fit, &points)? / points.len() as f64));
     }
     Ok(timed)
+}
+
+/// The lookup of a table of three axes; none of what is no table.
+fn volume_entry(volume: &BakedVolume) -> Result<Option<TimedApproximation>, BakeError> {
+    let Some(table) = volume.table() else { return Ok(None) };
+    let lookup = volume::Lookup::new(table, volume.decode)?;
+    let points = volume::Points::certification(&volume.region, LOG2_GROUPS);
+    let time = seconds(|| {
+        for point in &points.all {
+            black_box(lookup.at(point));
+        }
+    });
+    Ok(Some(entry(&volume.approximation, true, time / points.len() as f64)))
 }
 
 fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {

@@ -341,6 +341,7 @@ pub fn timings() -> Timings {
 /// Three tables that take a second at 1e-6.
 fn timed_tables() -> TimedTables {
     let run = |tolerance: f64, smith| TimedTableRun {
+        instructions: "best",
         tolerance,
         smith,
         reflection_seconds: 0.1 / tolerance.sqrt().sqrt() / 10.0,

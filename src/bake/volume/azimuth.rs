@@ -9,7 +9,7 @@ use crate::report::{AzimuthFinding, AzimuthWay, ErrorFigure, Field, Ruler};
 
 /// Where the maps are drawn: roughness, and the number of azimuths and cosines.
 const ROUGHNESS: f64 = 0.7;
-const MAP: [usize; 2] = [48, 48];
+const MAP: [usize; 2] = [46, 40];
 
 /// The finding; none where no table is laid out in the scene's own roughness.
 pub fn finding(tables: &[BakedVolume]) -> Result<Option<AzimuthFinding>, BakeError> {

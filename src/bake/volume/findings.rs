@@ -23,7 +23,7 @@ use crate::scene::Scene;
 const AMPLIFICATION: f64 = 20.0;
 
 /// Side of the maps.
-const MAP: usize = 48;
+const MAP: usize = 32;
 
 /// Roughness of the furnace's spheres, and cosines of each.
 const SPHERES: [f64; 7] = [0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0];

@@ -7,8 +7,8 @@ use crate::effects::volume::{
     ANISO_SAMPLES, Azimuth, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, aniso_axes,
     aspect, azimuth_axes, channel,
 };
-use crate::integrate::IntegrateError;
-use crate::integrate::aniso::table::{Columns, Grid, Tabulated, tabulate};
+use crate::integrate::aniso::table::{Columns, Grid, Tabulated, tabulate, tabulate_on};
+use crate::integrate::{IntegrateError, Path};
 
 /// Largest error of a texel of the sources' layout.
 const SAMPLED: f64 = 1e-6;
@@ -28,14 +28,14 @@ pub fn build(spec: &Spec) -> Result<(Table, Made), VolumeError> {
 }
 
 /// Every texel of the sources' layout, within `tolerance`.
-pub fn sources(smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
+pub fn sources(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
     let [mu, alphas, aspects] = path_tracer::grid();
     let grid = Grid { columns: Columns::Fixed(&mu), alphas: &alphas, aspects: &aspects, floor: FLOOR };
-    tabulate(smith, &grid, tolerance)
+    tabulate_on(path, smith, &grid, tolerance)
 }
 
 fn sampled(spec: &Spec) -> Result<(Table, Made), VolumeError> {
-    let texels = sources(spec.smith, SAMPLED)?;
+    let texels = sources(Path::Best, spec.smith, SAMPLED)?;
     let made = made(&texels);
     Ok((spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels.e)])?, made))
 }

@@ -13,7 +13,7 @@ use crate::integrate::glass::Side;
 use crate::integrate::glass::table::{Energies, Kernel};
 
 pub use path_tracer::{SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid};
-pub use table::build;
+pub use table::{build, sources};
 
 /// The quantity of this effect.
 pub const QUANTITY: &str = "ggx-glass";

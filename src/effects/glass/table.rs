@@ -5,8 +5,8 @@ use crate::data::{Smith, Table, VolumeLayout};
 use crate::effects::volume::{
     GLASS_SAMPLES, Made, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, channel, glass_axes,
 };
-use crate::integrate::IntegrateError;
-use crate::integrate::glass::table::{GlassGrid, Tabulated, tabulate};
+use crate::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
+use crate::integrate::{IntegrateError, Path};
 
 /// Largest error of a texel of the sources' layout.
 const SAMPLED: f64 = 1e-6;
@@ -28,20 +28,15 @@ pub fn build(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
 }
 
 /// Every texel of the sources' layout, within `tolerance`.
-pub fn sources(smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
+pub fn sources(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
     let [mu, alphas, iors] = path_tracer::grid();
-    tabulate(&GlassGrid {
-        smith,
-        alphas: &alphas,
-        columns: mu.len(),
-        iors: &iors,
-        mu: &|column, _, _| mu[column],
-        tolerance,
-    })
+    let mu_of = |column: usize, _: f64, _: f64| mu[column];
+    let grid = GlassGrid { smith, alphas: &alphas, columns: mu.len(), iors: &iors, mu: &mu_of, tolerance };
+    tabulate_on(path, &grid)
 }
 
 fn sampled(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
-    let texels = sources(specs[0].smith, SAMPLED)?;
+    let texels = sources(Path::Best, specs[0].smith, SAMPLED)?;
     let made = Made { evaluations: texels.evaluations, integration: texels.checked.worst };
     let table = |spec: &Spec, texels| spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels)]);
     Ok(([table(&specs[0], texels.outside)?, table(&specs[1], texels.inside)?], made))

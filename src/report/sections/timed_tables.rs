@@ -6,16 +6,17 @@ use crate::report::{
     Block, Curves, ReportError, Section, Series, Spread, Style, TimedTableRun, TimedTables, check,
 };
 
-const COLUMNS: [(&str, bool); 9] = [
+const COLUMNS: [(&str, bool); 10] = [
     ("asked for", true),
     ("smith", false),
-    ("worst of the texels checked", true),
+    ("instructions", false),
+    ("worst checked", true),
     ("texels checked", true),
     ("evaluations", true),
     ("reflection, s", true),
     ("glass, s", true),
     ("all, s", true),
-    ("sources' seconds / ours", true),
+    ("sources / ours", true),
 ];
 
 pub(super) fn section(tables: &TimedTables) -> Result<Section, ReportError> {
@@ -55,6 +56,7 @@ fn row(run: &TimedTableRun, tables: &TimedTables) -> Vec<String> {
     vec![
         significant(run.tolerance, 1),
         run.smith.name().into(),
+        run.instructions.into(),
         words::max(run.worst),
         grouped(run.checked),
         grouped(run.evaluations),
@@ -67,7 +69,7 @@ fn row(run: &TimedTableRun, tables: &TimedTables) -> Vec<String> {
 
 fn chart(tables: &TimedTables) -> Curves {
     let mut series: Vec<Series> = Vec::new();
-    for run in &tables.runs {
+    for run in tables.runs.iter().filter(|run| run.instructions == tables.runs[0].instructions) {
         let name = format!("lobefit, {} Smith: worst texel checked", run.smith.name());
         let point = (run.seconds(), run.worst);
         match series.iter_mut().find(|s| s.name == name) {

@@ -3,9 +3,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::dispatch::{self, Path};
+use super::dispatch;
 use super::rules::{self, StarRule};
 use crate::data::Smith;
+use crate::integrate::Path;
 use crate::integrate::aniso::view::View;
 use crate::math::ops;
 

@@ -11,10 +11,11 @@ use rayon::prelude::*;
 use super::axes::{self, Cosine};
 use super::azimuth;
 use super::barycentric::Nodes;
-use super::dispatch::{self, Path};
+use super::dispatch;
 use super::grid::{self, ASPECT, MU};
 use super::rules;
 use crate::data::Smith;
+use crate::integrate::Path;
 use crate::integrate::{IntegrateError, aniso};
 use crate::math::ops;
 

@@ -7,9 +7,9 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::azimuth::{self, Work};
-use super::dispatch::Path;
 use super::grid::Grid;
 use crate::data::Smith;
+use crate::integrate::Path;
 
 /// Texels drawn at random.
 const DRAWN: usize = 2000;

@@ -5,19 +5,8 @@ use multiversion::multiversion;
 
 use super::kernel;
 use super::rules::StarRule;
+use crate::integrate::Path;
 use crate::integrate::aniso::view::View;
-
-/// Instructions to use.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Path {
-    /// The best that the processor has: AVX-512, AVX2, or what every processor of its kind has.
-    #[default]
-    Best,
-    /// AVX2 at most.
-    Avx2,
-    /// What every processor of its kind has.
-    Baseline,
-}
 
 /// E at one azimuth.
 pub(super) fn star(path: Path, view: &View, rule: &StarRule) -> f64 {

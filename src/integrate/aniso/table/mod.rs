@@ -17,11 +17,10 @@ use rayon::prelude::*;
 
 use super::QUANTITY;
 use crate::data::Smith;
-use crate::integrate::IntegrateError;
+use crate::integrate::{IntegrateError, Path};
 pub use azimuth::Work;
 pub use azimuthal::{Azimuthal, POINTS, Pinned};
 pub use check::Checked;
-pub use dispatch::Path;
 pub use grid::{ASPECT, Columns, Grid, MU};
 
 /// Digits of a node's integral beyond the tolerance.

@@ -6,18 +6,22 @@ use rayon::prelude::*;
 
 use super::grid::{Checked, GlassGrid, Tabulated};
 use super::kernel::{Energies, Kernel};
-use crate::integrate::IntegrateError;
+use crate::integrate::{IntegrateError, Path};
 
 /// Random texels.
 const RANDOM: usize = 1000;
 
 /// Compares texels of a table with their direct integrals; returns besides the number of evaluations.
-pub(super) fn check(grid: &GlassGrid, table: &Tabulated) -> Result<(Checked, u64), IntegrateError> {
+pub(super) fn check(
+    path: Path,
+    grid: &GlassGrid,
+    table: &Tabulated,
+) -> Result<(Checked, u64), IntegrateError> {
     let (columns, rows) = (grid.columns, grid.alphas.len());
     if table.outside.is_empty() {
         return Ok((Checked::default(), 0));
     }
-    let kernel = Kernel::finer(grid.smith, grid.tolerance)?;
+    let kernel = Kernel::finer(grid.smith, grid.tolerance)?.on(path);
     let mut texels: Vec<[usize; 3]> = random(grid);
     texels.extend(hard(grid));
     texels.sort_unstable();

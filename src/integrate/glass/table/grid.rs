@@ -12,7 +12,7 @@ use super::check;
 use super::interpolation::Interpolation;
 use super::kernel::{Energies, Kernel};
 use crate::data::Smith;
-use crate::integrate::IntegrateError;
+use crate::integrate::{IntegrateError, Path};
 
 /// A grid of alpha (rows) by columns by indices of refraction (slices).
 pub struct GlassGrid<'a> {
@@ -60,10 +60,18 @@ pub struct Checked {
 /// [`IntegrateError::Domain`] for an input outside its range, [`IntegrateError::Option`] for a tolerance outside [1e-8, 1e-2],
 /// [`IntegrateError::Tolerance`] if the check finds a texel that misses the tolerance.
 pub fn tabulate(grid: &GlassGrid) -> Result<Tabulated, IntegrateError> {
+    tabulate_on(Path::Best, grid)
+}
+
+/// [`tabulate`] with given instructions, for benchmarks and for checks that all give the same bits.
+///
+/// # Errors
+/// As [`tabulate`].
+pub fn tabulate_on(path: Path, grid: &GlassGrid) -> Result<Tabulated, IntegrateError> {
     let (alphas, rows) = distinct(grid.alphas);
     let (iors, slices) = distinct(grid.iors);
     let (columns, places) = columns(grid, &alphas, &iors);
-    let (values, evaluations) = integrate(grid, &columns, &alphas, &iors)?;
+    let (values, evaluations) = integrate(path, grid, &columns, &alphas, &iors)?;
     let texels = |side: usize| -> Vec<f64> {
         let mut out = vec![0.0; grid.columns * grid.alphas.len() * grid.iors.len()];
         out.par_chunks_mut(grid.columns.max(1)).enumerate().for_each(|(line, out)| {
@@ -75,18 +83,19 @@ pub fn tabulate(grid: &GlassGrid) -> Result<Tabulated, IntegrateError> {
         out
     };
     let table = Tabulated { outside: texels(0), inside: texels(1), evaluations, checked: Checked::default() };
-    let (checked, more) = check::check(grid, &table)?;
+    let (checked, more) = check::check(path, grid, &table)?;
     Ok(Tabulated { checked, evaluations: evaluations + more, ..table })
 }
 
 /// E of every column, as [`Interpolation::apply`] orders it, and the number of evaluations.
 fn integrate(
+    path: Path,
     grid: &GlassGrid,
     columns: &[Column],
     alphas: &[f64],
     iors: &[f64],
 ) -> Result<(Vec<Vec<f64>>, u64), IntegrateError> {
-    let kernel = Kernel::new(grid.smith, grid.tolerance)?;
+    let kernel = Kernel::new(grid.smith, grid.tolerance)?.on(path);
     let direct = Interpolation::none(alphas);
     let chebyshev = Interpolation::chebyshev(alphas, grid.tolerance);
     let rule = |column: &Column| chebyshev.as_ref().filter(|_| column.straight).unwrap_or(&direct);

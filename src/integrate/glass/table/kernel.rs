@@ -3,12 +3,11 @@
 use super::effort::Effort;
 use super::ends::{self, Seen};
 use super::lobe::Lobe;
-use super::paths::Path;
 use super::reflect::Reflection;
 use super::rules::Rules;
 use super::transmit::Sweep;
 use crate::data::Smith;
-use crate::integrate::IntegrateError;
+use crate::integrate::{IntegrateError, Path};
 use crate::optics::ggx;
 
 /// Below this ior - 1 the limit stands: E has slopes up to 1e5 there (at grazing, where a refraction by less than mu matters).

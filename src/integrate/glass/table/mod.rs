@@ -21,6 +21,5 @@ mod rules;
 mod transmit;
 
 pub use effort::Effort;
-pub use grid::{Checked, GlassGrid, Tabulated, tabulate};
+pub use grid::{Checked, GlassGrid, Tabulated, tabulate, tabulate_on};
 pub use kernel::{Energies, Kernel};
-pub use paths::Path;

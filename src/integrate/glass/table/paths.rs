@@ -9,19 +9,8 @@ use super::lobe::Lobe;
 use super::rules::Rules;
 use super::transmit::{self, Sweep};
 use super::{reflect, rings};
+use crate::integrate::Path;
 use crate::math::lanes::F8;
-
-/// Which compiled form of the loops to run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Path {
-    /// The widest that the processor has.
-    #[default]
-    Best,
-    /// At most AVX2.
-    Avx2,
-    /// What every processor of the target has (SSE2 on x86-64).
-    Baseline,
-}
 
 /// Three compiled forms of one function, and the choice by [`Path`].
 macro_rules! forms {

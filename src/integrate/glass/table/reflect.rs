@@ -9,8 +9,8 @@ use std::f64::consts::FRAC_PI_4;
 use super::effort::Effort;
 use super::ends::Seen;
 use super::lobe::{Angles, Lobe};
-use super::paths::Path;
 use super::rules::{Grade, MOST, Rules};
+use crate::integrate::Path;
 use crate::math::lanes::{self, F8, LANES};
 use crate::math::ops;
 
