@@ -56,8 +56,8 @@ pub enum Warp {
     /// u = anisotropy^2, scaled: the path tracer's axis, whose slice z of n has the aspect sqrt(1 - 0.9 sqrt(z/n)).
     #[serde(rename = "square")]
     Square,
-    /// The axis of ior: with q = sqrt(ior - min), Q = sqrt(max - min) and c = 0.001 + 0.55 sqrt(alpha),
-    /// u = (sqrt(q (Q + c)/(Q (q + c)) + 0.01) - 0.1)/(sqrt(1.01) - 0.1). Slices crowd at min = 1, where a lobe changes as soon as
+    /// The axis of ior: with r = sqrt(ior - min), R = sqrt(max - min) and c = 0.001 + 0.55 sqrt(alpha),
+    /// u = (sqrt(r (R + c)/(R (r + c)) + 0.01) - 0.1)/(sqrt(1.01) - 0.1). Slices crowd at min = 1, where a lobe changes as soon as
     /// its refraction, ior - 1, is comparable with mu; the smoother the surface, the sooner.
     #[serde(rename = "ior")]
     Ior,
@@ -123,6 +123,28 @@ const CROWDING: f64 = 0.1;
 /// alpha_y/alpha_x of the strongest anisotropy is 1 - `SQUASH`.
 const SQUASH: f64 = 0.9;
 
+/// An expression in a shader's arithmetic, with the quantities that it names first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Expression {
+    /// Name and value of each quantity, in the order in which they follow from one another.
+    pub steps: Vec<(String, String)>,
+    /// The expression.
+    pub value: String,
+}
+
+impl Expression {
+    fn of(value: String) -> Expression {
+        Expression { steps: Vec::new(), value }
+    }
+
+    fn after(steps: &[(&str, String)], value: String) -> Expression {
+        Expression {
+            steps: steps.iter().map(|(name, step)| (name.to_string(), step.clone())).collect(),
+            value,
+        }
+    }
+}
+
 /// One axis of a table. The first axis is the texture's x (columns), the second its y (rows, first row at the top).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
@@ -181,7 +203,7 @@ impl Axis {
             Warp::Sqrt => format!("u = sqrt({name})"),
             Warp::Homogeneous => format!("u = sqrt({name} * (1 + alpha) / ({name} + alpha))"),
             Warp::HomogeneousAzimuth => format!(
-                "u = sqrt({name} * (1 + v) / ({name} + v)), v = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), \
+                "u = sqrt({name} * (1 + l) / ({name} + l)), l = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), \
                  q = 1 - {SQUASH} * anisotropy"
             ),
             Warp::Square => format!("u = ({name}^2 - {min}^2) / ({max}^2 - {min}^2)"),
@@ -189,8 +211,8 @@ impl Axis {
                 format!("u = sqrt({name} * (1 + l) / ({name} + l)), l = alpha + {ONSET} * sqrt(ior - 1)")
             }
             Warp::Ior => format!(
-                "u = (sqrt(q * (Q + c) / (Q * (q + c)) + 0.01) - 0.1) / (sqrt(1.01) - 0.1), q = sqrt({name} - {min}), \
-                 Q = sqrt({max} - {min}), c = {} + {} * sqrt(alpha)",
+                "u = (sqrt(r * (R + c) / (R * (r + c)) + 0.01) - 0.1) / (sqrt(1.01) - 0.1), r = sqrt({name} - {min}), \
+                 R = sqrt({max} - {min}), c = {} + {} * sqrt(alpha)",
                 LAYER[0], LAYER[1]
             ),
             Warp::Aspect => format!(
@@ -258,31 +280,45 @@ impl Axis {
         }
     }
 
-    /// The warp's value, before [`Axis::affine`], as an expression of the variables of [`Surface`] and the axis' own name, valid in
-    /// WGSL, GLSL and HLSL.
-    pub fn expression(&self) -> String {
+    /// The warp's value, before [`Axis::affine`], in terms of the variables of [`Surface`] and the axis' own name; its functions are
+    /// spelled alike in WGSL, GLSL and HLSL. The axes of one table may give a quantity the same name only if it is the same.
+    pub fn expression(&self) -> Expression {
         let name = &self.name;
+        let layer = |steps: &[(&str, String)]| {
+            Expression::after(steps, format!("sqrt({name} * (1.0 + l) / ({name} + l))"))
+        };
         match self.warp {
-            Warp::Linear => name.clone(),
-            Warp::Sqrt => format!("sqrt({name})"),
-            Warp::Homogeneous => format!("sqrt({name} * (1.0 + alpha) / ({name} + alpha))"),
-            Warp::HomogeneousAzimuth => {
-                let q = format!("(1.0 - {:?} * anisotropy)", SQUASH as f32);
-                let v = format!("(alpha * sqrt(cos2_phi / {q} + (1.0 - cos2_phi) * {q}))");
-                format!("sqrt({name} * (1.0 + {v}) / ({name} + {v}))")
-            }
-            Warp::Square => format!("{name} * {name}"),
-            Warp::HomogeneousIor => {
-                let l = format!("(alpha + {:?} * sqrt(max(ior - 1.0, 0.0)))", ONSET as f32);
-                format!("sqrt({name} * (1.0 + {l}) / ({name} + {l}))")
-            }
+            Warp::Linear => Expression::of(name.clone()),
+            Warp::Sqrt => Expression::of(format!("sqrt({name})")),
+            Warp::Homogeneous => Expression::of(format!("sqrt({name} * (1.0 + alpha) / ({name} + alpha))")),
+            Warp::HomogeneousAzimuth => layer(&[
+                ("q", format!("1.0 - {:?} * anisotropy", SQUASH as f32)),
+                ("spread", "cos2_phi / q + (1.0 - cos2_phi) * q".into()),
+                ("l", "alpha * sqrt(spread)".into()),
+            ]),
+            Warp::Square => Expression::of(format!("{name} * {name}")),
+            Warp::HomogeneousIor => layer(&[
+                ("r", "sqrt(max(ior - 1.0, 0.0))".into()),
+                ("l", format!("alpha + {:?} * r", ONSET as f32)),
+            ]),
             Warp::Ior => {
-                let q = format!("sqrt(max({name} - {:?}, 0.0))", self.min as f32);
-                let c = format!("({:?} + {:?} * sqrt(alpha))", LAYER[0] as f32, LAYER[1] as f32);
+                // From a minimum of 1 it is the root of Warp::HomogeneousIor.
+                let r = if self.min == 1.0 { "r" } else { "r_min" };
                 let (whole, rest) = (self.whole(), (CROWDING * CROWDING) as f32);
-                format!("sqrt({q} * ({whole:?} + {c}) / ({whole:?} * ({q} + {c})) + {rest:?})")
+                let below =
+                    if whole == 1.0 { format!("({r} + c)") } else { format!("({whole:?} * ({r} + c))") };
+                Expression::after(
+                    &[
+                        (r, format!("sqrt(max({name} - {:?}, 0.0))", self.min as f32)),
+                        ("c", format!("{:?} + {:?} * sqrt(alpha)", LAYER[0] as f32, LAYER[1] as f32)),
+                    ],
+                    format!("sqrt({r} * ({whole:?} + c) / {below} + {rest:?})"),
+                )
             }
-            Warp::Aspect => format!("sqrt(1.0 - {:?} * {name})", SQUASH as f32),
+            // What Warp::HomogeneousAzimuth calls so.
+            Warp::Aspect => {
+                Expression::after(&[("q", format!("1.0 - {:?} * {name}", SQUASH as f32))], "sqrt(q)".into())
+            }
         }
     }
 

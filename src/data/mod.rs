@@ -13,7 +13,7 @@ mod norm;
 mod table;
 
 pub use approximation::{Approximation, Form, Formula, Source, Use};
-pub use axis::{Axis, Registration, Surface, Warp};
+pub use axis::{Axis, Expression, Registration, Surface, Warp};
 pub use certificate::{Certificate, Place};
 pub use container::Container;
 pub use cost::Cost;

@@ -1,9 +1,11 @@
 //! Small tables of three axes whose sizes differ and whose texels tell their place, and points to look them up at.
 
 use lobefit::data::{
-    AlphaMap, Axis, Certificate, Channel, Decode, Place, Registration, Smith, Table, TexelFormat, Warp,
+    AlphaMap, Axis, Certificate, Channel, Decode, Place, Registration, Smith, Surface, Table, TexelFormat,
+    Warp,
 };
 use lobefit::effects::volume::Point;
+use lobefit::math::ops;
 
 /// Columns, rows and slices: no two alike, so that a transposition shows.
 pub const SIZE: [usize; 3] = [5, 4, 3];
@@ -68,13 +70,21 @@ pub struct Solid {
     pub arguments: &'static [&'static str],
 }
 
+impl Solid {
+    /// Values that its decoding returns.
+    pub fn values(&self) -> usize {
+        self.decode.formulas().len()
+    }
+}
+
 /// Tables of three axes with every decoding, warp and registration.
 pub fn to_look_up() -> Vec<Solid> {
     use Registration::{Centre, Endpoint};
     let mu = |registration, warp| axis("mu", SIZE[0], registration, warp, [0.0, 1.0]);
     let roughness = |registration, low| axis("roughness", SIZE[1], registration, Warp::Linear, [low, 1.0]);
-    let ior = |registration| axis("ior", SIZE[2], registration, Warp::Linear, [1.0, 2.0]);
-    let anisotropy = |registration| axis("anisotropy", SIZE[2], registration, Warp::Linear, [0.0, 0.95]);
+    let slices = |name: &str, registration, warp, range| axis(name, SIZE[2], registration, warp, range);
+    let ior = |registration| slices("ior", registration, Warp::Linear, [1.0, 2.0]);
+    let anisotropy = |registration| slices("anisotropy", registration, Warp::Linear, [0.0, 0.95]);
     let solid = |name: &str, axes: [Axis; 3], decode: Decode, channels: &[&str], arguments| Solid {
         table: table(name, TexelFormat::F16, axes.to_vec(), channels).quantised(),
         decode,
@@ -110,41 +120,125 @@ pub fn to_look_up() -> Vec<Solid> {
             &["loss", "bias"],
             &["roughness", "mu", "anisotropy", "ior"],
         ),
+        solid(
+            // Both warps of the index of refraction, from 1 on: they share its root.
+            "solid-ior",
+            [
+                mu(Endpoint, Warp::HomogeneousIor),
+                roughness(Endpoint, 0.02),
+                slices("ior", Endpoint, Warp::Ior, [1.0, 2.0]),
+            ],
+            Decode::Loss,
+            &["loss"],
+            &["roughness", "alpha", "mu", "ior"],
+        ),
+        solid(
+            // From another minimum they do not.
+            "solid-ior-apart",
+            [
+                mu(Centre, Warp::HomogeneousIor),
+                roughness(Centre, 0.02),
+                slices("ior", Centre, Warp::Ior, [1.05, 3.0]),
+            ],
+            Decode::Loss,
+            &["loss"],
+            &["roughness", "alpha", "mu", "ior"],
+        ),
+        solid(
+            "solid-square",
+            [
+                mu(Endpoint, Warp::Linear),
+                roughness(Endpoint, 0.0),
+                slices("anisotropy", Centre, Warp::Square, [0.0, 1.0]),
+            ],
+            Decode::Albedo,
+            &["E"],
+            &["roughness", "mu", "anisotropy"],
+        ),
+        solid(
+            "solid-azimuth",
+            [
+                mu(Endpoint, Warp::HomogeneousAzimuth),
+                roughness(Endpoint, 0.02),
+                slices("anisotropy", Endpoint, Warp::Aspect, [0.0, 1.0]),
+            ],
+            Decode::AzimuthCubic,
+            &["c0", "c1", "c2", "c3"],
+            &["roughness", "alpha", "mu", "anisotropy", "cos2_phi"],
+        ),
     ]
 }
 
 /// Points in the domain of the tables, their edges and corners, and some beyond, where lookups clamp.
 pub fn points() -> Vec<Point> {
     let mut points = Vec::new();
-    let point = |[x, y, z, w]: [f32; 4]| Point {
+    let point = |[x, y, z, w, v]: [f32; 5]| Point {
         roughness: x,
         alpha: x * x,
         mu: y,
         anisotropy: z,
         ior: 1.0 + w,
-        cos2_phi: 1.0,
+        cos2_phi: v,
     };
     let edges = [0.0_f32, 0.02, 0.125, 0.5, 0.999, 1.0];
-    for x in edges {
-        for y in edges {
-            for z in edges {
-                points.push(point([x.max(1e-3), y, z, 1.0 - z]));
+    for (i, x) in edges.into_iter().enumerate() {
+        for (j, y) in edges.into_iter().enumerate() {
+            for (k, z) in edges.into_iter().enumerate() {
+                // Every cos2_phi with every pair of the others.
+                points.push(point([x.max(1e-3), y, z, 1.0 - z, edges[(i + j + k) % edges.len()]]));
             }
         }
     }
-    // The additive recurrence of the generalised golden ratio in four dimensions (Roberts 2018).
-    let steps = [0.856_674_9_f64, 0.733_891_9, 0.628_706_7, 0.538_597_3];
+    // The additive recurrence of the generalised golden ratio in five dimensions (Roberts 2018).
+    let steps = [0.881_271_5_f64, 0.776_639_4, 0.684_430_1, 0.603_168_7, 0.531_555_4];
     for i in 1..20_000 {
         let at = steps.map(|step| (f64::from(i) * step).fract() as f32);
-        points.push(point([at[0].max(1e-3), at[1], at[2] * 1.1, at[3] * 1.1]));
+        points.push(point([at[0].max(1e-3), at[1], at[2] * 1.1, at[3] * 1.1, at[4]]));
     }
     points
 }
 
-/// roughness, alpha, mu, anisotropy, ior of every point, one after another.
+/// roughness, alpha, mu, anisotropy, ior, cos2_phi of every point, one after another.
 pub fn bytes(points: &[Point]) -> Vec<u8> {
-    let numbers = |p: &Point| [p.roughness, p.alpha, p.mu, p.anisotropy, p.ior];
+    let numbers = |p: &Point| [p.roughness, p.alpha, p.mu, p.anisotropy, p.ior, p.cos2_phi];
     points.iter().flat_map(numbers).flat_map(f32::to_le_bytes).collect()
+}
+
+/// What warps and decodings use of a point.
+pub fn surface(p: &Point) -> Surface<f32> {
+    Surface { alpha: p.alpha, ior: p.ior, anisotropy: p.anisotropy, cos2_phi: p.cos2_phi }
+}
+
+/// What two machines may make differently of an azimuth's cubic.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Differences {
+    /// Of a logarithm, relative to it.
+    pub relative: f64,
+    /// Of a logarithm, besides.
+    pub absolute: f64,
+    /// Of the channels.
+    pub channels: [f64; 4],
+}
+
+/// A bound on the difference of E of [`Decode::AzimuthCubic`] between two machines, one of which reads `texel`.
+///
+/// t = N/L, both logarithms, L no less than 1e-6 on either machine: N and L differ by dN and dL, and t by
+/// dt <= (dN + |t| dL)/max(L - dL, 1e-6) and the roundings of two quotients. With T = |t| + dt, the cubic differs by what the channels
+/// do, weighted with powers of T, by dt times its largest slope |c1| + 2 |c2| T + 3 |c3| T^2, and by the roundings of seven operations,
+/// half a unit on the one machine and one on the other.
+pub fn azimuth_bound(texel: [f32; 4], point: &Point, differences: &Differences) -> f64 {
+    let surface = surface(point);
+    let log2 = |x: f32| ops::log(f64::from(x)) / std::f64::consts::LN_2;
+    let (numerator, divisor) = (log2(surface.spread()).abs(), (-log2(surface.squash())).max(1e-6));
+    let [dn, dl] = [numerator, divisor].map(|log| differences.relative * log + differences.absolute);
+    let (t, ulp) = (numerator / divisor, f64::from(f32::EPSILON));
+    let dt = (dn + t * dl) / (divisor - dl).max(1e-6) + 3.5 * ulp * t;
+    let (most, [d0, d1, d2, d3]) = (t + dt, differences.channels);
+    let [c0, c1, c2, c3] = [0, 1, 2, 3].map(|c| f64::from(texel[c]).abs() + differences.channels[c]);
+    let by_channels = d0 + most * (d1 + most * (d2 + most * d3));
+    let by_t = dt * (c1 + most * (2.0 * c2 + most * 3.0 * c3));
+    let size = 1.0 + c0 + most * (c1 + most * (c2 + most * c3));
+    by_channels + by_t + 7.0 * 1.5 * ulp * size
 }
 
 /// A certificate as the files bear it.

@@ -5,7 +5,7 @@ mod decoding;
 mod rust;
 mod wgsl;
 
-use crate::data::{Axis, Decode, Table};
+use crate::data::{Axis, Decode, Expression, Table};
 
 pub use rust::{HELPER_NAMES as RUST_HELPER_NAMES, helpers as rust_helpers};
 
@@ -60,7 +60,7 @@ impl Readable<'_> {
     }
 
     fn coordinate_text(&self) -> String {
-        self.table.axes.iter().map(coordinate).collect::<Vec<_>>().join("\n")
+        coordinates(&self.table.axes).join("\n")
     }
 
     fn decode_text(&self) -> String {
@@ -93,13 +93,26 @@ pub fn comment(mark: &str, lines: &[String]) -> String {
     lines.iter().map(|line| format!("{mark} {line}").trim_end().to_string() + "\n").collect()
 }
 
-/// The texture coordinate of an axis as an expression in WGSL, the arithmetic of [`Axis::texture_coordinate`]. What it mentions of
-/// [`ARGUMENTS`] becomes an argument; its functions must be among those that Rust has by the same name.
-fn coordinate(axis: &Axis) -> String {
-    let unit = axis.expression();
-    match axis.affine() {
-        (1.0, 0.0) => unit,
-        (scale, offset) if offset < 0.0 => format!("{unit} * {scale:?} - {:?}", -offset),
-        (scale, offset) => format!("{unit} * {scale:?} + {offset:?}"),
+/// Lines that compute the texture coordinates of some axes, each under its letter: in WGSL, the arithmetic of
+/// [`Axis::texture_coordinate`]. What they mention of [`ARGUMENTS`] becomes an argument; their functions must be among those that Rust
+/// has by the same name.
+fn coordinates(axes: &[Axis]) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for (letter, axis) in LETTERS.iter().zip(axes) {
+        let Expression { steps, value } = axis.expression();
+        let value = match axis.affine() {
+            (1.0, 0.0) => value,
+            (scale, offset) if scale < 0.0 => format!("{offset:?} - {value} * {:?}", -scale),
+            (scale, offset) if offset < 0.0 => format!("{value} * {scale:?} - {:?}", -offset),
+            (scale, offset) => format!("{value} * {scale:?} + {offset:?}"),
+        };
+        for (name, value) in steps.into_iter().chain([(letter.to_string(), value)]) {
+            let line = format!("let {name} = {value};");
+            // Another axis may have named the same quantity.
+            if !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
     }
+    lines
 }

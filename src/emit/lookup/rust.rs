@@ -1,6 +1,6 @@
 //! The Rust functions of a table, and the helpers that they share.
 
-use super::{LETTERS, Readable, comment, coordinate, declared, decoding, mentions};
+use super::{LETTERS, Readable, comment, coordinates, declared, decoding, mentions};
 use crate::data::Table;
 
 fn array(n: usize) -> String {
@@ -24,8 +24,8 @@ fn unused(arguments: &[&str], body: &str) -> String {
 fn uv(readable: &Readable) -> String {
     let (name, axes) = (readable.identifier(), &readable.table.axes);
     let (letters, arguments) = (&LETTERS[..axes.len()], readable.coordinate_arguments());
-    let line = |(letter, axis)| format!("    let {letter} = {};\n", functions(&coordinate(axis)));
-    let body: String = letters.iter().zip(axes).map(line).collect();
+    let line = |line: &String| format!("    {}\n", functions(line));
+    let body: String = coordinates(axes).iter().map(line).collect();
     let (uv, result, unused) = (letters.concat(), array(axes.len()), unused(&arguments, &body));
     let (arguments, value) = (declared(&arguments), letters.join(", "));
     format!("pub fn {name}_{uv}({arguments}) -> {result} {{\n{unused}{body}    [{value}]\n}}\n")

@@ -1,10 +1,10 @@
 //! The WGSL functions of a table.
 
-use super::{LETTERS, Readable, comment, coordinate, declared, decoding};
+use super::{LETTERS, Readable, comment, coordinates, declared, decoding};
 use crate::data::TexelFormat;
 
-/// The swizzle of a texel's channels.
-const SWIZZLES: [&str; 4] = ["x", "xy", "xyz", "xyzw"];
+/// What picks a texel's channels from the four that are fetched.
+const SWIZZLES: [&str; 4] = [".x", ".xy", ".xyz", ""];
 
 fn vector(n: usize) -> String {
     format!("vec{n}<f32>")
@@ -20,9 +20,7 @@ fn uv(readable: &Readable) -> String {
     let letters = &LETTERS[..axes.len()];
     let (result, arguments) = (vector(axes.len()), declared(&readable.coordinate_arguments()));
     let mut text = format!("fn {name}_{}({arguments}) -> {result} {{\n", letters.concat());
-    for (letter, axis) in letters.iter().zip(axes) {
-        text += &format!("    let {letter} = {};\n", coordinate(axis));
-    }
+    text.extend(coordinates(axes).iter().map(|line| format!("    {line}\n")));
     text + &format!("    return {result}({});\n}}\n", letters.join(", "))
 }
 
@@ -57,7 +55,7 @@ fn lookup(readable: &Readable) -> String {
 {feature}fn {name}_lookup(table: texture_{n}d<f32>, linear_clamp: sampler, {}) -> {result} {{
     let {uv} = {name}_{uv}({});
     let texel = textureSampleLevel(table, linear_clamp, {uv}, 0.0);
-    return {name}_decode(texel.{channels}{decoded});
+    return {name}_decode(texel{channels}{decoded});
 }}
 ",
         declared(&readable.arguments()),

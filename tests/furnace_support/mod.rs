@@ -1,0 +1,103 @@
+//! What furnace tests share: the emitted functions of tables, run as the program of somebody who uses them, and textbook lobes.
+
+pub mod tables;
+pub mod textbook;
+
+use lobefit::effects::volume::Point;
+use lobefit::emit::compensation::Compensation;
+use lobefit::emit::lookup::{Readable, rust_helpers};
+
+use crate::emit_support::{programs, solid};
+
+/// An emitted table: where its functions are called by name, and what they read.
+pub struct Emitted {
+    /// Start of the functions' names.
+    pub identifier: String,
+    /// Arguments of the lookup.
+    pub arguments: Vec<String>,
+    /// Channels of a texel.
+    pub channels: usize,
+    /// Texels in the order of the lookup, channels fastest.
+    pub texels: Vec<f32>,
+}
+
+impl Emitted {
+    pub fn new(readable: &Readable) -> Emitted {
+        let channels = &readable.table.channels;
+        let texel = |i: usize| channels.iter().map(move |c| c.texels[i] as f32);
+        Emitted {
+            identifier: readable.identifier(),
+            arguments: readable.arguments().into_iter().map(String::from).collect(),
+            channels: channels.len(),
+            texels: (0..channels[0].texels.len()).flat_map(texel).collect(),
+        }
+    }
+}
+
+/// The Rust file that a bake emits for these tables.
+pub fn include(readables: &[Readable], compensation: Compensation) -> String {
+    let lookups: Vec<String> = readables.iter().map(Readable::rust).collect();
+    let lookups = lookups.join("\n");
+    format!("#![allow(dead_code)]\n{lookups}\n{}\n{}", rust_helpers(&lookups), compensation.rust())
+}
+
+/// F0 of the three channels of the test's metal.
+pub const F0: [f64; 3] = [1.0, 0.9, 0.5];
+
+/// What emitted functions return at a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Returned {
+    /// The sampled E.
+    pub e: f64,
+    /// A lobe of 1 compensated: for metals of [`F0`], for glass three times the same.
+    pub factors: [f64; 3],
+}
+
+/// The functions of `include`, compiled by rustc, for every table at its points, with the compensation of colours; that of one channel
+/// must agree with it.
+pub fn returned(
+    include: &str,
+    compensation: Compensation,
+    tables: &[(&Emitted, &[Point])],
+) -> Vec<Vec<Returned>> {
+    let (mut numbers, mut body) = (Vec::new(), String::from("    let rest = &numbers[..];\n"));
+    let (colours, factor) = match compensation {
+        Compensation::Reflection => {
+            (format!("reflection([1.0; 3], {F0:?}, e)"), format!("reflection_factor({:?}, e)", F0[0]))
+        }
+        Compensation::Glass => ("glass([1.0; 3], e)".into(), "glass_factor(e)".into()),
+    };
+    for (Emitted { identifier, arguments, channels, texels }, points) in tables {
+        numbers.extend(texels.iter().flat_map(|x| x.to_le_bytes()));
+        numbers.extend(solid::bytes(points));
+        let (count, inputs) = (texels.len(), 6 * points.len());
+        let texels = match channels {
+            1 => "texels.to_vec()".to_string(),
+            n => format!(
+                "texels.chunks_exact({n}).map(|t| t.try_into().unwrap()).collect::<Vec<[f32; {n}]>>()"
+            ),
+        };
+        body += &format!(
+            "    let (texels, rest) = rest.split_at({count});
+    let texels = {texels};
+    let (inputs, rest) = rest.split_at({inputs});
+    for p in inputs.chunks_exact(6) {{
+        let [roughness, alpha, mu, anisotropy, ior, cos2_phi]: [f32; 6] = p.try_into().unwrap();
+        let e = lobefit::{identifier}_lookup(&texels, {});
+        let colours = lobefit::ggx_compensate_{colours};
+        assert_eq!(lobefit::ggx_compensate_{factor}, colours[0]);
+        out.push(e);
+        out.extend(colours);
+    }}
+",
+            arguments.join(", ")
+        );
+    }
+    body += "    assert!(rest.is_empty());\n";
+    let found = programs::run(include, 1, &body, &numbers);
+    let mut found = found.chunks_exact(4).map(|v| {
+        let [e, a, b, c] = [v[0], v[1], v[2], v[3]].map(f64::from);
+        Returned { e, factors: [a, b, c] }
+    });
+    tables.iter().map(|(_, points)| found.by_ref().take(points.len()).collect()).collect()
+}

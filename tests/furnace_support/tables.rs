@@ -1,0 +1,130 @@
+//! Small tables made for the furnace: sampled, not optimised, in the layouts for the trilinear lookup.
+
+use lobefit::data::{AlphaMap, Axis, Channel, Smith, Surface, Table, TexelFormat, Warp};
+use lobefit::effects::volume::{Azimuth, aniso_axes, aspect, azimuth_axes, glass_axes};
+use lobefit::integrate::aniso::table::{self as aniso, Columns, Grid};
+use lobefit::integrate::glass::table::{self as glass, GlassGrid};
+use lobefit::math::ops;
+use rayon::prelude::*;
+
+const ROUGHNESS: [f64; 2] = [0.02, 1.0];
+
+/// Smallest cosine and alpha that the texels are integrated at.
+const SMALLEST_MU: f64 = 1e-3;
+const SMALLEST_ALPHA: f64 = 4e-4;
+
+/// Of a texel.
+const TOLERANCE: f64 = 1e-5;
+
+fn nodes(axis: &Axis) -> Vec<f64> {
+    (0..axis.size).map(|i| axis.node(i, Surface::<f64>::rough(1.0))).collect()
+}
+
+fn alphas(axis: &Axis) -> Vec<f64> {
+    nodes(axis).into_iter().map(|r| AlphaMap::RoughnessSquared.alpha(r).max(SMALLEST_ALPHA)).collect()
+}
+
+/// The cosine of a column.
+fn cosine(axis: &Axis, column: usize, surface: Surface<f64>) -> f64 {
+    axis.node(column, surface).clamp(SMALLEST_MU, 1.0)
+}
+
+fn halves(
+    name: String,
+    quantity: &str,
+    smith: Smith,
+    axes: [Axis; 3],
+    channels: Vec<(&str, Vec<f64>)>,
+) -> Table {
+    let channel = |(name, texels): (&str, Vec<f64>)| Channel { name: name.into(), texels };
+    let table = Table {
+        name,
+        quantity: quantity.into(),
+        smith,
+        alpha_map: AlphaMap::RoughnessSquared,
+        axes: axes.to_vec(),
+        channels: channels.into_iter().map(channel).collect(),
+        format: TexelFormat::F16,
+    };
+    table.validate().expect("a table");
+    table.quantised()
+}
+
+fn losses(e: &[f64]) -> Vec<f64> {
+    e.iter().map(|e| 1.0 - e).collect()
+}
+
+/// The azimuth mean of the anisotropic lobe.
+pub fn of_mean(smith: Smith) -> Table {
+    let axes = aniso_axes([32, 32, 16], ROUGHNESS, [0.0, 1.0]);
+    let (alphas, aspects) = (alphas(&axes[1]), nodes(&axes[2]).into_iter().map(aspect).collect::<Vec<_>>());
+    let mu = |column: usize, alpha: f64, _: f64| cosine(&axes[0], column, Surface::<f64>::rough(alpha));
+    let columns = Columns::Varying { count: axes[0].size, mu: &mu };
+    let grid = Grid { columns, alphas: &alphas, aspects: &aspects, floor: 0.0 };
+    let e = aniso::tabulate(smith, &grid, TOLERANCE).expect("a table").e;
+    let name = format!("furnace-mean-{}", smith.name());
+    halves(name, "ggx-reflection-aniso", smith, axes, vec![("loss", losses(&e))])
+}
+
+/// The anisotropic lobe with the azimuth of the view, four channels.
+pub fn of_azimuth(smith: Smith) -> Table {
+    let mut axes = azimuth_axes([32, 16, 16], ROUGHNESS, [0.0, 1.0]);
+    axes[0].warp = Warp::HomogeneousAzimuth;
+    let (alphas, anisotropies) = (alphas(&axes[1]), nodes(&axes[2]));
+    let [columns, rows, slices] = [0, 1, 2].map(|k| axes[k].size);
+    let cubics: Vec<[f64; 4]> = (0..columns * rows * slices)
+        .into_par_iter()
+        .map(|i| {
+            let (column, alpha, anisotropy) =
+                (i % columns, alphas[i / columns % rows], anisotropies[i / columns / rows]);
+            let lobe = Azimuth { alpha, aspect: aspect(anisotropy) };
+            let loss = |t: f64| {
+                let phi = lobe.phi(t);
+                let cosine_phi = ops::cos(phi);
+                let surface = Surface { alpha, ior: 1.0, anisotropy, cos2_phi: cosine_phi * cosine_phi };
+                let mu = cosine(&axes[0], column, surface);
+                1.0 - aniso::at(smith, lobe.alphas(), mu, phi, TOLERANCE).expect("E").value
+            };
+            Azimuth::cubic(&Azimuth::samples().into_iter().map(loss).collect::<Vec<_>>())
+        })
+        .collect();
+    let channel = |k: usize| cubics.iter().map(|cubic| cubic[k]).collect();
+    let channels = [("c0", 0), ("c1", 1), ("c2", 2), ("c3", 3)].map(|(name, k)| (name, channel(k)));
+    halves(format!("furnace-azimuth-{}", smith.name()), "ggx-reflection-aniso", smith, axes, channels.into())
+}
+
+/// Both sides of glass, outside first.
+pub fn of_glass(smith: Smith) -> [Table; 2] {
+    let axes = glass_axes([32, 32, 24], ROUGHNESS, [1.0, 2.0]);
+    let alphas = alphas(&axes[1]);
+    // The slices' ior depends on alpha, the texels' grid does not: one grid a row.
+    let rows: Vec<glass::Tabulated> = alphas
+        .iter()
+        .map(|alpha| {
+            let rough = Surface::<f64>::rough(*alpha);
+            let iors: Vec<f64> = (0..axes[2].size).map(|z| axes[2].node(z, rough)).collect();
+            let mu = |column: usize, alpha: f64, ior: f64| {
+                cosine(&axes[0], column, Surface { alpha, ior, ..rough })
+            };
+            glass::tabulate(&GlassGrid {
+                smith,
+                alphas: &[*alpha],
+                columns: axes[0].size,
+                iors: &iors,
+                mu: &mu,
+                tolerance: TOLERANCE,
+            })
+            .expect("a row")
+        })
+        .collect();
+    let columns = axes[0].size;
+    let texels = |of: fn(&glass::Tabulated) -> &Vec<f64>| -> Vec<f64> {
+        let line = |z: usize| rows.iter().flat_map(move |row| of(row)[z * columns..(z + 1) * columns].iter());
+        (0..axes[2].size).flat_map(line).copied().collect()
+    };
+    let sides = [("outside", texels(|row| &row.outside)), ("inside", texels(|row| &row.inside))];
+    sides.map(|(side, e)| {
+        let name = format!("furnace-glass-{}-{side}", smith.name());
+        halves(name, "ggx-glass", smith, axes.clone(), vec![("loss", losses(&e))])
+    })
+}
