@@ -661,7 +661,8 @@ pub fn ggx_dfg_correlated_64x64_split_sum_lookup(texels: &[[f32; 2]], roughness:
 pub fn ggx_aniso_correlated_64x64x32_uvw(roughness: f32, alpha: f32, mu: f32, anisotropy: f32) -> [f32; 3] {
     let u = f32::sqrt(mu * (1.0 + alpha) / (mu + alpha)) * 0.984375 + 0.0078125;
     let v = roughness * 1.1464884 - 0.15430097;
-    let w = f32::sqrt(1.0 - 0.9 * anisotropy) * -1.416773 + 1.432398;
+    let q = 1.0 - 0.9 * anisotropy;
+    let w = 1.432398 - f32::sqrt(q) * 1.416773;
     [u, v, w]
 }
 
@@ -729,7 +730,7 @@ pub fn path_tracer_reflection_separable_64x64x32_lookup(texels: &[f32], roughnes
 
 /// Table ggx-aniso-azimuth-correlated-64x16x16 of ggx-reflection-aniso, F = 1
 /// smith: correlated; alpha = roughness^2; texels: f16
-/// columns (x): mu in [0, 1], 64 texels, endpoint registration, u = sqrt(mu * (1 + v) / (mu + v)), v = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), q = 1 - 0.9 * anisotropy
+/// columns (x): mu in [0, 1], 64 texels, endpoint registration, u = sqrt(mu * (1 + l) / (mu + l)), l = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), q = 1 - 0.9 * anisotropy
 /// rows (y, first row at the top): roughness in [0.1414, 1], 16 texels, endpoint registration, u = (roughness - 0.1414) / (1 - 0.1414)
 /// slices (z): anisotropy in [0, 1], 16 texels, endpoint registration, u = (sqrt(1 - 0.9 * 0) - sqrt(1 - 0.9 * anisotropy)) / (sqrt(1 - 0.9 * 0) - sqrt(1 - 0.9 * 1))
 /// an EXR holds the slices one below the other: slice z is rows 16 z to 16 z + 15 of 256
@@ -739,9 +740,12 @@ pub fn path_tracer_reflection_separable_64x64x32_lookup(texels: &[f32], roughnes
 ///   worst at alpha = 0.120109804, anisotropy = 0.9542053, mu = 0.68218833, phi = 1.5619428, roughness = 0.3465686; measured at 184320 points in f16 texels, f32 lookup
 ///   domain: alpha [0.01999396, 1], anisotropy [0, 1], mu [0.001, 1], roughness [0.1414, 1]
 pub fn ggx_aniso_azimuth_correlated_64x16x16_uvw(roughness: f32, alpha: f32, mu: f32, anisotropy: f32, cos2_phi: f32) -> [f32; 3] {
-    let u = f32::sqrt(mu * (1.0 + (alpha * f32::sqrt(cos2_phi / (1.0 - 0.9 * anisotropy) + (1.0 - cos2_phi) * (1.0 - 0.9 * anisotropy)))) / (mu + (alpha * f32::sqrt(cos2_phi / (1.0 - 0.9 * anisotropy) + (1.0 - cos2_phi) * (1.0 - 0.9 * anisotropy))))) * 0.984375 + 0.0078125;
+    let q = 1.0 - 0.9 * anisotropy;
+    let spread = cos2_phi / q + (1.0 - cos2_phi) * q;
+    let l = alpha * f32::sqrt(spread);
+    let u = f32::sqrt(mu * (1.0 + l) / (mu + l)) * 0.984375 + 0.0078125;
     let v = roughness * 1.0918938 - 0.12314378;
-    let w = f32::sqrt(1.0 - 0.9 * anisotropy) * -1.3710706 + 1.4023206;
+    let w = 1.4023206 - f32::sqrt(q) * 1.3710706;
     [u, v, w]
 }
 
@@ -776,7 +780,7 @@ pub fn ggx_aniso_azimuth_correlated_64x16x16_lookup(texels: &[[f32; 4]], roughne
 /// smith: correlated; alpha = roughness^2; texels: f16
 /// columns (x): mu in [0, 1], 128 texels, endpoint registration, u = sqrt(mu * (1 + l) / (mu + l)), l = alpha + 3 * sqrt(ior - 1)
 /// rows (y, first row at the top): roughness in [0.1414, 1], 128 texels, endpoint registration, u = (roughness - 0.1414) / (1 - 0.1414)
-/// slices (z): ior in [1, 2], 32 texels, endpoint registration, u = (sqrt(q * (Q + c) / (Q * (q + c)) + 0.01) - 0.1) / (sqrt(1.01) - 0.1), q = sqrt(ior - 1), Q = sqrt(2 - 1), c = 0.001 + 0.55 * sqrt(alpha)
+/// slices (z): ior in [1, 2], 32 texels, endpoint registration, u = (sqrt(r * (R + c) / (R * (r + c)) + 0.01) - 0.1) / (sqrt(1.01) - 0.1), r = sqrt(ior - 1), R = sqrt(2 - 1), c = 0.001 + 0.55 * sqrt(alpha)
 /// an EXR holds the slices one below the other: slice z is rows 128 z to 128 z + 127 of 4096
 /// texel: x = loss (the EXR names its channels so)
 /// decode: E = 1 - loss
@@ -784,9 +788,12 @@ pub fn ggx_aniso_azimuth_correlated_64x16x16_lookup(texels: &[[f32; 4]], roughne
 ///   worst at alpha = 0.020899514, ior = 1.5290524, mu = 0.030206328, roughness = 0.14456664; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.01999396, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
 pub fn ggx_glass_outside_correlated_128x128x32_uvw(roughness: f32, alpha: f32, mu: f32, ior: f32) -> [f32; 3] {
-    let u = f32::sqrt(mu * (1.0 + (alpha + 3.0 * f32::sqrt(f32::max(ior - 1.0, 0.0)))) / (mu + (alpha + 3.0 * f32::sqrt(f32::max(ior - 1.0, 0.0))))) * 0.9921875 + 0.00390625;
+    let r = f32::sqrt(f32::max(ior - 1.0, 0.0));
+    let l = alpha + 3.0 * r;
+    let u = f32::sqrt(mu * (1.0 + l) / (mu + l)) * 0.9921875 + 0.00390625;
     let v = roughness * 1.1555876 - 0.15949383;
-    let w = f32::sqrt(f32::sqrt(f32::max(ior - 1.0, 0.0)) * (1.0 + (0.001 + 0.55 * f32::sqrt(alpha))) / (1.0 * (f32::sqrt(f32::max(ior - 1.0, 0.0)) + (0.001 + 0.55 * f32::sqrt(alpha)))) + 0.01) * 1.0704567 - 0.09142067;
+    let c = 0.001 + 0.55 * f32::sqrt(alpha);
+    let w = f32::sqrt(r * (1.0 + c) / (r + c) + 0.01) * 1.0704567 - 0.09142067;
     [u, v, w]
 }
 
@@ -816,7 +823,7 @@ pub fn ggx_glass_outside_correlated_128x128x32_lookup(texels: &[f32], roughness:
 /// smith: correlated; alpha = roughness^2; texels: f16
 /// columns (x): mu in [0, 1], 128 texels, endpoint registration, u = sqrt(mu * (1 + l) / (mu + l)), l = alpha + 3 * sqrt(ior - 1)
 /// rows (y, first row at the top): roughness in [0.1414, 1], 128 texels, endpoint registration, u = (roughness - 0.1414) / (1 - 0.1414)
-/// slices (z): ior in [1, 2], 32 texels, endpoint registration, u = (sqrt(q * (Q + c) / (Q * (q + c)) + 0.01) - 0.1) / (sqrt(1.01) - 0.1), q = sqrt(ior - 1), Q = sqrt(2 - 1), c = 0.001 + 0.55 * sqrt(alpha)
+/// slices (z): ior in [1, 2], 32 texels, endpoint registration, u = (sqrt(r * (R + c) / (R * (r + c)) + 0.01) - 0.1) / (sqrt(1.01) - 0.1), r = sqrt(ior - 1), R = sqrt(2 - 1), c = 0.001 + 0.55 * sqrt(alpha)
 /// an EXR holds the slices one below the other: slice z is rows 128 z to 128 z + 127 of 4096
 /// texel: x = loss (the EXR names its channels so)
 /// decode: E = 1 - loss
@@ -824,9 +831,12 @@ pub fn ggx_glass_outside_correlated_128x128x32_lookup(texels: &[f32], roughness:
 ///   worst at alpha = 0.07809077, ior = 1.6595334, mu = 0.79541254, roughness = 0.27944726; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.01999396, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
 pub fn ggx_glass_inside_correlated_128x128x32_uvw(roughness: f32, alpha: f32, mu: f32, ior: f32) -> [f32; 3] {
-    let u = f32::sqrt(mu * (1.0 + (alpha + 3.0 * f32::sqrt(f32::max(ior - 1.0, 0.0)))) / (mu + (alpha + 3.0 * f32::sqrt(f32::max(ior - 1.0, 0.0))))) * 0.9921875 + 0.00390625;
+    let r = f32::sqrt(f32::max(ior - 1.0, 0.0));
+    let l = alpha + 3.0 * r;
+    let u = f32::sqrt(mu * (1.0 + l) / (mu + l)) * 0.9921875 + 0.00390625;
     let v = roughness * 1.1555876 - 0.15949383;
-    let w = f32::sqrt(f32::sqrt(f32::max(ior - 1.0, 0.0)) * (1.0 + (0.001 + 0.55 * f32::sqrt(alpha))) / (1.0 * (f32::sqrt(f32::max(ior - 1.0, 0.0)) + (0.001 + 0.55 * f32::sqrt(alpha)))) + 0.01) * 1.0704567 - 0.09142067;
+    let c = 0.001 + 0.55 * f32::sqrt(alpha);
+    let w = f32::sqrt(r * (1.0 + c) / (r + c) + 0.01) * 1.0704567 - 0.09142067;
     [u, v, w]
 }
 
