@@ -3,7 +3,6 @@
 pub mod chebyshev;
 pub mod gauss;
 pub mod lanes;
-pub mod lanes_ln;
 pub mod ops;
 pub mod panels;
 pub mod sobol;

@@ -1,6 +1,6 @@
 //! Small tables made for the furnace: sampled, not optimised, in the layouts for the trilinear lookup.
 
-use lobefit::data::{AlphaMap, Axis, Channel, Smith, Surface, Table, TexelFormat, Warp};
+use lobefit::data::{AlphaMap, Axis, Channel, Smith, Surface, Table, TexelFormat};
 use lobefit::effects::volume::{Azimuth, aniso_axes, aspect, azimuth_axes, glass_axes};
 use lobefit::integrate::aniso::table::{self as aniso, Columns, Grid};
 use lobefit::integrate::glass::table::{self as glass, GlassGrid};
@@ -68,8 +68,7 @@ pub fn of_mean(smith: Smith) -> Table {
 
 /// The anisotropic lobe with the azimuth of the view, four channels.
 pub fn of_azimuth(smith: Smith) -> Table {
-    let mut axes = azimuth_axes([32, 16, 16], ROUGHNESS, [0.0, 1.0]);
-    axes[0].warp = Warp::HomogeneousAzimuth;
+    let axes = azimuth_axes([32, 16, 16], ROUGHNESS, [0.0, 1.0]);
     let (alphas, anisotropies) = (alphas(&axes[1]), nodes(&axes[2]));
     let [columns, rows, slices] = [0, 1, 2].map(|k| axes[k].size);
     let cubics: Vec<[f64; 4]> = (0..columns * rows * slices)

@@ -1,11 +1,6 @@
-//! What the channels of a table mean, and what reading them costs.
+//! What reading a table costs.
 
-use crate::data::{Decode, Layout, Serves};
-
-/// E, A and B from the channels, as written in headers and the manifest: (value, formula).
-pub fn decode(layout: Layout, serves: Serves) -> &'static [(&'static str, &'static str)] {
-    Decode::of(layout, serves).formulas()
-}
+use crate::data::{Layout, Serves};
 
 /// Operations of a lookup beside its fetch, coordinates and decoding, to E, or to E, A and B.
 ///

@@ -14,7 +14,7 @@ mod table;
 
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{catalogue_names, catalogue_sources};
-pub use decode::{decode, lookup_ops};
+pub use decode::lookup_ops;
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Dropped, Fit, FitSet, FitSpec, FitStageError, fit_all};
 pub use lookup::{Lookup, Split};

@@ -6,7 +6,6 @@ use super::rules::{Block, PANELS, RayNode, StarRule};
 use crate::data::Smith;
 use crate::integrate::aniso::view::View;
 use crate::math::lanes::{self, F8, LANES};
-use crate::math::lanes_ln;
 
 /// E by one rule. The view's azimuth lies in the first quadrant, and alpha_y is not above alpha_x.
 #[inline(always)]
@@ -194,7 +193,7 @@ fn horizon(mu: f64, lean: f64) -> f64 {
 /// sinh(asinh(z)/9) from e^asinh(z).
 #[inline(always)]
 fn ninth(grown: &F8) -> F8 {
-    let mut power = lanes_ln::ln(grown);
+    let mut power = lanes::ln(grown);
     for i in 0..LANES {
         power[i] *= 1.0 / 9.0;
     }
