@@ -22,8 +22,8 @@ pub use field::{Field, Ruler};
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
     EffectFinding, ErrorFigure, Findings, FitCurve, FitFinding, Furnace, FurnaceFinding, FurnaceRow, Index,
-    IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, Study, StudySeries, TableFinding, VolumeFindings,
-    VolumeTable,
+    IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SourcesFinding, Study, StudySeries, TableFinding,
+    VolumeFindings, VolumeTable,
 };
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

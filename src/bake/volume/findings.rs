@@ -9,13 +9,13 @@ use crate::bake::context::Context;
 use crate::bake::{BakeError, origin};
 use crate::data::{Smith, VolumeLayout};
 use crate::effects::Deviation;
-use crate::effects::volume::{Lookup, Region, Third};
+use crate::effects::volume::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
 use crate::emit::manifest::Entries;
 use crate::integrate::glass::Side;
 use crate::plan::Effect;
 use crate::report::{
-    EffectFinding, ErrorFigure, Field, Furnace, FurnaceFinding, FurnaceRow, Ruler, VolumeFindings,
-    VolumeTable,
+    EffectFinding, ErrorFigure, Field, Furnace, FurnaceFinding, FurnaceRow, Ruler, SourcesFinding,
+    VolumeFindings, VolumeTable,
 };
 use crate::scene::Scene;
 
@@ -81,6 +81,7 @@ pub fn findings(
             measured_error,
             metric: "lookup error of the worst table in a layout of ours".into(),
         },
+        sources: sources(tables)?,
         furnaces: furnaces(tables)?,
         azimuth: if tables.iter().any(|t| t.side.is_none()) { azimuth::finding(tables)? } else { None },
         tables: shown,
@@ -145,6 +146,23 @@ fn errors(baked: &BakedVolume) -> Vec<(String, ErrorFigure)> {
     lines.push(lookup("lookup of E", &e.lookup));
     lines.push(lookup("lookup of E, weights of 8 bits", &e.lookup_8_bit));
     lines
+}
+
+/// The sources' method beside ours, where their layout was baked.
+fn sources(tables: &[BakedVolume]) -> Result<Option<SourcesFinding>, BakeError> {
+    let theirs: Vec<&BakedVolume> = tables.iter().filter(|t| t.layout == VolumeLayout::PathTracer).collect();
+    let Some(first) = theirs.first() else { return Ok(None) };
+    let texels =
+        theirs.iter().filter_map(|t| t.table()).map(|t| t.size().iter().product::<usize>() as u64).sum();
+    let samples = SOURCES_SAMPLES * texels as f64;
+    Ok(Some(SourcesFinding {
+        texels,
+        // The tables of glass share their integrals.
+        evaluations: first.made.evaluations,
+        worst: first.made.integration,
+        samples,
+        noise: estimate(first.region.third)? / SOURCES_SAMPLES.sqrt(),
+    }))
 }
 
 /// Spheres under every condition: what each layout gives, and what the sources' reading of theirs gives.

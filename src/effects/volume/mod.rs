@@ -11,6 +11,7 @@
 
 mod axes;
 mod azimuth;
+mod estimator;
 mod lookup;
 mod measure;
 mod plan;
@@ -20,6 +21,7 @@ mod spec;
 
 pub use axes::{aniso_axes, azimuth_axes, glass_axes};
 pub use azimuth::Azimuth;
+pub use estimator::{DRAWN, SOURCES_SAMPLES, estimate};
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, error_map, measure};
 pub use plan::{Node, VolumePlan};

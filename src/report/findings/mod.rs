@@ -17,7 +17,7 @@ pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCur
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
-pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, VolumeFindings, VolumeTable};
+pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};
 
 /// Version of the shape of the reports' JSON files.
 pub const SCHEMA_VERSION: u32 = 1;

@@ -15,6 +15,9 @@ pub struct VolumeFindings {
     pub effect: EffectFinding,
     /// The tables.
     pub tables: Vec<VolumeTable>,
+    /// The sources' method beside ours; none without a table in their layout.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sources: Option<SourcesFinding>,
     /// Truths over roughness and mu at some values of the third input, which their names tell.
     pub truths: Vec<Field>,
     /// What a shader gets from each layout.
@@ -55,6 +58,21 @@ pub struct VolumeTable {
     pub errors: Vec<(String, ErrorFigure)>,
     /// Error of the lookup over roughness and mu at some values of the third input.
     pub lookup_error: Vec<Field>,
+}
+
+/// What the tables in the sources' layout took, and what the sources' method takes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SourcesFinding {
+    /// Texels of the tables.
+    pub texels: u64,
+    /// Integrand evaluations of ours, checks included.
+    pub evaluations: u64,
+    /// Worst difference of our texels from direct integrals at those checked, before rounding to the texel format.
+    pub worst: f64,
+    /// Samples that the sources draw for all texels.
+    pub samples: f64,
+    /// Standard error that these leave, root mean square over texels spread over the table: measured with fewer samples and scaled.
+    pub noise: f64,
 }
 
 /// Spheres under one condition.

@@ -3,7 +3,8 @@
 use super::{called_for, figures, furnace, tables, words};
 use crate::report::numbers::grouped;
 use crate::report::{
-    AzimuthFinding, Block, Field, FurnaceFinding, HeatMap, ReportError, Section, VolumeFindings, VolumeTable,
+    AzimuthFinding, Block, Field, FurnaceFinding, HeatMap, ReportError, Section, SourcesFinding,
+    VolumeFindings, VolumeTable,
 };
 
 const LIST: [(&str, bool); 8] = [
@@ -24,6 +25,9 @@ const SIGNED: &str = "Signed error, blue too low, red too high, white exact. The
 pub(super) fn sections(findings: &VolumeFindings) -> Result<Vec<Section>, ReportError> {
     let mut sections = vec![called_for::of(std::slice::from_ref(&findings.effect), &[])];
     sections.push(list(findings));
+    if let Some(sources) = &findings.sources {
+        sections.push(offline(sources));
+    }
     if !findings.furnaces.is_empty() {
         sections.push(lookups(&findings.furnaces)?);
     }
@@ -59,6 +63,36 @@ fn list(findings: &VolumeFindings) -> Section {
         title: "What accuracy costs at run time".into(),
         lead: "Every table made for this effect.".into(),
         blocks: vec![Block::Table(words::table(&LIST, findings.tables.iter().map(row).collect(), caption))],
+    }
+}
+
+fn offline(sources: &SourcesFinding) -> Section {
+    let columns = [("method", false), ("evaluations", true), ("error at the texels", true)];
+    let rows = vec![
+        vec![
+            "lobefit".into(),
+            grouped(sources.evaluations),
+            format!("{} (worst of the texels checked)", words::max(sources.worst)),
+        ],
+        vec![
+            "the sources: 10 million random samples a texel".into(),
+            grouped(sources.samples as u64),
+            format!("{} (one standard deviation)", words::mean(sources.noise)),
+        ],
+    ];
+    let ratio = sources.samples / sources.evaluations as f64;
+    let caption = format!(
+        "{} texels, before they are rounded to the texel format. The sources evaluate the lobe {} times as often; their noise is \
+         measured with fewer samples at texels spread over the table and scaled. Their running sum in f32 adds a bias, which the \
+         page of the effect reflection shows. Seconds are in timings.html, which lobefit cost writes.",
+        grouped(sources.texels),
+        grouped(ratio as u64),
+    );
+    Section {
+        id: "accuracy".into(),
+        title: "What accuracy costs offline".into(),
+        lead: "The tables in the sources' own layout, beside the method of the sources.".into(),
+        blocks: vec![Block::Table(words::table(&columns, rows, &caption))],
     }
 }
 
