@@ -10,13 +10,13 @@
 //! | 0 | [`math`] | scalar operations, quadrature rules, sums, low-discrepancy points |
 //! | 0 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
 //! | 1 | [`optics`] | pure models, each with its limits and its source |
-//! | 2 | [`integrate`] | a quantity at a point: value with error bound |
+//! | 2 | [`integrate`] | a quantity at a point: value with error bound; whole tables, with the SIMD that the processor has |
 //! | 2 | [`fit`] | hypotheses and data to fits; knows nothing of optics |
 //! | 3 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
 //! | 3 | [`scene`] | bytes to a validated scene; owns all limits on input |
 //! | 4 | [`plan`] | scene to jobs, and to effects left out with the reason |
-//! | 4 | [`emit`] | tables and fits to bytes, one file per format |
-//! | 4 | [`report`] | results to plots, renders and a page |
+//! | 4 | [`emit`] | tables, fits, lookups and compensations to bytes, one file per format |
+//! | 4 | [`report`] | results to plots, renders and pages |
 //! | 4 | [`store`] | the only module that touches the file system |
 //! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
 //! | 6 | [`timing`] | what accuracy costs in seconds |
