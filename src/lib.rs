@@ -10,13 +10,13 @@
 //! | 0 | [`math`] | scalar operations, quadrature rules, sums, low-discrepancy points |
 //! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
 //! | 2 | [`optics`] | pure models, each with its limits and its source |
-//! | 3 | [`integrate`] | a quantity at a point: value with error bound |
+//! | 3 | [`integrate`] | a quantity at a point: value with error bound; whole tables, with the SIMD that the processor has |
 //! | 3 | [`fit`] | hypotheses and data to fits; knows nothing of optics |
 //! | 4 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
 //! | 4 | [`scene`] | bytes to a validated scene; owns all limits on input |
 //! | 5 | [`plan`] | scene to jobs, and to effects left out with the reason |
-//! | 5 | [`emit`] | tables and fits to bytes, one file per format |
-//! | 5 | [`report`] | results to plots, renders and a page |
+//! | 5 | [`emit`] | tables, fits, lookups and compensations to bytes, one file per format |
+//! | 5 | [`report`] | results to plots, renders and pages |
 //! | 5 | [`store`] | the only module that touches the file system |
 //! | 6 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
 //! | 7 | [`timing`] | what accuracy costs in seconds |

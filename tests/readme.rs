@@ -2,10 +2,15 @@
 
 use std::path::Path;
 
+use lobefit::emit::header::short;
 use serde_json::Value;
 
 fn read(name: &str) -> String {
     std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).expect("committed")
+}
+
+fn json(name: &str) -> Value {
+    serde_json::from_str(&read(name)).expect("JSON")
 }
 
 fn find<'a>(list: &'a Value, name: &str) -> &'a Value {
@@ -13,10 +18,19 @@ fn find<'a>(list: &'a Value, name: &str) -> &'a Value {
     list.iter().find(|e| e["name"] == name).unwrap_or_else(|| panic!("the README names {name}"))
 }
 
+/// The blocks of a language.
+fn blocks<'a>(readme: &'a str, language: &str) -> Vec<&'a str> {
+    let opening = format!("```{language}\n");
+    readme
+        .split(opening.as_str())
+        .skip(1)
+        .map(|rest| rest.split("```").next().expect("its end").trim())
+        .collect()
+}
+
 #[test]
 fn the_table_of_fits_is_the_manifests() {
-    let (readme, manifest) = (read("README.md"), read("manifest.json"));
-    let manifest: Value = serde_json::from_str(&manifest).expect("JSON");
+    let (readme, manifest) = (read("README.md"), json("manifest.json"));
     let mut rows = 0;
     for line in readme.lines().filter(|l| l.starts_with("| `ggx_")) {
         let cells: Vec<&str> = line.split('|').map(|c| c.trim().trim_matches('`')).collect();
@@ -31,26 +45,92 @@ fn the_table_of_fits_is_the_manifests() {
     assert!(rows >= 10, "the table is there");
 }
 
+/// The README's row of a table of the manifest.
+fn table_row(table: &Value) -> String {
+    let sizes = table["axes"].as_array().expect("axes").iter().map(|axis| axis["size"].to_string());
+    let lookup = &table["error"]["lookup"];
+    format!(
+        "| `{}` | {} | {} | {} | {} | {} |",
+        table["name"].as_str().expect("a name"),
+        sizes.collect::<Vec<_>>().join(" x "),
+        table["bytes"],
+        table["cost"]["ops"],
+        lookup["max"].as_f64().expect("a number"),
+        short(lookup["rms"].as_f64().expect("a number")),
+    )
+}
+
+#[test]
+fn the_table_of_tables_is_the_manifests() {
+    let (readme, manifest) = (read("README.md"), json("manifest.json"));
+    let wanted: Vec<String> = manifest["tables"].as_array().expect("a list").iter().map(table_row).collect();
+    let shown = |l: &&str| l.starts_with("| `ggx-") || l.starts_with("| `path-tracer-");
+    let found: Vec<&str> = readme.lines().filter(shown).filter(|l| l.matches('|').count() == 7).collect();
+    assert_eq!(found, wanted, "the README's rows should be:\n{}\n", wanted.join("\n"));
+}
+
+/// `what ignoring the azimuth costs` as the README rounds it, up to three digits, is the report's figure.
+#[test]
+fn the_price_of_ignoring_the_azimuth_is_the_reports() {
+    let ways = json("reports/anisotropy.json")["azimuth"]["ways"].clone();
+    let mean = ways
+        .as_array()
+        .expect("a list")
+        .iter()
+        .find(|way| way["name"].as_str().expect("a name").ends_with("ggx-aniso-correlated-64x64x32"));
+    let max = mean.expect("the table of means")["error"]["max"].as_f64().expect("a number");
+    let shown = format!("off by up to {} ", (max * 1000.0).ceil() / 1000.0);
+    assert!(read("README.md").contains(&shown), "the README should say `{shown}`");
+}
+
 #[test]
 fn the_example_hypothesis_is_the_file() {
     assert!(read("README.md").contains(read("examples/own-hypothesis.wgsl").trim()));
 }
 
 #[test]
-fn the_output_and_the_code_are_the_commands() {
+fn every_example_is_named() {
+    let readme = read("README.md");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    for entry in std::fs::read_dir(folder).expect("examples") {
+        let name = entry.expect("a file").file_name().into_string().expect("UTF-8");
+        assert!(!name.ends_with(".json") || readme.contains(&name), "the README does not name {name}");
+    }
+}
+
+/// Each piece of code is emitted, or the example's hypothesis, or (where it binds a texture) calls what is emitted.
+#[test]
+fn the_code_is_what_is_emitted() {
     let (readme, wgsl) = (read("README.md"), read("fits/lobefit.wgsl"));
-    let block = |start: &str| {
-        let from = readme.find(start).expect("the block") + start.len();
-        readme[from..].split("```").next().expect("its end").trim()
-    };
-    assert!(wgsl.contains(block("```wgsl\n")), "the README's function is not the emitted one");
-    let manifest: Value = serde_json::from_str(&read("manifest.json")).expect("JSON");
-    for line in block("```text\n").lines() {
+    let mut bound = 0;
+    for block in blocks(&readme, "wgsl") {
+        if block.starts_with("@group") {
+            let module = naga::front::wgsl::parse_str(&format!("{wgsl}\n{block}"))
+                .expect("the README's shader parses");
+            let mut validator = naga::valid::Validator::new(
+                naga::valid::ValidationFlags::all(),
+                naga::valid::Capabilities::empty(),
+            );
+            validator.validate(&module).expect("the README's shader is valid");
+            bound += 1;
+        } else if !read("examples/own-hypothesis.wgsl").contains(block) {
+            for piece in block.split("\n\n") {
+                assert!(wgsl.contains(piece), "not emitted:\n{piece}");
+            }
+        }
+    }
+    assert_eq!(bound, 1, "the README shows how to bind a table");
+}
+
+#[test]
+fn the_output_is_the_commands() {
+    let (readme, manifest) = (read("README.md"), json("manifest.json"));
+    for line in blocks(&readme, "text")[0].lines() {
         let name = line.split(':').next().expect("a name");
-        let figure = if name.starts_with("ggx-") {
-            find(&manifest["tables"], name)["error"]["lookup"]["max"].as_f64()
-        } else {
+        let figure = if name.starts_with("ggx_") {
             find(&manifest["fits"], name)["certificate"]["max_abs"].as_f64()
+        } else {
+            find(&manifest["tables"], name)["error"]["lookup"]["max"].as_f64()
         };
         assert!(line.contains(&format!("error {}", figure.expect("a number"))), "{line}");
     }

@@ -18,6 +18,7 @@ pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit bake                          the built-in scene, into the current folder
   lobefit bake scene.json --out assets  a scene of your own, into assets/
+  lobefit bake --only anisotropy,glass  these effects again; the others stay as they are
 
 Writes tables/ fits/ reports/ and manifest.json in the output folder and nothing else. Files that an older bake left
 there and this one does not have are removed.";
@@ -92,8 +93,8 @@ fn selection(options: &Options, input: &Input) -> Result<Selection, CliError> {
 /// What was made, a line each.
 fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
     let mut lines = Vec::new();
-    for table in &baked.tables {
-        let a = &table.approximation;
+    let tables = baked.tables.iter().map(|t| &t.approximation);
+    for a in tables.chain(baked.volumes.iter().map(|v| &v.approximation)) {
         let at = place(&a.certificate.at);
         lines.push(format!(
             "{}: lookup error {} at {at}; {} bytes",

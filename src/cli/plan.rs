@@ -8,6 +8,7 @@ use super::CliError;
 use super::input;
 use super::options::SceneOption;
 use super::output::{Outcome, print, print_json};
+use crate::emit::header::short;
 use crate::plan::{self, Effect, Plan};
 use crate::scene::escape::visible;
 
@@ -64,8 +65,11 @@ fn effect_text(effect: &Effect) -> String {
     }
     for job in &effect.jobs {
         let _ = writeln!(out, "  {}: {}", job.name, job.approximation);
-        let ranges: Vec<String> =
-            job.ranges.iter().map(|(name, [lo, hi])| format!("{name} {lo} to {hi}")).collect();
+        let ranges: Vec<String> = job
+            .ranges
+            .iter()
+            .map(|(name, [lo, hi])| format!("{name} {} to {}", short(*lo), short(*hi)))
+            .collect();
         let error = job
             .expected_error
             .map_or_else(|| "no limit on the error".into(), |e| format!("error within {e}"));

@@ -84,4 +84,12 @@ impl VolumeLayout {
             VolumeLayout::Azimuth => "azimuth",
         }
     }
+
+    /// Channels of a texel: with the azimuth the four coefficients of a cubic, else one value.
+    pub fn channels(self) -> u64 {
+        match self {
+            VolumeLayout::Azimuth => 4,
+            VolumeLayout::Optimised | VolumeLayout::PathTracer => 1,
+        }
+    }
 }

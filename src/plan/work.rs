@@ -87,9 +87,9 @@ pub(super) fn table_bytes(job: &TableJob) -> u64 {
     side(job.columns) * side(job.rows) * job.serves.channels() * job.format.bytes()
 }
 
-/// Bytes of the texels of one table of the job: one channel.
+/// Bytes of the texels of one table of the job, all channels.
 pub(super) fn volume_bytes(job: &VolumeJob) -> u64 {
-    job.texels() as u64 * job.format.bytes()
+    job.texels() as u64 * job.layout.channels() * job.format.bytes()
 }
 
 /// Seconds of one table of the job on one core.

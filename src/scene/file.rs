@@ -199,7 +199,8 @@ impl Scene {
                     let [columns, rows, slices] = volume.size;
                     let size = [columns, rows * slices * lobe.sides()];
                     let field = || format!("materials[{i}].wants.tables[{j}].size");
-                    total = add_table(total, size, volume.format.bytes(), field)?;
+                    let texel_bytes = volume.layout.channels() * volume.format.bytes();
+                    total = add_table(total, size, texel_bytes, field)?;
                 }
             }
         }
