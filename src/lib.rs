@@ -8,19 +8,19 @@
 //! | floor | module | purpose |
 //! |---|---|---|
 //! | 0 | [`math`] | scalar operations, quadrature rules, sums, low-discrepancy points |
-//! | 0 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
-//! | 1 | [`optics`] | pure models, each with its limits and its source |
-//! | 2 | [`integrate`] | a quantity at a point: value with error bound |
-//! | 2 | [`fit`] | hypotheses and data to fits; knows nothing of optics |
-//! | 3 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
-//! | 3 | [`scene`] | bytes to a validated scene; owns all limits on input |
-//! | 4 | [`plan`] | scene to jobs, and to effects left out with the reason |
-//! | 4 | [`emit`] | tables and fits to bytes, one file per format |
-//! | 4 | [`report`] | results to plots, renders and a page |
-//! | 4 | [`store`] | the only module that touches the file system |
-//! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
-//! | 6 | [`timing`] | what accuracy costs in seconds |
-//! | 7 | [`cli`] | one file per verb |
+//! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
+//! | 2 | [`optics`] | pure models, each with its limits and its source |
+//! | 3 | [`integrate`] | a quantity at a point: value with error bound |
+//! | 3 | [`fit`] | hypotheses and data to fits; knows nothing of optics |
+//! | 4 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
+//! | 4 | [`scene`] | bytes to a validated scene; owns all limits on input |
+//! | 5 | [`plan`] | scene to jobs, and to effects left out with the reason |
+//! | 5 | [`emit`] | tables and fits to bytes, one file per format |
+//! | 5 | [`report`] | results to plots, renders and a page |
+//! | 5 | [`store`] | the only module that touches the file system |
+//! | 6 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 7 | [`timing`] | what accuracy costs in seconds |
+//! | 8 | [`cli`] | one file per verb |
 
 pub mod bake;
 pub mod cli;

@@ -110,10 +110,10 @@ fn the_path_tracers_tables_are_separable_and_alpha_is_roughness_whatever_the_sce
         assert_eq!((jobs[0].smith, jobs[0].alpha_map), (Smith::Separable, AlphaMap::Roughness));
         assert_eq!((jobs[1].smith, jobs[1].alpha_map), (Smith::Correlated, AlphaMap::RoughnessFourth));
     }
-    // Rough begins at alpha = 1e-4 in each map.
+    // Rows begin at alpha = 4e-4 in each map.
     let wide = brushed("b", &table).replace("[0.2,0.6]", "[0,1]");
     let jobs = plan(&of(&[&wide])).volumes;
-    assert_eq!((jobs[0].roughness, jobs[1].roughness), ([1e-4, 1.0], [1e-2, 1.0]));
+    assert_eq!((jobs[0].roughness, jobs[1].roughness), ([4e-4, 1.0], [0.02, 1.0]));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Floor 5: the main job. A plan becomes a bundle of files in memory, which `bake` writes and `check` compares: the same
+//! Floor 6: the main job. A plan becomes a bundle of files in memory, which `bake` writes and `check` compares: the same
 //! scene gives the same bytes.
 
 mod compare;

@@ -1,4 +1,4 @@
-//! Floor 0: the nouns of the program. Everything that stands in for a truth, a table, a fit or somebody else's
+//! Floor 1: the nouns of the program. Everything that stands in for a truth, a table, a fit or somebody else's
 //! code, is an [`Approximation`]: it approximates a quantity, has a [`Certificate`] and a [`Cost`].
 
 mod approximation;

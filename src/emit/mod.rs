@@ -1,4 +1,4 @@
-//! Floor 4: tables and fits to bytes, one file per format. Nothing here touches the file system.
+//! Floor 5: tables and fits to bytes, one file per format. Nothing here touches the file system.
 
 pub mod code;
 pub mod compensation;

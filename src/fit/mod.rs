@@ -1,4 +1,4 @@
-//! Floor 2: data and hypotheses to fits. Knows nothing of optics: a hypothesis is any WGSL function of f32 inputs,
+//! Floor 3: data and hypotheses to fits. Knows nothing of optics: a hypothesis is any WGSL function of f32 inputs,
 //! data are residuals `scale * f - target`.
 //!
 //! [`Hypothesis`] parses a formula and refuses what the dialect leaves out; [`Tape`] evaluates it in f64 and f32,

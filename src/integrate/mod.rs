@@ -1,4 +1,4 @@
-//! Floor 2: a quantity at a point, integrated to a value with an error bound.
+//! Floor 3: a quantity at a point, integrated to a value with an error bound.
 
 pub mod aniso;
 mod error;

@@ -1,4 +1,4 @@
-//! Floor 1: pure models of optics. Each function states its domain, its limits and its source.
+//! Floor 2: pure models of optics. Each function states its domain, its limits and its source.
 
 pub mod fresnel;
 pub mod ggx;

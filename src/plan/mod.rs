@@ -1,4 +1,4 @@
-//! Floor 4: a scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is planned
+//! Floor 5: a scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is planned
 //! that no material needs; jobs that several materials share are planned once.
 
 mod effect;

@@ -1,4 +1,4 @@
-//! Floor 6: what accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
+//! Floor 7: what accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
 
 use std::hint::black_box;
 use std::time::Instant;

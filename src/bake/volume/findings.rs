@@ -159,7 +159,10 @@ fn furnaces(tables: &[BakedVolume]) -> Result<Vec<FurnaceFinding>, BakeError> {
         for side in sides {
             let own: Vec<&BakedVolume> =
                 tables.iter().filter(|t| t.side == *side && t.layout != VolumeLayout::Azimuth).collect();
-            found.push(furnace(&own, third, *side)?);
+            // With the azimuth in the table there is no mean to compensate by.
+            if !own.is_empty() {
+                found.push(furnace(&own, third, *side)?);
+            }
         }
     }
     Ok(found)

@@ -28,7 +28,7 @@ pub use grid::{ASPECT, Columns, Grid, MU};
 const NODE_DIGITS: f64 = 0.5;
 
 /// Digits beyond those asked for, tried in turn until the checked texels keep the tolerance.
-const LADDER: [f64; 3] = [0.0, 0.6, 1.2];
+const LADDER: [f64; 5] = [0.0, 0.6, 1.2, 1.8, 2.4];
 
 /// A table's texels.
 #[derive(Clone, Debug, PartialEq)]
