@@ -201,3 +201,17 @@ fn the_index_links_every_effect_and_lists_every_table() {
         assert!(page.contains(name), "{name} on the overview");
     }
 }
+
+/// A mean at grazing mu over alpha about 1 needs more digits than the node counts are fitted for; a scene of the azimuth layout alone
+/// has no table to draw a furnace of.
+#[test]
+fn a_narrow_range_and_the_azimuth_alone_bake() {
+    for wants in [r#"{"layout":"path-tracer"}"#, r#"{"layout":"azimuth","size":[8,6,4]}"#] {
+        let material = format!(
+            r#"{{"name":"m","kind":"metal","f0":1,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{{"tables":[{wants}]}}}}"#
+        );
+        let baked = baked(&format!(r#"{{"schema_version":1,"materials":[{material}]}}"#));
+        assert!(baked.broken.is_empty() && baked.volumes.len() == 1, "{wants}");
+        assert!(baked.files.contains_key("reports/anisotropy.html"));
+    }
+}
