@@ -9,6 +9,7 @@ use lobefit::bake::Baked;
 use lobefit::data::Smith;
 use lobefit::effects::volume::{Lookup, Point};
 use lobefit::integrate::glass::Side;
+use lobefit::math::ops;
 use volume_support::{
     ANISO, AZIMUTH, GLASS, Read, aspect, baked, lerp, manifest, small, spread, true_aniso, true_glass,
 };
@@ -80,9 +81,9 @@ fn the_table_with_the_azimuth_keeps_its_promise() {
     for [x, y, z, w] in spread(POINTS) {
         let (mu, roughness, anisotropy) = (lerp([0.001, 1.0], x), lerp(rows, y), lerp(slices, z));
         let (alpha, s, phi) = (roughness * roughness, aspect(anisotropy), w * std::f64::consts::FRAC_PI_2);
-        let (q, cos2) = (s * s, phi.cos() * phi.cos());
+        let (q, cos2) = (s * s, ops::cos(phi) * ops::cos(phi));
         let v2 = cos2 / q + (1.0 - cos2) * q;
-        let (v, t) = (alpha * v2.sqrt(), v2.log2() / -q.log2());
+        let (v, t) = (alpha * v2.sqrt(), ops::log(v2) / -ops::log(q));
         let u = [
             (mu * (1.0 + v) / (mu + v)).sqrt(),
             (roughness - rows[0]) / (rows[1] - rows[0]),
@@ -175,7 +176,7 @@ fn the_path_tracers_glass_is_the_truth_at_its_nodes() {
             (&"separable".into(), &"roughness".into())
         );
         for [x, y, z] in nodes([128, 128, 32], 40) {
-            let mu = (x as f64 / 127.0).powi(2).clamp(0.01, 0.9999);
+            let mu = (x as f64 / 127.0 * (x as f64 / 127.0)).clamp(0.01, 0.9999);
             let alpha = (y as f64 / 127.0).clamp(0.01, 1.0);
             let ior = 1.0 + (z as f64 / 31.0).clamp(1e-4, 1.0);
             let error =

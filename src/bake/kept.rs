@@ -58,7 +58,7 @@ pub fn kept(root: &Path, recipe: &Recipe, only: &[EffectName]) -> Result<Vec<Par
     if !store::is_folder(root)? {
         return Ok(Vec::new());
     }
-    let old = store::read_set(root, [MANIFEST].into_iter(), FILE_BYTES)?;
+    let old = store::read_set(root, [MANIFEST], FILE_BYTES)?;
     let Some(bytes) = old.get(MANIFEST) else { return Ok(Vec::new()) };
     let folder = root.display().to_string();
     let wrong = |reason: String| KeptError::Manifest { folder: folder.clone(), reason };
@@ -125,7 +125,7 @@ fn code(
         if !listed {
             continue;
         }
-        let found = store::read_set(root, [file].into_iter(), FILE_BYTES)?;
+        let found = store::read_set(root, [file], FILE_BYTES)?;
         let missing = || KeptError::Missing { folder: folder.into(), file: file.into() };
         let text = found.get(file).ok_or_else(missing)?;
         if let Some(own) = section(&String::from_utf8_lossy(text), effect.name()) {
