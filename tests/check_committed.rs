@@ -1,4 +1,4 @@
-//! `lobefit check` on the committed files: they follow from their recipe, and a planted change is found and named.
+//! `lobefit check`: the committed files follow from their recipe, and a planted change is found and named.
 
 mod common;
 
@@ -7,20 +7,20 @@ use std::path::Path;
 use common::{lobefit, stderr};
 use lobefit::emit::exr;
 
-/// The committed bake, copied to a folder of its own.
-fn copy() -> tempfile::TempDir {
+/// A table as the built-in scene wants it, and the cheapest fits.
+const SCENE: &str = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.02,1],
+    "wants":{"table":{"size":[32,32],"serves":"albedo"},"fit":{"max_ops":3,"norms":["max"]}}}]}"#;
+
+/// The same table alone.
+const TABLE: &str = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.02,1],
+    "wants":{"table":{"size":[32,32],"serves":"albedo"}}}]}"#;
+
+/// The bake of a scene in a folder of its own, beside the scene.
+fn baked(scene: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    std::fs::copy(root.join("manifest.json"), folder.path().join("manifest.json")).expect("a manifest");
-    for sub in ["tables", "fits", "reports"] {
-        std::fs::create_dir(folder.path().join(sub)).expect("a folder");
-        for entry in std::fs::read_dir(root.join(sub)).expect("committed files") {
-            let entry = entry.expect("an entry");
-            if entry.file_type().expect("a type").is_file() {
-                std::fs::copy(entry.path(), folder.path().join(sub).join(entry.file_name())).expect("a copy");
-            }
-        }
-    }
+    std::fs::write(folder.path().join("scene.json"), scene).expect("written");
+    let output = lobefit(folder.path(), &["bake", "scene.json", "--quiet"], b"");
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
     folder
 }
 
@@ -40,16 +40,17 @@ fn flip_last_texel(path: &Path) {
     std::fs::write(path, bytes).expect("written");
 }
 
+/// With another number of threads than the machine's cores.
 #[test]
 fn the_committed_files_follow_from_their_recipe() {
-    let (code, text) = check(Path::new(env!("CARGO_MANIFEST_DIR")), &[]);
+    let (code, text) = check(Path::new(env!("CARGO_MANIFEST_DIR")), &["--threads", "3"]);
     assert_eq!(code, 0, "{text}");
     assert!(text.contains("follow from their recipe"), "{text}");
 }
 
 #[test]
 fn planted_changes_are_found_and_named() {
-    let folder = copy();
+    let folder = baked(SCENE);
     let at = |name: &str| folder.path().join(name);
     flip_last_texel(&at("tables/ggx-dfg-correlated-32x32.exr"));
     let rust = std::fs::read_to_string(at("fits/lobefit.rs")).expect("text");
@@ -59,7 +60,7 @@ fn planted_changes_are_found_and_named() {
     std::fs::remove_file(at("fits/lobefit.wgsl")).expect("removed");
     std::fs::write(at("tables/stale.exr"), b"old").expect("written");
     std::fs::write(at("reports/timings.json"), b"measured").expect("written");
-    let (code, text) = check(folder.path(), &[]);
+    let (code, text) = check(folder.path(), &["scene.json"]);
     assert_eq!(code, 1, "{text}");
     for words in [
         "tables/ggx-dfg-correlated-32x32.exr: channel loss, column 31, row 31",
@@ -79,10 +80,10 @@ fn planted_changes_are_found_and_named() {
 
 #[test]
 fn a_broken_promise_is_never_within_a_tolerance() {
-    let folder = copy();
+    let folder = baked(TABLE);
     flip_last_texel(&folder.path().join("tables/ggx-dfg-correlated-32x32.exr"));
     for tolerance in ["1e-9", "1e-3", "1"] {
-        let (code, text) = check(folder.path(), &["--values", tolerance, "--json"]);
+        let (code, text) = check(folder.path(), &["scene.json", "--values", tolerance, "--json"]);
         assert_eq!(code, 1, "{text}");
         let verdict: serde_json::Value = serde_json::from_str(&text).expect("JSON");
         assert_eq!(verdict["differences"][0]["at"], "channel loss, column 31, row 31");

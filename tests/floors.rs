@@ -143,7 +143,8 @@ fn planted_edges_are_caught() {
     let floors = floors();
     let edges = |module: &str, text: &str, depth| forbidden("f.rs", module, text, depth, &floors);
     assert_eq!(edges("math", "use crate::optics::ggx;", 2), ["f.rs imports optics"]);
-    assert_eq!(edges("math", "use crate::data::Smith;", 2), ["f.rs imports data"], "a floor above");
+    assert_eq!(edges("math", "use crate::data::Smith;", 2), ["f.rs imports data"], "the floor above");
+    assert_eq!(edges("fit", "use crate::integrate::aniso;", 2), ["f.rs imports integrate"], "same floor");
     assert_eq!(edges("fit", "use crate::{\n  data::{Axis, Warp},\n  cli,\n};", 2), ["f.rs imports cli"]);
     assert_eq!(edges("fit", "fn f() -> crate::plan::Plan {}", 2), ["f.rs imports plan"]);
     assert_eq!(edges("plan", "use super::super::store::Folder;", 2), ["f.rs imports store"]);

@@ -87,9 +87,6 @@ impl VolumeLayout {
 
     /// Channels of a texel: with the azimuth the four coefficients of a cubic, else one value.
     pub fn channels(self) -> u64 {
-        match self {
-            VolumeLayout::Azimuth => 4,
-            VolumeLayout::Optimised | VolumeLayout::PathTracer => 1,
-        }
+        super::Decode::of_volume(self).channels() as u64
     }
 }

@@ -151,9 +151,9 @@ pub(super) fn effect(scene: &Scene, jobs: &[VolumeJob], name: EffectName) -> Opt
     if because.is_empty() {
         return None;
     }
-    let own = jobs.iter().filter(|job| job.span.effect() == name);
-    let summaries = own.flat_map(|job| job.tables.iter().map(|table| summary(job, table))).collect();
-    Some(Effect::new(name, because, summaries, work::VOLUME_REPORT_S))
+    let own = || jobs.iter().filter(|job| job.span.effect() == name);
+    let summaries = own().flat_map(|job| job.tables.iter().map(|table| summary(job, table))).collect();
+    Some(Effect::new(name, because, summaries, work::volume_report_seconds(own())))
 }
 
 fn because(scene: &Scene, material: &Material, roughness: [f64; 2], span: VolumeSpan) -> String {

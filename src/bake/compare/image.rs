@@ -20,13 +20,15 @@ pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Di
     let volume = baked.volumes.iter().find(|t| named(&t.approximation.name));
     let texels_of = table.and_then(BakedTable::table).or_else(|| volume.and_then(BakedVolume::table));
     let format = texels_of.map_or(TexelFormat::F32, |t| t.format);
-    let mut difference = texels(file, &expected, &found, format);
+    // Slices lie one below the other.
+    let rows = texels_of.filter(|t| t.axes.len() == 3).map(|t| t.axes[1].size);
+    let mut difference = texels(file, &expected, &found, format, rows);
     if difference.max_abs != Some(0.0) {
         if let Some(table) = table {
             let again = |channels: &[Channel]| reflection::measured_again(table, channels);
             judge(table.errors.lookup.max, &found.channels, &mut difference, again);
         } else if let Some(baked) = volume {
-            // Slices lie one below the other: the order of texels is the table's.
+            // So the order of texels is the table's.
             let again = |channels: &[Channel]| volume::measured_again(baked, channels);
             judge(baked.errors.lookup.max, &found.channels, &mut difference, again);
         }
@@ -45,7 +47,14 @@ fn words(image: &Decoded) -> String {
     format!("{} x {} texels of {}", image.width, image.height, names.join(", "))
 }
 
-fn texels(file: &str, expected: &Decoded, found: &Decoded, format: TexelFormat) -> Difference {
+/// The texel that is furthest off; of a table with slices, `rows` are those of each.
+fn texels(
+    file: &str,
+    expected: &Decoded,
+    found: &Decoded,
+    format: TexelFormat,
+    rows: Option<usize>,
+) -> Difference {
     let mut difference = plain(file, Kind::Different, "texels are equal; header or encoding differ");
     difference.max_abs = Some(0.0);
     let mut count = 0;
@@ -55,12 +64,12 @@ fn texels(file: &str, expected: &Decoded, found: &Decoded, format: TexelFormat) 
             let gap = (a - b).abs();
             // NaN is the largest difference there is.
             if gap.is_nan() || gap > difference.max_abs.unwrap_or(0.0) {
-                let place = format!(
-                    "channel {}, column {}, row {}",
-                    want.name,
-                    i % expected.width,
-                    i / expected.width
-                );
+                let (column, row) = (i % expected.width, i / expected.width);
+                let cell = match rows {
+                    Some(rows) => format!("column {column}, row {}, slice {}", row % rows, row / rows),
+                    None => format!("column {column}, row {row}"),
+                };
+                let place = format!("channel {}, {cell}", want.name);
                 difference.detail = format!("{place}: {b} where the recipe gives {a}");
                 (difference.max_abs, difference.at) = (Some(gap), Some(place));
             }

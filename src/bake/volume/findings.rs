@@ -12,7 +12,7 @@ use crate::effects::Deviation;
 use crate::effects::volume::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
 use crate::emit::manifest::Entries;
 use crate::integrate::glass::Side;
-use crate::plan::Effect;
+use crate::plan::{Effect, VolumeJob};
 use crate::report::{
     EffectFinding, ErrorFigure, Field, Furnace, FurnaceFinding, FurnaceRow, Ruler, SourcesFinding,
     VolumeFindings, VolumeTable,
@@ -41,6 +41,7 @@ fn wanted(third: Third) -> &'static [f64] {
 pub fn findings(
     scene: &Scene,
     effect: &Effect,
+    jobs: &[&VolumeJob],
     tables: &[BakedVolume],
     entries: &Entries,
     context: &Context,
@@ -77,7 +78,7 @@ pub fn findings(
             because: effect.because.clone(),
             ranges: effect.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
             approximation: effect.approximation.clone(),
-            expected_error: effect.expected_error,
+            expected_error: expected(jobs),
             measured_error,
             metric: "lookup error of the worst table in a layout of ours".into(),
         },
@@ -87,6 +88,17 @@ pub fn findings(
         tables: shown,
         truths,
     })
+}
+
+/// The largest error that the scene allows a table in a layout of ours; none where one has no limit.
+fn expected(jobs: &[&VolumeJob]) -> Option<f64> {
+    let own: Vec<Option<f64>> =
+        jobs.iter().filter(|job| job.layout != VolumeLayout::PathTracer).map(|job| job.max_error).collect();
+    if own.is_empty() {
+        None
+    } else {
+        own.into_iter().try_fold(0.0_f64, |worst, limit| limit.map(|e| worst.max(e)))
+    }
 }
 
 /// The wanted values in the range, or its ends.
@@ -177,7 +189,10 @@ fn furnaces(tables: &[BakedVolume]) -> Result<Vec<FurnaceFinding>, BakeError> {
         for side in sides {
             let own: Vec<&BakedVolume> =
                 tables.iter().filter(|t| t.side == *side && t.layout != VolumeLayout::Azimuth).collect();
-            found.push(furnace(&own, third, *side)?);
+            // With the azimuth in the table there is no mean to compensate by.
+            if !own.is_empty() {
+                found.push(furnace(&own, third, *side)?);
+            }
         }
     }
     Ok(found)

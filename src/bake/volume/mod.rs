@@ -34,7 +34,7 @@ pub fn part(
     let name = effect.effect.name();
     emit::tables(name, &tables, &scene.formats, context, &mut files, &mut entries)?;
     context.progress.stage(&format!("report of {name}"));
-    let findings = findings::findings(scene, effect, &tables, &entries, context)?;
+    let findings = findings::findings(scene, effect, &jobs, &tables, &entries, context)?;
     for file in report::volume_page(&findings)? {
         entries.reports.push(canonical(&Report { effect: Some(name), file: file.path.clone() })?);
         files.insert(file.path, file.bytes);

@@ -26,8 +26,9 @@ pub use grid::{ASPECT, Columns, Grid, MU};
 /// Digits of a node's integral beyond the tolerance.
 const NODE_DIGITS: f64 = 0.5;
 
-/// Digits beyond those asked for, tried in turn until the checked texels keep the tolerance.
-const LADDER: [f64; 3] = [0.0, 0.6, 1.2];
+/// Digits beyond those asked for, tried in turn until the checked texels keep the tolerance. The last two are for grids at grazing mu
+/// whose alpha is about 1.
+const LADDER: [f64; 5] = [0.0, 0.6, 1.2, 1.8, 2.4];
 
 /// A table's texels.
 #[derive(Clone, Debug, PartialEq)]
