@@ -239,7 +239,7 @@ fn the_json_of_a_plan_has_the_fields_of_the_contract() {
     assert_eq!(effect["ranges"]["anisotropy"], json!([0.0, 1.0]));
     assert_eq!(effect["ranges"]["roughness"], json!([0.15, 1.0]));
     assert_eq!(effect["ranges"]["phi"], json!([0.0, std::f64::consts::FRAC_PI_2]));
-    assert_eq!(effect["bytes"], json!(64 * 64 * 32 * 2 + 32 * 32 * 16 * 4));
+    assert_eq!(effect["bytes"], json!(64 * 64 * 32 * 2 + 32 * 32 * 16 * 4 * 4));
     assert_eq!(effect["expected_error"], json!(0.01));
     assert!(effect["seconds"].as_f64().unwrap() > 0.0);
     assert!(effect["approximation"].as_str().unwrap().contains("table 64x64x32 f16, optimised layout"));
