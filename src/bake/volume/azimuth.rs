@@ -1,6 +1,7 @@
 //! What the azimuth of the view changes, and what tables make of it.
 
 use super::BakedVolume;
+use super::tables::Judge;
 use crate::bake::BakeError;
 use crate::data::VolumeLayout;
 use crate::effects::anisotropy;
@@ -12,12 +13,18 @@ const ROUGHNESS: f64 = 0.7;
 const MAP: [usize; 2] = [46, 40];
 
 /// The finding; none where no table is laid out in the scene's own roughness.
-pub fn finding(tables: &[BakedVolume]) -> Result<Option<AzimuthFinding>, BakeError> {
+pub fn finding(tables: &[BakedVolume], judges: &[Judge]) -> Result<Option<AzimuthFinding>, BakeError> {
     let own: Vec<&BakedVolume> = tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).collect();
     let Some(first) = own.first() else { return Ok(None) };
     let (smith, region) = (first.approximation.smith, first.region);
-    let judge = anisotropy::Judge::new(&region, true);
-    let (truth, made) = anisotropy::at_azimuths(smith, &judge)?;
+    let made;
+    let judge = match judges.iter().find(|judge| judge.has_azimuths(smith, &region)) {
+        Some(known) => known,
+        None => {
+            made = Judge::new(smith, &region, true)?;
+            &made
+        }
+    };
     let roughness = ROUGHNESS.clamp(region.roughness[0], region.roughness[1]);
     let anisotropy = region.span[1];
     let rulers = rulers(&region);
@@ -35,7 +42,7 @@ pub fn finding(tables: &[BakedVolume]) -> Result<Option<AzimuthFinding>, BakeErr
             VolumeLayout::Azimuth => "azimuth in the table",
             _ => "mean over the azimuth",
         };
-        let errors = measure(table, baked.decode, &judge.points, &truth, made.integration)?;
+        let errors = measure(table, baked.decode, &judge.points, judge.truth(None), 0.0)?;
         let lookup = Lookup::new(table, baked.decode)?;
         let values = map.points.all.iter().zip(&map.truth);
         fields.push(Field {

@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use super::grid::{Grid, grazing};
 use super::readings::as_the_sources_read;
+use super::tables::Judge;
 use super::{BakedVolume, azimuth};
 use crate::bake::context::Context;
 use crate::bake::{BakeError, origin};
@@ -43,6 +44,7 @@ pub fn findings(
     effect: &Effect,
     jobs: &[&VolumeJob],
     tables: &[BakedVolume],
+    judges: &[Judge],
     entries: &Entries,
     context: &Context,
 ) -> Result<VolumeFindings, BakeError> {
@@ -84,7 +86,11 @@ pub fn findings(
         },
         sources: sources(tables)?,
         furnaces: furnaces(tables)?,
-        azimuth: if tables.iter().any(|t| t.side.is_none()) { azimuth::finding(tables)? } else { None },
+        azimuth: if tables.iter().any(|t| t.side.is_none()) {
+            azimuth::finding(tables, judges)?
+        } else {
+            None
+        },
         tables: shown,
         truths,
     })

@@ -28,13 +28,13 @@ pub fn part(
 ) -> Result<Part, BakeError> {
     let jobs: Vec<&VolumeJob> =
         plan.volumes.iter().filter(|job| job.span.effect() == effect.effect).collect();
-    let tables = tables::bake(&jobs, context)?;
+    let (tables, judges) = tables::bake(&jobs, context)?;
     let mut entries = Entries::default();
     let mut files = Files::new();
     let name = effect.effect.name();
     emit::tables(name, &tables, &scene.formats, context, &mut files, &mut entries)?;
     context.progress.stage(&format!("report of {name}"));
-    let findings = findings::findings(scene, effect, &jobs, &tables, &entries, context)?;
+    let findings = findings::findings(scene, effect, &jobs, &tables, &judges, &entries, context)?;
     for file in report::volume_page(&findings)? {
         entries.reports.push(canonical(&Report { effect: Some(name), file: file.path.clone() })?);
         files.insert(file.path, file.bytes);

@@ -46,18 +46,20 @@ impl BakedVolume {
 }
 
 /// Truths at the points of one region, shared by the tables that are judged there.
-struct Judge {
+pub struct Judge {
     smith: Smith,
     region: Region,
     azimuth: bool,
-    points: Points,
+    /// The points.
+    pub points: Points,
     /// By side; of an anisotropic lobe one.
     truths: Vec<Vec<f64>>,
     made: Made,
 }
 
 impl Judge {
-    fn new(smith: Smith, region: &Region, azimuth: bool) -> Result<Judge, BakeError> {
+    /// Integrates at the points of a region.
+    pub fn new(smith: Smith, region: &Region, azimuth: bool) -> Result<Judge, BakeError> {
         let (points, truths, made) = match region.third {
             Third::Ior => {
                 let points = Points::certification(region, LOG2_GROUPS);
@@ -77,13 +79,20 @@ impl Judge {
         Ok(Judge { smith, region: *region, azimuth, points, truths, made })
     }
 
-    fn truth(&self, side: Option<Side>) -> &[f64] {
+    /// Whether its points are at azimuths of their own in this region.
+    pub fn has_azimuths(&self, smith: Smith, region: &Region) -> bool {
+        self.azimuth && self.smith == smith && self.region == *region
+    }
+
+    /// E of a side.
+    pub fn truth(&self, side: Option<Side>) -> &[f64] {
         &self.truths[usize::from(side == Some(Side::Inside))]
     }
 }
 
-/// Bakes the jobs in order. A promise that a table does not keep is noted in the context.
-pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<Vec<BakedVolume>, BakeError> {
+/// Bakes the jobs in order; returns also the truths that they were judged against. A promise that a table does not keep is noted in
+/// the context.
+pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<(Vec<BakedVolume>, Vec<Judge>), BakeError> {
     let mut judges: Vec<Judge> = Vec::new();
     let mut baked = Vec::new();
     for job in jobs {
@@ -114,7 +123,7 @@ pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<Vec<BakedVolum
             baked.push(one);
         }
     }
-    Ok(baked)
+    Ok((baked, judges))
 }
 
 /// Where a job's lookups must hold.
