@@ -70,7 +70,7 @@ fn the_table_with_the_azimuth_keeps_its_promise() {
     let table = Read::of(&bake().files, AZIMUTH);
     assert_eq!(
         table.warp(0),
-        "u = sqrt(mu * (1 + v) / (mu + v)), v = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), q = 1 - 0.9 * anisotropy"
+        "u = sqrt(mu * (1 + l) / (mu + l)), l = alpha * sqrt(cos2_phi / q + (1 - cos2_phi) * q), q = 1 - 0.9 * anisotropy"
     );
     let decode = table.entry["decode"]["E"].as_str().expect("a formula");
     assert!(decode.starts_with(
