@@ -2,6 +2,7 @@
 // Recipe e740844dd84d6a1c4d0a283bedc05ac2b3257802c1e1738afc856ad443af7433
 //
 // GGX lobe, smith: correlated; alpha = roughness^2
+// (`path_tracer_*` have a form and a map of their own, which their heads tell.)
 // Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and
 // view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.
 // `*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel. `*_lookup` is E from a table, for
@@ -673,6 +674,7 @@ fn ggx_aniso_correlated_64x64x32_lookup(table: texture_3d<f32>, linear_clamp: sa
 /// error (trilinear lookup of the quantised texels): max 0.03164, rms 0.004874, mean 0.001027
 ///   worst at alpha = 0.330783, anisotropy = 1, mu = 1, roughness = 0.330783; measured at 184320 points in f16 texels, f32 lookup
 ///   domain: alpha [0.1414, 1], anisotropy [0, 1], mu [0.001, 1], roughness [0.1414, 1]
+/// texels are exact at the nodes clamped as the sources clamp them: mu to [0.0001, 0.9999], alpha, alpha_x and alpha_y to 0.0001 or more
 fn path_tracer_reflection_separable_64x64x32_uvw(roughness: f32, mu: f32, anisotropy: f32) -> vec3<f32> {
     let u = mu * 1.0 + 0.0078125;
     let v = roughness * 1.0 + 0.0078125;
@@ -807,6 +809,7 @@ fn ggx_glass_inside_correlated_128x128x32_lookup(table: texture_3d<f32>, linear_
 /// error (trilinear lookup of the quantised texels): max 0.1257, rms 0.0006187, mean -0.00002254
 ///   worst at alpha = 0.1414, ior = 1, mu = 0.001, roughness = 0.1414; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.1414, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
+/// texels are exact at the nodes clamped as the sources clamp them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
 fn path_tracer_glass_outside_separable_128x128x32_uvw(roughness: f32, mu: f32, ior: f32) -> vec3<f32> {
     let u = sqrt(mu) * 0.9921875 + 0.00390625;
     let v = roughness * 0.9921875 + 0.00390625;
@@ -837,6 +840,7 @@ fn path_tracer_glass_outside_separable_128x128x32_lookup(table: texture_3d<f32>,
 /// error (trilinear lookup of the quantised texels): max 0.1187, rms 0.0006883, mean 0.0001128
 ///   worst at alpha = 0.16334258, ior = 1.0104903, mu = 0.0812979, roughness = 0.16334258; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.1414, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
+/// texels are exact at the nodes clamped as the sources clamp them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
 fn path_tracer_glass_inside_separable_128x128x32_uvw(roughness: f32, mu: f32, ior: f32) -> vec3<f32> {
     let u = sqrt(mu) * 0.9921875 + 0.00390625;
     let v = roughness * 0.9921875 + 0.00390625;

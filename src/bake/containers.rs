@@ -7,17 +7,19 @@ use crate::emit::container::{Described, encode};
 use crate::emit::header;
 use crate::store::Files;
 
-/// Adds the files of a table; their paths, the table's own before its sidecars.
+/// Adds the files of a table, `note` last in its header; their paths, the table's own before its sidecars.
 pub fn contained(
     table: &Table,
     decode: Decode,
     certificate: &Certificate,
+    note: Option<&str>,
     formats: &[Container],
     context: &Context,
     files: &mut Files,
 ) -> Result<Vec<String>, BakeError> {
-    let header =
-        [context.recipe.lines(), header::table_lines(table, decode.formulas(), certificate)].concat();
+    let mut header = context.recipe.lines();
+    header.extend(header::table_lines(table, decode.formulas(), certificate));
+    header.extend(note.map(String::from));
     let described = Described { table, decode, certificate, header: &header };
     let mut paths = Vec::new();
     for container in formats {

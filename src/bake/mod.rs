@@ -178,6 +178,7 @@ fn opening(smith: Smith, alpha: AlphaMap) -> Vec<String> {
     [
         "",
         &smith,
+        "(`path_tracer_*` have a form and a map of their own, which their heads tell.)",
         "Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and",
         "view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.",
         "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel. `*_lookup` is E from a table, for",

@@ -14,7 +14,14 @@ pub(super) fn effect(scene: &Scene, tables: &[TableJob], fit: Option<&FitJob>) -
         .map(|(_, m, range)| {
             let (name, kind, forms) = (&m.name, m.kind.name(), forms(&m.wants));
             let roughness = range_text(range, widened(range, scene.alpha));
-            format!("{name}: {kind} with a rough specular lobe (roughness {roughness}) wants {forms}")
+            let ignored = if m.anisotropy[1] > 0.0 {
+                "; its anisotropy is left out of them: `wants.tables` makes tables that have it"
+            } else {
+                ""
+            };
+            format!(
+                "{name}: {kind} with a rough specular lobe (roughness {roughness}) wants {forms}{ignored}"
+            )
         })
         .collect();
     if because.is_empty() {

@@ -82,7 +82,8 @@ fn emit_tables(
     for baked in tables {
         let Some(table) = baked.table() else { continue };
         let decode = Decode::of(baked.layout, baked.serves);
-        let written = contained(table, decode, &baked.approximation.certificate, formats, context, files)?;
+        let written =
+            contained(table, decode, &baked.approximation.certificate, None, formats, context, files)?;
         let formulas = decode.formulas().iter().copied().collect();
         let entry = TableEntry::new(EFFECT, &baked.approximation, table, formulas, errors(baked));
         entries.tables.push(canonical(&entry.in_files(written))?);

@@ -25,8 +25,15 @@ pub fn tables(
 ) -> Result<(), BakeError> {
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let written =
-            contained(table, baked.decode, &baked.approximation.certificate, formats, context, files)?;
+        let written = contained(
+            table,
+            baked.decode,
+            &baked.approximation.certificate,
+            baked.note(),
+            formats,
+            context,
+            files,
+        )?;
         let decode = baked.decode.formulas().iter().copied().collect();
         let entry = TableEntry::new(effect, &baked.approximation, table, decode, errors(baked));
         entries.tables.push(canonical(&entry.in_files(written))?);
@@ -49,7 +56,8 @@ pub fn section(tables: &[BakedVolume]) -> BTreeMap<String, String> {
     let (mut rust, mut wgsl) = (String::new(), String::new());
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let lines = header::table_lines(table, baked.decode.formulas(), &baked.approximation.certificate);
+        let mut lines = header::table_lines(table, baked.decode.formulas(), &baked.approximation.certificate);
+        lines.extend(baked.note().map(String::from));
         let readable = Readable { table, decode: baked.decode, header: &lines };
         rust += &format!("\n{}", readable.rust());
         wgsl += &format!("\n{}", readable.wgsl());

@@ -137,6 +137,7 @@ fn shown_table(baked: &BakedVolume, entry: &Value, grids: &[Grid]) -> Result<Vol
         axes: table.axes.clone(),
         channels: table.channels.iter().map(|c| c.name.clone()).collect(),
         decode: formulas.join(", "),
+        note: baked.note().unwrap_or_default().into(),
         format: table.format,
         bytes: table.bytes(),
         ops: baked.approximation.cost.ops,
@@ -156,7 +157,10 @@ fn errors(baked: &BakedVolume) -> Vec<(String, ErrorFigure)> {
         (what.to_string(), ErrorFigure { max: error.max, rms: Some(error.rms), at: error.at.clone() })
     };
     let integration = ErrorFigure { max: e.integration, rms: None, at: crate::data::Place::new() };
-    let mut lines = vec![("integration (worst of the checked)".to_string(), integration)];
+    let mut lines = vec![(
+        "integration (texels and the truth that judges them: worst checked, or tolerance)".to_string(),
+        integration,
+    )];
     for r in &e.quantisation {
         let figure = ErrorFigure { max: r.max, rms: Some(r.rms), at: r.at.clone() };
         lines.push((format!("quantisation of {}", r.channel), figure));

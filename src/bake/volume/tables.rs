@@ -36,6 +36,15 @@ pub struct BakedVolume {
 }
 
 impl BakedVolume {
+    /// What the axes do not tell of the nodes, for headers.
+    pub fn note(&self) -> Option<&'static str> {
+        match (self.layout, self.side) {
+            (VolumeLayout::PathTracer, None) => Some(anisotropy::PATH_TRACER_NOTE),
+            (VolumeLayout::PathTracer, Some(_)) => Some(glass::PATH_TRACER_NOTE),
+            _ => None,
+        }
+    }
+
     /// The quantised table.
     pub fn table(&self) -> Option<&Table> {
         match &self.approximation.form {

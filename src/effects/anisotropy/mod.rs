@@ -6,7 +6,7 @@ mod points;
 mod table;
 mod truth;
 
-pub use path_tracer::{SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes};
+pub use path_tracer::{NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes};
 pub use points::Judge;
 pub use table::{build, sources};
 pub use truth::{AzimuthMap, at_azimuths, azimuth_map, means, means_on};

@@ -12,7 +12,9 @@ use crate::integrate::IntegrateError;
 use crate::integrate::glass::Side;
 use crate::integrate::glass::table::{Energies, Kernel};
 
-pub use path_tracer::{SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid};
+pub use path_tracer::{
+    NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid,
+};
 pub use table::{build, sources};
 
 /// The quantity of this effect.

@@ -46,6 +46,9 @@ pub struct VolumeTable {
     pub channels: Vec<String>,
     /// How E follows from the channels.
     pub decode: String,
+    /// What the axes do not tell of the nodes; may be empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub note: String,
     /// Texel format.
     pub format: TexelFormat,
     /// Bytes of texels.

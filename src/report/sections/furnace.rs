@@ -110,7 +110,10 @@ fn worst(furnace: &Furnace, what: &str) -> Block {
         let cells = r.factors.iter().map(|f| numbers::bound(farthest(f), 2));
         std::iter::once(r.name.clone()).chain(cells).collect()
     };
-    let caption = format!("Largest signed departure {what} over each sphere, rounded away from zero.");
+    let caption = format!(
+        "Largest signed departure {what} over each sphere, rounded away from zero. Where it is larger than the sphere looks, it is \
+         at the rim: grazing views take up few pixels."
+    );
     let mut table = words::table(&[], furnace.rows.iter().map(row).collect(), &caption);
     table.columns = columns;
     Block::Table(table)

@@ -200,6 +200,9 @@ fn facts(table: &VolumeTable) -> Vec<(String, String)> {
     for (what, axis) in ["Columns", "Rows", "Slices"].iter().zip(&table.axes) {
         rows.push((what.to_string(), tables::axis(axis)));
     }
+    if !table.note.is_empty() {
+        rows.push(("Nodes".into(), table.note.clone()));
+    }
     rows.push(("Channels".into(), format!("{}; {}", table.channels.join(", "), table.decode)));
     rows.push(("Texels".into(), format!("{}, {} bytes", table.format.name(), grouped(table.bytes))));
     rows.push(("Integrand evaluations".into(), grouped(table.evaluations)));
