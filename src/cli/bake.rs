@@ -51,7 +51,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     refuse_uncalled(&options.only, &plan)?;
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
-    let progress = Bar::new(options.quiet || options.json);
+    let progress = Bar::new(options.quiet || options.json, &plan, 0);
     let selection = selection(options, &input)?;
     let baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);

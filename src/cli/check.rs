@@ -54,7 +54,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if !store::is_folder(&options.against)? {
         return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
     }
-    let progress = Bar::new(options.quiet || options.json);
+    let progress = Bar::new(options.quiet || options.json, &plan, 1);
     let (baked, differences) = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let strays = strays(&options.against, &baked)?;

@@ -47,7 +47,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if plan.is_empty() {
         return nothing(options, &input);
     }
-    let progress = Bar::new(options.quiet || options.json);
+    let progress = Bar::new(options.quiet || options.json, &plan, 1);
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");

@@ -6,17 +6,19 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::bake::Progress;
+use crate::plan::Plan;
 
-/// A line on standard error that names the stage; nothing where standard error is no terminal, or quiet is asked for.
+/// A bar on standard error with the stage's name; nothing where standard error is no terminal, or quiet is asked for.
 pub(super) struct Bar(ProgressBar);
 
 impl Bar {
-    /// Starts the line.
-    pub(super) fn new(quiet: bool) -> Bar {
+    /// Starts the bar of a plan's stages and `more` of the verb's own.
+    pub(super) fn new(quiet: bool, plan: &Plan, more: usize) -> Bar {
         let shown = !quiet && std::io::stderr().is_terminal();
         let target = if shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-        let bar = ProgressBar::with_draw_target(None, target);
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} [{elapsed}]") {
+        let bar = ProgressBar::with_draw_target(Some((stages(plan) + more) as u64), target);
+        if let Ok(style) = ProgressStyle::with_template("{spinner} [{bar:24}] {pos}/{len} {msg} [{elapsed}]")
+        {
             bar.set_style(style);
         }
         if shown {
@@ -26,8 +28,17 @@ impl Bar {
     }
 }
 
+/// Stages that a bake announces: fits, each table, the page of each effect.
+fn stages(plan: &Plan) -> usize {
+    usize::from(plan.fit.is_some()) + plan.tables.len() + plan.volumes.len() + plan.effects.len()
+}
+
 impl Progress for Bar {
     fn stage(&self, name: &str) {
+        // The stage that begins is not done yet.
+        if !self.0.message().is_empty() {
+            self.0.inc(1);
+        }
         self.0.set_message(name.to_string());
     }
 }
