@@ -9,8 +9,9 @@ use emit_support::programs::{READ_EXR, compile_library, python, run};
 use emit_support::{Looked, Points, baked, baked_tables, emitted, manifest, other_tables, say, text};
 use lobefit::data::Serves;
 use lobefit::effects::reflection::Fit;
+use lobefit::emit::code::Language;
 use lobefit::emit::compensation::NAMES;
-use lobefit::emit::lookup::rust_helpers;
+use lobefit::emit::lookup::helpers;
 use lobefit::fit::Hypothesis;
 
 #[test]
@@ -170,8 +171,8 @@ fn the_rust_lookups_return_the_bits_that_were_certified() {
         let mut readable = table.readable();
         let header = ["A table.".to_string()];
         readable.header = &header;
-        let lookup = readable.rust();
-        look_up(&format!("{lookup}\n{}", rust_helpers(&lookup)), &table);
+        let lookup = readable.print(Language::Rust);
+        look_up(&format!("{lookup}\n{}", helpers(Language::Rust, &lookup)), &table);
     }
 }
 

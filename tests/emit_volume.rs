@@ -7,8 +7,9 @@ use emit_support::say;
 use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surface, texel, to_look_up};
 use lobefit::data::{Axis, Decode, Registration, Surface, TexelFormat, Warp};
 use lobefit::effects::volume::{Lookup, Point};
+use lobefit::emit::code::Language;
 use lobefit::emit::compensation::{self, Compensation, NAMES};
-use lobefit::emit::lookup::{Readable, rust_helpers};
+use lobefit::emit::lookup::{Readable, helpers};
 use lobefit::fit::Hypothesis;
 
 fn readable(solid: &Solid) -> Readable<'_> {
@@ -20,19 +21,19 @@ fn rust(tables: &[Solid]) -> String {
     let mut text = String::from("//! A file.\n#![allow(dead_code)]\n");
     for solid in tables {
         let header = ["A table.".to_string()];
-        text += &format!("\n{}", Readable { header: &header, ..readable(solid) }.rust());
+        text += &format!("\n{}", Readable { header: &header, ..readable(solid) }.print(Language::Rust));
     }
-    text = format!("{text}\n{}", rust_helpers(&text));
+    text = format!("{text}\n{}", helpers(Language::Rust, &text));
     for compensation in [Compensation::Reflection, Compensation::Glass] {
-        text += &format!("\n{}", compensation.rust());
+        text += &format!("\n{}", compensation.print(Language::Rust));
     }
     text
 }
 
 /// Every WGSL function of them.
 fn wgsl(tables: &[Solid]) -> String {
-    let compensations = [Compensation::Reflection, Compensation::Glass].map(Compensation::wgsl);
-    let tables: Vec<String> = tables.iter().map(|solid| readable(solid).wgsl()).collect();
+    let compensations = [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl));
+    let tables: Vec<String> = tables.iter().map(|solid| readable(solid).print(Language::Wgsl)).collect();
     [tables.join("\n"), compensations.join("\n")].join("\n")
 }
 
@@ -79,7 +80,7 @@ fn naga_validates_the_lookups_and_compensations() {
 #[test]
 fn coordinates_name_what_they_share() {
     for solid in to_look_up() {
-        for text in [readable(&solid).wgsl(), readable(&solid).rust()] {
+        for text in Language::ALL.map(|language| readable(&solid).print(language)) {
             let body = text.split_once("_decode").expect("a decoding").0;
             let name = &solid.table.name;
             for shared in ["ior - 1.0,", "0.9 * anisotropy"] {
@@ -94,9 +95,9 @@ fn coordinates_name_what_they_share() {
 #[test]
 fn a_table_in_f32_says_what_its_device_must_have() {
     for mut solid in to_look_up() {
-        assert!(!readable(&solid).wgsl().contains("float32-filterable"));
+        assert!(!readable(&solid).print(Language::Wgsl).contains("float32-filterable"));
         solid.table.format = TexelFormat::F32;
-        assert!(readable(&solid).wgsl().contains("float32-filterable"));
+        assert!(readable(&solid).print(Language::Wgsl).contains("float32-filterable"));
     }
 }
 
@@ -309,8 +310,9 @@ fn the_factors_in_wgsl_have_the_bits_of_those_in_rust() {
     for (k, (compensation, name)) in
         [Compensation::Reflection, Compensation::Glass].into_iter().zip(names).enumerate()
     {
-        let text = compensation.wgsl();
+        let text = compensation.print(Language::Wgsl);
         let function = &text[text.find(&format!("fn {name}(")).expect("the function")..];
+        let function = function.split("\n///").next().expect("its text");
         let read = Hypothesis::parse("compensation", function).unwrap_or_else(|e| panic!("{e}"));
         let columns: Vec<Vec<f32>> = read
             .inputs()
@@ -334,7 +336,7 @@ fn a_compensation_is_emitted_for_the_quantities_that_call_for_it() {
     );
     assert_eq!(compensation::of(["sheen-charlie", "ggx-average"]), []);
     for name in NAMES {
-        let texts = [Reflection, Glass].map(|c| (c.rust(), c.wgsl()));
+        let texts = [Reflection, Glass].map(|c| (c.print(Language::Rust), c.print(Language::Wgsl)));
         let holds = |text: &str| text.contains(&format!("fn {name}("));
         assert_eq!(texts.iter().filter(|(rust, wgsl)| holds(rust) && holds(wgsl)).count(), 1, "{name}");
     }
