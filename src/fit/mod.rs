@@ -13,6 +13,7 @@ mod error;
 mod hypothesis;
 pub mod rational;
 mod regular;
+pub mod search;
 mod solve;
 mod tape;
 pub mod texels;
@@ -26,5 +27,5 @@ pub use hypothesis::{
     Unary, Variable, power_steps,
 };
 pub use regular::prove_regular;
-pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, round_to_f32};
+pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, residual_range, round_to_f32};
 pub use tape::{BinaryOp, Interval, Op, Real, Tape, UnaryOp};
