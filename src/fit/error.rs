@@ -151,6 +151,30 @@ pub enum FitError {
         /// Its value.
         value: f64,
     },
+    /// A rational form has no coefficients with a positive denominator at every sample.
+    #[error(
+        "no coefficients make the denominator positive at every sample; sample {sample} is one of those in the way"
+    )]
+    NoDenominator {
+        /// Index of a sample.
+        sample: usize,
+    },
+    /// Constraints contradict one another.
+    #[error(
+        "no coefficients keep all {rows} constraints with a positive denominator; take constraints away or loosen them"
+    )]
+    Infeasible {
+        /// Number of constraints.
+        rows: usize,
+    },
+    /// A coefficient without an effect of its own.
+    #[error(
+        "coefficient {parameter} (counted from 0) changes nothing that the earlier ones cannot: take it out of the formula"
+    )]
+    Degenerate {
+        /// Index of the coefficient.
+        parameter: usize,
+    },
     /// A solver could not go on.
     #[error("solver: {message}")]
     Solver {
