@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 use fit_support::{folder, hypothesis, parse};
-use lobefit::emit::code::{CodeError, Printed, rust, wgsl};
+use lobefit::emit::code::{CodeError, Language, Printed, print};
 use lobefit::fit::Hypothesis;
 
 /// Points compared.
@@ -74,7 +74,7 @@ const FEATURES: [(&str, &str); 12] = [
         "constants only",
         "override a: f32 = 3.0;
         override b: f32 = 0.1;
-        fn constant(x: f32) -> f32 { let k = a * b; let s = sqrt(a); return select(k, s, x < 0.5) + abs(select(1.0, -2.0, x > 0.25)); }",
+        fn constants_only(x: f32) -> f32 { let k = a * b; let s = sqrt(a); return select(k, s, x < 0.5) + abs(select(1.0, -2.0, x > 0.25)); }",
     ),
     (
         "signs and parentheses",
@@ -177,7 +177,13 @@ fn starts(hypothesis: &Hypothesis) -> Vec<f32> {
 }
 
 fn print_rust(hypothesis: &Hypothesis) -> Printed {
-    rust(hypothesis, &starts(hypothesis), &[format!("The function {}.", hypothesis.name())]).unwrap()
+    let header = [format!("The function {}.", hypothesis.name())];
+    print(Language::Rust, hypothesis, &starts(hypothesis), &header).unwrap()
+}
+
+fn print_wgsl(hypothesis: &Hypothesis, coefficients: &[f32], header: &[&str]) -> Printed {
+    let header: Vec<String> = header.iter().map(ToString::to_string).collect();
+    print(Language::Wgsl, hypothesis, coefficients, &header).unwrap()
 }
 
 /// Input `k` of point `i`, in (0, 1]; the harness has the same lines.
@@ -296,7 +302,7 @@ fn rust_returns_the_bits_of_the_tape() {
 #[test]
 fn wgsl_is_a_hypothesis_with_the_same_values() {
     for hypothesis in all() {
-        let printed = wgsl(&hypothesis, &starts(&hypothesis), &["Printed.".to_string()]).unwrap();
+        let printed = print_wgsl(&hypothesis, &starts(&hypothesis), &["Printed."]);
         let again = Hypothesis::parse("printed.wgsl", &printed.text)
             .unwrap_or_else(|e| panic!("{e}\n{}", printed.text));
         assert_eq!(again.name(), hypothesis.name());
@@ -308,18 +314,18 @@ fn wgsl_is_a_hypothesis_with_the_same_values() {
         let found = bits(again.tape().evaluate(&columns(&hypothesis), &[]).unwrap());
         assert!(expected == found, "{}", printed.text);
         // Printing what was printed changes nothing more, but that a named literal loses its name in the front end.
-        let twice = wgsl(&again, &[], &["Printed.".to_string()]).unwrap();
-        assert!(twice.text == printed.text || hypothesis.name() == "constant", "{}", twice.text);
+        let twice = print_wgsl(&again, &[], &["Printed."]);
+        assert!(twice.text == printed.text || hypothesis.name() == "constants_only", "{}", twice.text);
     }
 }
 
 #[test]
 fn lines_stay_readable() {
     for hypothesis in named() {
-        for text in [print_rust(&hypothesis).text, wgsl(&hypothesis, &starts(&hypothesis), &[]).unwrap().text]
-        {
+        for language in Language::ALL {
+            let text = print(language, &hypothesis, &starts(&hypothesis), &[]).unwrap().text;
             let longest = text.lines().map(str::len).max().unwrap();
-            assert!(longest <= 110, "{longest}: {text}");
+            assert!(longest <= 120, "{longest}: {text}");
         }
     }
 }
@@ -328,7 +334,7 @@ fn lines_stay_readable() {
 fn q13_is_printed_as_a_person_would_write_it() {
     let hypothesis = hypothesis("ggx_norm_q13");
     let header = ["Furnace normalisation.".to_string(), String::new(), "Generated.".to_string()];
-    let rust = rust(&hypothesis, &starts(&hypothesis), &header).unwrap();
+    let rust = print(Language::Rust, &hypothesis, &starts(&hypothesis), &header).unwrap();
     assert!(rust.exact && !rust.needs_std);
     assert_eq!(
         rust.text,
@@ -343,7 +349,7 @@ pub fn ggx_norm_q13(alpha: f32, mu: f32) -> f32 {
 }
 "
     );
-    let wgsl = wgsl(&hypothesis, &starts(&hypothesis), &header).unwrap();
+    let wgsl = print(Language::Wgsl, &hypothesis, &starts(&hypothesis), &header).unwrap();
     assert_eq!(
         wgsl.text,
         "/// Furnace normalisation.
@@ -362,11 +368,33 @@ fn ggx_norm_q13(alpha: f32, mu: f32) -> f32 {
 #[test]
 fn what_cannot_be_printed_is_refused() {
     let line = parse("override a: f32 = 1.0; fn line(x: f32) -> f32 { return a * x; }");
-    assert!(matches!(rust(&line, &[1e-31], &[]), Err(CodeError::Tiny { value, .. }) if value == 1e-31));
-    assert!(matches!(wgsl(&line, &[f32::NAN], &[]), Err(CodeError::Fit(_))));
-    assert!(matches!(wgsl(&line, &[], &[]), Err(CodeError::Fit(_))));
-    let named = parse("fn dyn(x: f32) -> f32 { return x; }");
-    assert!(matches!(rust(&named, &[], &[]), Err(CodeError::Name { .. })));
     let infinite = parse("override a: f32 = 1.0; fn f(x: f32) -> f32 { return x + 1.0 / a; }");
-    assert!(matches!(rust(&infinite, &[0.0], &[]), Err(CodeError::Fit(_))));
+    for language in Language::ALL {
+        let tiny = print(language, &line, &[1e-31], &[]);
+        assert!(matches!(tiny, Err(CodeError::Tiny { value, .. }) if value == 1e-31));
+        assert!(matches!(print(language, &line, &[f32::NAN], &[]), Err(CodeError::Fit(_))));
+        assert!(matches!(print(language, &line, &[], &[]), Err(CodeError::Fit(_))));
+        assert!(matches!(print(language, &infinite, &[0.0], &[]), Err(CodeError::Fit(_))));
+    }
+    let named = |name: &str| parse(&format!("fn {name}(x: f32) -> f32 {{ return x; }}"));
+    for (language, word) in [
+        (Language::Rust, "dyn"),
+        (Language::Wgsl, "saturate"),
+        (Language::Hlsl, "Technique"),
+        (Language::Hlsl, "lerp"),
+        (Language::Glsl, "sample"),
+        (Language::Glsl, "vec3"),
+        (Language::Msl, "kernel"),
+        (Language::C, "double"),
+        (Language::C, "y0"),
+    ] {
+        let refused = print(language, &named(word), &[], &[]);
+        assert!(matches!(refused, Err(CodeError::Name { .. })), "{word}: {refused:?}");
+    }
+    for language in [Language::Hlsl, Language::Glsl, Language::Msl, Language::C] {
+        for name in ["größe", "two__bars", "_first"] {
+            let refused = print(language, &named(name), &[], &[]);
+            assert!(matches!(refused, Err(CodeError::Letters { .. })), "{name}: {refused:?}");
+        }
+    }
 }
