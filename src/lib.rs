@@ -19,6 +19,7 @@
 //! | 5 | [`report`] | results to plots, renders and pages |
 //! | 5 | [`store`] | the only module that touches the file system |
 //! | 6 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 6 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
 //! | 7 | [`timing`] | what accuracy costs in seconds |
 //! | 8 | [`cli`] | one file per verb |
 
@@ -28,6 +29,7 @@ pub mod data;
 pub mod effects;
 pub mod emit;
 pub mod fit;
+pub mod fitting;
 pub mod integrate;
 pub mod math;
 pub mod optics;

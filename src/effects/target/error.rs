@@ -3,7 +3,7 @@
 use crate::fit::FitError;
 use crate::integrate::IntegrateError;
 
-/// A target that makes no sense, or whose truth cannot be had. The first word of a message names the setting to change.
+/// A target that makes no sense, or whose truth cannot be had.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TargetError {
@@ -89,4 +89,19 @@ pub enum TargetError {
     /// A truth could not be integrated.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),
+}
+
+impl TargetError {
+    /// Whether the message begins with the name of the setting to change: `domain`, `fix`, ...
+    pub fn names_a_setting(&self) -> bool {
+        matches!(
+            self,
+            TargetError::Column { .. }
+                | TargetError::Use { .. }
+                | TargetError::Range { .. }
+                | TargetError::Input { .. }
+                | TargetError::Word { .. }
+                | TargetError::Edge { .. }
+        )
+    }
 }

@@ -74,6 +74,11 @@ impl Target {
         }
     }
 
+    /// Whether a truth takes so long that pictures have to do with few.
+    pub fn is_dear(&self) -> bool {
+        self.effort() == DEAR
+    }
+
     /// A bound on the error of the truths.
     pub fn truth_error(&self) -> f64 {
         match self.way() {
