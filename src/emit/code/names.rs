@@ -26,13 +26,13 @@ impl Names {
         if words.takes_function(main) {
             return Err(CodeError::Name { function: main.clone(), language });
         }
-        if words.plain() && (plain(main) != *main || main.starts_with('_')) {
+        if words.spelled(main) != *main {
             return Err(CodeError::Letters { function: main.clone(), language });
         }
         let last = formula.functions.len() - 1;
         let name = |(index, function): (usize, &Function)| {
             let prefixed = function.name.starts_with(&format!("{main}_"));
-            let name = if words.plain() { plain(&function.name) } else { function.name.clone() };
+            let name = words.spelled(&function.name);
             if index == last || prefixed { name } else { format!("{main}_{}", name.trim_start_matches('_')) }
         };
         let mut functions: Vec<String> = Vec::new();
@@ -57,8 +57,7 @@ impl Names {
                 self.words.takes(n)
                     || names.iter().chain(&self.functions).chain(self.helpers.values()).any(|m| m == n)
             };
-            let name = if self.words.plain() { plain(&variable.name) } else { variable.name.clone() };
-            names.push(free(&name, taken));
+            names.push(free(&self.words.spelled(&variable.name), taken));
         }
         names
     }
@@ -78,9 +77,8 @@ const GREEK: &str =
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma
     tau upsilon phi chi psi omega";
 
-/// A name in ASCII: Greek letters by their names, other letters by their code points. Languages of C's family keep names
-/// with two underscores in a row, or one before a capital, for themselves, and GLSL those with `gl_` before.
-fn plain(name: &str) -> String {
+/// A name in ASCII: Greek letters by their names, other letters by their code points.
+pub(super) fn ascii(name: &str) -> String {
     let mut text = String::new();
     for c in name.chars() {
         match greek(c) {
@@ -89,6 +87,12 @@ fn plain(name: &str) -> String {
             None => text.push_str(&format!("u{:x}", u32::from(c))),
         }
     }
+    text
+}
+
+/// A name without what C's family keeps for itself.
+pub(super) fn plain(name: &str) -> String {
+    let mut text = name.to_string();
     while text.contains("__") {
         text = text.replace("__", "_");
     }
@@ -126,7 +130,7 @@ mod tests {
             ("_small", "_small"),
             ("gl_x", "v_gl_x"),
         ] {
-            assert_eq!(plain(name), expected);
+            assert_eq!(plain(&ascii(name)), expected);
         }
         assert_eq!(free("box", |n| n == "box"), "box_");
         assert_eq!(free("mut_", |n| n == "mut_"), "mut_2");

@@ -1,6 +1,7 @@
 //! Words that languages have taken, as far as a WGSL identifier can be one.
 
 use super::Language;
+use super::names::{ascii, plain};
 
 /// The words of a language.
 pub(super) struct Words {
@@ -39,9 +40,14 @@ impl Words {
         self.takes(name) || self.functions.split_whitespace().any(|word| word == name)
     }
 
-    /// Whether names are of ASCII letters, digits and single underscores.
-    pub fn plain(&self) -> bool {
-        !matches!(self.language, Language::Rust | Language::Wgsl)
+    /// A name as the language can have it. Those of C's family keep names with two underscores in a row, or one before a capital,
+    /// for themselves, and GLSL those with `gl_` before; rustc warns of letters that look like others.
+    pub fn spelled(&self, name: &str) -> String {
+        match self.language {
+            Language::Wgsl => name.to_string(),
+            Language::Rust => ascii(name),
+            _ => plain(&ascii(name)),
+        }
     }
 
     /// float3, mat2x4: a stem, and one digit or two about an x.
