@@ -58,7 +58,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     let domain: Vec<String> =
         a.certificate.domain.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
     line(format!("  domain       {}", domain.join(", ")));
-    line(format!("  error        {}; {} points, none fitted on but corners", words::metric(a.used_as), a.certificate.points));
+    line(format!("  error        {}; {} points, none inside the domain fitted on", words::metric(a.used_as), a.certificate.points));
     for (precision, certificate) in &fit.certificates {
         match certificate {
             Ok(c) => line(format!(
