@@ -6,6 +6,7 @@ mod deviation;
 pub mod glass;
 mod quantity;
 pub mod reflection;
+pub mod target;
 pub mod volume;
 
 pub use deviation::{Deviation, Rounding};

@@ -21,4 +21,5 @@ pub use lookup::{Lookup, Split};
 pub use measure::{Errors, Judged, error_map, measure};
 pub use points::{PointSet, certification};
 pub use region::Region;
+pub(in crate::effects) use samples::{edged, interpolant as average_truth, uniform};
 pub use table::{TableSpec, build};
