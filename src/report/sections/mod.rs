@@ -1,6 +1,7 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
 mod approximations;
+mod audit;
 mod averages;
 mod called_for;
 mod fits;
@@ -14,6 +15,7 @@ mod timings;
 mod volumes;
 mod words;
 
+use super::AuditFindings;
 use super::{Block, Figure, Findings, Index, Page, ReportError, Timings, VolumeFindings};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
@@ -65,6 +67,11 @@ pub(crate) fn of_index(index: &Index) -> Result<Page, ReportError> {
 /// The page of a measurement of time.
 pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
     timings::page(timings)
+}
+
+/// The page of an audit.
+pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
+    audit::page(findings)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.
