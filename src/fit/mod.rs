@@ -13,12 +13,13 @@ mod error;
 mod hypothesis;
 pub mod rational;
 mod regular;
+pub mod search;
 mod solve;
 mod tape;
 pub mod texels;
 pub mod volume;
 
-pub use certify::{Measured, measure, measure_first, round_up};
+pub use certify::{Measured, Precision, measure, measure_first, measure_in, round_up};
 pub use domain::{Domain, DomainAxis};
 pub use error::{FitError, Place};
 pub use hypothesis::{
@@ -26,5 +27,8 @@ pub use hypothesis::{
     Unary, Variable, power_steps,
 };
 pub use regular::prove_regular;
-pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, round_to_f32};
+pub use solve::{
+    Condition, Constraint, Fitted, Gap, Goal, Held, Method, Norm, Options, Samples, Stage, Termination,
+    optimise, residual_range, round_to_f32,
+};
 pub use tape::{BinaryOp, Interval, Op, Real, Tape, UnaryOp};

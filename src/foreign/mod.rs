@@ -5,6 +5,7 @@
 //! not finite are named errors and never numbers, and each message names the file, the place and what to do.
 
 mod error;
+mod image;
 pub mod limits;
 mod raw;
 mod recognise;
