@@ -4,7 +4,7 @@
 mod fit_support;
 
 use fit_support::albedo;
-use lobefit::fit::search::{Anchor, Found, Progress, SearchAxis, SearchSamples, Space, search};
+use lobefit::fit::search::{Anchor, Found, Helper, Progress, SearchAxis, SearchSamples, Space, search};
 
 fn axis(arguments: &[(&str, u32)], degree: u8) -> SearchAxis {
     SearchAxis { arguments: arguments.iter().map(|(n, p)| (n.to_string(), *p)).collect(), degree }
@@ -66,7 +66,20 @@ fn long() {
     let sweeps: usize = std::env::var("SWEEPS").ok().and_then(|s| s.parse().ok()).unwrap_or(2);
     let started = std::time::Instant::now();
     let progress = |p: &Progress| println!("{:.1} s {p:?}", started.elapsed().as_secs_f64());
-    let space = Space { width, sweeps, ..normalisation(ops) };
+    let mut space = Space { width, sweeps, ..normalisation(ops) };
+    let on = |name: &str| std::env::var("HELP").is_ok_and(|v| v.contains(name));
+    if on("c") {
+        space.helpers.push(Helper::Complement { axis: 1 });
+    }
+    if on("s") {
+        space.helpers.push(Helper::Root { axis: 1 });
+    }
+    if on("d") {
+        space.helpers.push(Helper::Decay { axis: 1, power: 1 });
+    }
+    if on("r") {
+        space.helpers.push(Helper::Reciprocal { x: 1, y: 0, power: 2 });
+    }
     let found = search(&space, &furnace(24), &progress).unwrap();
     show(&found);
 }

@@ -1,7 +1,5 @@
 //! From the best forms to the frontier: solved on all samples, written, proven to have no pole.
 
-use std::collections::BTreeMap;
-
 use rayon::prelude::*;
 
 use super::Found;
@@ -19,10 +17,10 @@ const FINALISTS: usize = 4;
 pub(super) fn frontier(
     space: &Space,
     samples: &SearchSamples,
-    levels: BTreeMap<u32, Vec<Entry>>,
+    levels: Vec<Vec<Entry>>,
 ) -> Result<Vec<Found>, FitError> {
     let data = Data::new(space, samples);
-    let finalists: Vec<Entry> = levels.into_values().flat_map(|l| l.into_iter().take(FINALISTS)).collect();
+    let finalists: Vec<Entry> = levels.into_iter().flat_map(|l| l.into_iter().take(FINALISTS)).collect();
     let solved: Vec<Option<Found>> =
         finalists.par_iter().map(|entry| solve(space, samples, &data, entry)).collect::<Result<_, _>>()?;
     let mut found: Vec<Found> = solved.into_iter().flatten().collect();
