@@ -19,7 +19,7 @@ mod tape;
 pub mod texels;
 pub mod volume;
 
-pub use certify::{Measured, measure, measure_first, round_up};
+pub use certify::{Measured, Precision, measure, measure_first, measure_in, round_up};
 pub use domain::{Domain, DomainAxis};
 pub use error::{FitError, Place};
 pub use hypothesis::{
@@ -27,5 +27,8 @@ pub use hypothesis::{
     Unary, Variable, power_steps,
 };
 pub use regular::prove_regular;
-pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, residual_range, round_to_f32};
+pub use solve::{
+    Condition, Constraint, Fitted, Gap, Goal, Held, Method, Norm, Options, Samples, Stage, Termination,
+    optimise, residual_range, round_to_f32,
+};
 pub use tape::{BinaryOp, Interval, Op, Real, Tape, UnaryOp};

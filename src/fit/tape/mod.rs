@@ -2,9 +2,11 @@
 //! differentiated, bounded and counted.
 
 mod build;
+mod contract;
 mod cost;
 mod evaluate;
 mod gradient;
+mod half;
 mod interval;
 mod interval_evaluate;
 mod real;
