@@ -4,7 +4,7 @@
 mod fit_support;
 
 use fit_support::albedo;
-use lobefit::fit::search::{Anchor, Found, Helper, Progress, SearchAxis, SearchSamples, Space, search};
+use lobefit::fit::search::{Anchor, Found, Progress, SearchAxis, SearchSamples, Space, search};
 
 fn axis(arguments: &[(&str, u32)], degree: u8) -> SearchAxis {
     SearchAxis { arguments: arguments.iter().map(|(n, p)| (n.to_string(), *p)).collect(), degree }
@@ -57,29 +57,4 @@ fn the_cheap_bars_of_the_furnace_are_met() {
     show(&found);
     let best = |ops: u32| found.iter().filter(|f| f.ops <= ops).map(|f| f.max).fold(f64::INFINITY, f64::min);
     assert!(best(3) < 0.098 && best(6) < 0.0625, "{} {}", best(3), best(6));
-}
-
-#[test]
-fn long() {
-    let ops: u32 = std::env::var("OPS").ok().and_then(|s| s.parse().ok()).unwrap_or(8);
-    let width: usize = std::env::var("WIDTH").ok().and_then(|s| s.parse().ok()).unwrap_or(12);
-    let sweeps: usize = std::env::var("SWEEPS").ok().and_then(|s| s.parse().ok()).unwrap_or(2);
-    let started = std::time::Instant::now();
-    let progress = |p: &Progress| println!("{:.1} s {p:?}", started.elapsed().as_secs_f64());
-    let mut space = Space { width, sweeps, ..normalisation(ops) };
-    let on = |name: &str| std::env::var("HELP").is_ok_and(|v| v.contains(name));
-    if on("c") {
-        space.helpers.push(Helper::Complement { axis: 1 });
-    }
-    if on("s") {
-        space.helpers.push(Helper::Root { axis: 1 });
-    }
-    if on("d") {
-        space.helpers.push(Helper::Decay { axis: 1, power: 1 });
-    }
-    if on("r") {
-        space.helpers.push(Helper::Reciprocal { x: 1, y: 0, power: 2 });
-    }
-    let found = search(&space, &furnace(24), &progress).unwrap();
-    show(&found);
 }
