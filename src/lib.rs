@@ -16,18 +16,22 @@
 //! | 4 | [`scene`] | bytes to a validated scene; owns all limits on input |
 //! | 5 | [`plan`] | scene to jobs, and to effects left out with the reason |
 //! | 5 | [`emit`] | tables, fits, lookups and compensations to bytes, one file per format |
+//! | 5 | [`foreign`] | bytes of other people's tables and shader functions to plain values and tapes |
 //! | 5 | [`report`] | results to plots, renders and pages |
 //! | 5 | [`store`] | the only module that touches the file system |
+//! | 6 | [`audit`] | somebody else's table or shader function against the truth |
 //! | 6 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
 //! | 7 | [`timing`] | what accuracy costs in seconds |
 //! | 8 | [`cli`] | one file per verb |
 
+pub mod audit;
 pub mod bake;
 pub mod cli;
 pub mod data;
 pub mod effects;
 pub mod emit;
 pub mod fit;
+pub mod foreign;
 pub mod integrate;
 pub mod math;
 pub mod optics;

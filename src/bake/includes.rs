@@ -3,8 +3,9 @@
 
 use super::context::Context;
 use super::part::Part;
+use crate::emit::comment::comment;
 use crate::emit::compensation;
-use crate::emit::lookup::{comment, rust_helpers};
+use crate::emit::lookup::rust_helpers;
 
 /// Languages with their files and comment marks (of the header, of a line).
 pub const LANGUAGES: [(&str, &str, &str); 2] =

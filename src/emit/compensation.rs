@@ -1,7 +1,7 @@
 //! The functions that compensate a lobe with a value of its table, in WGSL and in Rust (Turquin, "Practical multiple
 //! scattering compensation for microfacet models", 2019).
 
-use super::lookup::comment;
+use super::comment::comment;
 
 /// A lobe that is compensated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -6,8 +6,10 @@ use super::tables::BakedTable;
 use crate::bake::BakeError;
 use crate::data::Decode;
 use crate::effects::reflection::Fit;
-use crate::emit::lookup::{Readable, comment};
-use crate::emit::{code, header};
+use crate::emit::code::{self, Language};
+use crate::emit::comment::comment;
+use crate::emit::header;
+use crate::emit::lookup::Readable;
 
 /// Text by language; empty where there is nothing to include.
 pub fn section(tables: &[BakedTable], fits: &[Fit]) -> Result<BTreeMap<String, String>, BakeError> {
@@ -19,8 +21,10 @@ pub fn section(tables: &[BakedTable], fits: &[Fit]) -> Result<BTreeMap<String, S
             wgsl += &format!("\n{}", wrapper(fit, inner, &lines, false));
         } else {
             let coefficients = fit.coefficients();
-            rust += &format!("\n{}", code::rust(&fit.hypothesis, &coefficients, &lines)?.text);
-            wgsl += &format!("\n{}", code::wgsl(&fit.hypothesis, &coefficients, &lines)?.text);
+            rust +=
+                &format!("\n{}", code::print(Language::Rust, &fit.hypothesis, &coefficients, &lines)?.text);
+            wgsl +=
+                &format!("\n{}", code::print(Language::Wgsl, &fit.hypothesis, &coefficients, &lines)?.text);
         }
     }
     for baked in tables {

@@ -5,6 +5,7 @@ mod decoding;
 mod rust;
 mod wgsl;
 
+use super::comment::comment;
 use crate::data::{Axis, Decode, Expression, Table};
 
 pub use rust::{HELPER_NAMES as RUST_HELPER_NAMES, helpers as rust_helpers};
@@ -86,11 +87,6 @@ fn declared(arguments: &[&str]) -> String {
 /// Whether a text holds a word.
 fn mentions(text: &str, word: &str) -> bool {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|w| w == word)
-}
-
-/// Lines behind a comment mark.
-pub fn comment(mark: &str, lines: &[String]) -> String {
-    lines.iter().map(|line| format!("{mark} {line}").trim_end().to_string() + "\n").collect()
 }
 
 /// Lines that compute the texture coordinates of some axes, each under its letter: in WGSL, the arithmetic of

@@ -27,7 +27,7 @@ pub fn fit_one(
     data: &dyn Data,
 ) -> Result<Fit, FitStageError> {
     let domain = domain(&spec.region)?;
-    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &Options::new(norm));
+    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &[], &Options::new(norm));
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let fitted = fitted.map_err(|error| {
         prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)

@@ -1,0 +1,91 @@
+//! Which format a file is of.
+
+use super::image::{dds, exr, ktx2, npy, png};
+use super::{ForeignError, ForeignTable, Hints, Spot, limits, raw, text};
+
+/// First bytes of known formats.
+const MAGIC: [(&[u8], Kind); 12] = [
+    (b"\x76\x2f\x31\x01", Kind::Exr),
+    (b"DDS ", Kind::Dds),
+    (b"\xabKTX 20\xbb\r\n\x1a\n", Kind::Ktx2),
+    (b"\x89PNG\r\n\x1a\n", Kind::Png),
+    (b"\x93NUMPY", Kind::Npy),
+    (b"\xabKTX 11\xbb\r\n\x1a\n", Kind::Other("KTX 1", "convert it to KTX 2 or DDS")),
+    (b"#?RADIANCE", Kind::Other("Radiance HDR", "its 8-bit mantissas round by 0.4 %: export EXR instead")),
+    (b"II*\0", Kind::Other("TIFF", "convert it to EXR or PNG")),
+    (b"MM\0*", Kind::Other("TIFF", "convert it to EXR or PNG")),
+    (b"\xff\xd8\xff", Kind::Other("JPEG", "its compression loses values: find the original")),
+    (b"\x1f\x8b", Kind::Other("a gzip archive", "unpack it first")),
+    (b"\x28\xb5\x2f\xfd", Kind::Other("a zstd archive", "unpack it first")),
+];
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Exr,
+    Dds,
+    Ktx2,
+    Png,
+    Npy,
+    Raw,
+    Text,
+    Other(&'static str, &'static str),
+}
+
+/// Tables of a file: one, or one per array of a text and per layer of an EXR file. By its first bytes, else by its extension (`raw`,
+/// `bin`, `dat`: raw numbers), else by being a text; `file` is used for the extension and in messages.
+///
+/// # Errors
+/// Each names the file, the place and what to do: bytes beyond [`limits::BYTES`] or values beyond [`limits::VALUES`]; what is
+/// not recognised, not supported, cut short or malformed; sizes that contradict each other or cannot be told; values that are
+/// NaN or infinite.
+pub fn read_table(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
+    if bytes.is_empty() {
+        return Err(ForeignError::Empty { file: file.into() });
+    }
+    if bytes.len() as u64 > limits::BYTES {
+        let (found, limit) = (bytes.len() as u128, u128::from(limits::BYTES));
+        return Err(ForeignError::TooLarge { file: file.into(), what: "bytes".into(), found, limit });
+    }
+    match kind(bytes, file, hints)? {
+        Kind::Raw => raw::read(bytes, file, hints),
+        Kind::Text => text::read(bytes, file, hints),
+        Kind::Other(what, advice) => Err(ForeignError::Unsupported {
+            file: file.into(),
+            at: Spot::Byte(0),
+            what: what.into(),
+            advice: advice.into(),
+        }),
+        Kind::Exr => exr::read(bytes, file, hints),
+        Kind::Dds => dds::read(bytes, file, hints),
+        Kind::Ktx2 => ktx2::read(bytes, file, hints),
+        Kind::Png => png::read(bytes, file, hints),
+        Kind::Npy => npy::read(bytes, file, hints),
+    }
+}
+
+fn kind(bytes: &[u8], file: &str, hints: &Hints) -> Result<Kind, ForeignError> {
+    if let Some((_, kind)) = MAGIC.iter().find(|(magic, _)| bytes.starts_with(magic)) {
+        return Ok(*kind);
+    }
+    let extension = file.rsplit_once('.').map_or(String::new(), |(_, e)| e.to_ascii_lowercase());
+    let unknown = |message: String| Err(ForeignError::Unknown { file: file.into(), message });
+    match extension.as_str() {
+        "raw" | "bin" | "dat" | "f16" | "f32" | "f64" => return Ok(Kind::Raw),
+        "exr" | "dds" | "ktx2" | "png" | "npy" => {
+            return unknown(format!(
+                "its name ends in .{extension}, its first bytes are not those of such a file: it is damaged or misnamed"
+            ));
+        }
+        _ => {}
+    }
+    let texts = std::str::from_utf8(bytes).is_ok_and(|text| !text.contains('\0'));
+    match (texts, hints.format) {
+        (true, _) => Ok(Kind::Text),
+        (false, Some(_)) => Ok(Kind::Raw),
+        (false, None) => unknown(
+            "it is no EXR, DDS, KTX 2, PNG, NPY or UTF-8 text: for numbers without a header state their format, one of \
+             f16, f32, f64, unorm8, unorm16"
+                .into(),
+        ),
+    }
+}

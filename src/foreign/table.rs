@@ -1,0 +1,189 @@
+//! What a file holds, as plain values.
+
+use half::f16;
+
+/// How finely a format can tell values apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// f32 or f64: finer than anything that is asked here.
+    None,
+    /// IEEE half.
+    Half,
+    /// Integers / 255.
+    Unorm8,
+    /// Integers / 65535.
+    Unorm16,
+    /// Printed with this many digits after the decimal point.
+    Decimals(u32),
+}
+
+impl Step {
+    /// Half the distance between neighbours of the format near `x`: what rounding to nearest may have done to a value that is
+    /// stored as x. 0 for [`Step::None`].
+    pub fn rounding(self, x: f64) -> f64 {
+        match self {
+            Step::None => 0.0,
+            // Halves have 11 significant bits down to 2^-14, and one spacing, 2^-24, below.
+            Step::Half => {
+                let bits = f16::from_f64(x.abs()).to_bits();
+                let next = f16::from_bits(bits.saturating_add(1));
+                let gap = next.to_f64() - f16::from_bits(bits).to_f64();
+                if gap.is_finite() { 0.5 * gap } else { 16.0 }
+            }
+            Step::Unorm8 => 0.5 / 255.0,
+            Step::Unorm16 => 0.5 / 65535.0,
+            Step::Decimals(n) => (0..n).fold(0.5, |step, _| step / 10.0),
+        }
+    }
+
+    /// The step in words: `half`, `6 decimals`.
+    pub fn text(self) -> String {
+        match self {
+            Step::None => "single or better".into(),
+            Step::Half => "half".into(),
+            Step::Unorm8 => "8-bit unorm".into(),
+            Step::Unorm16 => "16-bit unorm".into(),
+            Step::Decimals(n) => format!("{n} decimals"),
+        }
+    }
+}
+
+/// One channel of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForeignChannel {
+    /// Its name in the file; `0`, `1`, ... where the file names none.
+    pub name: String,
+    /// As many finite values as the product of the table's sizes, x fastest, in the file's order of rows.
+    pub values: Vec<f64>,
+}
+
+/// A table as a file holds it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForeignTable {
+    /// File as the caller named it.
+    pub file: String,
+    /// Name of the array or layer; empty where the file names none.
+    pub name: String,
+    /// What it is, in words: `EXR, 64 x 64, half, channels R G`.
+    pub what: String,
+    /// Texels along each axis, x fastest; one to three axes.
+    pub size: Vec<usize>,
+    /// At least one.
+    pub channels: Vec<ForeignChannel>,
+    /// What the format rounds values to.
+    pub step: Step,
+}
+
+impl ForeignTable {
+    /// Texels of a channel.
+    pub fn texels(&self) -> usize {
+        self.size.iter().product()
+    }
+}
+
+/// How numbers lie in a file that does not say so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RawFormat {
+    /// IEEE half, little-endian.
+    F16,
+    /// IEEE single, little-endian.
+    F32,
+    /// IEEE double, little-endian.
+    F64,
+    /// Bytes / 255.
+    Unorm8,
+    /// 16-bit little-endian integers / 65535.
+    Unorm16,
+}
+
+impl RawFormat {
+    /// All of them.
+    pub const ALL: [RawFormat; 5] =
+        [RawFormat::F16, RawFormat::F32, RawFormat::F64, RawFormat::Unorm8, RawFormat::Unorm16];
+
+    /// The word for it in options and messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            RawFormat::F16 => "f16",
+            RawFormat::F32 => "f32",
+            RawFormat::F64 => "f64",
+            RawFormat::Unorm8 => "unorm8",
+            RawFormat::Unorm16 => "unorm16",
+        }
+    }
+
+    /// Bytes of one value.
+    pub fn bytes(self) -> usize {
+        match self {
+            RawFormat::Unorm8 => 1,
+            RawFormat::F16 | RawFormat::Unorm16 => 2,
+            RawFormat::F32 => 4,
+            RawFormat::F64 => 8,
+        }
+    }
+
+    /// Its step.
+    pub fn step(self) -> Step {
+        match self {
+            RawFormat::F16 => Step::Half,
+            RawFormat::F32 | RawFormat::F64 => Step::None,
+            RawFormat::Unorm8 => Step::Unorm8,
+            RawFormat::Unorm16 => Step::Unorm16,
+        }
+    }
+
+    /// The values of little-endian bytes; bytes after the last whole value are left out.
+    pub(super) fn values(self, bytes: &[u8]) -> Vec<f64> {
+        match self {
+            RawFormat::Unorm8 => bytes.iter().map(|&b| f64::from(b) / 255.0).collect(),
+            RawFormat::F16 => pieces(bytes, |b| f16::from_le_bytes(b).to_f64()),
+            RawFormat::Unorm16 => pieces(bytes, |b| f64::from(u16::from_le_bytes(b)) / 65535.0),
+            RawFormat::F32 => pieces(bytes, |b| f64::from(f32::from_le_bytes(b))),
+            RawFormat::F64 => pieces(bytes, f64::from_le_bytes),
+        }
+    }
+}
+
+fn pieces<const N: usize>(bytes: &[u8], value: impl Fn([u8; N]) -> f64) -> Vec<f64> {
+    bytes.as_chunks::<N>().0.iter().map(|piece| value(*piece)).collect()
+}
+
+/// What the caller knows about a file that the file does not say.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Hints {
+    /// Texels along each axis, x fastest. Where the file is an image of two axes and this names three, the image is an atlas of
+    /// slices: tiles of size x by y, left to right, then top to bottom.
+    pub size: Option<Vec<usize>>,
+    /// Values of a texel, for files that do not say.
+    pub channels: Option<usize>,
+    /// How numbers lie in raw files, and what integers in a text stand for.
+    pub format: Option<RawFormat>,
+    /// Name of the array in a text.
+    pub symbol: Option<String>,
+    /// Name of the layer of an EXR file.
+    pub layer: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_half_the_distance_of_neighbours() {
+        assert_eq!(Step::Half.rounding(1.0), 0.5 / 1024.0);
+        assert_eq!(Step::Half.rounding(-0.75), 0.5 / 2048.0);
+        assert_eq!(Step::Half.rounding(0.0), 0.5 / 16_777_216.0);
+        assert_eq!(Step::Half.rounding(65504.0), 16.0, "the largest half");
+        assert!((Step::Decimals(3).rounding(7.0) - 5e-4).abs() < 1e-18);
+        assert_eq!(Step::Unorm8.rounding(0.3), 0.5 / 255.0);
+    }
+
+    #[test]
+    fn numbers_are_little_endian() {
+        assert_eq!(RawFormat::F16.values(&[0x00, 0x3c, 0x00, 0x38]), [1.0, 0.5]);
+        assert_eq!(RawFormat::F32.values(&[0, 0, 0x80, 0x3f, 9]), [1.0]);
+        assert_eq!(RawFormat::F64.values(&1.25f64.to_le_bytes()), [1.25]);
+        assert_eq!(RawFormat::Unorm8.values(&[0, 255]), [0.0, 1.0]);
+        assert_eq!(RawFormat::Unorm16.values(&[255, 255, 0, 0]), [1.0, 0.0]);
+    }
+}

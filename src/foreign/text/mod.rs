@@ -1,0 +1,125 @@
+//! Array literals of program texts: C, C++, HLSL, GLSL, WGSL, Rust, JavaScript, TypeScript, Python, JSON, and lists of numbers
+//! without anything around them.
+//!
+//! Nested brackets are axes, outermost slowest; brackets of two to four numbers, and vectors, are texels of channels. What is
+//! computed (`1.0 / 3.0`, `sin(x)`, `[0.5; 9]`) is no literal.
+
+mod frame;
+mod integers;
+mod lead;
+mod lex;
+mod scan;
+mod words;
+
+use frame::Literal;
+use lead::Lead;
+use lex::{Lexer, Token};
+
+use super::shape::{self, Values};
+use super::{ForeignError, ForeignTable, Hints, Spot, Step, limits};
+
+/// The tables of a text: all, or the one that is asked for.
+pub(super) fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
+    let text = std::str::from_utf8(bytes).map_err(|e| ForeignError::Malformed {
+        file: file.into(),
+        at: Spot::Byte(e.valid_up_to() as u64),
+        message: "these bytes are not UTF-8: save the text as UTF-8".into(),
+    })?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut found: Vec<(Lead, Literal)> = scan::literals(text, file)?
+        .into_iter()
+        .map(|literal| (lead::lead(text, file, literal.statement, literal.open), literal))
+        .collect();
+    if found.is_empty() {
+        let message = format!(
+            "no array of at least {} numbers is written out in it; lists of computed values, and files that it includes, are \
+             not read",
+            limits::ARRAY_MIN
+        );
+        return Err(ForeignError::Nothing { file: file.into(), message });
+    }
+    if let Some(symbol) = &hints.symbol {
+        let known = found.iter().map(|(lead, _)| lead.name.clone()).collect();
+        found.retain(|(lead, _)| lead.name == *symbol);
+        if found.is_empty() {
+            let name = symbol.clone();
+            return Err(ForeignError::NoSuch { file: file.into(), what: "array", name, known });
+        }
+    }
+    found.into_iter().map(|(lead, literal)| table(text, file, lead, literal, hints)).collect()
+}
+
+fn table(
+    text: &str,
+    file: &str,
+    lead: Lead,
+    literal: Literal,
+    hints: &Hints,
+) -> Result<ForeignTable, ForeignError> {
+    if let Some((at, message)) = literal.mixed {
+        let message = match lead.name.as_str() {
+            "" => message,
+            name => format!("{name}: {message}"),
+        };
+        return Err(ForeignError::Mixed { file: file.into(), at: Spot::of(text, at), message });
+    }
+    let at = Spot::of(text, literal.open);
+    let (size, channels) = match dimensions(&lead, &literal) {
+        Ok(size) => size,
+        Err(message) => return Err(ForeignError::Mixed { file: file.into(), at, message }),
+    };
+    let lines = lines(text, file, &literal);
+    let (kind, values, step) = if literal.decimals.is_none() {
+        integers::read(file, at, &lead.name, literal.values, literal.hex, hints.format)?
+    } else {
+        let decimals = literal.decimals.unwrap_or(0);
+        ("array of decimals".into(), literal.values, Step::Decimals(decimals))
+    };
+    let list = Values { name: lead.name, kind, values, size, channels, lines, names: Vec::new(), step };
+    shape::table(file, list, hints)
+}
+
+/// What the brackets or the declaration say.
+fn dimensions(lead: &Lead, literal: &Literal) -> Result<shape::Grouped, String> {
+    let declared = if lead.sizes.is_empty() {
+        0
+    } else {
+        lead.sizes.iter().fold(1, |n: usize, &size| n.saturating_mul(size))
+    };
+    let nested: Vec<usize> = literal.shape.iter().copied().filter(|&n| n != 1).collect();
+    let stated = &lead.sizes;
+    if declared != 0 && declared != literal.values.len() && stated.first() != literal.shape.first() {
+        return Err(format!(
+            "{} is declared as {} and holds {} numbers",
+            lead.name,
+            shape::words(stated),
+            literal.values.len()
+        ));
+    }
+    let flat = nested.len() < 2;
+    let shape: &[usize] = if flat && declared == literal.values.len() { stated } else { &nested };
+    if shape.len() < 2 {
+        return Ok((None, None));
+    }
+    shape::grouped(shape, literal.vectors && !flat).map_err(|message| format!("{}: {message}", lead.name))
+}
+
+/// Numbers on each line of a literal and its lines, if all lines hold as many.
+fn lines(text: &str, file: &str, literal: &Literal) -> Option<(usize, usize)> {
+    let part = &text[literal.open..literal.end];
+    let mut lexer = Lexer::new(part, file);
+    let (mut counts, mut last) = (Vec::new(), 0);
+    while let Some((at, token)) = lexer.next() {
+        if let Token::Number(_) = token {
+            if counts.is_empty() || part[last..at].contains('\n') {
+                counts.push(0);
+            }
+            last = at;
+            if let Some(count) = counts.last_mut() {
+                *count += 1;
+            }
+        }
+    }
+    let first = *counts.first()?;
+    counts.iter().all(|&c| c == first).then_some((first, counts.len()))
+}
