@@ -7,6 +7,7 @@ mod check;
 mod cost;
 mod error;
 mod eval;
+mod fit;
 mod input;
 mod options;
 mod output;
@@ -54,6 +55,9 @@ enum Verb {
     /// Compute a quantity at the points of a CSV file
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::Options),
+    /// Fit a formula of your own to a quantity
+    #[command(after_help = fit::EXAMPLES)]
+    Fit(Box<fit::Options>),
     /// Measure what accuracy costs in time
     #[command(after_help = cost::EXAMPLES)]
     Cost(cost::Options),
@@ -73,6 +77,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Bake(options) => bake::run(&options),
         Verb::Check(options) => check::run(&options),
         Verb::Eval(options) => eval::run(&options),
+        Verb::Fit(options) => fit::run(&options),
         Verb::Cost(options) => cost::run(&options),
         Verb::Schema(options) => schema::run(&options),
     };

@@ -8,6 +8,7 @@ pub mod glass;
 mod quantity;
 pub mod reflection;
 pub mod sheen;
+pub mod target;
 pub mod volume;
 
 pub use deviation::{Deviation, Rounding};

@@ -23,4 +23,5 @@ pub use measure::{Errors, Judged, error_map, measure};
 pub use points::{PointSet, certification};
 pub use region::Region;
 pub use rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
+pub(in crate::effects) use samples::{edged, interpolant as average_truth, uniform};
 pub use table::{TableSpec, build};

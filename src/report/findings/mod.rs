@@ -4,6 +4,7 @@
 mod approximation;
 mod furnace;
 mod index;
+mod own;
 mod table;
 mod volume;
 
@@ -16,6 +17,7 @@ use super::Field;
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
+pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};
 
