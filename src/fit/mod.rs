@@ -25,4 +25,4 @@ pub use hypothesis::{
 };
 pub use regular::prove_regular;
 pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, round_to_f32};
-pub use tape::{BinaryOp, Interval, Op, Real, Tape, UnaryOp};
+pub use tape::{Assembler, BinaryOp, Interval, Node, Op, Real, Tape, UnaryOp};
