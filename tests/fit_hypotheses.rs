@@ -136,7 +136,7 @@ fn published_rivals_have_the_errors_that_were_measured_of_them() {
     for (name, max, rms) in PUBLISHED {
         let hypothesis = hypothesis(&format!("published/{name}"));
         let measured = |edges| {
-            optimise(&hypothesis, &furnace(&hypothesis, 100, edges), &Options::new(Norm::Max)).unwrap()
+            optimise(&hypothesis, &furnace(&hypothesis, 100, edges), &[], &Options::new(Norm::Max)).unwrap()
         };
         let (found, mean) = (measured(true).max, measured(false).rms);
         assert!((found / max - 1.0).abs() < 0.01, "{name}: max {found} instead of {max}");
@@ -169,10 +169,10 @@ fn fits_reach_the_errors_that_their_forms_allow() {
         for (norm, bar) in [(Norm::Max, max), (Norm::Rms, rms)] {
             let samples = furnace(&hypothesis, 64, norm == Norm::Max);
             let started = std::time::Instant::now();
-            let fitted = optimise(&hypothesis, &samples, &Options::new(norm)).unwrap();
+            let fitted = optimise(&hypothesis, &samples, &[], &Options::new(norm)).unwrap();
             let seconds = started.elapsed().as_secs_f64();
             println!(
-                "{name} {norm:?}: {:.6} {:.6} {:?} gap {:e} evals {} {seconds:.2} s",
+                "{name} {norm:?}: {:.6} {:.6} {:?} {:?} evals {} {seconds:.2} s",
                 fitted.max, fitted.rms, fitted.termination, fitted.gap, fitted.evaluations
             );
             let reached = if norm == Norm::Max { fitted.max } else { fitted.rms };
@@ -204,7 +204,7 @@ fn the_average_albedo_is_fitted_to_a_ten_thousandth() {
         target: roughness.iter().map(|r| average(r * r)).collect(),
         inputs: vec![roughness.clone(), roughness.iter().map(|r| r * r).collect()],
     };
-    let fitted = optimise(&hypothesis, &samples, &Options::new(Norm::Max)).unwrap();
+    let fitted = optimise(&hypothesis, &samples, &[], &Options::new(Norm::Max)).unwrap();
     println!("{fitted:?}");
     assert!(fitted.termination.is_converged() && fitted.max < 1e-4, "{fitted:?}");
 }

@@ -3,15 +3,16 @@
 
 use super::{BakeError, UserHypothesis};
 use crate::effects::reflection::{FitStageError, catalogue_names};
-use crate::emit::lookup::RUST_HELPER_NAMES;
+use crate::emit::code::Language;
+use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
 use crate::emit::{code, compensation};
 use crate::fit::Hypothesis;
 
 /// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
 const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];
 
-/// How the functions of tables begin.
-const TABLES: [&str; 4] = ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_"];
+/// How the functions of tables, and what they share, begin.
+const TABLES: [&str; 5] = ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_", C_HELPER_PREFIX];
 
 /// Parses the user's hypotheses and refuses a name that is taken.
 pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
@@ -40,9 +41,10 @@ fn forms(name: &str) -> Vec<String> {
 /// Prints the formula once with its starting values: what the printers refuse is refused here, with the file.
 fn printable(user: &UserHypothesis, parsed: &Hypothesis) -> Result<(), BakeError> {
     let starts: Vec<f32> = parsed.parameters().iter().map(|p| p.start).collect();
-    let printed = code::rust(parsed, &starts, &[]).and_then(|_| code::wgsl(parsed, &starts, &[]));
+    let printed =
+        Language::ALL.iter().try_for_each(|language| code::print(*language, parsed, &starts, &[]).map(drop));
     match printed {
-        Err(error @ code::CodeError::Name { .. }) => {
+        Err(error @ (code::CodeError::Name { .. } | code::CodeError::Letters { .. })) => {
             Err(BakeError::Word { file: user.file.clone(), reason: error.to_string() })
         }
         // Coefficients are not known yet: what is said of the starting values may not hold of them.

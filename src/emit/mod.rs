@@ -1,6 +1,7 @@
 //! Floor 5: tables and fits to bytes, one file per format. Nothing here touches the file system.
 
 pub mod code;
+pub mod comment;
 pub mod compensation;
 pub mod container;
 pub mod dds;
@@ -11,4 +12,5 @@ pub mod manifest;
 pub mod npy;
 pub mod raw;
 pub mod sidecar;
+mod spelling;
 mod texels;

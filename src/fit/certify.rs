@@ -1,9 +1,52 @@
-//! The measured error of a formula in f32, with its coefficients as emitted.
+//! The measured error of a formula in a shader's arithmetic, with its coefficients as emitted.
 
+use half::f16;
+
+use super::tape::{Op, Real};
 use super::{FitError, Tape};
 
 /// Points whose squares are summed before they join the total: bounds the rounding error of a sum of millions.
 const RUN: usize = 4096;
+
+/// The arithmetic that a formula is measured in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Precision {
+    /// f32, every operation rounded.
+    #[default]
+    F32,
+    /// f32, products contracted into the additions that use them (see [`Tape::contracted`]).
+    F32Fused,
+    /// f16: inputs, coefficients and every operation rounded to half precision, subnormals kept.
+    F16,
+    /// f16, contracted.
+    F16Fused,
+}
+
+impl Precision {
+    /// All of them.
+    pub const ALL: [Precision; 4] =
+        [Precision::F32, Precision::F32Fused, Precision::F16, Precision::F16Fused];
+
+    /// The word used in certificates and options: `f32`, `f32-fma`, `f16`, `f16-fma`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F32Fused => "f32-fma",
+            Precision::F16 => "f16",
+            Precision::F16Fused => "f16-fma",
+        }
+    }
+
+    /// Whether products are contracted.
+    pub fn is_fused(self) -> bool {
+        matches!(self, Precision::F32Fused | Precision::F16Fused)
+    }
+
+    /// Whether it is half precision.
+    pub fn is_half(self) -> bool {
+        matches!(self, Precision::F16 | Precision::F16Fused)
+    }
+}
 
 /// Error of a formula over a set of points.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +96,25 @@ pub fn measure_first(
     target: &[f64],
     first: usize,
 ) -> Result<(Measured, Measured), FitError> {
+    measure_in(tape, coefficients, inputs, scale, target, first, Precision::F32)
+}
+
+/// [`measure_first`] in another arithmetic; scale, target and the error itself are always f64.
+///
+/// In f16 the points are rounded to half precision first, so that the error is also that of the input: what a shader sees that
+/// keeps its variables in f16.
+///
+/// # Errors
+/// As [`measure_first`]; in f16 a coefficient, a literal or an input beyond 65504, which is infinite there.
+pub fn measure_in(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    scale: &[f64],
+    target: &[f64],
+    first: usize,
+    precision: Precision,
+) -> Result<(Measured, Measured), FitError> {
     let points = tape.check_shape(inputs, coefficients)?;
     let shape = |what: &str, found, expected| FitError::Shape {
         what: format!("{}: {what}", tape.function()),
@@ -67,7 +129,7 @@ pub fn measure_first(
             return Err(shape(name, column.len(), points));
         }
     }
-    let values = tape.evaluate(inputs, coefficients)?;
+    let values = values(tape, coefficients, inputs, precision)?;
     let finite = |column: &str, index: usize, value: f64| {
         if value.is_finite() {
             return Ok(value);
@@ -75,13 +137,51 @@ pub fn measure_first(
         let column = format!("{}: {column}", tape.function());
         Err(FitError::NotFinite { column, index, value })
     };
+    let in_precision = format!("value in {}", precision.name());
     let mut errors = Vec::with_capacity(points);
     for (i, value) in values.iter().enumerate() {
-        let value = finite("value in f32", i, f64::from(*value))?;
+        let value = finite(&in_precision, i, *value)?;
         errors.push(finite("scale", i, scale[i])? * value - finite("target", i, target[i])?);
     }
     let first = first.min(points);
     Ok((summarise(&errors, target), summarise(&errors[..first], &target[..first])))
+}
+
+/// The formula's values in an arithmetic.
+fn values(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    precision: Precision,
+) -> Result<Vec<f64>, FitError> {
+    let contracted = precision.is_fused().then(|| tape.contracted());
+    let tape = contracted.as_ref().unwrap_or(tape);
+    if !precision.is_half() {
+        return Ok(tape.evaluate(inputs, coefficients)?.into_iter().map(f64::from).collect());
+    }
+    let literals = tape.ops().iter().filter_map(|op| match op {
+        Op::Literal(x) => Some(*x),
+        _ => None,
+    });
+    to_half(tape, "literal", &literals.collect::<Vec<_>>())?;
+    let coefficients = to_half(tape, "coefficient", coefficients)?;
+    let columns = tape.inputs().iter().zip(inputs);
+    let inputs = columns.map(|(name, column)| to_half(tape, &format!("input {name}"), column));
+    let inputs = inputs.collect::<Result<Vec<_>, FitError>>()?;
+    Ok(tape.evaluate(&inputs, &coefficients)?.into_iter().map(f16::to_f64).collect())
+}
+
+/// Numbers rounded to half precision.
+fn to_half(tape: &Tape, what: &str, numbers: &[f32]) -> Result<Vec<f16>, FitError> {
+    let one = |(index, &x): (usize, &f32)| {
+        let rounded = f16::literal(x);
+        if rounded.is_finite() {
+            return Ok(rounded);
+        }
+        let column = format!("{}: {what} {x} in f16", tape.function());
+        Err(FitError::NotFinite { column, index, value: rounded.to_f64() })
+    };
+    numbers.iter().enumerate().map(one).collect()
 }
 
 fn summarise(errors: &[f64], target: &[f64]) -> Measured {

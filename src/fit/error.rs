@@ -151,6 +151,55 @@ pub enum FitError {
         /// Its value.
         value: f64,
     },
+    /// The power of a p-norm is out of range.
+    #[error(
+        "the power of a p-norm is {power}: it must lie in 2 .. {largest}; the limit of large powers is the goal max"
+    )]
+    Power {
+        /// Power given.
+        power: f64,
+        /// Largest power known.
+        largest: f64,
+    },
+    /// No coefficients were found that obey a constraint.
+    #[error(
+        "constraint `{constraint}` cannot be satisfied: at {at} the value of {function} stays {by:.3e} off; \
+         loosen it, drop another constraint, or give the formula more freedom"
+    )]
+    Unsatisfiable {
+        /// The constraint's name.
+        constraint: String,
+        /// Function's name.
+        function: String,
+        /// The point where it is violated most: `alpha = 0.5, mu = 1`.
+        at: String,
+        /// By how much, in units of the formula's value, at the best coefficients found.
+        by: f64,
+    },
+    /// A rational form has no coefficients with a positive denominator at every sample.
+    #[error(
+        "no coefficients make the denominator positive at every sample; sample {sample} is one of those in the way"
+    )]
+    NoDenominator {
+        /// Index of a sample.
+        sample: usize,
+    },
+    /// Constraints contradict one another.
+    #[error(
+        "no coefficients keep all {rows} constraints with a positive denominator; take constraints away or loosen them"
+    )]
+    Infeasible {
+        /// Number of constraints.
+        rows: usize,
+    },
+    /// A coefficient without an effect of its own.
+    #[error(
+        "coefficient {parameter} (counted from 0) changes nothing that the earlier ones cannot: take it out of the formula"
+    )]
+    Degenerate {
+        /// Index of the coefficient.
+        parameter: usize,
+    },
     /// A solver could not go on.
     #[error("solver: {message}")]
     Solver {

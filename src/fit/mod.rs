@@ -3,20 +3,23 @@
 //!
 //! [`Hypothesis`] parses a formula and refuses what the dialect leaves out; [`Tape`] evaluates it in f64 and f32,
 //! with derivatives and over intervals, and counts its operations; [`prove_regular`] proves that it has no pole in
-//! a [`Domain`]; [`optimise`] finds its coefficients; [`measure`] certifies them in f32, as emitted. [`texels`] does for
+//! a [`Domain`]; [`optimise`] finds its coefficients, [`rational`] the
+//! globally best ones of forms that are a quotient of linear ones; [`measure`] certifies them in f32, as emitted. [`texels`] does for
 //! tables what [`optimise`] does for formulas.
 
 mod certify;
 mod domain;
 mod error;
 mod hypothesis;
+pub mod rational;
 mod regular;
+pub mod search;
 mod solve;
 mod tape;
 pub mod texels;
 pub mod volume;
 
-pub use certify::{Measured, measure, measure_first, round_up};
+pub use certify::{Measured, Precision, measure, measure_first, measure_in, round_up};
 pub use domain::{Domain, DomainAxis};
 pub use error::{FitError, Place};
 pub use hypothesis::{
@@ -24,5 +27,8 @@ pub use hypothesis::{
     Unary, Variable, power_steps,
 };
 pub use regular::prove_regular;
-pub use solve::{Fitted, Norm, Options, Samples, Termination, optimise, round_to_f32};
+pub use solve::{
+    Condition, Constraint, Fitted, Gap, Goal, Held, Method, Norm, Options, Samples, Stage, Termination,
+    optimise, residual_range, round_to_f32,
+};
 pub use tape::{Assembler, BinaryOp, Interval, Node, Op, Real, Tape, UnaryOp};

@@ -2,6 +2,8 @@
 //! emits reading functions for.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
+pub mod compilers;
+pub mod languages;
 pub mod programs;
 pub mod solid;
 

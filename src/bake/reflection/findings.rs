@@ -12,7 +12,7 @@ use crate::bake::{BakeError, origin};
 use crate::data::{Place, Serves, Smith, Use};
 use crate::effects::Deviation;
 use crate::effects::reflection::{Dropped, Fit, Region, Study, studies};
-use crate::emit::code;
+use crate::emit::code::{self, Language};
 use crate::plan::{Effect, Plan};
 use crate::report::{
     self, ApproximationFinding, AverageFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings,
@@ -101,7 +101,10 @@ fn fit_finding(one: &Selected, map: &Grid, curves: &Grid) -> Result<FitFinding, 
     Ok(FitFinding {
         name: fit.approximation.name.clone(),
         shown_as: one.because.into(),
-        formula: code::wgsl(&fit.hypothesis, &fit.coefficients(), &[])?.text.trim_end().to_string(),
+        formula: code::print(Language::Wgsl, &fit.hypothesis, &fit.coefficients(), &[])?
+            .text
+            .trim_end()
+            .to_string(),
         value: "N = 1/E".into(),
         curves: curves.fit_curves(fit)?,
         error: map.furnace_error(fit)?,

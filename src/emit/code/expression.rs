@@ -1,6 +1,6 @@
 //! Expressions and statements as text, with what a language does differently left to it.
 
-use crate::fit::{Binary, Builtin, Expr, ExprKind, Function, Kind, Statement, Unary};
+use crate::fit::{Binary, Builtin, Expr, ExprKind, Function, Kind, Statement, Unary, power_steps};
 
 /// Longest line before a sum is broken up.
 const WIDTH: usize = 100;
@@ -35,15 +35,19 @@ impl Text {
 }
 
 /// What a language does its own way.
-pub(super) trait Language {
+pub(super) trait Dialect {
     /// A literal; `typed` where nothing else says that it is an f32.
     fn number(&self, x: f32, typed: bool) -> String;
+    /// true or false.
+    fn truth(&self, x: bool) -> String {
+        x.to_string()
+    }
     /// A built-in function.
     fn builtin(&self, writer: &Writer<Self>, builtin: Builtin, operands: &[Expr], typed: bool) -> Text
     where
         Self: Sized;
-    /// Name of the helper that raises to a whole power.
-    fn power(&self, n: u32) -> String;
+    /// Printed name of a function that the language lacks, by what it computes (`pow5`).
+    fn helper(&self, base: &str) -> String;
     /// `let name = ` or `let mut name: f32 = `.
     fn declare(&self, name: &str, kind: Kind, mutable: bool, typed: bool) -> String;
     /// The condition of an `if`.
@@ -53,8 +57,8 @@ pub(super) trait Language {
 }
 
 /// Writes one function's body.
-pub(super) struct Writer<'a, L> {
-    pub language: &'a L,
+pub(super) struct Writer<'a, D> {
+    pub dialect: &'a D,
     pub function: &'a Function,
     /// Printed names of the functions.
     pub function_names: &'a [String],
@@ -62,15 +66,15 @@ pub(super) struct Writer<'a, L> {
     pub names: &'a [String],
 }
 
-impl<L: Language> Writer<'_, L> {
+impl<D: Dialect> Writer<'_, D> {
     /// An expression.
     pub fn expression(&self, expr: &Expr, typed: bool) -> Text {
         match &expr.kind {
             ExprKind::Number(x) => {
                 let level = if x.is_sign_negative() { Level::Sign } else { Level::Atom };
-                Text { text: self.language.number(*x, typed), level }
+                Text { text: self.dialect.number(*x, typed), level }
             }
-            ExprKind::Truth(x) => Text::atom(x.to_string()),
+            ExprKind::Truth(x) => Text::atom(self.dialect.truth(*x)),
             // A specialised formula has no parameters left.
             ExprKind::Parameter(index) => Text::atom(format!("parameter_{index}")),
             ExprKind::Variable(index) => Text::atom(self.names[*index].clone()),
@@ -83,9 +87,10 @@ impl<L: Language> Writer<'_, L> {
             }
             ExprKind::Binary(op, a, b) => self.binary(*op, a, b, typed),
             ExprKind::Power(a, n) => {
-                Text::atom(format!("{}({})", self.language.power(*n), self.expression(a, false).text))
+                let name = self.dialect.helper(&format!("pow{n}"));
+                Text::atom(format!("{name}({})", self.expression(a, false).text))
             }
-            ExprKind::Builtin(builtin, operands) => self.language.builtin(self, *builtin, operands, typed),
+            ExprKind::Builtin(builtin, operands) => self.dialect.builtin(self, *builtin, operands, typed),
             ExprKind::Call(function, operands) => {
                 Text::atom(format!("{}({})", self.function_names[*function], self.list(operands)))
             }
@@ -107,8 +112,13 @@ impl<L: Language> Writer<'_, L> {
             Level::Logic if same_logic(op, a) => (Level::Logic, Level::Comparison),
             _ => (next(level), next(level)),
         };
-        let left = self.expression(a, typed).within(left_least);
-        let right = self.expression(b, typed).within(right_least);
+        // Whether `!a == b` means (!a) == b, compilers of C's family ask.
+        let least = |e: &Expr, least| match (&e.kind, level) {
+            (ExprKind::Unary(Unary::Not, _), Level::Comparison) => Level::Atom,
+            _ => least,
+        };
+        let left = self.expression(a, typed).within(least(a, left_least));
+        let right = self.expression(b, typed).within(least(b, right_least));
         Text { text: format!("{left} {sign} {right}"), level }
     }
 
@@ -142,7 +152,7 @@ impl<L: Language> Writer<'_, L> {
             Statement::Assign(variable, e) => {
                 self.line(&format!("{} = ", self.names[*variable]), e, ";", depth, out);
             }
-            Statement::Return(e) if tail && self.language.tail() => self.line("", e, "", depth, out),
+            Statement::Return(e) if tail && self.dialect.tail() => self.line("", e, "", depth, out),
             Statement::Return(e) => self.line("return ", e, ";", depth, out),
             Statement::If(condition, accept, reject) => {
                 self.branch(condition, accept, reject, depth, tail, out);
@@ -161,7 +171,7 @@ impl<L: Language> Writer<'_, L> {
     ) {
         let indent = "    ".repeat(depth);
         let tail = tail && returns(accept) && returns(reject);
-        let condition = self.language.condition(self.expression(condition, false).text);
+        let condition = self.dialect.condition(self.expression(condition, false).text);
         out.push_str(&format!("{indent}if {condition} {{\n"));
         self.block(accept, depth + 1, tail, out);
         if !reject.is_empty() {
@@ -174,7 +184,7 @@ impl<L: Language> Writer<'_, L> {
     fn declaration(&self, variable: usize, value: &Expr, mutable: bool, depth: usize, out: &mut String) {
         let kind = self.function.variables[variable].kind;
         let typed = kind == Kind::Number && (mutable || !self.anchored(value));
-        let start = self.language.declare(&self.names[variable], kind, mutable, typed);
+        let start = self.dialect.declare(&self.names[variable], kind, mutable, typed);
         self.line(&start, value, ";", depth, out);
     }
 
@@ -261,5 +271,32 @@ fn operator(op: Binary) -> (&'static str, Level) {
         Binary::GreaterEqual => (">=", Level::Comparison),
         Binary::And => ("&&", Level::Logic),
         Binary::Or => ("||", Level::Logic),
+    }
+}
+
+/// The lines that raise x to a power by repeated squaring, each squaring declared as `declare x2 = ...;`, and the value.
+pub(super) fn power_body(n: u32, declare: &str) -> (Vec<String>, String) {
+    let name = |step: u32| if step == 1 { "x".to_string() } else { format!("x{step}") };
+    let steps = power_steps(n);
+    let last = steps.last().copied().unwrap_or(1);
+    // A last factor that stands alone needs no name.
+    let named = if steps.len() == 1 { last / 2 } else { last };
+    let square = |step: u32| format!("{0} * {0}", name(step / 2));
+    let squarings = (1..32).map(|k| 1 << k).take_while(|step| *step <= named);
+    let lines = squarings.map(|step| format!("{declare} {} = {};", name(step), square(step))).collect();
+    let value = match steps.len() {
+        1 => square(last),
+        _ => steps.iter().map(|s| name(*s)).collect::<Vec<_>>().join(" * "),
+    };
+    (lines, value)
+}
+
+/// The shortest decimal; where reading it as f64 and rounding that to f32 would give another number (WGSL and glslang do so
+/// with literals that have no suffix), the decimal of the f64.
+pub(in crate::emit) fn decimal(x: f32) -> String {
+    let short = format!("{x:?}");
+    match short.parse::<f64>() {
+        Ok(wide) if wide as f32 == x => short,
+        _ => format!("{:?}", f64::from(x)),
     }
 }

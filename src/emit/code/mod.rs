@@ -1,15 +1,22 @@
-//! A fitted formula as source code: Rust and WGSL, with the hypothesis's own names and structure.
+//! A fitted formula as source code, with the hypothesis's own names and structure, in every [`Language`].
 //!
-//! Both printers write the specialised formula: coefficients and constant sub-expressions as the shortest decimals
+//! The printers write the specialised formula: coefficients and constant sub-expressions as the shortest decimals
 //! that read back to the same f32, in the order of operations of the hypothesis, with no more parentheses than that
 //! order needs. `a + -c b` is written `a - c b`, which has the same bits.
 
+mod clike;
 mod expression;
+mod helpers;
+mod language;
 mod names;
 mod rust;
 mod wgsl;
+mod words;
 
-use crate::fit::{Builtin, Expr, ExprKind, FitError, Formula, Hypothesis, Statement};
+use super::comment::comment;
+use crate::fit::{Builtin, Expr, ExprKind, FitError, Formula, Function, Hypothesis, Statement};
+pub(in crate::emit) use expression::decimal;
+pub use language::Language;
 
 /// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of tiny ones are.
 const TINY: f32 = 1e-30;
@@ -43,6 +50,17 @@ pub enum CodeError {
         /// The number.
         value: f32,
     },
+    /// A function's name has letters that the language's names do not.
+    #[error(
+        "function {function}: in {language} names are of ASCII letters, digits and single underscores, a letter first: \
+         rename it in the hypothesis"
+    )]
+    Letters {
+        /// Function's name.
+        function: String,
+        /// The language.
+        language: &'static str,
+    },
     /// A function's name is a word of the language.
     #[error("function {function}: its name means something else in {language}: rename it in the hypothesis")]
     Name {
@@ -53,27 +71,30 @@ pub enum CodeError {
     },
 }
 
-/// The fit as a Rust function `pub fn name(inputs: f32, ...) -> f32`, with `header` as its documentation.
+/// The fit as a function of f32 arguments and result, `header` as its documentation.
 ///
-/// The text compiles alone, without dependencies, editions 2021 and 2024, free of warnings. Where [`Printed::exact`]
-/// holds, it returns the bits of the hypothesis's tape in f32; `exp`, `exp2`, `ln`, `log2`, `powf`, `sin`, `cos` are
-/// std's and may differ by some ulp.
-///
-/// # Errors
-/// Coefficients of the wrong number, not finite, or below 1e-30; a function named as a word of Rust.
-pub fn rust(hypothesis: &Hypothesis, coefficients: &[f32], header: &[String]) -> Result<Printed, CodeError> {
-    let formula = specialise(hypothesis, coefficients)?;
-    Ok(printed(rust::print(&formula, header)?, &formula))
-}
-
-/// The fit as a WGSL function, with `header` as its documentation. It is itself a hypothesis without parameters
-/// whose tape has the same values.
+/// The text stands after [`Language::opening`] in a file and needs nothing else. Its functions keep the hypothesis's names, but for
+/// words that the language has taken; helpers have the formula's name before theirs, so that one file can hold many formulas.
+/// Every function stands before its first use.
 ///
 /// # Errors
-/// Coefficients of the wrong number, not finite, or below 1e-30; a function named as a built-in.
-pub fn wgsl(hypothesis: &Hypothesis, coefficients: &[f32], header: &[String]) -> Result<Printed, CodeError> {
+/// Coefficients of the wrong number, not finite, or below 1e-30; a function named as a word of the language, or in letters
+/// that it does not have.
+pub fn print(
+    language: Language,
+    hypothesis: &Hypothesis,
+    coefficients: &[f32],
+    header: &[String],
+) -> Result<Printed, CodeError> {
     let formula = specialise(hypothesis, coefficients)?;
-    Ok(printed(wgsl::print(&formula, header)?, &formula))
+    let text = match language {
+        Language::Rust => rust::print(&formula, header)?,
+        Language::Wgsl => wgsl::print(&formula, header)?,
+        Language::Hlsl | Language::Glsl | Language::Msl | Language::C => {
+            clike::print(language, &formula, header)?
+        }
+    };
+    Ok(printed(text, language, &formula))
 }
 
 fn specialise(hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Formula, CodeError> {
@@ -89,13 +110,13 @@ fn specialise(hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Formula, 
     tiny.map_or(Ok(formula), |value| Err(CodeError::Tiny { function, value }))
 }
 
-fn printed(text: String, formula: &Formula) -> Printed {
+fn printed(text: String, language: Language, formula: &Formula) -> Printed {
     let (mut needs_std, mut exact) = (false, true);
     for function in &formula.functions {
         visit(&function.body, &mut |expr| {
             if let ExprKind::Builtin(builtin, _) = &expr.kind {
                 let transcendental = transcendental(*builtin);
-                exact &= !transcendental;
+                exact &= !transcendental && language.rounds(*builtin);
                 needs_std |= transcendental
                     || matches!(
                         builtin,
@@ -118,6 +139,13 @@ fn transcendental(builtin: Builtin) -> bool {
             | Builtin::Sin
             | Builtin::Cos
     )
+}
+
+/// Whether a function's body mentions a variable.
+fn is_read(function: &Function, variable: usize) -> bool {
+    let mut read = false;
+    visit(&function.body, &mut |e| read |= e.kind == ExprKind::Variable(variable));
+    read
 }
 
 /// Calls `f` on every expression of a block.

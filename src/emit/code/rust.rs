@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::expression::{Language, Level, Text, Writer};
-use super::names::{Names, RUST, free};
-use super::{CodeError, visit};
-use crate::fit::{Builtin, Expr, ExprKind, Formula, Function, Kind, Statement, power_steps};
+use super::expression::{Dialect, Level, Text, Writer, power_body};
+use super::names::{Names, free};
+use super::words::Words;
+use super::{CodeError, Language, comment, is_read, visit};
+use crate::fit::{Builtin, Expr, ExprKind, Formula, Function, Kind, Statement};
 
 /// What Rust does its own way: operations that are neither operators nor methods become functions inside the
 /// function that uses them.
@@ -16,15 +17,12 @@ struct Rust {
 
 /// Prints a specialised formula.
 pub(super) fn print(formula: &Formula, header: &[String]) -> Result<String, CodeError> {
-    let names = Names::of(formula, &RUST)?;
+    let names = Names::of(formula, Words::of(Language::Rust))?;
     let mut out = String::new();
     for (index, function) in formula.functions.iter().enumerate() {
         let main = index + 1 == formula.functions.len();
         if main {
-            for line in header {
-                out.push_str(format!("/// {line}").trim_end());
-                out.push('\n');
-            }
+            out.push_str(&comment("///", header));
         }
         print_function(formula, function, &names, index, &mut out);
         if !main {
@@ -36,10 +34,9 @@ pub(super) fn print(formula: &Formula, header: &[String]) -> Result<String, Code
 
 fn print_function(formula: &Formula, function: &Function, names: &Names, index: usize, out: &mut String) {
     let main = index + 1 == formula.functions.len();
-    let variables = names.variables(function, &RUST);
-    let language = Rust { inner: inner_functions(function, &variables, &names.functions) };
-    let writer =
-        Writer { language: &language, function, function_names: &names.functions, names: &variables };
+    let variables = names.variables(function);
+    let dialect = Rust { inner: inner_functions(function, &variables, &names.functions) };
+    let writer = Writer { dialect: &dialect, function, function_names: &names.functions, names: &variables };
     let snake = |name: &String| name.chars().all(|c| !c.is_uppercase());
     if !variables.iter().chain([&names.functions[index]]).all(snake) {
         out.push_str("#[allow(non_snake_case)]\n");
@@ -56,7 +53,7 @@ fn print_function(formula: &Formula, function: &Function, names: &Names, index: 
     let name = &names.functions[index];
     let result = kind(function.result);
     out.push_str(&format!("{visibility}fn {name}({}) -> {result} {{\n", arguments.join(", ")));
-    for (base, name) in &language.inner {
+    for (base, name) in &dialect.inner {
         out.push_str(&inner_text(base, name));
     }
     for unused in (0..function.arguments).filter(|&i| !is_read(function, i)) {
@@ -72,12 +69,6 @@ fn has_var(statement: &Statement) -> bool {
         Statement::If(_, accept, reject) => accept.iter().chain(reject).any(has_var),
         _ => false,
     }
-}
-
-fn is_read(function: &Function, variable: usize) -> bool {
-    let mut read = false;
-    visit(&function.body, &mut |e| read |= e.kind == ExprKind::Variable(variable));
-    read
 }
 
 /// The inner functions that a function needs, with names that nothing else in it has.
@@ -113,45 +104,22 @@ fn inner_text(base: &str, name: &str) -> String {
         ),
         "sign" => ("x: f32", "if x > 0.0 { 1.0 } else if x < 0.0 { -1.0 } else { x }".to_string()),
         // pow and exponent
-        _ => ("x: f32", power_body(base[3..].parse().unwrap_or(1), "let", "        ")),
+        _ => {
+            let (lines, value) = power_body(base[3..].parse().unwrap_or(1), "let");
+            ("x: f32", [lines, vec![value]].concat().join("\n        "))
+        }
     };
     format!("    fn {name}({arguments}) -> f32 {{\n        {body}\n    }}\n")
 }
 
-/// The lines that raise x to a power by repeated squaring; the last is the value.
-pub(super) fn power_body(n: u32, declare: &str, indent: &str) -> String {
-    let name = |step: u32| if step == 1 { "x".to_string() } else { format!("x{step}") };
-    let steps = power_steps(n);
-    let last = steps.last().copied().unwrap_or(1);
-    let mut lines = String::new();
-    let mut step = 2;
-    // A last factor that stands alone needs no name.
-    let named = if steps.len() == 1 { last / 2 } else { last };
-    while step <= named {
-        let half = name(step / 2);
-        lines.push_str(&format!("{declare} {} = {half} * {half};\n{indent}", name(step)));
-        step *= 2;
-    }
-    let value = if steps.len() == 1 {
-        let half = name(last / 2);
-        format!("{half} * {half}")
-    } else {
-        steps.iter().map(|s| name(*s)).collect::<Vec<_>>().join(" * ")
-    };
-    lines + &value
-}
-
-impl Language for Rust {
+impl Dialect for Rust {
     fn number(&self, x: f32, typed: bool) -> String {
         if typed { format!("{x:?}_f32") } else { format!("{x:?}") }
     }
 
     fn builtin(&self, writer: &Writer<Rust>, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
         let method = |name: &str| method(writer, name, operands);
-        let inner = |base: &str| {
-            let name = self.inner.get(base).map_or(base, String::as_str);
-            Text::atom(format!("{name}({})", writer.list(operands)))
-        };
+        let inner = |base: &str| Text::atom(format!("{}({})", self.helper(base), writer.list(operands)));
         match builtin {
             Builtin::Abs => method("abs"),
             Builtin::Min => method("min"),
@@ -187,9 +155,8 @@ impl Language for Rust {
         }
     }
 
-    fn power(&self, n: u32) -> String {
-        let base = format!("pow{n}");
-        self.inner.get(&base).cloned().unwrap_or(base)
+    fn helper(&self, base: &str) -> String {
+        self.inner.get(base).map_or(base, String::as_str).to_string()
     }
 
     fn declare(&self, name: &str, kind: Kind, mutable: bool, typed: bool) -> String {

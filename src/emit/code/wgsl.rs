@@ -1,47 +1,45 @@
 //! The WGSL printer.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::expression::{Language, Text, Writer};
-use super::names::{Names, WGSL, free};
-use super::rust::power_body;
-use super::{CodeError, visit};
+use super::expression::{Dialect, Text, Writer, decimal, power_body};
+use super::names::Names;
+use super::words::Words;
+use super::{CodeError, Language, comment, visit};
 use crate::fit::{Builtin, Expr, ExprKind, Formula, Function, Kind};
 
 /// What WGSL does its own way. Whole powers become functions: its `pow` is undefined for negative bases.
-struct Wgsl {
-    /// Printed names of the power functions, by exponent.
-    powers: BTreeMap<u32, String>,
+struct Wgsl<'a> {
+    /// Printed names of the power functions, by `pow` and exponent.
+    powers: &'a BTreeMap<String, String>,
 }
 
 /// Prints a specialised formula.
 pub(super) fn print(formula: &Formula, header: &[String]) -> Result<String, CodeError> {
-    let names = Names::of(formula, &WGSL)?;
-    let main = &formula.main().name;
-    let mut powers = BTreeMap::new();
+    let mut names = Names::of(formula, Words::of(Language::Wgsl))?;
+    let mut powers = BTreeSet::new();
     for function in &formula.functions {
         visit(&function.body, &mut |expr| {
             if let ExprKind::Power(_, n) = expr.kind {
-                let name = free(&format!("{main}_pow{n}"), |name| names.functions.iter().any(|f| f == name));
-                powers.insert(n, name);
+                powers.insert(n);
             }
         });
     }
-    let language = Wgsl { powers };
     let mut out = String::new();
-    for (n, name) in &language.powers {
-        let body = power_body(*n, "let", "    ");
-        let (lines, value) = body.rsplit_once('\n').unwrap_or(("", &body));
-        let lines = if lines.is_empty() { String::new() } else { format!("    {lines}\n") };
-        out.push_str(&format!("fn {name}(x: f32) -> f32 {{\n{lines}    return {};\n}}\n\n", value.trim()));
+    for n in powers {
+        names.help(&formula.main().name, &format!("pow{n}"));
+        let name = &names.helpers[&format!("pow{n}")];
+        let (lines, value) = power_body(n, "let");
+        let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+        out.push_str(&format!("fn {name}(x: f32) -> f32 {{\n{lines}    return {value};\n}}\n\n"));
     }
+    let dialect = Wgsl { powers: &names.helpers };
     for (index, function) in formula.functions.iter().enumerate() {
         let main = index + 1 == formula.functions.len();
-        for line in header.iter().filter(|_| main) {
-            out.push_str(format!("/// {line}").trim_end());
-            out.push('\n');
+        if main {
+            out.push_str(&comment("///", header));
         }
-        print_function(&language, function, &names, index, &mut out);
+        print_function(&dialect, function, &names, index, &mut out);
         if !main {
             out.push('\n');
         }
@@ -49,9 +47,9 @@ pub(super) fn print(formula: &Formula, header: &[String]) -> Result<String, Code
     Ok(out)
 }
 
-fn print_function(language: &Wgsl, function: &Function, names: &Names, index: usize, out: &mut String) {
-    let variables = names.variables(function, &WGSL);
-    let writer = Writer { language, function, function_names: &names.functions, names: &variables };
+fn print_function(dialect: &Wgsl, function: &Function, names: &Names, index: usize, out: &mut String) {
+    let variables = names.variables(function);
+    let writer = Writer { dialect, function, function_names: &names.functions, names: &variables };
     let arguments: Vec<String> = (0..function.arguments)
         .map(|i| format!("{}: {}", variables[i], type_name(function.variables[i].kind)))
         .collect();
@@ -68,19 +66,13 @@ fn type_name(kind: Kind) -> &'static str {
     }
 }
 
-impl Language for Wgsl {
-    /// The shortest decimal; where reading it as f64 and rounding that to f32 would give another number (WGSL does
-    /// so with literals that have no suffix), the decimal of the f64.
+impl Dialect for Wgsl<'_> {
     fn number(&self, x: f32, typed: bool) -> String {
-        let short = format!("{x:?}");
-        let text = match short.parse::<f64>() {
-            Ok(wide) if wide as f32 == x => short,
-            _ => format!("{:?}", f64::from(x)),
-        };
+        let text = decimal(x);
         if typed { format!("{text}f") } else { text }
     }
 
-    fn builtin(&self, writer: &Writer<Wgsl>, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
+    fn builtin(&self, writer: &Writer<Self>, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
         let name = match builtin {
             Builtin::Abs => "abs",
             Builtin::Min => "min",
@@ -111,8 +103,8 @@ impl Language for Wgsl {
         Text::atom(format!("{name}({})", printed.join(", ")))
     }
 
-    fn power(&self, n: u32) -> String {
-        self.powers.get(&n).cloned().unwrap_or_else(|| format!("pow{n}"))
+    fn helper(&self, base: &str) -> String {
+        self.powers.get(base).map_or(base, String::as_str).to_string()
     }
 
     fn declare(&self, name: &str, kind: Kind, mutable: bool, typed: bool) -> String {

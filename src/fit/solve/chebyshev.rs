@@ -145,9 +145,7 @@ fn solve(columns: &[Vec<(usize, f64)>], right: &[f64]) -> Option<Vec<f64>> {
 fn basis(triangle: &Triangle) -> DMatrix<f64> {
     let n = triangle.r.ncols();
     let norms = triangle.column_norms();
-    let scaled =
-        DMatrix::from_fn(n, n, |i, j| if norms[j] > 0.0 { triangle.r[(i, j)] / norms[j] } else { 0.0 });
-    let svd = scaled.svd(false, true);
+    let svd = triangle.scaled().svd(false, true);
     let Some(v) = svd.v_t else { return DMatrix::zeros(n, 0) };
     let top = svd.singular_values.iter().copied().fold(0.0, f64::max);
     let kept: Vec<usize> = (0..n).filter(|&k| svd.singular_values[k] > NEGLIGIBLE * top).collect();

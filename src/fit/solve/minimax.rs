@@ -1,7 +1,7 @@
 //! Smallest largest error: sequential linear programming in a trust region, from a least-squares fit.
 
 use super::chebyshev::{Chebyshev, Step};
-use super::objective::{Objective, Refused, largest};
+use super::objective::{Objective, Refused, largest, rms};
 
 /// A predicted decrease below this part of the largest error is none.
 const GAP: f64 = 1e-6;
@@ -21,6 +21,7 @@ const WORTH: f64 = 0.05;
 pub(super) struct Descent {
     pub coefficients: Vec<f64>,
     pub max: f64,
+    pub rms: f64,
     /// What the last linear program could still have gained, as a part of `max`.
     pub gap: f64,
     /// Whether the linear programs found nothing more to gain, or next to nothing.
@@ -40,6 +41,7 @@ pub(super) fn descend(objective: &Objective, start: &[f64], iterations: u64) -> 
     let mut best = Descent {
         coefficients: start.to_vec(),
         max,
+        rms: rms(&linear.residuals),
         gap: f64::INFINITY,
         optimal: max == 0.0,
         capped: false,
@@ -71,7 +73,7 @@ pub(super) fn descend(objective: &Objective, start: &[f64], iterations: u64) -> 
         let Some((coefficients, max)) = moved else { break };
         linear = objective.linearise(&coefficients)?;
         best.evaluations += 1;
-        best = Descent { coefficients, max, ..best };
+        best = Descent { coefficients, max, rms: rms(&linear.residuals), ..best };
     }
     best.optimal |= best.gap <= ARRIVED;
     best.capped = !best.optimal && steps >= iterations;

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 const CHUNK: usize = 1024;
 
 /// A singular value below this part of the largest counts as zero.
-const RANK_TOLERANCE: f64 = 1e-11;
+pub(super) const RANK_TOLERANCE: f64 = 1e-11;
 
 /// The triangular factor of [J | r]: |J d + r|^2 = |R d + q|^2 + rest^2 for every d.
 #[derive(Clone, Debug)]
@@ -97,13 +97,20 @@ impl Triangle {
         (0..self.r.ncols()).map(cosine).fold(0.0, f64::max)
     }
 
+    /// R with its columns scaled to length 1; those that are 0 stay 0.
+    pub fn scaled(&self) -> DMatrix<f64> {
+        let norms = self.column_norms();
+        DMatrix::from_fn(self.r.nrows(), self.r.ncols(), |i, j| {
+            if norms[j] > 0.0 { self.r[(i, j)] / norms[j] } else { 0.0 }
+        })
+    }
+
     /// The Jacobian's rank, its columns scaled to length 1.
     pub fn rank(&self) -> usize {
-        let norms = self.column_norms();
-        let scaled = DMatrix::from_fn(self.r.nrows(), self.r.ncols(), |i, j| {
-            if norms[j] > 0.0 { self.r[(i, j)] / norms[j] } else { 0.0 }
-        });
-        let values = scaled.singular_values();
+        if self.r.is_empty() {
+            return 0;
+        }
+        let values = self.scaled().singular_values();
         let largest = values.iter().copied().fold(0.0, f64::max);
         values.iter().filter(|v| **v > RANK_TOLERANCE * largest).count()
     }

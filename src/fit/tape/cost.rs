@@ -24,7 +24,7 @@ impl Tape {
     }
 
     /// The multiplications that disappear into additions.
-    fn fused(&self, constant: &[bool]) -> Vec<bool> {
+    pub(super) fn fused(&self, constant: &[bool]) -> Vec<bool> {
         let mut users: Vec<Vec<Node>> = vec![Vec::new(); self.ops.len()];
         for (node, op) in self.ops.iter().enumerate().filter(|(node, _)| !constant[*node]) {
             op.operands().for_each(|n| users[n as usize].push(node as Node));
@@ -66,7 +66,7 @@ impl Tape {
     }
 
     /// Which operations depend on no input.
-    fn constants(&self) -> Vec<bool> {
+    pub(super) fn constants(&self) -> Vec<bool> {
         let mut constant: Vec<bool> = Vec::with_capacity(self.ops.len());
         for op in &self.ops {
             let value = !matches!(op, Op::Input(_)) && op.operands().all(|n| constant[n as usize]);

@@ -3,9 +3,11 @@
 
 mod assemble;
 mod build;
+mod contract;
 mod cost;
 mod evaluate;
 mod gradient;
+mod half;
 mod interval;
 mod interval_evaluate;
 mod real;
@@ -123,6 +125,12 @@ impl Tape {
     /// Where in the source an operation comes from.
     pub fn place(&self, node: Node) -> &Place {
         &self.places[node as usize]
+    }
+
+    /// A tape of operations, operands before their users and the result last, for its cost: it has no source.
+    pub(super) fn of_ops(ops: Vec<Op>, parameters: usize) -> Tape {
+        let places = ops.iter().map(|_| Place::of("", "", 0, 0)).collect();
+        Tape { ops, places, function: String::new(), inputs: Vec::new(), parameters }
     }
 
     /// The same operations under another function name.

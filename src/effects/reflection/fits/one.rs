@@ -3,8 +3,8 @@
 use super::certified::{certified, formula};
 use super::{Fit, FitSpec, FitStageError};
 use crate::data::{AlphaMap, Norm, Source};
+use crate::effects::Entry;
 use crate::effects::reflection::Region;
-use crate::effects::reflection::catalogue::Entry;
 use crate::effects::reflection::samples::Data;
 use crate::fit::{Domain, FitError, Hypothesis, Options, optimise, prove_regular, round_to_f32};
 
@@ -27,7 +27,7 @@ pub fn fit_one(
     data: &dyn Data,
 ) -> Result<Fit, FitStageError> {
     let domain = domain(&spec.region)?;
-    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &Options::new(norm));
+    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &[], &Options::new(norm));
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let fitted = fitted.map_err(|error| {
         prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)

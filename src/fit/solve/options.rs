@@ -1,0 +1,72 @@
+//! What a search minimises, and how it searches.
+
+use std::fmt;
+
+use crate::data::Norm;
+use crate::fit::FitError;
+
+/// Largest power of a p-norm. Beyond it |r|^p of a residual 1 % below the largest is nothing in f64: that is the maximum.
+const LARGEST_POWER: f64 = 1000.0;
+
+/// What coefficients minimise over the samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// The largest residual.
+    Max,
+    /// The root of the mean square residual.
+    Rms,
+    /// (mean |residual|^p)^(1/p), 2 <= p <= 1000: between the two.
+    Power(f64),
+}
+
+impl From<Norm> for Goal {
+    fn from(norm: Norm) -> Goal {
+        match norm {
+            Norm::Max => Goal::Max,
+            Norm::Rms => Goal::Rms,
+        }
+    }
+}
+
+impl fmt::Display for Goal {
+    /// `max`, `rms`, `power 8`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Goal::Max => f.write_str("max"),
+            Goal::Rms => f.write_str("rms"),
+            Goal::Power(p) => write!(f, "power {p}"),
+        }
+    }
+}
+
+impl Goal {
+    /// Refuses a power out of range.
+    pub(super) fn check(self) -> Result<(), FitError> {
+        match self {
+            Goal::Power(power) if !(2.0..=LARGEST_POWER).contains(&power) => {
+                Err(FitError::Power { power, largest: LARGEST_POWER })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// How to search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// What to minimise.
+    pub goal: Goal,
+    /// Number of starting points, the declared one included.
+    pub starts: usize,
+    /// Half width of the box of starting points: this part of each start's magnitude, or of 1 if that is larger.
+    pub spread: f64,
+    /// Iterations of each search.
+    pub iterations: u64,
+}
+
+impl Options {
+    /// 8 starts within half the magnitude of the declared one, 200 iterations.
+    pub fn new(goal: impl Into<Goal>) -> Options {
+        Options { goal: goal.into(), starts: 8, spread: 0.5, iterations: 200 }
+    }
+}

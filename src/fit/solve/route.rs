@@ -1,0 +1,208 @@
+//! From stage to stage: least squares from all starts, then p-norms, then linear programs.
+
+use rayon::prelude::*;
+
+use super::fitted::{Gap, Method, Stage, Termination};
+use super::levenberg::{End, Search, search};
+use super::minimax::{Descent, descend};
+use super::objective::Objective;
+use super::options::{Goal, Options};
+use super::power::PNorm;
+use super::starts::starts;
+use crate::fit::FitError;
+
+/// Samples that the first search from each start sees; the best then see all.
+const COARSE: usize = 1536;
+
+/// Starts whose search is carried on with all samples.
+const FINALISTS: usize = 3;
+
+/// Coefficients, and how they were come by.
+pub(super) struct Route {
+    pub coefficients: Vec<f64>,
+    pub termination: Termination,
+    pub stages: Vec<Stage>,
+    pub evaluations: u64,
+    pub gap: Gap,
+    pub bound: Option<f64>,
+}
+
+impl Route {
+    /// Coefficients that were not searched for.
+    pub fn unmoved(coefficients: Vec<f64>, termination: Termination) -> Route {
+        let stages = Vec::new();
+        Route { coefficients, termination, stages, evaluations: 0, gap: Gap::Unknown, bound: None }
+    }
+}
+
+/// The best coefficients for a goal.
+pub(super) fn route(objective: &Objective, declared: &[f64], options: &Options) -> Result<Route, FitError> {
+    let searches = searches(objective, declared, options)?;
+    match options.goal {
+        Goal::Rms => Ok(least_squares(&searches)),
+        Goal::Power(p) => power(objective, &searches, p, options.iterations),
+        Goal::Max => minimax(objective, &searches, options),
+    }
+}
+
+/// Least-squares searches from all starts: on a subset first, the best carried on; best first.
+fn searches(objective: &Objective, declared: &[f64], options: &Options) -> Result<Vec<Search>, FitError> {
+    let starts = starts(declared, options.starts, options.spread);
+    let coarse = objective.samples.subset(COARSE.max(8 * declared.len()));
+    let rough = Objective::new(objective.tape, &coarse)?;
+    let first = run(&rough, &starts, options.iterations)?;
+    let carried: Vec<Vec<f64>> = if coarse.len() == objective.samples.len() {
+        if !first.is_empty() {
+            return Ok(first);
+        }
+        starts
+    } else {
+        let best = first.iter().take(FINALISTS).map(|s| s.coefficients.clone());
+        best.chain(std::iter::once(declared.to_vec())).collect()
+    };
+    let all = run(objective, &carried, options.iterations)?;
+    if all.is_empty() {
+        return Err(refused(objective, declared));
+    }
+    Ok(all)
+}
+
+/// Searches from every start that is not refused, sorted by (rms, order of start).
+fn run(objective: &Objective, starts: &[Vec<f64>], iterations: u64) -> Result<Vec<Search>, FitError> {
+    let outcomes: Vec<Result<Result<Search, _>, FitError>> =
+        starts.par_iter().map(|start| search(objective, start, PNorm::SQUARE, iterations)).collect();
+    let mut searches = Vec::new();
+    for outcome in outcomes {
+        // A refused start is one fewer; that all are refused is the caller's to report.
+        searches.extend(outcome?.ok());
+    }
+    searches.sort_by(|a: &Search, b: &Search| a.rms.total_cmp(&b.rms));
+    Ok(searches)
+}
+
+/// Why a start was refused.
+pub(super) fn refused(objective: &Objective, start: &[f64]) -> FitError {
+    let index = objective.linearise(start).err().map_or(0, |r| r.sample);
+    let inputs: Vec<f64> = objective.samples.inputs.iter().map(|column| column[index]).collect();
+    let value = objective.tape.at(&inputs, start);
+    let name = objective.tape.function();
+    if value.is_finite() {
+        let message = format!(
+            "{name}: at the declared start a divisor changes sign among the samples, near sample {index}; \
+             every other start failed too"
+        );
+        return FitError::Solver { message };
+    }
+    FitError::NotFinite { column: format!("{name}: value at the declared start"), index, value }
+}
+
+fn end(search: &Search) -> Termination {
+    let parameters = search.coefficients.len();
+    match search.end {
+        End::Minimum { .. } | End::Zero if search.rank < parameters => {
+            Termination::RankDeficient { rank: search.rank }
+        }
+        End::Minimum { cosine } => Termination::Converged { cosine },
+        End::Zero => Termination::ZeroResidual,
+        End::Stalled { .. } => Termination::Stalled,
+        End::Cap => Termination::IterationCap,
+    }
+}
+
+fn stage(method: Method, search: &Search) -> Stage {
+    Stage { method, end: end(search), max: search.max, rms: search.rms }
+}
+
+fn least_squares(searches: &[Search]) -> Route {
+    // `searches` is sorted and not empty.
+    let best = &searches[0];
+    Route {
+        coefficients: best.coefficients.clone(),
+        termination: end(best),
+        stages: vec![stage(Method::LeastSquares, best)],
+        evaluations: searches.iter().map(|s| s.evaluations).sum(),
+        gap: Gap::Unknown,
+        bound: None,
+    }
+}
+
+/// The powers from 2, exclusive, to `p`, each twice the one before: a norm's minimum is a good start for the next.
+fn ladder(p: f64) -> Vec<f64> {
+    let mut powers: Vec<f64> =
+        std::iter::successors(Some(4.0), |q| Some(2.0 * q)).take_while(|q| *q < p).collect();
+    if p > 2.0 {
+        powers.push(p);
+    }
+    powers
+}
+
+/// Searches in ever larger powers from a least-squares fit; the last is in power `p`.
+fn climb(
+    objective: &Objective,
+    from: &Search,
+    p: f64,
+    iterations: u64,
+) -> Result<Vec<(Method, Search)>, FitError> {
+    let mut climbed = vec![(Method::LeastSquares, from.clone())];
+    for q in ladder(p) {
+        let Some((_, last)) = climbed.last() else { break };
+        let next = search(objective, &last.coefficients, PNorm(q), iterations)?;
+        climbed.push((Method::Power(q), next.map_err(|_| refused(objective, &from.coefficients))?));
+    }
+    Ok(climbed)
+}
+
+/// The smallest p-norm reached from the finalists of the least-squares searches.
+fn power(objective: &Objective, searches: &[Search], p: f64, iterations: u64) -> Result<Route, FitError> {
+    let finalists = &searches[..searches.len().min(FINALISTS)];
+    let climbs: Vec<_> = finalists.par_iter().map(|search| climb(objective, search, p, iterations)).collect();
+    let climbs = climbs.into_iter().collect::<Result<Vec<_>, FitError>>()?;
+    let reached = |climb: &[(Method, Search)]| climb.last().map_or(f64::INFINITY, |(_, s)| s.value);
+    let mut best = &climbs[0];
+    for climb in &climbs {
+        if reached(climb) < reached(best) {
+            best = climb;
+        }
+    }
+    let climbing = climbs.iter().flatten().map(|(_, s)| s.evaluations).sum::<u64>();
+    let (_, last) = &best[best.len() - 1];
+    Ok(Route {
+        coefficients: last.coefficients.clone(),
+        termination: end(last),
+        stages: best.iter().map(|(method, search)| stage(*method, search)).collect(),
+        evaluations: searches.iter().skip(finalists.len()).map(|s| s.evaluations).sum::<u64>() + climbing,
+        gap: Gap::Unknown,
+        bound: None,
+    })
+}
+
+/// The best minimax descent from the finalists of the least-squares searches.
+fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Result<Route, FitError> {
+    let finalists = &searches[..searches.len().min(FINALISTS)];
+    let descents: Vec<_> = finalists
+        .par_iter()
+        .map(|search| descend(objective, &search.coefficients, options.iterations))
+        .collect();
+    let mut evaluations: u64 = searches.iter().map(|s| s.evaluations).sum();
+    let mut best: Option<(usize, Descent)> = None;
+    for (index, descent) in descents.into_iter().enumerate() {
+        // A finalist has been evaluated before: it cannot be refused now.
+        let Ok(descent) = descent else { continue };
+        evaluations += descent.evaluations;
+        if best.as_ref().is_none_or(|(_, b)| descent.max < b.max) {
+            best = Some((index, descent));
+        }
+    }
+    let Some((index, best)) = best else { return Err(refused(objective, &searches[0].coefficients)) };
+    let termination = match end(&searches[index]) {
+        Termination::RankDeficient { rank } => Termination::RankDeficient { rank },
+        Termination::ZeroResidual => Termination::ZeroResidual,
+        _ if best.optimal => Termination::Minimax,
+        _ if best.capped => Termination::IterationCap,
+        _ => Termination::Stalled,
+    };
+    let first = stage(Method::LeastSquares, &searches[index]);
+    let last = Stage { method: Method::Programs, end: termination, max: best.max, rms: best.rms };
+    let (stages, gap) = (vec![first, last], Gap::Local(best.gap));
+    Ok(Route { coefficients: best.coefficients, termination, stages, evaluations, gap, bound: None })
+}
