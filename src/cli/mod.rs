@@ -8,6 +8,7 @@ mod check;
 mod cost;
 mod error;
 mod eval;
+mod fit;
 mod input;
 mod options;
 mod output;
@@ -55,6 +56,9 @@ enum Verb {
     /// Compute a quantity at the points of a CSV file
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::Options),
+    /// Fit a formula of your own to a quantity
+    #[command(after_help = fit::EXAMPLES)]
+    Fit(Box<fit::Options>),
     /// Measure a table or shader function that somebody ships against the truth
     #[command(after_help = audit::EXAMPLES)]
     Audit(Box<audit::Options>),
@@ -77,6 +81,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Bake(options) => bake::run(&options),
         Verb::Check(options) => check::run(&options),
         Verb::Eval(options) => eval::run(&options),
+        Verb::Fit(options) => fit::run(&options),
         Verb::Audit(options) => audit::run(&options),
         Verb::Cost(options) => cost::run(&options),
         Verb::Schema(options) => schema::run(&options),

@@ -8,12 +8,14 @@ mod frame;
 mod integers;
 mod lead;
 mod lex;
+mod nesting;
 mod scan;
 mod words;
 
 use frame::Literal;
 use lead::Lead;
 use lex::{Lexer, Token};
+pub(super) use nesting::nesting;
 
 use super::shape::{self, Values};
 use super::{ForeignError, ForeignTable, Hints, Spot, Step, limits};

@@ -5,6 +5,7 @@ mod approximation;
 mod audit;
 mod furnace;
 mod index;
+mod own;
 mod table;
 mod volume;
 
@@ -21,6 +22,7 @@ pub use audit::{
 };
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
+pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};
 

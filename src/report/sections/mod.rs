@@ -7,6 +7,7 @@ mod called_for;
 mod fits;
 mod furnace;
 mod index;
+mod own;
 mod selection;
 mod study;
 mod tables;
@@ -15,8 +16,9 @@ mod timings;
 mod volumes;
 mod words;
 
-use super::AuditFindings;
-use super::{Block, Figure, Findings, Index, Page, ReportError, Timings, VolumeFindings};
+use super::{
+    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, Timings, VolumeFindings,
+};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -67,6 +69,11 @@ pub(crate) fn of_index(index: &Index) -> Result<Page, ReportError> {
 /// The page of a measurement of time.
 pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
     timings::page(timings)
+}
+
+/// The page of a formula that the user fits.
+pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
+    own::page(findings)
 }
 
 /// The page of an audit.
