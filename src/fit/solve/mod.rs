@@ -21,7 +21,7 @@ pub use options::{Goal, Options};
 pub use samples::Samples;
 
 use super::{FitError, Hypothesis};
-use objective::{Objective, largest, rms};
+use objective::{Objective, largest};
 use power::PNorm;
 use route::{Route, route};
 
