@@ -46,7 +46,12 @@ pub enum Defect {
     Steps {
         /// The format.
         step: Step,
-        /// Root mean square of the error that rounding to it makes.
+        /// Defects of a function: values that stand at a clamp, and a bias.
+pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
+    clamped(r).into_iter().chain(bias(r, rms(r))).collect()
+}
+
+/// Root mean square of the error that rounding to it makes.
         rms: f64,
     },
     /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's tail.
@@ -85,7 +90,7 @@ pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Opt
     let rounding = rounding(r, step);
     if rms <= ROUNDED * rounding {
         found.push(Defect::Steps { step, rms: rounding });
-    } else if noise > 0.5 * rms && rms > 1e-8 {
+    } else if noise > 0.5 * rms && rms > 1e-7 {
         found.push(Defect::Noise { rms: noise, share: noise / rms });
     }
     found.extend(bias(r, rms));
