@@ -456,8 +456,7 @@ fn damaged_sources_are_errors_or_functions() {
                 match random.next_u32() % 4 {
                     0 => bytes[to] = bytes[from],
                     1 => bytes.truncate(to.max(20)),
-                    2 => bytes
-                        .insert(to, b"(){}[];,.+-*/<>=&|!0123456789#\0\xff"[random.next_u64() as usize % 34]),
+                    2 => bytes.insert(to, ODD[random.next_u64() as usize % ODD.len()]),
                     _ => drop(bytes.remove(to)),
                 }
             }
