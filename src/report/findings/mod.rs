@@ -5,6 +5,7 @@ mod approximation;
 mod furnace;
 mod index;
 mod own;
+mod search;
 mod table;
 mod volume;
 
@@ -18,6 +19,7 @@ pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCur
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
+pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};
 

@@ -7,6 +7,7 @@ mod fits;
 mod furnace;
 mod index;
 mod own;
+mod search;
 mod selection;
 mod study;
 mod tables;
@@ -15,7 +16,9 @@ mod timings;
 mod volumes;
 mod words;
 
-use super::{Block, Figure, Findings, FitPage, Index, Page, ReportError, Timings, VolumeFindings};
+use super::{
+    Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings, VolumeFindings,
+};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -71,6 +74,11 @@ pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
 /// The page of a formula that the user fits.
 pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
     own::page(findings)
+}
+
+/// The page of a search over forms.
+pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
+    search::page(findings)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.
