@@ -2,8 +2,8 @@
 
 use super::Rival;
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::reflection::{catalogue_names, catalogue_sources};
 use crate::effects::target::{Sampled, Target};
+use crate::effects::{reflection, sheen};
 use crate::fit::{Hypothesis, Precision};
 use crate::fitting::FittingError;
 use crate::fitting::certificates::certificate;
@@ -26,9 +26,7 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
     let Some(prefix) = prefix(target).filter(|_| usual) else { return Ok(Vec::new()) };
     let known = target.inputs();
     let mut rivals = Vec::new();
-    for (name, source) in
-        catalogue_names().zip(catalogue_sources()).filter(|(name, _)| name.starts_with(prefix))
-    {
+    for (name, source) in catalogue().filter(|(name, _)| name.starts_with(prefix)) {
         let hypothesis = Hypothesis::parse(&format!("{name}.wgsl"), source)?;
         if !hypothesis.inputs().iter().all(|input| known.contains(input)) {
             continue;
@@ -44,4 +42,10 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
         });
     }
     Ok(rivals)
+}
+
+/// Names and sources of all catalogues.
+fn catalogue() -> impl Iterator<Item = (String, &'static str)> {
+    let sheen = sheen::RIVALS.iter().map(|entry| (entry.name().to_string(), entry.source));
+    reflection::catalogue_names().zip(reflection::catalogue_sources()).chain(sheen)
 }

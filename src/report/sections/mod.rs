@@ -1,6 +1,7 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
 mod approximations;
+mod audit;
 mod averages;
 mod called_for;
 mod fits;
@@ -17,7 +18,8 @@ mod volumes;
 mod words;
 
 use super::{
-    Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings, VolumeFindings,
+    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings,
+    VolumeFindings,
 };
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
@@ -79,6 +81,11 @@ pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
 /// The page of a search over forms.
 pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
     search::page(findings)
+}
+
+/// The page of an audit.
+pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
+    audit::page(findings)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.
