@@ -5,6 +5,7 @@ use lobefit::audit::{
 };
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
+use lobefit::foreign::Step;
 use lobefit::integrate::reflection::{self, Effort, albedo, split};
 
 /// A table over (mu, alpha) of several functions.
@@ -20,7 +21,7 @@ fn table(size: [usize; 2], channels: &[(&str, &dyn Fn(usize, usize) -> f64)]) ->
         what: "planted".into(),
         size: size.to_vec(),
         channels: channels.iter().map(channel).collect(),
-        step: None,
+        step: Step::None,
     }
 }
 
@@ -152,7 +153,7 @@ fn transposed_end_points_with_six_decimals_are_found() {
     let lookup = found.channels[0].lookup.as_ref().unwrap();
     assert!(lookup.max > 0.09 && lookup.max < 0.11, "published: 0.101, {}", lookup.max);
     assert!(
-        found.channels[0].defects.iter().any(|d| matches!(d, Defect::Steps { step, .. } if *step == 1e-6))
+        found.channels[0].defects.iter().any(|d| matches!(d, Defect::Steps { step: Step::Decimals(6), .. }))
     );
 }
 
@@ -167,7 +168,7 @@ fn an_average_that_is_normal_incidence_is_found() {
         what: "mf_ggx_albedo".into(),
         size: vec![32],
         channels: vec![ShippedChannel { name: "0".into(), values }],
-        step: None,
+        step: Step::None,
     };
     let found = run(&shipped, "ggx-average", &Pins::default());
     assert_eq!(columns(&found), [Some(Column::Normal)]);

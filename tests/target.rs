@@ -30,16 +30,18 @@ fn bits(points: &Points) -> Vec<Vec<u32>> {
     (0..points.len()).map(|i| points.columns.iter().map(|(_, c)| c[i].to_bits()).collect()).collect()
 }
 
-/// Samples that are certified at too: none but corners of the box.
+/// Samples inside the box that are certified at too. On its faces the lattices may meet, in corners and in a few places more.
 fn shared(target: &Target, fitted: &Sampled, measured: &Sampled) -> usize {
     let known: BTreeSet<Vec<u32>> = bits(&fitted.points).into_iter().collect();
     let ends: Vec<(String, [f32; 2])> =
         target.spans().into_iter().map(|s| (s.name, s.range.map(|x| x as f32))).collect();
-    let corner = |i: usize| {
-        ends.iter().all(|(name, range)| range.contains(&measured.points.column(name).expect("a column")[i]))
+    let face = |i: usize| {
+        let axes = ends.iter().filter(|(name, _)| name != "f0");
+        let mut at = axes.map(|(name, range)| (measured.points.column(name).expect("a column")[i], range));
+        at.any(|(x, range)| range.contains(&x))
     };
     let rows = bits(&measured.points);
-    (0..rows.len()).filter(|&i| known.contains(&rows[i]) && !corner(i)).count()
+    (0..rows.len()).filter(|&i| known.contains(&rows[i]) && !face(i)).count()
 }
 
 #[test]

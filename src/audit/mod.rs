@@ -14,6 +14,7 @@ mod error;
 mod errors;
 mod judge;
 mod lookup;
+mod page;
 mod sample;
 mod screen;
 mod shipped;
@@ -27,13 +28,14 @@ pub use defects::Defect;
 pub use error::AuditError;
 pub use errors::TexelErrors;
 pub use lookup::LookupErrors;
+pub use page::findings;
 pub use shipped::{MOST_TEXELS, Shipped, ShippedChannel};
 pub use truth::Lobe;
 
 use crate::data::{Place, Smith};
 use crate::effects::Quantity;
 use crate::integrate::glass::Side;
-use defects::step_of;
+use defects::grain;
 use errors::Residuals;
 use judge::judge;
 use lookup::Points;
@@ -127,7 +129,7 @@ pub struct Audit {
     pub fit: Fit,
     /// The conventions, the best first.
     pub tried: Vec<Tried>,
-    /// Rank of the second over that of the first; infinite if there is no second.
+    /// Rank of the next that differs over that of the first; infinite if there is none.
     pub margin: f64,
     /// Whether part of the convention was given by the user.
     pub pinned: bool,
@@ -150,6 +152,15 @@ impl Audit {
     /// Largest error at a texel of any judged channel.
     pub fn worst(&self) -> f64 {
         self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
+    }
+
+    /// Whether it is what it is said to be: it fits, and no texel is off by more than the limit. With nothing given by the user and no
+    /// limit an audit only tells.
+    pub fn passes(&self, limit: Option<f64>) -> bool {
+        match limit {
+            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit,
+            None => !self.pinned || self.fit != Fit::None,
+        }
     }
 }
 
@@ -278,7 +289,7 @@ fn finish(
         };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
         let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
-        let step = table.step.or_else(|| step_of(&channel.values));
+        let step = grain(table.step, &channel.values);
         let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
         let defects = defects::defects(&residuals, step, alpha);
         let errors = residuals.figures(at);
@@ -304,7 +315,7 @@ fn finish(
         places: sample.at.clone(),
         fit: judged.map(|c| c.fit).fold(Fit::Whole, worst),
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
-        margin: found.get(1).map_or(f64::INFINITY, |c| c.fitted.rank / best.fitted.rank),
+        margin: margin(found),
         pinned: !pins.is_free(),
         channels,
         furnace,
@@ -313,6 +324,12 @@ fn finish(
     };
     audit.verdict = verdict::paragraph(&audit);
     Ok(audit)
+}
+
+/// Rank of the first that differs over that of the best: E at normal incidence is the same for both forms of Smith.
+fn margin(found: &[Candidate]) -> f64 {
+    let times = found.iter().map(|c| c.fitted.rank / found[0].fitted.rank);
+    times.skip(1).find(|t| t - 1.0 >= 1e-6).unwrap_or(f64::INFINITY)
 }
 
 fn rank(fit: Fit) -> u8 {
@@ -349,7 +366,12 @@ fn fit(residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
     if errors.rms <= FITS * residuals.spread() {
         return Fit::Whole;
     }
-    if defects.iter().any(|d| matches!(d, Defect::Part { .. })) { Fit::Part } else { Fit::None }
+    let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
+    if defects.iter().any(explained) && errors.median <= FITS * residuals.spread() {
+        Fit::Part
+    } else {
+        Fit::None
+    }
 }
 
 /// The inputs of a texel.

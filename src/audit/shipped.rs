@@ -1,6 +1,7 @@
 //! What somebody ships, as numbers: channels over a grid, the first axis fastest.
 
 use super::AuditError;
+use crate::foreign::{ForeignTable, Step};
 
 /// Most texels that an audit takes: 256^3.
 pub const MOST_TEXELS: usize = 1 << 24;
@@ -23,8 +24,24 @@ pub struct Shipped {
     pub size: Vec<usize>,
     /// The channels.
     pub channels: Vec<ShippedChannel>,
-    /// Step between neighbouring stored values where the format has one (1/255 of an 8-bit image).
-    pub step: Option<f64>,
+    /// What the format rounds values to.
+    pub step: Step,
+}
+
+impl From<&ForeignTable> for Shipped {
+    fn from(table: &ForeignTable) -> Shipped {
+        let channel = |c: &crate::foreign::ForeignChannel| ShippedChannel {
+            name: c.name.clone(),
+            values: c.values.clone(),
+        };
+        let name = if table.name.is_empty() { String::new() } else { format!(", {}", table.name) };
+        Shipped {
+            what: format!("{}{name}", table.file),
+            size: table.size.clone(),
+            channels: table.channels.iter().map(channel).collect(),
+            step: table.step,
+        }
+    }
 }
 
 impl Shipped {

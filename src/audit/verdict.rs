@@ -5,12 +5,17 @@ use super::convention::Convention;
 use super::{Audit, CLEAR, ChannelAudit, Defect, Fit};
 use crate::data::Place;
 
+/// Ranks nearer than this are of conventions that are the same at the texels.
+const SAME: f64 = 1e-6;
+
 /// All of it.
 pub(super) fn paragraph(audit: &Audit) -> String {
     let mut out = vec![opening(audit), doubt(audit)];
     for channel in audit.channels.iter().filter(|c| c.column.is_some()) {
         out.extend(errors(audit, channel));
-        out.extend(channel.defects.iter().map(|d| defect(audit, d)));
+        if audit.fit != Fit::None {
+            out.extend(channel.defects.iter().map(sentence));
+        }
     }
     out.extend(idle(audit));
     out.extend(furnace(audit));
@@ -28,7 +33,7 @@ fn opening(audit: &Audit) -> String {
     match audit.fit {
         Fit::Whole => format!("{name} is best read as {reading}."),
         Fit::Part => format!(
-            "{name} fits no convention{given} as a whole. It is nearest to {reading}, which a part of it fits."
+            "{name} fits no convention{given} as a whole. It is nearest to {reading}, which most of it fits."
         ),
         Fit::None => {
             format!("{name} fits no convention{given}. The nearest, which it does not follow, is {reading}.")
@@ -66,17 +71,24 @@ pub(super) fn axes(convention: &Convention) -> String {
         } else {
             String::new()
         };
-        format!("{} along {} (texels at {}{floor})", a.words(), axis_name(k), a.siting.words())
+        format!("{} along {} at {}{floor}", a.words(), axis_name(k), a.siting.words())
     };
     let all: Vec<String> = convention.axes.iter().enumerate().map(one).collect();
-    all.join(" and ")
+    all.join(", and ")
 }
 
 fn doubt(audit: &Audit) -> String {
-    let Some(second) = audit.tried.get(1) else { return String::new() };
     if audit.fit == Fit::None {
         return String::new();
     }
+    let (first, mut out) = (&audit.tried[0], String::new());
+    let same = audit.tried[1..].iter().find(|t| (t.rank / first.rank - 1.0).abs() < SAME);
+    if let Some(same) = same {
+        out = format!("At these texels it is the same with {}. ", difference(audit.best(), &same.convention));
+    }
+    let Some(second) = audit.tried[1..].iter().find(|t| (t.rank / first.rank - 1.0).abs() >= SAME) else {
+        return out.trim_end().into();
+    };
     let times = number(audit.margin);
     let other = difference(audit.best(), &second.convention);
     match audit.margin {
@@ -138,7 +150,8 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     ))
 }
 
-fn defect(audit: &Audit, defect: &Defect) -> String {
+/// A defect in a sentence.
+pub(super) fn sentence(defect: &Defect) -> String {
     match defect {
         Defect::Part { texels: [off, all], over, mean, range, size } => {
             let along = |(k, (r, n)): (usize, (&[usize; 2], &usize))| {
@@ -152,13 +165,8 @@ fn defect(audit: &Audit, defect: &Defect) -> String {
             let place =
                 if ranges.is_empty() { String::new() } else { format!(", all at {}", ranges.join(", ")) };
             let way = if *mean > 0.0 { "too high" } else { "too low" };
-            let stale = if audit.fit == Fit::Part {
-                " A part made by other code, or at another time, looks like this."
-            } else {
-                ""
-            };
             format!(
-                "{off} of {all} texels are off by more than {}, on average {} {way}{place}; the others are not.{stale}",
+                "{off} of {all} texels are off by more than {}, on average {} {way}{place}; the others are not.",
                 number(*over),
                 number(mean.abs())
             )
@@ -178,7 +186,7 @@ fn defect(audit: &Audit, defect: &Defect) -> String {
             number(*rms)
         ),
         Defect::Steps { step, rms } => {
-            format!("That is what rounding to steps of {} leaves (RMS {}).", number(*step), number(*rms))
+            format!("That is what rounding to {} leaves (RMS {}).", step.text(), number(*rms))
         }
         Defect::MissingLoss { stored, alpha, worst, texel } => format!(
             "For smooth surfaces (alpha up to {}) it holds only {} % of the true loss, {} where {} is true at texel {texel:?}: a sampling that \
@@ -200,10 +208,10 @@ fn idle(audit: &Audit) -> Option<String> {
 }
 
 fn furnace(audit: &Audit) -> Option<String> {
-    let f = audit.furnace.as_ref()?;
+    let f = audit.furnace.as_ref().filter(|f| f.range[1] - f.range[0] > 4.0 * audit.truth_error)?;
     let percent = |x: f64| {
         let sign = if x < 0.0 { "\u{2212}" } else { "+" };
-        format!("{sign}{} %", number(100.0 * x.abs()))
+        if x.abs() < 1e-6 { "0 %".into() } else { format!("{sign}{} %", number(100.0 * x.abs())) }
     };
     Some(format!(
         "A white furnace compensated with it comes out {} to {} off white at the texels (worst at {}).",
@@ -260,7 +268,10 @@ fn advice(audit: &Audit) -> Option<String> {
     }
     for defect in audit.channels.iter().flat_map(|c| &c.defects) {
         steps.extend(match defect {
-            Defect::Part { .. } if audit.fit == Fit::Part => Some("make the stale part again".into()),
+            Defect::Part { .. } if audit.fit == Fit::Part => Some(
+                "make the table again, since a part made by other code or at another time looks like this"
+                    .into(),
+            ),
             Defect::Clamped { .. } => Some("store it in a format that holds values beyond the clamp".into()),
             Defect::MissingLoss { .. } => {
                 Some("make the loss again by quadrature or by sampling visible normals".into())

@@ -3,9 +3,12 @@
 use std::io;
 
 use super::points::PointsError;
+use crate::audit::AuditError;
 use crate::bake::{BakeError, KeptError};
 use crate::fit::FitError;
 use crate::fitting::FittingError;
+use crate::foreign::ForeignError;
+use crate::report::ReportError;
 use crate::scene::SceneError;
 use crate::scene::escape::visible;
 use crate::store::StoreError;
@@ -61,6 +64,15 @@ pub enum CliError {
         /// What the system said.
         reason: String,
     },
+    /// A table or shader of somebody else's that cannot be read.
+    #[error(transparent)]
+    Foreign(#[from] ForeignError),
+    /// A table or shader of which nothing can be said.
+    #[error(transparent)]
+    Audit(#[from] AuditError),
+    /// A page could not be made.
+    #[error(transparent)]
+    Report(#[from] ReportError),
     /// An older bake whose other effects cannot be kept.
     #[error("--only: {0}")]
     Kept(#[from] KeptError),

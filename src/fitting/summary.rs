@@ -62,7 +62,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
         a.certificate.domain.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
     line(format!("  domain       {}", domain.join(", ")));
     line(format!(
-        "  error        {}; {} points, none fitted on but corners",
+        "  error        {}; {} points, none inside the domain fitted on",
         words::metric(a.used_as),
         a.certificate.points
     ));

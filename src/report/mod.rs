@@ -25,6 +25,10 @@ pub use findings::{
     FurnaceFinding, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SliceCurve,
     SourcesFinding, Study, StudySeries, TableFinding, VolumeFindings, VolumeTable,
 };
+pub use findings::{
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
+    AuditFurnace, AuditHeld, AuditLookup,
+};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
     Annotation, Bar, Bars, Curves, Dot, Figure, HeatMap, Scatter, Series, Shade, SphereRow, Spheres, Spread,
@@ -95,6 +99,14 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
 /// As [`page`].
 pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
     html(&sections::of_fit(findings)?)
+}
+
+/// The page of an audit as HTML, and its figures as JSON.
+///
+/// # Errors
+/// As [`page`].
+pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
+    Ok((html(&sections::of_audit(audit)?)?, json::document("audit.json", audit)?))
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {

@@ -100,4 +100,15 @@ struct table {
     float4 sampled(float3 uvw) const { return sampled(uvw.x, uvw.y, uvw.z); }
 };
 
+template <typename T>
+T table_of(const float *texels, int channels, int columns, int rows, int slices) {
+    T made;
+    made.texels = texels;
+    made.channels = channels;
+    made.size[0] = columns;
+    made.size[1] = rows;
+    made.size[2] = slices;
+    return made;
+}
+
 }  // namespace shim

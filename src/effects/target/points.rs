@@ -111,7 +111,7 @@ pub(super) fn with_edges(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort)
     Points::of(axes, alpha, &places)
 }
 
-/// Uniform points, half as many in the layer mu ~ alpha, and points on every face: none that is fitted on, but for corners.
+/// Uniform points, half as many in the layer mu ~ alpha, and points on every face: none inside the box that is fitted on.
 pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Points {
     if let Some(region) = region(axes, alpha) {
         return Points::of_set(certification(&region, effort.log2));

@@ -86,7 +86,7 @@ impl Target {
         self.spread(&points, Choice::Edged)
     }
 
-    /// Points to certify at, none of them a sample but for corners; the first `uniform` are for means.
+    /// Points to certify at, none of them a sample but for some on the faces of the box; the first `uniform` are for means.
     ///
     /// # Errors
     /// As [`Target::even`].

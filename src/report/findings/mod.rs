@@ -2,6 +2,7 @@
 //! as it is to `reports/<effect>.json`.
 
 mod approximation;
+mod audit;
 mod furnace;
 mod index;
 mod own;
@@ -15,6 +16,10 @@ use serde::{Deserialize, Serialize};
 use super::Field;
 
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
+pub use audit::{
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
+    AuditFurnace, AuditHeld, AuditLookup,
+};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};

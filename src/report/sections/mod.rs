@@ -1,6 +1,7 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
 mod approximations;
+mod audit;
 mod averages;
 mod called_for;
 mod fits;
@@ -15,7 +16,9 @@ mod timings;
 mod volumes;
 mod words;
 
-use super::{Block, Figure, Findings, FitPage, Index, Page, ReportError, Timings, VolumeFindings};
+use super::{
+    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, Timings, VolumeFindings,
+};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -71,6 +74,11 @@ pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
 /// The page of a formula that the user fits.
 pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
     own::page(findings)
+}
+
+/// The page of an audit.
+pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
+    audit::page(findings)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.
