@@ -183,7 +183,7 @@ fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
         ),
     ];
     rows.extend(target.words.iter().map(|(input, word)| (input.clone(), word.clone())));
-    let domain = super::certificates::domain(target);
+    let domain = target.ranges();
     let domain: Vec<String> =
         domain.iter().map(|(name, [low, high])| format!("{name} {low} to {high}")).collect();
     rows.push(("Domain".into(), domain.join(", ")));
