@@ -3,10 +3,14 @@
 
 pub mod anisotropy;
 mod deviation;
+mod entry;
 pub mod glass;
 mod quantity;
 pub mod reflection;
+pub mod sheen;
+pub mod target;
 pub mod volume;
 
 pub use deviation::{Deviation, Rounding};
+pub use entry::Entry;
 pub use quantity::{Input, Method, QUANTITIES, Quantity, Values};

@@ -5,6 +5,7 @@
 
 use super::job::{FitJob, TableJob, VolumeJob, VolumeSpan};
 use crate::data::{Layout, Serves, VolumeLayout};
+use crate::effects::reflection::{AVERAGES, NORMALISATIONS, RIVALS, SEEDS};
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -25,12 +26,6 @@ const AUTO_SIDE: u64 = 128;
 const CERTIFIED: f64 = 1.6e6;
 /// Seconds of one evaluation of one formula in its certificate.
 const EVALUATION_S: f64 = 30e-9;
-/// Normalisations with free parameters that are compiled in.
-const NORMALISATIONS: usize = 14;
-/// The same of the average albedo.
-const AVERAGES: usize = 1;
-/// Published formulas: measured in every fit job, not fitted.
-const PUBLISHED: usize = 12;
 /// Seconds of one optimisation with its restarts: a round figure between the forms of one parameter and of twenty.
 const OPTIMISE_S: f64 = 0.05;
 
@@ -123,22 +118,21 @@ pub(super) fn volume_report_seconds<'a>(mut jobs: impl Iterator<Item = &'a Volum
 /// Seconds of a fit job on one core: the truth at the points of the certificates, which all normalisations share; the
 /// searches; a certificate for every fit, for the saturating form of every normalisation, and for the published formulas.
 pub(super) fn fit_seconds(job: &FitJob) -> f64 {
-    let normalisations = NORMALISATIONS + job.hypotheses.len();
-    let averages = if job.average { AVERAGES } else { 0 };
+    let normalisations = NORMALISATIONS.len() + job.hypotheses.len();
+    let averages = if job.average { AVERAGES.len() } else { 0 };
     let searches = ((normalisations + averages) * job.norms.len()) as f64;
-    let certificates = searches + (normalisations + PUBLISHED) as f64;
+    let certificates = searches + (normalisations + SEEDS.len() + RIVALS.len()) as f64;
     CERTIFIED * E_S + searches * OPTIMISE_S + certificates * CERTIFIED * EVALUATION_S
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::effects::reflection::{Region, catalogue_sources, certification};
+    use crate::effects::reflection::{Region, certification};
     use crate::scene::Scene;
 
     #[test]
     fn the_counts_are_those_of_the_program() {
-        assert_eq!(NORMALISATIONS + AVERAGES + PUBLISHED, catalogue_sources().count());
         let alpha_map = crate::data::AlphaMap::default();
         let region = Region { roughness: [0.02, 1.0], mu: [0.01, 1.0], alpha_map };
         for (log2, counted) in [(17, JUDGED), (20, CERTIFIED)] {

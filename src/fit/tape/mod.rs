@@ -125,6 +125,12 @@ impl Tape {
         &self.places[node as usize]
     }
 
+    /// A tape of operations, operands before their users and the result last, for its cost: it has no source.
+    pub(super) fn of_ops(ops: Vec<Op>, parameters: usize) -> Tape {
+        let places = ops.iter().map(|_| Place::of("", "", 0, 0)).collect();
+        Tape { ops, places, function: String::new(), inputs: Vec::new(), parameters }
+    }
+
     /// The same operations under another function name.
     pub(super) fn renamed(&self, name: &str) -> Tape {
         Tape { function: name.to_string(), ..self.clone() }

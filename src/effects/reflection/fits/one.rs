@@ -3,8 +3,8 @@
 use super::certified::{certified, formula};
 use super::{Fit, FitSpec, FitStageError};
 use crate::data::{AlphaMap, Norm, Source};
+use crate::effects::Entry;
 use crate::effects::reflection::Region;
-use crate::effects::reflection::catalogue::Entry;
 use crate::effects::reflection::samples::Data;
 use crate::fit::{Domain, FitError, Hypothesis, Options, optimise, prove_regular, round_to_f32};
 

@@ -6,8 +6,10 @@ use super::one::{fit_one, published};
 use super::saturate::saturate;
 use super::{Dropped, Fit, FitSet, FitSpec, FitStageError};
 use crate::data::{AlphaMap, Norm};
+use crate::effects::Entry;
 use crate::effects::reflection::Counter;
-use crate::effects::reflection::catalogue::{AVERAGES, Entry, NORMALISATIONS, RIVALS, SEEDS};
+use crate::effects::reflection::RIVALS;
+use crate::effects::reflection::catalogue::{AVERAGES, NORMALISATIONS, SEEDS};
 use crate::effects::reflection::samples::{AverageData, Data, FitData};
 use crate::fit::{FitError, Hypothesis};
 
