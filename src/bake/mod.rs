@@ -40,7 +40,7 @@ pub struct Baked {
     pub files: Files,
     /// Promises of the scene that were not kept, each a sentence.
     pub broken: Vec<String>,
-    /// Truths that were integrated.
+    /// Truths that were integrated, or interpolated from integrals for the texels of tables of three axes.
     pub truths: u64,
     /// Tables.
     pub tables: Vec<BakedTable>,

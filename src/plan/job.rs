@@ -115,7 +115,7 @@ pub struct VolumeJob {
     pub size: [usize; 3],
     /// How a texel is stored.
     pub format: TexelFormat,
-    /// Roughness range: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide.
+    /// Roughness that the rows span: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide, from alpha = 4e-4 on.
     pub roughness: [f64; 2],
     /// The lobe and its range.
     pub span: VolumeSpan,
@@ -123,6 +123,8 @@ pub struct VolumeJob {
     pub max_error: Option<f64>,
     /// The limits that `max_error` is the strictest of, in the scene's order.
     pub limits: Vec<Limit>,
+    /// Those of them that cannot be judged: of materials whose roughness lies below all rows.
+    pub unjudged: Vec<Limit>,
     /// Names of the materials that want it, in the scene's order.
     pub materials: Vec<String>,
 }
@@ -131,6 +133,11 @@ impl VolumeJob {
     /// The materials that set `max_error`, with the field of each: `gold (materials[0].wants.tables[1].max_error)`.
     pub fn limited_by(&self) -> String {
         listed(self.limits.iter().filter(|limit| Some(limit.max_error) == self.max_error))
+    }
+
+    /// The materials whose limits cannot be judged, with the field of each; none where all can.
+    pub fn unjudged_by(&self) -> Option<String> {
+        (!self.unjudged.is_empty()).then(|| listed(self.unjudged.iter()))
     }
 
     /// Texels of one of its tables.

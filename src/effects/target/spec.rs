@@ -166,7 +166,7 @@ impl Target {
                         range(spec, "alpha", defined)?;
                         Span { name: ROUGHNESS.into(), range: alpha.map(|a| roughness(spec.alpha_map, a)) }
                     }
-                    None => range(spec, ROUGHNESS, defined)?,
+                    None => range(spec, ROUGHNESS, defined.map(|a| roughness(spec.alpha_map, a)))?,
                 };
                 self.axes.push(span);
                 Ok(Given::Alpha)
