@@ -195,3 +195,18 @@ fn blends_are_fitted_for_every_f0() {
         Hypothesis::parse(blends[0].hypothesis.file(), blends[0].hypothesis.source()).expect("parses");
     assert_eq!(parsed.inputs().last().map(String::as_str), Some("f0"));
 }
+
+/// One job for all sheens: the hull of their ranges, every norm, the largest number of operations, each promise by itself.
+#[test]
+fn sheens_are_planned_together() {
+    let scene = Scene::from_json(include_bytes!("cloth.json"), "cloth.json").expect("a scene");
+    let plan = plan(&scene);
+    let job = plan.sheen.as_ref().expect("a job");
+    assert_eq!((job.roughness, job.mu, job.max_ops), ([0.1, 1.0], [0.01, 1.0], None));
+    assert_eq!(job.norms.len(), 2);
+    assert_eq!((job.promises.len(), job.promises[0].max_error), (1, 0.06));
+    let effect = plan.effects.iter().find(|e| e.effect == EffectName::Sheen).expect("the effect");
+    assert_eq!(effect.because.len(), 2);
+    assert_eq!(effect.expected_error, Some(0.06));
+    assert!(plan.fit.as_ref().is_some_and(|fit| fit.blend));
+}
