@@ -21,6 +21,7 @@
 //! | 5 | [`store`] | the only module that touches the file system |
 //! | 6 | [`audit`] | somebody else's table or shader function against the truth |
 //! | 6 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 6 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
 //! | 7 | [`timing`] | what accuracy costs in seconds |
 //! | 8 | [`cli`] | one file per verb |
 
@@ -31,6 +32,7 @@ pub mod data;
 pub mod effects;
 pub mod emit;
 pub mod fit;
+pub mod fitting;
 pub mod foreign;
 pub mod integrate;
 pub mod math;

@@ -1,10 +1,11 @@
 //! Tables made from the truth with the defects that published tables have: an audit finds each from the numbers alone.
 
 use lobefit::audit::{
-    Audit, AuditError, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, audit,
+    Audit, AuditError, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
 };
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
+use lobefit::foreign::Step;
 use lobefit::integrate::reflection::{self, Effort, albedo, split};
 
 /// A table over (mu, alpha) of several functions.
@@ -19,8 +20,10 @@ fn table(size: [usize; 2], channels: &[(&str, &dyn Fn(usize, usize) -> f64)]) ->
     Shipped {
         what: "planted".into(),
         size: size.to_vec(),
+        axes: Shipped::axes_of(2),
+        source: Source::Table,
         channels: channels.iter().map(channel).collect(),
-        step: None,
+        step: Step::None,
     }
 }
 
@@ -152,7 +155,7 @@ fn transposed_end_points_with_six_decimals_are_found() {
     let lookup = found.channels[0].lookup.as_ref().unwrap();
     assert!(lookup.max > 0.09 && lookup.max < 0.11, "published: 0.101, {}", lookup.max);
     assert!(
-        found.channels[0].defects.iter().any(|d| matches!(d, Defect::Steps { step, .. } if *step == 1e-6))
+        found.channels[0].defects.iter().any(|d| matches!(d, Defect::Steps { step: Step::Decimals(6), .. }))
     );
 }
 
@@ -166,8 +169,10 @@ fn an_average_that_is_normal_incidence_is_found() {
     let shipped = Shipped {
         what: "mf_ggx_albedo".into(),
         size: vec![32],
+        axes: Shipped::axes_of(1),
+        source: Source::Table,
         channels: vec![ShippedChannel { name: "0".into(), values }],
-        step: None,
+        step: Step::None,
     };
     let found = run(&shipped, "ggx-average", &Pins::default());
     assert_eq!(columns(&found), [Some(Column::Normal)]);

@@ -58,15 +58,3 @@ fn the_cheap_bars_of_the_furnace_are_met() {
     let best = |ops: u32| found.iter().filter(|f| f.ops <= ops).map(|f| f.max).fold(f64::INFINITY, f64::min);
     assert!(best(3) < 0.098 && best(6) < 0.0625, "{} {}", best(3), best(6));
 }
-
-#[test]
-fn long() {
-    let ops: u32 = std::env::var("OPS").ok().and_then(|s| s.parse().ok()).unwrap_or(8);
-    let width: usize = std::env::var("WIDTH").ok().and_then(|s| s.parse().ok()).unwrap_or(12);
-    let sweeps: usize = std::env::var("SWEEPS").ok().and_then(|s| s.parse().ok()).unwrap_or(2);
-    let started = std::time::Instant::now();
-    let progress = |p: &Progress| println!("{:.1} s {p:?}", started.elapsed().as_secs_f64());
-    let space = Space { width, sweeps, ..normalisation(ops) };
-    let found = search(&space, &furnace(24), &progress).unwrap();
-    show(&found);
-}

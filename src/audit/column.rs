@@ -54,6 +54,17 @@ pub const AVERAGE: [Column; 5] =
     [Column::Average, Column::AverageLoss, Column::AverageInverse, Column::Normal, Column::NormalLoss];
 
 impl Column {
+    /// What channels of a table of a quantity may hold; nothing for a quantity that is not audited.
+    pub fn of(quantity: &str) -> &'static [Column] {
+        match quantity {
+            "ggx-reflection" => &REFLECTION,
+            "ggx-glass" => &GLASS,
+            "ggx-average" => &AVERAGE,
+            "ggx-reflection-aniso" | "sheen-charlie" => &ALBEDO,
+            _ => &[],
+        }
+    }
+
     /// The word in options, verdicts and files.
     pub fn name(self) -> &'static str {
         match self {

@@ -3,6 +3,7 @@
 use super::column::Column;
 use super::errors::{Residuals, median};
 use super::shipped::{flat, place};
+use crate::foreign::Step;
 
 /// Something wrong with a channel.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,10 +42,10 @@ pub enum Defect {
         /// Share of the whole error's root mean square.
         share: f64,
     },
-    /// A step between stored values that is coarse beside the errors.
+    /// The errors are what rounding to the format leaves.
     Steps {
-        /// The step.
-        step: f64,
+        /// The format.
+        step: Step,
         /// Root mean square of the error that rounding to it makes.
         rms: f64,
     },
@@ -71,25 +72,35 @@ const PART_OF_TEXELS: f64 = 0.45;
 /// Largest alpha of texels on which the loss is compared.
 const SMOOTH: f64 = 0.12;
 
+/// Rounding explains errors up to this many times its own.
+const ROUNDED: f64 = 1.5;
+
 /// Defects of a channel; `alpha` of a texel where the table has such an axis.
-pub(super) fn defects(
-    r: &Residuals,
-    step: Option<f64>,
-    alpha: impl Fn(&[usize]) -> Option<f64>,
-) -> Vec<Defect> {
-    let mut found = Vec::new();
-    found.extend(clamped(r));
-    found.extend(part(r));
-    found.extend(missing_loss(r, step, alpha));
-    let noise = noise(r);
-    let rms = rms(r);
-    if let Some(step) = step.filter(|s| s / 12.0_f64.sqrt() > 0.5 * rms) {
-        found.push(Defect::Steps { step, rms: step / 12.0_f64.sqrt() });
-    } else if noise > 0.5 * rms && rms > 1e-8 {
+pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f64>) -> Vec<Defect> {
+    let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, step, alpha)).collect();
+    if found.is_empty() {
+        found.extend(part(r));
+    }
+    let (noise, rms) = (noise(r), rms(r));
+    let rounding = rounding(r, step);
+    if rms <= ROUNDED * rounding {
+        found.push(Defect::Steps { step, rms: rounding });
+    } else if noise > 0.5 * rms && rms > 1e-7 {
         found.push(Defect::Noise { rms: noise, share: noise / rms });
     }
     found.extend(bias(r, rms));
     found
+}
+
+/// Defects of a function: values that stand at a clamp, and a bias.
+pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
+    clamped(r).into_iter().chain(bias(r, rms(r))).collect()
+}
+
+/// Root mean square of the error that rounding to a format makes at the judged texels: a third of the square of half a step.
+fn rounding(r: &Residuals, step: Step) -> f64 {
+    let square = |i: &usize| step.rounding(r.values[*i]) * step.rounding(r.values[*i]) / 3.0;
+    (r.judged.iter().map(square).sum::<f64>() / r.judged.len() as f64).sqrt()
 }
 
 fn rms(r: &Residuals) -> f64 {
@@ -164,16 +175,15 @@ fn bias(r: &Residuals, rms: f64) -> Option<Defect> {
     told.then_some(Defect::Bias { mean })
 }
 
-fn missing_loss(r: &Residuals, step: Option<f64>, alpha: impl Fn(&[usize]) -> Option<f64>) -> Option<Defect> {
+fn missing_loss(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f64>) -> Option<Defect> {
     let loss = |value: f64| r.column.albedo(value).map(|e| 1.0 - e);
-    // Below a few steps the format cannot hold a loss.
-    let least = (4.0 * step.unwrap_or(0.0)).max(3e-4);
     let mut shares = Vec::new();
     for i in &r.judged {
         let texel = r.texel(*i);
         let Some(alpha) = alpha(&texel).filter(|a| *a <= SMOOTH) else { continue };
         let (Some(stored), Some(truth)) = (loss(r.values[*i]), loss(r.truth(*i))) else { continue };
-        if truth > least {
+        // Below a few steps the format cannot hold a loss.
+        if truth > (8.0 * step.rounding(r.values[*i])).max(3e-4) {
             shares.push((stored / truth, alpha, [stored, truth], texel));
         }
     }
@@ -186,12 +196,34 @@ fn missing_loss(r: &Residuals, step: Option<f64>, alpha: impl Fn(&[usize]) -> Op
     Some(Defect::MissingLoss { stored: typical, alpha, worst: worst.2, texel: worst.3 })
 }
 
-/// The step that all values of a channel are multiples of, of the usual ones.
-pub(super) fn step_of(values: &[f64]) -> Option<f64> {
-    let steps = [255.0, 1023.0, 65535.0, 1e3, 1e4, 1e5, 1e6];
-    let whole =
-        |n: f64| values.iter().all(|v| (v * n - (v * n).round()).abs() < 1e-3 * (n / 65535.0).min(1.0));
-    steps.into_iter().find(|n| whole(*n)).map(|n| 1.0 / n)
+/// What the values of a channel are rounded to: the file's word, or for a file that can hold more than was put into it the coarsest
+/// format that all values fit.
+pub(super) fn grain(step: Step, values: &[f64]) -> Step {
+    if step != Step::None || values.len() < 16 {
+        return step;
+    }
+    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    // A single holds a multiple of 1/n to 6e-8 of itself.
+    let multiples =
+        |n: f64| values.iter().all(|v| (v * n - (v * n).round()).abs() < (1.2e-7 * n * largest).min(0.15));
+    let halves = || values.iter().all(|v| half::f16::from_f64(*v).to_f64() == *v);
+    let decimals = |d: u32| (0..d).fold(1.0, |n, _| n * 10.0);
+    let formats = [
+        Step::Unorm8,
+        Step::Decimals(3),
+        Step::Half,
+        Step::Decimals(4),
+        Step::Unorm16,
+        Step::Decimals(5),
+        Step::Decimals(6),
+    ];
+    let fits = |format: &Step| match format {
+        Step::Unorm8 => multiples(255.0),
+        Step::Unorm16 => multiples(65535.0),
+        Step::Decimals(d) => multiples(decimals(*d)),
+        _ => halves(),
+    };
+    formats.into_iter().find(fits).unwrap_or(Step::None)
 }
 
 /// Whether a column is one of which a furnace can be made.

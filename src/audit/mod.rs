@@ -12,8 +12,10 @@ mod convention;
 mod defects;
 mod error;
 mod errors;
+mod function;
 mod judge;
 mod lookup;
+mod page;
 mod sample;
 mod screen;
 mod shipped;
@@ -26,14 +28,16 @@ pub use convention::{Convention, Misfit, Pins};
 pub use defects::Defect;
 pub use error::AuditError;
 pub use errors::TexelErrors;
+pub use function::sampled;
 pub use lookup::LookupErrors;
-pub use shipped::{MOST_TEXELS, Shipped, ShippedChannel};
+pub use page::findings;
+pub use shipped::{MOST_TEXELS, Shipped, ShippedChannel, Source};
 pub use truth::Lobe;
 
 use crate::data::{Place, Smith};
 use crate::effects::Quantity;
 use crate::integrate::glass::Side;
-use defects::step_of;
+use defects::grain;
 use errors::Residuals;
 use judge::judge;
 use lookup::Points;
@@ -43,6 +47,9 @@ use truth::Truth;
 /// Largest root mean square, beside the spread of the truth, with which a channel fits a convention. Published tables that are what they say
 /// leave up to 0.014 (the LTC magnitude, sampled without the lobe's tail); tables of something else left 0.05 and more.
 pub const FITS: f64 = 0.02;
+
+/// The same of a function, which is an approximation: published ones leave up to 0.2 against the lobe that they were fitted to.
+pub const FUNCTION_FITS: f64 = 0.2;
 
 /// How much worse the next convention must rank for the best to be in no doubt.
 pub const CLEAR: f64 = 2.0;
@@ -57,6 +64,18 @@ const WHOLE: [usize; 2] = [4096, 64];
 
 /// Conventions after the first exact round.
 const ROUND_KEPT: [usize; 2] = [40, 16];
+
+/// Quantities that are audited, and the number of their inputs.
+pub const AUDITED: [(&str, usize); 5] = [
+    ("ggx-reflection", 2),
+    ("ggx-reflection-aniso", 3),
+    ("ggx-average", 1),
+    ("ggx-glass", 3),
+    ("sheen-charlie", 2),
+];
+
+/// Conventions of which clamps are tried.
+const CLAMPED: [usize; 2] = [TOLD, 2];
 
 /// How a table fits its best convention.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,15 +138,19 @@ pub struct Audit {
     pub what: String,
     /// Quantity.
     pub quantity: &'static str,
+    /// What the values are of.
+    pub source: Source,
     /// Size of the table without axes of one texel.
     pub size: Vec<usize>,
+    /// Names of its axes.
+    pub axes: Vec<String>,
     /// Places along every axis at which the maps are given.
     pub places: Vec<Vec<usize>>,
     /// How the whole fits: as its worst channel.
     pub fit: Fit,
     /// The conventions, the best first.
     pub tried: Vec<Tried>,
-    /// Rank of the second over that of the first; infinite if there is no second.
+    /// Rank of the next that differs over that of the first; infinite if there is none.
     pub margin: f64,
     /// Whether part of the convention was given by the user.
     pub pinned: bool,
@@ -151,6 +174,15 @@ impl Audit {
     pub fn worst(&self) -> f64 {
         self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
     }
+
+    /// Whether it is what it is said to be: it fits, and no texel is off by more than the limit. With nothing given by the user and no
+    /// limit an audit only tells.
+    pub fn passes(&self, limit: Option<f64>) -> bool {
+        match limit {
+            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit,
+            None => !self.pinned || self.fit != Fit::None,
+        }
+    }
 }
 
 /// Audits a table as a quantity. `progress` is told the stages.
@@ -169,7 +201,9 @@ pub fn audit(
     let truth = truth.as_ref();
     check_axes(&table, truth)?;
     pins.check(truth, table.size.len(), live.len())?;
-    let found = candidates(truth, &table, &live, pins, progress)?;
+    let sampled = Pins { sitings: Some(vec![Siting::Centre]), ..pins.clone() };
+    let tried = if table.source == Source::Function { &sampled } else { pins };
+    let found = candidates(truth, &table, &live, tried, progress)?;
     progress("errors under the best convention");
     finish(truth, &table, &live, pins, &found)
 }
@@ -180,6 +214,8 @@ fn truth_of(table: &Shipped, quantity: &Quantity, pins: &Pins) -> Result<Box<dyn
     Ok(match quantity.name {
         "ggx-reflection" => Box::new(truth::reflection(&smiths)),
         "ggx-average" => Box::new(truth::average(&smiths)?),
+        "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
+        "sheen-charlie" => Box::new(truth::sheen()),
         "ggx-glass" => {
             let sides = pins.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
             let lobe = |smith: &Smith| {
@@ -191,7 +227,11 @@ fn truth_of(table: &Shipped, quantity: &Quantity, pins: &Pins) -> Result<Box<dyn
             return Err(AuditError::Option {
                 option: "--as",
                 value: other.into(),
-                reason: format!("{}: this version audits ggx-reflection, ggx-average, ggx-glass", table.what),
+                reason: format!(
+                    "{}: no table of it can be audited; {} can",
+                    table.what,
+                    AUDITED.map(|a| a.0).join(", ")
+                ),
             });
         }
     })
@@ -234,11 +274,12 @@ fn candidates(
     let more = Sample::new(table, live, ROUND[class], false);
     let found = judge::rejudge(truth, &more, pins, found, ROUND_KEPT[class])?;
     let mut clamped = Vec::new();
-    for candidate in &found {
-        clamped.push(judge::with_floors(truth, &more, pins, candidate)?);
+    for (k, candidate) in screen::best(found, TOLD).into_iter().enumerate() {
+        let floored = k < CLAMPED[class] && table.source == Source::Table;
+        clamped.push(if floored { judge::with_floors(truth, &more, pins, &candidate)? } else { candidate });
     }
     let whole = Sample::new(table, live, WHOLE[class], false);
-    let told = judge::rejudge(truth, &whole, pins, screen::best(clamped, TOLD), TOLD)?;
+    let told = judge::rejudge(truth, &whole, pins, clamped, TOLD)?;
     let mut distinct: Vec<Candidate> = Vec::new();
     for candidate in told {
         if !distinct.iter().any(|d| d.like(&candidate)) {
@@ -267,7 +308,10 @@ fn finish(
     let best = &found[0];
     let convention = best.convention(truth, live, table.channels.len());
     let judgement = judge(truth, &sample, &best.axes, best.lobe)?;
-    let points = Points::new(truth, &convention, best.lobe)?;
+    let points = match table.source {
+        Source::Table => Some(Points::new(truth, &convention, best.lobe)?),
+        Source::Function => None,
+    };
     let mut channels = Vec::new();
     for (k, channel) in table.channels.iter().enumerate() {
         let place = live.iter().position(|l| *l == k);
@@ -278,20 +322,25 @@ fn finish(
         };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
         let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
-        let step = table.step.or_else(|| step_of(&channel.values));
+        let step = grain(table.step, &channel.values);
         let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
-        let defects = defects::defects(&residuals, step, alpha);
+        let defects = match table.source {
+            Source::Table => defects::defects(&residuals, step, alpha),
+            Source::Function => defects::of_function(&residuals),
+        };
         let errors = residuals.figures(at);
         channels.push(ChannelAudit {
             name: channel.name.clone(),
             column: Some(column),
-            fit: fit(&residuals, &errors, &defects),
+            fit: fit(table.source, &residuals, &errors, &defects),
             truth: (0..residuals.values.len()).map(|i| residuals.truth(i)).collect(),
             map: residuals.errors.clone(),
             errors: Some(errors),
             defects,
-            lookup: points.errors(table, k, column, &convention, None),
-            plain_lookup: points.errors(table, k, column, &convention, Some(Siting::Centre)),
+            lookup: points.as_ref().and_then(|p| p.errors(table, k, column, &convention, None)),
+            plain_lookup: points
+                .as_ref()
+                .and_then(|p| p.errors(table, k, column, &convention, Some(Siting::Centre))),
         });
     }
     let furnace = furnace(table, &convention, &sample, &judgement, live);
@@ -300,11 +349,13 @@ fn finish(
     let mut audit = Audit {
         what: table.what.clone(),
         quantity: truth.quantity(),
+        source: table.source,
         size: table.size.clone(),
+        axes: table.axes.clone(),
         places: sample.at.clone(),
         fit: judged.map(|c| c.fit).fold(Fit::Whole, worst),
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
-        margin: found.get(1).map_or(f64::INFINITY, |c| c.fitted.rank / best.fitted.rank),
+        margin: margin(found),
         pinned: !pins.is_free(),
         channels,
         furnace,
@@ -313,6 +364,12 @@ fn finish(
     };
     audit.verdict = verdict::paragraph(&audit);
     Ok(audit)
+}
+
+/// Rank of the first that differs over that of the best: E at normal incidence is the same for both forms of Smith.
+fn margin(found: &[Candidate]) -> f64 {
+    let times = found.iter().map(|c| c.fitted.rank / found[0].fitted.rank);
+    times.skip(1).find(|t| t - 1.0 >= 1e-6).unwrap_or(f64::INFINITY)
 }
 
 fn rank(fit: Fit) -> u8 {
@@ -345,11 +402,13 @@ fn tried(c: &Candidate, truth: &dyn Truth, live: &[usize], channels: usize) -> T
     Tried { convention: c.convention(truth, live, channels), misfits, rank: c.fitted.rank }
 }
 
-fn fit(residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
-    if errors.rms <= FITS * residuals.spread() {
+fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
+    let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
+    if errors.rms <= allowed * residuals.spread() {
         return Fit::Whole;
     }
-    if defects.iter().any(|d| matches!(d, Defect::Part { .. })) { Fit::Part } else { Fit::None }
+    let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
+    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() { Fit::Part } else { Fit::None }
 }
 
 /// The inputs of a texel.

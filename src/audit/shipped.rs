@@ -1,6 +1,7 @@
 //! What somebody ships, as numbers: channels over a grid, the first axis fastest.
 
 use super::AuditError;
+use crate::foreign::{ForeignTable, Step};
 
 /// Most texels that an audit takes: 256^3.
 pub const MOST_TEXELS: usize = 1 << 24;
@@ -14,6 +15,15 @@ pub struct ShippedChannel {
     pub values: Vec<f64>,
 }
 
+/// What the values are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Texels.
+    Table,
+    /// A function, sampled at texel centres of its arguments.
+    Function,
+}
+
 /// A table whose conventions are not known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shipped {
@@ -21,13 +31,40 @@ pub struct Shipped {
     pub what: String,
     /// Texels along every axis, the fastest first.
     pub size: Vec<usize>,
+    /// Names of the axes, or of a function's arguments.
+    pub axes: Vec<String>,
+    /// What the values are of.
+    pub source: Source,
     /// The channels.
     pub channels: Vec<ShippedChannel>,
-    /// Step between neighbouring stored values where the format has one (1/255 of an 8-bit image).
-    pub step: Option<f64>,
+    /// What the format rounds values to.
+    pub step: Step,
+}
+
+impl From<&ForeignTable> for Shipped {
+    fn from(table: &ForeignTable) -> Shipped {
+        let channel = |c: &crate::foreign::ForeignChannel| ShippedChannel {
+            name: c.name.clone(),
+            values: c.values.clone(),
+        };
+        let name = if table.name.is_empty() { String::new() } else { format!(", {}", table.name) };
+        Shipped {
+            what: format!("{}{name}", table.file),
+            size: table.size.clone(),
+            axes: Shipped::axes_of(table.size.len()),
+            source: Source::Table,
+            channels: table.channels.iter().map(channel).collect(),
+            step: table.step,
+        }
+    }
 }
 
 impl Shipped {
+    /// `x`, `y`, `z`.
+    pub fn axes_of(axes: usize) -> Vec<String> {
+        ["x", "y", "z"].into_iter().take(axes).map(String::from).collect()
+    }
+
     /// The same without axes of one texel, checked: finite values in the size's number.
     pub(super) fn checked(&self) -> Result<Shipped, AuditError> {
         let expected = self.size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s)).unwrap_or(usize::MAX);
@@ -61,7 +98,9 @@ impl Shipped {
         if size.is_empty() || size.iter().any(|n| *n < 4) {
             return Err(AuditError::TooSmall { what: self.what.clone(), size: self.size.clone() });
         }
-        Ok(Shipped { size, ..self.clone() })
+        let long = |(name, n): (&String, &usize)| (*n > 1).then(|| name.clone());
+        let axes = self.axes.iter().zip(&self.size).filter_map(long).collect();
+        Ok(Shipped { size, axes, ..self.clone() })
     }
 
     /// Channels that vary, by their place.

@@ -1,4 +1,7 @@
-//! The search: at every cost the best forms so far are built upon, until nothing new is found or the sweeps are over.
+//! The search: at every cost the best forms of each family so far are built upon, until nothing new is found or the sweeps are over.
+//!
+//! Families keep apart what would crowd one another out: a small quotient is worse than a polynomial of its cost, and grows into
+//! something better.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,6 +9,7 @@ use rayon::prelude::*;
 
 use super::Progress;
 use super::form::{Form, Term};
+use super::helper::Helper;
 use super::score::{Data, Known, Score};
 use super::space::{SLOTS, Space};
 use super::write::layout;
@@ -23,11 +27,23 @@ pub(super) struct Entry {
 /// A dearer form is kept to be built upon if its error is below this multiple of the best of the cheaper ones.
 const WORSE: f64 = 1.6;
 
-/// The best forms of every cost.
+/// Entries of each cost and family, best first.
+type Levels = BTreeMap<(u32, Family), Vec<Entry>>;
+
+/// Polynomial or quotient, and the kinds of its helpers.
+type Family = (bool, Vec<Helper>);
+
+fn family(form: &Form) -> Family {
+    let mut helpers: Vec<Helper> = form.helpers.iter().map(|h| h.kind).collect();
+    helpers.sort_unstable();
+    (form.under.is_empty(), helpers)
+}
+
+/// The best forms of every cost and family.
 pub(super) struct Beam<'a> {
     space: &'a Space,
     data: Data<'a>,
-    levels: BTreeMap<u32, Vec<Entry>>,
+    levels: Levels,
     seen: BTreeSet<Form>,
     tried: u64,
 }
@@ -37,47 +53,52 @@ impl<'a> Beam<'a> {
         Beam { space, data, levels: BTreeMap::new(), seen: BTreeSet::new(), tried: 0 }
     }
 
-    /// Runs the search; the best forms of every cost, best first.
-    pub fn run(mut self, progress: &dyn Fn(&Progress)) -> BTreeMap<u32, Vec<Entry>> {
+    /// Runs the search: the best forms of every cost, of all families.
+    pub fn run(mut self, progress: &dyn Fn(&Progress)) -> Vec<Vec<Entry>> {
         let seeds = seeds(self.space);
         self.take(seeds.into_iter().map(|form| (form, None)).collect());
         for sweep in 0..self.space.sweeps {
             let mut any = false;
             for ops in 0..=self.space.max_ops {
                 any |= self.expand(ops);
-                let best = self.levels.range(..=ops).filter_map(|(_, l)| l.first()).map(|e| e.score.max);
-                let best = best.fold(f64::INFINITY, f64::min);
-                progress(&Progress {
-                    sweep,
-                    sweeps: self.space.sweeps,
-                    ops,
-                    max_ops: self.space.max_ops,
-                    forms: self.tried,
-                    best,
-                });
+                self.report(sweep, ops, progress);
             }
             if !any {
                 break;
             }
         }
-        self.levels
+        let all = |ops: u32| {
+            let mut all: Vec<Entry> = self.families(ops).flat_map(|l| l.iter().cloned()).collect();
+            all.sort_by(better);
+            all
+        };
+        (0..=self.space.max_ops).map(all).collect()
+    }
+
+    /// The entries of every family of a cost.
+    fn families(&self, ops: u32) -> impl Iterator<Item = &Vec<Entry>> {
+        self.levels.iter().filter(move |((o, _), _)| *o == ops).map(|(_, level)| level)
+    }
+
+    fn report(&self, sweep: usize, ops: u32, progress: &dyn Fn(&Progress)) {
+        let all = (0..=ops).flat_map(|ops| self.families(ops)).filter_map(|level| level.first());
+        let best = all.map(|e| e.score.max).fold(f64::INFINITY, f64::min);
+        let (sweeps, max_ops) = (self.space.sweeps, self.space.max_ops);
+        progress(&Progress { sweep, sweeps, ops, max_ops, forms: self.tried, best });
     }
 
     /// Tries the neighbours of all forms of a cost that have not been built upon.
     fn expand(&mut self, ops: u32) -> bool {
-        let Some(level) = self.levels.get_mut(&ops) else { return false };
         let mut parents = Vec::new();
-        for entry in level.iter_mut().filter(|e| !e.expanded) {
-            entry.expanded = true;
-            parents.push(entry.clone());
-        }
-        let mut candidates = Vec::new();
-        for (k, parent) in parents.iter().enumerate() {
-            for form in parent.form.neighbours(self.space) {
-                candidates.push((form, Some(k)));
+        for (_, level) in self.levels.iter_mut().filter(|((o, _), _)| *o == ops) {
+            for entry in level.iter_mut().filter(|e| !e.expanded) {
+                entry.expanded = true;
+                parents.push(entry.clone());
             }
         }
-        let candidates: Vec<_> = candidates.into_iter().map(|(f, k)| (f, k.map(|k| &parents[k]))).collect();
+        let pairs =
+            parents.iter().flat_map(|p| p.form.neighbours(self.space).into_iter().map(move |f| (f, Some(p))));
+        let candidates: Vec<_> = pairs.collect();
         let any = !candidates.is_empty();
         self.take(candidates);
         any
@@ -94,40 +115,43 @@ impl<'a> Beam<'a> {
             }
         }
         self.tried += fresh.len() as u64;
-        let cutoffs: Vec<f64> = (0..=self.space.max_ops).map(|ops| self.cutoff(ops)).collect();
         let measured: Vec<Option<Entry>> =
-            fresh.par_iter().map(|(form, parent)| self.measure(form, *parent, &cutoffs)).collect();
+            fresh.par_iter().map(|(form, parent)| self.measure(form, *parent)).collect();
         for entry in measured.into_iter().flatten() {
-            self.levels.entry(entry.ops).or_default().push(entry);
+            self.levels.entry((entry.ops, family(&entry.form))).or_default().push(entry);
         }
-        let width = self.space.width;
         for level in self.levels.values_mut() {
-            level.sort_by(|a, b| a.score.max.total_cmp(&b.score.max).then_with(|| a.form.cmp(&b.form)));
-            level.truncate(width);
+            level.sort_by(better);
+            level.truncate(self.space.width);
         }
     }
 
-    fn measure(&self, form: &Form, parent: Option<&Entry>, cutoffs: &[f64]) -> Option<Entry> {
+    fn measure(&self, form: &Form, parent: Option<&Entry>) -> Option<Entry> {
+        let family = family(form);
         // The cost first: it is exact but for the unit, whose coefficient must not be 0.
         let cheapest = layout(self.space, form, |_| true)?.ops;
-        let cutoff = *cutoffs.get(cheapest as usize)?;
+        if cheapest > self.space.max_ops {
+            return None;
+        }
         let known = parent.map(|p| Known { form: &p.form, coefficients: &p.score.coefficients });
-        let score = self.data.score(form, known.as_ref(), cutoff)?;
+        let score = self.data.score(form, known.as_ref(), self.cutoff(cheapest, &family))?;
         let ops = layout(self.space, form, |k| usable(form, &score, k))?.ops;
-        (ops <= self.space.max_ops && score.max < cutoffs[ops as usize]).then(|| Entry {
-            form: form.clone(),
-            ops,
-            score,
-            expanded: false,
-        })
+        (ops <= self.space.max_ops && (ops == cheapest || score.max < self.cutoff(ops, &family)))
+            .then(|| Entry { form: form.clone(), ops, score, expanded: false })
     }
 
-    /// What a form of this cost must be better than.
-    fn cutoff(&self, ops: u32) -> f64 {
-        let cheaper = self.levels.range(..ops).filter_map(|(_, l)| l.first()).map(|e| WORSE * e.score.max);
-        let own = self.levels.get(&ops).filter(|l| l.len() >= self.space.width).and_then(|l| l.last());
+    /// What a form of this cost and family must be better than.
+    fn cutoff(&self, ops: u32, family: &Family) -> f64 {
+        let at = |ops: u32| self.levels.get(&(ops, family.clone()));
+        let cheaper = (0..ops).filter_map(at).filter_map(|l| l.first()).map(|e| WORSE * e.score.max);
+        let own = at(ops).filter(|l| l.len() >= self.space.width).and_then(|l| l.last());
         cheaper.chain(own.map(|e| e.score.max)).fold(f64::INFINITY, f64::min)
     }
+}
+
+/// By error, and by form where that is the same.
+fn better(a: &Entry, b: &Entry) -> std::cmp::Ordering {
+    a.score.max.total_cmp(&b.score.max).then_with(|| a.form.cmp(&b.form))
 }
 
 /// A coefficient below this part of the largest is not divided by.

@@ -1,7 +1,5 @@
 //! From the best forms to the frontier: solved on all samples, written, proven to have no pole.
 
-use std::collections::BTreeMap;
-
 use rayon::prelude::*;
 
 use super::Found;
@@ -10,7 +8,7 @@ use super::form::Form;
 use super::score::{Data, Known, Score};
 use super::space::{SearchSamples, Space};
 use super::write::{layout, write};
-use crate::fit::{FitError, Hypothesis, Samples, prove_regular, residual_range};
+use crate::fit::{FitError, Hypothesis, Norm, Options, Samples, optimise, prove_regular, residual_range};
 
 /// Forms of each cost that are solved on all samples.
 const FINALISTS: usize = 4;
@@ -19,10 +17,10 @@ const FINALISTS: usize = 4;
 pub(super) fn frontier(
     space: &Space,
     samples: &SearchSamples,
-    levels: BTreeMap<u32, Vec<Entry>>,
+    levels: Vec<Vec<Entry>>,
 ) -> Result<Vec<Found>, FitError> {
     let data = Data::new(space, samples);
-    let finalists: Vec<Entry> = levels.into_values().flat_map(|l| l.into_iter().take(FINALISTS)).collect();
+    let finalists: Vec<Entry> = levels.into_iter().flat_map(|l| l.into_iter().take(FINALISTS)).collect();
     let solved: Vec<Option<Found>> =
         finalists.par_iter().map(|entry| solve(space, samples, &data, entry)).collect::<Result<_, _>>()?;
     let mut found: Vec<Found> = solved.into_iter().flatten().collect();
@@ -50,17 +48,37 @@ fn solve(
 ) -> Result<Option<Found>, FitError> {
     let known = Known { form: &entry.form, coefficients: &entry.score.coefficients };
     let Some((score, bound)) = data.prove(&entry.form, &known) else { return Ok(None) };
-    let Some((source, name)) = source(space, &entry.form, &score) else { return Ok(None) };
-    let hypothesis = Hypothesis::parse(&format!("{name}.wgsl"), &source)?;
-    let starts = hypothesis.starts();
-    if let Some(domain) = &space.domain
-        && prove_regular(hypothesis.tape(), &starts, domain).is_err()
-    {
-        return Ok(None);
-    }
+    let Some(draft) = Draft::new(space, &entry.form, &score) else { return Ok(None) };
+    let hypothesis = draft.hypothesis(&draft.values)?;
     let inputs = hypothesis.inputs().iter().map(|name| column(space, samples, name)).collect();
     let all = Samples { inputs, scale: samples.scale.clone(), target: samples.target.clone() };
-    let Some((max, rms)) = residual_range(&hypothesis, &all)? else { return Ok(None) };
+    let mut found = measured(space, hypothesis, &all, bound)?;
+    if draft.constants > 0 {
+        // The linear programs have left the helpers' constants where they were.
+        let options = Options { starts: 1, ..Options::new(Norm::Max) };
+        let polished = optimise(&draft.hypothesis(&draft.values)?, &all, &[], &options);
+        let polished = polished.ok().filter(|p| p.coefficients.iter().all(|c| c.is_finite()));
+        if let Some(polished) = polished {
+            let other = measured(space, draft.hypothesis(&polished.coefficients)?, &all, 0.0)?;
+            found = found.into_iter().chain(other).reduce(|a, b| if b.max < a.max { b } else { a });
+        }
+        found.iter_mut().for_each(|f| f.bound = 0.0);
+    }
+    Ok(found)
+}
+
+/// A formula with its errors at its starting coefficients; none where it has a pole.
+fn measured(
+    space: &Space,
+    hypothesis: Hypothesis,
+    samples: &Samples,
+    bound: f64,
+) -> Result<Option<Found>, FitError> {
+    let regular = |domain| prove_regular(hypothesis.tape(), &hypothesis.starts(), domain).is_ok();
+    if !space.domain.as_ref().is_none_or(regular) {
+        return Ok(None);
+    }
+    let Some((max, rms)) = residual_range(&hypothesis, samples)? else { return Ok(None) };
     let ops = hypothesis.tape().cost_ops();
     Ok(Some(Found { hypothesis, ops, max, rms, bound }))
 }
@@ -75,37 +93,63 @@ fn column(space: &Space, samples: &SearchSamples, name: &str) -> Vec<f64> {
     Vec::new()
 }
 
-/// WGSL source and name of a form with its coefficients.
-fn source(space: &Space, form: &Form, score: &Score) -> Option<(String, String)> {
-    let layout = layout(space, form, |k| usable(form, score, k))?;
-    let below = form.under.len();
-    let all = if below == 0 { &score.coefficients[1..] } else { &score.coefficients };
-    let factor = match layout.unit {
-        Some(unit) => all[unit],
-        None => score.coefficients[0],
-    };
-    // A unit in P may need the sign of the quotient turned: that of Q must stay positive.
-    let negative = layout.unit.is_some() && factor < 0.0;
-    let scaled: Vec<f64> = all
-        .iter()
-        .enumerate()
-        .map(|(k, c)| if negative && k < below { -c / factor } else { c / factor })
-        .collect();
-    let written = write(space, form, &layout, negative);
-    let name = format!("{}{}", space.name, layout.ops);
-    let constants = written.constants.iter().map(|k| form.helpers[*k].constant());
-    let values = written.order.iter().map(|k| scaled[*k]).chain(constants);
-    let mut source = String::new();
-    for (name, value) in written.names.iter().zip(values) {
-        source += &format!("override {name}: f32 = {:?};\n", value as f32);
+/// A form as text, but for the values of its parameters.
+struct Draft {
+    name: String,
+    parameters: Vec<String>,
+    /// The parameters at the optimum.
+    values: Vec<f64>,
+    /// How many of them, the last ones, are constants of helpers.
+    constants: usize,
+    function: String,
+}
+
+impl Draft {
+    /// None if no coefficient can be divided by.
+    fn new(space: &Space, form: &Form, score: &Score) -> Option<Draft> {
+        let layout = layout(space, form, |k| usable(form, score, k))?;
+        let below = form.under.len();
+        let all = if below == 0 { &score.coefficients[1..] } else { &score.coefficients };
+        let factor = match layout.unit {
+            Some(unit) => all[unit],
+            None => score.coefficients[0],
+        };
+        // A unit in P may turn the sign of P; Q stays positive, and the quotient is subtracted.
+        let negative = layout.unit.is_some() && factor < 0.0;
+        let scaled: Vec<f64> = (0..all.len())
+            .map(|k| if negative && k < below { -all[k] / factor } else { all[k] / factor })
+            .collect();
+        let written = write(space, form, &layout, negative);
+        let constants = written.constants.iter().map(|k| form.helpers[*k].constant());
+        let values = written.order.iter().map(|k| scaled[*k]).chain(constants).collect();
+        let name = format!("{}{}", space.name, layout.ops);
+        let body = written.graph.text(written.result, &written.arguments, &written.names);
+        let reads = |argument: &&String| {
+            body.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == *argument)
+        };
+        let arguments: Vec<String> =
+            written.arguments.iter().filter(reads).map(|a| format!("{a}: f32")).collect();
+        let title = if space.title.is_empty() { String::new() } else { format!("/// {}\n", space.title) };
+        let kind = if below == 0 { "polynomial" } else { "quotient" };
+        let helped = if form.helpers.is_empty() { String::new() } else { format!(" with {}", helped(form)) };
+        let function = format!(
+            "{title}/// A {kind} of {} operations{helped}.\nfn {name}({}) -> f32 {{\n{body}}}\n",
+            layout.ops,
+            arguments.join(", ")
+        );
+        Some(Draft { name, parameters: written.names, values, constants: written.constants.len(), function })
     }
-    let body = written.graph.text(written.result, &written.arguments, &written.names);
-    let used =
-        |argument: &&String| body.split(|c: char| !c.is_alphanumeric() && c != '_').any(|w| w == *argument);
-    let arguments: Vec<String> = written.arguments.iter().filter(used).map(|a| format!("{a}: f32")).collect();
-    let title = if space.title.is_empty() { String::new() } else { format!("/// {}\n", space.title) };
-    let kind = if below == 0 { "polynomial" } else { "quotient" };
-    source += &format!("\n{title}/// A {kind} of {} operations.\n", layout.ops);
-    source += &format!("fn {name}({}) -> f32 {{\n{body}}}\n", arguments.join(", "));
-    Some((source, name))
+
+    /// The hypothesis that starts at these values.
+    fn hypothesis(&self, values: &[f64]) -> Result<Hypothesis, FitError> {
+        let declare =
+            |(name, value): (&String, &f64)| format!("override {name}: f32 = {:?};\n", *value as f32);
+        let declared: String = self.parameters.iter().zip(values).map(declare).collect();
+        Hypothesis::parse(&format!("{}.wgsl", self.name), &format!("{declared}\n{}", self.function))
+    }
+}
+
+/// The helpers of a form in words.
+fn helped(form: &Form) -> String {
+    form.helpers.iter().map(|h| h.kind.words()).collect::<Vec<_>>().join(" and ")
 }

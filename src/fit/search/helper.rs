@@ -32,6 +32,15 @@ pub enum Helper {
         /// p.
         power: u8,
     },
+    /// 1 / sqrt(x + k y^p) with a constant k: five operations.
+    RootReciprocal {
+        /// Axis of x.
+        x: u8,
+        /// Axis of y.
+        y: u8,
+        /// p.
+        power: u8,
+    },
 }
 
 /// A helper with its constant, in units of 2^(1/4): k = 2^(step/4). 0 where it has none.
@@ -50,7 +59,7 @@ const LAST: i8 = 24;
 impl Helper {
     /// Whether it has a constant.
     pub(super) fn has_constant(self) -> bool {
-        matches!(self, Helper::Decay { .. } | Helper::Reciprocal { .. })
+        !matches!(self, Helper::Complement { .. } | Helper::Root { .. })
     }
 
     /// What a search begins with.
@@ -61,6 +70,17 @@ impl Helper {
         FIRST.iter().map(|step| Instance { kind: self, step: *step }).collect()
     }
 
+    /// What it is, for documentation.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Helper::Complement { .. } => "the complement of an input",
+            Helper::Root { .. } => "the root of an input",
+            Helper::Decay { .. } => "an exponential",
+            Helper::Reciprocal { .. } => "a reciprocal",
+            Helper::RootReciprocal { .. } => "an inverse square root",
+        }
+    }
+
     /// Name in a formula.
     pub(super) fn name(self) -> &'static str {
         match self {
@@ -68,6 +88,7 @@ impl Helper {
             Helper::Root { .. } => "root",
             Helper::Decay { .. } => "decay",
             Helper::Reciprocal { .. } => "inverse",
+            Helper::RootReciprocal { .. } => "inverse_root",
         }
     }
 }
@@ -99,6 +120,10 @@ impl Instance {
             Helper::Reciprocal { x, y, power } => {
                 let pairs = axes[x as usize].iter().zip(&axes[y as usize]);
                 pairs.map(|(x, y)| 1.0 / (x + k * raised(*y, power))).collect()
+            }
+            Helper::RootReciprocal { x, y, power } => {
+                let pairs = axes[x as usize].iter().zip(&axes[y as usize]);
+                pairs.map(|(x, y)| 1.0 / (x + k * raised(*y, power)).sqrt()).collect()
             }
         };
         column.iter().all(|v| v.is_finite()).then_some(column)

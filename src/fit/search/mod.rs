@@ -50,8 +50,8 @@ pub struct Found {
     pub max: f64,
     /// Root of the mean square residual over the samples.
     pub rms: f64,
-    /// No other coefficients of this form have a smaller largest residual than this on the samples (the constants of helpers
-    /// aside).
+    /// No other coefficients of this form have a smaller largest residual than this on the samples; 0 (nothing is proven) where
+    /// the form has constants inside helpers.
     pub bound: f64,
 }
 

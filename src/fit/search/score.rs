@@ -7,7 +7,6 @@ use crate::fit::rational::{Columns, Descent};
 
 /// Samples with what every form needs of them.
 pub(super) struct Data<'a> {
-    space: &'a Space,
     samples: &'a SearchSamples,
     /// scale anchor - target, over the magnitude.
     offset: Vec<f64>,
@@ -30,7 +29,6 @@ impl<'a> Data<'a> {
         let anchor = space.anchor.as_ref().map_or(0.0, |a| f64::from(a.value));
         let pairs = samples.scale.iter().zip(&samples.target);
         Data {
-            space,
             samples,
             offset: pairs.map(|(s, t)| (s * anchor - t) / magnitude).collect(),
             scale: samples.scale.iter().map(|s| s / magnitude).collect(),

@@ -241,6 +241,13 @@ impl<'a> Writer<'a> {
                 let one = self.graph.number(1.0);
                 self.graph.binary(BinaryOp::Divide, one, sum)
             }
+            Helper::RootReciprocal { x, y, power } => {
+                let (x, y) = (self.axis_power(x.into(), 1), self.axis_power(y.into(), power.into()));
+                let k = constant(self);
+                let scaled = self.graph.times(k, y);
+                let sum = self.graph.binary(BinaryOp::Add, x, scaled);
+                self.graph.unary(UnaryOp::InverseSqrt, sum)
+            }
         };
         let name = format!("{}{}", instance.kind.name(), if helper > 0 { "_b" } else { "" });
         self.graph.name(value, &name);

@@ -21,7 +21,7 @@ pub use options::{Goal, Options};
 pub use samples::Samples;
 
 use super::{FitError, Hypothesis};
-use objective::{Objective, largest, rms};
+use objective::{Objective, largest};
 use power::PNorm;
 use route::{Route, route};
 
@@ -104,7 +104,7 @@ fn finish(
 /// Data that are not finite or of the wrong shape, with the index.
 pub fn residual_range(hypothesis: &Hypothesis, samples: &Samples) -> Result<Option<(f64, f64)>, FitError> {
     let objective = Objective::new(hypothesis.tape(), samples)?;
-    Ok(objective.residuals(&hypothesis.starts()).ok().map(|r| (largest(&r), rms(&r))))
+    Ok(objective.residuals(&hypothesis.starts()).ok().map(|r| (largest(&r), objective::rms(&r))))
 }
 
 /// Coefficients rounded to f32, as they are emitted and certified; those below 1e-30 become 0.
