@@ -1,7 +1,7 @@
 //! Tables made from the truth with the defects that published tables have: an audit finds each from the numbers alone.
 
 use lobefit::audit::{
-    Audit, AuditError, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, audit,
+    Audit, AuditError, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
 };
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
@@ -20,6 +20,8 @@ fn table(size: [usize; 2], channels: &[(&str, &dyn Fn(usize, usize) -> f64)]) ->
     Shipped {
         what: "planted".into(),
         size: size.to_vec(),
+        axes: Shipped::axes_of(2),
+        source: Source::Table,
         channels: channels.iter().map(channel).collect(),
         step: Step::None,
     }
@@ -167,6 +169,8 @@ fn an_average_that_is_normal_incidence_is_found() {
     let shipped = Shipped {
         what: "mf_ggx_albedo".into(),
         size: vec![32],
+        axes: Shipped::axes_of(1),
+        source: Source::Table,
         channels: vec![ShippedChannel { name: "0".into(), values }],
         step: Step::None,
     };

@@ -1,30 +1,22 @@
-override c0: f32 = -0.0055563073;
-override c1: f32 = -0.4128085;
-override c2: f32 = 0.23585445;
-override c3: f32 = -3.514061;
-override d0: f32 = 0.0516986;
-override d1: f32 = -0.94971377;
-override d2: f32 = 6.240244;
-override d3: f32 = 4.5119896;
-override d4: f32 = -5.5824285;
-override b0: f32 = 1.0415183;
-override b1: f32 = -0.7711683;
-override b2: f32 = 17.557283;
-override b3: f32 = 2.6055813;
-override b4: f32 = -145.66579;
-override b5: f32 = 382.68994;
-override b6: f32 = 55.426132;
-override b7: f32 = -193.70937;
-override b8: f32 = 590.0967;
+override c0: f32 = 0.38909;
+override c1: f32 = 2.92899;
+override d0: f32 = 1.18097;
+override d1: f32 = 1.61408;
+override d2: f32 = -2.35779;
+override k0: f32 = 12.4517;
+override k1: f32 = 24.6397;
+override k2: f32 = 1.51197;
+override k3: f32 = -16.0845;
+override k4: f32 = 10.1303;
 
-/// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
-/// Thirty operations, 28 of them for E and B: two quotients.
+/// Albedo f0 A + B of the GGX reflection lobe for a reflectance f0 at normal incidence (Schlick's Fresnel).
+/// Thirty operations: E rational in alpha and mu as 1/N of ggx_norm_q13, which resolves the layer mu ~ alpha, and B as a part of E,
+/// which is smoother than B. Exactly 1 for f0 = 1 at alpha = 0 and at mu = 0.
 fn ggx_blend_30(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    let cube = alpha * roughness;
-    let loss = alpha * (c0 + mu * (c1 + alpha * (c2 + c3 * alpha)));
-    let divisor = cube + mu * (d0 + roughness * (d1 + d2 * cube) + mu * (d3 + d4 * roughness));
-    let albedo = 1.0 + loss / divisor;
-    let falloff = b3 + alpha * (b4 + b5 * roughness) + mu * (b6 + mu * (b7 + b8 * mu));
-    let share = 1.0 / (b0 + roughness * (b1 + b2 * roughness) + mu * falloff);
-    return albedo * (share + f0 * (1.0 - share));
+    let a2 = alpha * alpha;
+    let loss = alpha * mu * (c0 + c1 * a2);
+    let divisor = a2 + mu * (d0 * alpha + mu * (d1 + d2 * alpha));
+    let x = 1.0 - mu;
+    let part = x * x * x / (1.0 + alpha * (k0 + k1 * alpha) + mu * (k2 + k3 * roughness + k4 * mu));
+    return divisor / (divisor + loss) * mix(part, 1.0, f0);
 }

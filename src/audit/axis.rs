@@ -296,18 +296,6 @@ impl AxisReading {
     pub fn like(&self, other: &AxisReading) -> bool {
         AxisReading { floor: 0.0, ..*self } == AxisReading { floor: 0.0, ..*other }
     }
-
-    /// `roughness (alpha = roughness^2)`, `gloss = 1 - roughness`, `mu, reversed`.
-    pub fn words(&self) -> String {
-        let name = self.scale.name();
-        let base = match (self.scale.input(), self.reversed) {
-            (Input::Alpha, true) => format!("gloss = 1 - {name}"),
-            (_, true) => format!("1 - {name}"),
-            (_, false) => name.to_string(),
-        };
-        let note = self.scale.note();
-        if note.is_empty() { base } else { format!("{base} ({note})") }
-    }
 }
 
 #[cfg(test)]

@@ -85,11 +85,16 @@ pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Opt
     let rounding = rounding(r, step);
     if rms <= ROUNDED * rounding {
         found.push(Defect::Steps { step, rms: rounding });
-    } else if noise > 0.5 * rms && rms > 1e-8 {
+    } else if noise > 0.5 * rms && rms > 1e-7 {
         found.push(Defect::Noise { rms: noise, share: noise / rms });
     }
     found.extend(bias(r, rms));
     found
+}
+
+/// Defects of a function: values that stand at a clamp, and a bias.
+pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
+    clamped(r).into_iter().chain(bias(r, rms(r))).collect()
 }
 
 /// Root mean square of the error that rounding to a format makes at the judged texels: a third of the square of half a step.

@@ -82,6 +82,24 @@ pub enum AuditError {
         /// The value of the first.
         value: f64,
     },
+    /// A function of which the arguments do not tell the inputs.
+    #[error("{function}: the arguments {names} are left for {inputs} inputs; give --set NAME=VALUE to those that are none")]
+    Arguments {
+        /// Function.
+        function: String,
+        /// Arguments that have no value.
+        names: String,
+        /// Inputs of the quantity.
+        inputs: usize,
+    },
+    /// A function could not be evaluated.
+    #[error("{function}: {reason}")]
+    Evaluate {
+        /// Function.
+        function: String,
+        /// Why.
+        reason: String,
+    },
     /// An option that cannot be meant for this quantity or table.
     #[error("{option} = `{value}`: {reason}")]
     Option {

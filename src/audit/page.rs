@@ -1,8 +1,8 @@
 //! What an audit found out, for the report.
 
 use super::axis::{AxisReading, Input};
-use super::shipped::{flat, place};
-use super::verdict::{axis_name, number, sentence};
+use super::shipped::{Source, flat, place};
+use super::verdict::{number, sentence};
 use super::{Audit, ChannelAudit, Convention, Defect, Fit, LookupErrors, Tried};
 use crate::report::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
@@ -50,7 +50,7 @@ fn word(fit: Fit) -> &'static str {
 fn convention(audit: &Audit, tried: &Tried) -> AuditConvention {
     let held = audit.channels.iter().zip(&tried.convention.columns).zip(&tried.misfits);
     AuditConvention {
-        axes: tried.convention.axes.iter().enumerate().map(|(k, a)| axis(k, a)).collect(),
+        axes: audit.axes.iter().zip(&tried.convention.axes).map(|(name, a)| axis(audit.source, name, a)).collect(),
         lobe: tried.convention.lobe.words(),
         channels: held
             .filter_map(|((c, column), misfit)| {
@@ -67,12 +67,12 @@ fn convention(audit: &Audit, tried: &Tried) -> AuditConvention {
     }
 }
 
-fn axis(k: usize, a: &AxisReading) -> AuditAxis {
+fn axis(source: Source, name: &str, a: &AxisReading) -> AuditAxis {
     AuditAxis {
-        axis: axis_name(k).into(),
+        axis: name.into(),
         coordinate: a.scale.name().into(),
         reversed: a.reversed,
-        registration: a.siting.name().into(),
+        registration: if source == Source::Table { a.siting.name().into() } else { String::new() },
         clamp: Some(a.floor).filter(|f| *f > 0.0),
     }
 }
@@ -95,7 +95,7 @@ fn channel(audit: &Audit, c: &ChannelAudit) -> Option<AuditChannel> {
             judged: e.texels[0],
             all: e.texels[1],
         },
-        defects: c.defects.iter().map(|d| AuditDefect { kind: kind(d).into(), text: sentence(d) }).collect(),
+        defects: c.defects.iter().map(|d| AuditDefect { kind: kind(d).into(), text: sentence(d, &audit.axes) }).collect(),
         lookup: c.lookup.as_ref().map(lookup),
         plain_lookup: c.plain_lookup.as_ref().map(lookup),
         maps: maps(audit, c),

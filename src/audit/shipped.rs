@@ -15,6 +15,15 @@ pub struct ShippedChannel {
     pub values: Vec<f64>,
 }
 
+/// What the values are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Texels.
+    Table,
+    /// A function, sampled at texel centres of its arguments.
+    Function,
+}
+
 /// A table whose conventions are not known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shipped {
@@ -22,6 +31,10 @@ pub struct Shipped {
     pub what: String,
     /// Texels along every axis, the fastest first.
     pub size: Vec<usize>,
+    /// Names of the axes, or of a function's arguments.
+    pub axes: Vec<String>,
+    /// What the values are of.
+    pub source: Source,
     /// The channels.
     pub channels: Vec<ShippedChannel>,
     /// What the format rounds values to.
@@ -38,6 +51,8 @@ impl From<&ForeignTable> for Shipped {
         Shipped {
             what: format!("{}{name}", table.file),
             size: table.size.clone(),
+            axes: Shipped::axes_of(table.size.len()),
+            source: Source::Table,
             channels: table.channels.iter().map(channel).collect(),
             step: table.step,
         }
@@ -45,6 +60,11 @@ impl From<&ForeignTable> for Shipped {
 }
 
 impl Shipped {
+    /// `x`, `y`, `z`.
+    pub fn axes_of(axes: usize) -> Vec<String> {
+        ["x", "y", "z"].into_iter().take(axes).map(String::from).collect()
+    }
+
     /// The same without axes of one texel, checked: finite values in the size's number.
     pub(super) fn checked(&self) -> Result<Shipped, AuditError> {
         let expected = self.size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s)).unwrap_or(usize::MAX);
@@ -78,7 +98,9 @@ impl Shipped {
         if size.is_empty() || size.iter().any(|n| *n < 4) {
             return Err(AuditError::TooSmall { what: self.what.clone(), size: self.size.clone() });
         }
-        Ok(Shipped { size, ..self.clone() })
+        let long = |(name, n): (&String, &usize)| (*n > 1).then(|| name.clone());
+        let axes = self.axes.iter().zip(&self.size).filter_map(long).collect();
+        Ok(Shipped { size, axes, ..self.clone() })
     }
 
     /// Channels that vary, by their place.

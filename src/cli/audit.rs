@@ -147,11 +147,8 @@ fn chosen<'a>(
     options: &Options,
     tables: &'a [foreign::ForeignTable],
 ) -> Result<&'a foreign::ForeignTable, CliError> {
-    let inputs = match options.wanted.0.name {
-        "ggx-glass" => 3,
-        "ggx-average" => 1,
-        _ => 2,
-    };
+    let name = options.wanted.0.name;
+    let inputs = audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1);
     let axes = |t: &&foreign::ForeignTable| t.size.iter().filter(|n| **n > 1).count() == inputs;
     let fitting: Vec<&foreign::ForeignTable> = tables.iter().filter(axes).collect();
     match (fitting.as_slice(), tables) {

@@ -31,4 +31,4 @@ pub use solve::{
     Condition, Constraint, Fitted, Gap, Goal, Held, Method, Norm, Options, Samples, Stage, Termination,
     optimise, residual_range, round_to_f32,
 };
-pub use tape::{BinaryOp, Interval, Op, Real, Tape, UnaryOp};
+pub use tape::{Assembler, BinaryOp, Interval, Node, Op, Real, Tape, UnaryOp};

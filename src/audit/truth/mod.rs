@@ -1,13 +1,17 @@
 //! The truth of a quantity over whole tensors of inputs, fast enough to try thousands of conventions.
 
+mod aniso;
 mod average;
 mod glass;
 mod plane;
+mod sheen;
 mod solid;
 
+pub(super) use aniso::aniso;
 pub(super) use average::average;
 pub(super) use glass::glass;
 pub(super) use plane::reflection;
+pub(super) use sheen::sheen;
 
 use super::AuditError;
 use super::axis::Input;

@@ -34,6 +34,19 @@ pub const NORMALISATIONS: [Entry; 24] = own![
 /// E_avg(alpha) with free parameters.
 pub const AVERAGES: [Entry; 5] = own!["ggx_eavg_3", "ggx_eavg_4", "ggx_eavg_5", "ggx_eavg_5p", "ggx_eavg_12"];
 
+/// f0 A + B with free parameters, by rising cost.
+pub const BLENDS: [Entry; 9] = own![
+    "ggx_blend_11",
+    "ggx_blend_14",
+    "ggx_blend_16",
+    "ggx_blend_22",
+    "ggx_blend_24",
+    "ggx_blend_29",
+    "ggx_blend_30",
+    "ggx_blend_30p",
+    "ggx_blend_34",
+];
+
 /// The formulas of the source post, which started this: emitted beside ours.
 pub const SEEDS: [Entry; 2] = published![
     "ggx_norm_pesce_n2" by "A. Pesce, Misunderstanding Multiscattering, 2019",
@@ -42,7 +55,7 @@ pub const SEEDS: [Entry; 2] = published![
 
 /// Every file of the catalogue, in a fixed order.
 fn entries() -> impl Iterator<Item = &'static Entry> {
-    let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&SEEDS);
+    let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&BLENDS).chain(&SEEDS);
     ours.chain(&RIVALS).chain(&BLEND_RIVALS).chain(&AVERAGE_RIVALS)
 }
 

@@ -1,6 +1,7 @@
 //! A formula as a flat list of operations in single-assignment form, common sub-expressions once: what is evaluated,
 //! differentiated, bounded and counted.
 
+mod assemble;
 mod build;
 mod contract;
 mod cost;
@@ -11,6 +12,7 @@ mod interval;
 mod interval_evaluate;
 mod real;
 
+pub use assemble::Assembler;
 pub(in crate::fit) use build::fold;
 pub(in crate::fit) use evaluate::{BLOCK, Workspace};
 pub use interval::Interval;
