@@ -19,16 +19,20 @@
 //! | 5 | [`foreign`] | bytes of other people's tables and shader functions to plain values and tapes |
 //! | 5 | [`report`] | results to plots, renders and pages |
 //! | 5 | [`store`] | the only module that touches the file system |
+//! | 6 | [`audit`] | somebody else's table or shader function against the truth |
 //! | 6 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 6 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
 //! | 7 | [`timing`] | what accuracy costs in seconds |
 //! | 8 | [`cli`] | one file per verb |
 
+pub mod audit;
 pub mod bake;
 pub mod cli;
 pub mod data;
 pub mod effects;
 pub mod emit;
 pub mod fit;
+pub mod fitting;
 pub mod foreign;
 pub mod integrate;
 pub mod math;

@@ -260,3 +260,43 @@ fn glass_is_seen_from_a_named_side() {
         stderr(&output)
     );
 }
+
+/// The sheen's albedo is given above 1; the factor of a white diffuse base is 1 less the specular albedo; both have a second opinion.
+#[test]
+fn sheen_and_diffuse_coupling_are_given() {
+    let csv = eval("sheen-charlie", &[], "alpha,mu\n1,1\n0.001,0.001\n1e-6,0\n");
+    assert!(csv.starts_with("alpha,mu,E,error\n"), "{csv}");
+    let rows = appended(&csv, 2);
+    assert!((rows[0][0] - 0.2 / 2.0_f64.sqrt()).abs() <= rows[0][1], "{csv}");
+    assert!(rows[1][0] > 11.4 && rows[2][0] > 398.0 && rows.iter().all(|row| row[1] <= 1e-10), "{csv}");
+    let options = ["--method", "monte-carlo", "--samples", "65536"];
+    let sampled = appended(&eval("sheen-charlie", &options, "alpha,mu\n1,1\n0.001,0.001\n1e-6,0\n"), 2);
+    assert!(rows.iter().zip(&sampled).all(|(row, s)| (row[0] - s[0]).abs() <= s[1]), "{csv} {sampled:?}");
+
+    let points =
+        "alpha,mu,f0,specular\n0.3,0.4,0.04,single\n0.3,0.4,0.04,normalised\n0.3,0.4,0.04,compensated\n";
+    let csv = eval("diffuse-coupling", &[], points);
+    assert!(csv.starts_with("alpha,mu,f0,specular,factor,error\n"), "{csv}");
+    let lobe = &appended(&eval("ggx-reflection", &[], "alpha,mu\n0.3,0.4\n"), 5)[0];
+    let (e, bare) = (lobe[0], 0.04 * lobe[1] + lobe[2]);
+    let rows = appended(&csv, 2);
+    for (row, albedo) in rows.iter().zip([bare, bare / e, bare * (1.0 + 0.04 * (1.0 / e - 1.0))]) {
+        assert!((row[0] - (1.0 - albedo)).abs() <= row[1] + 1e-12 && row[1] <= 1e-9, "{csv}");
+    }
+    let sampled = appended(&eval("diffuse-coupling", &options, points), 2);
+    assert!(rows.iter().zip(&sampled).all(|(row, s)| (row[0] - s[0]).abs() <= s[1]), "{csv} {sampled:?}");
+    let folder = tempfile::tempdir().expect("a folder");
+    for (quantity, points, message) in [
+        ("sheen-charlie", "alpha,mu\n0,0.5\n", "column `alpha`: 0 is outside [0.000001, 1]"),
+        (
+            "diffuse-coupling",
+            "alpha,mu,f0,specular\n1,1,1,double\n",
+            "`double` is not one of single, normalised, compensated",
+        ),
+        ("diffuse-coupling", "alpha,mu,f0,specular\n1,1,2,single\n", "column `f0`: 2 is outside [0, 1]"),
+    ] {
+        let output = lobefit(folder.path(), &["eval", quantity, "--points", "-"], points.as_bytes());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(stderr(&output).contains(message), "{}", stderr(&output));
+    }
+}

@@ -11,6 +11,9 @@ use emit_support::say;
 use lobefit::emit::code::{Language, Printed, print};
 use lobefit::fit::Hypothesis;
 
+/// How far, in ulp, functions may lie from the tape whose transcendental functions are the platform's.
+const TRANSCENDENTAL: f64 = 4.0;
+
 fn printed(language: Language, hypothesis: &Hypothesis) -> Printed {
     let header = [format!("The function {}.", hypothesis.name())];
     print(language, hypothesis, &starts(hypothesis), &header).unwrap()
@@ -37,31 +40,31 @@ fn ulps(expected: f32, found: f32) -> f64 {
     (f64::from(expected) - f64::from(found)).abs() / unit
 }
 
-/// Runs all functions of a language; the largest difference of those whose bits are not promised.
-fn compare(language: Language, contraction: Contraction, limit: f64) -> Option<()> {
-    let hypotheses = all();
-    let found = run(language, &file(language, &hypotheses), &program(&hypotheses), &points(), contraction)?;
+/// Runs functions of a language and compares with their tapes: to the bit, or within `limit` ulp where bits are not promised.
+fn compare(language: Language, hypotheses: &[Hypothesis], limit: f64) -> Option<()> {
+    let (code, main) = (file(language, hypotheses), program(hypotheses));
+    let found = run(language, &code, &main, &points(), Contraction::Off)?;
     assert_eq!(found.len(), hypotheses.len() * POINTS);
-    let mut worst = (0.0, String::new());
+    let mut worst = (0.0, "none");
     for (hypothesis, found) in hypotheses.iter().zip(found.chunks_exact(POINTS)) {
-        let exact = printed(language, hypothesis).exact && contraction == Contraction::Off;
+        let exact = printed(language, hypothesis).exact;
         for (i, (a, b)) in values(hypothesis).into_iter().zip(found).enumerate() {
             let same = a.to_bits() == b.to_bits() || (!exact && ulps(a, *b) <= limit);
             let text = || printed(language, hypothesis).text;
             assert!(same, "{}, point {i}: {a:?} and {b:?}\n{}", hypothesis.name(), text());
             if ulps(a, *b) > worst.0 {
-                worst = (ulps(a, *b), hypothesis.name().to_string());
+                worst = (ulps(a, *b), hypothesis.name());
             }
         }
     }
     let (count, name) = (hypotheses.len(), language.title());
-    say(&format!("{name}: {count} functions, {POINTS} points each; worst {:.2} ulp, {}", worst.0, worst.1));
+    say(&format!("{name}: {count} functions, {POINTS} points each: worst {:.2} ulp, {}", worst.0, worst.1));
     Some(())
 }
 
 #[test]
 fn c_returns_the_bits_of_the_tape() {
-    compare(Language::C, Contraction::Off, 4.0);
+    compare(Language::C, &all(), TRANSCENDENTAL);
 }
 
 #[test]
@@ -72,6 +75,59 @@ fn c_is_included_from_cpp() {
 #[test]
 fn shaders_read_as_cpp_return_the_bits_of_the_tape() {
     for language in [Language::Hlsl, Language::Glsl, Language::Msl] {
-        compare(language, Contraction::Off, 4.0);
+        compare(language, &all(), TRANSCENDENTAL);
     }
+}
+
+/// Calls of every function with arguments `p.x`, `p.y`, ..., each assigned by `put`.
+fn calls(hypotheses: &[Hypothesis], put: impl Fn(usize, String) -> String) -> String {
+    let call = |(n, hypothesis): (usize, &Hypothesis)| {
+        let arguments = &["p.x", "p.y", "p.z", "p.w"][..hypothesis.inputs().len()];
+        put(n, format!("{}({})", hypothesis.name(), arguments.join(", ")))
+    };
+    hypotheses.iter().enumerate().map(call).collect()
+}
+
+#[test]
+fn glslang_compiles_glsl_for_vulkan_and_opengl() {
+    let hypotheses = all();
+    let code = file(Language::Glsl, &hypotheses);
+    let sums = calls(&hypotheses, |_, call| format!("    sum += {call};\n"));
+    let main = format!("void main() {{\n    float sum = 0.0;\n{sums}    result = vec4(sum);\n}}\n");
+    for (version, target) in [
+        ("450", Target::Vulkan),
+        ("450", Target::OpenGl),
+        ("330", Target::OpenGl),
+        ("310 es", Target::Vulkan),
+        ("300 es", Target::OpenGl),
+    ] {
+        let precision = if version.ends_with("es") { "precision highp float;\n" } else { "" };
+        let place = |n: u32| {
+            if version == "330" || version == "300 es" {
+                String::new()
+            } else {
+                format!("layout(location = {n}) ")
+            }
+        };
+        let declared = format!(
+            "{}in vec4 p;\n{}out vec4 result;\n",
+            if version == "300 es" { String::new() } else { place(0) },
+            place(0)
+        );
+        let source = format!("#version {version}\n{precision}{declared}{code}{main}");
+        if glslang(Language::Glsl, &source, "frag", target).is_none() {
+            return;
+        }
+    }
+}
+
+#[test]
+fn glslang_compiles_hlsl() {
+    let hypotheses = all();
+    let sums = calls(&hypotheses, |_, call| format!("    sum += {call};\n"));
+    let source = format!(
+        "{}\nfloat4 main(float4 p : TEXCOORD0) : SV_Target {{\n    float sum = 0.0f;\n{sums}    return float4(sum, sum, sum, sum);\n}}\n",
+        file(Language::Hlsl, &hypotheses)
+    );
+    glslang(Language::Hlsl, &source, "frag", Target::Vulkan);
 }

@@ -5,12 +5,15 @@ mod emit_support;
 use std::collections::BTreeMap;
 use std::fs;
 
+use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
+use emit_support::languages::{self, Called, FAMILY, compile, file};
 use emit_support::programs::{READ_EXR, compile_library, python, run};
 use emit_support::{Looked, Points, baked, baked_tables, emitted, manifest, other_tables, say, text};
 use lobefit::data::Serves;
 use lobefit::effects::reflection::Fit;
+use lobefit::emit::code::Language;
 use lobefit::emit::compensation::NAMES;
-use lobefit::emit::lookup::rust_helpers;
+use lobefit::emit::lookup::helpers;
 use lobefit::fit::Hypothesis;
 
 #[test]
@@ -112,6 +115,71 @@ fn the_rust_functions_return_the_bits_that_were_certified() {
     say(&format!("rust: {} functions, {} points each, every bit the same", functions.len(), points.len()));
 }
 
+#[test]
+fn compilers_take_the_files_of_the_other_languages() {
+    for language in [Language::Hlsl, Language::Glsl] {
+        let code = text(&include(language));
+        assert!(compile(language, &code).is_none_or(|functions| functions > 70));
+    }
+    includes_in_cpp(&text(&include(Language::C)));
+}
+
+fn include(language: Language) -> String {
+    format!("fits/lobefit.{}", language.extension())
+}
+
+#[test]
+fn the_functions_of_the_other_languages_return_the_bits_that_were_certified() {
+    let (points, functions) = (Points::of_fits(), emitted());
+    let body = |inputs: &[String], name: &str| {
+        let index = |input: &String| ["roughness", "alpha", "mu", "f0"].iter().position(|name| name == input);
+        let arguments: Vec<String> =
+            inputs.iter().map(|i| format!("p[{}]", index(i).expect("an input"))).collect();
+        format!("        put({name}({}));\n", arguments.join(", "))
+    };
+    let bodies: Vec<String> = functions.iter().map(|(_, name, inputs)| body(inputs, name)).collect();
+    for language in FAMILY {
+        let (code, main) = (text(&include(language)), loops(4, &bodies));
+        let found = compilers::run(language, &code, &main, &points.bytes(), Contraction::Off);
+        let Some(found) = found else { continue };
+        assert_eq!(found.len(), functions.len() * points.len());
+        for ((fit, name, inputs), found) in functions.iter().zip(found.chunks_exact(points.len())) {
+            same_bits(name, &points, &points.values(fit, inputs), found);
+        }
+        let (title, count, n) = (language.name(), functions.len(), points.len());
+        say(&format!("{title}: {count} functions, {n} points each, every bit the same"));
+    }
+}
+
+/// Looks tables up with the emitted code of C's family at every point.
+fn look_up_elsewhere(language: Language, code: &str, tables: &[Looked]) {
+    for table in tables {
+        let (readable, points) = (table.readable(), Points::of(&table.region));
+        let lookup = Called {
+            identifier: readable.identifier(),
+            arguments: readable.arguments(),
+            table: readable.table,
+            decode: readable.decode,
+        };
+        let inputs = ["roughness", "alpha", "mu", "f0"];
+        let Some(found) = languages::look_up(language, code, &[lookup], &inputs, &points.bytes()) else {
+            return;
+        };
+        looked_up(language.name(), table, &points, &found);
+    }
+}
+
+#[test]
+fn the_lookups_of_the_other_languages_return_the_bits_that_were_certified() {
+    let (baked, others) = (baked_tables(), other_tables());
+    for language in FAMILY {
+        look_up_elsewhere(language, &text(&include(language)), &baked);
+        let lookups: String = others.iter().map(|table| table.readable().print(language)).collect();
+        let code = file(language, &format!("{}{lookups}", helpers(language, &lookups)));
+        look_up_elsewhere(language, &code, &others);
+    }
+}
+
 fn same_bits(name: &str, points: &Points, expected: &[f32], found: &[f32]) {
     for (i, (a, b)) in expected.iter().zip(found).enumerate() {
         let place = || format!("{name} at {:?}, f0 {}", points.set.place(i), points.f0[i]);
@@ -143,7 +211,12 @@ fn look_up(include: &str, table: &Looked) {
         "    let texels: &[{kind}] = {texels};\n    for &[roughness, alpha, mu, _] in &points {{\n        \
          {push}lobefit::{name}_lookup(texels, roughness, alpha, mu));\n    }}\n"
     );
-    let found = run(include, 4, &body, &points.bytes());
+    looked_up("rust", table, &points, &run(include, 4, &body, &points.bytes()));
+}
+
+/// Compares what a lookup returned with what was certified.
+fn looked_up(language: &str, table: &Looked, points: &Points, found: &[f32]) {
+    let (name, split) = (table.readable().identifier(), table.serves == Serves::SplitSum);
     let width = if split { 3 } else { 1 };
     assert_eq!(found.len(), width * points.len());
     let lookup = table.lookup();
@@ -156,7 +229,7 @@ fn look_up(include: &str, table: &Looked) {
         };
         assert!(same, "{name} at {:?}: {expected:?}, as emitted {found:?}", points.set.place(i));
     }
-    say(&format!("rust: {name}_lookup, {} points, every bit the same", points.len()));
+    say(&format!("{language}: {name}_lookup, {} points, every bit the same", points.len()));
 }
 
 #[test]
@@ -170,8 +243,8 @@ fn the_rust_lookups_return_the_bits_that_were_certified() {
         let mut readable = table.readable();
         let header = ["A table.".to_string()];
         readable.header = &header;
-        let lookup = readable.rust();
-        look_up(&format!("{lookup}\n{}", rust_helpers(&lookup)), &table);
+        let lookup = readable.print(Language::Rust);
+        look_up(&format!("{lookup}\n{}", helpers(Language::Rust, &lookup)), &table);
     }
 }
 

@@ -2,37 +2,44 @@
 
 mod emit_support;
 
+use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
+use emit_support::languages::{Called, FAMILY, compile, file, look_up};
 use emit_support::programs::{compile_library, run};
 use emit_support::say;
 use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surface, texel, to_look_up};
 use lobefit::data::{Axis, Decode, Registration, Surface, TexelFormat, Warp};
 use lobefit::effects::volume::{Lookup, Point};
+use lobefit::emit::code::Language;
 use lobefit::emit::compensation::{self, Compensation, NAMES};
-use lobefit::emit::lookup::{Readable, rust_helpers};
+use lobefit::emit::lookup::{Readable, helpers};
 use lobefit::fit::Hypothesis;
 
 fn readable(solid: &Solid) -> Readable<'_> {
     Readable { table: &solid.table, decode: solid.decode, header: &[] }
 }
 
-/// Every Rust function of the tables and compensations, as a file.
-fn rust(tables: &[Solid]) -> String {
-    let mut text = String::from("//! A file.\n#![allow(dead_code)]\n");
-    for solid in tables {
-        let header = ["A table.".to_string()];
-        text += &format!("\n{}", Readable { header: &header, ..readable(solid) }.rust());
-    }
-    text = format!("{text}\n{}", rust_helpers(&text));
+/// Every function of the tables and compensations.
+fn all(language: Language, tables: &[Solid]) -> String {
+    let header = ["A table.".to_string()];
+    let mut text = String::new();
     for compensation in [Compensation::Reflection, Compensation::Glass] {
-        text += &format!("\n{}", compensation.rust());
+        text += &format!("\n{}", compensation.print(language));
     }
-    text
+    for solid in tables {
+        text += &format!("\n{}", Readable { header: &header, ..readable(solid) }.print(language));
+    }
+    format!("{}\n{text}", helpers(language, &text))
+}
+
+/// The Rust functions as a file.
+fn rust(tables: &[Solid]) -> String {
+    format!("//! A file.\n#![allow(dead_code)]\n\n{}", all(Language::Rust, tables))
 }
 
 /// Every WGSL function of them.
 fn wgsl(tables: &[Solid]) -> String {
-    let compensations = [Compensation::Reflection, Compensation::Glass].map(Compensation::wgsl);
-    let tables: Vec<String> = tables.iter().map(|solid| readable(solid).wgsl()).collect();
+    let compensations = [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl));
+    let tables: Vec<String> = tables.iter().map(|solid| readable(solid).print(Language::Wgsl)).collect();
     [tables.join("\n"), compensations.join("\n")].join("\n")
 }
 
@@ -79,7 +86,7 @@ fn naga_validates_the_lookups_and_compensations() {
 #[test]
 fn coordinates_name_what_they_share() {
     for solid in to_look_up() {
-        for text in [readable(&solid).wgsl(), readable(&solid).rust()] {
+        for text in Language::ALL.map(|language| readable(&solid).print(language)) {
             let body = text.split_once("_decode").expect("a decoding").0;
             let name = &solid.table.name;
             for shared in ["ior - 1.0,", "0.9 * anisotropy"] {
@@ -94,9 +101,9 @@ fn coordinates_name_what_they_share() {
 #[test]
 fn a_table_in_f32_says_what_its_device_must_have() {
     for mut solid in to_look_up() {
-        assert!(!readable(&solid).wgsl().contains("float32-filterable"));
+        assert!(!readable(&solid).print(Language::Wgsl).contains("float32-filterable"));
         solid.table.format = TexelFormat::F32;
-        assert!(readable(&solid).wgsl().contains("float32-filterable"));
+        assert!(readable(&solid).print(Language::Wgsl).contains("float32-filterable"));
     }
 }
 
@@ -125,11 +132,51 @@ fn the_rust_lookups_return_the_bits_that_are_measured() {
             solid.arguments.join(", ")
         );
     }
-    let mut found = run(&rust(&tables), 6, &body, &bytes(&points)).into_iter();
+    let found = run(&rust(&tables), 6, &body, &bytes(&points));
+    measured("rust", &tables, &points, found);
+}
+
+/// Inputs of a point, as [`bytes`] orders them.
+const INPUTS: [&str; 6] = ["roughness", "alpha", "mu", "anisotropy", "ior", "cos2_phi"];
+
+#[test]
+fn the_lookups_of_the_other_languages_return_the_bits_that_are_measured() {
+    let (tables, points) = (to_look_up(), points());
+    let lookups: Vec<Called> = tables.iter().map(called).collect();
+    for language in FAMILY {
+        let code = file(language, &all(language, &tables));
+        let Some(found) = look_up(language, &code, &lookups, &INPUTS, &bytes(&points)) else { continue };
+        measured(language.name(), &tables, &points, found);
+    }
+}
+
+fn called(solid: &Solid) -> Called<'_> {
+    Called {
+        identifier: readable(solid).identifier(),
+        arguments: solid.arguments.to_vec(),
+        table: &solid.table,
+        decode: solid.decode,
+    }
+}
+
+#[test]
+fn compilers_take_the_lookups_and_compensations() {
+    let tables = to_look_up();
+    for language in [Language::Hlsl, Language::Glsl] {
+        let code = file(language, &all(language, &tables));
+        // Three functions of each table, and two of each compensation.
+        assert!(compile(language, &code).is_none_or(|functions| functions == 3 * tables.len() + 4));
+    }
+    includes_in_cpp(&file(Language::C, &all(Language::C, &tables)));
+}
+
+/// Compares what lookups returned with what is measured.
+fn measured(language: &str, tables: &[Solid], points: &[Point], found: Vec<f32>) {
+    let mut found = found.into_iter();
     let mut largest = [0.0_f64; 2];
-    for solid in &tables {
+    for solid in tables {
         let lookup = Lookup::new(&solid.table, solid.decode).expect("three known axes");
-        for point in &points {
+        for point in points {
             let values: Vec<f32> = found.by_ref().take(solid.values()).collect();
             let expected = lookup.at(point);
             if solid.decode == Decode::AzimuthCubic {
@@ -157,7 +204,7 @@ fn the_rust_lookups_return_the_bits_that_are_measured() {
     }
     assert_eq!(found.count(), 0);
     say(&format!(
-        "rust: {} lookups in space, {} points each, every bit the same but of a logarithm: E within {:.1e} of {:.1e} allowed",
+        "{language}: {} lookups in space, {} points each, every bit the same but of a logarithm: E within {:.1e} of {:.1e} allowed",
         tables.len(),
         points.len(),
         largest[0],
@@ -296,6 +343,40 @@ fn compensated_energy_is_whole_and_its_colour_that_of_the_formula() {
 }
 
 #[test]
+fn every_language_compensates_to_the_same_bits() {
+    let points: Vec<u8> = pairs().iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+    let body = "    for &[f0, e] in &points {
+        out.push(lobefit::ggx_compensate_reflection_factor(f0, e));
+        out.extend(lobefit::ggx_compensate_reflection([0.25, 0.5 * e, e], [f0, 1.0, 0.0], e));
+        out.push(lobefit::ggx_compensate_glass_factor(e));
+        out.extend(lobefit::ggx_compensate_glass([0.25, 0.5 * e, e], e));
+    }
+";
+    let expected = run(&rust(&[]), 2, body, &points);
+    for (language, vector) in FAMILY.into_iter().zip(["float3", "vec3", "float3", "lobefit_float3"]) {
+        let three = |name: &str, x: &str, y: &str, z: &str| match language {
+            Language::C => format!("        const {vector} {name} = {{{x}, {y}, {z}}};\n"),
+            _ => format!("        const {vector} {name}({x}, {y}, {z});\n"),
+        };
+        let put = |v: &str| format!("        put({v}.x);\n        put({v}.y);\n        put({v}.z);\n");
+        let body = [
+            three("f", "0.25f", "0.5f * p[1]", "p[1]"),
+            three("f0", "p[0]", "1.0f", "0.0f"),
+            format!("        const {vector} a = ggx_compensate_reflection(f, f0, p[1]);\n"),
+            format!("        const {vector} b = ggx_compensate_glass(f, p[1]);\n"),
+            "        put(ggx_compensate_reflection_factor(p[0], p[1]));\n".to_string(),
+            put("a"),
+            "        put(ggx_compensate_glass_factor(p[1]));\n".to_string(),
+            put("b"),
+        ];
+        let (code, main) = (file(language, &all(language, &[])), loops(2, &[body.concat()]));
+        let Some(found) = compilers::run(language, &code, &main, &points, Contraction::Off) else { continue };
+        let same = expected.iter().zip(&found).all(|(a, b)| a.to_bits() == b.to_bits());
+        assert!(same && found.len() == expected.len(), "{}", language.title());
+    }
+}
+
+#[test]
 fn the_factors_in_wgsl_have_the_bits_of_those_in_rust() {
     let pairs = pairs();
     let points: Vec<u8> = pairs.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
@@ -309,8 +390,9 @@ fn the_factors_in_wgsl_have_the_bits_of_those_in_rust() {
     for (k, (compensation, name)) in
         [Compensation::Reflection, Compensation::Glass].into_iter().zip(names).enumerate()
     {
-        let text = compensation.wgsl();
+        let text = compensation.print(Language::Wgsl);
         let function = &text[text.find(&format!("fn {name}(")).expect("the function")..];
+        let function = function.split("\n///").next().expect("its text");
         let read = Hypothesis::parse("compensation", function).unwrap_or_else(|e| panic!("{e}"));
         let columns: Vec<Vec<f32>> = read
             .inputs()
@@ -334,7 +416,7 @@ fn a_compensation_is_emitted_for_the_quantities_that_call_for_it() {
     );
     assert_eq!(compensation::of(["sheen-charlie", "ggx-average"]), []);
     for name in NAMES {
-        let texts = [Reflection, Glass].map(|c| (c.rust(), c.wgsl()));
+        let texts = [Reflection, Glass].map(|c| (c.print(Language::Rust), c.print(Language::Wgsl)));
         let holds = |text: &str| text.contains(&format!("fn {name}("));
         assert_eq!(texts.iter().filter(|(rust, wgsl)| holds(rust) && holds(wgsl)).count(), 1, "{name}");
     }

@@ -12,6 +12,7 @@ use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Axis, Decode, Warp};
 use lobefit::effects::volume::{Lookup, Point};
+use lobefit::emit::code::Language;
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
 use lobefit::fit::Hypothesis;
@@ -111,7 +112,7 @@ fn look_up(gpu: &Gpu, solid: &Solid, points: &[Point]) -> Vec<f32> {
     test_values[id.x] = {value};
 }}
 ",
-        readable.wgsl(),
+        readable.print(Language::Wgsl),
         readable.identifier(),
         solid.arguments.join(", ")
     );

@@ -11,6 +11,7 @@ use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Serves, Use};
 use lobefit::effects::reflection::{Counter, Field, Fit, Lookup};
+use lobefit::emit::code::Language;
 
 /// Classes of functions, and the most units in the last place that may lie between the CPU and any device that keeps to WGSL:
 /// the largest bound of [`gpu_support::accuracy`] over the functions and points, which the test computes and compares. What is
@@ -221,6 +222,6 @@ fn every_lookup_is_within_its_certificate() {
         check(&gpu, &include, &table);
     }
     for table in other_tables() {
-        check(&gpu, &table.readable().wgsl(), &table);
+        check(&gpu, &table.readable().print(Language::Wgsl), &table);
     }
 }

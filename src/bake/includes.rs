@@ -3,46 +3,47 @@
 
 use super::context::Context;
 use super::part::Part;
+use crate::emit::code::Language;
 use crate::emit::comment::comment;
 use crate::emit::compensation;
-use crate::emit::lookup::rust_helpers;
+use crate::emit::lookup::helpers;
 
-/// Languages with their files and comment marks (of the header, of a line).
-pub const LANGUAGES: [(&str, &str, &str); 2] =
-    [("rust", "fits/lobefit.rs", "//!"), ("wgsl", "fits/lobefit.wgsl", "//")];
+/// Path of a language's include file.
+pub fn path(language: Language) -> String {
+    format!("fits/lobefit.{}", language.extension())
+}
 
 /// Begins the line that opens a section.
 const MARK: &str = "// ---- ";
 
-/// The mark of the helpers that sections share, at the end of a file.
+/// The mark of what sections share, the first of a file: in most languages a function stands before what calls it.
 const SHARED: &str = "shared";
 
-/// Language, path and text of every include file; none where there is nothing to include.
-pub fn includes(
-    parts: &[Part],
-    opening: &[String],
-    context: &Context,
-) -> Vec<(&'static str, &'static str, String)> {
-    let file = |(language, path, mark): (&'static str, &'static str, &str)| {
+/// Language and text of every include file; none where there is nothing to include.
+pub fn includes(parts: &[Part], opening: &[String], context: &Context) -> Vec<(Language, String)> {
+    let file = |language: Language| {
         let sections: Vec<(&str, &str)> =
-            parts.iter().filter_map(|p| Some((p.effect.name(), p.code.get(language)?.as_str()))).collect();
+            parts.iter().filter_map(|p| Some((p.effect.name(), p.code.get(&language)?.as_str()))).collect();
         if sections.is_empty() {
             return None;
         }
-        let mut text = comment(mark, &[context.recipe.lines(), opening.to_vec()].concat());
-        if language == "rust" {
+        let notes: Vec<String> = language.notes().iter().map(ToString::to_string).collect();
+        let mut text =
+            comment(language.comment(), &[context.recipe.lines(), opening.to_vec(), notes].concat());
+        if language == Language::Rust {
             text += "\n// An engine uses some of these functions, not all.\n#![allow(dead_code)]\n";
+        } else if !language.opening().is_empty() {
+            text += &format!("\n{}", language.opening());
         }
-        for (effect, section) in &sections {
-            text += &format!("\n{MARK}{effect} ----\n{section}");
-        }
-        let shared = shared(language, &text, parts);
+        let of_effects: String =
+            sections.iter().map(|(effect, section)| format!("\n{MARK}{effect} ----\n{section}")).collect();
+        let shared = shared(language, &of_effects, parts);
         if !shared.is_empty() {
             text += &format!("\n{MARK}{SHARED} ----\n\n{}", shared.trim_start());
         }
-        Some((language, path, text))
+        Some((language, text + &of_effects))
     };
-    LANGUAGES.into_iter().filter_map(file).collect()
+    Language::ALL.into_iter().filter_map(file).collect()
 }
 
 /// The section of an effect in the text of an include file.
@@ -54,17 +55,10 @@ pub fn section<'a>(text: &'a str, effect: &str) -> Option<&'a str> {
     Some(&rest[..end])
 }
 
-/// What all sections share: the fetches that the Rust lookups call, and what a value of a table is used for.
-fn shared(language: &str, sections: &str, parts: &[Part]) -> String {
-    let mut text = String::new();
-    let rust = language == "rust";
-    if rust {
-        text += &rust_helpers(sections);
-    }
+/// What all sections share: the fetches that lookups call, and what a value of a table is used for.
+fn shared(language: Language, sections: &str, parts: &[Part]) -> String {
     let tables = parts.iter().flat_map(|part| &part.entries.tables);
-    for compensation in compensation::of(tables.filter_map(|entry| entry["quantity"].as_str())) {
-        let function = if rust { compensation.rust() } else { compensation.wgsl() };
-        text += &format!("\n{function}");
-    }
-    text
+    let compensations = compensation::of(tables.filter_map(|entry| entry["quantity"].as_str()));
+    let compensations: String = compensations.iter().map(|c| format!("\n{}", c.print(language))).collect();
+    helpers(language, &format!("{sections}{compensations}")) + &compensations
 }

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::includes::{LANGUAGES, section};
+use super::includes::{path, section};
 use super::part::Part;
+use crate::emit::code::Language;
 use crate::emit::header::Recipe;
 use crate::emit::manifest::Entries;
 use crate::plan::EffectName;
@@ -118,18 +119,19 @@ fn code(
     folder: &str,
     manifest: &Value,
     effect: EffectName,
-) -> Result<BTreeMap<String, String>, KeptError> {
+) -> Result<BTreeMap<Language, String>, KeptError> {
     let mut code = BTreeMap::new();
-    for (language, file, _) in LANGUAGES {
-        let listed = manifest["includes"].as_array().into_iter().flatten().any(|i| i["file"] == file);
+    for language in Language::ALL {
+        let file = path(language);
+        let listed = manifest["includes"].as_array().into_iter().flatten().any(|i| i["file"] == *file);
         if !listed {
             continue;
         }
-        let found = store::read_set(root, [file], FILE_BYTES)?;
-        let missing = || KeptError::Missing { folder: folder.into(), file: file.into() };
-        let text = found.get(file).ok_or_else(missing)?;
+        let found = store::read_set(root, [file.as_str()], FILE_BYTES)?;
+        let missing = || KeptError::Missing { folder: folder.into(), file: file.clone() };
+        let text = found.get(&file).ok_or_else(missing)?;
         if let Some(own) = section(&String::from_utf8_lossy(text), effect.name()) {
-            code.insert(language.to_string(), own.to_string());
+            code.insert(language, own.to_string());
         }
     }
     Ok(code)

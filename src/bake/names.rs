@@ -2,17 +2,18 @@
 //! Refused before anything is integrated.
 
 use super::{BakeError, UserHypothesis};
-use crate::effects::reflection::{FitStageError, catalogue_names};
+use crate::effects::catalogue_names;
+use crate::effects::reflection::FitStageError;
 use crate::emit::code::Language;
-use crate::emit::lookup::RUST_HELPER_NAMES;
+use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
 use crate::emit::{code, compensation};
 use crate::fit::Hypothesis;
 
 /// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
 const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];
 
-/// How the functions of tables begin.
-const TABLES: [&str; 4] = ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_"];
+/// How the functions of tables, and what they share, begin.
+const TABLES: [&str; 5] = ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_", C_HELPER_PREFIX];
 
 /// Parses the user's hypotheses and refuses a name that is taken.
 pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {

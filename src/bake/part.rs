@@ -8,6 +8,7 @@ use serde_json::Value;
 use super::BakeError;
 use super::context::Context;
 use super::includes;
+use crate::emit::code::Language;
 use crate::emit::manifest::{Entries, Include, LeftOut, Manifest, SCHEMA_VERSION};
 use crate::plan::{EffectName, Plan};
 use crate::report::{self, EffectFinding, Index, IndexRow, Origin};
@@ -24,7 +25,7 @@ pub struct Part {
     /// Its entries in the manifest.
     pub entries: Entries,
     /// Its section of each include file, by language.
-    pub code: BTreeMap<String, String>,
+    pub code: BTreeMap<Language, String>,
     /// Its tables and pages.
     pub files: Files,
 }
@@ -49,9 +50,10 @@ pub fn assemble(
         entries.extend(&part.entries);
     }
     let mut listed = Vec::new();
-    for (language, file, text) in includes::includes(parts, opening, context) {
-        files.insert(file.to_string(), text.into_bytes());
-        listed.push(Include { language, file: file.to_string() });
+    for (language, text) in includes::includes(parts, opening, context) {
+        let file = includes::path(language);
+        listed.push(Include { language: language.name(), file: file.clone() });
+        files.insert(file, text.into_bytes());
     }
     let left_out: Vec<LeftOut> = plan
         .left_out

@@ -3,8 +3,12 @@
 use std::io;
 
 use super::points::PointsError;
+use crate::audit::AuditError;
 use crate::bake::{BakeError, KeptError};
 use crate::fit::FitError;
+use crate::fitting::FittingError;
+use crate::foreign::ForeignError;
+use crate::report::ReportError;
 use crate::scene::SceneError;
 use crate::scene::escape::visible;
 use crate::store::StoreError;
@@ -60,9 +64,21 @@ pub enum CliError {
         /// What the system said.
         reason: String,
     },
+    /// A table or shader of somebody else's that cannot be read.
+    #[error(transparent)]
+    Foreign(#[from] ForeignError),
+    /// A table or shader of which nothing can be said.
+    #[error(transparent)]
+    Audit(#[from] AuditError),
+    /// A page could not be made.
+    #[error(transparent)]
+    Report(#[from] ReportError),
     /// An older bake whose other effects cannot be kept.
     #[error("--only: {0}")]
     Kept(#[from] KeptError),
+    /// A formula that was not fitted.
+    #[error("{0}")]
+    Fitting(#[from] Box<FittingError>),
     /// The bake made nothing.
     #[error(transparent)]
     Bake(#[from] Box<BakeError>),
@@ -75,6 +91,17 @@ impl CliError {
             CliError::Output(_) => 3,
             CliError::Store(error) if error.is_write() => 3,
             _ => 2,
+        }
+    }
+}
+
+impl From<FittingError> for CliError {
+    fn from(error: FittingError) -> CliError {
+        match &error {
+            // The settings have the names of the options.
+            FittingError::Target(target) if target.names_a_setting() => CliError::Usage(format!("--{error}")),
+            FittingError::Weight { .. } => CliError::Usage(format!("--{error}")),
+            _ => CliError::Fitting(Box::new(error)),
         }
     }
 }

@@ -19,6 +19,7 @@ Examples:
   lobefit eval ggx-reflection --points points.csv > values.csv
   printf 'alpha,mu\\n0.25,0.5\\n' | lobefit eval ggx-reflection --points -
   lobefit eval ggx-average --points alphas.csv --out averages.csv --smith separable
+  printf 'alpha,mu,f0,specular\\n0.25,0.5,0.04,compensated\\n' | lobefit eval diffuse-coupling --points -
   lobefit eval ggx-reflection --points points.csv --method monte-carlo --samples 1048576 --seed 7
 
 Quantities (input columns: appended columns):
@@ -26,9 +27,12 @@ Quantities (input columns: appended columns):
   ggx-reflection-aniso  alpha_x, alpha_y, mu, phi: E, loss, error (without phi: the mean over it)
   ggx-average           alpha: E_avg, loss_avg, error
   ggx-glass             alpha, mu, ior, side (outside or inside): R, T, E, loss, error
-alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass); mu is in [0, 1]
-(from 1e-6 for glass), ior in [1, 4]; Monte Carlo takes no zeros. Other columns are kept as they are. `error` bounds the
-distance of every value from the truth; with Monte Carlo it is four standard errors.";
+  sheen-charlie         alpha, mu: E, error (E exceeds 1 at grazing where alpha is below 0.2; it has no Smith form)
+  diffuse-coupling      alpha, mu, f0, specular (single, normalised or compensated): factor, error
+alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass, [1e-6, 1] for sheen);
+mu is in [0, 1] (from 1e-6 for glass), ior in [1, 4], f0 in [0, 1]; Monte Carlo takes no zeros (but mu of sheen). Other
+columns are kept as they are. `error` bounds the distance of every value from the truth; with Monte Carlo it is four
+standard errors.";
 
 /// How the truth is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

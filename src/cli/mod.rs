@@ -2,11 +2,13 @@
 //!
 //! Exit codes: 0 done; 1 a check or promise failed; 2 bad input or usage; 3 cannot write.
 
+mod audit;
 mod bake;
 mod check;
 mod cost;
 mod error;
 mod eval;
+mod fit;
 mod input;
 mod options;
 mod output;
@@ -54,6 +56,12 @@ enum Verb {
     /// Compute a quantity at the points of a CSV file
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::Options),
+    /// Fit a formula of your own to a quantity
+    #[command(after_help = fit::EXAMPLES)]
+    Fit(Box<fit::Options>),
+    /// Measure a table or shader function that somebody ships against the truth
+    #[command(after_help = audit::EXAMPLES)]
+    Audit(Box<audit::Options>),
     /// Measure what accuracy costs in time
     #[command(after_help = cost::EXAMPLES)]
     Cost(cost::Options),
@@ -73,6 +81,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Bake(options) => bake::run(&options),
         Verb::Check(options) => check::run(&options),
         Verb::Eval(options) => eval::run(&options),
+        Verb::Fit(options) => fit::run(&options),
+        Verb::Audit(options) => audit::run(&options),
         Verb::Cost(options) => cost::run(&options),
         Verb::Schema(options) => schema::run(&options),
     };

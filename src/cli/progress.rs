@@ -43,6 +43,32 @@ impl Progress for Bar {
     }
 }
 
+/// A spinner with the stage's name, for a verb whose stages are not counted beforehand.
+pub(super) struct Spinner(ProgressBar);
+
+impl Spinner {
+    /// Starts it; nothing is shown where standard error is no terminal, or quiet is asked for.
+    pub(super) fn new(quiet: bool) -> Spinner {
+        let shown = !quiet && std::io::stderr().is_terminal();
+        let bar = if shown { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
+        if shown {
+            bar.enable_steady_tick(Duration::from_millis(100));
+        }
+        Spinner(bar)
+    }
+
+    /// Names the stage that begins.
+    pub(super) fn stage(&self, name: &str) {
+        self.0.set_message(name.to_string());
+    }
+}
+
+impl Drop for Spinner {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}
+
 impl Drop for Bar {
     fn drop(&mut self) {
         self.0.finish_and_clear();

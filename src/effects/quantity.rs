@@ -1,9 +1,10 @@
 //! The quantities by name: what `eval` asks for and gives.
 
 use crate::data::Smith;
+use crate::integrate::coupling::Specular;
 use crate::integrate::glass::Side;
 use crate::integrate::monte_carlo::{self, Run};
-use crate::integrate::{IntegrateError, aniso, glass, reflection};
+use crate::integrate::{IntegrateError, aniso, coupling, glass, reflection, sheen};
 
 /// What an input may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,8 +74,15 @@ const PHI: Input =
 /// Where the ray comes from.
 const SIDE: Input = Input { name: "side", values: Values::Words(&["outside", "inside"]), optional: false };
 
+/// What multiplies the specular lobe.
+const SPECULAR: Input = Input {
+    name: "specular",
+    values: Values::Words(&["single", "normalised", "compensated"]),
+    optional: false,
+};
+
 /// Every quantity of this version.
-pub static QUANTITIES: [Quantity; 4] = [
+pub static QUANTITIES: [Quantity; 6] = [
     Quantity { name: "ggx-reflection", inputs: &[ALPHA, MU], outputs: &["E", "A", "B", "loss", "error"] },
     Quantity {
         name: "ggx-reflection-aniso",
@@ -86,6 +94,16 @@ pub static QUANTITIES: [Quantity; 4] = [
         name: "ggx-glass",
         inputs: &[ALPHA, number("mu", glass::SMALLEST_MU, 1.0), number("ior", 1.0, glass::LARGEST_IOR), SIDE],
         outputs: &["R", "T", "E", "loss", "error"],
+    },
+    Quantity {
+        name: "sheen-charlie",
+        inputs: &[number("alpha", sheen::SMALLEST_ALPHA, 1.0), MU],
+        outputs: &["E", "error"],
+    },
+    Quantity {
+        name: "diffuse-coupling",
+        inputs: &[ALPHA, MU, number("f0", 0.0, 1.0), SPECULAR],
+        outputs: &["factor", "error"],
     },
 ];
 
@@ -100,6 +118,8 @@ impl Quantity {
         match self.name {
             "ggx-reflection-aniso" => aniso::TOLERANCE,
             "ggx-glass" => glass::TOLERANCE,
+            "sheen-charlie" => sheen::TOLERANCE,
+            "diffuse-coupling" => coupling::TOLERANCE,
             _ => reflection::TOLERANCE,
         }
     }
@@ -134,6 +154,14 @@ impl Quantity {
                 let v = glass::glass(smith, x[0], x[1], x[2], side(x[3]), tolerance)?;
                 vec![v.r, v.t, v.e, v.loss, v.error]
             }
+            "sheen-charlie" => {
+                let v = sheen::sheen(x[0], x[1], tolerance)?;
+                vec![v.value, v.error]
+            }
+            "diffuse-coupling" => {
+                let v = coupling::coupling(smith, x[0], x[1], x[2], specular(x[3]), tolerance)?;
+                vec![v.value, v.error]
+            }
             _ => {
                 let v = reflection::average(smith, x[0], tolerance)?;
                 vec![v.e_avg, v.loss_avg, v.error]
@@ -157,6 +185,10 @@ impl Quantity {
                 let e = monte_carlo::Sampled { value: r.value + t.value, ..loss };
                 vec![r, t, e, loss]
             }
+            "sheen-charlie" => vec![monte_carlo::sheen(x[0], x[1], run)?],
+            "diffuse-coupling" => {
+                vec![monte_carlo::coupling(smith, x[0], x[1], x[2], specular(x[3]), run)?]
+            }
             _ => {
                 let (e, loss) = monte_carlo::average(smith, x[0], run)?;
                 vec![e, loss]
@@ -174,4 +206,13 @@ fn given(x: f64) -> Option<f64> {
 /// The side of a word's index.
 fn side(index: f64) -> Side {
     if index == 0.0 { Side::Outside } else { Side::Inside }
+}
+
+/// The specular lobe of a word's index.
+fn specular(index: f64) -> Specular {
+    match index as usize {
+        0 => Specular::Single,
+        1 => Specular::Normalised,
+        _ => Specular::Compensated,
+    }
 }

@@ -1,7 +1,9 @@
-//! The functions that compensate a lobe with a value of its table, in WGSL and in Rust (Turquin, "Practical multiple
+//! The functions that compensate a lobe with a value of its table, in every language (Turquin, "Practical multiple
 //! scattering compensation for microfacet models", 2019).
 
+use super::code::Language;
 use super::comment::comment;
+use super::spelling::{argument, expression, finish, head, part, vector};
 
 /// A lobe that is compensated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -14,10 +16,10 @@ pub enum Compensation {
 
 /// Names of the functions, in the order of the text.
 pub const NAMES: [&str; 4] = [
-    "ggx_compensate_reflection",
     "ggx_compensate_reflection_factor",
-    "ggx_compensate_glass",
+    "ggx_compensate_reflection",
     "ggx_compensate_glass_factor",
+    "ggx_compensate_glass",
 ];
 
 const REFLECTION: &str = "\
@@ -56,68 +58,78 @@ impl Compensation {
         }
     }
 
-    /// Its WGSL functions: one of colours, one of the factor.
-    pub fn wgsl(self) -> String {
-        let [of_colours, of_factor] = self.comments();
+    /// Its functions in a language: one of the factor, one of colours. In C they need [`super::lookup::helpers`].
+    pub fn print(self, language: Language) -> String {
+        let [of_factor, of_colours] = self.comments();
+        format!("{of_factor}{}\n{of_colours}{}", self.factor(language), self.colours(language))
+    }
+
+    /// Name of the function of the factor; that of colours is its start.
+    fn name(self) -> &'static str {
         match self {
-            Compensation::Reflection => format!(
-                "{of_colours}fn ggx_compensate_reflection(f_ss: vec3<f32>, f0: vec3<f32>, e: f32) -> vec3<f32> {{
-    return f_ss * (1.0 + f0 * ((1.0 - e) / e));
-}}
-
-{of_factor}fn ggx_compensate_reflection_factor(f0: f32, e: f32) -> f32 {{
-    return 1.0 + f0 * ((1.0 - e) / e);
-}}
-"
-            ),
-            Compensation::Glass => format!(
-                "{of_colours}fn ggx_compensate_glass(f: vec3<f32>, e: f32) -> vec3<f32> {{
-    return f / e;
-}}
-
-{of_factor}fn ggx_compensate_glass_factor(e: f32) -> f32 {{
-    return 1.0 / e;
-}}
-"
-            ),
+            Compensation::Reflection => "ggx_compensate_reflection_factor",
+            Compensation::Glass => "ggx_compensate_glass_factor",
         }
     }
 
-    /// The same in Rust.
-    pub fn rust(self) -> String {
-        let [of_colours, of_factor] = self.comments();
-        match self {
-            Compensation::Reflection => format!(
-                "{of_colours}pub fn ggx_compensate_reflection(f_ss: [f32; 3], f0: [f32; 3], e: f32) -> [f32; 3] {{
-    let channel = |c: usize| f_ss[c] * ggx_compensate_reflection_factor(f0[c], e);
-    [channel(0), channel(1), channel(2)]
-}}
+    fn factor(self, language: Language) -> String {
+        let (names, value): (&[&str], _) = match self {
+            Compensation::Reflection => (&["f0", "e"], "1.0 + f0 * ((1.0 - e) / e)"),
+            Compensation::Glass => (&["e"], "1.0 / e"),
+        };
+        let number = vector(language, 1);
+        let arguments: Vec<String> = names.iter().map(|name| argument(language, name, &number)).collect();
+        let value = expression(language, value);
+        head(language, self.name(), &arguments, &number) + &finish(language, "factor", &[value])
+    }
 
-{of_factor}pub fn ggx_compensate_reflection_factor(f0: f32, e: f32) -> f32 {{
-    1.0 + f0 * ((1.0 - e) / e)
-}}
-"
-            ),
-            Compensation::Glass => format!(
-                "{of_colours}pub fn ggx_compensate_glass(f: [f32; 3], e: f32) -> [f32; 3] {{
-    [f[0] / e, f[1] / e, f[2] / e]
-}}
-
-{of_factor}pub fn ggx_compensate_glass_factor(e: f32) -> f32 {{
-    1.0 / e
-}}
-"
-            ),
-        }
+    fn colours(self, language: Language) -> String {
+        let (colour, number) = (vector(language, 3), vector(language, 1));
+        let (names, whole): (&[&str], _) = match self {
+            Compensation::Reflection => (&["f_ss", "f0"], "f_ss * (1.0 + f0 * ((1.0 - e) / e))"),
+            Compensation::Glass => (&["f"], "f / e"),
+        };
+        let colours = names.iter().map(|name| argument(language, name, &colour));
+        let arguments: Vec<String> = colours.chain([argument(language, "e", &number)]).collect();
+        let head = head(language, self.name().trim_end_matches("_factor"), &arguments, &colour);
+        let channel = |i: usize| {
+            let [first, f0] = [names[0], "f0"].map(|name| part(language, name, i));
+            match self {
+                Compensation::Reflection => format!("{first} * {}({f0}, e)", self.name()),
+                Compensation::Glass => format!("{first} / e"),
+            }
+        };
+        let end = match language {
+            Language::Rust | Language::C => finish(language, "f_ms", &[0, 1, 2].map(channel)),
+            _ => format!("    return {};\n}}\n", expression(language, whole)),
+        };
+        head + &end
     }
 
     fn comments(self) -> [String; 2] {
         let texts = match self {
-            Compensation::Reflection => [REFLECTION, REFLECTION_FACTOR],
-            Compensation::Glass => [GLASS, GLASS_FACTOR],
+            Compensation::Reflection => [REFLECTION_FACTOR, REFLECTION],
+            Compensation::Glass => [GLASS_FACTOR, GLASS],
         };
         texts.map(|text| comment("///", &text.lines().map(String::from).collect::<Vec<_>>()))
     }
+}
+
+/// The function `name` that is 1 + f0 (N - 1), by a call of N, the function `inner` of the same inputs but f0.
+pub fn saturating(
+    language: Language,
+    name: &str,
+    inputs: &[String],
+    inner: &str,
+    header: &[String],
+) -> String {
+    let number = vector(language, 1);
+    let arguments: Vec<String> = inputs.iter().map(|input| argument(language, input, &number)).collect();
+    let passed: Vec<&str> = inputs.iter().map(String::as_str).filter(|input| *input != "f0").collect();
+    let call = format!("{inner}({})", passed.join(", "));
+    let value = format!("{} + f0 * ({call} - {})", expression(language, "1.0"), expression(language, "1.0"));
+    let head = head(language, name, &arguments, &number);
+    format!("{}{head}{}", comment("///", header), finish(language, "value", &[value]))
 }
 
 /// The compensations that tables of these quantities are made for, each once, in order.

@@ -12,4 +12,5 @@ pub mod manifest;
 pub mod npy;
 pub mod raw;
 pub mod sidecar;
+mod spelling;
 mod texels;

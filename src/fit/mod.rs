@@ -13,6 +13,7 @@ mod error;
 mod hypothesis;
 pub mod rational;
 mod regular;
+pub mod search;
 mod solve;
 mod tape;
 pub mod texels;
@@ -28,6 +29,6 @@ pub use hypothesis::{
 pub use regular::prove_regular;
 pub use solve::{
     Condition, Constraint, Fitted, Gap, Goal, Held, Method, Norm, Options, Samples, Stage, Termination,
-    optimise, round_to_f32,
+    optimise, residual_range, round_to_f32,
 };
-pub use tape::{BinaryOp, Interval, Op, Real, Tape, UnaryOp};
+pub use tape::{Assembler, BinaryOp, Interval, Node, Op, Real, Tape, UnaryOp};

@@ -18,3 +18,11 @@ pub const ARRAY_MIN: usize = 8;
 pub const LINE_MAX: usize = 128;
 /// Fewest texels along an axis of a table whose size was not stated.
 pub const SIDE_MIN: usize = 8;
+/// Largest shader source, bytes.
+pub const SHADER: usize = 1 << 20;
+/// Deepest expression of a shader source: operators and brackets on the way to a term.
+pub const NESTING: usize = 1024;
+/// Most operations of a shader function, calls and loops expanded.
+pub const OPERATIONS: usize = 1 << 15;
+/// Most statements and expressions walked, calls and loops expanded.
+pub const STEPS: usize = 1 << 20;

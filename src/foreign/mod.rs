@@ -1,10 +1,11 @@
 //! Floor 5: bytes of other people's files to plain values. Says what a file holds and nothing about what it means: which axis
 //! is roughness, which channel E, where texels sample their axes is for the audit to find out.
 //!
-//! [`read_table`] reads tables. Every file is hostile until read: nothing is allocated on the word of a header, values that are
+//! [`read_table`] reads tables, [`read_functions`] shader functions. Every file is hostile until read: nothing is allocated on the word of a header, values that are
 //! not finite are named errors and never numbers, and each message names the file, the place and what to do.
 
 mod error;
+mod image;
 pub mod limits;
 mod raw;
 mod recognise;
@@ -15,5 +16,5 @@ mod text;
 
 pub use error::{ForeignError, Spot};
 pub use recognise::read_table;
-pub use shader::{ShaderFunction, ShaderLanguage};
+pub use shader::{ShaderFunction, ShaderLanguage, read_functions};
 pub use table::{ForeignChannel, ForeignTable, Hints, RawFormat, Step};

@@ -1,5 +1,6 @@
 //! Which format a file is of.
 
+use super::image::{dds, exr, ktx2, npy, png};
 use super::{ForeignError, ForeignTable, Hints, Spot, limits, raw, text};
 
 /// First bytes of known formats.
@@ -54,7 +55,11 @@ pub fn read_table(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<Foreign
             what: what.into(),
             advice: advice.into(),
         }),
-        _ => Err(ForeignError::Unknown { file: file.into(), message: "soon".into() }),
+        Kind::Exr => exr::read(bytes, file, hints),
+        Kind::Dds => dds::read(bytes, file, hints),
+        Kind::Ktx2 => ktx2::read(bytes, file, hints),
+        Kind::Png => png::read(bytes, file, hints),
+        Kind::Npy => npy::read(bytes, file, hints),
     }
 }
 

@@ -190,3 +190,24 @@ fn guess(file: &str, list: &Values, channels: Option<usize>) -> Result<(Vec<usiz
         }
     }
 }
+
+/// Size (x fastest) and channels, or only the channels, that nested lists give.
+pub(super) type Grouped = (Option<(Vec<usize>, usize)>, Option<usize>);
+
+/// What the extents of nested lists, outermost first, say: the innermost is that of channels if it is a vector's, if it is at most
+/// four and the next is not, or if there are four; a plain list says nothing, a list of texels only their channels.
+pub(super) fn grouped(extents: &[usize], vectors: bool) -> Result<Grouped, String> {
+    let small = matches!(extents, [.., next, last] if *last <= 4 && *next > 4);
+    let (size, channels) = match extents {
+        [size @ .., last] if !size.is_empty() && (vectors || small || extents.len() == 4) => (size, *last),
+        size => (size, 1),
+    };
+    match size {
+        [_] if channels == 1 => Ok((None, None)),
+        [_] => Ok((None, Some(channels))),
+        size if size.len() <= 3 && channels <= limits::CHANNELS => {
+            Ok((Some((size.iter().rev().copied().collect(), channels)), None))
+        }
+        _ => Err(format!("{} is more than three axes of texels", words(extents))),
+    }
+}

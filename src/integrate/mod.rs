@@ -1,12 +1,14 @@
 //! Floor 3: a quantity at a point, integrated to a value with an error bound.
 
 pub mod aniso;
+pub mod coupling;
 mod error;
 mod estimate;
 pub mod glass;
 pub mod monte_carlo;
 mod path;
 pub mod reflection;
+pub mod sheen;
 
 pub use error::IntegrateError;
 pub use estimate::{Estimate, PanelRule};

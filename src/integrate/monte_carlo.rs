@@ -5,15 +5,18 @@
 //! above the horizon. Its standard error comes from independently scrambled replicas.
 
 mod lobes;
+mod sheen;
 
 pub use lobes::{aniso, glass, sobol};
+pub use sheen::sheen;
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use super::IntegrateError;
+use super::coupling::{self, Specular, Split};
 use super::reflection::check_inputs;
+use super::{Estimate, IntegrateError};
 use crate::data::Smith;
 use crate::math::sobol::{DIMENSIONS, Sobol};
 use crate::math::sum;
@@ -118,6 +121,23 @@ fn check_samples(run: Run) -> Result<(), IntegrateError> {
         return Err(IntegrateError::Option { option: "samples", value: run.samples.to_string(), must });
     }
     Ok(())
+}
+
+/// Estimates `diffuse-coupling` at alpha in [1e-7, 1], mu in (0, 1]. The errors of E, A and the loss add up: the spread is an upper bound.
+pub fn coupling(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    f0: f64,
+    specular: Specular,
+    run: Run,
+) -> Result<Sampled, IntegrateError> {
+    coupling::check_f0(f0)?;
+    let lobe = reflection(smith, alpha, mu, run)?;
+    let part = |x: Sampled| Estimate { value: x.value, error: x.standard_error };
+    let split = Split { e: part(lobe.e), a: part(lobe.a), loss: part(lobe.loss) };
+    let factor = coupling::factor(&split, f0, specular);
+    Ok(Sampled { value: factor.value, standard_error: factor.error })
 }
 
 /// Means of the replicas, in order, whatever thread computes which.

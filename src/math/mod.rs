@@ -5,5 +5,6 @@ pub mod gauss;
 pub mod lanes;
 pub mod ops;
 pub mod panels;
+pub mod recurrence;
 pub mod sobol;
 pub mod sum;

@@ -2,3 +2,4 @@
 
 pub mod fresnel;
 pub mod ggx;
+pub mod sheen;

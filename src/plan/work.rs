@@ -3,8 +3,10 @@
 //! An estimate for people who wait, not a promise: counts are those of the jobs' main loops; times are CPU seconds of a
 //! release build on one core, from bakes of scenes that differ in one job, and vary by half with the load beside them.
 
-use super::job::{FitJob, TableJob, VolumeJob, VolumeSpan};
+use super::job::{FitJob, SheenJob, TableJob, VolumeJob, VolumeSpan};
 use crate::data::{Layout, Serves, VolumeLayout};
+use crate::effects::reflection::{AVERAGES, BLENDS, NORMALISATIONS, RIVALS, SEEDS};
+use crate::effects::sheen::HYPOTHESES;
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -25,14 +27,15 @@ const AUTO_SIDE: u64 = 128;
 const CERTIFIED: f64 = 1.6e6;
 /// Seconds of one evaluation of one formula in its certificate.
 const EVALUATION_S: f64 = 30e-9;
-/// Normalisations with free parameters that are compiled in.
-const NORMALISATIONS: usize = 14;
-/// The same of the average albedo.
-const AVERAGES: usize = 1;
-/// Published formulas: measured in every fit job, not fitted.
-const PUBLISHED: usize = 12;
 /// Seconds of one optimisation with its restarts: a round figure between the forms of one parameter and of twenty.
 const OPTIMISE_S: f64 = 0.05;
+
+/// Seconds of the truth of the fits of f0 A + B, and of one of them.
+const BLEND_TRUTH_S: f64 = 8.0;
+const BLEND_FIT_S: f64 = 2.0;
+/// Seconds of the truth of the fits of the sheen, and of one of them.
+const SHEEN_TRUTH_S: f64 = 2.5;
+const SHEEN_FIT_S: f64 = 1.0;
 
 /// Seconds of a sampled texel of the azimuth mean of an anisotropic lobe: integrated for 1e-6 on Chebyshev nodes, interpolated,
 /// encoded. This and the next five from bakes of the path tracer's and of the default sizes beside one of 8x8x4.
@@ -123,22 +126,28 @@ pub(super) fn volume_report_seconds<'a>(mut jobs: impl Iterator<Item = &'a Volum
 /// Seconds of a fit job on one core: the truth at the points of the certificates, which all normalisations share; the
 /// searches; a certificate for every fit, for the saturating form of every normalisation, and for the published formulas.
 pub(super) fn fit_seconds(job: &FitJob) -> f64 {
-    let normalisations = NORMALISATIONS + job.hypotheses.len();
-    let averages = if job.average { AVERAGES } else { 0 };
+    let normalisations = NORMALISATIONS.len() + job.hypotheses.len();
+    let averages = if job.average { AVERAGES.len() } else { 0 };
     let searches = ((normalisations + averages) * job.norms.len()) as f64;
-    let certificates = searches + (normalisations + PUBLISHED) as f64;
-    CERTIFIED * E_S + searches * OPTIMISE_S + certificates * CERTIFIED * EVALUATION_S
+    let certificates = searches + (normalisations + SEEDS.len() + RIVALS.len()) as f64;
+    let blends =
+        if job.blend { BLEND_TRUTH_S + (BLENDS.len() * job.norms.len()) as f64 * BLEND_FIT_S } else { 0.0 };
+    CERTIFIED * E_S + searches * OPTIMISE_S + certificates * CERTIFIED * EVALUATION_S + blends
+}
+
+/// Seconds of the fits of the sheen on one core.
+pub(super) fn sheen_seconds(job: &SheenJob) -> f64 {
+    SHEEN_TRUTH_S + (HYPOTHESES.len() * job.norms.len()) as f64 * SHEEN_FIT_S
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::effects::reflection::{Region, catalogue_sources, certification};
+    use crate::effects::reflection::{Region, certification};
     use crate::scene::Scene;
 
     #[test]
     fn the_counts_are_those_of_the_program() {
-        assert_eq!(NORMALISATIONS + AVERAGES + PUBLISHED, catalogue_sources().count());
         let alpha_map = crate::data::AlphaMap::default();
         let region = Region { roughness: [0.02, 1.0], mu: [0.01, 1.0], alpha_map };
         for (log2, counted) in [(17, JUDGED), (20, CERTIFIED)] {

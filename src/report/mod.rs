@@ -21,9 +21,13 @@ pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
-    EffectFinding, ErrorFigure, Findings, FitCurve, FitFinding, Furnace, FurnaceFinding, FurnaceRow, Index,
-    IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SourcesFinding, Study, StudySeries, TableFinding,
-    VolumeFindings, VolumeTable,
+    EffectFinding, ErrorFigure, Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace,
+    FurnaceFinding, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SearchPage,
+    SearchRow, SliceCurve, SourcesFinding, Study, StudySeries, TableFinding, VolumeFindings, VolumeTable,
+};
+pub use findings::{
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
+    AuditFurnace, AuditHeld, AuditLookup,
 };
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
@@ -87,6 +91,30 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
     let figures = json::document("timings.json", timings)?;
     let text = html(&sections::of_timings(timings)?)?;
     Ok(vec![file("reports/timings.html", text.into_bytes()), file("reports/timings.json", figures)])
+}
+
+/// The page of a formula that the user fits, as HTML.
+///
+/// # Errors
+/// As [`page`].
+pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
+    html(&sections::of_fit(findings)?)
+}
+
+/// The page of a search over forms, as HTML.
+///
+/// # Errors
+/// As [`page`].
+pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
+    html(&sections::of_search(findings)?)
+}
+
+/// The page of an audit as HTML, and its figures as JSON.
+///
+/// # Errors
+/// As [`page`].
+pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
+    Ok((html(&sections::of_audit(audit)?)?, json::document("audit.json", audit)?))
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {

@@ -37,11 +37,21 @@ pub struct Written {
     pub ignored: Vec<String>,
 }
 
+/// Where the files of a set lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// In the folders of a bake, with a manifest at the root.
+    Bake,
+    /// In the root itself, without a manifest: nothing but the files of the set is touched.
+    Flat,
+}
+
 /// An output folder, locked against other writers until dropped.
 #[derive(Debug)]
 pub struct Folder<D: Disk = LocalDisk> {
     disk: D,
     root: PathBuf,
+    layout: Layout,
     /// Held for its drop; `None` until the folder is there.
     lock: Option<D::Lock>,
 }
@@ -50,18 +60,25 @@ impl Folder {
     /// Opens a folder for writing: locks it where it is there, and tries by a temporary file whether it (or the
     /// nearest folder above it) can be written. Leaves nothing behind, so that work can follow before writing.
     pub fn open(root: &Path) -> Result<Folder, StoreError> {
-        Folder::open_on(LocalDisk, root)
+        Folder::open_on(LocalDisk, root, Layout::Bake)
+    }
+
+    /// [`Folder::open`] for a set whose files lie in the folder itself.
+    pub fn open_flat(root: &Path) -> Result<Folder, StoreError> {
+        Folder::open_on(LocalDisk, root, Layout::Flat)
     }
 }
 
 impl<D: Disk> Folder<D> {
     /// [`Folder::open`] on any disk.
-    pub fn open_on(disk: D, root: &Path) -> Result<Folder<D>, StoreError> {
+    pub fn open_on(disk: D, root: &Path, layout: Layout) -> Result<Folder<D>, StoreError> {
         let root = if root.as_os_str().is_empty() { Path::new(".") } else { root };
-        let mut folder = Folder { disk, root: root.to_owned(), lock: None };
+        let mut folder = Folder { disk, root: root.to_owned(), layout, lock: None };
         if folder.exists(root)? {
             folder.acquire()?;
-            folder.old_manifest()?;
+            if layout == Layout::Bake {
+                folder.old_manifest()?;
+            }
         }
         folder.probe()?;
         Ok(folder)
@@ -73,7 +90,7 @@ impl<D: Disk> Folder<D> {
     /// is left to remove until nothing is. A set without a manifest leaves the old one and what it lists.
     pub fn write(&mut self, files: &Files) -> Result<Written, StoreError> {
         for name in files.keys() {
-            if inside(&self.root, name).is_err() || !is_ours(name) {
+            if inside(&self.root, name).is_err() || !self.layout.holds(name) {
                 return Err(StoreError::Outside { name: name.escape_debug().to_string(), writing: true });
             }
         }
@@ -189,7 +206,7 @@ impl<D: Disk> Folder<D> {
             nearest = folder_of(nearest);
         }
         let mut folders = vec![nearest.to_owned()];
-        for name in SUBFOLDERS {
+        for name in self.layout.folders() {
             let folder = self.root.join(name);
             if nearest == self.root && self.exists(&folder)? {
                 folders.push(folder);
@@ -204,7 +221,8 @@ impl<D: Disk> Folder<D> {
 
     /// Removes the temporary files of a write that was broken off; the lock says that it is over.
     fn sweep(&self) -> Result<(), StoreError> {
-        for folder in std::iter::once(self.root.clone()).chain(SUBFOLDERS.map(|name| self.root.join(name))) {
+        let below = self.layout.folders().iter().map(|name| self.root.join(name));
+        for folder in std::iter::once(self.root.clone()).chain(below) {
             if !self.exists(&folder)? {
                 continue;
             }
@@ -269,6 +287,24 @@ impl<D: Disk> Folder<D> {
             }
         }
         Ok(true)
+    }
+}
+
+impl Layout {
+    /// Whether a set of this layout may have a file of this name.
+    fn holds(self, name: &str) -> bool {
+        match self {
+            Layout::Bake => is_ours(name),
+            Layout::Flat => !name.contains('/') && name != MANIFEST && !name.starts_with(BUNDLE_PREFIX),
+        }
+    }
+
+    /// The folders below the root.
+    fn folders(self) -> &'static [&'static str] {
+        match self {
+            Layout::Bake => &SUBFOLDERS,
+            Layout::Flat => &[],
+        }
     }
 }
 

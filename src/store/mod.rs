@@ -17,7 +17,7 @@ mod read;
 mod tests;
 mod write;
 
-pub use bundle::{Files, Folder, MANIFEST, SUBFOLDERS, Written};
+pub use bundle::{Files, Folder, Layout, MANIFEST, SUBFOLDERS, Written};
 pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
 pub use local::{LocalDisk, LocalTemp};

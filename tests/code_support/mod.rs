@@ -124,7 +124,8 @@ pub fn all() -> Vec<Hypothesis> {
     named().into_iter().chain((0..60).map(|seed| parse(&random_source(seed)))).collect()
 }
 
-pub fn named() -> Vec<Hypothesis> {
+/// The hypotheses' files.
+pub fn files() -> Vec<Hypothesis> {
     let mut names = Vec::new();
     for (prefix, path) in [("", folder()), ("published/", folder().join("published"))] {
         for entry in std::fs::read_dir(path).unwrap() {
@@ -135,8 +136,12 @@ pub fn named() -> Vec<Hypothesis> {
         }
     }
     names.sort();
-    let files = names.iter().map(|n| hypothesis(n));
-    files.chain(FEATURES.iter().map(|(_, source)| parse(source))).collect()
+    names.iter().map(|n| hypothesis(n)).collect()
+}
+
+/// The hypotheses' files and the formulas above.
+pub fn named() -> Vec<Hypothesis> {
+    files().into_iter().chain(FEATURES.iter().map(|(_, source)| parse(source))).collect()
 }
 
 /// A random formula whose values are finite.

@@ -80,16 +80,13 @@ pub fn run(
     if contraction == Contraction::Fast && cfg!(target_arch = "x86_64") {
         flags.push("-mfma");
     }
-    let shim = match language {
-        Language::Hlsl => "#include \"hlsl.hpp\"\n",
-        Language::Glsl => "#include \"glsl.hpp\"\n",
-        _ => "",
+    let includes = match language {
+        Language::C => "#include <stdio.h>\n#include <stdlib.h>\n",
+        Language::Hlsl => "#include <cstdio>\n#include <cstdlib>\n#include \"hlsl.hpp\"\n",
+        Language::Glsl => "#include <cstdio>\n#include <cstdlib>\n#include \"glsl.hpp\"\n",
+        _ => "#include <cstdio>\n#include <cstdlib>\n",
     };
-    fs::write(
-        path(source),
-        format!("#include <stdio.h>\n#include <stdlib.h>\n{shim}#include \"{header}\"\n{main}"),
-    )
-    .unwrap();
+    fs::write(path(source), format!("{includes}#include \"{header}\"\n{main}")).unwrap();
     let mut command = Command::new(compiler);
     command.args(flags).args(["-O2", "-Wall", "-Werror", "-I"]).arg(shims()).arg("-o").arg(path("program"));
     silent(command.arg(path(source)).arg("-lm"), "gcc g++ libc6-dev", &path(&header))?;

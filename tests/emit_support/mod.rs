@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test binary uses its part")]
 
 pub mod compilers;
+pub mod languages;
 pub mod programs;
 pub mod solid;
 

@@ -4,8 +4,9 @@ pub mod tables;
 pub mod textbook;
 
 use lobefit::effects::volume::Point;
+use lobefit::emit::code::Language;
 use lobefit::emit::compensation::Compensation;
-use lobefit::emit::lookup::{Readable, rust_helpers};
+use lobefit::emit::lookup::{Readable, helpers};
 
 use crate::emit_support::{programs, solid};
 
@@ -36,9 +37,10 @@ impl Emitted {
 
 /// The Rust file that a bake emits for these tables.
 pub fn include(readables: &[Readable], compensation: Compensation) -> String {
-    let lookups: Vec<String> = readables.iter().map(Readable::rust).collect();
+    let lookups: Vec<String> = readables.iter().map(|readable| readable.print(Language::Rust)).collect();
     let lookups = lookups.join("\n");
-    format!("#![allow(dead_code)]\n{lookups}\n{}\n{}", rust_helpers(&lookups), compensation.rust())
+    let (shared, compensation) = (helpers(Language::Rust, &lookups), compensation.print(Language::Rust));
+    format!("#![allow(dead_code)]\n{lookups}\n{shared}\n{compensation}")
 }
 
 /// F0 of the three channels of the test's metal.

@@ -15,6 +15,7 @@ struct sampler3D : table {};
 
 inline vec4 textureLod(const sampler2D &table, vec2 uv, float) { return table.sampled(uv); }
 inline vec4 textureLod(const sampler3D &table, vec3 uvw, float) { return table.sampled(uvw); }
+inline float sign(float x) { return x > 0.0f ? 1.0f : (x < 0.0f ? -1.0f : 0.0f); }
 inline float inversesqrt(float x) { return rsqrt(x); }
 inline float mix(float x, float y, float t) { return x * (1.0f - t) + y * t; }
 

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+// Macros of C that the shader languages do not have.
+#undef NAN
+#undef INFINITY
+
 namespace shim {
 
 struct float2 {
@@ -51,7 +55,6 @@ inline float sin(float x) { return std::sin(x); }
 inline float cos(float x) { return std::cos(x); }
 inline float fma(float x, float y, float z) { return std::fma(x, y, z); }
 inline float step(float edge, float x) { return x < edge ? 0.0f : 1.0f; }
-inline float sign(float x) { return x > 0.0f ? 1.0f : (x < 0.0f ? -1.0f : 0.0f); }
 inline float smoothstep(float lo, float hi, float x) {
     const float t = clamp((x - lo) / (hi - lo), 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
@@ -96,5 +99,16 @@ struct table {
     float4 sampled(float2 uv) const { return sampled(uv.x, uv.y, 0.5f / static_cast<float>(size[2])); }
     float4 sampled(float3 uvw) const { return sampled(uvw.x, uvw.y, uvw.z); }
 };
+
+template <typename T>
+T table_of(const float *texels, int channels, int columns, int rows, int slices) {
+    T made;
+    made.texels = texels;
+    made.channels = channels;
+    made.size[0] = columns;
+    made.size[1] = rows;
+    made.size[2] = slices;
+    return made;
+}
 
 }  // namespace shim

@@ -9,6 +9,7 @@ use crate::bake::context::Context;
 use crate::bake::part::canonical;
 use crate::data::Container;
 use crate::effects::Deviation;
+use crate::emit::code::Language;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
 use crate::emit::manifest::{Entries, LookupEntry, TableEntry, TableError};
@@ -52,16 +53,16 @@ fn errors(baked: &BakedVolume) -> TableError {
 }
 
 /// The lookups, by language.
-pub fn section(tables: &[BakedVolume]) -> BTreeMap<String, String> {
-    let (mut rust, mut wgsl) = (String::new(), String::new());
+pub fn section(tables: &[BakedVolume]) -> BTreeMap<Language, String> {
+    let mut texts: BTreeMap<Language, String> = BTreeMap::new();
     for baked in tables {
         let Some(table) = baked.table() else { continue };
         let mut lines = header::table_lines(table, baked.decode.formulas(), &baked.approximation.certificate);
         lines.extend(baked.note().map(String::from));
         let readable = Readable { table, decode: baked.decode, header: &lines };
-        rust += &format!("\n{}", readable.rust());
-        wgsl += &format!("\n{}", readable.wgsl());
+        for language in Language::ALL {
+            *texts.entry(language).or_default() += &format!("\n{}", readable.print(language));
+        }
     }
-    let texts = [("rust", rust), ("wgsl", wgsl)].into_iter().filter(|(_, text)| !text.is_empty());
-    texts.map(|(language, text)| (language.to_string(), text)).collect()
+    texts
 }

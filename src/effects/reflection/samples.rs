@@ -60,8 +60,8 @@ impl FitData {
         let (points, truth) = with_truth(certification(region, LOG2_POINTS));
         let ones = vec![1.0; points.len()];
         Ok(FitData {
-            uniform: with_truth(uniform(region)),
-            edged: with_truth(edged(region)),
+            uniform: with_truth(uniform(region, GRID)),
+            edged: with_truth(edged(region, GRID)),
             points,
             truth,
             ones,
@@ -96,29 +96,31 @@ impl Data for FitData {
     }
 }
 
-/// Centres of GRID x GRID equal cells: their mean square is the midpoint rule of the uniform RMS.
-fn uniform(region: &Region) -> PointSet {
+/// Centres of n x n equal cells: their mean square is the midpoint rule of the uniform RMS.
+pub(in crate::effects) fn uniform(region: &Region, n: usize) -> PointSet {
     let mut points = PointSet::default();
-    for j in 0..GRID {
-        for i in 0..GRID {
-            let centre =
-                |k: usize, [low, high]: [f64; 2]| low + (high - low) * (k as f64 + 0.5) / GRID as f64;
+    for j in 0..n {
+        for i in 0..n {
+            let centre = |k: usize, [low, high]: [f64; 2]| low + (high - low) * (k as f64 + 0.5) / n as f64;
             points.push(region, centre(j, region.roughness), centre(i, region.mu));
         }
     }
+    points.uniform = points.len();
     points
 }
 
-/// A lattice with the edges, denser towards them: half of its columns uniform in mu, half in the homogeneous coordinate.
-fn edged(region: &Region) -> PointSet {
+/// A lattice of about n x n points with the edges, denser towards them: half of its columns uniform in mu, half in the homogeneous
+/// coordinate.
+pub(in crate::effects) fn edged(region: &Region, n: usize) -> PointSet {
     let mut points = PointSet::default();
+    let half = (n / 2).max(2);
     let nodes = |[low, high]: [f64; 2], n: usize| chebyshev::nodes(low, high, n);
-    for roughness in nodes(region.roughness, GRID) {
-        for mu in nodes(region.mu, GRID / 2) {
+    for roughness in nodes(region.roughness, n) {
+        for mu in nodes(region.mu, half) {
             points.push(region, roughness, mu);
         }
-        for i in 0..GRID / 2 {
-            points.push_layer(region, roughness, (i as f64 + 0.5) / (GRID / 2) as f64);
+        for i in 0..half {
+            points.push_layer(region, roughness, (i as f64 + 0.5) / half as f64);
         }
     }
     points
@@ -168,7 +170,8 @@ impl AverageData {
     }
 }
 
-fn interpolant(
+/// E_avg of a width within the region, by interpolation.
+pub(in crate::effects) fn interpolant(
     smith: Smith,
     region: &Region,
     counter: &Counter,

@@ -293,7 +293,7 @@ pub(super) fn power_body(n: u32, declare: &str) -> (Vec<String>, String) {
 
 /// The shortest decimal; where reading it as f64 and rounding that to f32 would give another number (WGSL and glslang do so
 /// with literals that have no suffix), the decimal of the f64.
-pub(super) fn decimal(x: f32) -> String {
+pub(in crate::emit) fn decimal(x: f32) -> String {
     let short = format!("{x:?}");
     match short.parse::<f64>() {
         Ok(wide) if wide as f32 == x => short,

@@ -71,6 +71,25 @@ impl Language {
         }
     }
 
+    /// What a file of printed functions says of its language: what it needs, and what becomes of bits.
+    pub fn notes(self) -> &'static [&'static str] {
+        match self {
+            Language::Rust | Language::Wgsl => &[],
+            Language::Hlsl => &["HLSL of shader model 5 or later."],
+            Language::Glsl => &[
+                "GLSL 3.30, GLSL ES 3.00 or later; in GLSL ES a sampler3D needs its precision: `precision highp sampler3D;`.",
+            ],
+            Language::Msl => &[
+                "Metal Shading Language. No Metal compiler has read this file: it is checked as C++ about stand-ins for the library.",
+                "Fast math, Metal's default, may reorder its sums.",
+            ],
+            Language::C => &[
+                "C99, or C++. Its functions return the bits that were certified where a float is evaluated as a float and a * b + c is",
+                "rounded twice: -ffp-contract=off for GCC and Clang, and no -ffast-math.",
+            ],
+        }
+    }
+
     /// What printed functions need before them in their file, once; empty or ends in a line feed.
     ///
     /// `#pragma once` stands where files include one another; GLSL has no such directive of its own.

@@ -15,6 +15,7 @@ mod words;
 
 use super::comment::comment;
 use crate::fit::{Builtin, Expr, ExprKind, FitError, Formula, Function, Hypothesis, Statement};
+pub(in crate::emit) use expression::decimal;
 pub use language::Language;
 
 /// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of tiny ones are.

@@ -1,14 +1,29 @@
-//! The functions that read a table: coordinates with the remap of its registration, decoding, and the lookup itself, in WGSL
-//! and in Rust. The arithmetic is that in which the table was measured.
+//! The functions that read a table: coordinates with the remap of its registration, decoding, and the lookup itself, in every
+//! [`Language`]. The arithmetic is that in which the table was measured.
 
+mod c;
 mod decoding;
+mod functions;
 mod rust;
-mod wgsl;
+mod sampled;
 
+use super::code::Language;
 use super::comment::comment;
+use super::spelling::mentions;
 use crate::data::{Axis, Decode, Expression, Table};
 
-pub use rust::{HELPER_NAMES as RUST_HELPER_NAMES, helpers as rust_helpers};
+pub use c::HELPER_PREFIX as C_HELPER_PREFIX;
+pub use rust::HELPER_NAMES as RUST_HELPER_NAMES;
+
+/// What the functions of tables and of compensations share in a language, to stand before them; empty where they share nothing.
+/// `functions` is the text of them all.
+pub fn helpers(language: Language, functions: &str) -> String {
+    match language {
+        Language::Rust => rust::helpers(functions),
+        Language::C => c::helpers(functions),
+        Language::Wgsl | Language::Hlsl | Language::Glsl | Language::Msl => String::new(),
+    }
+}
 
 /// Arguments that the functions of a table may have, in their order. Those of a table of three axes have the ones that
 /// its axes and its decoding use; those of a table of two have `roughness`, `alpha` and `mu` whether they use them or not, so
@@ -32,17 +47,13 @@ impl Readable<'_> {
         self.table.name.replace(|c: char| !c.is_ascii_alphanumeric(), "_")
     }
 
-    /// The WGSL functions `<name>_uv` (`<name>_uvw` with slices), `<name>_decode` and `<name>_lookup`.
+    /// The functions `<name>_uv` (`<name>_uvw` with slices), `<name>_decode` and `<name>_lookup`.
     ///
-    /// The lookup takes a `texture_2d<f32>` or `texture_3d<f32>` and a sampler that filters linearly and clamps to the edge.
-    pub fn wgsl(&self) -> String {
-        wgsl::print(self)
-    }
-
-    /// The same in Rust, with a bilinear or trilinear fetch from a slice of texels, columns fastest and slices slowest.
-    /// They call [`rust_helpers`].
-    pub fn rust(&self) -> String {
-        rust::print(self)
+    /// The lookup takes a texture of two or three dimensions and a sampler that filters linearly and clamps to the edge (in GLSL one
+    /// `sampler2D` or `sampler3D`). In Rust and C, which have no textures, it fetches from a slice or array of f32 texels itself, columns
+    /// fastest and slices slowest, a texel's channels together, and calls [`helpers`].
+    pub fn print(&self, language: Language) -> String {
+        functions::print(self, language)
     }
 
     /// Arguments of `<name>_lookup` in order.
@@ -61,11 +72,11 @@ impl Readable<'_> {
     }
 
     fn coordinate_text(&self) -> String {
-        coordinates(&self.table.axes).join("\n")
+        coordinates(&self.table.axes).into_iter().map(|(_, value)| value).collect::<Vec<_>>().join("\n")
     }
 
     fn decode_text(&self) -> String {
-        decoding::body(self.decode, |_| String::new()).lines().collect::<Vec<_>>().join("\n")
+        decoding::body(self.decode, |_| String::new()).text()
     }
 
     /// The arguments that a text mentions; for a table of two axes, all that are `habitual` of the three it may have.
@@ -80,20 +91,10 @@ impl Readable<'_> {
 /// Letters of the texture coordinates, and the suffix of the function that computes them.
 const LETTERS: [&str; 3] = ["u", "v", "w"];
 
-fn declared(arguments: &[&str]) -> String {
-    arguments.iter().map(|name| format!("{name}: f32")).collect::<Vec<_>>().join(", ")
-}
-
-/// Whether a text holds a word.
-fn mentions(text: &str, word: &str) -> bool {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|w| w == word)
-}
-
-/// Lines that compute the texture coordinates of some axes, each under its letter: in WGSL, the arithmetic of
-/// [`Axis::texture_coordinate`]. What they mention of [`ARGUMENTS`] becomes an argument; their functions must be among those that Rust
-/// has by the same name.
-fn coordinates(axes: &[Axis]) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
+/// Names and values of the texture coordinates of some axes, each under its letter, and of what they are computed from, in the arithmetic
+/// of [`Axis::texture_coordinate`]. What they mention of [`ARGUMENTS`] becomes an argument.
+fn coordinates(axes: &[Axis]) -> Vec<(String, String)> {
+    let mut values: Vec<(String, String)> = Vec::new();
     for (letter, axis) in LETTERS.iter().zip(axes) {
         let Expression { steps, value } = axis.expression();
         let value = match axis.affine() {
@@ -102,13 +103,12 @@ fn coordinates(axes: &[Axis]) -> Vec<String> {
             (scale, offset) if offset < 0.0 => format!("{value} * {scale:?} - {:?}", -offset),
             (scale, offset) => format!("{value} * {scale:?} + {offset:?}"),
         };
-        for (name, value) in steps.into_iter().chain([(letter.to_string(), value)]) {
-            let line = format!("let {name} = {value};");
+        for step in steps.into_iter().chain([(letter.to_string(), value)]) {
             // Another axis may have named the same quantity.
-            if !lines.contains(&line) {
-                lines.push(line);
+            if !values.contains(&step) {
+                values.push(step);
             }
         }
     }
-    lines
+    values
 }

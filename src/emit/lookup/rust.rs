@@ -1,72 +1,18 @@
-//! The Rust functions of a table, and the helpers that they share.
+//! The lookup in Rust, from a slice of texels, and what lookups share there.
 
-use super::{LETTERS, Readable, comment, coordinates, declared, decoding, mentions};
+use super::functions::numbers;
+use super::{LETTERS, Readable, decoding};
 use crate::data::Table;
-
-fn array(n: usize) -> String {
-    format!("[f32; {n}]")
-}
-
-pub(super) fn print(readable: &Readable) -> String {
-    let [uv, decode, lookup] = [uv, decode, lookup].map(|part| part(readable));
-    format!("{}{uv}\n{decode}\n{lookup}", comment("///", readable.header))
-}
-
-/// Lines that use the arguments which a body does not mention.
-fn unused(arguments: &[&str], body: &str) -> String {
-    arguments
-        .iter()
-        .filter(|name| !mentions(body, name))
-        .map(|name| format!("    let _ = {name};\n"))
-        .collect()
-}
-
-fn uv(readable: &Readable) -> String {
-    let (name, axes) = (readable.identifier(), &readable.table.axes);
-    let (letters, arguments) = (&LETTERS[..axes.len()], readable.coordinate_arguments());
-    let line = |line: &String| format!("    {}\n", functions(line));
-    let body: String = coordinates(axes).iter().map(line).collect();
-    let (uv, result, unused) = (letters.concat(), array(axes.len()), unused(&arguments, &body));
-    let (arguments, value) = (declared(&arguments), letters.join(", "));
-    format!("pub fn {name}_{uv}({arguments}) -> {result} {{\n{unused}{body}    [{value}]\n}}\n")
-}
-
-/// Functions of coordinates and decodings. All but log2 are exact on every machine; the last bits of log2 are the machine's.
-const FUNCTIONS: [&str; 5] = ["sqrt", "abs", "min", "max", "log2"];
-
-/// An expression of WGSL in Rust.
-fn functions(expression: &str) -> String {
-    let rust = |text: String, name: &&str| text.replace(&format!("{name}("), &format!("f32::{name}("));
-    FUNCTIONS.iter().fold(expression.to_string(), rust)
-}
-
-fn decode(readable: &Readable) -> String {
-    let (name, channels) = (readable.identifier(), readable.decode.channels());
-    let part = |i: usize| if channels == 1 { "texel".into() } else { format!("texel[{i}]") };
-    let body = decoding::body(readable.decode, part);
-    let arguments = readable.decode_arguments();
-    let all =
-        [vec![format!("texel: {}", texel(channels))], arguments.iter().map(|a| declared(&[a])).collect()];
-    let (meaning, result) = (body.meaning, body.result(array));
-    let lets: String = body.lets.iter().map(|line| format!("    {}\n", functions(line))).collect();
-    let values = body.values.join(", ");
-    let value = if body.values.len() == 1 { values } else { format!("[{values}]") };
-    let unused = unused(&arguments, &format!("{lets}{value}"));
-    let head = format!("/// {meaning} from a texel of the table above.\npub fn {name}_decode");
-    format!("{head}({}) -> {result} {{\n{unused}{lets}    {value}\n}}\n", all.concat().join(", "))
-}
-
-fn texel(channels: usize) -> String {
-    if channels == 1 { "f32".into() } else { array(channels) }
-}
+use crate::emit::code::Language;
+use crate::emit::spelling::{argument, head, vector};
 
 /// Names of the cells' parts along an axis: the texel, the step to the next, the fraction between.
 const CELLS: [[&str; 3]; 3] = [["column", "right", "fx"], ["row", "down", "fy"], ["slice", "deep", "fz"]];
 
-fn lookup(readable: &Readable) -> String {
+pub(super) fn lookup(readable: &Readable) -> String {
     let (name, axes, channels) = (readable.identifier(), &readable.table.axes, readable.decode.channels());
     let body = decoding::body(readable.decode, |_| String::new());
-    let (meaning, result, letters) = (body.meaning, body.result(array), &LETTERS[..axes.len()]);
+    let (meaning, letters) = (body.meaning, &LETTERS[..axes.len()]);
     let sizes: Vec<String> = axes.iter().map(|axis| axis.size.to_string()).collect();
     let (filter, order) = if axes.len() == 2 {
         ("bilinear", "row by row")
@@ -76,8 +22,10 @@ fn lookup(readable: &Readable) -> String {
     let mut text =
         format!("/// {meaning} by a {filter} fetch, clamped to the edge, from texels {order}.\n///\n");
     text += &format!("/// # Panics\n/// If `texels` has fewer than {} entries.\n", sizes.join(" x "));
-    let arguments = declared(&readable.arguments());
-    text += &format!("pub fn {name}_lookup(texels: &[{}], {arguments}) -> {result} {{\n", texel(channels));
+    let texels = argument(Language::Rust, "texels", &format!("&[{}]", vector(Language::Rust, channels)));
+    let arguments = [vec![texels], numbers(Language::Rust, &readable.arguments())].concat();
+    let result = vector(Language::Rust, body.values.len());
+    text += &head(Language::Rust, &format!("{name}_lookup"), &arguments, &result);
     let (values, uv) = (letters.join(", "), letters.concat());
     text += &format!("    let [{values}] = {name}_{uv}({});\n", readable.coordinate_arguments().join(", "));
     for ((letter, axis), [base, step, fraction]) in letters.iter().zip(axes).zip(CELLS) {
@@ -125,7 +73,7 @@ fn blended(axes: usize, channels: usize) -> String {
     format!("[{}]", blended.join(", "))
 }
 
-/// Names of the functions that [`helpers`] may hold.
+/// Names of the functions that the helpers may hold.
 pub const HELPER_NAMES: [&str; 3] = ["cell", "bilinear", "trilinear"];
 
 const PLANE: &str = "\
@@ -152,7 +100,7 @@ fn trilinear(near: [f32; 4], far: [f32; 4], fx: f32, fy: f32, fz: f32) -> f32 {
 ";
 
 /// The helpers that the text of Rust lookups calls; empty where it calls none.
-pub fn helpers(functions: &str) -> String {
+pub(super) fn helpers(functions: &str) -> String {
     match (functions.contains("trilinear("), functions.contains("cell(")) {
         (true, _) => format!("{PLANE}{SPACE}"),
         (false, true) => PLANE.into(),

@@ -5,7 +5,7 @@ use super::Rational;
 use crate::fit::FitError;
 
 /// R / magnitude and D of every sample: constants, then one column per coefficient.
-pub(super) struct Columns {
+pub(in crate::fit) struct Columns {
     pub samples: usize,
     /// `1 + parameters` columns of R.
     pub residual: Vec<Vec<f64>>,
@@ -19,6 +19,8 @@ pub(super) struct Columns {
     pub unit: Vec<f64>,
     /// What residuals were divided by: the largest target.
     pub magnitude: f64,
+    /// Whether the first column has the coefficient 1: else any coefficients will do, up to a factor.
+    pub affine: bool,
 }
 
 /// Residuals below this part of the largest target are rounding.
@@ -40,12 +42,24 @@ impl Columns {
                 (0..m).map(|i| part(i) / magnitude).collect()
             })
             .collect();
+        Columns::assemble(residual, divisor, magnitude, true)
+    }
+
+    /// Columns of R / magnitude and of D, one pair or more, all of one length.
+    pub fn assemble(
+        residual: Vec<Vec<f64>>,
+        divisor: Vec<Vec<f64>>,
+        magnitude: f64,
+        affine: bool,
+    ) -> Result<Columns, FitError> {
+        let (samples, width) = (residual[0].len(), residual.len());
         let mut columns = Columns {
-            samples: m,
+            samples,
             free: Vec::new(),
-            size: vec![0.0; m],
+            size: vec![0.0; samples],
             unit: vec![1.0; width],
             magnitude,
+            affine,
             residual,
             divisor,
         };

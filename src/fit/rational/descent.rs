@@ -19,7 +19,7 @@ const PROOFS: [f64; 7] = [1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2, 1e-1];
 const GAP: f64 = 1e-4;
 
 /// A descent through levels.
-pub(super) struct Descent<'a> {
+pub(in crate::fit) struct Descent<'a> {
     columns: &'a Columns,
     /// The caller's rows, homogeneous and scaled: a x <= 0.
     extra: Vec<Row>,
@@ -62,6 +62,39 @@ impl<'a> Descent<'a> {
         let x = descent.largest_denominators()?;
         descent.move_to(x).map_err(|sample| FitError::NoDenominator { sample })?;
         Ok(descent)
+    }
+
+    /// Starts at homogeneous coefficients, scaled, without constraints; none if a denominator is not positive there.
+    pub fn at(columns: &'a Columns, x: Vec<f64>) -> Option<Descent<'a>> {
+        let mut descent = Descent {
+            columns,
+            extra: Vec::new(),
+            x: Vec::new(),
+            divisor: Vec::new(),
+            level: f64::INFINITY,
+            active: Vec::new(),
+            programs: 0,
+            capped: false,
+        };
+        descent.move_to(x).ok().map(|()| descent)
+    }
+
+    /// One program: whether there are coefficients with residuals below a level. They are taken if so.
+    pub fn falls_below(&mut self, level: f64) -> bool {
+        if self.level <= level {
+            return true;
+        }
+        let solved = self.program(level).solve(&self.active);
+        self.programs += 1;
+        let Ok(mut vertex) = solved else { return false };
+        self.active = vertex.active.iter().map(|(id, _)| *id).collect();
+        let z = vertex.x.pop();
+        z.is_some_and(|z| z < 0.0) && self.move_to(vertex.x).is_ok()
+    }
+
+    /// The homogeneous coefficients reached, scaled, and the largest residual there in units of the columns' magnitude.
+    pub fn reached(&self) -> (&[f64], f64) {
+        (&self.x, self.level)
     }
 
     /// Takes coefficients whose denominators are all positive; else says where one is not.

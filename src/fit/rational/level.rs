@@ -78,6 +78,11 @@ impl<'a> Level<'a> {
         minimise_last(self, start, &fallback)
     }
 
+    /// Whether a column is the one that has the coefficient 1.
+    fn leads(&self, column: usize) -> bool {
+        self.columns.affine && column == 0
+    }
+
     /// The caller's row that is violated most.
     fn worst_extra(&self, x: &[f64], worst: &mut (f64, Option<Id>)) {
         for (k, row) in self.extra.iter().enumerate() {
@@ -101,7 +106,9 @@ impl<'a> Level<'a> {
             };
             let id = if r > 0.0 { Id::Above(i) } else { Id::Below(i) };
             note(worst, (r.abs() - t * d) / (t * w) - z, id);
-            note(worst, (FLOOR * self.columns.size[i] * x[0] - d) / w, Id::Floor(i));
+            if self.columns.affine {
+                note(worst, (FLOOR * self.columns.size[i] * x[0] - d) / w, Id::Floor(i));
+            }
         }
     }
 }
@@ -122,7 +129,7 @@ impl Rows for Level<'_> {
         self.worst_sample(x, z, &mut worst);
         for (j, x) in x.iter().enumerate() {
             note(&mut worst, x - BOX, Id::Upper(j));
-            note(&mut worst, if j == 0 { LEAD - x } else { -x - BOX }, Id::Lower(j));
+            note(&mut worst, if self.leads(j) { LEAD - x } else { -x - BOX }, Id::Lower(j));
         }
         self.worst_extra(x, &mut worst);
         let mean = self.mean.iter().zip(x).map(|(g, x)| g * x).sum::<f64>();
@@ -160,7 +167,7 @@ impl Rows for Level<'_> {
             }
             Id::Lower(j) => {
                 into[j] = -1.0;
-                if j == 0 { -LEAD } else { BOX }
+                if self.leads(j) { -LEAD } else { BOX }
             }
             Id::Upper(j) => {
                 into[j] = 1.0;

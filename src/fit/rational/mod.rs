@@ -12,8 +12,8 @@ mod level;
 mod simplex;
 
 use super::{FitError, Termination};
-use columns::Columns;
-use descent::Descent;
+pub(super) use columns::Columns;
+pub(super) use descent::Descent;
 
 /// Residuals scale_i n_i(p)/d_i(p) - target_i, one per sample, with n and d affine in the coefficients p.
 ///

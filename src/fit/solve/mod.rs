@@ -112,6 +112,16 @@ fn finish(
     })
 }
 
+/// Largest and root mean square residual of a formula at its starting coefficients; none where it is not finite or a divisor
+/// changes sign among the samples.
+///
+/// # Errors
+/// Data that are not finite or of the wrong shape, with the index.
+pub fn residual_range(hypothesis: &Hypothesis, samples: &Samples) -> Result<Option<(f64, f64)>, FitError> {
+    let objective = Objective::new(hypothesis.tape(), samples)?;
+    Ok(objective.residuals(&hypothesis.starts()).ok().map(|r| (largest(&r), objective::rms(&r))))
+}
+
 /// Coefficients rounded to f32, as they are emitted and certified; those below 1e-30 become 0.
 ///
 /// # Errors

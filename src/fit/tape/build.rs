@@ -9,7 +9,7 @@ use crate::fit::hypothesis::{
 use crate::fit::{FitError, Place};
 
 /// What an operation is recognised by: its code, and its operands or bits.
-type Key = (u8, u8, u32, u32, u32);
+pub(super) type Key = (u8, u8, u32, u32, u32);
 
 /// A tape under construction. `None` while folding a lone expression without a formula around it.
 struct Builder<'a> {
@@ -358,14 +358,14 @@ impl<'a> Builder<'a> {
 }
 
 /// Sums and products with their operands in one order: a + b and b + a have the same bits.
-fn canonical(op: Op) -> Op {
+pub(super) fn canonical(op: Op) -> Op {
     match op {
         Op::Binary(code @ (BinaryOp::Add | BinaryOp::Multiply), a, b) if b < a => Op::Binary(code, b, a),
         other => other,
     }
 }
 
-fn key(op: Op) -> Key {
+pub(super) fn key(op: Op) -> Key {
     match op {
         Op::Input(i) => (0, 0, u32::from(i), 0, 0),
         Op::Parameter(i) => (1, 0, u32::from(i), 0, 0),
@@ -378,7 +378,7 @@ fn key(op: Op) -> Key {
 }
 
 /// The operations that `result` needs, renumbered, `result` last.
-fn reachable(ops: &[Op], spans: &[(u32, u32)], result: Node) -> (Vec<Op>, Vec<(u32, u32)>) {
+pub(super) fn reachable(ops: &[Op], spans: &[(u32, u32)], result: Node) -> (Vec<Op>, Vec<(u32, u32)>) {
     let mut needed = vec![false; ops.len()];
     needed[result as usize] = true;
     for node in (0..ops.len()).rev().filter(|&n| n <= result as usize) {

@@ -1,6 +1,7 @@
 //! A formula as a flat list of operations in single-assignment form, common sub-expressions once: what is evaluated,
 //! differentiated, bounded and counted.
 
+mod assemble;
 mod build;
 mod contract;
 mod cost;
@@ -11,6 +12,7 @@ mod interval;
 mod interval_evaluate;
 mod real;
 
+pub use assemble::Assembler;
 pub(in crate::fit) use build::fold;
 pub(in crate::fit) use evaluate::{BLOCK, Workspace};
 pub use interval::Interval;
@@ -123,6 +125,12 @@ impl Tape {
     /// Where in the source an operation comes from.
     pub fn place(&self, node: Node) -> &Place {
         &self.places[node as usize]
+    }
+
+    /// A tape of operations, operands before their users and the result last, for its cost: it has no source.
+    pub(super) fn of_ops(ops: Vec<Op>, parameters: usize) -> Tape {
+        let places = ops.iter().map(|_| Place::of("", "", 0, 0)).collect();
+        Tape { ops, places, function: String::new(), inputs: Vec::new(), parameters }
     }
 
     /// The same operations under another function name.

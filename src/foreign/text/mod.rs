@@ -8,12 +8,14 @@ mod frame;
 mod integers;
 mod lead;
 mod lex;
+mod nesting;
 mod scan;
 mod words;
 
 use frame::Literal;
 use lead::Lead;
 use lex::{Lexer, Token};
+pub(super) use nesting::nesting;
 
 use super::shape::{self, Values};
 use super::{ForeignError, ForeignTable, Hints, Spot, Step, limits};
@@ -68,7 +70,8 @@ fn table(
         Ok(size) => size,
         Err(message) => return Err(ForeignError::Mixed { file: file.into(), at, message }),
     };
-    let lines = lines(text, file, &literal);
+    let told = size.is_some() || hints.size.is_some();
+    let lines = if told { None } else { lines(text, file, &literal) };
     let (kind, values, step) = if literal.decimals.is_none() {
         integers::read(file, at, &lead.name, literal.values, literal.hex, hints.format)?
     } else {
@@ -79,11 +82,8 @@ fn table(
     shape::table(file, list, hints)
 }
 
-/// Size (x fastest) and channels, or only the channels, that the brackets or the declaration give.
-type Dimensions = (Option<(Vec<usize>, usize)>, Option<usize>);
-
-/// What the brackets or the declaration say: nothing about a flat list, only the channels of a list of texels.
-fn dimensions(lead: &Lead, literal: &Literal) -> Result<Dimensions, String> {
+/// What the brackets or the declaration say.
+fn dimensions(lead: &Lead, literal: &Literal) -> Result<shape::Grouped, String> {
     let declared = if lead.sizes.is_empty() {
         0
     } else {
@@ -104,19 +104,7 @@ fn dimensions(lead: &Lead, literal: &Literal) -> Result<Dimensions, String> {
     if shape.len() < 2 {
         return Ok((None, None));
     }
-    let vectors = literal.vectors && !flat;
-    let small = shape.len() > 1 && shape[shape.len() - 1] <= 4 && shape[shape.len() - 2] > 4;
-    let (size, channels) = match shape {
-        [size @ .., last] if vectors || small || shape.len() == 4 => (size, *last),
-        size => (size, 1),
-    };
-    if size.len() > 3 || channels > limits::CHANNELS {
-        return Err(format!("{}: {} is more than three axes of texels", lead.name, shape::words(shape)));
-    }
-    if size.len() == 1 {
-        return Ok((None, Some(channels)));
-    }
-    Ok((Some((size.iter().rev().copied().collect(), channels)), None))
+    shape::grouped(shape, literal.vectors && !flat).map_err(|message| format!("{}: {message}", lead.name))
 }
 
 /// Numbers on each line of a literal and its lines, if all lines hold as many.

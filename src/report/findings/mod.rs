@@ -2,8 +2,11 @@
 //! as it is to `reports/<effect>.json`.
 
 mod approximation;
+mod audit;
 mod furnace;
 mod index;
+mod own;
+mod search;
 mod table;
 mod volume;
 
@@ -14,8 +17,14 @@ use serde::{Deserialize, Serialize};
 use super::Field;
 
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
+pub use audit::{
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
+    AuditFurnace, AuditHeld, AuditLookup,
+};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
+pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
+pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};
 

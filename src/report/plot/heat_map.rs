@@ -32,6 +32,8 @@ pub struct HeatMap<'a> {
     pub top_down: bool,
     /// A place to mark.
     pub worst: Option<Worst>,
+    /// Further places to mark, without text.
+    pub marks: Vec<(f64, f64)>,
     /// Size of the plotted area in pixels.
     pub size: (f64, f64),
 }
@@ -45,7 +47,15 @@ impl<'a> HeatMap<'a> {
             text: numbers::brief_bound(value, 2),
         });
         let shade = if field.signed { signed(field.peak()) } else { magnitude(field) };
-        HeatMap { title: title.into(), field, shade, top_down: false, worst, size: (220.0, 190.0) }
+        HeatMap {
+            title: title.into(),
+            field,
+            shade,
+            top_down: false,
+            worst,
+            marks: Vec::new(),
+            size: (220.0, 190.0),
+        }
     }
 
     fn cells(&self) -> Vec<u8> {
@@ -82,6 +92,11 @@ impl<'a> HeatMap<'a> {
         // The unit stands above the bar, so the title must end before it.
         let title = font::shorten(&self.title, TEXT, frame.width() + 10.0)?;
         canvas.text(&title, (frame.left, 14.0), TEXT, Align::Left, INK)?;
+        for &(x, y) in &self.marks {
+            let at = self.pixel(frame, x, y);
+            canvas.circle(at, 3.0, PAPER, Some(2.4))?;
+            canvas.circle(at, 3.0, LABEL_INK, Some(1.0))?;
+        }
         let Some(worst) = &self.worst else { return Ok(()) };
         let at = self.pixel(frame, worst.x, worst.y);
         canvas.circle(at, 5.0, PAPER, Some(3.0))?;
@@ -96,6 +111,10 @@ impl Figure for HeatMap<'_> {
         if let Some(worst) = &self.worst {
             check::finite(&self.title, "worst.x", worst.x)?;
             check::finite(&self.title, "worst.y", worst.y)?;
+        }
+        for (x, y) in &self.marks {
+            check::finite(&self.title, "marks: x", *x)?;
+            check::finite(&self.title, "marks: y", *y)?;
         }
         let frame = self.frame()?;
         let size = (self.field.x.values.len(), self.field.y.values.len());

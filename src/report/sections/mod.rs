@@ -1,11 +1,14 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
 mod approximations;
+mod audit;
 mod averages;
 mod called_for;
 mod fits;
 mod furnace;
 mod index;
+mod own;
+mod search;
 mod selection;
 mod study;
 mod tables;
@@ -14,7 +17,10 @@ mod timings;
 mod volumes;
 mod words;
 
-use super::{Block, Figure, Findings, Index, Page, ReportError, Timings, VolumeFindings};
+use super::{
+    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings,
+    VolumeFindings,
+};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -65,6 +71,21 @@ pub(crate) fn of_index(index: &Index) -> Result<Page, ReportError> {
 /// The page of a measurement of time.
 pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
     timings::page(timings)
+}
+
+/// The page of a formula that the user fits.
+pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
+    own::page(findings)
+}
+
+/// The page of a search over forms.
+pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
+    search::page(findings)
+}
+
+/// The page of an audit.
+pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
+    audit::page(findings)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.

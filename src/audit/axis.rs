@@ -1,0 +1,323 @@
+//! How an axis of somebody's table may be read: which input runs along it, what its coordinate means, and where texel i lies.
+
+use crate::math::ops;
+
+/// An input of a quantity that may run along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Input {
+    /// GGX width.
+    Alpha,
+    /// Cosine between normal and view.
+    Mu,
+    /// Index of refraction, inside over outside.
+    Ior,
+    /// Anisotropy a: aspect = sqrt(1 - 0.9 a), alpha_x = alpha/aspect, alpha_y = alpha aspect.
+    Anisotropy,
+}
+
+impl Input {
+    /// Its name in places and curves.
+    pub fn name(self) -> &'static str {
+        match self {
+            Input::Alpha => "alpha",
+            Input::Mu => "mu",
+            Input::Ior => "ior",
+            Input::Anisotropy => "anisotropy",
+        }
+    }
+
+    /// The coordinates that tables use for it.
+    pub fn scales(self) -> &'static [Scale] {
+        match self {
+            Input::Alpha => &[Scale::Roughness, Scale::Alpha, Scale::RoughnessFourth, Scale::AlphaSquared],
+            Input::Mu => &[Scale::Mu, Scale::RootMu, Scale::Theta, Scale::RootOfOneMinusMu, Scale::MuSquared],
+            Input::Ior => &[
+                Scale::IorUnit,
+                Scale::IorOneAndHalf,
+                Scale::IorTwo,
+                Scale::F0,
+                Scale::RootF0,
+                Scale::FourthRootF0,
+            ],
+            Input::Anisotropy => &[Scale::Anisotropy, Scale::AnisotropySquared, Scale::Aspect],
+        }
+    }
+}
+
+/// What a coordinate x in [0, 1] means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// alpha = x.
+    Alpha,
+    /// alpha = x^2.
+    Roughness,
+    /// alpha = x^4.
+    RoughnessFourth,
+    /// alpha = sqrt(x).
+    AlphaSquared,
+    /// mu = x.
+    Mu,
+    /// mu = x^2.
+    RootMu,
+    /// mu = cos(x pi/2).
+    Theta,
+    /// mu = 1 - x^2.
+    RootOfOneMinusMu,
+    /// mu = sqrt(x).
+    MuSquared,
+    /// ior = 1 + x.
+    IorUnit,
+    /// ior = 1 + 1.5 x.
+    IorOneAndHalf,
+    /// ior = 1 + 2 x.
+    IorTwo,
+    /// ior = (1 + sqrt(F0))/(1 - sqrt(F0)) with F0 = x.
+    F0,
+    /// The same with F0 = x^2.
+    RootF0,
+    /// The same with F0 = x^4.
+    FourthRootF0,
+    /// anisotropy = x.
+    Anisotropy,
+    /// anisotropy = sqrt(x).
+    AnisotropySquared,
+    /// sqrt(1 - 0.9 anisotropy) = x.
+    Aspect,
+}
+
+/// Every scale, for options.
+pub const SCALES: [Scale; 18] = [
+    Scale::Alpha,
+    Scale::Roughness,
+    Scale::RoughnessFourth,
+    Scale::AlphaSquared,
+    Scale::Mu,
+    Scale::RootMu,
+    Scale::Theta,
+    Scale::RootOfOneMinusMu,
+    Scale::MuSquared,
+    Scale::IorUnit,
+    Scale::IorOneAndHalf,
+    Scale::IorTwo,
+    Scale::F0,
+    Scale::RootF0,
+    Scale::FourthRootF0,
+    Scale::Anisotropy,
+    Scale::AnisotropySquared,
+    Scale::Aspect,
+];
+
+impl Scale {
+    /// The input that it is a coordinate of.
+    pub fn input(self) -> Input {
+        match self {
+            Scale::Alpha | Scale::Roughness | Scale::RoughnessFourth | Scale::AlphaSquared => Input::Alpha,
+            Scale::Mu | Scale::RootMu | Scale::Theta | Scale::RootOfOneMinusMu | Scale::MuSquared => {
+                Input::Mu
+            }
+            Scale::Anisotropy | Scale::AnisotropySquared | Scale::Aspect => Input::Anisotropy,
+            _ => Input::Ior,
+        }
+    }
+
+    /// The word in options and verdicts.
+    pub fn name(self) -> &'static str {
+        match self {
+            Scale::Alpha => "alpha",
+            Scale::Roughness => "roughness",
+            Scale::RoughnessFourth => "alpha^(1/4)",
+            Scale::AlphaSquared => "alpha^2",
+            Scale::Mu => "mu",
+            Scale::RootMu => "sqrt(mu)",
+            Scale::Theta => "theta",
+            Scale::RootOfOneMinusMu => "sqrt(1-mu)",
+            Scale::MuSquared => "mu^2",
+            Scale::IorUnit => "ior-1",
+            Scale::IorOneAndHalf => "(ior-1)/1.5",
+            Scale::IorTwo => "(ior-1)/2",
+            Scale::F0 => "F0",
+            Scale::RootF0 => "sqrt(F0)",
+            Scale::FourthRootF0 => "F0^(1/4)",
+            Scale::Anisotropy => "anisotropy",
+            Scale::AnisotropySquared => "anisotropy^2",
+            Scale::Aspect => "aspect",
+        }
+    }
+
+    /// What the name leaves open; may be empty.
+    pub fn note(self) -> &'static str {
+        match self {
+            Scale::Roughness => "alpha = roughness^2",
+            Scale::Theta => "mu = cos(x pi/2)",
+            Scale::F0 | Scale::RootF0 | Scale::FourthRootF0 => "F0 of normal incidence",
+            Scale::Aspect => "aspect = sqrt(1 - 0.9 anisotropy)",
+            _ => "",
+        }
+    }
+
+    /// The input at a coordinate in [0, 1].
+    pub fn input_at(self, x: f64) -> f64 {
+        match self {
+            Scale::Alpha | Scale::Mu | Scale::Anisotropy => x,
+            Scale::Roughness | Scale::RootMu => x * x,
+            Scale::RoughnessFourth => x * x * x * x,
+            Scale::AlphaSquared | Scale::MuSquared | Scale::AnisotropySquared => x.sqrt(),
+            // cos(pi/2) is 6e-17 in f64, the grazing view.
+            Scale::Theta if x == 1.0 => 0.0,
+            Scale::Theta => ops::cos(0.5 * std::f64::consts::PI * x),
+            Scale::RootOfOneMinusMu => (1.0 - x) * (1.0 + x),
+            Scale::IorUnit => 1.0 + x,
+            Scale::IorOneAndHalf => 1.0 + 1.5 * x,
+            Scale::IorTwo => 1.0 + 2.0 * x,
+            Scale::F0 => ior_of(x.sqrt()),
+            Scale::RootF0 => ior_of(x),
+            Scale::FourthRootF0 => ior_of(x * x),
+            Scale::Aspect => ((1.0 - x * x) / 0.9).clamp(0.0, 1.0),
+        }
+    }
+}
+
+/// The index of refraction whose F0 is the square of this root; infinite at 1.
+fn ior_of(root: f64) -> f64 {
+    (1.0 + root) / (1.0 - root)
+}
+
+/// Where texel i of n lies on its axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Siting {
+    /// (i + 1/2)/n: where a texture unit looks.
+    Centre,
+    /// i/(n - 1).
+    Endpoint,
+    /// i/n.
+    Left,
+    /// (i + 1)/n.
+    Right,
+    /// (i + 3/2)/n, clamped to 1: a texel above its centre.
+    OneHigh,
+    /// (i - 1/2)/n, clamped to 0: a texel below its centre.
+    OneLow,
+}
+
+/// Every siting, the usual ones first.
+pub const SITINGS: [Siting; 6] =
+    [Siting::Centre, Siting::Endpoint, Siting::Left, Siting::Right, Siting::OneHigh, Siting::OneLow];
+
+impl Siting {
+    /// The word in options.
+    pub fn name(self) -> &'static str {
+        match self {
+            Siting::Centre => "centre",
+            Siting::Endpoint => "endpoint",
+            Siting::Left => "left",
+            Siting::Right => "right",
+            Siting::OneHigh => "one-high",
+            Siting::OneLow => "one-low",
+        }
+    }
+
+    /// In words and as a formula.
+    pub fn words(self) -> &'static str {
+        match self {
+            Siting::Centre => "texel centres, (i + 1/2)/n",
+            Siting::Endpoint => "end points, i/(n - 1)",
+            Siting::Left => "left edges, i/n",
+            Siting::Right => "right edges, (i + 1)/n",
+            Siting::OneHigh => "one texel above the centres, (i + 3/2)/n",
+            Siting::OneLow => "one texel below the centres, (i - 1/2)/n",
+        }
+    }
+
+    /// Coordinate of texel i of n, in [0, 1].
+    pub fn coordinate(self, i: usize, n: usize) -> f64 {
+        let (i, n) = (i as f64, n as f64);
+        match self {
+            Siting::Centre => (i + 0.5) / n,
+            Siting::Endpoint if n < 2.0 => 0.0,
+            Siting::Endpoint => i / (n - 1.0),
+            Siting::Left => i / n,
+            Siting::Right => (i + 1.0) / n,
+            Siting::OneHigh => ((i + 1.5) / n).min(1.0),
+            Siting::OneLow => ((i - 0.5) / n).max(0.0),
+        }
+    }
+
+    /// Position in texels of a coordinate, clamped to the table's edge.
+    pub fn position(self, x: f64, n: usize) -> f64 {
+        let n = n as f64;
+        let p = match self {
+            Siting::Centre => x * n - 0.5,
+            Siting::Endpoint => x * (n - 1.0),
+            Siting::Left => x * n,
+            Siting::Right => x * n - 1.0,
+            Siting::OneHigh => x * n - 1.5,
+            Siting::OneLow => x * n + 0.5,
+        };
+        p.clamp(0.0, n - 1.0)
+    }
+}
+
+/// One way to read an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisReading {
+    /// What its coordinate means.
+    pub scale: Scale,
+    /// Where its texels lie.
+    pub siting: Siting,
+    /// Whether the coordinate falls from the first texel to the last.
+    pub reversed: bool,
+    /// Least value that the input was clamped to; 0 for none.
+    pub floor: f64,
+}
+
+impl AxisReading {
+    /// Without a floor.
+    pub fn new(scale: Scale, siting: Siting, reversed: bool) -> AxisReading {
+        AxisReading { scale, siting, reversed, floor: 0.0 }
+    }
+
+    /// Coordinate of texel i of n.
+    pub fn coordinate(&self, i: usize, n: usize) -> f64 {
+        self.siting.coordinate(if self.reversed { n - 1 - i } else { i }, n)
+    }
+
+    /// The input at texel i of n.
+    pub fn node(&self, i: usize, n: usize) -> f64 {
+        self.scale.input_at(self.coordinate(i, n)).max(self.floor)
+    }
+
+    /// Position in texels of a coordinate, with a siting of the reader's own.
+    pub fn position(&self, x: f64, n: usize, siting: Siting) -> f64 {
+        let p = siting.position(x, n);
+        if self.reversed { (n - 1) as f64 - p } else { p }
+    }
+
+    /// Whether two readings differ in their floor alone.
+    pub fn like(&self, other: &AxisReading) -> bool {
+        AxisReading { floor: 0.0, ..*self } == AxisReading { floor: 0.0, ..*other }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_undo_coordinates() {
+        for siting in SITINGS {
+            for i in 1..7 {
+                let back = siting.position(siting.coordinate(i, 9), 9);
+                assert!((back - i as f64).abs() < 1e-12, "{siting:?} {i}: {back}");
+            }
+        }
+    }
+
+    #[test]
+    fn scales_cover_their_inputs() {
+        for scale in SCALES {
+            assert!(scale.input().scales().contains(&scale), "{scale:?}");
+        }
+        assert!((Scale::FourthRootF0.input_at(0.04_f64.sqrt().sqrt()) - 1.5).abs() < 1e-12);
+        assert_eq!(Scale::Theta.input_at(1.0), 0.0);
+    }
+}

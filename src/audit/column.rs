@@ -1,0 +1,148 @@
+//! What a channel may hold: a column of a quantity, or what people store instead of one.
+
+/// What a channel holds. Two base values tell them all: E and B for reflection, R and T for glass, E_avg and E(mu = 1) for averages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Column {
+    /// Directional albedo.
+    E,
+    /// Scale of Schlick's F0.
+    A,
+    /// Bias of Schlick's F0.
+    B,
+    /// 1 - E.
+    Loss,
+    /// 1/E, a normalisation.
+    Inverse,
+    /// 1/E - 1, the added share of a compensation.
+    Excess,
+    /// B/E.
+    Share,
+    /// Reflected energy of glass.
+    R,
+    /// Transmitted energy of glass.
+    T,
+    /// R + T.
+    RT,
+    /// 1 - R - T.
+    LossRT,
+    /// 1/(R + T).
+    InverseRT,
+    /// R/(R + T).
+    ShareR,
+    /// Cosine-weighted average of E.
+    Average,
+    /// 1 - E_avg.
+    AverageLoss,
+    /// 1/E_avg.
+    AverageInverse,
+    /// E at normal incidence, which passes for an average.
+    Normal,
+    /// 1 - E at normal incidence.
+    NormalLoss,
+}
+
+/// Columns of reflection.
+pub const REFLECTION: [Column; 7] =
+    [Column::E, Column::A, Column::B, Column::Loss, Column::Inverse, Column::Excess, Column::Share];
+/// Columns of a quantity that has E alone.
+pub const ALBEDO: [Column; 4] = [Column::E, Column::Loss, Column::Inverse, Column::Excess];
+/// Columns of glass.
+pub const GLASS: [Column; 6] =
+    [Column::RT, Column::LossRT, Column::InverseRT, Column::R, Column::T, Column::ShareR];
+/// Columns of averages.
+pub const AVERAGE: [Column; 5] =
+    [Column::Average, Column::AverageLoss, Column::AverageInverse, Column::Normal, Column::NormalLoss];
+
+impl Column {
+    /// What channels of a table of a quantity may hold; nothing for a quantity that is not audited.
+    pub fn of(quantity: &str) -> &'static [Column] {
+        match quantity {
+            "ggx-reflection" => &REFLECTION,
+            "ggx-glass" => &GLASS,
+            "ggx-average" => &AVERAGE,
+            "ggx-reflection-aniso" | "sheen-charlie" => &ALBEDO,
+            _ => &[],
+        }
+    }
+
+    /// The word in options, verdicts and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Column::E | Column::RT => "E",
+            Column::A => "A",
+            Column::B => "B",
+            Column::Loss | Column::LossRT => "1-E",
+            Column::Inverse | Column::InverseRT => "1/E",
+            Column::Excess => "1/E-1",
+            Column::Share => "B/E",
+            Column::R => "R",
+            Column::T => "T",
+            Column::ShareR => "R/E",
+            Column::Average => "E_avg",
+            Column::AverageLoss => "1-E_avg",
+            Column::AverageInverse => "1/E_avg",
+            Column::Normal => "E(mu=1)",
+            Column::NormalLoss => "1-E(mu=1)",
+        }
+    }
+
+    /// For readers: the name with what it is.
+    pub fn words(self) -> String {
+        let what = match self {
+            Column::E | Column::RT => "the albedo",
+            Column::A => "scale of F0",
+            Column::B => "bias of F0",
+            Column::Loss | Column::LossRT | Column::AverageLoss | Column::NormalLoss => "the loss",
+            Column::Inverse | Column::InverseRT | Column::AverageInverse => "a normalisation",
+            Column::Excess => "the share that a compensation adds",
+            Column::Share | Column::ShareR => "a ratio",
+            Column::R => "reflected",
+            Column::T => "transmitted",
+            Column::Average => "the cosine-weighted average",
+            Column::Normal => "E at normal incidence, no average",
+        };
+        format!("{} ({what})", self.name())
+    }
+
+    /// Its value from the two base values.
+    pub fn value(self, [first, second]: [f64; 2]) -> f64 {
+        match self {
+            Column::E | Column::R | Column::Average => first,
+            Column::A => first - second,
+            Column::B | Column::T | Column::Normal => second,
+            Column::Loss | Column::AverageLoss => 1.0 - first,
+            Column::Inverse | Column::AverageInverse => 1.0 / first,
+            Column::Excess => 1.0 / first - 1.0,
+            Column::Share => second / first,
+            Column::RT => first + second,
+            Column::LossRT => 1.0 - first - second,
+            Column::InverseRT => 1.0 / (first + second),
+            Column::ShareR => first / (first + second),
+            Column::NormalLoss => 1.0 - second,
+        }
+    }
+
+    /// The albedo that a value of this column stands for; none for those that are parts of one.
+    pub fn albedo(self, value: f64) -> Option<f64> {
+        match self {
+            Column::E | Column::RT | Column::Average | Column::Normal => Some(value),
+            Column::Loss | Column::LossRT | Column::AverageLoss | Column::NormalLoss => Some(1.0 - value),
+            Column::Inverse | Column::InverseRT | Column::AverageInverse => Some(1.0 / value),
+            Column::Excess => Some(1.0 / (1.0 + value)),
+            _ => None,
+        }
+    }
+
+    /// The truth of [`Column::albedo`].
+    pub fn true_albedo(self, base: [f64; 2]) -> Option<f64> {
+        self.albedo(self.value(base))
+    }
+
+    /// Whether it is a loss, of which small values matter.
+    pub fn is_loss(self) -> bool {
+        matches!(
+            self,
+            Column::Loss | Column::LossRT | Column::AverageLoss | Column::NormalLoss | Column::Excess
+        )
+    }
+}

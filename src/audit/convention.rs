@@ -1,0 +1,160 @@
+//! A whole convention, what of it is given, and how well one fits.
+
+use super::AuditError;
+use super::axis::{AxisReading, Input, SITINGS, Scale, Siting};
+use super::column::Column;
+use super::truth::{Lobe, Truth};
+use crate::data::Smith;
+use crate::integrate::glass::Side;
+
+/// One way to read a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Convention {
+    /// How every axis is read, in the table's order.
+    pub axes: Vec<AxisReading>,
+    /// Which lobe.
+    pub lobe: Lobe,
+    /// What every channel holds; none for one that is not judged.
+    pub columns: Vec<Option<Column>>,
+}
+
+impl Convention {
+    /// Whether two differ in clamps alone.
+    pub fn like(&self, other: &Convention) -> bool {
+        self.lobe == other.lobe
+            && self.columns == other.columns
+            && self.axes.len() == other.axes.len()
+            && self.axes.iter().zip(&other.axes).all(|(a, b)| a.like(b))
+    }
+}
+
+/// What the user says of a table: everything else is tried.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pins {
+    /// Scale of every axis and whether it is reversed.
+    pub axes: Option<Vec<(Scale, bool)>>,
+    /// Siting of every axis, or one for all.
+    pub sitings: Option<Vec<Siting>>,
+    /// Shadowing form.
+    pub smith: Option<Smith>,
+    /// Side of the ray.
+    pub side: Option<Side>,
+    /// What the channels hold, in their order.
+    pub meanings: Option<Vec<Column>>,
+    /// The one column that is asked for.
+    pub column: Option<Column>,
+}
+
+impl Pins {
+    /// Whether nothing but the column is given.
+    pub fn is_free(&self) -> bool {
+        Pins { column: None, ..self.clone() } == Pins::default()
+    }
+
+    /// Refuses what cannot be meant for a table of this many axes and channels.
+    pub(super) fn check(&self, truth: &dyn Truth, axes: usize, channels: usize) -> Result<(), AuditError> {
+        let refuse =
+            |option, value: String, reason: String| Err(AuditError::Option { option, value, reason });
+        if let Some(given) = &self.axes {
+            let names = given.iter().map(|(s, _)| s.name()).collect::<Vec<_>>().join(",");
+            if given.len() != axes {
+                return refuse("--axes", names, format!("the table has {axes} axes"));
+            }
+            let mut inputs: Vec<Input> = given.iter().map(|(s, _)| s.input()).collect();
+            let mut wanted = truth.inputs().to_vec();
+            inputs.sort();
+            wanted.sort();
+            if inputs != wanted {
+                let wanted: Vec<&str> = wanted.iter().map(|i| i.name()).collect();
+                let reason = format!("{} has the inputs {}", truth.quantity(), wanted.join(", "));
+                return refuse("--axes", names, reason);
+            }
+        }
+        if let Some(given) = &self.sitings
+            && given.len() != 1
+            && given.len() != axes
+        {
+            let names = given.iter().map(|s| s.name()).collect::<Vec<_>>().join(",");
+            return refuse("--registration", names, format!("one word or {axes} are called for"));
+        }
+        if let Some(given) = &self.meanings
+            && given.len() != channels
+        {
+            let names = given.iter().map(|c| c.name()).collect::<Vec<_>>().join(",");
+            return refuse(
+                "--meaning",
+                names,
+                format!("{channels} channels vary, as many words are called for"),
+            );
+        }
+        let unknown = |c: &&Column| !truth.columns().contains(c);
+        if let Some(bad) = self.meanings.iter().flatten().chain(&self.column).find(unknown) {
+            let names: Vec<&str> = truth.columns().iter().map(|c| c.name()).collect();
+            let reason = format!("{} has {}", truth.quantity(), names.join(", "));
+            return refuse("--meaning", bad.name().into(), reason);
+        }
+        Ok(())
+    }
+
+    /// The ways to read axis `axis` as an input.
+    pub(super) fn readings(&self, axis: usize, input: Input) -> Vec<AxisReading> {
+        let scales: Vec<(Scale, bool)> = match &self.axes {
+            Some(given) => given.get(axis).copied().filter(|(s, _)| s.input() == input).into_iter().collect(),
+            None => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
+        };
+        let sitings: Vec<Siting> = match &self.sitings {
+            Some(given) if given.len() == 1 => given.clone(),
+            Some(given) => given.get(axis).copied().into_iter().collect(),
+            None => SITINGS.to_vec(),
+        };
+        let both = |(scale, reversed): (Scale, bool)| {
+            sitings.iter().map(move |siting| AxisReading::new(scale, *siting, reversed)).collect::<Vec<_>>()
+        };
+        scales.into_iter().flat_map(both).collect()
+    }
+
+    /// The lobes to be tried, by their place.
+    pub(super) fn lobes(&self, truth: &dyn Truth) -> Vec<usize> {
+        let fits = |l: &Lobe| {
+            self.smith.is_none_or(|s| l.smith.is_none_or(|own| own == s))
+                && self.side.is_none_or(|s| l.side.is_none_or(|own| own == s))
+        };
+        (0..truth.lobes().len()).filter(|i| fits(&truth.lobes()[*i])).collect()
+    }
+}
+
+/// How well values fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Misfit {
+    /// Root mean square.
+    pub rms: f64,
+    /// Root mean square of the four fifths that fit best.
+    pub trimmed: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// Share of the texels that the trimmed figure keeps, in fifths.
+const KEPT_FIFTHS: usize = 4;
+
+impl Misfit {
+    /// Of errors, none of them NaN; an empty list fits perfectly.
+    pub(super) fn of(errors: &[f64]) -> Misfit {
+        let mut squares: Vec<f64> = errors.iter().map(|e| e * e).collect();
+        let n = squares.len().max(1);
+        let kept = squares.len() * KEPT_FIFTHS / 5;
+        let max = squares.iter().copied().fold(0.0, f64::max).sqrt();
+        let all: f64 = squares.iter().sum();
+        if kept > 0 && kept < squares.len() {
+            squares.select_nth_unstable_by(kept, f64::total_cmp);
+        }
+        let least: f64 = squares[..kept].iter().sum();
+        Misfit { rms: (all / n as f64).sqrt(), trimmed: (least / kept.max(1) as f64).sqrt(), max }
+    }
+
+    /// What conventions are ranked by: the geometric mean of both root mean squares. A table of which a part is stale fits its true convention in
+    /// the trimmed figure, one with a wrong clamp shows in the other; 1e-9 keeps an exact fit from hiding what else is wrong.
+    pub(super) fn rank(&self) -> f64 {
+        ((self.trimmed + 1e-9) * (self.rms + 1e-9)).sqrt()
+    }
+}

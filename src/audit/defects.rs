@@ -1,0 +1,232 @@
+//! What is wrong with a channel, told from the pattern of its errors.
+
+use super::column::Column;
+use super::errors::{Residuals, median};
+use super::shipped::{flat, place};
+use crate::foreign::Step;
+
+/// Something wrong with a channel.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Defect {
+    /// A part of the table is off and the rest is not: stale, or damaged.
+    Part {
+        /// Texels that are off, and texels judged.
+        texels: [usize; 2],
+        /// By more than this.
+        over: f64,
+        /// Mean error of those.
+        mean: f64,
+        /// First and last index of those along every axis.
+        range: Vec<[usize; 2]>,
+        /// Size of the table.
+        size: Vec<usize>,
+    },
+    /// All values are too high or too low.
+    Bias {
+        /// Mean error.
+        mean: f64,
+    },
+    /// Values stand at an end of the format where the truth lies beyond.
+    Clamped {
+        /// The value.
+        value: f64,
+        /// Texels that stand there and should not.
+        texels: usize,
+        /// The truth farthest beyond.
+        truth: f64,
+    },
+    /// Errors that jump from texel to texel.
+    Noise {
+        /// Their root mean square.
+        rms: f64,
+        /// Share of the whole error's root mean square.
+        share: f64,
+    },
+    /// The errors are what rounding to the format leaves.
+    Steps {
+        /// The format.
+        step: Step,
+        /// Root mean square of the error that rounding to it makes.
+        rms: f64,
+    },
+    /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's tail.
+    MissingLoss {
+        /// Median of the stored share of the true loss over smooth texels.
+        stored: f64,
+        /// Largest alpha of those texels.
+        alpha: f64,
+        /// Where it is worst: stored and true loss.
+        worst: [f64; 2],
+        /// That texel.
+        texel: Vec<usize>,
+    },
+}
+
+/// A part is told of where errors are this many times the median,
+const OFF: f64 = 30.0;
+/// make nearly all of the sum of squares,
+const PART_OF_SQUARES: f64 = 0.9;
+/// and are no more than this share of the texels.
+const PART_OF_TEXELS: f64 = 0.45;
+
+/// Largest alpha of texels on which the loss is compared.
+const SMOOTH: f64 = 0.12;
+
+/// Rounding explains errors up to this many times its own.
+const ROUNDED: f64 = 1.5;
+
+/// Defects of a channel; `alpha` of a texel where the table has such an axis.
+pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f64>) -> Vec<Defect> {
+    let mut found: Vec<Defect> = clamped(r).into_iter().chain(missing_loss(r, step, alpha)).collect();
+    if found.is_empty() {
+        found.extend(part(r));
+    }
+    let (noise, rms) = (noise(r), rms(r));
+    let rounding = rounding(r, step);
+    if rms <= ROUNDED * rounding {
+        found.push(Defect::Steps { step, rms: rounding });
+    } else if noise > 0.5 * rms && rms > 1e-7 {
+        found.push(Defect::Noise { rms: noise, share: noise / rms });
+    }
+    found.extend(bias(r, rms));
+    found
+}
+
+/// Defects of a function: values that stand at a clamp, and a bias.
+pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
+    clamped(r).into_iter().chain(bias(r, rms(r))).collect()
+}
+
+/// Root mean square of the error that rounding to a format makes at the judged texels: a third of the square of half a step.
+fn rounding(r: &Residuals, step: Step) -> f64 {
+    let square = |i: &usize| step.rounding(r.values[*i]) * step.rounding(r.values[*i]) / 3.0;
+    (r.judged.iter().map(square).sum::<f64>() / r.judged.len() as f64).sqrt()
+}
+
+fn rms(r: &Residuals) -> f64 {
+    (r.judged.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>() / r.judged.len() as f64).sqrt()
+}
+
+fn part(r: &Residuals) -> Option<Defect> {
+    let over = (OFF * r.median()).max(1e-4 * r.spread());
+    let off: Vec<usize> = r.judged.iter().copied().filter(|i| r.errors[*i].abs() > over).collect();
+    let squares = |list: &[usize]| list.iter().map(|i| r.errors[*i] * r.errors[*i]).sum::<f64>();
+    let small = off.is_empty() || off.len() as f64 > PART_OF_TEXELS * r.judged.len() as f64;
+    if small || squares(&off) < PART_OF_SQUARES * squares(&r.judged) {
+        return None;
+    }
+    let mut range = vec![[usize::MAX, 0]; r.sample.size.len()];
+    for i in &off {
+        for (range, k) in range.iter_mut().zip(r.texel(*i)) {
+            *range = [range[0].min(k), range[1].max(k)];
+        }
+    }
+    let mean = off.iter().map(|i| r.errors[*i]).sum::<f64>() / off.len() as f64;
+    Some(Defect::Part { texels: [off.len(), r.judged.len()], over, mean, range, size: r.sample.size.clone() })
+}
+
+fn clamped(r: &Residuals) -> Option<Defect> {
+    let ends = [r.judged.iter().map(|i| r.values[*i]).fold(f64::NEG_INFINITY, f64::max), 0.0];
+    let mut told = None;
+    for (end, upper) in ends.into_iter().zip([true, false]) {
+        let beyond = |i: &&usize| {
+            let past = if upper { r.truth(**i) - end } else { end - r.truth(**i) };
+            r.values[**i] == end && past > (10.0 * r.median()).max(1e-3)
+        };
+        let stuck: Vec<usize> = r.judged.iter().filter(beyond).copied().collect();
+        if stuck.len() >= 2 {
+            let far = |a: &&usize, b: &&usize| r.errors[**a].abs().total_cmp(&r.errors[**b].abs());
+            let truth = stuck.iter().max_by(far).map_or(end, |i| r.truth(*i));
+            told = Some(Defect::Clamped { value: end, texels: stuck.len(), truth });
+        }
+    }
+    told
+}
+
+/// Root mean square of white noise that would make the second differences of the errors, along the axis where they are least.
+fn noise(r: &Residuals) -> f64 {
+    let dims = r.sample.dims();
+    let along = |axis: usize| {
+        let mut squares = Vec::new();
+        for i in &r.judged {
+            let mut at = place(*i, &dims);
+            if at[axis] == 0 || at[axis] + 1 == dims[axis] {
+                continue;
+            }
+            at[axis] -= 1;
+            let before = flat(&at, &dims);
+            at[axis] += 2;
+            let after = flat(&at, &dims);
+            if r.judgement.judged[before] && r.judgement.judged[after] {
+                let second = r.errors[before] - 2.0 * r.errors[*i] + r.errors[after];
+                squares.push(second * second);
+            }
+        }
+        let n = squares.len().max(1) as f64;
+        // Of white noise of variance s^2 a second difference has 6 s^2.
+        (squares.iter().sum::<f64>() / (6.0 * n)).sqrt()
+    };
+    (0..dims.len()).map(along).fold(f64::INFINITY, f64::min)
+}
+
+fn bias(r: &Residuals, rms: f64) -> Option<Defect> {
+    let mean = r.judged.iter().map(|i| r.errors[*i]).sum::<f64>() / r.judged.len() as f64;
+    let told = mean.abs() > 0.6 * rms && mean.abs() > 1e-4 * r.spread();
+    told.then_some(Defect::Bias { mean })
+}
+
+fn missing_loss(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f64>) -> Option<Defect> {
+    let loss = |value: f64| r.column.albedo(value).map(|e| 1.0 - e);
+    let mut shares = Vec::new();
+    for i in &r.judged {
+        let texel = r.texel(*i);
+        let Some(alpha) = alpha(&texel).filter(|a| *a <= SMOOTH) else { continue };
+        let (Some(stored), Some(truth)) = (loss(r.values[*i]), loss(r.truth(*i))) else { continue };
+        // Below a few steps the format cannot hold a loss.
+        if truth > (8.0 * step.rounding(r.values[*i])).max(3e-4) {
+            shares.push((stored / truth, alpha, [stored, truth], texel));
+        }
+    }
+    let typical = median(shares.iter().map(|s| s.0).collect());
+    if shares.len() < 8 || typical > 0.7 {
+        return None;
+    }
+    let alpha = shares.iter().map(|s| s.1).fold(0.0, f64::max);
+    let worst = shares.into_iter().max_by(|a, b| (a.2[1] - a.2[0]).total_cmp(&(b.2[1] - b.2[0])))?;
+    Some(Defect::MissingLoss { stored: typical, alpha, worst: worst.2, texel: worst.3 })
+}
+
+/// What the values of a channel are rounded to: the file's word, or for a file that can hold more than was put into it the coarsest
+/// format that all values fit.
+pub(super) fn grain(step: Step, values: &[f64]) -> Step {
+    if step != Step::None || values.len() < 16 {
+        return step;
+    }
+    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    // A single holds a multiple of 1/n to 6e-8 of itself.
+    let multiples =
+        |n: f64| values.iter().all(|v| (v * n - (v * n).round()).abs() < (1.2e-7 * n * largest).min(0.15));
+    let halves = || values.iter().all(|v| half::f16::from_f64(*v).to_f64() == *v);
+    let decimals = |d: u32| (0..d).fold(1.0, |n, _| n * 10.0);
+    let formats = [
+        Step::Unorm8,
+        Step::Decimals(3),
+        Step::Half,
+        Step::Decimals(4),
+        Step::Unorm16,
+        Step::Decimals(5),
+        Step::Decimals(6),
+    ];
+    let fits = |format: &Step| match format {
+        Step::Unorm8 => multiples(255.0),
+        Step::Unorm16 => multiples(65535.0),
+        Step::Decimals(d) => multiples(decimals(*d)),
+        _ => halves(),
+    };
+    formats.into_iter().find(fits).unwrap_or(Step::None)
+}
+
+/// Whether a column is one of which a furnace can be made.
+pub(super) fn holds_albedo(column: Column) -> bool {
+    column.albedo(0.5).is_some()
+}

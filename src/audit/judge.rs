@@ -1,0 +1,108 @@
+//! The exact judgement: the sieve's best on more texels, then on all, with the clamps that the ends of an axis may have.
+
+use super::AuditError;
+use super::axis::{AxisReading, Input};
+use super::convention::Pins;
+use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
+use super::screen::best;
+use super::truth::{Truth, Values};
+
+/// Least values that tables clamp alpha and mu to.
+const FLOORS: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-5];
+
+/// Base values at every texel of a sample under a reading, in the table's order, and which are judged.
+pub(super) struct Judgement {
+    /// Base values; the ends of the range stand in where a texel is not judged.
+    pub base: Values,
+    /// Whether a texel lies where the truth can be had.
+    pub judged: Vec<bool>,
+}
+
+/// The exact truth under a reading.
+pub(super) fn judge(
+    truth: &dyn Truth,
+    sample: &Sample,
+    axes: &[AxisReading],
+    lobe: usize,
+) -> Result<Judgement, AuditError> {
+    let inputs = truth.inputs();
+    let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
+    let assigned: Vec<usize> = inputs.iter().map(along).collect();
+    let nodes: Vec<Vec<f64>> = assigned
+        .iter()
+        .zip(inputs)
+        .map(|(axis, input)| {
+            let [low, high] = truth.range(*input);
+            sample.nodes(*axis, &axes[*axis]).iter().map(|x| x.clamp(low, high)).collect()
+        })
+        .collect();
+    let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
+    let values = truth.exact(lobe, &at)?;
+    let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
+    let view = View { values: &values, steps: steps(&lengths, &assigned), start: 0 };
+    Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes) })
+}
+
+/// A reading with its exact figures.
+fn refit(
+    truth: &dyn Truth,
+    sample: &Sample,
+    pins: &Pins,
+    axes: Vec<AxisReading>,
+    lobe: usize,
+) -> Result<Option<Candidate>, AuditError> {
+    let judgement = judge(truth, sample, &axes, lobe)?;
+    let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), pins, truth.columns());
+    Ok(fitted.map(|fitted| Candidate { axes, lobe, fitted }))
+}
+
+/// Candidates judged again on another sample; the best `most` of them.
+pub(super) fn rejudge(
+    truth: &dyn Truth,
+    sample: &Sample,
+    pins: &Pins,
+    list: Vec<Candidate>,
+    most: usize,
+) -> Result<Vec<Candidate>, AuditError> {
+    let mut out = Vec::new();
+    for c in list {
+        out.extend(refit(truth, sample, pins, c.axes, c.lobe)?);
+    }
+    Ok(best(out, most))
+}
+
+/// The candidate with the clamps that fit best: of all its axes together (a corner shows only that), then of each.
+pub(super) fn with_floors(
+    truth: &dyn Truth,
+    sample: &Sample,
+    pins: &Pins,
+    candidate: &Candidate,
+) -> Result<Candidate, AuditError> {
+    let mut at = candidate.clone();
+    let clamped = |a: &AxisReading| matches!(a.scale.input(), Input::Alpha | Input::Mu);
+    let axes: Vec<usize> = (0..at.axes.len()).filter(|k| clamped(&at.axes[*k])).collect();
+    let least =
+        |axis: &usize| sample.nodes(*axis, &candidate.axes[*axis]).into_iter().fold(f64::INFINITY, f64::min);
+    let low: Vec<(usize, f64)> = axes.iter().map(|axis| (*axis, least(axis))).collect();
+    let groups = std::iter::once(axes.clone()).chain(axes.iter().map(|axis| vec![*axis]));
+    for group in groups.filter(|g| !g.is_empty()) {
+        for floor in FLOORS {
+            let raised: Vec<usize> = low
+                .iter()
+                .filter(|(axis, least)| group.contains(axis) && *least < floor)
+                .map(|l| l.0)
+                .collect();
+            if raised.is_empty() {
+                continue;
+            }
+            let mut axes = at.axes.clone();
+            raised.iter().for_each(|axis| axes[*axis].floor = floor);
+            let tried = refit(truth, sample, pins, axes, at.lobe)?;
+            // A clamp is told of only where it explains something.
+            if let Some(tried) = tried.filter(|t| t.fitted.rank < 0.9 * at.fitted.rank) {
+                at = tried;
+            }
+        }
+    }
+    Ok(at)
+}

@@ -1,0 +1,457 @@
+//! Floor 6: somebody else's table or shader function against the truth. Every convention that tables are made with is tried (which input
+//! runs along which axis, what its coordinate means, where texel i lies, which lobe, what a channel holds); the one that fits best is
+//! judged exactly, and what is wrong under it is named.
+//!
+//! Conventions are ranked by the geometric mean of two root mean squares of the texels' errors, of all and of the best four fifths
+//! ([`Misfit`]). A table *fits* a convention if its error is small beside the spread of the truth ([`FITS`]); it is *in no doubt*
+//! if the next convention ranks [`CLEAR`] times worse.
+
+mod axis;
+mod column;
+mod convention;
+mod defects;
+mod error;
+mod errors;
+mod function;
+mod judge;
+mod lookup;
+mod page;
+mod sample;
+mod screen;
+mod shipped;
+mod truth;
+mod verdict;
+
+pub use axis::{AxisReading, Input, SCALES, SITINGS, Scale, Siting};
+pub use column::Column;
+pub use convention::{Convention, Misfit, Pins};
+pub use defects::Defect;
+pub use error::AuditError;
+pub use errors::TexelErrors;
+pub use function::sampled;
+pub use lookup::LookupErrors;
+pub use page::findings;
+pub use shipped::{MOST_TEXELS, Shipped, ShippedChannel, Source};
+pub use truth::Lobe;
+
+use crate::data::{Place, Smith};
+use crate::effects::Quantity;
+use crate::integrate::glass::Side;
+use defects::grain;
+use errors::Residuals;
+use judge::judge;
+use lookup::Points;
+use sample::{Candidate, Sample};
+use truth::Truth;
+
+/// Largest root mean square, beside the spread of the truth, with which a channel fits a convention. Published tables that are what they say
+/// leave up to 0.014 (the LTC magnitude, sampled without the lobe's tail); tables of something else left 0.05 and more.
+pub const FITS: f64 = 0.02;
+
+/// The same of a function, which is an approximation: published ones leave up to 0.2 against the lobe that they were fitted to.
+pub const FUNCTION_FITS: f64 = 0.2;
+
+/// How much worse the next convention must rank for the best to be in no doubt.
+pub const CLEAR: f64 = 2.0;
+
+/// Conventions that are told of.
+const TOLD: usize = 10;
+
+/// Places along every axis: in the sieve, in the first exact round, in the last (2 axes or fewer, and 3).
+const SIEVE: [usize; 2] = [10, 7];
+const ROUND: [usize; 2] = [24, 9];
+const WHOLE: [usize; 2] = [4096, 64];
+
+/// Conventions after the first exact round.
+const ROUND_KEPT: [usize; 2] = [40, 16];
+
+/// Quantities that are audited, and the number of their inputs.
+pub const AUDITED: [(&str, usize); 5] = [
+    ("ggx-reflection", 2),
+    ("ggx-reflection-aniso", 3),
+    ("ggx-average", 1),
+    ("ggx-glass", 3),
+    ("sheen-charlie", 2),
+];
+
+/// Conventions of which clamps are tried.
+const CLAMPED: [usize; 2] = [TOLD, 2];
+
+/// How a table fits its best convention.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fit {
+    /// Its errors are small beside the spread of the truth.
+    Whole,
+    /// A part of it fits and the rest does not: stale or damaged.
+    Part,
+    /// It fits none.
+    None,
+}
+
+/// A convention that was tried.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tried {
+    /// The convention.
+    pub convention: Convention,
+    /// Figures of the channels that are judged, by channel.
+    pub misfits: Vec<Option<Misfit>>,
+    /// What it ranks by.
+    pub rank: f64,
+}
+
+/// The furnace: E over the E that the table makes the shader believe, less 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Furnace {
+    /// Least and largest.
+    pub range: [f64; 2],
+    /// Where the magnitude is largest.
+    pub at: Place,
+}
+
+/// A channel under the best convention.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelAudit {
+    /// Its name.
+    pub name: String,
+    /// What it holds; none if it is constant or not asked for.
+    pub column: Option<Column>,
+    /// Its errors at the texels, where it is judged.
+    pub errors: Option<TexelErrors>,
+    /// How it fits.
+    pub fit: Fit,
+    /// Signed errors of the texels, the first axis fastest, of at most 64 (three axes) or 4096 places along each; empty if not judged.
+    pub map: Vec<f64>,
+    /// The truth at those texels.
+    pub truth: Vec<f64>,
+    /// What is wrong with it.
+    pub defects: Vec<Defect>,
+    /// Its lookup with the best registration.
+    pub lookup: Option<LookupErrors>,
+    /// Its lookup as a texture unit does it without a remap of the coordinates.
+    pub plain_lookup: Option<LookupErrors>,
+}
+
+/// What was found out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Audit {
+    /// File and array.
+    pub what: String,
+    /// Quantity.
+    pub quantity: &'static str,
+    /// What the values are of.
+    pub source: Source,
+    /// Size of the table without axes of one texel.
+    pub size: Vec<usize>,
+    /// Names of its axes.
+    pub axes: Vec<String>,
+    /// Places along every axis at which the maps are given.
+    pub places: Vec<Vec<usize>>,
+    /// How the whole fits: as its worst channel.
+    pub fit: Fit,
+    /// The conventions, the best first.
+    pub tried: Vec<Tried>,
+    /// Rank of the next that differs over that of the first; infinite if there is none.
+    pub margin: f64,
+    /// Whether part of the convention was given by the user.
+    pub pinned: bool,
+    /// The channels.
+    pub channels: Vec<ChannelAudit>,
+    /// The furnace, where the channels make an albedo.
+    pub furnace: Option<Furnace>,
+    /// Bound of the truth's own error.
+    pub truth_error: f64,
+    /// All of it in a paragraph.
+    pub verdict: String,
+}
+
+impl Audit {
+    /// The best convention.
+    pub fn best(&self) -> &Convention {
+        &self.tried[0].convention
+    }
+
+    /// Largest error at a texel of any judged channel.
+    pub fn worst(&self) -> f64 {
+        self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
+    }
+
+    /// Whether it is what it is said to be: it fits, and no texel is off by more than the limit. With nothing given by the user and no
+    /// limit an audit only tells.
+    pub fn passes(&self, limit: Option<f64>) -> bool {
+        match limit {
+            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit,
+            None => !self.pinned || self.fit != Fit::None,
+        }
+    }
+}
+
+/// Audits a table as a quantity. `progress` is told the stages.
+///
+/// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or options that contradict it.
+pub fn audit(
+    shipped: &Shipped,
+    quantity: &Quantity,
+    pins: &Pins,
+    progress: &dyn Fn(&str),
+) -> Result<Audit, AuditError> {
+    let table = shipped.checked()?;
+    let live = table.live()?;
+    progress("truth");
+    let truth = truth_of(&table, quantity, pins)?;
+    let truth = truth.as_ref();
+    check_axes(&table, truth)?;
+    pins.check(truth, table.size.len(), live.len())?;
+    let sampled = Pins { sitings: Some(vec![Siting::Centre]), ..pins.clone() };
+    let tried = if table.source == Source::Function { &sampled } else { pins };
+    let found = candidates(truth, &table, &live, tried, progress)?;
+    progress("errors under the best convention");
+    finish(truth, &table, &live, pins, &found)
+}
+
+/// The truth that the user asks for; only the lobes that may be meant are integrated.
+fn truth_of(table: &Shipped, quantity: &Quantity, pins: &Pins) -> Result<Box<dyn Truth>, AuditError> {
+    let smiths: Vec<Smith> = pins.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
+    Ok(match quantity.name {
+        "ggx-reflection" => Box::new(truth::reflection(&smiths)),
+        "ggx-average" => Box::new(truth::average(&smiths)?),
+        "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
+        "sheen-charlie" => Box::new(truth::sheen()),
+        "ggx-glass" => {
+            let sides = pins.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
+            let lobe = |smith: &Smith| {
+                sides.iter().map(|side| Lobe { smith: Some(*smith), side: Some(*side) }).collect::<Vec<_>>()
+            };
+            Box::new(truth::glass(smiths.iter().flat_map(lobe).collect())?)
+        }
+        other => {
+            return Err(AuditError::Option {
+                option: "--as",
+                value: other.into(),
+                reason: format!(
+                    "{}: no table of it can be audited; {} can",
+                    table.what,
+                    AUDITED.map(|a| a.0).join(", ")
+                ),
+            });
+        }
+    })
+}
+
+fn check_axes(table: &Shipped, truth: &dyn Truth) -> Result<(), AuditError> {
+    let (axes, inputs) = (table.size.len(), truth.inputs().len());
+    if axes == inputs {
+        return Ok(());
+    }
+    let advice = match (axes, inputs) {
+        (1, _) => "a table over roughness alone may be meant --as ggx-average",
+        (2, 1) => "a table over mu and roughness may be meant --as ggx-reflection",
+        (3, 2) => "give --layer to choose a slice",
+        _ => "give --size WxHxD as the table is laid out",
+    };
+    Err(AuditError::Axes {
+        what: table.what.clone(),
+        size: table.size.clone(),
+        axes,
+        quantity: truth.quantity().into(),
+        inputs,
+        names: truth.inputs().iter().map(|i| i.name()).collect::<Vec<_>>().join(", "),
+        advice: advice.into(),
+    })
+}
+
+/// The conventions that fit best, no two of them alike but for clamps.
+fn candidates(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    pins: &Pins,
+    progress: &dyn Fn(&str),
+) -> Result<Vec<Candidate>, AuditError> {
+    let class = usize::from(table.size.len() == 3);
+    progress("conventions on a few texels");
+    let found = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), pins);
+    progress("the best conventions on more texels");
+    let more = Sample::new(table, live, ROUND[class], false);
+    let found = judge::rejudge(truth, &more, pins, found, ROUND_KEPT[class])?;
+    let mut clamped = Vec::new();
+    for (k, candidate) in screen::best(found, TOLD).into_iter().enumerate() {
+        let floored = k < CLAMPED[class] && table.source == Source::Table;
+        clamped.push(if floored { judge::with_floors(truth, &more, pins, &candidate)? } else { candidate });
+    }
+    let whole = Sample::new(table, live, WHOLE[class], false);
+    let told = judge::rejudge(truth, &whole, pins, clamped, TOLD)?;
+    let mut distinct: Vec<Candidate> = Vec::new();
+    for candidate in told {
+        if !distinct.iter().any(|d| d.like(&candidate)) {
+            distinct.push(candidate);
+        }
+    }
+    if distinct.is_empty() {
+        return Err(AuditError::OutOfDomain {
+            what: table.what.clone(),
+            quantity: truth.quantity().into(),
+            reading: "any convention that was tried".into(),
+        });
+    }
+    Ok(distinct)
+}
+
+fn finish(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    pins: &Pins,
+    found: &[Candidate],
+) -> Result<Audit, AuditError> {
+    let class = usize::from(table.size.len() == 3);
+    let sample = Sample::new(table, live, WHOLE[class], false);
+    let best = &found[0];
+    let convention = best.convention(truth, live, table.channels.len());
+    let judgement = judge(truth, &sample, &best.axes, best.lobe)?;
+    let points = match table.source {
+        Source::Table => Some(Points::new(truth, &convention, best.lobe)?),
+        Source::Function => None,
+    };
+    let mut channels = Vec::new();
+    for (k, channel) in table.channels.iter().enumerate() {
+        let place = live.iter().position(|l| *l == k);
+        let column = convention.columns[k];
+        let (Some(place), Some(column)) = (place, column) else {
+            channels.push(unjudged(&channel.name));
+            continue;
+        };
+        let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
+        let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
+        let step = grain(table.step, &channel.values);
+        let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
+        let defects = match table.source {
+            Source::Table => defects::defects(&residuals, step, alpha),
+            Source::Function => defects::of_function(&residuals),
+        };
+        let errors = residuals.figures(at);
+        channels.push(ChannelAudit {
+            name: channel.name.clone(),
+            column: Some(column),
+            fit: fit(table.source, &residuals, &errors, &defects),
+            truth: (0..residuals.values.len()).map(|i| residuals.truth(i)).collect(),
+            map: residuals.errors.clone(),
+            errors: Some(errors),
+            defects,
+            lookup: points.as_ref().and_then(|p| p.errors(table, k, column, &convention, None)),
+            plain_lookup: points
+                .as_ref()
+                .and_then(|p| p.errors(table, k, column, &convention, Some(Siting::Centre))),
+        });
+    }
+    let furnace = furnace(table, &convention, &sample, &judgement, live);
+    let worst = |a: Fit, b: Fit| if rank(b) > rank(a) { b } else { a };
+    let judged = channels.iter().filter(|c| c.column.is_some());
+    let mut audit = Audit {
+        what: table.what.clone(),
+        quantity: truth.quantity(),
+        source: table.source,
+        size: table.size.clone(),
+        axes: table.axes.clone(),
+        places: sample.at.clone(),
+        fit: judged.map(|c| c.fit).fold(Fit::Whole, worst),
+        tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
+        margin: margin(found),
+        pinned: !pins.is_free(),
+        channels,
+        furnace,
+        truth_error: truth.bound(),
+        verdict: String::new(),
+    };
+    audit.verdict = verdict::paragraph(&audit);
+    Ok(audit)
+}
+
+/// Rank of the first that differs over that of the best: E at normal incidence is the same for both forms of Smith.
+fn margin(found: &[Candidate]) -> f64 {
+    let times = found.iter().map(|c| c.fitted.rank / found[0].fitted.rank);
+    times.skip(1).find(|t| t - 1.0 >= 1e-6).unwrap_or(f64::INFINITY)
+}
+
+fn rank(fit: Fit) -> u8 {
+    match fit {
+        Fit::Whole => 0,
+        Fit::Part => 1,
+        Fit::None => 2,
+    }
+}
+
+fn unjudged(name: &str) -> ChannelAudit {
+    ChannelAudit {
+        name: name.into(),
+        column: None,
+        errors: None,
+        fit: Fit::None,
+        map: Vec::new(),
+        truth: Vec::new(),
+        defects: Vec::new(),
+        lookup: None,
+        plain_lookup: None,
+    }
+}
+
+fn tried(c: &Candidate, truth: &dyn Truth, live: &[usize], channels: usize) -> Tried {
+    let mut misfits = vec![None; channels];
+    for (place, misfit) in live.iter().zip(&c.fitted.misfits) {
+        misfits[*place] = *misfit;
+    }
+    Tried { convention: c.convention(truth, live, channels), misfits, rank: c.fitted.rank }
+}
+
+fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
+    let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
+    if errors.rms <= allowed * residuals.spread() {
+        return Fit::Whole;
+    }
+    let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
+    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() { Fit::Part } else { Fit::None }
+}
+
+/// The inputs of a texel.
+fn inputs_at(convention: &Convention, size: &[usize], texel: &[usize]) -> Place {
+    let along = convention.axes.iter().zip(texel).zip(size);
+    along.map(|((axis, i), n)| (axis.scale.input().name().to_string(), axis.node(*i, *n))).collect()
+}
+
+/// E over the table's E, less 1, at the texels; from the one channel that holds an albedo, or from A and B.
+fn furnace(
+    table: &Shipped,
+    convention: &Convention,
+    sample: &Sample,
+    judgement: &judge::Judgement,
+    live: &[usize],
+) -> Option<Furnace> {
+    let channel = |wanted: &dyn Fn(Column) -> bool| {
+        live.iter().position(|k| convention.columns[*k].is_some_and(wanted)).map(|p| (live[p], p))
+    };
+    let albedo = channel(&defects::holds_albedo);
+    let sum = channel(&|c| c == Column::A).zip(channel(&|c| c == Column::B));
+    let at = |i: usize| -> Option<(f64, f64)> {
+        if let Some((k, p)) = albedo {
+            let column = convention.columns[k]?;
+            return Some((column.albedo(sample.values[p][i])?, column.true_albedo(judgement.base[i])?));
+        }
+        let ((_, a), (_, b)) = sum?;
+        Some((sample.values[a][i] + sample.values[b][i], judgement.base[i][0]))
+    };
+    let mut out: Option<Furnace> = None;
+    let dims = sample.dims();
+    for i in (0..judgement.base.len()).filter(|i| judgement.judged[*i]) {
+        let (stored, truth) = at(i).filter(|(stored, _)| *stored > 0.0)?;
+        let off = truth / stored - 1.0;
+        let worse = out.as_ref().is_none_or(|f| off.abs() > f.range[0].abs().max(f.range[1].abs()));
+        let places: Vec<usize> =
+            shipped::place(i, &dims).iter().zip(&sample.at).map(|(k, at)| at[*k]).collect();
+        let range = out.as_ref().map_or([off; 2], |f| [f.range[0].min(off), f.range[1].max(off)]);
+        let at = match out {
+            Some(f) if !worse => f.at,
+            _ => inputs_at(convention, &table.size, &places),
+        };
+        out = Some(Furnace { range, at });
+    }
+    out
+}

@@ -1,0 +1,196 @@
+//! A part of a table, and conventions tried on it.
+
+use super::axis::AxisReading;
+use super::column::Column;
+use super::convention::{Convention, Misfit, Pins};
+use super::shipped::{Shipped, flat, place};
+use super::truth::{Truth, Values};
+
+/// Texels of some places along every axis.
+pub(super) struct Sample {
+    /// Size of the whole table.
+    pub size: Vec<usize>,
+    /// The places along every axis, rising.
+    pub at: Vec<Vec<usize>>,
+    /// Values of every live channel, the first axis fastest.
+    pub values: Vec<Vec<f64>>,
+}
+
+impl Sample {
+    /// At most `most` places along every axis, evenly spread; with `inner` none of them at an end.
+    pub(super) fn new(shipped: &Shipped, live: &[usize], most: usize, inner: bool) -> Sample {
+        let at: Vec<Vec<usize>> = shipped.size.iter().map(|n| spread(*n, most, inner)).collect();
+        let dims: Vec<usize> = at.iter().map(Vec::len).collect();
+        let texel = |i: usize| -> usize {
+            let places: Vec<usize> = place(i, &dims).iter().zip(&at).map(|(k, at)| at[*k]).collect();
+            flat(&places, &shipped.size)
+        };
+        let texels: Vec<usize> = (0..dims.iter().product()).map(texel).collect();
+        let of = |c: &usize| texels.iter().map(|t| shipped.channels[*c].values[*t]).collect();
+        Sample { size: shipped.size.clone(), values: live.iter().map(of).collect(), at }
+    }
+
+    /// Places along every axis.
+    pub(super) fn dims(&self) -> Vec<usize> {
+        self.at.iter().map(Vec::len).collect()
+    }
+
+    /// The inputs at the places of one axis.
+    pub(super) fn nodes(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
+        self.at[axis].iter().map(|i| reading.node(*i, self.size[axis])).collect()
+    }
+}
+
+/// At most `most` of 0..n, both ends among them or neither.
+fn spread(n: usize, most: usize, inner: bool) -> Vec<usize> {
+    if inner {
+        let count = most.min(n - 2);
+        return (0..count).map(|k| 1 + k * (n - 2) / count).collect();
+    }
+    if n <= most {
+        return (0..n).collect();
+    }
+    (0..most).map(|k| k * (n - 1) / (most - 1)).collect()
+}
+
+/// Where the values of one convention lie in a tensor of truths.
+pub(super) struct View<'a> {
+    /// The tensor, the truth's first input fastest.
+    pub values: &'a Values,
+    /// Step along every axis of the table, and where it begins.
+    pub steps: Vec<usize>,
+    /// First element.
+    pub start: usize,
+}
+
+impl View<'_> {
+    /// Base values at every texel of a sample, in the table's order.
+    pub(super) fn gather(&self, dims: &[usize]) -> Values {
+        let mut out = Vec::with_capacity(dims.iter().product());
+        let (dz, dy) = (dims.get(2).copied().unwrap_or(1), dims.get(1).copied().unwrap_or(1));
+        let step = |axis: usize| self.steps.get(axis).copied().unwrap_or(0);
+        for k in 0..dz {
+            for j in 0..dy {
+                let line = self.start + k * step(2) + j * step(1);
+                out.extend((0..dims[0]).map(|i| self.values[line + i * step(0)]));
+            }
+        }
+        out
+    }
+}
+
+/// Steps along every axis of a tensor whose dimension k runs along axis `assigned[k]`.
+pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
+    let mut steps = vec![0; assigned.len()];
+    let mut step = 1;
+    for (k, axis) in assigned.iter().enumerate() {
+        steps[*axis] = step;
+        step *= dims[k];
+    }
+    steps
+}
+
+/// Which texels of a sample lie where the truth can be had.
+pub(super) fn judged(truth: &dyn Truth, sample: &Sample, axes: &[AxisReading]) -> Vec<bool> {
+    let along: Vec<Vec<bool>> = axes
+        .iter()
+        .enumerate()
+        .map(|(axis, reading)| {
+            let [low, high] = truth.range(reading.scale.input());
+            sample.nodes(axis, reading).iter().map(|x| (low..=high).contains(x)).collect()
+        })
+        .collect();
+    let dims = sample.dims();
+    let all = |i: usize| place(i, &dims).iter().zip(&along).all(|(k, flags)| flags[*k]);
+    (0..dims.iter().product()).map(all).collect()
+}
+
+/// What the channels hold, and how well that fits.
+#[derive(Clone, Debug)]
+pub(super) struct Fitted {
+    /// By live channel.
+    pub columns: Vec<Option<Column>>,
+    /// By live channel; none for one that is not judged.
+    pub misfits: Vec<Option<Misfit>>,
+    /// Geometric mean of the ranks.
+    pub rank: f64,
+}
+
+/// The best columns of the channels for given base values; none if no texel is judged.
+pub(super) fn fit_columns(
+    sample: &Sample,
+    base: &Values,
+    judged: Option<&[bool]>,
+    pins: &Pins,
+    columns: &'static [Column],
+) -> Option<Fitted> {
+    let kept = |i: &usize| judged.is_none_or(|j| j[*i]);
+    let texels: Vec<usize> = (0..base.len()).filter(kept).collect();
+    if texels.is_empty() {
+        return None;
+    }
+    let misfit = |channel: &[f64], column: Column| {
+        let errors: Vec<f64> = texels.iter().map(|i| channel[*i] - column.value(base[*i])).collect();
+        Misfit::of(&errors)
+    };
+    let best = |k: usize, channel: &Vec<f64>| {
+        let tried: Vec<Column> = match (&pins.meanings, pins.column) {
+            (Some(given), _) => vec![given[k]],
+            (None, Some(column)) => vec![column],
+            (None, None) => columns.to_vec(),
+        };
+        let fits = tried.into_iter().map(|c| (c, misfit(channel, c)));
+        fits.min_by(|a, b| a.1.rank().total_cmp(&b.1.rank()))
+    };
+    let mut fits: Vec<Option<(Column, Misfit)>> =
+        sample.values.iter().enumerate().map(|(k, channel)| best(k, channel)).collect();
+    if pins.meanings.is_none() && pins.column.is_some() {
+        keep_best(&mut fits);
+    }
+    let ranks: Vec<f64> = fits.iter().flatten().map(|(_, m)| m.rank()).collect();
+    if ranks.iter().any(|r| !r.is_finite()) {
+        return None;
+    }
+    let product = ranks.iter().fold(1.0, |p: f64, r| p * r);
+    let rank = crate::math::ops::pow(product, 1.0 / ranks.len().max(1) as f64);
+    let (columns, misfits) = (fits.iter().map(|f| f.map(|f| f.0)), fits.iter().map(|f| f.map(|f| f.1)));
+    Some(Fitted { columns: columns.collect(), misfits: misfits.collect(), rank })
+}
+
+/// Of channels fitted to one column, the one that fits it.
+fn keep_best(fits: &mut [Option<(Column, Misfit)>]) {
+    let rank = |f: &Option<(Column, Misfit)>| f.map_or(f64::INFINITY, |f| f.1.rank());
+    let best = (0..fits.len()).min_by(|a, b| rank(&fits[*a]).total_cmp(&rank(&fits[*b])));
+    for (i, fit) in fits.iter_mut().enumerate() {
+        if Some(i) != best {
+            *fit = None;
+        }
+    }
+}
+
+/// A convention with its figures.
+#[derive(Clone, Debug)]
+pub(super) struct Candidate {
+    pub axes: Vec<AxisReading>,
+    /// Place of the lobe among the truth's.
+    pub lobe: usize,
+    pub fitted: Fitted,
+}
+
+impl Candidate {
+    /// For readers; `channels` of the table, of which `live` vary.
+    pub(super) fn convention(&self, truth: &dyn Truth, live: &[usize], channels: usize) -> Convention {
+        let mut columns = vec![None; channels];
+        for (place, column) in live.iter().zip(&self.fitted.columns) {
+            columns[*place] = *column;
+        }
+        Convention { axes: self.axes.clone(), lobe: truth.lobes()[self.lobe], columns }
+    }
+
+    /// Whether two differ in clamps alone.
+    pub(super) fn like(&self, other: &Candidate) -> bool {
+        self.lobe == other.lobe
+            && self.fitted.columns == other.fitted.columns
+            && self.axes.iter().zip(&other.axes).all(|(a, b)| a.like(b))
+    }
+}

@@ -1,0 +1,133 @@
+//! What somebody ships, as numbers: channels over a grid, the first axis fastest.
+
+use super::AuditError;
+use crate::foreign::{ForeignTable, Step};
+
+/// Most texels that an audit takes: 256^3.
+pub const MOST_TEXELS: usize = 1 << 24;
+
+/// One channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShippedChannel {
+    /// Its name in the file, or its number.
+    pub name: String,
+    /// As many values as the size has texels.
+    pub values: Vec<f64>,
+}
+
+/// What the values are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Texels.
+    Table,
+    /// A function, sampled at texel centres of its arguments.
+    Function,
+}
+
+/// A table whose conventions are not known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shipped {
+    /// File and array, for messages.
+    pub what: String,
+    /// Texels along every axis, the fastest first.
+    pub size: Vec<usize>,
+    /// Names of the axes, or of a function's arguments.
+    pub axes: Vec<String>,
+    /// What the values are of.
+    pub source: Source,
+    /// The channels.
+    pub channels: Vec<ShippedChannel>,
+    /// What the format rounds values to.
+    pub step: Step,
+}
+
+impl From<&ForeignTable> for Shipped {
+    fn from(table: &ForeignTable) -> Shipped {
+        let channel = |c: &crate::foreign::ForeignChannel| ShippedChannel {
+            name: c.name.clone(),
+            values: c.values.clone(),
+        };
+        let name = if table.name.is_empty() { String::new() } else { format!(", {}", table.name) };
+        Shipped {
+            what: format!("{}{name}", table.file),
+            size: table.size.clone(),
+            axes: Shipped::axes_of(table.size.len()),
+            source: Source::Table,
+            channels: table.channels.iter().map(channel).collect(),
+            step: table.step,
+        }
+    }
+}
+
+impl Shipped {
+    /// `x`, `y`, `z`.
+    pub fn axes_of(axes: usize) -> Vec<String> {
+        ["x", "y", "z"].into_iter().take(axes).map(String::from).collect()
+    }
+
+    /// The same without axes of one texel, checked: finite values in the size's number.
+    pub(super) fn checked(&self) -> Result<Shipped, AuditError> {
+        let expected = self.size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s)).unwrap_or(usize::MAX);
+        if expected > MOST_TEXELS {
+            return Err(AuditError::TooLarge {
+                what: self.what.clone(),
+                texels: expected,
+                most: MOST_TEXELS,
+            });
+        }
+        for channel in &self.channels {
+            if channel.values.len() != expected || expected == 0 {
+                return Err(AuditError::Shape {
+                    what: self.what.clone(),
+                    channel: channel.name.clone(),
+                    size: self.size.clone(),
+                    found: channel.values.len(),
+                    expected,
+                });
+            }
+            if let Some(i) = channel.values.iter().position(|v| !v.is_finite()) {
+                return Err(AuditError::NotFinite {
+                    what: self.what.clone(),
+                    channel: channel.name.clone(),
+                    texel: place(i, &self.size),
+                    value: channel.values[i],
+                });
+            }
+        }
+        let size: Vec<usize> = self.size.iter().copied().filter(|n| *n > 1).collect();
+        if size.is_empty() || size.iter().any(|n| *n < 4) {
+            return Err(AuditError::TooSmall { what: self.what.clone(), size: self.size.clone() });
+        }
+        let long = |(name, n): (&String, &usize)| (*n > 1).then(|| name.clone());
+        let axes = self.axes.iter().zip(&self.size).filter_map(long).collect();
+        Ok(Shipped { size, axes, ..self.clone() })
+    }
+
+    /// Channels that vary, by their place.
+    pub(super) fn live(&self) -> Result<Vec<usize>, AuditError> {
+        let varies = |c: &ShippedChannel| c.values.iter().any(|v| *v != c.values[0]);
+        let live: Vec<usize> = (0..self.channels.len()).filter(|i| varies(&self.channels[*i])).collect();
+        if live.is_empty() {
+            let value = self.channels.first().map_or(0.0, |c| c.values[0]);
+            return Err(AuditError::Constant { what: self.what.clone(), value });
+        }
+        Ok(live)
+    }
+}
+
+/// Index along every axis of a flat index, the first axis fastest.
+pub(super) fn place(flat: usize, size: &[usize]) -> Vec<usize> {
+    let mut rest = flat;
+    size.iter()
+        .map(|n| {
+            let i = rest % n;
+            rest /= n;
+            i
+        })
+        .collect()
+}
+
+/// Flat index of an index along every axis.
+pub(super) fn flat(place: &[usize], size: &[usize]) -> usize {
+    place.iter().zip(size).rev().fold(0, |sum, (i, n)| sum * n + i)
+}

@@ -1,0 +1,165 @@
+//! Rough glass over index of refraction, alpha and mu: R and T of either side.
+
+use rayon::prelude::*;
+
+use super::solid::{Knots, Solid};
+use super::{Lobe, Truth, Values};
+use crate::audit::AuditError;
+use crate::audit::axis::Input;
+use crate::audit::column::{self, Column};
+use crate::data::Smith;
+use crate::integrate::IntegrateError;
+use crate::integrate::glass::table::{Energies, Kernel};
+use crate::integrate::glass::{self, ALPHA, Side};
+
+/// Least alpha that the kernel of tables takes; from [`ALPHA`] up to here a value is integrated singly, below it the interface is smooth.
+const KERNEL_ALPHA: f64 = 4e-4;
+
+/// Least mu that is judged.
+const LEAST_MU: f64 = 2e-4;
+
+/// Largest index of refraction that is judged.
+const MOST_IOR: f64 = 3.0;
+
+/// Tolerance of exact values.
+const EXACT: f64 = 1e-6;
+
+/// Tolerance at the knots.
+const QUICK: f64 = 1e-3;
+
+const SIDES: [Side; 2] = [Side::Outside, Side::Inside];
+
+struct Glass {
+    lobes: Vec<Lobe>,
+    solid: Solid,
+}
+
+/// `ggx-glass`: R and T.
+pub(crate) fn glass(lobes: Vec<Lobe>) -> Result<impl Truth + use<>, AuditError> {
+    let knots = [
+        Knots { coordinate: f64::sqrt, input: |u| u * u, range: [1.0, MOST_IOR], count: 20 },
+        Knots { coordinate: f64::sqrt, input: |u| u * u, range: [KERNEL_ALPHA, 1.0], count: 20 },
+        Knots { coordinate: f64::sqrt, input: |u| u * u, range: [1e-3, 1.0], count: 40 },
+    ];
+    let at = knots.map(|k| k.inputs());
+    let mut values: Vec<Values> = vec![Values::new(); lobes.len()];
+    for smith in [Smith::Correlated, Smith::Separable] {
+        if !lobes.iter().any(|l| l.smith == Some(smith)) {
+            continue;
+        }
+        let both = energies(smith, [&at[0], &at[1], &at[2]], QUICK)?;
+        for (lobe, values) in lobes.iter().zip(&mut values).filter(|(l, _)| l.smith == Some(smith)) {
+            *values = of_side(&both, lobe.side);
+        }
+    }
+    Ok(Glass { lobes, solid: Solid { knots, values } })
+}
+
+fn of_side(both: &[Energies], side: Option<Side>) -> Values {
+    let k = usize::from(side == Some(Side::Inside));
+    both.iter().map(|e| [e.r[k], e.t[k]]).collect()
+}
+
+/// R and T at every combination, the index of refraction fastest, then alpha.
+fn energies(
+    smith: Smith,
+    [iors, alphas, mus]: [&[f64]; 3],
+    tolerance: f64,
+) -> Result<Vec<Energies>, AuditError> {
+    let kernel = Kernel::new(smith, tolerance)?;
+    let pairs: Vec<(f64, f64)> = mus.iter().flat_map(|mu| alphas.iter().map(|a| (*a, *mu))).collect();
+    let lines: Vec<Vec<Energies>> = pairs
+        .par_iter()
+        .map(|(alpha, mu)| {
+            let mut out = vec![Energies::default(); iors.len()];
+            if *alpha >= KERNEL_ALPHA {
+                kernel.energies(*alpha, *mu, iors, &mut out)?;
+            } else {
+                single(smith, *alpha, *mu, iors, &mut out)?;
+            }
+            Ok(out)
+        })
+        .collect::<Result<_, IntegrateError>>()?;
+    Ok(lines.into_iter().flatten().collect())
+}
+
+/// The same where the kernel of tables does not reach.
+fn single(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    iors: &[f64],
+    out: &mut [Energies],
+) -> Result<(), IntegrateError> {
+    let alpha = if alpha < ALPHA[0] { 0.0 } else { alpha };
+    for (ior, energies) in iors.iter().zip(out) {
+        for (k, side) in SIDES.into_iter().enumerate() {
+            let value = glass::glass(smith, alpha, mu, *ior, side, EXACT)?;
+            (energies.r[k], energies.t[k]) = (value.r, value.t);
+        }
+    }
+    Ok(())
+}
+
+impl Truth for Glass {
+    fn quantity(&self) -> &'static str {
+        "ggx-glass"
+    }
+
+    fn inputs(&self) -> &'static [Input] {
+        &[Input::Ior, Input::Alpha, Input::Mu]
+    }
+
+    fn lobes(&self) -> &[Lobe] {
+        &self.lobes
+    }
+
+    fn columns(&self) -> &'static [Column] {
+        &column::GLASS
+    }
+
+    fn range(&self, input: Input) -> [f64; 2] {
+        match input {
+            Input::Ior => [1.0, MOST_IOR],
+            Input::Mu => [LEAST_MU, 1.0],
+            _ => [0.0, 1.0],
+        }
+    }
+
+    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Values {
+        self.solid.at(lobe, at)
+    }
+
+    fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        let Lobe { smith, side } = self.lobes[lobe];
+        Ok(of_side(&energies(smith.unwrap_or_default(), [at[0], at[1], at[2]], EXACT)?, side))
+    }
+
+    fn bound(&self) -> f64 {
+        EXACT
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_values_are_the_quantity_and_quick_ones_are_near() {
+        let lobes = SIDES.map(|side| Lobe { smith: Some(Smith::Separable), side: Some(side) }).to_vec();
+        let truth = glass(lobes).unwrap();
+        let (iors, alphas, mus) = ([1.2, 1.5], [0.0, 2e-4, 0.09, 0.7], [0.2, 0.83]);
+        for (lobe, side) in SIDES.into_iter().enumerate() {
+            let exact = truth.exact(lobe, &[&iors, &alphas, &mus]).unwrap();
+            let quick = truth.quick(lobe, &[&iors, &alphas, &mus]);
+            for (i, value) in exact.iter().enumerate() {
+                let (ior, alpha, mu) = (iors[i % 2], alphas[i / 2 % 4], mus[i / 8]);
+                let truth = glass::glass(Smith::Separable, alpha, mu, ior, side, 1e-7).unwrap();
+                let gap = (value[0] - truth.r).abs().max((value[1] - truth.t).abs());
+                assert!(gap < 2.0 * EXACT, "alpha {alpha} mu {mu} ior {ior} {side:?}: {gap:e}");
+                let off = (value[0] - quick[i][0]).abs().max((value[1] - quick[i][1]).abs());
+                assert!(off < 0.03, "alpha {alpha} mu {mu} ior {ior} {side:?}: {off:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! A defect in a sentence.
+
+use super::words::number;
+use crate::audit::Defect;
+
+/// The sentence; `axes` names the table's axes.
+pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
+    match defect {
+        Defect::Part { texels: [off, all], over, mean, range, size } => {
+            let along = |((name, r), n): ((&String, &[usize; 2]), &usize)| {
+                let whole = r[0] == 0 && r[1] + 1 == *n;
+                (!whole).then(|| match r[0] == r[1] {
+                    true => format!("{name} = {}", r[0]),
+                    false => format!("{name} = {} to {}", r[0], r[1]),
+                })
+            };
+            let ranges: Vec<String> = axes.iter().zip(range).zip(size).filter_map(along).collect();
+            let place = if ranges.is_empty() { String::new() } else { format!(", all at {}", ranges.join(", ")) };
+            format!(
+                "{off} of {all} texels are off by more than {}, on average {} {}{place}; the others are not.",
+                number(*over),
+                number(mean.abs()),
+                way(*mean)
+            )
+        }
+        Defect::Bias { mean } => {
+            format!("The error is mostly a bias: values are {} {} on average.", number(mean.abs()), way(*mean))
+        }
+        Defect::Clamped { value, texels, truth } => format!(
+            "{texels} values stand at {} where the truth goes on to {}: clamped.",
+            number(*value),
+            number(*truth)
+        ),
+        Defect::Noise { rms, share } => format!(
+            "{} % of the error jumps from texel to texel, as sampling noise does (RMS {}).",
+            (100.0 * share.min(1.0)).round(),
+            number(*rms)
+        ),
+        Defect::Steps { step, rms } => {
+            format!("That is what rounding to {} leaves (RMS {}).", step.text(), number(*rms))
+        }
+        Defect::MissingLoss { stored, alpha, worst, texel } => format!(
+            "For smooth surfaces (alpha up to {}) it holds only {} % of the true loss, {} where {} is true at texel {texel:?}: a sampling \
+             that misses the tail of the lobe does this.",
+            number(*alpha),
+            (100.0 * stored.max(0.0)).round(),
+            number(worst[0]),
+            number(worst[1])
+        ),
+    }
+}
+
+fn way(mean: f64) -> &'static str {
+    if mean > 0.0 { "too high" } else { "too low" }
+}

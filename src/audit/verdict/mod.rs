@@ -1,0 +1,156 @@
+//! The verdict in one paragraph, for somebody who writes shaders.
+
+mod advice;
+mod defect;
+mod words;
+
+pub(super) use defect::sentence;
+pub(super) use words::number;
+
+use super::axis::Siting;
+use super::convention::Convention;
+use super::shipped::Source;
+use super::{Audit, CLEAR, ChannelAudit, Fit};
+use words::{axes, percent, place, reading, readings_differ};
+
+/// Ranks nearer than this are of conventions that are the same at the texels.
+const SAME: f64 = 1e-6;
+
+/// All of it.
+pub(super) fn paragraph(audit: &Audit) -> String {
+    let mut out = vec![opening(audit), doubt(audit)];
+    for channel in audit.channels.iter().filter(|c| c.column.is_some()) {
+        out.extend(errors(audit, channel));
+        if audit.fit != Fit::None {
+            out.extend(channel.defects.iter().map(|d| sentence(d, &audit.axes)));
+        }
+    }
+    out.extend(idle(audit));
+    out.extend(furnace(audit));
+    out.extend(lookups(audit));
+    out.extend(advice::advice(audit));
+    out.retain(|s| !s.is_empty());
+    out.join(" ")
+}
+
+/// What it is best read as.
+fn opening(audit: &Audit) -> String {
+    let given = if audit.pinned { " of those that the options leave open" } else { "" };
+    let (name, reading) = (&audit.what, reading(audit));
+    match audit.fit {
+        Fit::Whole => format!("{name} is best read as {reading}."),
+        Fit::Part => format!(
+            "{name} fits no convention{given} as a whole. It is nearest to {reading}, which most of it fits."
+        ),
+        Fit::None => format!(
+            "{name} fits no convention{given}. The nearest, which it does not follow, is {reading}."
+        ),
+    }
+}
+
+fn doubt(audit: &Audit) -> String {
+    if audit.fit == Fit::None {
+        return String::new();
+    }
+    let first = &audit.tried[0];
+    let apart = |t: &&super::Tried| (t.rank / first.rank - 1.0).abs() >= SAME;
+    let other = |convention: &Convention| readings_differ(audit, &first.convention, convention);
+    let same = audit.tried[1..].iter().find(|t| !apart(t));
+    let mut out = same.map_or(String::new(), |t| format!("With {} it is the same. ", other(&t.convention)));
+    if let Some(second) = audit.tried[1..].iter().find(apart) {
+        let (times, other) = (number(audit.margin), other(&second.convention));
+        out += &match audit.margin {
+            m if m >= CLEAR => format!("This is in no doubt: the next convention ({other}) fits {times} times worse."),
+            m if m >= 1.2 => format!("This is likely: the next convention ({other}) fits {times} times worse."),
+            _ => format!("This is open: another convention ({other}) fits nearly as well."),
+        };
+    }
+    out.trim_end().into()
+}
+
+fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
+    let e = channel.errors.as_ref()?;
+    let column = channel.column?.name();
+    let part = if e.texels[0] < e.texels[1] {
+        format!(" ({} of {} texels judged, the rest lies where the truth is not to be had)", e.texels[0], e.texels[1])
+    } else {
+        String::new()
+    };
+    let where_ = match audit.source {
+        Source::Table => "At its texels".to_string(),
+        Source::Function => format!("Over {} evenly spaced points", e.texels[0]),
+    };
+    if e.max <= 2.0 * audit.truth_error {
+        return Some(format!("{where_} {column} is exact to the accuracy of the truth, {}{part}.", number(audit.truth_error)));
+    }
+    // Half the last place of a single.
+    if e.max <= 6e-8 * e.value.abs().max(1.0) {
+        return Some(format!("{where_} {column} is exact to single precision{part}."));
+    }
+    let texel = match audit.source {
+        Source::Table => format!("texel {:?} ({})", e.texel, place(&e.at)),
+        Source::Function => place(&e.at),
+    };
+    Some(format!(
+        "{where_} {column} is off by at most {} (RMS {}){part}, worst at {texel}, where it is {} and {} is true.",
+        number(e.max),
+        number(e.rms),
+        words::long(e.value),
+        words::long(e.truth),
+    ))
+}
+
+/// Channels that hold nothing that is asked for.
+fn idle(audit: &Audit) -> Option<String> {
+    let names: Vec<&str> =
+        audit.channels.iter().filter(|c| c.column.is_none()).map(|c| c.name.as_str()).collect();
+    let noun = if names.len() == 1 { "Channel" } else { "Channels" };
+    let verb = if names.len() == 1 { "is" } else { "are" };
+    (!names.is_empty()).then(|| format!("{noun} {} {verb} constant or not asked for.", names.join(", ")))
+}
+
+fn furnace(audit: &Audit) -> Option<String> {
+    let f = audit.furnace.as_ref()?;
+    if f.range[1] - f.range[0] <= (4.0 * audit.truth_error).max(2e-7) {
+        return None;
+    }
+    Some(format!(
+        "A white furnace compensated with it comes out {} to {} off white, worst at {}.",
+        percent(f.range[0]),
+        percent(f.range[1]),
+        place(&f.at)
+    ))
+}
+
+/// What a shader gets between texels.
+fn lookups(audit: &Audit) -> Option<String> {
+    if audit.fit == Fit::None {
+        return None;
+    }
+    let channel = audit.channels.iter().find(|c| c.lookup.is_some())?;
+    let (own, plain) = (channel.lookup.as_ref()?, channel.plain_lookup.as_ref()?);
+    let column = channel.column?.name();
+    let centred = audit.best().axes.iter().all(|a| a.siting == Siting::Centre);
+    let mut text = format!(
+        "Looked up with linear interpolation{}, {column} is off by at most {} (RMS {}), worst at {}; by {} between the outermost texels.",
+        if centred { "" } else { " at the coordinates that its texels have" },
+        number(own.max),
+        number(own.rms),
+        place(&own.at),
+        number(own.inner),
+    );
+    if !centred {
+        text += &format!(
+            " A texture unit that takes them for centres, without a remap, is off by up to {} (RMS {}, mean {}).",
+            number(plain.max),
+            number(plain.rms),
+            words::signed(plain.mean),
+        );
+    }
+    Some(text)
+}
+
+/// Every axis of the best convention in words.
+fn axes_of(audit: &Audit) -> String {
+    axes(audit, audit.best())
+}

@@ -1,0 +1,277 @@
+//! `lobefit audit`: somebody else's table or shader function against the truth.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::CliError;
+use super::options::{ThreadsOption, not_negative, quantity, smith};
+use super::output::{Outcome, print, say};
+use super::progress::Spinner;
+use crate::audit::{self, Audit, Column, Pins, SCALES, SITINGS, Scale, Shipped, Siting};
+use crate::data::Smith;
+use crate::effects::Quantity;
+use crate::foreign::{self, Hints, RawFormat};
+use crate::integrate::glass::Side;
+use crate::report::{self, Origin};
+use crate::store;
+
+pub(super) const EXAMPLES: &str = "\
+Examples:
+  lobefit audit dfg.exr --as ggx-reflection             how is this table meant, and how far off is it?
+  lobefit audit lut.png --as ggx-reflection:E --limit 0.01   in CI: exit 1 if E is off by more than 0.01
+  lobefit audit shader.tables --as ggx-glass --symbol table_ggx_glass_E --size 16x16x16
+  lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
+
+What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior-1, F0, ...;
+`1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low.
+
+Exit code 1: over the limit, or it fits no convention that the options leave open.";
+
+/// Options of `audit`.
+#[derive(Args)]
+pub(super) struct Options {
+    /// Table: EXR, DDS, PNG, KTX2, raw numbers, or a text with an array
+    pub file: PathBuf,
+    /// Quantity that it is measured as, and the column that is asked for
+    #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
+    pub wanted: (&'static Quantity, Option<Column>),
+    /// What runs along x, y, z: `mu,roughness`
+    #[arg(long, value_name = "A,B,..", value_delimiter = ',', value_parser = axis)]
+    pub axes: Vec<(Scale, bool)>,
+    /// Where texels lie, of all axes or of each
+    #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = siting)]
+    pub registration: Vec<Siting>,
+    /// Shadowing form: `correlated` or `separable`
+    #[arg(long, value_name = "S", value_parser = smith)]
+    pub smith: Option<Smith>,
+    /// Where the ray comes from, of glass: `outside` or `inside`
+    #[arg(long, value_name = "SIDE", value_parser = side)]
+    pub side: Option<Side>,
+    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...
+    #[arg(long, value_name = "M,..", value_delimiter = ',')]
+    pub meaning: Vec<String>,
+    /// Texels along each axis, x fastest: `64x64`
+    #[arg(long, value_name = "WxH[xD]", value_parser = size)]
+    pub size: Option<Size>,
+    /// Values of a texel
+    #[arg(long, value_name = "N")]
+    pub channels: Option<usize>,
+    /// How numbers lie in a file that does not say: f16, f32, f64, unorm8, unorm16
+    #[arg(long, value_name = "F", value_parser = raw_format)]
+    pub raw_format: Option<RawFormat>,
+    /// Name of the array in a text
+    #[arg(long, value_name = "NAME")]
+    pub symbol: Option<String>,
+    /// Name of the layer of an EXR file
+    #[arg(long, value_name = "NAME")]
+    pub layer: Option<String>,
+    /// Largest error at a texel that is accepted
+    #[arg(long, value_name = "E", value_parser = not_negative)]
+    pub limit: Option<f64>,
+    /// Folder for NAME.audit.html and NAME.audit.json
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub threads: ThreadsOption,
+    /// Print what was found as JSON on standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Texels along each axis.
+#[derive(Clone)]
+pub(super) struct Size(Vec<usize>);
+
+pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
+    let bytes = store::read(&options.file, foreign::limits::BYTES)?;
+    let tables = foreign::read_table(&bytes, &options.file.display().to_string(), &hints(options))?;
+    let table = chosen(options, &tables)?;
+    let shipped = Shipped { what: named(options, &table.name), ..Shipped::from(table) };
+    let progress = Spinner::new(options.quiet || options.json);
+    let mut done = options.threads.install(|| work(options, &shipped, &progress))?;
+    if options_fit_nothing(&done) {
+        progress.stage("the same without the options");
+        let free = Pins { column: options.wanted.1, ..Pins::default() };
+        let free =
+            options.threads.install(|| Ok(audit::audit(&shipped, options.wanted.0, &free, &|_| ())?))?;
+        done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
+    }
+    drop(progress);
+    let origin = origin(options, &bytes);
+    let found = audit::findings(&done, origin, &file_name(options), &table.what, options.limit);
+    let (page, figures) = report::audit_page(&found)?;
+    if let Some(folder) = &options.out {
+        let name = file_name(options);
+        store::write(&folder.join(format!("{name}.audit.html")), page.as_bytes())?;
+        store::write(&folder.join(format!("{name}.audit.json")), &figures)?;
+    }
+    if options.json {
+        print(&figures)?;
+    } else if !options.quiet {
+        print(format!("{}\n", done.verdict).as_bytes())?;
+    }
+    if found.passed {
+        return Ok(Outcome::Done);
+    }
+    if !options.quiet {
+        say(&refusal(&done, options.limit));
+    }
+    Ok(Outcome::Failed)
+}
+
+fn work(options: &Options, shipped: &Shipped, progress: &Spinner) -> Result<Audit, CliError> {
+    let pins = pins(options)?;
+    Ok(audit::audit(shipped, options.wanted.0, &pins, &|stage| progress.stage(stage))?)
+}
+
+fn options_fit_nothing(done: &Audit) -> bool {
+    done.pinned && done.fit == audit::Fit::None
+}
+
+/// Why the exit code is 1.
+fn refusal(done: &Audit, limit: Option<f64>) -> String {
+    match limit {
+        Some(limit) if done.fit == audit::Fit::Whole => {
+            format!("audit failed: the largest error is {:e}, the limit {limit:e}", done.worst())
+        }
+        _ => "audit failed: it fits no convention that the options leave open".into(),
+    }
+}
+
+/// The table that is meant, of a file that may hold several.
+fn chosen<'a>(
+    options: &Options,
+    tables: &'a [foreign::ForeignTable],
+) -> Result<&'a foreign::ForeignTable, CliError> {
+    let name = options.wanted.0.name;
+    let inputs = audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1);
+    let axes = |t: &&foreign::ForeignTable| t.size.iter().filter(|n| **n > 1).count() == inputs;
+    let fitting: Vec<&foreign::ForeignTable> = tables.iter().filter(axes).collect();
+    match (fitting.as_slice(), tables) {
+        ([one], _) => Ok(one),
+        ([], [one, ..]) => Ok(one),
+        ([], []) => Err(CliError::Usage(format!("{}: holds no table", options.file.display()))),
+        (several, _) => {
+            let names: Vec<&str> = several.iter().map(|t| t.name.as_str()).collect();
+            let names = names.join("`, `");
+            Err(CliError::Usage(format!(
+                "{}: holds several tables of {inputs} axes: `{names}`; choose one by --symbol or --layer",
+                options.file.display()
+            )))
+        }
+    }
+}
+
+fn hints(options: &Options) -> Hints {
+    Hints {
+        size: options.size.clone().map(|s| s.0),
+        channels: options.channels,
+        format: options.raw_format,
+        symbol: options.symbol.clone(),
+        layer: options.layer.clone(),
+    }
+}
+
+fn pins(options: &Options) -> Result<Pins, CliError> {
+    let given =
+        |list: &[String]| list.iter().map(|m| column(options.wanted.0, m)).collect::<Result<Vec<_>, _>>();
+    let meanings = given(&options.meaning).map_err(CliError::Usage)?;
+    Ok(Pins {
+        axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
+        sitings: Some(options.registration.clone()).filter(|r| !r.is_empty()),
+        smith: options.smith,
+        side: options.side,
+        meanings: Some(meanings).filter(|m| !m.is_empty()),
+        column: options.wanted.1,
+    })
+}
+
+fn file_name(options: &Options) -> String {
+    options.file.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned())
+}
+
+/// The file's name with the array's: verdicts depend on no folder.
+fn named(options: &Options, array: &str) -> String {
+    if array.is_empty() { file_name(options) } else { format!("{} ({array})", file_name(options)) }
+}
+
+fn origin(options: &Options, bytes: &[u8]) -> Origin {
+    let (quantity, column) = options.wanted;
+    let column = column.map_or(String::new(), |c| format!(":{}", c.name()));
+    Origin {
+        scene: String::new(),
+        recipe: blake3::hash(bytes).to_hex().to_string(),
+        tool: env!("CARGO_PKG_VERSION").into(),
+        command: format!("lobefit audit {} --as {}{column}", file_name(options), quantity.name),
+    }
+}
+
+fn wanted(text: &str) -> Result<(&'static Quantity, Option<Column>), String> {
+    let (name, of) = text.split_once(':').map_or((text, None), |(n, c)| (n, Some(c)));
+    let quantity = quantity(name)?;
+    Ok((quantity, of.map(|c| column(quantity, c)).transpose()?))
+}
+
+fn column(quantity: &Quantity, name: &str) -> Result<Column, String> {
+    let columns = Column::of(quantity.name);
+    let alias = match name {
+        "loss" => "1-E",
+        "N" => "1/E",
+        "loss_avg" => "1-E_avg",
+        other => other,
+    };
+    columns.iter().copied().find(|c| c.name() == alias).ok_or_else(|| {
+        let names: Vec<&str> = columns.iter().map(|c| c.name()).collect();
+        format!(
+            "`{name}` is nothing that a channel of {} holds; it may hold {}",
+            quantity.name,
+            names.join(", ")
+        )
+    })
+}
+
+fn axis(text: &str) -> Result<(Scale, bool), String> {
+    let (name, reversed) = match (text, text.strip_prefix("1-")) {
+        ("gloss", _) => ("roughness", true),
+        (_, Some(rest)) => (rest, true),
+        (name, None) => (name, false),
+    };
+    let found = SCALES.into_iter().find(|s| s.name() == name).map(|s| (s, reversed));
+    found.ok_or_else(|| {
+        let names: Vec<&str> = SCALES.iter().map(|s| s.name()).collect();
+        format!("no such coordinate; they are gloss, {}", names.join(", "))
+    })
+}
+
+fn siting(text: &str) -> Result<Siting, String> {
+    SITINGS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
+        let names: Vec<&str> = SITINGS.iter().map(|s| s.name()).collect();
+        format!("no such registration; they are {}", names.join(", "))
+    })
+}
+
+fn side(text: &str) -> Result<Side, String> {
+    [Side::Outside, Side::Inside]
+        .into_iter()
+        .find(|s| s.name() == text)
+        .ok_or_else(|| "`outside` or `inside` is called for".into())
+}
+
+fn size(text: &str) -> Result<Size, String> {
+    let parts: Result<Vec<usize>, _> = text.split('x').map(str::parse).collect();
+    match parts {
+        Ok(list) if (1..=3).contains(&list.len()) && !list.contains(&0) => Ok(Size(list)),
+        _ => Err("one to three whole numbers above 0 are called for, as 64x64".into()),
+    }
+}
+
+fn raw_format(text: &str) -> Result<RawFormat, String> {
+    RawFormat::ALL.into_iter().find(|f| f.name() == text).ok_or_else(|| {
+        let names: Vec<&str> = RawFormat::ALL.iter().map(|f| f.name()).collect();
+        format!("no such format; they are {}", names.join(", "))
+    })
+}

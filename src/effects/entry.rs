@@ -1,0 +1,44 @@
+//! The files of the catalogue. They are what a person writes; they are compiled in, so that nothing depends on the working directory.
+
+/// One WGSL file of the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// File name.
+    pub file: &'static str,
+    /// WGSL source.
+    pub source: &'static str,
+    /// The publication, for a formula with published constants.
+    pub publication: Option<&'static str>,
+}
+
+impl Entry {
+    /// Name of its function: that of the file.
+    pub fn name(&self) -> &'static str {
+        self.file.trim_start_matches("published/").trim_end_matches(".wgsl")
+    }
+}
+
+/// Hypotheses of ours, by name.
+macro_rules! own {
+    ($($name:literal),* $(,)?) => {
+        [$($crate::effects::entry::Entry {
+            file: concat!($name, ".wgsl"),
+            source: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/fits/hypotheses/", $name, ".wgsl")),
+            publication: None,
+        }),*]
+    };
+}
+
+/// Published formulas, by name and publication.
+macro_rules! published {
+    ($($name:literal by $publication:literal),* $(,)?) => {
+        [$($crate::effects::entry::Entry {
+            file: concat!("published/", $name, ".wgsl"),
+            source: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/fits/hypotheses/published/", $name, ".wgsl")),
+            publication: Some($publication),
+        }),*]
+    };
+}
+
+pub(in crate::effects) use own;
+pub(in crate::effects) use published;

@@ -1,0 +1,186 @@
+//! Where constraints hold: edges at which a formula is exact, lattices over which it stays in a range or is monotone.
+
+use super::spec::ROUGHNESS;
+use super::{Span, Target, TargetError};
+use crate::effects::Values;
+use crate::fit::FitError;
+use crate::math::chebyshev;
+
+/// Places per axis of the lattices of constraints.
+const NODES: usize = 17;
+
+/// Points of the formula's inputs, one column per input.
+type Columns = Vec<Vec<f64>>;
+
+impl Target {
+    /// Places at which `input` has this value, which may lie outside of the domain, with what the formula should be there: the
+    /// truth, or `value`. Columns follow `names`.
+    ///
+    /// # Errors
+    /// An input that there is not, a value that the quantity does not have, a truth that cannot be integrated.
+    pub fn edge(
+        &self,
+        names: &[String],
+        function: &str,
+        (input, at): (&str, f64),
+        value: Option<f64>,
+    ) -> Result<(Columns, Vec<f64>), TargetError> {
+        let refuse = |reason: String| TargetError::Edge { setting: "exact", input: input.into(), reason };
+        let mut target = self.clone();
+        let axis = self.axis_of("exact", input)?;
+        let at = if input == "alpha" { self.alpha_inverse(at) } else { at };
+        let defined = self.defined(input);
+        if !(defined[0]..=defined[1]).contains(&at) {
+            return Err(refuse(format!("{at} is not in [{}, {}]", defined[0], defined[1])));
+        }
+        match axis {
+            Axis::Axis(k) => target.axes[k].range = [at, at],
+            Axis::F0 => target.f0 = Some(Span { name: "f0".into(), range: [at, at] }),
+        }
+        let (places, f0) = target.lattice();
+        let ideal = match value {
+            Some(value) => vec![value; places.len() * f0.len()],
+            None => target.at(&places, &f0)?.ideal(),
+        };
+        if let Some(bad) = ideal.iter().find(|v| !v.is_finite()) {
+            return Err(refuse(format!("the truth there is {bad}; give the value as {input}={at}:VALUE")));
+        }
+        Ok((target.columns(names, function, &places, &f0)?, ideal))
+    }
+
+    /// A lattice over the domain, columns following `names`.
+    ///
+    /// # Errors
+    /// An input that there is not.
+    pub fn inside(&self, names: &[String], function: &str) -> Result<Columns, TargetError> {
+        let (places, f0) = self.lattice();
+        Ok(self.columns(names, function, &places, &f0)?)
+    }
+
+    /// Pairs of neighbours along an input: places, and the next ones.
+    ///
+    /// # Errors
+    /// An input that there is not, or that has one value.
+    pub fn steps(
+        &self,
+        names: &[String],
+        function: &str,
+        setting: &'static str,
+        input: &str,
+    ) -> Result<(Columns, Columns), TargetError> {
+        let axis = self.axis_of(setting, input)?;
+        let (places, f0) = self.lattice();
+        let (mut from, mut to) = (Vec::new(), Vec::new());
+        match axis {
+            Axis::F0 => {
+                for place in &places {
+                    from.extend(f0.windows(2).map(|w| with(place, w[0])));
+                    to.extend(f0.windows(2).map(|w| with(place, w[1])));
+                }
+            }
+            Axis::Axis(k) => {
+                let nodes = nodes(&self.axes[k]);
+                for place in &places {
+                    let next = nodes.iter().copied().find(|x| *x > place[k]);
+                    for f0 in &f0 {
+                        let Some(next) = next else { continue };
+                        let mut after = place.clone();
+                        after[k] = next;
+                        from.push(with(place, *f0));
+                        to.push(with(&after, *f0));
+                    }
+                }
+            }
+        }
+        if from.is_empty() {
+            let reason = "its range is one value".into();
+            return Err(TargetError::Edge { setting, input: input.into(), reason });
+        }
+        Ok((self.transposed(names, function, &from)?, self.transposed(names, function, &to)?))
+    }
+
+    fn axis_of(&self, setting: &'static str, input: &str) -> Result<Axis, TargetError> {
+        let name = if input == "alpha" && self.has_alpha() { ROUGHNESS } else { input };
+        if input == "f0" && self.f0.is_some() {
+            return Ok(Axis::F0);
+        }
+        let found = self.axes.iter().position(|a| a.name == name);
+        found.map(Axis::Axis).ok_or_else(|| {
+            let reason = format!("there is no such input; the inputs are {}", self.inputs().join(", "));
+            TargetError::Edge { setting, input: input.into(), reason }
+        })
+    }
+
+    /// Where the quantity is defined, of an axis; roughness is in [0, 1] as its alpha is.
+    fn defined(&self, input: &str) -> [f64; 2] {
+        let found = self.quantity.inputs.iter().find(|i| i.name == input);
+        match found.map(|i| i.values) {
+            Some(Values::Numbers { min, max }) => [min, max],
+            _ => [0.0, 1.0],
+        }
+    }
+
+    /// Places of the axes and values of f0, ends included.
+    fn lattice(&self) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let per_axis: Vec<Vec<f64>> = self.axes.iter().map(nodes).collect();
+        let places = per_axis.iter().fold(vec![Vec::new()], |places: Vec<Vec<f64>>, axis| {
+            places.iter().flat_map(|place| axis.iter().map(|x| with(place, *x))).collect()
+        });
+        let f0 = self.f0.as_ref().map_or(vec![1.0], |span| match self.affine {
+            true if span.is_spanned() => span.range.to_vec(),
+            _ => nodes(span),
+        });
+        (places, f0)
+    }
+
+    fn columns(
+        &self,
+        names: &[String],
+        function: &str,
+        places: &[Vec<f64>],
+        f0: &[f64],
+    ) -> Result<Columns, FitError> {
+        // As Target::at has them: all places for each f0 in turn.
+        let rows: Vec<Vec<f64>> = f0.iter().flat_map(|f0| places.iter().map(|p| with(p, *f0))).collect();
+        self.transposed(names, function, &rows)
+    }
+
+    /// Columns of the formula's inputs, from rows of all axes and f0, rounded as a shader has them.
+    fn transposed(&self, names: &[String], function: &str, rows: &[Vec<f64>]) -> Result<Columns, FitError> {
+        let axis = |k: usize| rows.iter().map(|row| row[k] as f32).collect::<Vec<f32>>();
+        let wide = |column: Vec<f32>| -> Vec<f64> { column.into_iter().map(f64::from).collect() };
+        let find = |name: &str| self.axes.iter().position(|a| a.name == name);
+        let column = |name: &String| match name.as_str() {
+            "f0" if self.f0.is_some() => Ok(wide(axis(self.axes.len()))),
+            "alpha" if self.has_alpha() => {
+                let roughness = find(ROUGHNESS).map(axis).unwrap_or_default();
+                Ok(wide(roughness.into_iter().map(|r| self.alpha_map.alpha_f32(r)).collect()))
+            }
+            name => find(name).map(|k| wide(axis(k))).ok_or_else(|| FitError::UnknownInput {
+                function: function.into(),
+                input: name.into(),
+                given: self.inputs().join(", "),
+            }),
+        };
+        names.iter().map(column).collect()
+    }
+
+    fn alpha_inverse(&self, alpha: f64) -> f64 {
+        super::spec::roughness(self.alpha_map, alpha)
+    }
+}
+
+/// An independent input.
+enum Axis {
+    Axis(usize),
+    F0,
+}
+
+fn nodes(span: &Span) -> Vec<f64> {
+    let [low, high] = span.range;
+    if span.is_spanned() { chebyshev::nodes(low, high, NODES) } else { vec![low] }
+}
+
+fn with(place: &[f64], more: f64) -> Vec<f64> {
+    place.iter().copied().chain([more]).collect()
+}

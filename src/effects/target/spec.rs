@@ -1,0 +1,322 @@
+//! What is asked for, checked and completed.
+
+use std::collections::BTreeMap;
+
+use super::TargetError;
+use super::affine::affine_in;
+use crate::data::{AlphaMap, Smith, Use};
+use crate::effects::{Quantity, Values};
+use crate::fit::{Domain, FitError, Hypothesis};
+
+/// What to approximate, and where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TargetSpec {
+    /// Quantity.
+    pub quantity: &'static Quantity,
+    /// Its column; none: its first.
+    pub column: Option<String>,
+    /// Use; none: `coupling` for `diffuse-coupling`, `f0-blend` for a formula of f0 and `ggx-reflection`, else `value`.
+    pub used_as: Option<Use>,
+    /// Shadowing form.
+    pub smith: Smith,
+    /// Roughness to alpha.
+    pub alpha_map: AlphaMap,
+    /// Ranges by input; the others have those of [`Span::usual`].
+    pub domain: BTreeMap<String, [f64; 2]>,
+    /// Words by input, of the inputs that are words.
+    pub words: BTreeMap<String, String>,
+}
+
+/// An independent input and its range, ends included.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Span {
+    /// Input.
+    pub name: String,
+    /// Its range.
+    pub range: [f64; 2],
+}
+
+/// Where the value of a quantity's input comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Given {
+    /// An axis.
+    Axis(usize),
+    /// alpha, from the axis of roughness.
+    Alpha,
+    /// A word, or an input left out (not a number).
+    Constant(f64),
+    /// f0.
+    F0,
+}
+
+/// A quantity's column in a use over a domain, for the inputs of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Target {
+    /// Quantity.
+    pub quantity: &'static Quantity,
+    /// Its column.
+    pub column: &'static str,
+    /// Use.
+    pub used_as: Use,
+    /// Shadowing form.
+    pub smith: Smith,
+    /// Roughness to alpha.
+    pub alpha_map: AlphaMap,
+    /// Independent inputs but f0.
+    pub axes: Vec<Span>,
+    /// The range of f0, where it is an input.
+    pub f0: Option<Span>,
+    /// Whether the error is affine in f0.
+    pub affine: bool,
+    /// The words given, for headers.
+    pub words: BTreeMap<String, String>,
+    pub(super) given: Vec<Given>,
+}
+
+/// The name of the input that alpha is made from.
+pub(super) const ROUGHNESS: &str = "roughness";
+
+impl Span {
+    /// The range of an input where none is asked for, inside the range of the quantity's own: that of the published comparisons,
+    /// roughness 0.02 to 1 and mu 0.01 to 1; widths of an anisotropic lobe from 0.02, ior to 2, an azimuth over its quarter.
+    pub fn usual(name: &str, defined: [f64; 2]) -> Span {
+        let wanted = match name {
+            ROUGHNESS => [0.02, 1.0],
+            "mu" => [0.01, 1.0],
+            "alpha_x" | "alpha_y" => [0.02, 1.0],
+            "ior" => [1.0, 2.0],
+            "phi" => [0.0, std::f64::consts::FRAC_PI_2],
+            _ => [0.0, 1.0],
+        };
+        let range = [wanted[0].max(defined[0]), wanted[1].min(defined[1])];
+        Span { name: name.into(), range }
+    }
+
+    /// Whether there is more than one value.
+    pub fn is_spanned(&self) -> bool {
+        self.range[0] < self.range[1]
+    }
+}
+
+impl Target {
+    /// Checks a spec against the quantity and the formula's arguments.
+    ///
+    /// # Errors
+    /// Unknown columns, uses that the quantity does not have, ranges outside of its domain, missing words, arguments that are no input.
+    pub fn new(spec: &TargetSpec, formula: &Hypothesis) -> Result<Target, TargetError> {
+        let column = column(spec)?;
+        let used_as = used_as(spec, column, formula)?;
+        let mut target = Target {
+            quantity: spec.quantity,
+            column,
+            used_as,
+            smith: spec.smith,
+            alpha_map: spec.alpha_map,
+            axes: Vec::new(),
+            f0: None,
+            affine: false,
+            words: BTreeMap::new(),
+            given: Vec::new(),
+        };
+        for input in spec.quantity.inputs {
+            let given = match input.values {
+                Values::Words(words) => target.word(spec, input.name, words)?,
+                Values::Numbers { min, max } => {
+                    let wanted = spec.domain.contains_key(input.name) || takes(formula, input.name);
+                    if input.optional && !wanted {
+                        Given::Constant(f64::NAN)
+                    } else {
+                        target.number(spec, input.name, [min, max])?
+                    }
+                }
+            };
+            target.given.push(given);
+        }
+        if used_as == Use::F0Blend {
+            target.f0 = Some(range(spec, "f0", [0.0, 1.0])?);
+        }
+        let straight = target.words.get("specular").is_none_or(|word| word != "compensated");
+        target.affine = straight && affine_in(formula.tape(), "f0");
+        target.refuse_unknown(spec, formula)?;
+        Ok(target)
+    }
+
+    fn word(&mut self, spec: &TargetSpec, input: &str, words: &[&str]) -> Result<Given, TargetError> {
+        let refuse = |reason: String| TargetError::Word { input: input.into(), reason };
+        let known = words.join(", ");
+        let given = spec.words.get(input);
+        let given = given.ok_or_else(|| {
+            refuse(format!("{} is asked for at one of {known}; say which", spec.quantity.name))
+        })?;
+        let index = words.iter().position(|w| w == given);
+        let index = index.ok_or_else(|| refuse(format!("{given} is not one of {known}")))?;
+        self.words.insert(input.into(), given.clone());
+        Ok(Given::Constant(index as f64))
+    }
+
+    fn number(&mut self, spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Given, TargetError> {
+        match input {
+            "f0" => {
+                self.f0 = Some(range(spec, "f0", defined)?);
+                Ok(Given::F0)
+            }
+            "alpha" => {
+                let span = match spec.domain.get("alpha") {
+                    Some(alpha) => {
+                        range(spec, "alpha", defined)?;
+                        Span { name: ROUGHNESS.into(), range: alpha.map(|a| roughness(spec.alpha_map, a)) }
+                    }
+                    None => range(spec, ROUGHNESS, defined.map(|a| roughness(spec.alpha_map, a)))?,
+                };
+                self.axes.push(span);
+                Ok(Given::Alpha)
+            }
+            _ => {
+                self.axes.push(range(spec, input, defined)?);
+                Ok(Given::Axis(self.axes.len() - 1))
+            }
+        }
+    }
+
+    /// Every range and word asked for is of an input, and every argument of the formula is one.
+    fn refuse_unknown(&self, spec: &TargetSpec, formula: &Hypothesis) -> Result<(), TargetError> {
+        let known = self.inputs();
+        let listed = known.join(", ");
+        for input in spec.domain.keys().filter(|input| !known.contains(input)) {
+            let (input, quantity) = (input.clone(), self.quantity.name);
+            return Err(TargetError::Input { input, quantity, known: listed });
+        }
+        if spec.domain.contains_key("alpha") && spec.domain.contains_key(ROUGHNESS) {
+            let [low, high] = spec.domain["alpha"];
+            let reason = "roughness has a range too, and alpha follows from it; give one of them".into();
+            return Err(TargetError::Range { input: "alpha".into(), low, high, reason });
+        }
+        if let Some(input) = spec.words.keys().find(|input| !self.words.contains_key(*input)) {
+            let reason = format!(
+                "{} has no such input of words; fix a number by a range of one value",
+                self.quantity.name
+            );
+            return Err(TargetError::Word { input: input.clone(), reason });
+        }
+        let file = || formula.file().to_string();
+        if formula.inputs().is_empty() {
+            return Err(TargetError::NoInputs { file: file(), known: listed });
+        }
+        match formula.inputs().iter().find(|input| !known.contains(input)) {
+            None => Ok(()),
+            Some(input) => Err(TargetError::Argument { file: file(), input: input.clone(), known: listed }),
+        }
+    }
+
+    /// Whether alpha is an input, made from roughness.
+    pub fn has_alpha(&self) -> bool {
+        self.given.contains(&Given::Alpha)
+    }
+
+    /// Names of all inputs that a formula may have: the axes, alpha, f0.
+    pub fn inputs(&self) -> Vec<String> {
+        let mut names: Vec<String> = self.axes.iter().map(|a| a.name.clone()).collect();
+        names.extend(self.has_alpha().then(|| "alpha".to_string()));
+        names.extend(self.f0.as_ref().map(|f0| f0.name.clone()));
+        names
+    }
+
+    /// Every independent input, f0 the last.
+    pub fn spans(&self) -> Vec<Span> {
+        self.axes.iter().chain(&self.f0).cloned().collect()
+    }
+
+    /// Range of every input; alpha's to nine digits, since 0.1 squared is 0.01.
+    pub fn ranges(&self) -> BTreeMap<String, [f64; 2]> {
+        let nine = |x: f64| format!("{x:.8e}").parse().unwrap_or(x);
+        let mut ranges: BTreeMap<String, [f64; 2]> =
+            self.spans().into_iter().map(|span| (span.name, span.range)).collect();
+        if let Some(roughness) = ranges.get(ROUGHNESS).copied()
+            && self.has_alpha()
+        {
+            ranges.insert("alpha".into(), roughness.map(|r| nine(self.alpha_map.alpha(r))));
+        }
+        ranges
+    }
+
+    /// The box of inputs, alpha following from roughness.
+    ///
+    /// # Errors
+    /// A domain that [`Domain`] refuses.
+    pub fn domain(&self) -> Result<Domain, FitError> {
+        let spans = self.spans();
+        let axes: Vec<(&str, f64, f64)> =
+            spans.iter().map(|s| (s.name.as_str(), s.range[0], s.range[1])).collect();
+        let domain = Domain::new(&axes)?;
+        let power = match self.alpha_map {
+            AlphaMap::Roughness => 1,
+            AlphaMap::RoughnessSquared => 2,
+            AlphaMap::RoughnessFourth => 4,
+        };
+        if self.has_alpha() { domain.with_derived("alpha", ROUGHNESS, power) } else { Ok(domain) }
+    }
+}
+
+fn column(spec: &TargetSpec) -> Result<&'static str, TargetError> {
+    // The last output is the error.
+    let columns = &spec.quantity.outputs[..spec.quantity.outputs.len() - 1];
+    let Some(wanted) = &spec.column else { return Ok(columns[0]) };
+    columns.iter().copied().find(|c| c == wanted).ok_or_else(|| TargetError::Column {
+        quantity: spec.quantity.name,
+        column: wanted.clone(),
+        known: columns.join(", "),
+    })
+}
+
+fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use, TargetError> {
+    let name = spec.quantity.name;
+    let usual = match name {
+        "diffuse-coupling" => Use::Coupling,
+        "ggx-reflection" if column == "E" && takes(formula, "f0") => Use::F0Blend,
+        _ => Use::Value,
+    };
+    let used_as = spec.used_as.unwrap_or(usual);
+    let refuse = |reason: &str| Err(TargetError::Use { used_as: used_as.name(), reason: reason.into() });
+    match used_as {
+        Use::F0Blend if name != "ggx-reflection" || column != "E" => {
+            refuse("f0 A + B is a blend of ggx-reflection's E and B; give --to ggx-reflection")
+        }
+        Use::F0Blend if !takes(formula, "f0") => {
+            refuse("the formula has no argument f0; it should be f0 A + B, as mix(B, E, f0)")
+        }
+        Use::Coupling if name != "diffuse-coupling" => {
+            refuse("a coupling factor is a value of diffuse-coupling; give --to diffuse-coupling")
+        }
+        Use::Parallax => refuse("no quantity of this version is used so"),
+        _ => Ok(used_as),
+    }
+}
+
+fn takes(formula: &Hypothesis, input: &str) -> bool {
+    formula.inputs().iter().any(|i| i == input)
+}
+
+/// The range asked for, or the usual one.
+fn range(spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Span, TargetError> {
+    let Some(&[low, high]) = spec.domain.get(input) else { return Ok(Span::usual(input, defined)) };
+    let refuse = |reason: String| Err(TargetError::Range { input: input.into(), low, high, reason });
+    if !(low.is_finite() && high.is_finite() && low <= high) {
+        return refuse("a range goes from its smaller end to its larger one, both finite".into());
+    }
+    if low < defined[0] || high > defined[1] {
+        return refuse(format!(
+            "is not inside [{}, {}], where {} is defined",
+            defined[0], defined[1], spec.quantity.name
+        ));
+    }
+    Ok(Span { name: input.into(), range: [low, high] })
+}
+
+/// The roughness of an alpha.
+pub(super) fn roughness(map: AlphaMap, alpha: f64) -> f64 {
+    match map {
+        AlphaMap::Roughness => alpha,
+        AlphaMap::RoughnessSquared => alpha.sqrt(),
+        AlphaMap::RoughnessFourth => alpha.sqrt().sqrt(),
+    }
+}

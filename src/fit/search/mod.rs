@@ -1,0 +1,71 @@
+//! A search over forms: which formula of a given cost comes closest?
+//!
+//! A form is a quotient of sums of terms, c_k times powers of the inputs (and of helpers: 1 - x, sqrt(x), 2^(-k x), 1 / (x + k y)),
+//! optionally anchored: 1 + P/Q with P = 0 where the value must be exact. For each form linear programs give the smallest largest
+//! residual that it can have on the samples ([`super::rational`]), and the operations of the formula as written its cost. Beginning
+//! with the smallest forms, the best of every cost are changed by one step (a term added, dropped, moved, a factor, a helper) until
+//! nothing new is found. What is left is the frontier: every form that no cheaper or equal one beats.
+//!
+//! Deterministic for any number of threads.
+
+mod beam;
+mod finish;
+mod form;
+mod graph;
+mod helper;
+mod score;
+mod space;
+mod write;
+
+pub use helper::Helper;
+pub use space::{Anchor, SearchAxis, SearchSamples, Space};
+
+use super::{FitError, Hypothesis};
+
+/// How far a search is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Times that all costs were gone through before.
+    pub sweep: usize,
+    /// How often they will be, at most.
+    pub sweeps: usize,
+    /// Cost whose forms have been built upon.
+    pub ops: u32,
+    /// Highest cost.
+    pub max_ops: u32,
+    /// Forms tried so far.
+    pub forms: u64,
+    /// Smallest largest residual so far at this cost or below, on the samples that forms are ranked on.
+    pub best: f64,
+}
+
+/// A form on the frontier.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The formula; its parameters start at the optimum, rounded to f32.
+    pub hypothesis: Hypothesis,
+    /// Its operations.
+    pub ops: u32,
+    /// Largest residual over the samples, in f64 with the coefficients as declared.
+    pub max: f64,
+    /// Root of the mean square residual over the samples.
+    pub rms: f64,
+    /// No other coefficients of this form have a smaller largest residual than this on the samples; 0 (nothing is proven) where
+    /// the form has constants inside helpers.
+    pub bound: f64,
+}
+
+/// Searches a space; the frontier by rising cost and falling error.
+///
+/// # Errors
+/// A space or samples that do not make sense, with what is wrong; no form at all within the budget ([`FitError::Solver`]).
+pub fn search(
+    space: &Space,
+    samples: &SearchSamples,
+    progress: &dyn Fn(&Progress),
+) -> Result<Vec<Found>, FitError> {
+    space.check(samples)?;
+    let ranked = samples.ranked();
+    let beam = beam::Beam::new(space, score::Data::new(space, &ranked));
+    finish::frontier(space, samples, beam.run(progress))
+}

@@ -1,0 +1,111 @@
+//! Floor 6: a formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page. [`fit`] measures,
+//! [`files`] makes what is written of it; nothing here touches the file system.
+
+mod certificates;
+mod demands;
+mod document;
+mod one;
+mod pictures;
+mod printed;
+pub mod search;
+mod summary;
+mod weight;
+mod words;
+
+pub use demands::Demand;
+pub use document::{document, files};
+pub use one::{Certified, Proof};
+pub use summary::summary;
+
+use crate::effects::target::{Target, TargetError, TargetSpec};
+use crate::emit::code::{CodeError, Language};
+use crate::fit::{FitError, Goal, Hypothesis, Precision};
+use crate::report::ReportError;
+
+/// What to fit, and how.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The formula.
+    pub hypothesis: Hypothesis,
+    /// What it should be.
+    pub spec: TargetSpec,
+    /// What the coefficients minimise: one fit for each.
+    pub goals: Vec<Goal>,
+    /// Weight of the errors that are minimised: a WGSL expression of the inputs.
+    pub weight: Option<String>,
+    /// What the coefficients have to obey.
+    pub demands: Vec<Demand>,
+    /// Arithmetic to certify in; the first is the main one.
+    pub precisions: Vec<Precision>,
+    /// Starting points of the search.
+    pub starts: usize,
+    /// Largest error that is accepted.
+    pub limit: Option<f64>,
+    /// Languages to print the code in.
+    pub languages: Vec<Language>,
+    /// Command that does this again.
+    pub command: String,
+}
+
+/// Everything that was found.
+#[derive(Clone, Debug)]
+pub struct Fitting {
+    /// What was fitted to.
+    pub target: Target,
+    /// One fit for each goal, in order.
+    pub fits: Vec<Certified>,
+}
+
+/// Why nothing was fitted.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FittingError {
+    /// The quantity, the domain, the use.
+    #[error(transparent)]
+    Target(#[from] TargetError),
+    /// The formula, its data or its domain.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// A weight that is no expression of the inputs, or has a value that is no weight.
+    #[error("weight `{expression}`: {reason}")]
+    Weight {
+        /// The expression.
+        expression: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A function that cannot be printed.
+    #[error("{file}: {source}")]
+    Code {
+        /// The formula's file.
+        file: String,
+        /// What the printer says.
+        source: CodeError,
+    },
+    /// The page refused its data.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    /// A document could not be put into JSON.
+    #[error("cannot write JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// Fits the formula for every goal and certifies each fit.
+///
+/// # Errors
+/// Bad input: an unknown input, a bad domain, a formula that is not finite on its samples, constraints that contradict one another. A
+/// search that does not converge, a pole that cannot be excluded, and an error above the limit are no errors here: they are told
+/// in [`Certified::problems`].
+pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
+    let target = Target::new(&job.spec, &job.hypothesis)?;
+    // Refused before the work.
+    let weight = job.weight.as_deref().map(|text| weight::Weight::parse(text, &target)).transpose()?;
+    for language in &job.languages {
+        printed::check(*language, &job.hypothesis)?;
+    }
+    let constraints = demands::constraints(&job.demands, &target, &job.hypothesis)?;
+    let measured = target.measured()?;
+    let one = |goal: &Goal| one::fit_one(job, *goal, &target, weight.as_ref(), &constraints, &measured);
+    let fits = job.goals.iter().map(one).collect::<Result<_, _>>()?;
+    Ok(Fitting { target, fits })
+}

@@ -1,0 +1,188 @@
+//! One fit: searched, rounded, proven regular, measured.
+
+use super::certificates::certificate;
+use super::weight::Weight;
+use super::{FittingError, Job, words};
+use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
+use crate::effects::target::{Sampled, Target};
+use crate::fit::{
+    Constraint, FitError, Fitted, Goal, Hypothesis, Options, Precision, Samples, optimise, prove_regular,
+    round_to_f32,
+};
+
+/// Whether a formula has been proven to stay finite in its domain, by interval arithmetic.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Proof {
+    /// No divisor reaches 0 (each keeps its sign), no root of a negative number, nothing overflows.
+    Regular,
+    /// Not proven: where, and what may happen.
+    NotProven(FitError),
+}
+
+/// A fit with everything that is known of it.
+#[derive(Clone, Debug)]
+pub struct Certified {
+    /// The formula as an approximation, with the certificate of the main arithmetic.
+    pub approximation: Approximation,
+    /// The formula under the name of this fit.
+    pub hypothesis: Hypothesis,
+    /// What its coefficients minimise.
+    pub goal: Goal,
+    /// What the search found.
+    pub fitted: Fitted,
+    /// Coefficients rounded to f32.
+    pub coefficients: Vec<f32>,
+    /// Whether it is finite everywhere.
+    pub proof: Proof,
+    /// Certificates in every arithmetic, or why there is none.
+    pub certificates: Vec<(Precision, Result<Certificate, FitError>)>,
+    /// Why it cannot be relied on, each a sentence; none if it can.
+    pub problems: Vec<String>,
+}
+
+/// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1] or not far from it.
+const RUN_AWAY: f64 = 1e6;
+
+pub(super) fn fit_one(
+    job: &Job,
+    goal: Goal,
+    target: &Target,
+    weight: Option<&Weight>,
+    constraints: &[Constraint],
+    measured: &Sampled,
+) -> Result<Certified, FittingError> {
+    let hypothesis = named_for(&job.hypothesis, goal, job.goals.len());
+    let domain = target.domain()?;
+    let samples = samples(&hypothesis, goal, target, weight)?;
+    let options = Options { starts: job.starts, ..Options::new(goal) };
+    // Where the search cannot even start, the proof knows the place in the source that is at fault.
+    let fitted = optimise(&hypothesis, &samples, constraints, &options).map_err(|error| match error {
+        FitError::NotFinite { .. } | FitError::Solver { .. } => {
+            prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)
+        }
+        error => error,
+    })?;
+    let coefficients = round_to_f32(&fitted.coefficients)?;
+    let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
+    let proof =
+        prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
+    let certificates: Vec<(Precision, Result<Certificate, FitError>)> = job
+        .precisions
+        .iter()
+        .map(|p| (*p, certificate(&hypothesis, &coefficients, target, measured, *p)))
+        .collect();
+    // Without the main certificate there is nothing to tell.
+    let main = match &certificates[0].1 {
+        Ok(certificate) => certificate.clone(),
+        Err(error) => return Err(error.clone().into()),
+    };
+    let approximation = approximation(&hypothesis, &coefficients, goal, target, main);
+    let mut fit = Certified {
+        approximation,
+        hypothesis,
+        goal,
+        fitted,
+        coefficients,
+        proof,
+        certificates,
+        problems: Vec::new(),
+    };
+    fit.problems = problems(&fit, job.limit);
+    Ok(fit)
+}
+
+/// The only fit bears its hypothesis' name; of several, all but the minimax fit have their norm appended.
+fn named_for(hypothesis: &Hypothesis, goal: Goal, goals: usize) -> Hypothesis {
+    match goal {
+        Goal::Max => hypothesis.clone(),
+        _ if goals == 1 => hypothesis.clone(),
+        Goal::Rms => hypothesis.renamed(&format!("{}_rms", hypothesis.name())),
+        Goal::Power(p) => {
+            let p = p.to_string().replace('.', "_");
+            hypothesis.renamed(&format!("{}_p{p}", hypothesis.name()))
+        }
+    }
+}
+
+fn samples(
+    hypothesis: &Hypothesis,
+    goal: Goal,
+    target: &Target,
+    weight: Option<&Weight>,
+) -> Result<Samples, FittingError> {
+    let sampled = match goal {
+        Goal::Max => target.edged()?,
+        Goal::Rms | Goal::Power(_) => target.even()?,
+    };
+    let weights = weight.map(|weight| weight.of(&sampled)).transpose()?;
+    Ok(sampled.samples(hypothesis.name(), hypothesis.inputs(), weights.as_deref())?)
+}
+
+pub(super) fn approximation(
+    hypothesis: &Hypothesis,
+    coefficients: &[f32],
+    goal: Goal,
+    target: &Target,
+    certificate: Certificate,
+) -> Approximation {
+    let names = hypothesis.parameters().iter().map(|p| p.name.clone());
+    Approximation {
+        name: hypothesis.name().into(),
+        quantity: target.quantity.name.into(),
+        column: target.column.into(),
+        used_as: target.used_as,
+        smith: target.smith,
+        source: Source::Fitted,
+        form: Form::Formula(Formula {
+            hypothesis: stem(hypothesis.file()),
+            inputs: hypothesis.inputs().to_vec(),
+            coefficients: names.zip(coefficients.iter().copied()).collect(),
+            norm: words::goal(goal),
+        }),
+        certificate,
+        cost: Cost { ops: hypothesis.tape().cost_ops(), fetches: 0, bytes: 0 },
+    }
+}
+
+/// The file's own name without its extension: nothing that is written depends on where the file lies.
+pub(super) fn stem(file: &str) -> String {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    name.strip_suffix(".wgsl").unwrap_or(name).to_string()
+}
+
+/// Why a fit cannot be relied on.
+fn problems(fit: &Certified, limit: Option<f64>) -> Vec<String> {
+    let mut problems = Vec::new();
+    let termination = fit.fitted.termination;
+    if !termination.is_converged() {
+        problems.push(format!("not converged: {}", words::termination(termination)));
+    }
+    for (parameter, value) in fit.hypothesis.parameters().iter().zip(&fit.fitted.coefficients) {
+        if value.abs() > RUN_AWAY * f64::from(parameter.start.abs()).max(1.0) {
+            problems.push(format!(
+                "coefficient {} ran away to {value:e}: the formula is a simpler one in disguise, or its parameters are not \
+                 independent; reduce it or give better starting values",
+                parameter.name
+            ));
+        }
+    }
+    if let Proof::NotProven(error) = &fit.proof {
+        problems.push(format!("not proven finite in its domain: {error}"));
+    }
+    for (precision, certificate) in &fit.certificates {
+        if let Err(error) = certificate {
+            problems.push(format!("in {}: {error}", precision.name()));
+        }
+    }
+    for held in fit.fitted.constraints.iter().filter(|held| held.worst > held.tolerance) {
+        problems.push(format!(
+            "constraint `{}` is missed by {:e}, more than rounding accounts for ({:e})",
+            held.name, held.worst, held.tolerance
+        ));
+    }
+    let error = fit.approximation.certificate.max_abs;
+    if let Some(limit) = limit.filter(|limit| error > *limit) {
+        problems.push(format!("largest error {error} is above the limit {limit}"));
+    }
+    problems
+}

@@ -1,0 +1,88 @@
+//! What was found, for people at a terminal.
+
+use std::fmt::Write;
+
+use super::{Certified, Fitting, FittingError, Job, Proof, printed, words};
+use crate::emit::code::Language;
+use crate::emit::header::{operations, place, short};
+
+/// The fits in words, each with its code.
+pub fn summary(job: &Job, fitting: &Fitting) -> Result<String, FittingError> {
+    let mut out = String::new();
+    for fit in &fitting.fits {
+        if !out.is_empty() {
+            out.push('\n');
+        }
+        out += &of_fit(job, fitting, fit)?;
+    }
+    Ok(out)
+}
+
+fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, FittingError> {
+    let (a, target) = (&fit.approximation, &fitting.target);
+    let mut out = String::new();
+    let mut line = |text: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "{text}");
+    };
+    let words: Vec<String> = target.words.iter().map(|(k, v)| format!(", {k} {v}")).collect();
+    line(format!(
+        "{}: {} {} as {}, smith {}, alpha = {}{}",
+        a.name,
+        a.quantity,
+        a.column,
+        a.used_as.name(),
+        a.smith.name(),
+        target.alpha_map.name(),
+        words.concat()
+    ));
+    let weight = job.weight.as_ref().map_or(String::new(), |weight| format!(", weighted by {weight}"));
+    line(format!("  minimised    {}{weight}", words::minimised(fit.goal)));
+    let converged = if fit.fitted.termination.is_converged() { "" } else { "NOT CONVERGED: " };
+    line(format!("  ended        {converged}{}", words::termination(fit.fitted.termination)));
+    line(format!("  optimality   {}", words::optimality(&fit.fitted)));
+    for text in &fit.fitted.undetermined {
+        line(format!("  parameters   {text}"));
+    }
+    for held in &fit.fitted.constraints {
+        line(format!(
+            "  constraint   {}: missed by at most {:.1e} at {} points",
+            held.name, held.worst, held.points
+        ));
+    }
+    match &fit.proof {
+        Proof::Regular => line(
+            "  regular      proven over the whole domain: divisors keep their sign, no root of a negative number, no overflow"
+                .into(),
+        ),
+        Proof::NotProven(error) => line(format!("  regular      NOT PROVEN: {error}")),
+    }
+    line(format!("  cost         {}", operations(a.cost.ops)));
+    let domain: Vec<String> =
+        a.certificate.domain.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
+    line(format!("  domain       {}", domain.join(", ")));
+    line(format!(
+        "  error        {}; {} points, none inside the domain fitted on",
+        words::metric(a.used_as),
+        a.certificate.points
+    ));
+    for (precision, certificate) in &fit.certificates {
+        match certificate {
+            Ok(c) => line(format!(
+                "    {:<8}   max {} at {}; rms {}, mean {}",
+                precision.name(),
+                c.max_abs,
+                place(&c.at),
+                short(c.rms),
+                short(c.mean)
+            )),
+            Err(error) => line(format!("    {:<8}   {error}", precision.name())),
+        }
+    }
+    for (parameter, value) in fit.hypothesis.parameters().iter().zip(&fit.coefficients) {
+        line(format!("  {:<12} {value}", parameter.name));
+    }
+    line(String::new());
+    out += &printed::function(Language::Wgsl, job, fitting, fit)?;
+    Ok(out)
+}

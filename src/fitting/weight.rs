@@ -1,0 +1,70 @@
+//! A weight of the errors that are minimised.
+
+use super::FittingError;
+use crate::effects::target::{Sampled, Target};
+use crate::fit::{FitError, Hypothesis};
+
+/// A WGSL expression of a target's inputs.
+#[derive(Clone, Debug)]
+pub(super) struct Weight {
+    expression: String,
+    function: Hypothesis,
+    inputs: Vec<String>,
+}
+
+/// How the expression is named in messages of the front end.
+const FILE: &str = "weight";
+
+/// What stands before the expression on its line.
+const BEFORE: &str = "return ";
+
+impl Weight {
+    /// Parses the expression as the body of a function of all inputs.
+    pub fn parse(expression: &str, target: &Target) -> Result<Weight, FittingError> {
+        let refuse = |reason: String| FittingError::Weight { expression: expression.into(), reason };
+        if expression.contains(['{', '}', ';', '\n']) {
+            return Err(refuse(
+                "one WGSL expression is called for, such as `mu` or `1.0 / (0.1 + alpha)`".into(),
+            ));
+        }
+        let inputs = target.inputs();
+        let arguments: Vec<String> = inputs.iter().map(|name| format!("{name}: f32")).collect();
+        let source = format!("fn weight({}) -> f32 {{\n{BEFORE}{expression};\n}}\n", arguments.join(", "));
+        let function = Hypothesis::parse(FILE, &source).map_err(|error| refuse(placed(&error)))?;
+        Ok(Weight { expression: expression.into(), function, inputs })
+    }
+
+    /// The weights of samples, in f64.
+    pub fn of(&self, sampled: &Sampled) -> Result<Vec<f64>, FittingError> {
+        let refuse = |reason: String| FittingError::Weight { expression: self.expression.clone(), reason };
+        let columns = sampled.inputs("weight", &self.inputs)?;
+        let columns: Vec<Vec<f64>> =
+            columns.into_iter().map(|c| c.into_iter().map(f64::from).collect()).collect();
+        let mut weights = self.function.tape().evaluate(&columns, &[])?;
+        // An expression without inputs has one value.
+        if weights.len() == 1 {
+            weights = vec![weights[0]; sampled.points.len()];
+        }
+        if let Some(i) = weights.iter().position(|w| !(w.is_finite() && *w >= 0.0)) {
+            let at = crate::emit::header::place(&sampled.points.place(i));
+            return Err(refuse(format!(
+                "is {} at {at}; a weight is a finite number, 0 or above",
+                weights[i]
+            )));
+        }
+        if weights.iter().all(|w| *w == 0.0) {
+            return Err(refuse("is 0 everywhere: nothing is left to fit".into()));
+        }
+        Ok(weights)
+    }
+}
+
+/// What the front end says, with the column of the expression itself.
+fn placed(error: &FitError) -> String {
+    match error {
+        FitError::Syntax { place, message } | FitError::Dialect { place, message } => {
+            format!("column {}: {message}", place.column.saturating_sub(BEFORE.len()).max(1))
+        }
+        other => other.to_string(),
+    }
+}

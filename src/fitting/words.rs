@@ -1,0 +1,83 @@
+//! What a search did, in words.
+
+use crate::data::Use;
+use crate::fit::{Fitted, Gap, Goal, Stage, Termination};
+
+/// `max`, `rms`, `p=8`: as on the command line.
+pub(super) fn goal(goal: Goal) -> String {
+    match goal {
+        Goal::Max => "max".into(),
+        Goal::Rms => "rms".into(),
+        Goal::Power(p) => format!("p={p}"),
+    }
+}
+
+/// What a goal minimises.
+pub(super) fn minimised(goal: Goal) -> String {
+    match goal {
+        Goal::Max => "the largest error".into(),
+        Goal::Rms => "the root of the mean square error".into(),
+        Goal::Power(p) => format!("the p-norm of the error, p = {p}"),
+    }
+}
+
+/// What the error of a use is.
+pub(super) fn metric(used_as: Use) -> &'static str {
+    match used_as {
+        Use::Value => "absolute error",
+        Use::Normalisation => "furnace error |E N - 1|",
+        Use::F0Blend => "error of f0 A + B, for the worst f0",
+        Use::Coupling => "error of the coupling factor",
+        Use::Parallax => "error of the adjusted roughness",
+    }
+}
+
+/// How a search ended.
+pub(super) fn termination(termination: Termination) -> String {
+    match termination {
+        Termination::Converged { cosine } => {
+            format!("a minimum: residuals and derivatives are orthogonal within a cosine of {cosine:.1e}")
+        }
+        Termination::Minimax => {
+            "a minimum: no change near these coefficients lowers the largest error".into()
+        }
+        Termination::GlobalMinimax => "the global minimum, by proof".into(),
+        Termination::Constrained => "a minimum on the edge of what the constraints allow".into(),
+        Termination::ZeroResidual => "the formula reproduces the truth".into(),
+        Termination::NoParameters => "the formula has no free parameter: nothing was fitted".into(),
+        Termination::RankDeficient { rank } => {
+            format!("a minimum, but only {rank} combinations of the parameters are determined")
+        }
+        Termination::IterationCap => "the iterations were used up".into(),
+        Termination::Stalled => "no step made progress, short of a minimum".into(),
+        Termination::TooFewSamples => "fewer samples than parameters".into(),
+    }
+}
+
+/// How far from the best possible the coefficients may be.
+pub(super) fn optimality(fitted: &Fitted) -> String {
+    let part = |gap: f64| format!("{:.1e} of the error", gap);
+    match (fitted.gap, fitted.bound) {
+        (Gap::Global(gap), Some(bound)) => format!(
+            "global: no coefficients of this formula bring the largest error on the samples below {bound:.6}, which is {} away",
+            part(gap)
+        ),
+        (Gap::Global(gap), None) => format!("global: within {} of the best of all coefficients", part(gap)),
+        (Gap::Local(gap), _) if gap.is_finite() => {
+            format!(
+                "local: near these coefficients at most {} is left to gain; other minima are not excluded",
+                part(gap)
+            )
+        }
+        (Gap::Local(_), _) => "local, and no bound on what is left to gain".into(),
+        (Gap::Unknown, _) => {
+            "local: the best minimum found from the starting points; others are not excluded".into()
+        }
+    }
+}
+
+/// One stage of the search.
+pub(super) fn stage(stage: &Stage) -> [String; 4] {
+    let figure = |x: f64| crate::emit::header::short(x);
+    [stage.method.name().into(), termination(stage.end), figure(stage.max), figure(stage.rms)]
+}

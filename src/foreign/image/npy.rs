@@ -1,0 +1,106 @@
+//! NumPy arrays (numpy.lib.format, versions 1 to 3): little-endian numbers in C order.
+
+use super::packed::Source;
+use crate::foreign::shape::{self, Values, grouped};
+use crate::foreign::{ForeignError, ForeignTable, Hints, RawFormat, Spot};
+
+/// Bytes before the length of the dictionary.
+const PREFIX: u64 = 8;
+
+/// The table of an array: its last index is x, or the channel where it is short.
+pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
+    let source = Source { bytes, file };
+    let (start, text) = dictionary(source)?;
+    let field = |name: &str| {
+        let missing =
+            || source.malformed(PREFIX, format!("the dictionary has no {name}: no NPY file, or damaged"));
+        text.split_once(&format!("'{name}':")).map(|(_, rest)| rest.trim_start()).ok_or_else(missing)
+    };
+    let kind = field("descr")?.split('\'').nth(1).unwrap_or_default();
+    let format = number(source, kind, hints)?;
+    if !field("fortran_order")?.starts_with("False") {
+        let advice = "save numpy.ascontiguousarray(a)";
+        return Err(source.unsupported(PREFIX, "an array in Fortran's order", advice));
+    }
+    let shape = extents(source, field("shape")?)?;
+    let found = (bytes.len() - start) as u128;
+    let needed = shape.iter().try_fold(format.bytes() as u128, |n, &side| n.checked_mul(side as u128));
+    if needed != Some(found) {
+        let message = format!(
+            "{found} bytes follow, an array of {} {kind} has another number of them",
+            shape::words(&shape)
+        );
+        return Err(source.malformed(start as u64, message));
+    }
+    let (size, channels) = match &shape[..] {
+        [length] => (Some((vec![*length], 1)), None),
+        shape => grouped(shape, false).map_err(|message| source.malformed(PREFIX, message))?,
+    };
+    let list = Values {
+        name: String::new(),
+        kind: format!("NPY, {}", format.name()),
+        values: format.values(&bytes[start..]),
+        size,
+        channels,
+        lines: None,
+        names: Vec::new(),
+        step: format.step(),
+    };
+    Ok(vec![shape::table(file, list, hints)?])
+}
+
+/// Where the numbers begin, and the dictionary.
+fn dictionary<'a>(source: Source<'a>) -> Result<(usize, &'a str), ForeignError> {
+    let version = source.part(6, 2, "the version")?[0];
+    let (width, length) = match version {
+        1 => {
+            let bytes = source.part(PREFIX, 2, "the dictionary's length")?;
+            (2, u64::from(u16::from_le_bytes([bytes[0], bytes[1]])))
+        }
+        2 | 3 => (4, u64::from(source.words::<1>(PREFIX, "the dictionary's length")?[0])),
+        n => {
+            return Err(source.unsupported(
+                6,
+                format!("version {n} of the NPY format"),
+                "save it with version 1",
+            ));
+        }
+    };
+    let bytes = source.part(PREFIX + width, length, "the dictionary")?;
+    let text = std::str::from_utf8(bytes);
+    let text =
+        text.map_err(|_| source.malformed(PREFIX, "the dictionary is no text: the file is damaged"))?;
+    Ok(((PREFIX + width + length) as usize, text))
+}
+
+fn number(source: Source, kind: &str, hints: &Hints) -> Result<RawFormat, ForeignError> {
+    let bits = |integers: &str| ForeignError::Encoding {
+        file: source.file.into(),
+        at: Spot::Byte(PREFIX),
+        name: "the array".into(),
+        message: format!("{integers} may be bits of numbers or fractions of a whole"),
+    };
+    match (kind, hints.format) {
+        ("<f2", _) => Ok(RawFormat::F16),
+        ("<f4", _) => Ok(RawFormat::F32),
+        ("<f8", _) => Ok(RawFormat::F64),
+        ("|u1", Some(RawFormat::Unorm8)) => Ok(RawFormat::Unorm8),
+        ("<u2", Some(format @ (RawFormat::F16 | RawFormat::Unorm16))) => Ok(format),
+        ("<u4", Some(RawFormat::F32)) => Ok(RawFormat::F32),
+        ("|u1" | "<u2" | "<u4", _) => Err(bits(kind)),
+        _ => {
+            let what = format!("an array of {}", kind.escape_debug());
+            Err(source.unsupported(PREFIX, what, "save it as little-endian float16, float32 or float64"))
+        }
+    }
+}
+
+/// The numbers of `(64, 32)`.
+fn extents(source: Source, text: &str) -> Result<Vec<usize>, ForeignError> {
+    let bad = || source.malformed(PREFIX, "the shape is no tuple of one to four positive numbers");
+    let inner =
+        text.strip_prefix('(').and_then(|t| t.split_once(')')).map(|(inner, _)| inner).ok_or_else(bad)?;
+    let parts = inner.split(',').map(str::trim).filter(|part| !part.is_empty());
+    let shape: Result<Vec<usize>, _> = parts.map(str::parse::<usize>).collect();
+    shape.ok().filter(|s| (1..=4).contains(&s.len()) && !s.contains(&0)).ok_or_else(bad)
+}

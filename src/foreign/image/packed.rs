@@ -1,0 +1,95 @@
+//! Headers of little-endian words, and texels that lie one after another.
+
+use crate::foreign::{ForeignChannel, ForeignError, RawFormat, Spot};
+
+/// A format of texels: the numbers of a texel and how each is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pixels {
+    /// How a number is stored.
+    pub format: RawFormat,
+    /// Its channels in the order of their bytes: `RGBA`, `BGRA`.
+    pub order: &'static str,
+    /// The values are meant to be read through the sRGB curve; they are given as stored.
+    pub srgb: bool,
+}
+
+impl Pixels {
+    /// Linear values.
+    pub const fn of(format: RawFormat, order: &'static str) -> Pixels {
+        Pixels { format, order, srgb: false }
+    }
+
+    /// Bytes of a texel.
+    pub fn bytes(self) -> usize {
+        self.order.len() * self.format.bytes()
+    }
+
+    /// In words: `f16`, `unorm8 marked sRGB (values as stored)`.
+    pub fn words(self) -> String {
+        let srgb = if self.srgb { " marked sRGB (values as stored)" } else { "" };
+        format!("{}{srgb}", self.format.name())
+    }
+
+    /// The channels of texels, named and in the order red, green, blue, alpha.
+    pub fn channels(self, bytes: &[u8]) -> Vec<ForeignChannel> {
+        let values = self.format.values(bytes);
+        let count = self.order.len();
+        "RGBA"
+            .chars()
+            .filter_map(|name| Some((name, self.order.find(name)?)))
+            .map(|(name, c)| ForeignChannel {
+                name: name.to_string(),
+                values: values.iter().skip(c).step_by(count).copied().collect(),
+            })
+            .collect()
+    }
+}
+
+/// The bytes of a file, read with bounds.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'a> {
+    pub bytes: &'a [u8],
+    pub file: &'a str,
+}
+
+impl<'a> Source<'a> {
+    /// `length` bytes from `at`; `what` they are, for the message if they are not there.
+    pub fn part(self, at: u64, length: u64, what: &str) -> Result<&'a [u8], ForeignError> {
+        let found = self.bytes.len() as u64;
+        let end = at.checked_add(length).filter(|end| *end <= found);
+        match end {
+            Some(end) => Ok(&self.bytes[at as usize..end as usize]),
+            None => Err(ForeignError::Truncated {
+                file: self.file.into(),
+                at: Spot::Byte(at),
+                what: what.into(),
+                needed: length,
+                found: found.saturating_sub(at),
+            }),
+        }
+    }
+
+    /// Little-endian words of 32 bits from `at`.
+    pub fn words<const N: usize>(self, at: u64, what: &str) -> Result<[u32; N], ForeignError> {
+        let part = self.part(at, 4 * N as u64, what)?;
+        let mut words = [0; N];
+        for (word, bytes) in words.iter_mut().zip(part.as_chunks::<4>().0) {
+            *word = u32::from_le_bytes(*bytes);
+        }
+        Ok(words)
+    }
+
+    /// The error that what stands at a byte contradicts the format.
+    pub fn malformed(self, at: u64, message: impl Into<String>) -> ForeignError {
+        ForeignError::Malformed { file: self.file.into(), at: Spot::Byte(at), message: message.into() }
+    }
+
+    /// The error that what stands at a byte is a kind of file that is not read.
+    pub fn unsupported(self, at: u64, what: impl Into<String>, advice: impl Into<String>) -> ForeignError {
+        let (what, advice) = (what.into(), advice.into());
+        ForeignError::Unsupported { file: self.file.into(), at: Spot::Byte(at), what, advice }
+    }
+}
+
+/// What to do with a format that is not read.
+pub(super) const CONVERT: &str = "export it as R, RG, RGB or RGBA of 8 or 16 bit unorm, 16 or 32 bit float";

@@ -1,0 +1,86 @@
+//! PNG images of 8 and 16 bits. Values are those stored, divided by 255 or 65535: a colour space that the file names is named
+//! too, and not applied, for what tables hold are no colours.
+
+use std::io::Cursor;
+
+use ::png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
+
+use super::packed::{Pixels, Source};
+use super::{Image, claimed, guarded};
+use crate::foreign::{ForeignError, ForeignTable, Hints, RawFormat, limits};
+
+/// The table of an image.
+pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
+    guarded(file, "PNG", || decode(Source { bytes, file }, hints))
+}
+
+fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
+    let damaged = |e: DecodingError| source.malformed(0, format!("{e}: the file is cut short or damaged"));
+    let most = Limits { bytes: limits::BYTES as usize };
+    let mut decoder = Decoder::new_with_limits(Cursor::new(source.bytes), most);
+    decoder.set_transformations(Transformations::IDENTITY);
+    decoder.set_ignore_text_chunk(true);
+    decoder.set_ignore_iccp_chunk(true);
+    let info = decoder.read_header_info().map_err(damaged)?;
+    let (width, height) = (info.width, info.height);
+    let pixels = pixels(source, info.color_type, info.bit_depth)?;
+    let values = claimed(source.file, &[width.into(), height.into()], pixels.order.len() as u64)?;
+    let length = values * pixels.format.bytes();
+    if length as u64 > limits::EXPANSION * source.bytes.len() as u64 {
+        return Err(source
+            .malformed(16, format!("the file cannot hold {width} x {height} texels: the header is wrong")));
+    }
+    let mut reader = decoder.read_info().map_err(damaged)?;
+    let marks = marks(reader.info());
+    let mut texels = vec![0; length];
+    reader.next_frame(&mut texels).map_err(damaged)?;
+    if pixels.format == RawFormat::Unorm16 {
+        texels.as_chunks_mut::<2>().0.iter_mut().for_each(|pair| pair.reverse());
+    }
+    let image = Image {
+        file: source.file.into(),
+        name: String::new(),
+        kind: format!("PNG, {}{marks}", pixels.words()),
+        size: vec![width as usize, height as usize],
+        channels: pixels.channels(&texels),
+        step: pixels.format.step(),
+    };
+    Ok(vec![image.table(hints)?])
+}
+
+fn pixels(source: Source, colour: ColorType, depth: BitDepth) -> Result<Pixels, ForeignError> {
+    let format = match depth {
+        BitDepth::Eight => RawFormat::Unorm8,
+        BitDepth::Sixteen => RawFormat::Unorm16,
+        _ => {
+            let what = format!("a PNG of {} bits", depth as u8);
+            return Err(source.unsupported(24, what, "save it with 8 or 16 bits per channel"));
+        }
+    };
+    Ok(Pixels::of(
+        format,
+        match colour {
+            ColorType::Grayscale => "R",
+            ColorType::GrayscaleAlpha => "RA",
+            ColorType::Rgb => "RGB",
+            ColorType::Rgba => "RGBA",
+            ColorType::Indexed => {
+                return Err(source.unsupported(25, "a PNG with a palette", "save it as grey, RGB or RGBA"));
+            }
+        },
+    ))
+}
+
+/// What the file says about how its values are to be shown, and that it may be an animation.
+fn marks(info: &Info) -> String {
+    let mut marks = String::new();
+    if info.srgb.is_some() {
+        marks += " marked sRGB (values as stored)";
+    } else if let Some(gamma) = info.gama_chunk {
+        marks += &format!(" marked gamma {} (values as stored)", gamma.into_value());
+    }
+    if info.animation_control.is_some() {
+        marks += ", first frame";
+    }
+    marks
+}

@@ -1,0 +1,155 @@
+//! Shader sources: checked, handed to naga's front ends, and pointed at in messages.
+
+use naga::front::{glsl, wgsl};
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{Module, ShaderStage, Span};
+
+use super::ShaderLanguage;
+use crate::fit::Place;
+use crate::foreign::text::nesting;
+use crate::foreign::{ForeignError, Spot, limits};
+
+/// A shader source.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    pub file: String,
+    pub text: String,
+    pub language: ShaderLanguage,
+}
+
+/// Directives of GLSL that say nothing about what functions compute, and that the front end stumbles over.
+const DIRECTIVES: [&str; 6] = ["version", "extension", "pragma", "line", "include", "import"];
+
+impl Source {
+    /// Checks the bytes of a file.
+    pub fn new(bytes: &[u8], file: &str, language: Option<ShaderLanguage>) -> Result<Source, ForeignError> {
+        let file = file.to_string();
+        if bytes.is_empty() {
+            return Err(ForeignError::Empty { file });
+        }
+        let too_large = |what: &str, found: usize, limit: usize| ForeignError::TooLarge {
+            file: file.clone(),
+            what: what.into(),
+            found: found as u128,
+            limit: limit as u128,
+        };
+        if bytes.len() > limits::SHADER {
+            return Err(too_large("bytes of a shader source", bytes.len(), limits::SHADER));
+        }
+        let text = std::str::from_utf8(bytes).map_err(|e| ForeignError::Malformed {
+            file: file.clone(),
+            at: Spot::Byte(e.valid_up_to() as u64),
+            message: "these bytes are not UTF-8: save the source as UTF-8".into(),
+        })?;
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text).to_string();
+        let deepest = nesting(&text, &file);
+        if deepest > limits::NESTING {
+            return Err(too_large("operators and brackets around a term", deepest, limits::NESTING));
+        }
+        let language = language.unwrap_or_else(|| guess(&file, &text));
+        Ok(Source { file, text, language })
+    }
+
+    /// The module of the source, type-checked.
+    pub fn parse(&self) -> Result<Module, ForeignError> {
+        let module = match self.language {
+            ShaderLanguage::Wgsl => wgsl::parse_str(&self.text).map_err(|e| {
+                let label = e.labels().next();
+                let text = label.as_ref().map_or(String::new(), |(_, text)| format!(" ({text})"));
+                self.malformed(label.map(|(span, _)| span), format!("no valid WGSL: {}{text}", e.message()))
+            })?,
+            ShaderLanguage::Glsl => {
+                let options = glsl::Options::from(ShaderStage::Fragment);
+                glsl::Frontend::default().parse(&options, &blanked(&self.text)).map_err(|errors| {
+                    let first = errors.errors.first();
+                    let message = first.map_or(String::new(), |e| e.kind.to_string());
+                    self.malformed(first.map(|e| e.meta), format!("no GLSL that can be read: {message}"))
+                })?
+            }
+        };
+        Validator::new(ValidationFlags::all(), Capabilities::all()).validate(&module).map_err(|e| {
+            let span = e.spans().map(|(span, _)| *span).find(Span::is_defined);
+            self.malformed(span, format!("no valid shader: {}", chain(e.as_inner())))
+        })?;
+        Ok(module)
+    }
+
+    /// Line and column of a span.
+    pub fn spot(&self, span: Span) -> Spot {
+        Spot::of(&self.text, span.to_range().map_or(0, |r| r.start))
+    }
+
+    /// The place of a byte range.
+    pub fn place(&self, (start, end): (u32, u32)) -> Place {
+        Place::of(&self.file, &self.text, start as usize, end as usize)
+    }
+
+    fn malformed(&self, span: Option<Span>, message: String) -> ForeignError {
+        ForeignError::Malformed { file: self.file.clone(), at: self.spot(span.unwrap_or_default()), message }
+    }
+
+    /// The error that something is not read.
+    pub fn unsupported(
+        &self,
+        span: Span,
+        what: impl Into<String>,
+        advice: impl Into<String>,
+    ) -> ForeignError {
+        let (what, advice) = (what.into(), advice.into());
+        ForeignError::Unsupported { file: self.file.clone(), at: self.spot(span), what, advice }
+    }
+
+    /// The error that a limit is passed.
+    pub fn too_large(&self, what: &str, found: usize, limit: usize) -> ForeignError {
+        let (found, limit) = (found as u128, limit as u128);
+        ForeignError::TooLarge { file: self.file.clone(), what: what.into(), found, limit }
+    }
+}
+
+/// By the extension, else by the keyword of WGSL's functions.
+fn guess(file: &str, text: &str) -> ShaderLanguage {
+    let extension = file.rsplit_once('.').map_or("", |(_, extension)| extension);
+    match extension.to_ascii_lowercase().as_str() {
+        "wgsl" => ShaderLanguage::Wgsl,
+        "glsl" | "frag" | "vert" | "comp" | "fs" | "vs" | "glslf" => ShaderLanguage::Glsl,
+        _ if text.split(|c: char| !c.is_alphanumeric()).any(|word| word == "fn") => ShaderLanguage::Wgsl,
+        _ => ShaderLanguage::Glsl,
+    }
+}
+
+/// GLSL with the directives of [`DIRECTIVES`] turned into blanks, byte for byte, so that places stay where they are, and with the
+/// `main` that the front end asks for.
+fn blanked(text: &str) -> String {
+    let is_one = |line: &str| {
+        let rest = line.trim_start().strip_prefix('#').map(str::trim_start);
+        rest.is_some_and(|rest| DIRECTIVES.iter().any(|word| rest.starts_with(word)))
+    };
+    let mut out = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        if is_one(line) {
+            out.extend(line.bytes().map(|b| if b == b'\n' { '\n' } else { ' ' }));
+        } else {
+            out.push_str(line);
+        }
+    }
+    let main = |(at, name): (usize, &str)| {
+        let before = text[..at].chars().next_back();
+        let word = before.is_none_or(|c| !c.is_alphanumeric() && c != '_');
+        word && text[at + name.len()..].trim_start().starts_with('(')
+    };
+    if !text.match_indices("main").any(main) {
+        out.push_str("\nvoid main() {}\n");
+    }
+    out
+}
+
+/// An error with its causes in one line.
+fn chain(error: &dyn std::error::Error) -> String {
+    let mut text = error.to_string();
+    let mut cause = error.source();
+    while let Some(error) = cause {
+        text = format!("{text}: {error}");
+        cause = error.source();
+    }
+    text
+}

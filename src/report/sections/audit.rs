@@ -1,0 +1,192 @@
+//! The page of an audit: verdict, conventions tried, errors of every channel.
+
+use super::{figures, words};
+use crate::report::numbers::{brief, significant};
+use crate::report::plot::signed;
+use crate::report::{
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditErrors, AuditFindings, AuditLookup, Block,
+    Curves, HeatMap, Page, ReportError, Section, Series, Spread, Style, check,
+};
+
+pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
+    let mut sections = vec![verdict(audit), conventions(audit)];
+    for channel in &audit.channels {
+        sections.push(channel_section(channel)?);
+    }
+    Ok(Page {
+        title: format!("lobefit audit: {} as {}", audit.file, audit.quantity),
+        origin: audit.origin.clone(),
+        lead: "A table or function that somebody ships beside the truth: how it is best read, how far off it is, and what is wrong \
+               with it. Figures in full digits: the JSON file beside this page."
+            .into(),
+        sections,
+    })
+}
+
+fn verdict(audit: &AuditFindings) -> Section {
+    let fits = match audit.fits.as_str() {
+        "whole" => "the convention below, as a whole",
+        "part" => "the convention below in part",
+        _ => "no convention",
+    };
+    let mut facts = vec![
+        ("File".to_string(), audit.file.clone()),
+        ("Holds".into(), audit.holds.clone()),
+        ("Fits".into(), fits.into()),
+        ("Largest error".into(), words::max(audit.max_error)),
+    ];
+    if let Some(limit) = audit.limit {
+        let kept = if audit.passed { "kept" } else { "not kept" };
+        facts.push(("Limit".into(), format!("{}, {kept}", brief(limit, 3))));
+    }
+    if let Some(furnace) = &audit.furnace {
+        let range = format!("{} to {}", significant(furnace.least, 3), significant(furnace.most, 3));
+        facts.push((
+            "Furnace E/E' \u{2212} 1".into(),
+            format!("{range}, worst at {}", words::place(&furnace.at)),
+        ));
+    }
+    facts.push(("Error of the truth".into(), words::max(audit.truth_error)));
+    Section {
+        id: "verdict".into(),
+        title: "Verdict".into(),
+        lead: audit.verdict.clone(),
+        blocks: vec![Block::Facts { rows: facts }],
+    }
+}
+
+fn conventions(audit: &AuditFindings) -> Section {
+    let Some(best) = audit.conventions.first() else {
+        return Section {
+            id: "conventions".into(),
+            title: "Conventions".into(),
+            lead: String::new(),
+            blocks: Vec::new(),
+        };
+    };
+    let mut columns: Vec<(String, bool)> = best.axes.iter().map(|a| (a.axis.clone(), false)).collect();
+    columns.extend(
+        [("lobe", false), ("holds", false), ("max", true), ("RMS", true), ("times worse", true)]
+            .map(|(n, f)| (n.into(), f)),
+    );
+    let rows = audit.conventions.iter().map(|c| row(c, best.rank)).collect();
+    let named: Vec<(&str, bool)> = columns.iter().map(|(n, f)| (n.as_str(), *f)).collect();
+    let table = words::table(
+        &named,
+        rows,
+        "The best first. Conventions are ranked by the geometric mean of the root mean square of all errors and of that of the best \
+         four fifths, which a stale part does not touch; max and RMS are of all texels, the worst channel's.",
+    );
+    Section {
+        id: "conventions".into(),
+        title: "Conventions tried".into(),
+        lead: "Every combination of input, coordinate, direction, registration, lobe and meaning is tried; these fit best.".into(),
+        blocks: vec![Block::Table(table)],
+    }
+}
+
+fn row(c: &AuditConvention, best: f64) -> Vec<String> {
+    let mut cells: Vec<String> = c.axes.iter().map(axis).collect();
+    let held: Vec<&str> = c.channels.iter().map(|h| h.holds.as_str()).collect();
+    let worst = |f: &dyn Fn(&crate::report::AuditHeld) -> f64| c.channels.iter().map(f).fold(0.0, f64::max);
+    cells.push(if c.lobe.is_empty() { "\u{2013}".into() } else { c.lobe.clone() });
+    cells.push(held.join(", "));
+    cells.push(words::max(worst(&|h| h.max)));
+    cells.push(words::mean(worst(&|h| h.rms)));
+    cells.push(brief(c.rank / best, 3));
+    cells
+}
+
+fn axis(a: &AuditAxis) -> String {
+    let coordinate = if a.reversed { format!("1 \u{2212} {}", a.coordinate) } else { a.coordinate.clone() };
+    let clamp = a.clamp.map_or(String::new(), |c| format!(", \u{2265} {}", brief(c, 2)));
+    let siting = if a.registration.is_empty() { String::new() } else { format!(", {}", a.registration) };
+    format!("{coordinate}{siting}{clamp}")
+}
+
+fn channel_section(channel: &AuditChannel) -> Result<Section, ReportError> {
+    let section = format!("channel {}", channel.name);
+    let mut blocks = vec![Block::Table(errors(channel))];
+    for defect in &channel.defects {
+        blocks.push(Block::Text { text: defect.text.clone() });
+    }
+    if !channel.maps.is_empty() {
+        let peak = channel.maps.iter().map(crate::report::Field::peak).fold(0.0, f64::max);
+        let worst = |f: &crate::report::Field| f.peak() == peak;
+        let maps: Vec<HeatMap> = channel
+            .maps
+            .iter()
+            .map(|f| {
+                let map = HeatMap::of(&f.name, f);
+                HeatMap {
+                    top_down: true,
+                    shade: signed(peak),
+                    worst: map.worst.clone().filter(|_| worst(f)),
+                    ..map
+                }
+            })
+            .collect();
+        let caption = "Signed error of every texel in its place in the file, first row at the top: blue too low, red too high, white \
+                       exact. Colours follow the square root of the magnitude; the ring marks the worst texel.";
+        blocks.push(figures(&maps, caption)?);
+    }
+    if !channel.curves.is_empty() {
+        let charts: Vec<Curves> =
+            channel.curves.iter().map(|c| chart(&section, c)).collect::<Result<_, _>>()?;
+        blocks.push(figures(&charts, "What is held at the texels (marks) beside the truth (black).")?);
+    }
+    Ok(Section {
+        id: format!("channel-{}", anchor(&channel.name)),
+        title: format!("Channel {}: {}", channel.name, channel.holds),
+        lead: "Errors under the best convention: at the texels themselves, and between them as a shader sees them.".into(),
+        blocks,
+    })
+}
+
+/// Lower-case letters and hyphens of a name.
+fn anchor(name: &str) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
+    name.chars().map(plain).collect()
+}
+
+fn errors(channel: &AuditChannel) -> crate::report::TextTable {
+    let AuditErrors { max, rms, mean, at, judged, all, .. } = &channel.texels;
+    let cells = |what: String, max: f64, rms: f64, mean: f64, at: String| {
+        vec![what, words::max(max), words::mean(rms), significant(mean, 2), at]
+    };
+    let what = if judged == all { "texels".into() } else { format!("texels ({judged} of {all})") };
+    let mut rows = vec![cells(what, *max, *rms, *mean, words::place(at))];
+    let mut lookup = |name: &str, l: &Option<AuditLookup>| {
+        if let Some(l) = l {
+            rows.push(cells(name.into(), l.max, l.rms, l.mean, words::place(&l.at)));
+        }
+    };
+    lookup("lookup, texels where they are", &channel.lookup);
+    lookup("lookup, texels taken for centres", &channel.plain_lookup);
+    words::table(
+        &[("error of", false), ("max", true), ("RMS", true), ("mean", true), ("where", false)],
+        rows,
+        "Lookups interpolate linearly over even coordinates of the whole domain; beyond the outermost texels they hold their value.",
+    )
+}
+
+fn chart(section: &str, curve: &AuditCurve) -> Result<Curves, ReportError> {
+    check::size(section, "truth", curve.truth.len(), curve.at.len())?;
+    check::size(section, "held", curve.held.len(), curve.at.len())?;
+    let line = |name: &str, values: &[f64], style| Series {
+        name: name.into(),
+        points: curve.at.iter().copied().zip(values.iter().copied()).collect(),
+        style,
+        end: None,
+    };
+    Ok(Curves {
+        title: curve.title.clone(),
+        x: (words::axis(&curve.x), Spread::Linear),
+        y: (String::new(), Spread::Linear),
+        series: vec![line("truth", &curve.truth, Style::Truth), line("held", &curve.held, Style::Marked(0))],
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: None,
+        size: (270.0, 200.0),
+    })
+}

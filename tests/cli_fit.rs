@@ -1,0 +1,294 @@
+//! `lobefit fit` end to end: uses, norms, constraints, files, exit codes, bad input.
+
+mod common;
+
+use std::path::Path;
+use std::process::Output;
+
+use common::{lobefit, names, stderr};
+use serde_json::Value;
+
+const MINE: &str = "override c: f32 = 1.0;\noverride d: f32 = 0.1;\n/// Mine.\n\
+    fn my_norm(alpha: f32, mu: f32) -> f32 { return 1.0 + alpha * (d + c * alpha * mu); }\n";
+
+/// A linear form of roughness and mu, for E itself.
+const PLANE: &str = "override a: f32 = 1.0;\noverride b: f32 = -0.2;\noverride c: f32 = -0.2;\noverride d: f32 = 0.1;\n\
+    fn plane(roughness: f32, mu: f32) -> f32 { return a + b * roughness + mu * (c + d * roughness); }\n";
+
+/// Quick: a small domain costs no less truth, but few starts.
+fn fit(folder: &Path, source: &str, options: &[&str]) -> Output {
+    std::fs::write(folder.join("mine.wgsl"), source).expect("written");
+    let all: Vec<&str> = ["fit", "mine.wgsl"].into_iter().chain(options.iter().copied()).collect();
+    lobefit(folder, &all, b"")
+}
+
+fn json(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|e| panic!("{e}: {}", stderr(output)))
+}
+
+fn first(output: &Output) -> Value {
+    json(output)["fits"][0].clone()
+}
+
+fn error(fit: &Value) -> f64 {
+    fit["certificate"]["max_abs"].as_f64().expect("a number")
+}
+
+const NORMALISATION: [&str; 4] = ["--to", "ggx-reflection:E", "--use", "normalisation"];
+
+fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    NORMALISATION.into_iter().chain(more.iter().copied()).collect()
+}
+
+#[test]
+fn a_normalisation_is_fitted_certified_and_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output =
+        fit(folder.path(), MINE, &with(&["--out", "out", "--precision", "f32", "--precision", "f16"]));
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    for words in [
+        "3 operations",
+        "proven over the whole domain",
+        "furnace error |E N - 1|",
+        "fn my_norm(alpha: f32, mu: f32)",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let extensions = ["glsl", "h", "hlsl", "html", "json", "metal", "rs", "wgsl"];
+    assert_eq!(names(&folder.path().join("out")), extensions.map(|e| format!("my_norm.{e}")));
+    let document = std::fs::read(folder.path().join("out/my_norm.json")).expect("written");
+    let document: Value = serde_json::from_slice(&document).expect("JSON");
+    let fit = &document["fits"][0];
+    // What the contract asks of an entry of `fits[]`.
+    for field in [
+        "name",
+        "quantity",
+        "column",
+        "use",
+        "smith",
+        "function",
+        "inputs",
+        "hypothesis",
+        "coefficients",
+        "certificate",
+        "cost",
+        "source",
+    ] {
+        assert!(!fit[field].is_null(), "{field}: {fit}");
+    }
+    for field in ["max_abs", "max_rel", "rms", "at", "domain", "precision"] {
+        assert!(!fit["certificate"][field].is_null(), "{field}: {fit}");
+    }
+    // Between the source's form with one constant (0.128) and what three operations reach (0.098).
+    assert!((0.095..0.12).contains(&error(fit)), "{fit}");
+    assert_eq!((&fit["cost"]["ops"], &fit["hypothesis"]), (&3.into(), &"mine".into()));
+    let f16 = &fit["certificates"][1];
+    assert_eq!(f16["precision"], "f16");
+    assert!((f16["max_abs"].as_f64().expect("a number") - error(fit)).abs() < 2e-3, "{f16}");
+    assert_eq!(fit["regular"]["proven"], true);
+    let page = std::fs::read_to_string(folder.path().join("out/my_norm.html")).expect("written");
+    assert!(page.contains("<svg") && page.contains("worst place") && page.contains("fn my_norm"), "the page");
+    assert!(!page.contains("<script") && !page.contains("href=\"http"), "the page is self-contained");
+    // Again: nothing changes.
+    let again = fit_again(folder.path());
+    assert!(String::from_utf8_lossy(&again.stdout).contains("0 files written, 8 unchanged"));
+}
+
+fn fit_again(folder: &Path) -> Output {
+    fit(folder, MINE, &with(&["--out", "out", "--precision", "f32", "--precision", "f16"]))
+}
+
+#[test]
+fn every_norm_is_better_in_its_own_measure() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output =
+        fit(folder.path(), MINE, &with(&["--json", "--norm", "max", "--norm", "rms", "--norm", "p=8"]));
+    let document = json(&output);
+    let fits = document["fits"].as_array().expect("a list");
+    let names: Vec<&str> = fits.iter().filter_map(|f| f["name"].as_str()).collect();
+    assert_eq!(names, ["my_norm", "my_norm_rms", "my_norm_p8"]);
+    let rms = |i: usize| fits[i]["certificate"]["rms"].as_f64().expect("a number");
+    assert!(error(&fits[0]) < error(&fits[2]) && error(&fits[2]) < error(&fits[1]), "{document}");
+    assert!(rms(1) < rms(2) && rms(2) < rms(0), "{document}");
+    let alone = first(&fit(folder.path(), MINE, &with(&["--json", "--norm", "rms"])));
+    assert_eq!((&alone["name"], &alone["norm"]), (&"my_norm".into(), &"rms".into()));
+    assert_eq!(alone["coefficients"], fits[1]["coefficients"]);
+}
+
+#[test]
+fn a_weight_moves_the_error_away_from_where_it_is_large() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at_grazing = |more: &[&str]| {
+        let fit = first(&fit(folder.path(), MINE, &with(&[&["--json", "--norm", "rms"], more].concat())));
+        fit["coefficients"]["d"].as_f64().expect("a number")
+    };
+    let (even, weighted) = (at_grazing(&[]), at_grazing(&["--weight", "mu * mu"]));
+    assert!((even - weighted).abs() > 0.01, "{even} {weighted}");
+}
+
+#[test]
+fn the_other_uses_and_quantities() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let value = first(&fit(folder.path(), PLANE, &["--to", "ggx-reflection", "--json"]));
+    assert_eq!((&value["use"], &value["column"]), (&"value".into(), &"E".into()));
+    assert!((0.05..0.2).contains(&error(&value)), "{value}");
+    let blend = "override a: f32 = 1.0;\noverride b: f32 = 0.5;\nfn blend(alpha: f32, mu: f32, f0: f32) -> f32 {\n\
+        let e = 1.0 - a * alpha * mu;\n let g = 1.0 - mu;\n let s = b * (1.0 - alpha) * g * g * g * g;\n return mix(s, e, f0);\n}\n";
+    let blend = first(&fit(folder.path(), blend, &["--to", "ggx-reflection", "--json"]));
+    assert_eq!(blend["use"], "f0-blend");
+    assert_eq!(blend["certificate"]["domain"]["f0"], serde_json::json!([0.0, 1.0]));
+    let f0 = blend["certificate"]["at"]["f0"].as_f64().expect("a number");
+    assert!(f0 == 0.0 || f0 == 1.0, "affine in f0, so the worst is at an end: {blend}");
+    let average = "override a: f32 = -0.5;\noverride b: f32 = 0.1;\n\
+        fn avg(alpha: f32) -> f32 { return 1.0 + alpha * (a + b * alpha); }\n";
+    let average = first(&fit(folder.path(), average, &["--to", "ggx-average:E_avg", "--json"]));
+    assert!(error(&average) < 0.05, "{average}");
+    assert_eq!(average["inputs"], serde_json::json!(["alpha"]));
+}
+
+#[test]
+fn the_same_bytes_for_any_number_of_threads() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |threads: &str| {
+        let out = format!("out{threads}");
+        let output = fit(folder.path(), MINE, &with(&["--threads", threads, "--out", &out, "--quiet"]));
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(0), 0), "{}", stderr(&output));
+        names(&folder.path().join(&out))
+            .into_iter()
+            .map(|name| std::fs::read(folder.path().join(&out).join(name)).expect("read"))
+            .collect::<Vec<_>>()
+    };
+    let one = run("1");
+    assert!(one == run("2") && one == run("3"), "files differ");
+}
+
+#[test]
+fn a_limit_that_is_passed_and_a_pole_that_is_not_excluded_end_with_1() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = fit(folder.path(), MINE, &with(&["--limit", "0.05", "--out", "out"]));
+    assert_eq!(output.status.code(), Some(1));
+    let said = stderr(&output);
+    assert!(said.contains("above the limit 0.05") && said.contains("nothing written"), "{said}");
+    assert!(!folder.path().join("out").exists());
+    // Finite wherever it is sampled, and without a proof: the divisor has a double root inside the domain.
+    let pole = "override c: f32 = 1.0;\nfn pole(alpha: f32, mu: f32) -> f32 {\n\
+        let x = mu - 0.123456;\n return 1.0 + c * alpha * 1e-9 / (x * x);\n}\n";
+    let output = fit(folder.path(), pole, &with(&["--out", "out"]));
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    assert!(
+        stderr(&output).contains("mine.wgsl:4:") && stderr(&output).contains("may divide by zero"),
+        "{}",
+        stderr(&output)
+    );
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
+fn bad_input_is_refused_with_its_place_and_nothing_is_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cases: [(&str, &[&str], &str); 17] = [
+        ("fn mine(alpha: f32 -> f32 { return alpha; }", &NORMALISATION, "mine.wgsl:1:"),
+        (
+            "fn mine(nu: f32) -> f32 { return nu; }",
+            &NORMALISATION,
+            "argument `nu` is not one of roughness, mu, alpha",
+        ),
+        ("override c: f32 = 1.0;\nfn mine() -> f32 { return c; }", &NORMALISATION, "no argument"),
+        (
+            "override c: f32 = 1.0;\nfn mine(mu: f32) -> f32 { return c * sqrt(mu - 0.5); }",
+            &NORMALISATION,
+            "mine.wgsl:2:",
+        ),
+        ("override c: f32 = 1.0;\nfn float4(mu: f32) -> f32 { return c * mu; }", &NORMALISATION, "float4"),
+        (MINE, &["--to", "ggx-albedo"], "ggx-reflection"),
+        (MINE, &["--to", "ggx-reflection:F"], "E, A, B, loss"),
+        (MINE, &["--to", "ggx-reflection:B", "--use", "f0-blend"], "--use f0-blend"),
+        (MINE, &["--to", "ggx-reflection", "--domain", "mu=0.5..0.1"], "--domain mu=0.5..0.1"),
+        (MINE, &["--to", "ggx-reflection", "--domain", "mu=0.5"], "INPUT=LOW..HIGH"),
+        (MINE, &["--to", "ggx-reflection", "--domain", "ior=1..2"], "--domain ior"),
+        (MINE, &["--to", "ggx-reflection", "--weight", "nu"], "--weight `nu`: column 1"),
+        (MINE, &["--to", "ggx-reflection", "--weight", "-mu"], "0 or above"),
+        (MINE, &["--to", "ggx-reflection", "--exact", "ior=1"], "--exact ior"),
+        (MINE, &["--to", "ggx-reflection", "--rising", "f0"], "--rising f0"),
+        (MINE, &["--to", "ggx-reflection", "--norm", "p=1"], "p=P"),
+        (MINE, &["--to", "ggx-reflection", "--fix", "side=inside"], "--fix side"),
+    ];
+    for (source, options, words) in cases {
+        let output = fit(folder.path(), source, &[options, &["--out", "out"]].concat());
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{options:?}: {said}");
+        assert!(said.contains(words), "{options:?}: {said}");
+        assert!(!folder.path().join("out").exists(), "{options:?}");
+    }
+    let output = lobefit(folder.path(), &["fit", "none.wgsl", "--to", "ggx-reflection"], b"");
+    assert_eq!((output.status.code(), stderr(&output).contains("none.wgsl")), (Some(2), true));
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_known_before_the_work() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("file"), "").expect("written");
+    let output = fit(folder.path(), MINE, &with(&["--out", "file"]));
+    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+}
+
+#[test]
+fn standard_input_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments = [&["fit", "-"][..], &NORMALISATION, &["--json", "--domain", "alpha=0.25..1"]].concat();
+    let output = lobefit(folder.path(), &arguments, MINE.as_bytes());
+    let fit = first(&output);
+    assert_eq!(fit["certificate"]["domain"]["roughness"], serde_json::json!([0.5, 1.0]), "{fit}");
+}
+
+/// The frontier of a small search: what it is exact at, its files, its bytes for any number of threads.
+#[test]
+fn a_search_gives_a_frontier_of_hypotheses() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let search = |threads: &str| {
+        let options = ["--max-ops", "5", "--width", "6", "--threads", threads, "--out", threads, "--json"];
+        let all = [&["fit", "--search"][..], &NORMALISATION, &options].concat();
+        let output = lobefit(folder.path(), &all, b"");
+        assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+        output.stdout
+    };
+    let one = search("1");
+    assert!(one == search("2") && one == search("3"), "the frontier depends on threads");
+    let document: Value = serde_json::from_slice(&one).expect("JSON");
+    assert_eq!(document["anchor"], "1 at roughness = 0");
+    let fits = document["fits"].as_array().expect("a list");
+    let figure = |fit: &Value| (fit["cost"]["ops"].as_u64().expect("a number"), error(fit));
+    let frontier: Vec<(u64, f64)> = fits.iter().map(figure).collect();
+    assert!(frontier.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 > w[1].1), "{frontier:?}");
+    // The published search of monomials has 0.098 at three operations.
+    assert!(frontier.iter().any(|(ops, max)| *ops <= 3 && *max < 0.1), "{frontier:?}");
+    let others = document["others"].as_array().expect("a list");
+    assert!(others.iter().any(|o| o["published"] == true), "{document}");
+    let name = fits[0]["name"].as_str().expect("a name");
+    let files = names(&folder.path().join("1"));
+    assert!(files.contains(&format!("{name}.wgsl")), "{files:?}");
+    assert!(files.contains(&"ggx_reflection_e_normalisation.html".into()), "{files:?}");
+    // What was found is a hypothesis again, and no fit of it is worse.
+    let file = format!("1/{name}.wgsl");
+    let again = [&["fit", &file][..], &NORMALISATION, &["--json"]].concat();
+    let again = first(&lobefit(folder.path(), &again, b""));
+    assert!(error(&again) < error(&fits[0]) * 1.001, "{again}");
+}
+
+#[test]
+fn a_search_that_makes_no_sense_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cases: [(&[&str], &str); 5] = [
+        (&["--to", "ggx-reflection"], "--max-ops"),
+        (&["--to", "ggx-reflection", "--max-ops", "0"], "1..=64"),
+        (&["--to", "ggx-reflection", "--max-ops", "3", "--norm", "rms"], "--norm"),
+        (&["--to", "ggx-reflection", "--max-ops", "3", "--exact", "mu=0.5"], "--exact mu"),
+        (&["--to", "diffuse-coupling", "--max-ops", "3"], "specular"),
+    ];
+    for (options, words) in cases {
+        let output = lobefit(folder.path(), &[&["fit", "--search"][..], options].concat(), b"");
+        let said = stderr(&output);
+        assert_eq!((output.status.code(), said.contains(words)), (Some(2), true), "{options:?}: {said}");
+    }
+}

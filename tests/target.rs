@@ -1,0 +1,168 @@
+//! Targets: what a formula is fitted on, and the other points that it is certified at.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use lobefit::data::{AlphaMap, Smith, Use};
+use lobefit::effects::target::{Points, Sampled, Target, TargetSpec};
+use lobefit::effects::{Method, Quantity};
+use lobefit::fit::Hypothesis;
+
+fn spec(quantity: &str) -> TargetSpec {
+    TargetSpec {
+        quantity: Quantity::find(quantity).expect("a quantity"),
+        column: None,
+        used_as: None,
+        smith: Smith::Correlated,
+        alpha_map: AlphaMap::RoughnessSquared,
+        domain: BTreeMap::new(),
+        words: BTreeMap::new(),
+    }
+}
+
+fn formula(arguments: &str) -> Hypothesis {
+    let declared: Vec<String> = arguments.split(' ').map(|a| format!("{a}: f32")).collect();
+    let sum = arguments.replace(' ', " + ");
+    let source = format!("fn f({}) -> f32 {{ return {sum}; }}", declared.join(", "));
+    Hypothesis::parse("f.wgsl", &source).expect("a formula")
+}
+
+fn bits(points: &Points) -> Vec<Vec<u32>> {
+    (0..points.len()).map(|i| points.columns.iter().map(|(_, c)| c[i].to_bits()).collect()).collect()
+}
+
+/// Samples inside the box that are certified at too. On its faces the lattices may meet, in corners and in a few places more.
+fn shared(target: &Target, fitted: &Sampled, measured: &Sampled) -> usize {
+    let known: BTreeSet<Vec<u32>> = bits(&fitted.points).into_iter().collect();
+    let ends: Vec<(String, [f32; 2])> =
+        target.spans().into_iter().map(|s| (s.name, s.range.map(|x| x as f32))).collect();
+    let face = |i: usize| {
+        let axes = ends.iter().filter(|(name, _)| name != "f0");
+        let mut at = axes.map(|(name, range)| (measured.points.column(name).expect("a column")[i], range));
+        at.any(|(x, range)| range.contains(&x))
+    };
+    let rows = bits(&measured.points);
+    (0..rows.len()).filter(|&i| known.contains(&rows[i]) && !face(i)).count()
+}
+
+#[test]
+fn points_of_measurement_are_no_samples_and_edges_are_among_both() {
+    for (quantity, arguments) in [("ggx-reflection", "alpha mu"), ("ggx-average", "alpha")] {
+        let target = Target::new(&spec(quantity), &formula(arguments)).expect("a target");
+        let (even, edged, measured) =
+            (target.even().expect("E"), target.edged().expect("E"), target.measured().expect("E"));
+        assert_eq!(shared(&target, &even, &measured), 0, "{quantity}");
+        assert_eq!(shared(&target, &edged, &measured), 0, "{quantity}");
+        for sampled in [&edged, &measured] {
+            for span in target.spans() {
+                let column = sampled.points.column(&span.name).expect("a column");
+                for end in span.range {
+                    assert!(column.contains(&(end as f32)), "{quantity}: {} = {end}", span.name);
+                }
+            }
+        }
+        assert!(measured.points.uniform * 2 > measured.points.len() / 2, "{quantity}");
+        assert_eq!(measured.scale.len(), measured.points.len());
+    }
+}
+
+/// Residuals that the truth leaves, at a few points of every use, by the quantity itself.
+#[test]
+fn scale_and_target_are_those_of_the_use() {
+    let reflection = Quantity::find("ggx-reflection").expect("a quantity");
+    let method = Method::Quadrature { tolerance: reflection.tolerance() };
+    let at = |sampled: &Sampled, i: usize, name: &str| {
+        f64::from(sampled.points.column(name).expect("a column")[i])
+    };
+    let truth = |sampled: &Sampled, i: usize| {
+        let inputs = [at(sampled, i, "alpha"), at(sampled, i, "mu")];
+        let v = reflection.evaluate(Smith::Correlated, &inputs, method).expect("in the domain");
+        (v[0], v[1], v[2])
+    };
+    let places: Vec<Vec<f64>> = [[0.1, 0.02], [0.4, 0.3], [1.0, 0.9]].map(|p| p.to_vec()).to_vec();
+    for (used_as, arguments) in
+        [(Use::Value, "alpha mu"), (Use::Normalisation, "alpha mu"), (Use::F0Blend, "alpha mu f0")]
+    {
+        let spec = TargetSpec { used_as: Some(used_as), ..spec("ggx-reflection") };
+        let target = Target::new(&spec, &formula(arguments)).expect("a target");
+        let sampled = target.at(&places, &[0.25, 1.0]).expect("a truth");
+        for i in 0..sampled.points.len() {
+            let (e, a, b) = truth(&sampled, i);
+            let (scale, wanted) = match used_as {
+                Use::Normalisation => (e, 1.0),
+                Use::F0Blend => (1.0, at(&sampled, i, "f0") * a + b),
+                _ => (1.0, e),
+            };
+            assert!((sampled.scale[i] - scale).abs() < 2e-7, "{used_as:?} {i}: {}", sampled.scale[i]);
+            assert!((sampled.target[i] - wanted).abs() < 2e-7, "{used_as:?} {i}: {}", sampled.target[i]);
+        }
+        assert_eq!(sampled.points.len(), if used_as == Use::F0Blend { 6 } else { 3 });
+    }
+}
+
+/// The mean square over all f0 of an error that is affine in f0 is that over the values that stand for all.
+#[test]
+fn four_values_of_f0_stand_for_all() {
+    let target = Target::new(&spec("ggx-reflection"), &formula("mu f0")).expect("a target");
+    assert!(target.affine);
+    let measured = target.measured().expect("E and B");
+    let f0 = measured.points.column("f0").expect("f0");
+    let mean: Vec<f32> = {
+        let mut values: Vec<f32> = f0[..measured.points.uniform].to_vec();
+        values.sort_by(f32::total_cmp);
+        values.dedup();
+        values
+    };
+    let square = |a: f64, b: f64| {
+        mean.iter().map(|x| (a + b * f64::from(*x)) * (a + b * f64::from(*x))).sum::<f64>() / 2.0
+    };
+    for (a, b) in [(1.0, 0.0), (0.3, -0.7), (0.0, 2.0)] {
+        let exact = a * a + a * b + b * b / 3.0;
+        assert!((square(a, b) - exact).abs() < 1e-6, "{a} {b}: {} {exact}", square(a, b));
+    }
+    let rest: BTreeSet<u32> = f0[measured.points.uniform..].iter().map(|x| x.to_bits()).collect();
+    assert_eq!(rest, [0.0_f32, 1.0].iter().map(|x| x.to_bits()).collect());
+    let curved = Hypothesis::parse("f.wgsl", "fn f(mu: f32, f0: f32) -> f32 { return mu * f0 * f0; }")
+        .expect("a formula");
+    let target = Target::new(&spec("ggx-reflection"), &curved).expect("a target");
+    assert!(!target.affine);
+    let (edged, measured) = (target.edged().expect("E"), target.measured().expect("E"));
+    assert_eq!(shared(&target, &edged, &measured), 0);
+}
+
+#[test]
+fn a_generic_quantity_is_sampled_over_all_its_inputs() {
+    let words = BTreeMap::from([("side".to_string(), "outside".to_string())]);
+    let domain = BTreeMap::from([("ior".to_string(), [1.5, 1.5]), ("roughness".to_string(), [0.3, 0.4])]);
+    let spec = TargetSpec { words, domain, column: Some("R".into()), ..spec("ggx-glass") };
+    let target = Target::new(&spec, &formula("roughness mu ior")).expect("a target");
+    assert!(target.is_dear());
+    let sampled = target.at(&[vec![0.35, 0.5, 1.5]], &[1.0]).expect("R");
+    let glass = Quantity::find("ggx-glass").expect("a quantity");
+    let alpha = f64::from(sampled.points.column("alpha").expect("alpha")[0]);
+    let method = Method::Quadrature { tolerance: glass.tolerance() };
+    let exact = glass.evaluate(Smith::Correlated, &[alpha, 0.5, 1.5, 0.0], method).expect("R");
+    assert!((sampled.target[0] - exact[0]).abs() < 1e-6, "{} {}", sampled.target[0], exact[0]);
+}
+
+#[test]
+fn bad_targets_are_refused_with_the_setting() {
+    let range = |input: &str, range: [f64; 2]| BTreeMap::from([(input.to_string(), range)]);
+    let cases: [(TargetSpec, &str, &str); 8] = [
+        (TargetSpec { column: Some("F".into()), ..spec("ggx-reflection") }, "mu", "E, A, B, loss"),
+        (
+            TargetSpec { domain: range("mu", [0.5, 0.1]), ..spec("ggx-reflection") },
+            "mu",
+            "domain mu=0.5..0.1",
+        ),
+        (TargetSpec { domain: range("mu", [0.0, 1.5]), ..spec("ggx-reflection") }, "mu", "[0, 1]"),
+        (TargetSpec { domain: range("ior", [1.0, 1.5]), ..spec("ggx-reflection") }, "mu", "no such input"),
+        (TargetSpec { used_as: Some(Use::F0Blend), ..spec("ggx-reflection") }, "mu", "argument f0"),
+        (TargetSpec { used_as: Some(Use::Coupling), ..spec("ggx-reflection") }, "mu", "diffuse-coupling"),
+        (spec("ggx-glass"), "mu", "outside, inside"),
+        (spec("ggx-average"), "mu", "`mu`"),
+    ];
+    for (spec, arguments, words) in cases {
+        let error = Target::new(&spec, &formula(arguments)).expect_err(words).to_string();
+        assert!(error.contains(words), "{error}");
+    }
+}
