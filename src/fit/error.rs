@@ -163,8 +163,8 @@ pub enum FitError {
     },
     /// No coefficients were found that obey a constraint.
     #[error(
-        "constraint `{constraint}` cannot be satisfied: at {at} the value of {function} stays {by:.3e} off; \
-         loosen it, drop another constraint, or give the formula more freedom"
+        "constraint `{constraint}`: no coefficients of {function} were found that keep it; at {at} it stays {by:.3e} off; \
+         loosen it, take another constraint away, or give the formula more freedom"
     )]
     Unsatisfiable {
         /// The constraint's name.

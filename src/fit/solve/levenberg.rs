@@ -9,16 +9,17 @@ use argmin::core::{
 
 use super::objective::{Objective, Refused, largest, rms};
 use super::power::{Model, PNorm};
+use super::route::is_zero;
 use crate::fit::FitError;
 
 /// Residuals orthogonal to the Jacobian within this cosine are a minimum.
-const ORTHOGONAL: f64 = 1e-8;
+const ORTHOGONAL: f64 = 1e-10;
 
 /// A minimum that rounding keeps from being sharper than [`ORTHOGONAL`] still counts up to here.
 const NEARLY_ORTHOGONAL: f64 = 1e-5;
 
-/// Residuals below this part of the targets are zero.
-const ZERO: f64 = 1e-14;
+/// A search that comes to a halt with residuals this much of the targets times 1e-14 has reproduced them: rounding hides the rest.
+const NEARLY_ZERO: f64 = 0.01;
 
 /// Trials of larger damping before an iteration gives up.
 const TRIALS: usize = 40;
@@ -44,6 +45,8 @@ pub(super) struct Search {
     pub max: f64,
     pub end: End,
     pub rank: usize,
+    /// Lengths of the Jacobian's columns.
+    pub norms: Vec<f64>,
     pub evaluations: u64,
 }
 
@@ -76,23 +79,21 @@ pub(super) fn search(
         Err(refused) => return Ok(Err(refused)),
     };
     let cosine = norm.model(&linear).triangle.orthogonality();
-    let end = if is_zero(objective, &linear.residuals) {
+    let end = if is_zero(objective, rms(&linear.residuals)) {
         End::Zero
     } else if cosine <= NEARLY_ORTHOGONAL {
         End::Minimum { cosine }
+    } else if is_zero(objective, NEARLY_ZERO * rms(&linear.residuals)) {
+        End::Zero
     } else if status == TerminationStatus::Terminated(TerminationReason::MaxItersReached) {
         End::Cap
     } else {
         End::Stalled { cosine }
     };
-    let rank = linear.triangle.rank();
+    let (rank, norms) = (linear.triangle.rank(), linear.triangle.column_norms());
     let residuals = &linear.residuals;
     let (value, rms, max) = (norm.of(residuals), rms(residuals), largest(residuals));
-    Ok(Ok(Search { coefficients, value, rms, max, end, rank, evaluations }))
-}
-
-fn is_zero(objective: &Objective, residuals: &[f64]) -> bool {
-    rms(residuals) <= ZERO * rms(&objective.samples.target)
+    Ok(Ok(Search { coefficients, value, rms, max, end, rank, norms, evaluations }))
 }
 
 /// Levenberg-Marquardt with Nielsen's damping and Moré's scaling (columns of the largest length seen).
@@ -134,7 +135,7 @@ impl<'a> Solver<Objective<'a>, LeastSquaresState> for Marquardt {
         for (scale, norm) in self.scale.iter_mut().zip(model.triangle.column_norms()) {
             *scale = scale.max(norm).max(f64::MIN_POSITIVE);
         }
-        let zero = problem.problem("zero_count", |o| Ok(is_zero(o, &linear.residuals)))?;
+        let zero = problem.problem("zero_count", |o| Ok(is_zero(o, rms(&linear.residuals))))?;
         if zero || model.triangle.orthogonality() <= ORTHOGONAL {
             return Ok((state.terminate_with(TerminationReason::SolverConverged), None));
         }

@@ -1,14 +1,19 @@
 //! Coefficients for a formula: least squares from many starts, then the norm asked for.
 
-mod chebyshev;
+mod bounds;
+mod constrained;
 mod constraint;
+mod convex;
+mod descent;
 mod fitted;
+mod global;
 mod levenberg;
-mod minimax;
 mod objective;
 mod options;
 mod power;
+mod program;
 mod rank;
+mod recognise;
 mod reduce;
 mod route;
 mod samples;
@@ -21,6 +26,8 @@ pub use options::{Goal, Options};
 pub use samples::Samples;
 
 use super::{FitError, Hypothesis};
+use bounds::Bounds;
+use constrained::worst;
 use objective::{Objective, largest};
 use power::PNorm;
 use route::{Route, route};
@@ -47,25 +54,29 @@ pub fn optimise(
     options.goal.check()?;
     let tape = hypothesis.tape();
     constraints.iter().try_for_each(|c| c.check(tape))?;
-    if let Some(constraint) = constraints.first() {
-        let message = format!("constraint `{}`: this build knows none", constraint.name);
-        return Err(FitError::Solver { message });
-    }
     let objective = Objective::new(tape, samples)?;
+    let points = bounds::points(constraints, tape.inputs().len());
+    let unit = largest(&samples.scale);
+    let unit = if unit > 0.0 { unit } else { 1.0 };
+    let mut bounds = match constraints {
+        [] => None,
+        _ => Some(Bounds::new(constraints, tape, &points, unit)?),
+    };
     let declared = hypothesis.starts();
     let found = if declared.is_empty() {
         Route::unmoved(declared, Termination::NoParameters)
     } else if samples.len() < declared.len() {
         Route::unmoved(declared, Termination::TooFewSamples)
     } else {
-        route(&objective, &declared, options)?
+        route(&objective, bounds.as_mut(), &declared, options)?
     };
-    finish(hypothesis, &objective, options.goal, found)
+    finish(hypothesis, &objective, bounds.as_ref(), options.goal, found)
 }
 
 fn finish(
     hypothesis: &Hypothesis,
     objective: &Objective,
+    bounds: Option<&Bounds>,
     goal: Goal,
     found: Route,
 ) -> Result<Fitted, FitError> {
@@ -80,7 +91,11 @@ fn finish(
     let names: Vec<String> = hypothesis.parameters().iter().map(|p| p.name.clone()).collect();
     let (rank, undetermined) = (linear.triangle.rank(), rank::undetermined(&linear.triangle, &names));
     let evaluations = evaluations + 1;
-    let constraints = Vec::new();
+    let constraints = bounds.map_or(Ok(Vec::new()), |bounds| {
+        let held = bounds.held(&coefficients)?;
+        worst(&held).map_or(Ok(()), |i| Err(bounds.unsatisfiable(i, &held[i])))?;
+        Ok(held)
+    })?;
     Ok(Fitted {
         coefficients,
         termination,

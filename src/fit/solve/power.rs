@@ -18,6 +18,7 @@ pub(super) struct Model {
     unit: f64,
     /// Sum of powers at the point.
     level: f64,
+    samples: f64,
 }
 
 impl PNorm {
@@ -48,8 +49,14 @@ impl PNorm {
     pub fn model(self, linear: &Linear) -> Model {
         if self == PNorm::SQUARE {
             let length = linear.triangle.residual_norm();
-            return Model { triangle: linear.triangle.clone(), unit: 1.0, level: length * length };
+            let (triangle, samples) = (linear.triangle.clone(), linear.residuals.len() as f64);
+            return Model { triangle, unit: 1.0, level: length * length, samples };
         }
+        self.scaled_model(linear)
+    }
+
+    /// The model in units of the largest residual, whatever the power.
+    pub fn scaled_model(self, linear: &Linear) -> Model {
         let unit = largest(&linear.residuals).max(f64::MIN_POSITIVE);
         let n = linear.triangle.r.ncols();
         let root = |r: &f64| pow(r.abs() / unit, 0.5 * self.0 - 1.0) / unit;
@@ -59,7 +66,8 @@ impl PNorm {
         let weighted = |(i, x): (usize, &f64)| roots[i / n] * x;
         let jacobian: Vec<f64> = linear.jacobian.iter().enumerate().map(weighted).collect();
         let level = self.level(&linear.residuals, unit);
-        Model { triangle: reduce(&jacobian, &residuals, n), unit, level }
+        let samples = residuals.len() as f64;
+        Model { triangle: reduce(&jacobian, &residuals, n), unit, level, samples }
     }
 
     /// What a step to `residuals` has gained, and what the model promised for it.
@@ -71,5 +79,22 @@ impl PNorm {
             return (model.level - rms * rms * residuals.len() as f64, promised);
         }
         (model.level - self.level(residuals, model.unit), 0.5 * self.0 * (self.0 - 1.0) * promised)
+    }
+
+    /// unit * mean of (|r|/unit)^p: a measure in the units of residuals, whatever the power. Of a scaled model.
+    pub fn mean_power(self, model: &Model, residuals: &[f64]) -> f64 {
+        model.unit * self.level(residuals, model.unit) / model.samples
+    }
+
+    /// [`PNorm::mean_power`] after a step, by the scaled model.
+    pub fn predicted(self, model: &Model, step: &[f64]) -> f64 {
+        let length = model.triangle.residual_norm();
+        let gained = 0.5 * self.0 * (self.0 - 1.0) * (length * length - model.triangle.predicted(step));
+        model.unit * (model.level - gained) / model.samples
+    }
+
+    /// Factor of |R d + q|^2 in the mean power.
+    pub fn curvature(self, model: &Model) -> f64 {
+        0.5 * self.0 * (self.0 - 1.0) * model.unit / model.samples
     }
 }

@@ -2,9 +2,12 @@
 
 use rayon::prelude::*;
 
+use super::bounds::Bounds;
+use super::constrained::constrained;
+use super::descent::{Descent, Problem};
 use super::fitted::{Gap, Method, Stage, Termination};
+use super::global::global;
 use super::levenberg::{End, Search, search};
-use super::minimax::{Descent, descend};
 use super::objective::Objective;
 use super::options::{Goal, Options};
 use super::power::PNorm;
@@ -16,6 +19,9 @@ const COARSE: usize = 1536;
 
 /// Starts whose search is carried on with all samples.
 const FINALISTS: usize = 3;
+
+/// Residuals below this part of the targets are zero.
+const ZERO: f64 = 1e-14;
 
 /// Coefficients, and how they were come by.
 pub(super) struct Route {
@@ -36,13 +42,51 @@ impl Route {
 }
 
 /// The best coefficients for a goal.
-pub(super) fn route(objective: &Objective, declared: &[f64], options: &Options) -> Result<Route, FitError> {
+pub(super) fn route(
+    objective: &Objective,
+    bounds: Option<&mut Bounds>,
+    declared: &[f64],
+    options: &Options,
+) -> Result<Route, FitError> {
     let searches = searches(objective, declared, options)?;
+    if let Some(bounds) = bounds {
+        let start = &searches[0];
+        bounds.balance(&start.coefficients, &start.norms);
+        if let Some(best) = proven(objective, Some(bounds), &searches, options) {
+            return Ok(best);
+        }
+        return constrained(objective, bounds, &searches, declared, options, FINALISTS);
+    }
     match options.goal {
         Goal::Rms => Ok(least_squares(&searches)),
         Goal::Power(p) => power(objective, &searches, p, options.iterations),
-        Goal::Max => minimax(objective, &searches, options),
+        Goal::Max => proven(objective, None, &searches, options)
+            .map_or_else(|| minimax(objective, &searches, options), Ok),
     }
+}
+
+/// The globally best coefficients, where the goal is the largest residual and the formula has a form that allows it.
+///
+/// Where parameters coincide, or the formula reproduces its targets, least squares has said all there is to say.
+fn proven(
+    objective: &Objective,
+    bounds: Option<&Bounds>,
+    searches: &[Search],
+    options: &Options,
+) -> Option<Route> {
+    let best = &searches[0];
+    if options.goal != Goal::Max
+        || matches!(end(best), Termination::RankDeficient { .. } | Termination::ZeroResidual)
+    {
+        return None;
+    }
+    let mut route = global(objective, bounds, &best.coefficients)?;
+    if !route.termination.is_converged() {
+        return None;
+    }
+    route.stages.insert(0, stage(Method::LeastSquares, best));
+    route.evaluations += searches.iter().map(|s| s.evaluations).sum::<u64>();
+    Some(route)
 }
 
 /// Least-squares searches from all starts: on a subset first, the best carried on; best first.
@@ -96,6 +140,11 @@ pub(super) fn refused(objective: &Objective, start: &[f64]) -> FitError {
     FitError::NotFinite { column: format!("{name}: value at the declared start"), index, value }
 }
 
+/// Whether a root mean square residual is nothing beside the targets.
+pub(super) fn is_zero(objective: &Objective, rms: f64) -> bool {
+    rms <= ZERO * PNorm::SQUARE.of(&objective.samples.target)
+}
+
 fn end(search: &Search) -> Termination {
     let parameters = search.coefficients.len();
     match search.end {
@@ -127,7 +176,7 @@ fn least_squares(searches: &[Search]) -> Route {
 }
 
 /// The powers from 2, exclusive, to `p`, each twice the one before: a norm's minimum is a good start for the next.
-fn ladder(p: f64) -> Vec<f64> {
+pub(super) fn ladder(p: f64) -> Vec<f64> {
     let mut powers: Vec<f64> =
         std::iter::successors(Some(4.0), |q| Some(2.0 * q)).take_while(|q| *q < p).collect();
     if p > 2.0 {
@@ -181,7 +230,10 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
     let finalists = &searches[..searches.len().min(FINALISTS)];
     let descents: Vec<_> = finalists
         .par_iter()
-        .map(|search| descend(objective, &search.coefficients, options.iterations))
+        .map(|search| {
+            let (bounds, norm, weight, iterations) = (None, None, 1.0, options.iterations);
+            Problem { objective, bounds, norm, weight, iterations }.descend(&search.coefficients)
+        })
         .collect();
     let mut evaluations: u64 = searches.iter().map(|s| s.evaluations).sum();
     let mut best: Option<(usize, Descent)> = None;

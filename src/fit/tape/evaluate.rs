@@ -39,6 +39,23 @@ impl<R: Real> Workspace<R> {
     }
 }
 
+impl Op {
+    /// Value from those of the operations before it.
+    #[inline(always)]
+    pub(in crate::fit) fn evaluate<R: Real>(&self, inputs: &[R], coefficients: &[R], values: &[R]) -> R {
+        let v = |n: u32| values[n as usize];
+        match *self {
+            Op::Input(i) => inputs[usize::from(i)],
+            Op::Parameter(i) => coefficients[usize::from(i)],
+            Op::Literal(x) => R::literal(x),
+            Op::Unary(code, a) => unary(code, v(a)),
+            Op::Binary(code, a, b) => binary(code, v(a), v(b)),
+            Op::Fma(a, b, c) => v(a).fma(v(b), v(c)),
+            Op::Select(a, b, c) => select(v(a), v(b), v(c)),
+        }
+    }
+}
+
 impl Tape {
     /// Value at one point: inputs and coefficients in order.
     ///
@@ -47,16 +64,8 @@ impl Tape {
     pub fn at<R: Real>(&self, inputs: &[R], coefficients: &[R]) -> R {
         let mut values: Vec<R> = Vec::with_capacity(self.ops.len());
         for op in &self.ops {
-            let v = |n: u32| values[n as usize];
-            values.push(match *op {
-                Op::Input(i) => inputs[usize::from(i)],
-                Op::Parameter(i) => coefficients[usize::from(i)],
-                Op::Literal(x) => R::literal(x),
-                Op::Unary(code, a) => unary(code, v(a)),
-                Op::Binary(code, a, b) => binary(code, v(a), v(b)),
-                Op::Fma(a, b, c) => v(a).fma(v(b), v(c)),
-                Op::Select(a, b, c) => select(v(a), v(b), v(c)),
-            });
+            let value = op.evaluate(inputs, coefficients, &values);
+            values.push(value);
         }
         values[values.len() - 1]
     }
