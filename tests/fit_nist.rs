@@ -139,7 +139,8 @@ fn the_certified_parameters_are_found_from_both_starts() {
     for (name, model, wanted) in PROBLEMS {
         let data = read(name);
         for (which, start) in data.starts.iter().enumerate() {
-            let declared = start.iter().enumerate().map(|(i, b)| format!("override b{}: f32 = {b:?};\n", i + 1));
+            let declared =
+                start.iter().enumerate().map(|(i, b)| format!("override b{}: f32 = {b:?};\n", i + 1));
             let hypothesis = parse(&(declared.collect::<String>() + model));
             let count = data.columns[0].len();
             let column = |input: &String| match input.as_str() {
@@ -150,13 +151,15 @@ fn the_certified_parameters_are_found_from_both_starts() {
             };
             let response = &data.columns[0];
             // Nelson's model is of the logarithm.
-            let target = if name == "Nelson" { response.iter().map(|y| y.ln()).collect() } else { response.clone() };
+            let target =
+                if name == "Nelson" { response.iter().map(|y| y.ln()).collect() } else { response.clone() };
             let inputs = hypothesis.inputs().iter().map(column).collect();
             let samples = Samples { inputs, scale: vec![1.0; count], target };
             let lost = LOST.iter().find(|(lost, at, ..)| (*lost, *at) == (name, which));
             let (starts, spread) = lost.map_or((1, 0.5), |(_, _, starts, spread)| (*starts, *spread));
             let options = Options { starts, spread, iterations: 3000, ..Options::new(Norm::Rms) };
-            let fitted = optimise(&hypothesis, &samples, &[], &options).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let fitted =
+                optimise(&hypothesis, &samples, &[], &options).unwrap_or_else(|e| panic!("{name}: {e}"));
             let found = digits(&fitted.coefficients, &data.certified);
             let sum = fitted.rms * fitted.rms * count as f64;
             println!(
@@ -169,7 +172,8 @@ fn the_certified_parameters_are_found_from_both_starts() {
             // Lanczos1's residuals are below the rounding of its data: its certified sum, 1e-25, is not for f64.
             let same = if name == "Lanczos1" { sum < 1e-24 } else { (sum / data.sum - 1.0).abs() < 1e-6 };
             if found < wanted[which] || !same || !fitted.termination.is_converged() {
-                failures.push(format!("{name} start {}: {found:.1} digits, sum {sum:e}, {fitted:?}", which + 1));
+                failures
+                    .push(format!("{name} start {}: {found:.1} digits, sum {sum:e}, {fitted:?}", which + 1));
             }
         }
     }
