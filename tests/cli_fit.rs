@@ -361,3 +361,19 @@ fn the_optimum_of_a_linear_form_is_global() {
         "{fit}"
     );
 }
+
+/// The folder may hold anything: other files stay, and a manifest of somebody else's is no obstacle.
+#[test]
+fn other_files_of_the_folder_are_left_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    std::fs::create_dir(&out).expect("created");
+    for (name, text) in [("manifest.json", "not JSON"), ("my_norm.txt", "mine")] {
+        std::fs::write(out.join(name), text).expect("written");
+    }
+    let output = fit(folder.path(), MINE, &with(&["--out", "out", "--language", "wgsl,c", "--quiet"]));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let all = ["manifest.json", "my_norm.h", "my_norm.html", "my_norm.json", "my_norm.txt", "my_norm.wgsl"];
+    assert_eq!(names(&out), all);
+    assert_eq!(std::fs::read_to_string(out.join("manifest.json")).expect("read"), "not JSON");
+}
