@@ -46,12 +46,7 @@ pub enum Defect {
     Steps {
         /// The format.
         step: Step,
-        /// Defects of a function: values that stand at a clamp, and a bias.
-pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
-    clamped(r).into_iter().chain(bias(r, rms(r))).collect()
-}
-
-/// Root mean square of the error that rounding to it makes.
+        /// Root mean square of the error that rounding to it makes.
         rms: f64,
     },
     /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's tail.
@@ -95,6 +90,11 @@ pub(super) fn defects(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Opt
     }
     found.extend(bias(r, rms));
     found
+}
+
+/// Defects of a function: values that stand at a clamp, and a bias.
+pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
+    clamped(r).into_iter().chain(bias(r, rms(r))).collect()
 }
 
 /// Root mean square of the error that rounding to a format makes at the judged texels: a third of the square of half a step.
