@@ -52,9 +52,9 @@ fn gloss_is_told_and_so_is_the_lobe_that_was_fitted() {
     assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
     assert_eq!(found.best().columns, [Some(Column::B), Some(Column::E)]);
     let e = found.channels[1].errors.as_ref().unwrap();
-    // Against separable Smith E is off by .062 at most, .011 in the root mean square.
-    near(e.max, 0.062, 0.35);
-    near(e.rms, 0.011, 0.35);
+    // Against separable Smith E is off by .011 in the root mean square, and by .062 at most for mu >= 0.01; here mu begins at 0.004.
+    assert!((0.062..0.12).contains(&e.max), "{}", e.max);
+    near(e.rms, 0.011, 0.1);
     assert!(found.verdict.contains("gloss = 1 - alpha^(1/4)"), "{}", found.verdict);
 }
 
@@ -72,13 +72,12 @@ fn a_blend_over_f0_is_taken_apart() {
 
 #[test]
 fn a_normalisation_and_an_albedo_of_alpha_are_told() {
+    // 1 + 2 a^2 mu is so far from 1/E either way that only its column is clear; that it is open is told.
     let found = run("pesce");
-    assert_eq!(scales(&found), [(Scale::Alpha, false), (Scale::Mu, false)]);
     assert_eq!(found.best().columns, [Some(Column::Inverse)]);
-    // N1: the furnace is off by .144 at most, at roughness .67.
-    let furnace = found.furnace.as_ref().unwrap();
-    let worst = furnace.range[0].abs().max(furnace.range[1].abs());
-    assert!((0.12..0.26).contains(&worst), "{worst}");
+    assert!(found.margin < 1.2 && found.verdict.contains("This is open"), "{}", found.verdict);
+    let alpha = |t: &lobefit::audit::Tried| t.convention.axes[0].scale == Scale::Alpha;
+    assert!(found.tried.iter().take(2).any(alpha), "{:?}", found.tried);
     let found = run("enterprise");
     assert_eq!(scales(&found), [(Scale::Alpha, false), (Scale::Mu, false)]);
     assert_eq!(found.best().columns, [Some(Column::E)]);

@@ -25,7 +25,7 @@ fn a_table_is_read_judged_and_reported() {
     let all = ["audit", "tables.h", "--as", "ggx-reflection", "--size", "16x16", "--out", "report"];
     let output = lobefit(folder.path(), &all, b"");
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    let verdict = String::from_utf8(output.stdout).unwrap();
+    let verdict = String::from_utf8(output.stdout.clone()).unwrap();
     assert!(verdict.contains("roughness (alpha = roughness^2) along x at end points"), "{verdict}");
     assert!(verdict.contains("mu along y at end points"), "{verdict}");
     assert!(output.stderr.is_empty(), "{}", stderr(&output));

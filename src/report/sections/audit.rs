@@ -145,7 +145,7 @@ fn channel_section(channel: &AuditChannel, function: bool) -> Result<Section, Re
     if !channel.curves.is_empty() {
         let charts: Vec<Curves> =
             channel.curves.iter().map(|c| chart(&section, c)).collect::<Result<_, _>>()?;
-        blocks.push(figures(&charts, "What is held (marks) beside the truth (black).")?);
+        blocks.push(figures(&charts, "What is held beside the truth (black).")?);
     }
     Ok(Section {
         id: format!("channel-{}", anchor(&channel.name)),
@@ -175,7 +175,9 @@ fn errors(channel: &AuditChannel) -> crate::report::TextTable {
         }
     };
     lookup("lookup, texels where they are", &channel.lookup);
-    lookup("lookup, texels taken for centres", &channel.plain_lookup);
+    if channel.plain_lookup != channel.lookup {
+        lookup("lookup, texels taken for centres", &channel.plain_lookup);
+    }
     words::table(
         &[("error of", false), ("max", true), ("RMS", true), ("mean", true), ("where", false)],
         rows,
@@ -196,11 +198,13 @@ fn chart(section: &str, curve: &AuditCurve) -> Result<Curves, ReportError> {
         style,
         end: None,
     };
+    // More marks than this hide the truth below them.
+    let style = if curve.at.len() <= 24 { Style::Marked(0) } else { Style::Line(0) };
     Ok(Curves {
         title: curve.title.clone(),
         x: (words::axis(&curve.x), Spread::Linear),
         y: (String::new(), Spread::Linear),
-        series: vec![line("truth", &curve.truth, Style::Truth), line("held", &curve.held, Style::Marked(0))],
+        series: vec![line("truth", &curve.truth, Style::Truth), line("held", &curve.held, style)],
         annotations: Vec::new(),
         guides: Vec::new(),
         y_limits: None,
