@@ -241,3 +241,54 @@ fn standard_input_is_read() {
     let fit = first(&output);
     assert_eq!(fit["certificate"]["domain"]["roughness"], serde_json::json!([0.5, 1.0]), "{fit}");
 }
+
+/// The frontier of a small search: what it is exact at, its files, its bytes for any number of threads.
+#[test]
+fn a_search_gives_a_frontier_of_hypotheses() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let search = |threads: &str| {
+        let options = ["--max-ops", "5", "--width", "6", "--threads", threads, "--out", threads, "--json"];
+        let all = [&["fit", "--search"][..], &NORMALISATION, &options].concat();
+        let output = lobefit(folder.path(), &all, b"");
+        assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+        output.stdout
+    };
+    let one = search("1");
+    assert!(one == search("2") && one == search("3"), "the frontier depends on threads");
+    let document: Value = serde_json::from_slice(&one).expect("JSON");
+    assert_eq!(document["anchor"], "1 at roughness = 0");
+    let fits = document["fits"].as_array().expect("a list");
+    let figure = |fit: &Value| (fit["cost"]["ops"].as_u64().expect("a number"), error(fit));
+    let frontier: Vec<(u64, f64)> = fits.iter().map(figure).collect();
+    assert!(frontier.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 > w[1].1), "{frontier:?}");
+    // The published search of monomials has 0.098 at three operations.
+    assert!(frontier.iter().any(|(ops, max)| *ops <= 3 && *max < 0.1), "{frontier:?}");
+    let others = document["others"].as_array().expect("a list");
+    assert!(others.iter().any(|o| o["published"] == true), "{document}");
+    let name = fits[0]["name"].as_str().expect("a name");
+    let files = names(&folder.path().join("1"));
+    assert!(files.contains(&format!("{name}.wgsl")), "{files:?}");
+    assert!(files.contains(&"ggx_reflection_e_normalisation.html".into()), "{files:?}");
+    // What was found is a hypothesis again, and no fit of it is worse.
+    let file = format!("1/{name}.wgsl");
+    let again = [&["fit", &file][..], &NORMALISATION, &["--json"]].concat();
+    let again = first(&lobefit(folder.path(), &again, b""));
+    assert!(error(&again) < error(&fits[0]) * 1.001, "{again}");
+}
+
+#[test]
+fn a_search_that_makes_no_sense_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cases: [(&[&str], &str); 5] = [
+        (&["--to", "ggx-reflection"], "--max-ops"),
+        (&["--to", "ggx-reflection", "--max-ops", "0"], "1..=64"),
+        (&["--to", "ggx-reflection", "--max-ops", "3", "--norm", "rms"], "--norm"),
+        (&["--to", "ggx-reflection", "--max-ops", "3", "--exact", "mu=0.5"], "--exact mu"),
+        (&["--to", "diffuse-coupling", "--max-ops", "3"], "specular"),
+    ];
+    for (options, words) in cases {
+        let output = lobefit(folder.path(), &[&["fit", "--search"][..], options].concat(), b"");
+        let said = stderr(&output);
+        assert_eq!((output.status.code(), said.contains(words)), (Some(2), true), "{options:?}: {said}");
+    }
+}

@@ -429,6 +429,9 @@ fn what_is_not_read_is_named_with_its_place() {
     assert_eq!(told.unwrap()[0].name, "f");
 }
 
+/// Characters that sources are damaged with.
+const ODD: &[u8] = b"(){}[];,.+-*/<>=&|!0123456789#\0\xff";
+
 #[test]
 fn damaged_sources_are_errors_or_functions() {
     let sources = [

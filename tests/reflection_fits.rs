@@ -10,6 +10,7 @@ fn spec() -> FitSpec {
         max_ops: Some(20),
         norms: vec![Norm::Max, Norm::Rms],
         average: true,
+        blend: false,
         hypotheses: Vec::new(),
     }
 }

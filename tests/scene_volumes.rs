@@ -151,6 +151,33 @@ fn spans_of_a_point_are_widened_inside_what_the_layout_reaches() {
     assert!(one.effects[0].because[0].contains("anisotropy 1, widened to 0.99 to 1)"), "{one:?}");
 }
 
+/// What a plan says of the rows is what its jobs do.
+#[test]
+fn the_reason_tells_where_rows_begin() {
+    let because = |roughness: &str, more: &str| {
+        let material = brushed("b", &tables(more)).replace("[0.2,0.6]", roughness);
+        plan(&of(&[&material])).effects[0].because[0].clone()
+    };
+    for (roughness, told) in [
+        ("0.3", "(roughness 0.3, widened to 0.295 to 0.305; "),
+        ("[0.2,0.6]", "(roughness 0.2 to 0.6; "),
+        ("[0,1]", "(roughness 0.01 to 1, in rows from 0.02 on, to which a lookup below clamps; "),
+        (
+            "[0.012,0.015]",
+            "(roughness 0.012 to 0.015, all below the rows, which begin at 0.02: every lookup clamps and none is judged; ",
+        ),
+    ] {
+        let because = because(roughness, "{}");
+        assert!(because.contains(told), "{because}");
+    }
+    let alone = because("[0,1]", r#"{"layout":"path-tracer"}"#);
+    assert!(alone.contains("(roughness 0.0001 to 1, in rows from 0.0004 on, "), "{alone}");
+    let below = of(&[&brushed("b", "").replace("[0.2,0.6]", "[0.012,0.015]"), &brushed("c", "")]);
+    let jobs = plan(&below).volumes;
+    assert_eq!(jobs[0].unjudged_by().expect("one"), "b (materials[0].wants.tables[0].max_error)");
+    assert_eq!(plan(&of(&[&brushed("c", "")])).volumes[0].unjudged_by(), None);
+}
+
 #[test]
 fn an_anisotropic_material_calls_for_reflection_only_with_a_table_or_fits_of_it() {
     let with = |wants: &str| plan(&of(&[&brushed("b", &format!(r#","wants":{{{wants}}}"#))]));

@@ -1,7 +1,8 @@
 //! The layouts for the trilinear lookup: plans of points, texels from their values, and what the lookup returns.
 
 use lobefit::data::{AlphaMap, Axis, Smith, Surface};
-use lobefit::effects::volume::{VolumePlan, aniso_axes, glass_axes};
+use lobefit::effects::volume::{Node, VolumePlan, aniso_axes, check, glass_axes};
+use lobefit::integrate::IntegrateError;
 use lobefit::integrate::reflection::{Effort, albedo};
 
 /// A trilinear lookup in f64, clamped to the edge.
@@ -56,6 +57,36 @@ fn optimised_texels_halve_the_error() {
     println!("lattice {before:.2e} -> {after:.2e}, off it {sampled:.2e} -> {optimised:.2e}");
     assert!(after < 0.6 * before && optimised < 0.65 * sampled && optimised < 1.3 * after);
     assert!(optimised < 2e-3);
+}
+
+/// The check of the targets finds the worst of them within a third, whichever part of the lattice it lies in, and the same at every call.
+#[test]
+fn the_check_finds_what_interpolation_leaves() {
+    let axes = aniso_axes([24, 24, 8], [0.03, 1.0], [0.0, 1.0]);
+    let effort = &Effort::ladder()[1].outer;
+    let loss = |node: &Node| 1.0 - albedo(Smith::Correlated, node.alpha, node.mu, effort);
+    let direct = |nodes: &[Node]| Ok((nodes.iter().map(|node| [loss(node)]).collect(), nodes.len() as u64));
+    for (nodes, most) in [(6, 1e-1), (14, 1e-3)] {
+        let plan = VolumePlan::new(axes.clone(), AlphaMap::RoughnessSquared, [2, 2, 1], nodes, 0.001);
+        let losses: Vec<f64> = plan.points().iter().map(loss).collect();
+        let mut wanted = plan.targets(&losses);
+        let [columns, rows, slices] = plan.samples();
+        let mut worst = 0.0_f64;
+        for i in 0..columns * rows * slices {
+            let node = plan.sample([i % columns, i / columns % rows, i / columns / rows]);
+            if wanted.counts[i] {
+                worst = worst.max((wanted.targets[i] - loss(&node)).abs());
+            }
+        }
+        let checked = check("test", &plan, [&wanted], direct).expect("a check");
+        assert!(checked.worst <= worst && checked.worst > 0.67 * worst, "{checked:?} of {worst:e}");
+        assert!(worst > 1e-7 && worst < most && checked.at.is_some(), "{nodes} nodes: {worst:e}");
+        assert_eq!(checked.evaluations, checked.samples as u64);
+        assert_eq!(checked, check("test", &plan, [&wanted], direct).expect("a check"));
+        wanted.targets.fill(f64::NAN);
+        let refused = check("test", &plan, [&wanted], direct);
+        assert!(matches!(refused, Err(IntegrateError::NotFinite { quantity: "test", .. })), "{refused:?}");
+    }
 }
 
 /// Points follow the axes: every ior of the range, mu from grazing to normal.

@@ -20,7 +20,7 @@ impl Progress for Silent {
 pub struct Context<'a> {
     /// What makes it again.
     pub recipe: Recipe,
-    /// Truths integrated.
+    /// Truths integrated, or interpolated from integrals for the texels of tables of three axes.
     pub counter: Counter,
     /// Promises that were not kept.
     pub broken: Vec<String>,

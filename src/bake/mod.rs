@@ -10,6 +10,7 @@ mod names;
 mod part;
 mod recipe;
 mod reflection;
+mod sheen;
 mod volume;
 
 use crate::data::{AlphaMap, Smith, TableError};
@@ -39,7 +40,7 @@ pub struct Baked {
     pub files: Files,
     /// Promises of the scene that were not kept, each a sentence.
     pub broken: Vec<String>,
-    /// Truths that were integrated.
+    /// Truths that were integrated, or interpolated from integrals for the texels of tables of three axes.
     pub truths: u64,
     /// Tables.
     pub tables: Vec<BakedTable>,
@@ -149,6 +150,11 @@ pub fn bake(
             }
             EffectName::Anisotropy | EffectName::Glass => {
                 parts.push(volume::part(scene, plan, effect, &mut baked, &mut context)?);
+            }
+            EffectName::Sheen => {
+                let job = plan.sheen.as_ref();
+                let job = job.ok_or_else(|| BakeError::Internal("a sheen without a job".into()))?;
+                parts.push(sheen::part(scene, job, effect, &mut baked, &mut context)?);
             }
             other => {
                 return Err(BakeError::Internal(format!("no bake of the effect {}", other.name())));

@@ -2,7 +2,8 @@
 //! Refused before anything is integrated.
 
 use super::{BakeError, UserHypothesis};
-use crate::effects::reflection::{FitStageError, catalogue_names};
+use crate::effects::catalogue_names;
+use crate::effects::reflection::FitStageError;
 use crate::emit::code::Language;
 use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
 use crate::emit::{code, compensation};

@@ -1,6 +1,6 @@
 //! What makes a bake again.
 
-use crate::effects::reflection::catalogue_sources;
+use crate::effects::catalogue_sources;
 use crate::emit::header::Recipe;
 use crate::scene::Scene;
 

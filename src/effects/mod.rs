@@ -2,8 +2,10 @@
 //! to measure an approximation of its quantities against the truth.
 
 pub mod anisotropy;
+mod catalogue;
 mod deviation;
 mod entry;
+mod fitted;
 pub mod glass;
 mod quantity;
 pub mod reflection;
@@ -11,6 +13,7 @@ pub mod sheen;
 pub mod target;
 pub mod volume;
 
+pub use catalogue::{catalogue_names, catalogue_sources};
 pub use deviation::{Deviation, Rounding};
 pub use entry::Entry;
 pub use quantity::{Input, Method, QUANTITIES, Quantity, Values};

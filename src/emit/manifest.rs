@@ -121,11 +121,12 @@ pub struct AxisEntry {
 /// Errors of a table, told apart.
 #[derive(Clone, Debug, Serialize)]
 pub struct TableError {
-    /// Bound on the error of the truths that it was made from and judged against.
+    /// Largest error of what it was made from and judged against: the worst difference from direct integrals at a fixed sample, or the
+    /// tolerance of integrals that are direct themselves. No more than that is known of places between the samples.
     pub integration: f64,
     /// Largest change of a texel by rounding to the format.
     pub quantisation: f64,
-    /// Bilinear lookup of the quantised texels against the truth, f32 weights.
+    /// Bilinear lookup, or trilinear where there are slices, of the quantised texels against the truth, f32 weights.
     pub lookup: LookupEntry,
     /// The same with weights of 8 fractional bits.
     pub lookup_8_bit_weights: LookupEntry,

@@ -1,7 +1,5 @@
 //! The measured error of a fit in each arithmetic asked for.
 
-use std::collections::BTreeMap;
-
 use crate::data::{Certificate, Place};
 use crate::effects::target::{Sampled, Target};
 use crate::fit::{FitError, Hypothesis, Measured, Precision, measure_in, round_up};
@@ -43,21 +41,8 @@ fn stated(
         rms: uniform.rms,
         mean: uniform.mean,
         at,
-        domain: domain(target),
+        domain: target.ranges(),
         precision: precision.name().into(),
         points: all.points as u64,
     }
-}
-
-/// Range of every input; alpha's to nine digits, since 0.1 squared is 0.01.
-pub(super) fn domain(target: &Target) -> BTreeMap<String, [f64; 2]> {
-    let nine = |x: f64| format!("{x:.8e}").parse().unwrap_or(x);
-    let mut domain: BTreeMap<String, [f64; 2]> =
-        target.spans().into_iter().map(|span| (span.name, span.range)).collect();
-    if let Some(roughness) = domain.get("roughness").copied()
-        && target.has_alpha()
-    {
-        domain.insert("alpha".into(), roughness.map(|r| nine(target.alpha_map.alpha(r))));
-    }
-    domain
 }

@@ -13,7 +13,7 @@ use crate::report::{self, FitCard, FitPage, Origin};
 use crate::store::Files;
 
 /// Tool and version.
-const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
+pub(super) const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
 
 /// The document for machines: `fits[]` as in a bake's manifest, each with all certificates and what the solver did.
 ///
@@ -60,17 +60,22 @@ fn code_file(name: &str, language: Language) -> String {
 
 /// What makes the files again: the hash covers the tool's version, the command and the formula.
 fn recipe(job: &Job) -> Recipe {
-    let mut hasher = blake3::Hasher::new();
-    for text in [TOOL, &job.command, job.hypothesis.source()] {
-        hasher.update(&(text.len() as u64).to_le_bytes());
-        hasher.update(text.as_bytes());
-    }
     Recipe {
         command: job.command.clone(),
         tool: TOOL.into(),
         scene: String::new(),
-        hash: hasher.finalize().to_hex().to_string(),
+        hash: hash(&[&job.command, job.hypothesis.source()]),
     }
+}
+
+/// A hash of the tool's version and texts.
+pub(super) fn hash(texts: &[&str]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for text in [&[TOOL], texts].concat() {
+        hasher.update(&(text.len() as u64).to_le_bytes());
+        hasher.update(text.as_bytes());
+    }
+    hasher.finalize().to_hex().to_string()
 }
 
 /// The manifest's entry of a fit, and what is known beyond it.
@@ -107,7 +112,7 @@ fn entry(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<Value, Fitting
 }
 
 /// As JSON, floats in the digits of their type.
-fn as_object(value: &impl Serialize) -> Result<serde_json::Map<String, Value>, serde_json::Error> {
+pub(super) fn as_object(value: &impl Serialize) -> Result<serde_json::Map<String, Value>, serde_json::Error> {
     serde_json::from_str(&serde_json::to_string(value)?)
 }
 
@@ -178,7 +183,7 @@ fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
         ),
     ];
     rows.extend(target.words.iter().map(|(input, word)| (input.clone(), word.clone())));
-    let domain = super::certificates::domain(target);
+    let domain = target.ranges();
     let domain: Vec<String> =
         domain.iter().map(|(name, [low, high])| format!("{name} {low} to {high}")).collect();
     rows.push(("Domain".into(), domain.join(", ")));

@@ -7,6 +7,7 @@ mod document;
 mod one;
 mod pictures;
 mod printed;
+pub mod search;
 mod summary;
 mod weight;
 mod words;

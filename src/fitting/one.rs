@@ -118,7 +118,7 @@ fn samples(
     Ok(sampled.samples(hypothesis.name(), hypothesis.inputs(), weights.as_deref())?)
 }
 
-fn approximation(
+pub(super) fn approximation(
     hypothesis: &Hypothesis,
     coefficients: &[f32],
     goal: Goal,

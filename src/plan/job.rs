@@ -115,7 +115,7 @@ pub struct VolumeJob {
     pub size: [usize; 3],
     /// How a texel is stored.
     pub format: TexelFormat,
-    /// Roughness range: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide.
+    /// Roughness that the rows span: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide, from alpha = 4e-4 on.
     pub roughness: [f64; 2],
     /// The lobe and its range.
     pub span: VolumeSpan,
@@ -123,6 +123,8 @@ pub struct VolumeJob {
     pub max_error: Option<f64>,
     /// The limits that `max_error` is the strictest of, in the scene's order.
     pub limits: Vec<Limit>,
+    /// Those of them that cannot be judged: of materials whose roughness lies below all rows.
+    pub unjudged: Vec<Limit>,
     /// Names of the materials that want it, in the scene's order.
     pub materials: Vec<String>,
 }
@@ -131,6 +133,11 @@ impl VolumeJob {
     /// The materials that set `max_error`, with the field of each: `gold (materials[0].wants.tables[1].max_error)`.
     pub fn limited_by(&self) -> String {
         listed(self.limits.iter().filter(|limit| Some(limit.max_error) == self.max_error))
+    }
+
+    /// The materials whose limits cannot be judged, with the field of each; none where all can.
+    pub fn unjudged_by(&self) -> Option<String> {
+        (!self.unjudged.is_empty()).then(|| listed(self.unjudged.iter()))
     }
 
     /// Texels of one of its tables.
@@ -154,12 +161,12 @@ fn listed<'a>(limits: impl Iterator<Item = &'a Limit>) -> String {
     limits.map(|l| format!("{} ({})", l.material, l.field)).collect::<Vec<_>>().join(", ")
 }
 
-/// A limit that a material sets: one emitted normalisation of at most `max_ops` operations within `max_error`.
+/// A limit that a material sets: one emitted normalisation, or fit of the sheen, of at most `max_ops` operations within `max_error`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitPromise {
     /// Most operations; `None`: any.
     pub max_ops: Option<u32>,
-    /// Largest furnace error |E N - 1|.
+    /// Largest furnace error |E N - 1|; of the sheen, largest error of E.
     pub max_error: f64,
     /// Names of the materials that ask for it.
     pub materials: Vec<String>,
@@ -199,8 +206,29 @@ pub struct FitJob {
     pub norms: Vec<Norm>,
     /// Also fit E_avg(alpha).
     pub average: bool,
+    /// Also fit f0 A + B.
+    pub blend: bool,
     /// The user's hypothesis files, relative to the scene file, each once.
     pub hypotheses: Vec<String>,
     /// Names of the materials that want it, in the scene's order.
     pub materials: Vec<String>,
+}
+
+/// The fits of the sheen's albedo: one job for the whole scene, merged as [`FitJob`] is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheenJob {
+    /// How roughness becomes alpha.
+    pub alpha_map: AlphaMap,
+    /// Roughness domain of the sheen, at least `ROUGHNESS_WIDTH_MIN` wide.
+    pub roughness: [f64; 2],
+    /// Domain of mu.
+    pub mu: [f64; 2],
+    /// Most operations of an emitted fit; `None`: any.
+    pub max_ops: Option<u32>,
+    /// The strictest error of the promises, for summaries; what must hold are the `promises`.
+    pub max_error: Option<f64>,
+    /// What must hold of the emitted fits, each by itself: `max_error` is of E here.
+    pub promises: Vec<FitPromise>,
+    /// Errors to minimise, in the order max, rms.
+    pub norms: Vec<Norm>,
 }

@@ -14,7 +14,7 @@ pub(super) fn reason(effect: EffectName, scene: &Scene) -> String {
         EffectName::DiffuseCoupling => return diffuse_coupling(scene),
         EffectName::Anisotropy => return no_anisotropy(scene),
         EffectName::Glass => return no_glass(scene),
-        EffectName::Sheen => "has a sheen layer",
+        EffectName::Sheen => return no_sheen(scene),
         EffectName::Clearcoat => "has a clear coat",
         EffectName::OrenNayar => "has a rough diffuse base",
         EffectName::Parallax => "calls for it: the scene has no probe",
@@ -69,6 +69,15 @@ fn no_glass(scene: &Scene) -> String {
         return "no material transmits light".into();
     }
     format!("no glass is rough: {}", stay_smooth(&glass))
+}
+
+fn no_sheen(scene: &Scene) -> String {
+    let sheens: Vec<&Material> = scene.materials.iter().filter(|m| m.sheen.is_some()).collect();
+    if sheens.is_empty() {
+        return "no material has a sheen layer".into();
+    }
+    let of = if sheens.len() == 1 { "the sheen of" } else { "the sheens of" };
+    format!("no sheen is rough: {of} {}", stay_smooth(&sheens))
 }
 
 fn diffuse_coupling(scene: &Scene) -> String {

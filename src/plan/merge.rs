@@ -97,6 +97,7 @@ pub(super) fn fit(scene: &Scene) -> Option<FitJob> {
             promises: Vec::new(),
             norms: Vec::new(),
             average: false,
+            blend: false,
             hypotheses: Vec::new(),
             materials: Vec::new(),
         });
@@ -104,6 +105,7 @@ pub(super) fn fit(scene: &Scene) -> Option<FitJob> {
         job.max_ops = job.max_ops.zip(want.max_ops).map(|(a, b)| a.max(b));
         job.max_error = strictest(job.max_error, want.max_error);
         job.average |= want.average;
+        job.blend |= want.blend;
         job.norms.extend(&want.norms);
         job.norms.sort();
         job.norms.dedup();
@@ -129,7 +131,7 @@ pub(super) fn fit(scene: &Scene) -> Option<FitJob> {
 }
 
 /// Adds a material to the promise that is like its own.
-fn promise(promises: &mut Vec<FitPromise>, max_ops: Option<u32>, limit: Limit) {
+pub(super) fn promise(promises: &mut Vec<FitPromise>, max_ops: Option<u32>, limit: Limit) {
     let (max_error, material) = (limit.max_error, limit.material.clone());
     match promises.iter_mut().find(|p| p.max_ops == max_ops && p.max_error == max_error) {
         Some(known) => {

@@ -6,11 +6,12 @@ mod job;
 mod left_out;
 mod merge;
 mod reflection;
+mod sheen;
 mod volumes;
 mod work;
 
 pub use effect::{Effect, EffectName, JobSummary, LeftOut};
-pub use job::{FitJob, FitPromise, JUDGED_MU, Limit, TableJob, VolumeJob, VolumeSpan, VolumeTable};
+pub use job::{FitJob, FitPromise, JUDGED_MU, Limit, SheenJob, TableJob, VolumeJob, VolumeSpan, VolumeTable};
 
 use serde::Serialize;
 
@@ -36,6 +37,9 @@ pub struct Plan {
     /// Tables of three axes to bake, in the order in which the materials first want them; names are unique.
     #[serde(skip)]
     pub volumes: Vec<VolumeJob>,
+    /// The fits of the sheen, if any material has one.
+    #[serde(skip)]
+    pub sheen: Option<SheenJob>,
 }
 
 /// Plans a validated scene.
@@ -43,11 +47,13 @@ pub fn plan(scene: &Scene) -> Plan {
     let tables = merge::tables(scene);
     let fit = merge::fit(scene);
     let volumes = volumes::volumes(scene);
+    let sheen = sheen::job(scene);
     let effects: Vec<Effect> = EffectName::ALL
         .into_iter()
         .filter_map(|name| match name {
             EffectName::Reflection => reflection::effect(scene, &tables, fit.as_ref()),
             EffectName::Anisotropy | EffectName::Glass => volumes::effect(scene, &volumes, name),
+            EffectName::Sheen => sheen.as_ref().map(|job| sheen::effect(scene, job)),
             _ => None,
         })
         .collect();
@@ -56,7 +62,7 @@ pub fn plan(scene: &Scene) -> Plan {
         .filter(|&name| !effects.iter().any(|e| e.effect == name))
         .map(|name| LeftOut { effect: name, reason: left_out::reason(name, scene) })
         .collect();
-    Plan { schema_version: 1, scene: scene.name.clone(), effects, left_out, tables, fit, volumes }
+    Plan { schema_version: 1, scene: scene.name.clone(), effects, left_out, tables, fit, volumes, sheen }
 }
 
 impl Plan {

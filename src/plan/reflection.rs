@@ -68,14 +68,16 @@ fn size_text(job: &TableJob) -> String {
 
 fn fit_summary(job: &FitJob) -> JobSummary {
     let ops = job.max_ops.map_or_else(|| "any number of".into(), |n| format!("up to {n}"));
-    let average = if job.average { " and of the average albedo" } else { "" };
+    let more = match (job.average, job.blend) {
+        (true, true) => ", of the average albedo and of f0 A + B",
+        (true, false) => " and of the average albedo",
+        (false, true) => " and of f0 A + B",
+        (false, false) => "",
+    };
     let norms: Vec<&str> = job.norms.iter().map(|n| n.name()).collect();
     JobSummary {
         name: "normalisation".into(),
-        approximation: format!(
-            "fits of the normalisation{average}, {ops} operations, {}",
-            norms.join(" and ")
-        ),
+        approximation: format!("fits of the normalisation{more}, {ops} operations, {}", norms.join(" and ")),
         ranges: BTreeMap::from([("mu", job.mu), ("roughness", job.roughness)]),
         bytes: 0,
         bytes_at_most: false,

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::effect::{Effect, EffectName, JobSummary};
 use super::job::{JUDGED_MU, Limit, ROUGHNESS_WIDTH_MIN, SPAN_WIDTH_MIN, VolumeJob, VolumeSpan, VolumeTable};
-use super::merge::{hull, rough, strictest, widened, widened_in};
+use super::merge::{hull, rough, strictest, widened_in};
 use super::reflection::range_text;
 use super::work;
 use crate::data::{AlphaMap, Smith, TexelFormat};
@@ -21,11 +21,15 @@ pub(super) fn volumes(scene: &Scene) -> Vec<VolumeJob> {
         let Some(span) = span(material) else { continue };
         for (j, want) in material.wants.tables.iter().enumerate() {
             let Some(mut job) = volume_job(scene, material, want, span) else { continue };
-            job.limits.extend(want.max_error.map(|max_error| Limit {
+            let limit = want.max_error.map(|max_error| Limit {
                 material: material.name.clone(),
                 field: format!("materials[{i}].wants.tables[{j}].max_error"),
                 max_error,
-            }));
+            });
+            if job.roughness[1] < smallest_row(job.alpha_map) {
+                job.unjudged.extend(limit.clone());
+            }
+            job.limits.extend(limit);
             let key = job.tables.iter().map(|t| t.name.as_str()).collect::<Vec<_>>().join(" ");
             match index.get(&key) {
                 Some(&known) => join(&mut jobs[known], job),
@@ -77,6 +81,7 @@ fn volume_job(scene: &Scene, material: &Material, want: &VolumeWant, span: Volum
         span,
         max_error: want.max_error,
         limits: Vec::new(),
+        unjudged: Vec::new(),
         materials: vec![material.name.clone()],
     })
 }
@@ -128,6 +133,7 @@ fn join(known: &mut VolumeJob, job: VolumeJob) {
     };
     known.max_error = strictest(known.max_error, job.max_error);
     known.limits.extend(job.limits);
+    known.unjudged.extend(job.unjudged);
     known.materials.extend(job.materials);
 }
 
@@ -145,8 +151,7 @@ fn wide_span(span: VolumeSpan, layout: VolumeLayout) -> VolumeSpan {
 pub(super) fn effect(scene: &Scene, jobs: &[VolumeJob], name: EffectName) -> Option<Effect> {
     let because: Vec<String> = rough(scene)
         .filter(|(_, m, _)| !m.wants.tables.is_empty())
-        .filter_map(|(_, m, roughness)| Some((m, roughness, span(m).filter(|s| s.effect() == name)?)))
-        .map(|(m, roughness, span)| because(scene, m, roughness, span))
+        .filter_map(|(_, m, _)| because(scene, m, span(m).filter(|s| s.effect() == name)?))
         .collect();
     if because.is_empty() {
         return None;
@@ -156,16 +161,37 @@ pub(super) fn effect(scene: &Scene, jobs: &[VolumeJob], name: EffectName) -> Opt
     Some(Effect::new(name, because, summaries, work::volume_report_seconds(own())))
 }
 
-fn because(scene: &Scene, material: &Material, roughness: [f64; 2], span: VolumeSpan) -> String {
+/// `None` of a material that is nowhere rough.
+fn because(scene: &Scene, material: &Material, span: VolumeSpan) -> Option<String> {
     let (name, kind) = (&material.name, material.kind.name());
     let lobe = match span {
         VolumeSpan::Anisotropy(_) => "a rough anisotropic lobe",
         VolumeSpan::Ior(_) => "a rough surface that transmits",
     };
-    let roughness = range_text(roughness, widened(roughness, scene.alpha));
+    // Of several tables, what those in the scene's own roughness hold.
+    let theirs = material.wants.tables.iter().all(|want| want.layout == VolumeLayout::PathTracer);
+    let map = if theirs { AlphaMap::Roughness } else { scene.alpha };
+    let roughness = rows_text(material.rough_range(map)?, map);
     let range = range_text(span.range(), wide_span(span, VolumeLayout::default()).range());
     let (input, forms) = (span.input(), forms(&material.wants.tables));
-    format!("{name}: {kind} with {lobe} (roughness {roughness}; {input} {range}) wants {forms}")
+    Some(format!("{name}: {kind} with {lobe} (roughness {roughness}; {input} {range}) wants {forms}"))
+}
+
+/// A material's roughness and what rows hold of it: `0.3, widened to 0.295 to 0.305`, `0.01 to 1, in rows from 0.02 on, to which a
+/// lookup below clamps`.
+fn rows_text(range: [f64; 2], map: AlphaMap) -> String {
+    let rows = rows(range, map);
+    let own = range_text(range, range);
+    if rows[0] <= range[0] {
+        range_text(range, rows)
+    } else if range[1] < rows[0] {
+        format!(
+            "{own}, all below the rows, which begin at {}: every lookup clamps and none is judged",
+            rows[0]
+        )
+    } else {
+        format!("{own}, in rows from {} on, to which a lookup below clamps", rows[0])
+    }
 }
 
 /// `a table in the optimised layout`, `tables in the optimised and path-tracer layouts`.

@@ -3,9 +3,10 @@
 //! An estimate for people who wait, not a promise: counts are those of the jobs' main loops; times are CPU seconds of a
 //! release build on one core, from bakes of scenes that differ in one job, and vary by half with the load beside them.
 
-use super::job::{FitJob, TableJob, VolumeJob, VolumeSpan};
+use super::job::{FitJob, SheenJob, TableJob, VolumeJob, VolumeSpan};
 use crate::data::{Layout, Serves, VolumeLayout};
-use crate::effects::reflection::{AVERAGES, NORMALISATIONS, RIVALS, SEEDS};
+use crate::effects::reflection::{AVERAGES, BLENDS, NORMALISATIONS, RIVALS, SEEDS};
+use crate::effects::sheen::HYPOTHESES;
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -28,6 +29,13 @@ const CERTIFIED: f64 = 1.6e6;
 const EVALUATION_S: f64 = 30e-9;
 /// Seconds of one optimisation with its restarts: a round figure between the forms of one parameter and of twenty.
 const OPTIMISE_S: f64 = 0.05;
+
+/// Seconds of the truth of the fits of f0 A + B, and of one of them.
+const BLEND_TRUTH_S: f64 = 8.0;
+const BLEND_FIT_S: f64 = 2.0;
+/// Seconds of the truth of the fits of the sheen, and of one of them.
+const SHEEN_TRUTH_S: f64 = 2.5;
+const SHEEN_FIT_S: f64 = 1.0;
 
 /// Seconds of a sampled texel of the azimuth mean of an anisotropic lobe: integrated for 1e-6 on Chebyshev nodes, interpolated,
 /// encoded. This and the next five from bakes of the path tracer's and of the default sizes beside one of 8x8x4.
@@ -122,7 +130,14 @@ pub(super) fn fit_seconds(job: &FitJob) -> f64 {
     let averages = if job.average { AVERAGES.len() } else { 0 };
     let searches = ((normalisations + averages) * job.norms.len()) as f64;
     let certificates = searches + (normalisations + SEEDS.len() + RIVALS.len()) as f64;
-    CERTIFIED * E_S + searches * OPTIMISE_S + certificates * CERTIFIED * EVALUATION_S
+    let blends =
+        if job.blend { BLEND_TRUTH_S + (BLENDS.len() * job.norms.len()) as f64 * BLEND_FIT_S } else { 0.0 };
+    CERTIFIED * E_S + searches * OPTIMISE_S + certificates * CERTIFIED * EVALUATION_S + blends
+}
+
+/// Seconds of the fits of the sheen on one core.
+pub(super) fn sheen_seconds(job: &SheenJob) -> f64 {
+    SHEEN_TRUTH_S + (HYPOTHESES.len() * job.norms.len()) as f64 * SHEEN_FIT_S
 }
 
 #[cfg(test)]

@@ -22,8 +22,8 @@ pub use field::{Field, Ruler};
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
     EffectFinding, ErrorFigure, Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace,
-    FurnaceFinding, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SliceCurve,
-    SourcesFinding, Study, StudySeries, TableFinding, VolumeFindings, VolumeTable,
+    FurnaceFinding, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SearchPage,
+    SearchRow, SliceCurve, SourcesFinding, Study, StudySeries, TableFinding, VolumeFindings, VolumeTable,
 };
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
@@ -99,6 +99,14 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
 /// As [`page`].
 pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
     html(&sections::of_fit(findings)?)
+}
+
+/// The page of a search over forms, as HTML.
+///
+/// # Errors
+/// As [`page`].
+pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
+    html(&sections::of_search(findings)?)
 }
 
 /// The page of an audit as HTML, and its figures as JSON.

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
+use super::sheen::Sheen;
 use super::value::{Maybe, Text, Word, from_file};
 use super::volume::VolumeLayout;
 use super::wants::{OpenWants, Wants};
@@ -72,6 +73,10 @@ pub struct Material {
     // Absent at its default: the hash of an isotropic scene is that of the versions before it.
     #[serde(skip_serializing_if = "isotropic")]
     pub anisotropy: [f64; 2],
+    /// Its sheen layer, if it has one.
+    // Absent where there is none, for the same reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sheen: Option<Sheen>,
     /// What is wanted of its specular lobe.
     pub wants: Wants,
 }
@@ -96,9 +101,17 @@ impl Material {
 
     /// The part of the roughness range whose lobe is rough (alpha >= [`SMOOTH_ALPHA`]), or `None` for a smooth material.
     pub fn rough_range(&self, map: AlphaMap) -> Option<[f64; 2]> {
-        let [lo, hi] = self.roughness;
-        (map.alpha(hi) >= SMOOTH_ALPHA).then(|| [lo.max(smallest_rough(map)), hi])
+        rough_part(self.roughness, map)
     }
+
+    /// The same part of the roughness range of its sheen; `None` also where it has no sheen.
+    pub fn sheen_range(&self, map: AlphaMap) -> Option<[f64; 2]> {
+        rough_part(self.sheen.as_ref()?.roughness, map)
+    }
+}
+
+fn rough_part([lo, hi]: [f64; 2], map: AlphaMap) -> Option<[f64; 2]> {
+    (map.alpha(hi) >= SMOOTH_ALPHA).then(|| [lo.max(smallest_rough(map)), hi])
 }
 
 /// The roughness at which alpha is [`SMOOTH_ALPHA`]: the root of the map, whose alpha is not below it in f64.
@@ -157,6 +170,9 @@ struct MaterialFile {
     /// aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect, alpha_y = alpha aspect.
     #[serde(default)]
     anisotropy: Maybe<Span<Unit, true>>,
+    /// A sheen layer; without it, none.
+    #[serde(default)]
+    sheen: Maybe<Sheen>,
     /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a table of three axes, with
     /// their defaults.
     #[serde(default)]
@@ -180,7 +196,8 @@ impl TryFrom<MaterialFile> for Material {
         if kind == Kind::Glass {
             check_path_tracer(&wants, ior)?;
         }
-        Ok(Material { name: file.name.0, kind, f0, ior, roughness: file.roughness.0, anisotropy, wants })
+        let (name, roughness, sheen) = (file.name.0, file.roughness.0, file.sheen.0);
+        Ok(Material { name, kind, f0, ior, roughness, anisotropy, sheen, wants })
     }
 }
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::limits::VOLUME_CELLS;
+use super::limits::{VOLUME_CELLS, VOLUME_LINES};
 use super::material::Lobe;
 use super::number::{ErrorLimit, In, Numbers, VolumeAxisSize, Whole};
 use super::value::{Maybe, Word, from_file};
@@ -60,7 +60,7 @@ struct VolumeFile {
     /// Coordinates of the texels; default `optimised`. `path-tracer` takes separable Smith and alpha = roughness whatever
     /// the scene says, has its own size and takes no `max_error`; `azimuth` is for anisotropic materials.
     layout: Maybe<Word<VolumeLayout>>,
-    /// Columns, rows and slices, at most 4194304 texels. Default: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32.
+    /// Columns, rows and slices, at most 4194304 texels, and in the optimised layout 16384 columns times slices. Default: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32.
     size: Maybe<Numbers<Whole<VolumeAxisSize>, 3, false>>,
     /// Texel format; default `f16`.
     format: Maybe<Word<TexelFormat>>,
@@ -91,6 +91,13 @@ impl TryFrom<VolumeFile> for OpenVolume {
             size.filter(|size| size.iter().product::<usize>() > VOLUME_CELLS)
         {
             return Err(format!("size: {columns}x{rows}x{slices} is more than {VOLUME_CELLS} texels"));
+        }
+        if let Some([columns, _, slices]) = size.filter(|[columns, _, slices]| {
+            layout == VolumeLayout::Optimised && columns * slices > VOLUME_LINES
+        }) {
+            return Err(format!(
+                "size: {columns} columns x {slices} slices of the optimised layout are more than {VOLUME_LINES}; rows cost less"
+            ));
         }
         let max_error = limit.or_else(|| if size.is_none() { default_limit(layout) } else { None });
         Ok(OpenVolume { layout, size, format: file.format.0.map_or(TexelFormat::F16, |w| w.0), max_error })

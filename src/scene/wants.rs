@@ -49,6 +49,10 @@ pub struct FitWant {
     pub norms: Vec<Norm>,
     /// Also fit the average albedo E_avg(alpha).
     pub average: bool,
+    /// Also fit f0 A + B.
+    // Absent where not wanted: the hash of a scene without it is that of the versions before it.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub blend: bool,
     /// The user's own hypotheses, relative to the scene file.
     pub hypotheses: Vec<String>,
 }
@@ -125,8 +129,23 @@ struct FitFile {
     norms: Maybe<List<Word<Norm>, 2>>,
     /// Also fit the average albedo E_avg(alpha); default false.
     average: Maybe<bool>,
+    /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false.
+    blend: Maybe<bool>,
     /// Hypotheses of your own: WGSL files, as relative paths from the scene file's folder, with `/` and without `..`.
     hypotheses: Maybe<List<Text<HypothesisPath>, { limits::HYPOTHESES }>>,
+}
+
+/// The errors to minimise: both where none are given, each once, in the order max, rms.
+pub(super) fn norms(given: Option<List<Word<Norm>, 2>>) -> Result<Vec<Norm>, String> {
+    let given = given.map_or_else(|| vec![Norm::Max, Norm::Rms], |l| l.0.iter().map(|w| w.0).collect());
+    let norms: BTreeSet<Norm> = given.iter().copied().collect();
+    if norms.is_empty() {
+        return Err("norms: the list is empty; leave the field out for both".into());
+    }
+    if norms.len() != given.len() {
+        return Err(format!("norms: `{}` is there twice", given[0].name()));
+    }
+    Ok(norms.into_iter().collect())
 }
 
 impl TryFrom<TableFile> for TableWant {
@@ -150,20 +169,12 @@ impl TryFrom<FitFile> for FitWant {
     type Error = String;
 
     fn try_from(file: FitFile) -> Result<Self, String> {
-        let given =
-            file.norms.0.map_or_else(|| vec![Norm::Max, Norm::Rms], |l| l.0.iter().map(|w| w.0).collect());
-        let norms: BTreeSet<Norm> = given.iter().copied().collect();
-        if norms.is_empty() {
-            return Err("norms: the list is empty; leave the field out for both".into());
-        }
-        if norms.len() != given.len() {
-            return Err(format!("norms: `{}` is there twice", given[0].name()));
-        }
         Ok(FitWant {
             max_ops: file.max_ops.0.map(|w| w.0),
             max_error: file.max_error.0.map(|e| e.0),
-            norms: norms.into_iter().collect(),
+            norms: norms(file.norms.0)?,
             average: file.average.0.unwrap_or(false),
+            blend: file.blend.0.unwrap_or(false),
             hypotheses: file.hypotheses.0.map_or_else(Vec::new, |l| l.0.into_iter().map(|t| t.0).collect()),
         })
     }

@@ -58,7 +58,7 @@ fn losses(e: &[f64]) -> Vec<f64> {
 pub fn of_mean(smith: Smith) -> Table {
     let axes = aniso_axes([32, 32, 16], ROUGHNESS, [0.0, 1.0]);
     let (alphas, aspects) = (alphas(&axes[1]), nodes(&axes[2]).into_iter().map(aspect).collect::<Vec<_>>());
-    let mu = |column: usize, alpha: f64, _: f64| cosine(&axes[0], column, Surface::<f64>::rough(alpha));
+    let mu = |column: usize, row: usize, _: f64| cosine(&axes[0], column, Surface::<f64>::rough(alphas[row]));
     let columns = Columns::Varying { count: axes[0].size, mu: &mu };
     let grid = Grid { columns, alphas: &alphas, aspects: &aspects, floor: 0.0 };
     let e = aniso::tabulate(smith, &grid, TOLERANCE).expect("a table").e;

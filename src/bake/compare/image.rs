@@ -25,11 +25,14 @@ pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Di
     let mut difference = texels(file, &expected, &found, format, rows);
     if difference.max_abs != Some(0.0) {
         if let Some(table) = table {
-            let again = |channels: &[Channel]| reflection::measured_again(table, channels);
+            let again = |channels: &[Channel]| {
+                reflection::measured_again(table, channels).ok_or_else(|| "a channel is missing".to_string())
+            };
             judge(table.errors.lookup.max, &found.channels, &mut difference, again);
         } else if let Some(baked) = volume {
             // So the order of texels is the table's.
-            let again = |channels: &[Channel]| volume::measured_again(baked, channels);
+            let again =
+                |channels: &[Channel]| volume::measured_again(baked, channels).map_err(|e| e.to_string());
             judge(baked.errors.lookup.max, &found.channels, &mut difference, again);
         }
     }
@@ -97,22 +100,23 @@ fn ordered(bits: u64, sign: u32) -> i64 {
     if bits >> sign == 1 { -magnitude } else { magnitude }
 }
 
-/// Measures the texels found against the truth.
+/// Measures the texels found against the truth. A promise that cannot be measured is not kept.
 fn judge(
     stated: f64,
     channels: &[Channel],
     difference: &mut Difference,
-    measured_again: impl Fn(&[Channel]) -> Option<f64>,
+    measured_again: impl Fn(&[Channel]) -> Result<f64, String>,
 ) {
     if channels.iter().any(|c| c.texels.iter().any(|t| !t.is_finite())) {
         difference.promise_kept = Some(false);
         difference.detail += "; promise broken: a texel is not finite";
         return;
     }
-    if let Some(error) = measured_again(channels) {
-        let kept = error <= stated;
-        let word = if kept { "kept at the points tried" } else { "broken" };
-        difference.promise_kept = Some(kept);
-        difference.detail += &format!("; promise {word}: lookup error {error:.4e}, stated {stated:e}");
-    }
+    let (kept, says) = match measured_again(channels) {
+        Ok(error) => (error <= stated, format!("lookup error {error:.4e}, stated {stated:e}")),
+        Err(error) => (false, format!("its lookup cannot be measured: {error}")),
+    };
+    let word = if kept { "kept at the points tried" } else { "broken" };
+    difference.promise_kept = Some(kept);
+    difference.detail += &format!("; promise {word}: {says}");
 }

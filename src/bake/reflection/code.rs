@@ -56,19 +56,20 @@ fn function_lines(fit: &Fit) -> Vec<String> {
             "furnace error |E N - 1| at f0 = 1; no larger, relative to 1 + f0 (1/E - 1), at any other f0"
         }
         (None, crate::data::Use::Normalisation) => "furnace error |E N - 1|",
+        (None, crate::data::Use::F0Blend) => "of f0 A + B, at the worst f0",
         (None, _) => "absolute",
     };
     let constants = match fit.norm() {
         "published" => format!("as published: {}", a.source.text()),
         norm => format!("fitted for the smallest {norm} error"),
     };
-    lines.push(format!(
-        "{} {}, smith {}; {}; constants {constants}",
-        a.quantity,
-        a.column,
-        a.smith.name(),
-        header::operations(a.cost.ops)
-    ));
+    // The lobe of the sheen has no Smith form.
+    let smith = match a.quantity.as_str() {
+        "sheen-charlie" => String::new(),
+        _ => format!(", smith {}", a.smith.name()),
+    };
+    let ops = header::operations(a.cost.ops);
+    lines.push(format!("{} {}{smith}; {ops}; constants {constants}", a.quantity, a.column));
     lines.extend(header::certificate_lines(what, &a.certificate));
     lines
 }

@@ -2,7 +2,7 @@
 
 mod selection;
 
-use selection::{Selected, selected};
+pub(in crate::bake) use selection::{Selected, selected};
 
 use super::fits::region as region_of_fit;
 use super::pictures::{Grid, averages};
@@ -23,6 +23,9 @@ use crate::scene::Scene;
 /// How often the furnace's departure from white is amplified.
 const AMPLIFICATION: f64 = 10.0;
 
+/// f0 of the curves of a blend: a dielectric of index 1.5.
+const DIELECTRIC: f64 = 0.04;
+
 /// The findings of the effect.
 pub fn findings(
     scene: &Scene,
@@ -33,7 +36,8 @@ pub fn findings(
     dropped: &[Dropped],
     context: &Context,
 ) -> Result<Findings, BakeError> {
-    let shown = selected(fits);
+    let shown = selected(fits, Use::Normalisation);
+    let blends = selected(fits, Use::F0Blend);
     let mut averages = None;
     let mut truths = Vec::new();
     let mut furnace = None;
@@ -45,6 +49,12 @@ pub fn findings(
         truths.push(map.albedo());
         for one in &shown {
             fit_findings.push(fit_finding(one, &map, &curves)?);
+        }
+        if !blends.is_empty() {
+            let (map, curves) = (Grid::split_map(&map, context), Grid::split_map(&curves, context));
+            for one in &blends {
+                fit_findings.push(blend_finding(one, &map, &curves)?);
+            }
         }
         averages = average_finding(job.smith, &region, fits, context)?;
     } else if let Some(baked) = tables.first() {
@@ -69,7 +79,7 @@ pub fn findings(
 }
 
 /// Hypotheses that have no reliable fit in the scene.
-fn left_out(dropped: &[Dropped]) -> Vec<LeftOut> {
+pub(in crate::bake) fn left_out(dropped: &[Dropped]) -> Vec<LeftOut> {
     let fit = |d: &Dropped| LeftOut {
         effect: format!("fit {} ({})", d.hypothesis, d.norm),
         reason: d.reason.clone(),
@@ -108,6 +118,20 @@ fn fit_finding(one: &Selected, map: &Grid, curves: &Grid) -> Result<FitFinding, 
         value: "N = 1/E".into(),
         curves: curves.fit_curves(fit)?,
         error: map.furnace_error(fit)?,
+    })
+}
+
+/// A fit of f0 A + B: its curves are those of a dielectric, its errors those at the worse end of f0.
+fn blend_finding(one: &Selected, map: &Grid, curves: &Grid) -> Result<FitFinding, BakeError> {
+    let fit = one.fit;
+    let formula = code::print(Language::Wgsl, &fit.hypothesis, &fit.coefficients(), &[])?;
+    Ok(FitFinding {
+        name: fit.approximation.name.clone(),
+        shown_as: one.because.into(),
+        formula: formula.text.trim_end().to_string(),
+        value: format!("f0 A + B at f0 = {DIELECTRIC}"),
+        curves: curves.blend_curves(fit, DIELECTRIC)?,
+        error: map.blend_error(fit)?,
     })
 }
 

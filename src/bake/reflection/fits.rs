@@ -19,11 +19,12 @@ pub fn bake_fits(
         max_ops: job.max_ops,
         norms: job.norms.clone(),
         average: job.average,
+        blend: job.blend,
         hypotheses: hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
     };
     let set = fit_all(&spec, &context.counter)?;
     for promise in &job.promises {
-        context.broken.extend(unkept(promise, &set.fits));
+        context.broken.extend(unkept(promise, &set.fits, "fit", Use::Normalisation));
     }
     Ok(set)
 }
@@ -33,12 +34,12 @@ pub fn region(job: &FitJob) -> Region {
     Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map }
 }
 
-/// A sentence where no emitted normalisation of at most so many operations is within the promised error.
-fn unkept(promise: &FitPromise, fits: &[Fit]) -> Option<String> {
-    let normalisations = fits.iter().filter(|f| f.emitted && f.wraps.is_none());
-    let affordable = normalisations
+/// A sentence, after `what`, where no emitted fit for the use, of at most so many operations, is within the promised error.
+pub fn unkept(promise: &FitPromise, fits: &[Fit], what: &str, used_as: Use) -> Option<String> {
+    let emitted = fits.iter().filter(|f| f.emitted && f.wraps.is_none());
+    let affordable = emitted
         .map(|f| &f.approximation)
-        .filter(|a| a.used_as == Use::Normalisation)
+        .filter(|a| a.used_as == used_as)
         .filter(|a| promise.max_ops.is_none_or(|most| a.cost.ops <= most));
     let best = affordable.min_by(|a, b| a.certificate.max_abs.total_cmp(&b.certificate.max_abs));
     let limit = match promise.max_ops {
@@ -46,12 +47,15 @@ fn unkept(promise: &FitPromise, fits: &[Fit]) -> Option<String> {
         None => format!("max_error {}", promise.max_error),
     };
     let wanted = format!("{limit}, wanted by {}", promise.wanted_by());
+    let (name, error) = match used_as {
+        Use::Normalisation => ("normalisation", "furnace error"),
+        _ => ("fit", "error"),
+    };
     match best {
-        None => Some(format!("fit: no normalisation is that cheap: {wanted}")),
-        Some(a) if a.certificate.max_abs > promise.max_error => Some(format!(
-            "fit: the best is {} with furnace error {}: {wanted}",
-            a.name, a.certificate.max_abs
-        )),
+        None => Some(format!("{what}: no {name} is that cheap: {wanted}")),
+        Some(a) if a.certificate.max_abs > promise.max_error => {
+            Some(format!("{what}: the best is {} with {error} {}: {wanted}", a.name, a.certificate.max_abs))
+        }
         Some(_) => None,
     }
 }

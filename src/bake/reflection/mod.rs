@@ -17,6 +17,10 @@ use crate::plan::{Effect, Plan};
 use crate::report;
 use crate::scene::Scene;
 use crate::store::Files;
+pub(in crate::bake) use code::section;
+pub(in crate::bake) use findings::{Selected, left_out, selected};
+pub(in crate::bake) use fits::unkept;
+pub(in crate::bake) use pictures::{chosen, grazing};
 pub use tables::BakedTable;
 pub(in crate::bake) use tables::measured_again;
 
@@ -54,12 +58,12 @@ pub fn part(
         entries.reports.push(canonical(&Report { effect: Some(EFFECT), file: file.path.clone() })?);
         files.insert(file.path, file.bytes);
     }
-    let code = code::section(&tables, &fits)?;
+    let code = section(&tables, &fits)?;
     let finding = findings.effects.into_iter().next();
     let finding = finding.ok_or_else(|| BakeError::Internal("findings without an effect".into()))?;
     baked.tables = tables;
-    baked.fits = fits;
-    baked.dropped = dropped;
+    baked.fits.extend(fits);
+    baked.dropped.extend(dropped);
     Ok(Part { effect: effect.effect, finding, entries, code, files })
 }
 

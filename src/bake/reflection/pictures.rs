@@ -37,6 +37,7 @@ pub struct Grid {
     pub mu: Ruler,
     points: PointSet,
     truth: Truth,
+    smith: Smith,
 }
 
 impl Grid {
@@ -75,7 +76,18 @@ impl Grid {
         } else {
             Truth::albedo(smith, &points, &context.counter)
         };
-        Grid { roughness, mu, points, truth }
+        Grid { roughness, mu, points, truth, smith }
+    }
+
+    /// The same grid with B beside E.
+    pub fn split_map(grid: &Grid, context: &Context) -> Grid {
+        Grid {
+            roughness: grid.roughness.clone(),
+            mu: grid.mu.clone(),
+            points: grid.points.clone(),
+            truth: Truth::split(grid.smith, &grid.points, &context.counter),
+            smith: grid.smith,
+        }
     }
 
     /// A field over the grid, roughness along x and mu along y.
@@ -99,6 +111,31 @@ impl Grid {
     pub fn furnace_error(&self, fit: &Fit) -> Result<Field, BakeError> {
         let values = values(fit, &self.points)?;
         Ok(self.field("E N - 1", true, values.iter().zip(&self.truth.e).map(|(n, e)| n * e - 1.0)))
+    }
+
+    /// Error of a fit of f0 A + B at f0 = 0 or 1, where it is larger.
+    pub fn blend_error(&self, fit: &Fit) -> Result<Field, BakeError> {
+        let (b, e) = (values_for(fit, &self.points, 0.0)?, values_for(fit, &self.points, 1.0)?);
+        let errors = (0..e.len()).map(|i| {
+            let (of_b, of_e) = (b[i] - self.truth.b[i], e[i] - self.truth.e[i]);
+            if of_b.abs() > of_e.abs() { of_b } else { of_e }
+        });
+        Ok(self.field("f0 A + B", true, errors))
+    }
+
+    /// f0 A + B and its fit over mu at one f0, one per roughness.
+    pub fn blend_curves(&self, fit: &Fit, f0: f64) -> Result<Vec<FitCurve>, BakeError> {
+        let values = values_for(fit, &self.points, f0 as f32)?;
+        let columns = self.roughness.values.len();
+        let truth: Vec<f64> = self.truth.e.iter().zip(&self.truth.b).map(|(e, b)| f0 * (e - b) + b).collect();
+        let column = |all: &[f64], k: usize| all.iter().skip(k).step_by(columns).copied().collect();
+        let curve = |k: usize| FitCurve {
+            roughness: self.roughness.values[k],
+            mu: self.mu.values.clone(),
+            truth: column(&truth, k),
+            fit: column(&values, k),
+        };
+        Ok((0..columns).map(curve).collect())
     }
 
     /// Errors of a table's lookup: of E, and of B where it holds that.
@@ -185,11 +222,15 @@ pub fn averages(
 }
 
 fn values(fit: &Fit, points: &PointSet) -> Result<Vec<f64>, BakeError> {
-    let values = fit.values(points).map_err(crate::effects::reflection::FitStageError::from)?;
+    values_for(fit, points, 1.0)
+}
+
+fn values_for(fit: &Fit, points: &PointSet, f0: f32) -> Result<Vec<f64>, BakeError> {
+    let values = fit.values_for(points, f0).map_err(crate::effects::reflection::FitStageError::from)?;
     Ok(values.into_iter().map(f64::from).collect())
 }
 
-fn grazing(region: &Region, n: usize) -> Ruler {
+pub fn grazing(region: &Region, n: usize) -> Ruler {
     let [low, high] = region.mu;
     let at = |i: usize| {
         let t = i as f64 / (n - 1) as f64;
@@ -199,7 +240,7 @@ fn grazing(region: &Region, n: usize) -> Ruler {
 }
 
 /// The wanted roughnesses that lie in the region, or an even division of a range that holds too few.
-fn chosen(region: &Region, wanted: &[f64]) -> Ruler {
+pub fn chosen(region: &Region, wanted: &[f64]) -> Ruler {
     let [low, high] = region.roughness;
     let values: Vec<f64> = wanted.iter().copied().filter(|r| (low..=high).contains(r)).collect();
     if values.len() < FEWEST {

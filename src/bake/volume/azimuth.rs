@@ -3,7 +3,7 @@
 use super::BakedVolume;
 use super::tables::Judge;
 use crate::bake::BakeError;
-use crate::data::VolumeLayout;
+use crate::data::{Smith, VolumeLayout};
 use crate::effects::anisotropy;
 use crate::effects::volume::{Lookup, Region, measure};
 use crate::report::{AzimuthFinding, AzimuthWay, ErrorFigure, Field, Ruler};
@@ -12,11 +12,28 @@ use crate::report::{AzimuthFinding, AzimuthWay, ErrorFigure, Field, Ruler};
 const ROUGHNESS: f64 = 0.7;
 const MAP: [usize; 2] = [46, 40];
 
-/// The finding; none where no table is laid out in the scene's own roughness.
-pub fn finding(tables: &[BakedVolume], judges: &[Judge]) -> Result<Option<AzimuthFinding>, BakeError> {
-    let own: Vec<&BakedVolume> = tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).collect();
-    let Some(first) = own.first() else { return Ok(None) };
-    let (smith, region) = (first.approximation.smith, first.region);
+/// A finding for each shadowing form and region in which tables of an anisotropic lobe are laid out in the scene's own roughness: a
+/// table is judged where it must hold, and not beside it.
+pub fn findings(tables: &[BakedVolume], judges: &[Judge]) -> Result<Vec<AzimuthFinding>, BakeError> {
+    let own: Vec<&BakedVolume> =
+        tables.iter().filter(|t| t.side.is_none() && t.layout != VolumeLayout::PathTracer).collect();
+    let key = |t: &BakedVolume| (t.approximation.smith, t.region);
+    let mut keys: Vec<(Smith, Region)> = Vec::new();
+    for table in &own {
+        if !keys.contains(&key(table)) {
+            keys.push(key(table));
+        }
+    }
+    let of = |wanted: (Smith, Region)| own.iter().copied().filter(move |t| key(t) == wanted);
+    keys.into_iter().map(|(smith, region)| finding(smith, region, of((smith, region)), judges)).collect()
+}
+
+fn finding<'a>(
+    smith: Smith,
+    region: Region,
+    own: impl Iterator<Item = &'a BakedVolume>,
+    judges: &[Judge],
+) -> Result<AzimuthFinding, BakeError> {
     let made;
     let judge = match judges.iter().find(|judge| judge.has_azimuths(smith, &region)) {
         Some(known) => known,
@@ -66,7 +83,9 @@ pub fn finding(tables: &[BakedVolume], judges: &[Judge]) -> Result<Option<Azimut
         });
     }
     let at = format!("roughness {roughness}, anisotropy {anisotropy}");
-    Ok(Some(AzimuthFinding { at, fields, ways }))
+    let ([r0, r1], [a0, a1]) = (region.roughness, region.span);
+    let domain = format!("roughness {r0} to {r1}, anisotropy {a0} to {a1}");
+    Ok(AzimuthFinding { domain, at, fields, ways })
 }
 
 /// Azimuth in degrees, and mu.

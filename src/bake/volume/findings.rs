@@ -3,9 +3,8 @@
 use serde_json::Value;
 
 use super::grid::{Grid, grazing};
-use super::readings::as_the_sources_read;
 use super::tables::Judge;
-use super::{BakedVolume, azimuth};
+use super::{BakedVolume, azimuth, furnaces};
 use crate::bake::context::Context;
 use crate::bake::{BakeError, origin};
 use crate::data::{Smith, VolumeLayout};
@@ -14,21 +13,11 @@ use crate::effects::volume::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
 use crate::emit::manifest::Entries;
 use crate::integrate::glass::Side;
 use crate::plan::{Effect, VolumeJob};
-use crate::report::{
-    EffectFinding, ErrorFigure, Field, Furnace, FurnaceFinding, FurnaceRow, Ruler, SourcesFinding,
-    VolumeFindings, VolumeTable,
-};
+use crate::report::{EffectFinding, ErrorFigure, Field, Ruler, SourcesFinding, VolumeFindings, VolumeTable};
 use crate::scene::Scene;
-
-/// How often the furnace's departure from white is amplified.
-const AMPLIFICATION: f64 = 20.0;
 
 /// Side of the maps.
 const MAP: usize = 32;
-
-/// Roughness of the furnace's spheres, and cosines of each.
-const SPHERES: [f64; 7] = [0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
-const COSINES: usize = 64;
 
 /// Values of the third input at which pictures are drawn, as far as they lie in the range.
 fn wanted(third: Third) -> &'static [f64] {
@@ -51,6 +40,8 @@ pub fn findings(
     let mut shown = Vec::new();
     let mut truths: Vec<Field> = Vec::new();
     let mut maps: Vec<(Smith, Region, Vec<Grid>)> = Vec::new();
+    let own = || tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).map(|t| t.region.roughness);
+    let alike = own().all(|roughness| own().next() == Some(roughness));
     for (baked, entry) in tables.iter().zip(&entries.tables) {
         let key = (baked.approximation.smith, baked.region);
         let known = maps.iter().position(|(smith, region, _)| (*smith, *region) == key);
@@ -64,10 +55,14 @@ pub fn findings(
             }
         };
         let grids = &maps[index].2;
-        if baked.layout != VolumeLayout::PathTracer
-            && truths.iter().all(|t| t.name != named(&grids[0], baked, "E"))
-        {
-            truths.extend(grids.iter().map(|g| g.albedo(&named(g, baked, "E"), baked.side)));
+        let rows = if alike { String::new() } else { roughness_text(baked.region.roughness) };
+        if baked.layout != VolumeLayout::PathTracer {
+            for grid in grids {
+                let name = named(grid, baked, "E") + &rows;
+                if truths.iter().all(|t| t.name != name) {
+                    truths.push(grid.albedo(&name, baked.side));
+                }
+            }
         }
         shown.push(shown_table(baked, entry, grids)?);
     }
@@ -85,12 +80,8 @@ pub fn findings(
             metric: "lookup error of the worst table in a layout of ours".into(),
         },
         sources: sources(tables)?,
-        furnaces: furnaces(tables)?,
-        azimuth: if tables.iter().any(|t| t.side.is_none()) {
-            azimuth::finding(tables, judges)?
-        } else {
-            None
-        },
+        furnaces: furnaces::findings(tables)?,
+        azimuth: azimuth::findings(tables, judges)?,
         tables: shown,
         truths,
     })
@@ -108,10 +99,15 @@ fn expected(jobs: &[&VolumeJob]) -> Option<f64> {
 }
 
 /// The wanted values in the range, or its ends.
-fn thirds(region: &Region) -> Vec<f64> {
+pub fn thirds(region: &Region) -> Vec<f64> {
     let inside = |x: &&f64| (region.span[0]..=region.span[1]).contains(*x);
     let values: Vec<f64> = wanted(region.third).iter().filter(inside).copied().collect();
     if values.is_empty() { region.span.to_vec() } else { values }
+}
+
+/// `, roughness 0.2 to 0.6`: tells apart what was made in several ranges.
+pub fn roughness_text([low, high]: [f64; 2]) -> String {
+    format!(", roughness {low} to {high}")
 }
 
 /// `E, ior 1.5, inside`.
@@ -177,81 +173,13 @@ fn sources(tables: &[BakedVolume]) -> Result<Option<SourcesFinding>, BakeError> 
     let texels =
         theirs.iter().filter_map(|t| t.table()).map(|t| t.size().iter().product::<usize>() as u64).sum();
     let samples = SOURCES_SAMPLES * texels as f64;
+    // The tables of glass share their integrals; tables in another format have theirs again.
+    let jobs = || theirs.iter().filter(|t| t.side != Some(Side::Inside)).map(|t| t.made);
     Ok(Some(SourcesFinding {
         texels,
-        // The tables of glass share their integrals.
-        evaluations: first.made.evaluations,
-        worst: first.made.integration,
+        evaluations: jobs().map(|made| made.evaluations).sum(),
+        worst: jobs().map(|made| made.integration).fold(0.0, f64::max),
         samples,
         noise: estimate(first.region.third)? / SOURCES_SAMPLES.sqrt(),
     }))
-}
-
-/// Spheres under every condition: what each layout gives, and what the sources' reading of theirs gives.
-fn furnaces(tables: &[BakedVolume]) -> Result<Vec<FurnaceFinding>, BakeError> {
-    let Some(first) = tables.first() else { return Ok(Vec::new()) };
-    let sides: &[Option<Side>] = match first.region.third {
-        Third::Anisotropy => &[None],
-        Third::Ior => &[Some(Side::Outside), Some(Side::Inside)],
-    };
-    let mut found = Vec::new();
-    for third in thirds(&first.region) {
-        for side in sides {
-            let own: Vec<&BakedVolume> =
-                tables.iter().filter(|t| t.side == *side && t.layout != VolumeLayout::Azimuth).collect();
-            // With the azimuth in the table there is no mean to compensate by.
-            if !own.is_empty() {
-                found.push(furnace(&own, third, *side)?);
-            }
-        }
-    }
-    Ok(found)
-}
-
-fn furnace(tables: &[&BakedVolume], third: f64, side: Option<Side>) -> Result<FurnaceFinding, BakeError> {
-    let first = tables.first().ok_or_else(|| BakeError::Internal("a furnace without tables".into()))?;
-    let roughness = spheres(&first.region);
-    let mu = grazing(&first.region, COSINES);
-    let mut rows: Vec<FurnaceRow> = Vec::new();
-    for baked in tables {
-        let Some(table) = baked.table() else { continue };
-        let (smith, region) = (baked.approximation.smith, &baked.region);
-        let grids = Grid::all(smith, region, &roughness, &mu, &[third])?;
-        let (grid, alpha) = (&grids[0], region.alpha_map.name());
-        let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());
-        if rows.iter().all(|row| row.name != uncompensated) {
-            rows.push(FurnaceRow { name: uncompensated, factors: grid.furnace(side) });
-        }
-        let compensated =
-            |name: String, lookup: &Lookup| FurnaceRow { name, factors: grid.compensated(lookup, side) };
-        rows.push(compensated(
-            format!("{} layout, as registered", baked.layout.name()),
-            &Lookup::new(table, baked.decode)?,
-        ));
-        if baked.layout == VolumeLayout::PathTracer {
-            let misread = as_the_sources_read(table, region.third, third);
-            rows.push(compensated(
-                "path-tracer layout, as the sources read it".into(),
-                &Lookup::new(&misread, baked.decode)?,
-            ));
-        }
-    }
-    let side = side.map_or_else(String::new, |side| format!(", from {}", side.name()));
-    let title = match first.region.third {
-        Third::Anisotropy => format!("Metal, anisotropy {third} (mean over the azimuth)"),
-        Third::Ior => format!("Glass, index of refraction {third}{side}"),
-    };
-    let furnace = Furnace { roughness: roughness.values, mu: mu.values, rows, amplification: AMPLIFICATION };
-    Ok(FurnaceFinding { title, furnace })
-}
-
-/// The roughnesses of the spheres that lie in the region, or an even division of it.
-fn spheres(region: &Region) -> Ruler {
-    let [low, high] = region.roughness;
-    let values: Vec<f64> = SPHERES.into_iter().filter(|r| (low..=high).contains(r)).collect();
-    if values.len() < 3 {
-        Ruler::even("roughness", low, high, 5)
-    } else {
-        Ruler { name: "roughness".into(), values }
-    }
 }

@@ -3,6 +3,7 @@
 mod azimuth;
 mod emit;
 mod findings;
+mod furnaces;
 mod grid;
 mod readings;
 mod tables;

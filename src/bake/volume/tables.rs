@@ -119,6 +119,7 @@ pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<(Vec<BakedVolu
             }
         };
         let (tables, made) = build(job, &region)?;
+        // By texel, as the tables of two axes count, though most come from fewer integrals than texels.
         context.counter.add(tables.len() * job.texels());
         for (table, planned) in tables.into_iter().zip(&job.tables) {
             let one = finish(job, &region, table, planned.side, made, judge)?;
@@ -127,6 +128,13 @@ pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<(Vec<BakedVolu
                 let (name, by) = (&planned.name, job.limited_by());
                 context.broken.push(format!(
                     "table {name}: lookup error {error} exceeds the max_error {limit} of {by}"
+                ));
+            }
+            if let Some(by) = job.unjudged_by() {
+                let (name, least) = (&planned.name, job.roughness[0]);
+                context.broken.push(format!(
+                    "table {name}: rows begin at roughness {least}, above all of the material's, so that no lookup tells whether the \
+                     max_error of {by} is kept: raise its roughness, or set a size without max_error"
                 ));
             }
             baked.push(one);
@@ -225,13 +233,17 @@ fn ranges(region: &Region) -> BTreeMap<String, [f64; 2]> {
     inputs.into_iter().map(|(name, range)| (name.to_string(), range)).collect()
 }
 
-/// The lookup error of a table with other texels, channels found by name; none if one is missing.
-pub fn measured_again(baked: &BakedVolume, channels: &[Channel]) -> Option<f64> {
-    let mut table = baked.table()?.clone();
+/// The lookup error of a table with other texels, channels found by name.
+///
+/// Errors: a channel is missing; the truth cannot be integrated again.
+pub fn measured_again(baked: &BakedVolume, channels: &[Channel]) -> Result<f64, BakeError> {
+    let lacks = |what: &str| BakeError::Internal(format!("{}: no {what}", baked.approximation.name));
+    let mut table = baked.table().ok_or_else(|| lacks("texels"))?.clone();
     for channel in &mut table.channels {
-        channel.texels = channels.iter().find(|c| c.name == channel.name)?.texels.clone();
+        let found = channels.iter().find(|c| c.name == channel.name);
+        channel.texels = found.ok_or_else(|| lacks(&format!("channel {}", channel.name)))?.texels.clone();
     }
-    let judge = Judge::new(table.smith, &baked.region, baked.layout == VolumeLayout::Azimuth).ok()?;
-    let errors = measure(&table, baked.decode, &judge.points, judge.truth(baked.side), 0.0).ok()?;
-    Some(errors.lookup.max)
+    let judge = Judge::new(table.smith, &baked.region, baked.layout == VolumeLayout::Azimuth)?;
+    let errors = measure(&table, baked.decode, &judge.points, judge.truth(baked.side), 0.0)?;
+    Ok(errors.lookup.max)
 }

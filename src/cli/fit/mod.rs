@@ -1,6 +1,7 @@
 //! `lobefit fit`: a formula of the user's, fitted and certified.
 
 mod options;
+mod search;
 
 use super::CliError;
 use super::output::{Outcome, print, say};
@@ -16,6 +17,7 @@ Examples:
   lobefit fit mine.wgsl --to ggx-reflection:E --norm rms --weight mu --domain roughness=0.1..1
   lobefit fit blend.wgsl --to ggx-reflection --use f0-blend --out fitted
   lobefit fit mine.wgsl --to ggx-reflection:E --exact alpha=0 --range 0..1 --precision f32 --precision f16
+  lobefit fit --search --to ggx-reflection:E --use normalisation --max-ops 13 --out found
   lobefit fit thin.wgsl --to ggx-glass:R --fix side=outside --domain ior=1.5..1.5 --limit 0.01
 
 The formula is the last function of a WGSL file; its free parameters are `override` declarations, whose values are where the
@@ -28,10 +30,17 @@ Uses: value (the column itself); normalisation (N with E N = 1, error |E N - 1|)
 factor of diffuse-coupling).
 Where the formula has a divisor, the fit is proven to keep its sign over the whole domain; without the proof the exit code is 1.
 
+With --search no formula is given: forms of the inputs (quotients of sums of powers) are searched for the most accurate one of every
+cost up to --max-ops, by the operation model of the reports (add, mul, fma 1; rcp, sqrt, exp2 4; a division is rcp + mul).
+Where the truth has one value at alpha = 0, as a mirror's albedo, the forms have it exactly; --exact INPUT=0 says otherwise.
+
 With --out, writes NAME.html (page), NAME.json and NAME.{wgsl,rs,hlsl,glsl,metal,h} into the folder, NAME being the function's
 name. A search that does not converge, a missing proof or an error above --limit: exit code 1, nothing written.";
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
+    if options.search {
+        return search::run(options, &options.search_job()?);
+    }
     let job = options.job()?;
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;

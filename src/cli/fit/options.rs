@@ -12,6 +12,7 @@ use crate::effects::target::TargetSpec;
 use crate::effects::{QUANTITIES, Quantity};
 use crate::emit::code::Language;
 use crate::fit::{Goal, Hypothesis, Precision};
+use crate::fitting::search::SearchJob;
 use crate::fitting::{Demand, Job};
 use crate::scene::limits;
 use crate::store;
@@ -23,7 +24,17 @@ const STARTS: u16 = 8;
 #[derive(Args)]
 pub(in crate::cli) struct Options {
     /// WGSL file with the formula (`-`: standard input)
-    pub hypothesis: PathBuf,
+    #[arg(required_unless_present = "search", conflicts_with = "search")]
+    pub hypothesis: Option<PathBuf>,
+    /// Search for formulas instead of fitting one
+    #[arg(long, requires = "max_ops", conflicts_with_all = ["norm", "weight", "range", "rising", "falling", "precision", "starts", "language"])]
+    pub search: bool,
+    /// Most operations of a formula (--search only), 1 to 64
+    #[arg(long, value_name = "N", requires = "search", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub max_ops: Option<u32>,
+    /// Forms of each cost that are built upon (--search only): more take longer and may find better ones; without it, 24
+    #[arg(long, value_name = "N", requires = "search", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub width: Option<u16>,
     /// Quantity and column that the formula approximates; without a column, the quantity's first
     #[arg(long, value_name = "QUANTITY[:COLUMN]", value_parser = to)]
     pub to: To,
@@ -99,7 +110,8 @@ pub(in crate::cli) struct To {
 impl Options {
     /// Reads the formula and puts the job together.
     pub(super) fn job(&self) -> Result<Job, CliError> {
-        let (name, source) = read(&self.hypothesis)?;
+        let file = self.hypothesis.as_deref().unwrap_or(Path::new("-"));
+        let (name, source) = read(file)?;
         let hypothesis = Hypothesis::parse(&name, &source)?;
         Ok(Job {
             hypothesis,
@@ -111,6 +123,18 @@ impl Options {
             starts: usize::from(self.starts),
             limit: self.limit,
             languages: if self.language.is_empty() { Language::ALL.to_vec() } else { once(&self.language) },
+            command: self.command(),
+        })
+    }
+
+    /// The job of a search.
+    pub(super) fn search_job(&self) -> Result<SearchJob, CliError> {
+        Ok(SearchJob {
+            spec: self.spec()?,
+            max_ops: self.max_ops.unwrap_or_default(),
+            width: self.width.map(usize::from),
+            demands: self.demands(),
+            limit: self.limit,
             command: self.command(),
         })
     }
@@ -155,8 +179,14 @@ impl Options {
                 format!("{option}{value}")
             });
         };
-        let file = self.hypothesis.file_name().unwrap_or(self.hypothesis.as_os_str());
-        push("", file.to_string_lossy().into_owned());
+        if let Some(file) = &self.hypothesis {
+            push("", file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned());
+        }
+        if self.search {
+            push("--search", String::new());
+        }
+        self.max_ops.iter().for_each(|n| push("--max-ops ", n.to_string()));
+        self.width.iter().for_each(|n| push("--width ", n.to_string()));
         let column = self.to.column.as_ref().map_or(String::new(), |c| format!(":{c}"));
         push("--to ", format!("{}{column}", self.to.quantity.name));
         self.used_as.iter().for_each(|u| push("--use ", u.name().into()));

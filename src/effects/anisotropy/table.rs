@@ -1,20 +1,26 @@
 //! The tables of this effect, in all layouts.
 
+use rayon::prelude::*;
+
 use super::path_tracer::{self, FLOOR};
 use super::{QUANTITY, truth};
 use crate::data::{Axis, Smith, Surface, Table, VolumeLayout};
 use crate::effects::volume::{
     ANISO_SAMPLES, Azimuth, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, aniso_axes,
-    aspect, azimuth_axes, channel,
+    aspect, azimuth_axes, channel, check,
 };
-use crate::integrate::aniso::table::{Columns, Grid, Tabulated, tabulate, tabulate_on};
+use crate::integrate::aniso::table::{Columns, Grid, Tabulated, mean, tabulate, tabulate_on};
 use crate::integrate::{IntegrateError, Path};
 
 /// Largest error of a texel of the sources' layout.
 const SAMPLED: f64 = 1e-6;
 
-/// Largest error of the targets that the texels of our layout are optimised for, a hundredth of what the lookup leaves.
+/// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth of what the lookup leaves. The
+/// targets' own error is measured.
 const TARGETS: f64 = 1e-5;
+
+/// Tolerance of the integrals that targets are compared with.
+const DIRECT: f64 = 1e-6;
 
 /// The table, its texels not yet rounded.
 ///
@@ -57,8 +63,7 @@ fn optimised(spec: &Spec) -> Result<(Table, Made), VolumeError> {
     let per_node = points.iter().take_while(|p| p.alpha == points[0].alpha).count();
     let alphas: Vec<f64> = points.iter().step_by(per_node).map(|p| p.alpha).collect();
     let aspects: Vec<f64> = points[..per_node].iter().step_by(columns).map(|p| aspect(p.third)).collect();
-    let row = |alpha: f64| alphas.iter().position(|a| *a == alpha).unwrap_or(0);
-    let mu = |column: usize, alpha: f64, _: f64| points[row(alpha) * per_node + column].mu;
+    let mu = |column: usize, row: usize, _: f64| points[row * per_node + column].mu;
     let grid = Grid {
         columns: Columns::Varying { count: columns, mu: &mu },
         alphas: &alphas,
@@ -71,9 +76,26 @@ fn optimised(spec: &Spec) -> Result<(Table, Made), VolumeError> {
         1.0 - table.e[(slice * alphas.len() + node) * columns + column]
     };
     let losses: Vec<f64> = points.iter().enumerate().map(|(i, p)| loss(i, p)).collect();
-    let texels = plan.texels(&losses, ROUNDS).0;
-    let made = made(&table);
+    let wanted = plan.targets(&losses);
+    let checked = check(QUANTITY, &plan, [&wanted], |nodes| direct(*smith, nodes))?;
+    let texels = plan.optimised(&wanted, ROUNDS).0;
+    let made = Made {
+        evaluations: made(&table).evaluations + checked.evaluations,
+        integration: checked.worst + DIRECT,
+    };
     Ok((spec.table(QUANTITY, axes, vec![channel("loss", texels)])?, made))
+}
+
+/// Losses, within [`DIRECT`], and the evaluations that they took.
+fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 1]>, u64), IntegrateError> {
+    let loss = |node: &Node| {
+        let aspect = aspect(node.third);
+        let work = mean(smith, [node.alpha / aspect, node.alpha * aspect], node.mu, DIRECT)?;
+        Ok(([1.0 - work.value], work.evaluations))
+    };
+    let all: Vec<([f64; 1], u64)> = nodes.par_iter().map(loss).collect::<Result<_, IntegrateError>>()?;
+    let evaluations = all.iter().map(|(_, n)| n).sum();
+    Ok((all.into_iter().map(|(losses, _)| losses).collect(), evaluations))
 }
 
 /// The cubic of the azimuth at every texel, from exact values.

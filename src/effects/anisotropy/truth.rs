@@ -22,8 +22,7 @@ const JUDGED_AZIMUTH: f64 = 1e-5;
 pub fn means(smith: Smith, judge: &Judge) -> Result<(Vec<f64>, Made), IntegrateError> {
     let alphas: Vec<f64> = judge.rows.iter().map(|p| f64::from(p.alpha)).collect();
     let aspects: Vec<f64> = judge.slices.iter().map(|a| aspect(f64::from(*a))).collect();
-    let row = |alpha: f64| alphas.iter().position(|a| *a == alpha).unwrap_or(0);
-    let mu = |column: usize, alpha: f64, _: f64| f64::from(judge.cosines[row(alpha)][column]);
+    let mu = |column: usize, row: usize, _: f64| f64::from(judge.cosines[row][column]);
     let columns = Columns::Varying { count: judge.columns(), mu: &mu };
     let table = tabulate(smith, &Grid { columns, alphas: &alphas, aspects: &aspects, floor: 0.0 }, JUDGED)?;
     let evaluations = table.evaluations + table.checked.evaluations;

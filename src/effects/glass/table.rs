@@ -1,9 +1,9 @@
 //! The tables of this effect, in both layouts.
 
-use super::{QUANTITY, energies, path_tracer};
+use super::{JUDGED, QUANTITY, energies, path_tracer};
 use crate::data::{Smith, Table, VolumeLayout};
 use crate::effects::volume::{
-    GLASS_SAMPLES, Made, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, channel, glass_axes,
+    GLASS_SAMPLES, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, channel, check, glass_axes,
 };
 use crate::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
 use crate::integrate::{IntegrateError, Path};
@@ -11,7 +11,8 @@ use crate::integrate::{IntegrateError, Path};
 /// Largest error of a texel of the sources' layout.
 const SAMPLED: f64 = 1e-6;
 
-/// Largest error of the targets that the texels of our layout are optimised for, a hundredth of what the lookup leaves.
+/// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth of what the lookup leaves. The
+/// targets' own error is measured.
 const TARGETS: f64 = 1e-5;
 
 /// The tables for rays from outside and from inside, which share their integrals; texels not yet rounded. `specs` differ in their names.
@@ -49,9 +50,22 @@ fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
     let plan = VolumePlan::new(axes.clone(), region.alpha_map, GLASS_SAMPLES, nodes, region.mu[0]);
     let inputs: Vec<[f64; 3]> = plan.points().iter().map(|p| [p.alpha, p.mu, p.third]).collect();
     let (both, evaluations) = energies(*smith, &inputs, TARGETS)?;
-    let table = |side: usize| {
+    let wanted = [0, 1].map(|side| {
         let losses: Vec<f64> = both.iter().map(|e| 1.0 - e[side]).collect();
-        specs[side].table(QUANTITY, axes.clone(), vec![channel("loss", plan.texels(&losses, ROUNDS).0)])
+        plan.targets(&losses)
+    });
+    let checked = check(QUANTITY, &plan, wanted.each_ref(), |nodes| direct(*smith, nodes))?;
+    let table = |side: usize| {
+        let texels = plan.optimised(&wanted[side], ROUNDS).0;
+        specs[side].table(QUANTITY, axes.clone(), vec![channel("loss", texels)])
     };
-    Ok(([table(0)?, table(1)?], Made { evaluations, integration: TARGETS }))
+    let made = Made { evaluations: evaluations + checked.evaluations, integration: checked.worst + JUDGED };
+    Ok(([table(0)?, table(1)?], made))
+}
+
+/// Losses from outside and from inside, within [`JUDGED`], and the evaluations that they took.
+fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
+    let inputs: Vec<[f64; 3]> = nodes.iter().map(|p| [p.alpha, p.mu, p.third]).collect();
+    let (both, evaluations) = energies(smith, &inputs, JUDGED)?;
+    Ok((both.into_iter().map(|e| e.map(|e| 1.0 - e)).collect(), evaluations))
 }

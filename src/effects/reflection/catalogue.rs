@@ -24,6 +24,9 @@ pub const NORMALISATIONS: [Entry; 14] = own![
 /// E_avg(alpha) with free parameters.
 pub const AVERAGES: [Entry; 1] = own!["ggx_eavg_5"];
 
+/// f0 A + B with free parameters, by rising cost.
+pub const BLENDS: [Entry; 3] = own!["ggx_blend_11", "ggx_blend_14", "ggx_blend_30"];
+
 /// The formulas of the source post, which started this: emitted beside ours.
 pub const SEEDS: [Entry; 2] = published![
     "ggx_norm_pesce_n2" by "A. Pesce, Misunderstanding Multiscattering, 2019",
@@ -32,7 +35,7 @@ pub const SEEDS: [Entry; 2] = published![
 
 /// Every file of the catalogue, in a fixed order.
 fn entries() -> impl Iterator<Item = &'static Entry> {
-    let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&SEEDS);
+    let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&BLENDS).chain(&SEEDS);
     ours.chain(&RIVALS).chain(&BLEND_RIVALS).chain(&AVERAGE_RIVALS)
 }
 

@@ -14,10 +14,11 @@ mod samples;
 mod table;
 
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
-pub use catalogue::{AVERAGES, NORMALISATIONS, SEEDS, catalogue_names, catalogue_sources};
+pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS, catalogue_names, catalogue_sources};
 pub use decode::lookup_ops;
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Dropped, Fit, FitSet, FitSpec, FitStageError, fit_all};
+pub(in crate::effects) use fits::{formula, kept, searched};
 pub use lookup::{Lookup, Split};
 pub use measure::{Errors, Judged, error_map, measure};
 pub use points::{PointSet, certification};

@@ -2,4 +2,53 @@
 
 mod catalogue;
 
-pub use catalogue::RIVALS;
+use std::collections::BTreeMap;
+
+use super::Quantity;
+use super::fitted::{self, Wanted};
+use super::reflection::{Counter, FitSet, FitStageError, Region};
+use super::target::TargetSpec;
+use crate::data::{AlphaMap, Norm, Smith, Use};
+use crate::integrate::IntegrateError;
+pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
+
+/// What to fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheenSpec {
+    /// Where the fits must hold.
+    pub region: Region,
+    /// Most operations of a fit; none: any.
+    pub max_ops: Option<u32>,
+    /// Errors to minimise.
+    pub norms: Vec<Norm>,
+}
+
+/// Fits of E(alpha, mu), and the published ones beside them where the map of roughness is theirs.
+///
+/// # Errors
+/// A region outside of the quantity's domain; a truth that cannot be integrated.
+pub fn fit_all(spec: &SheenSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
+    let Region { roughness, mu, alpha_map } = spec.region;
+    let squared = alpha_map == AlphaMap::RoughnessSquared;
+    let quantity = Quantity::find("sheen-charlie").ok_or(IntegrateError::NotFinite {
+        quantity: "sheen-charlie",
+        place: "the list of quantities".into(),
+    })?;
+    let spec = Wanted {
+        spec: TargetSpec {
+            quantity,
+            column: Some("E".into()),
+            used_as: Some(Use::Value),
+            // The lobe has no Smith form; the field is nobody's.
+            smith: Smith::default(),
+            alpha_map,
+            domain: BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]),
+            words: BTreeMap::new(),
+        },
+        own: &HYPOTHESES,
+        rivals: RIVALS.iter().filter(|_| squared).collect(),
+        norms: &spec.norms,
+        max_ops: spec.max_ops,
+    };
+    fitted::fit_all(&spec, counter)
+}

@@ -166,7 +166,7 @@ impl Target {
                         range(spec, "alpha", defined)?;
                         Span { name: ROUGHNESS.into(), range: alpha.map(|a| roughness(spec.alpha_map, a)) }
                     }
-                    None => range(spec, ROUGHNESS, defined)?,
+                    None => range(spec, ROUGHNESS, defined.map(|a| roughness(spec.alpha_map, a)))?,
                 };
                 self.axes.push(span);
                 Ok(Given::Alpha)
@@ -224,6 +224,19 @@ impl Target {
     /// Every independent input, f0 the last.
     pub fn spans(&self) -> Vec<Span> {
         self.axes.iter().chain(&self.f0).cloned().collect()
+    }
+
+    /// Range of every input; alpha's to nine digits, since 0.1 squared is 0.01.
+    pub fn ranges(&self) -> BTreeMap<String, [f64; 2]> {
+        let nine = |x: f64| format!("{x:.8e}").parse().unwrap_or(x);
+        let mut ranges: BTreeMap<String, [f64; 2]> =
+            self.spans().into_iter().map(|span| (span.name, span.range)).collect();
+        if let Some(roughness) = ranges.get(ROUGHNESS).copied()
+            && self.has_alpha()
+        {
+            ranges.insert("alpha".into(), roughness.map(|r| nine(self.alpha_map.alpha(r))));
+        }
+        ranges
     }
 
     /// The box of inputs, alpha following from roughness.

@@ -8,7 +8,7 @@ use super::{Target, TargetError};
 use crate::data::Use;
 use crate::effects::reflection::{Counter, Field, PointSet, Region, TRUTH_ERROR, average_truth};
 use crate::effects::{Method, Quantity, Values};
-use crate::integrate::IntegrateError;
+use crate::integrate::{IntegrateError, sheen};
 
 /// The truth at points, before its use.
 pub(super) enum Truth {
@@ -44,6 +44,8 @@ enum Way {
     Split,
     /// The interpolant of E_avg.
     Average,
+    /// The rule for the albedo of sheen.
+    Sheen,
     /// [`Quantity::evaluate`].
     Evaluate,
 }
@@ -59,6 +61,7 @@ impl Target {
             ("ggx-reflection", "E") if fast => Way::Albedo,
             ("ggx-reflection", "A" | "B") if fast => Way::Split,
             ("ggx-average", "E_avg") => Way::Average,
+            ("sheen-charlie", _) => Way::Sheen,
             _ => Way::Evaluate,
         }
     }
@@ -69,7 +72,7 @@ impl Target {
             (Way::Split, _) if self.f0.is_none() || self.affine => SPLIT,
             (Way::Split, _) => SPLIT_CURVED,
             (Way::Average, _) => INTERPOLATED,
-            (Way::Evaluate, "ggx-reflection" | "sheen-charlie") => MODERATE,
+            (Way::Sheen, _) | (Way::Evaluate, "ggx-reflection") => MODERATE,
             (Way::Evaluate, _) => DEAR,
         }
     }
@@ -83,7 +86,7 @@ impl Target {
     pub fn truth_error(&self) -> f64 {
         match self.way() {
             Way::Evaluate => tolerance(self.quantity),
-            Way::Albedo | Way::Split | Way::Average => TRUTH_ERROR,
+            Way::Albedo | Way::Split | Way::Average | Way::Sheen => TRUTH_ERROR,
         }
     }
 
@@ -100,6 +103,7 @@ impl Target {
                 }
             }
             Way::Average => Truth::Column(self.averages(points)?),
+            Way::Sheen => Truth::Column(sheen_albedo(points)),
             Way::Evaluate => Truth::Column(self.evaluated(points)?),
         })
     }
@@ -169,6 +173,14 @@ impl Target {
             Values::Words(_) => value,
         }
     }
+}
+
+/// E of the sheen lobe, within 1e-11 relative.
+fn sheen_albedo(points: &Points) -> Vec<f64> {
+    let (alpha, mu) = (points.column("alpha").unwrap_or_default(), points.column("mu").unwrap_or_default());
+    let pairs: Vec<(&f32, &f32)> = alpha.iter().zip(mu).collect();
+    let inside = |alpha: f32| f64::from(alpha).max(sheen::SMALLEST_ALPHA);
+    pairs.into_par_iter().map(|(alpha, mu)| sheen::albedo(inside(*alpha), f64::from(*mu))).collect()
 }
 
 fn tolerance(quantity: &Quantity) -> f64 {

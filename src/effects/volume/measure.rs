@@ -9,8 +9,8 @@ use crate::effects::{Deviation, Rounding};
 /// The errors of a table, told apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Errors {
-    /// Worst difference between the texels' truths, or those that the lookup is judged against, and direct integrals with more
-    /// nodes at a sample of them.
+    /// Worst difference from direct integrals found at a fixed sample: of what the texels are made from, or of the truths that the
+    /// lookup is judged against, whichever is larger.
     pub integration: f64,
     /// Rounding to the format, by channel.
     pub quantisation: Vec<Rounding>,

@@ -11,6 +11,7 @@
 
 mod axes;
 mod azimuth;
+mod check;
 mod estimator;
 mod lookup;
 mod measure;
@@ -21,6 +22,7 @@ mod spec;
 
 pub use axes::{aniso_axes, azimuth_axes, glass_axes};
 pub use azimuth::Azimuth;
+pub use check::{Checked, check};
 pub use estimator::{DRAWN, SOURCES_SAMPLES, estimate};
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, error_map, measure};

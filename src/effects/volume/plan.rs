@@ -73,6 +73,15 @@ impl VolumePlan {
     /// # Panics
     /// If there are not as many losses as points.
     pub fn texels(&self, losses: &[f64], rounds: usize) -> (Vec<f64>, f64) {
+        self.optimised(&self.targets(losses), rounds)
+    }
+
+    /// What the lattice should hold: the losses interpolated to its rows, columns fastest, then rows, then slices; and which samples
+    /// count. [`check`](super::check) tells how far the interpolation is off.
+    ///
+    /// # Panics
+    /// If there are not as many losses as points.
+    pub fn targets(&self, losses: &[f64]) -> Wanted {
         let [columns, rows, slices] = self.lattice.samples();
         assert_eq!(losses.len(), columns * slices * self.nodes.len(), "a loss for each point");
         let alphas: Vec<f64> = (0..rows).map(|row| self.alpha(row)).collect();
@@ -90,8 +99,24 @@ impl VolumePlan {
                 }
             }
         });
-        let start = self.at_texels(&targets);
-        volume::optimise(self.lattice, &start, &Wanted { targets, counts }, rounds)
+        Wanted { targets, counts }
+    }
+
+    /// Texels for targets of this plan, as [`VolumePlan::texels`] gives them.
+    pub fn optimised(&self, wanted: &Wanted, rounds: usize) -> (Vec<f64>, f64) {
+        volume::optimise(self.lattice, &self.at_texels(&wanted.targets), wanted, rounds)
+    }
+
+    /// Columns, rows and slices of the lattice.
+    pub fn samples(&self) -> [usize; 3] {
+        self.lattice.samples()
+    }
+
+    /// The point of a sample of the lattice: column, row, slice.
+    pub fn sample(&self, [column, row, slice]: [usize; 3]) -> Node {
+        // The sums of the axis round; the ends are nodes.
+        let alpha = self.alpha(row).clamp(self.nodes[0], self.nodes[self.nodes.len() - 1]);
+        self.point(column, slice, alpha)
     }
 
     /// Whether a lookup of the region comes near the sample.

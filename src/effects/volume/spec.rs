@@ -47,8 +47,8 @@ impl Spec {
 pub struct Made {
     /// Integrand evaluations, checks included.
     pub evaluations: u64,
-    /// Worst difference from direct integrals with more nodes at the points checked; of integrals that are direct themselves, their
-    /// tolerance.
+    /// Worst difference from direct integrals with more nodes at the points checked, the tolerance of those added where they are no
+    /// tighter; of integrals that are direct themselves, their tolerance.
     pub integration: f64,
 }
 
@@ -80,7 +80,7 @@ pub(in crate::effects) fn channel(name: &str, texels: Vec<f64>) -> Channel {
     Channel { name: name.into(), texels }
 }
 
-/// Nodes in ln(alpha) for targets that are interpolated to about 1e-4: E has its nearest singularities at imaginary part pi/2
+/// Nodes in ln(alpha) for targets that are interpolated to about 1e-4, which [`check`](super::check) measures: E has its nearest singularities at imaginary part pi/2
 /// (alpha^2 negative), so n nodes on a range of half length h leave exp(-n asinh(pi/(2 h))); at least 8.
 pub(in crate::effects) fn alpha_nodes(alpha: [f64; 2]) -> usize {
     use crate::math::ops;

@@ -62,15 +62,16 @@ pub fn read_functions(
     entry: Option<&str>,
 ) -> Result<Vec<ShaderFunction>, ForeignError> {
     let source = Source::new(bytes, file, language)?;
-    let lost = || ForeignError::Malformed {
+    let lost = |message: String| ForeignError::Malformed {
         file: file.into(),
         at: Spot::Line { line: 1, column: 1 },
-        message: "the front end gave up on this source".into(),
+        message,
     };
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().stack_size(STACK);
         let handle = thread.spawn_scoped(scope, || read(&source, entry));
-        handle.map_err(|_| lost())?.join().map_err(|_| lost())?
+        let handle = handle.map_err(|e| lost(format!("no thread to parse it on: {e}")))?;
+        handle.join().map_err(|_| lost("the front end gave up on this source".into()))?
     })
 }
 

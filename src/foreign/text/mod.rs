@@ -70,7 +70,8 @@ fn table(
         Ok(size) => size,
         Err(message) => return Err(ForeignError::Mixed { file: file.into(), at, message }),
     };
-    let lines = lines(text, file, &literal);
+    let told = size.is_some() || hints.size.is_some();
+    let lines = if told { None } else { lines(text, file, &literal) };
     let (kind, values, step) = if literal.decimals.is_none() {
         integers::read(file, at, &lead.name, literal.values, literal.hex, hints.format)?
     } else {

@@ -6,6 +6,7 @@ mod audit;
 mod furnace;
 mod index;
 mod own;
+mod search;
 mod table;
 mod volume;
 
@@ -23,6 +24,7 @@ pub use audit::{
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
+pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};
 

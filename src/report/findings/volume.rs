@@ -22,9 +22,9 @@ pub struct VolumeFindings {
     pub truths: Vec<Field>,
     /// What a shader gets from each layout.
     pub furnaces: Vec<FurnaceFinding>,
-    /// What the azimuth of the view changes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub azimuth: Option<AzimuthFinding>,
+    /// What the azimuth of the view changes, a finding for each domain of tables.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub azimuth: Vec<AzimuthFinding>,
 }
 
 /// A table of three axes with its errors. Its texels are in its file, not in the findings.
@@ -90,6 +90,8 @@ pub struct FurnaceFinding {
 /// What a table of the azimuth's mean leaves out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AzimuthFinding {
+    /// Where the errors are the largest of: `roughness 0.02 to 1, anisotropy 0 to 1`.
+    pub domain: String,
     /// Where the fields are drawn: `roughness 0.7, anisotropy 1`.
     pub at: String,
     /// Error over azimuth and mu of each way.

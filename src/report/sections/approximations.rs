@@ -84,7 +84,11 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
     let has = |kind: fn(&ApproximationFinding) -> bool| group.iter().any(|a| kind(a));
     let first = group[0];
     let (used_as, metric) = (first.used_as, words::metric(first.used_as));
-    let title = format!("{} as {}, {} Smith", first.quantity, used_as.name(), first.smith.name());
+    let smith = match first.quantity.as_str() {
+        "sheen-charlie" => String::new(),
+        _ => format!(", {} Smith", first.smith.name()),
+    };
+    let title = format!("{} as {}{smith}", first.quantity, used_as.name());
     let scatter = Scatter {
         title,
         x: ("operations (square-root scale; fetches not counted)".into(), Spread::Root),

@@ -8,6 +8,7 @@ mod fits;
 mod furnace;
 mod index;
 mod own;
+mod search;
 mod selection;
 mod study;
 mod tables;
@@ -17,7 +18,8 @@ mod volumes;
 mod words;
 
 use super::{
-    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, Timings, VolumeFindings,
+    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings,
+    VolumeFindings,
 };
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
@@ -74,6 +76,11 @@ pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
 /// The page of a formula that the user fits.
 pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
     own::page(findings)
+}
+
+/// The page of a search over forms.
+pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
+    search::page(findings)
 }
 
 /// The page of an audit.

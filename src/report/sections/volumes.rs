@@ -31,8 +31,8 @@ pub(super) fn sections(findings: &VolumeFindings) -> Result<Vec<Section>, Report
     if !findings.furnaces.is_empty() {
         sections.push(lookups(&findings.furnaces)?);
     }
-    if let Some(azimuth) = &findings.azimuth {
-        sections.push(self::azimuth(azimuth)?);
+    if !findings.azimuth.is_empty() {
+        sections.push(azimuth(&findings.azimuth)?);
     }
     if !findings.truths.is_empty() {
         sections.push(truths(&findings.truths)?);
@@ -113,7 +113,25 @@ fn lookups(furnaces: &[FurnaceFinding]) -> Result<Section, ReportError> {
     })
 }
 
-fn azimuth(finding: &AzimuthFinding) -> Result<Section, ReportError> {
+fn azimuth(findings: &[AzimuthFinding]) -> Result<Section, ReportError> {
+    let mut blocks = Vec::new();
+    for finding in findings {
+        if findings.len() > 1 {
+            blocks.push(Block::Heading { text: finding.domain.clone() });
+        }
+        blocks.extend(ways(finding)?);
+    }
+    Ok(Section {
+        id: "azimuth".into(),
+        title: "What ignoring the azimuth costs".into(),
+        lead: "An anisotropic lobe loses more energy seen along its rough axis than across it. A table of the mean over the \
+               azimuth cannot know; one that holds the azimuth can."
+            .into(),
+        blocks,
+    })
+}
+
+fn ways(finding: &AzimuthFinding) -> Result<[Block; 2], ReportError> {
     for field in &finding.fields {
         field.check("azimuth")?;
     }
@@ -129,21 +147,11 @@ fn azimuth(finding: &AzimuthFinding) -> Result<Section, ReportError> {
             w.ops.to_string(),
         ]
     });
-    Ok(Section {
-        id: "azimuth".into(),
-        title: "What ignoring the azimuth costs".into(),
-        lead: "An anisotropic lobe loses more energy seen along its rough axis than across it. A table of the mean over the \
-               azimuth cannot know; one that holds the azimuth can."
-            .into(),
-        blocks: vec![
-            Block::Table(words::table(
-                &columns,
-                rows.collect(),
-                "Error of E at a fixed azimuth, over the whole domain. Maxima are rounded up.",
-            )),
-            maps(&finding.fields, &format!("Error at {}. {SIGNED}", finding.at))?,
-        ],
-    })
+    let caption = format!("Error of E at a fixed azimuth, over {}. Maxima are rounded up.", finding.domain);
+    Ok([
+        Block::Table(words::table(&columns, rows.collect(), &caption)),
+        maps(&finding.fields, &format!("Error at {}. {SIGNED}", finding.at))?,
+    ])
 }
 
 fn truths(fields: &[Field]) -> Result<Section, ReportError> {

@@ -1,7 +1,8 @@
 //! Which fits get pictures: a reader's time is short, and most fits are beaten by another.
 
 use crate::data::Use;
-use crate::effects::reflection::{Fit, catalogue_sources};
+use crate::effects::catalogue_sources;
+use crate::effects::reflection::Fit;
 
 /// Our versions of the source post's two formulas: shown beside the published constants whether beaten or not.
 const REFITTED: [&str; 2] = ["ggx_norm_n1.wgsl", "ggx_norm_n2.wgsl"];
@@ -14,11 +15,13 @@ pub struct Selected<'a> {
     pub because: &'static str,
 }
 
-/// The emitted normalisations that are worth a picture, in the order given.
-pub fn selected(fits: &[Fit]) -> Vec<Selected<'_>> {
-    let normalises =
-        |f: &&Fit| f.approximation.used_as == Use::Normalisation && f.wraps.is_none() && f.emitted;
-    let emitted: Vec<&Fit> = fits.iter().filter(normalises).collect();
+/// The emitted fits for a use of E that are worth a picture, in the order given.
+pub fn selected(fits: &[Fit], used_as: Use) -> Vec<Selected<'_>> {
+    let of_use = |f: &&Fit| {
+        let a = &f.approximation;
+        a.used_as == used_as && a.column == "E" && f.wraps.is_none() && f.emitted
+    };
+    let emitted: Vec<&Fit> = fits.iter().filter(of_use).collect();
     emitted.iter().filter_map(|fit| Some(Selected { fit, because: reason(fit, &emitted)? })).collect()
 }
 

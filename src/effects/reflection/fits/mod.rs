@@ -1,14 +1,19 @@
 //! Fits of this effect: hypotheses to coefficients, proven regular and measured in f32 as emitted.
 
+mod blend;
 mod certified;
 mod one;
 mod run;
 mod saturate;
 
+pub(in crate::effects) use certified::formula;
+pub(in crate::effects) use one::searched;
 pub use run::fit_all;
+pub(in crate::effects) use run::kept;
 
 use super::{PointSet, Region};
 use crate::data::{Approximation, Form, Norm, Smith};
+use crate::effects::target::TargetError;
 use crate::fit::{FitError, Hypothesis, Termination};
 use crate::integrate::IntegrateError;
 
@@ -25,6 +30,8 @@ pub struct FitSpec {
     pub norms: Vec<Norm>,
     /// Also fit the average albedo.
     pub average: bool,
+    /// Also fit f0 A + B.
+    pub blend: bool,
     /// The user's hypotheses: file name and WGSL source.
     pub hypotheses: Vec<(String, String)>,
 }
@@ -75,6 +82,9 @@ pub enum FitStageError {
     /// A truth could not be integrated.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),
+    /// What a fit is made to.
+    #[error(transparent)]
+    Target(#[from] TargetError),
     /// The search did not end in a minimum.
     #[error("{hypothesis}, norm {norm}: the search ended as {termination:?}: no coefficients to rely on")]
     NotConverged {
@@ -139,7 +149,16 @@ impl Fit {
 
     /// Its values in f32 at the points of a set; f0 = 1.
     pub fn values(&self, points: &PointSet) -> Result<Vec<f32>, FitError> {
-        let inputs: Vec<Vec<f32>> = self.hypothesis.inputs().iter().map(|name| points.column(name)).collect();
+        self.values_for(points, 1.0)
+    }
+
+    /// Its values in f32 at the points of a set, for one f0.
+    pub fn values_for(&self, points: &PointSet, f0: f32) -> Result<Vec<f32>, FitError> {
+        let column = |name: &String| match name.as_str() {
+            "f0" => vec![f0; points.len()],
+            name => points.column(name),
+        };
+        let inputs: Vec<Vec<f32>> = self.hypothesis.inputs().iter().map(column).collect();
         self.hypothesis.tape().evaluate(&inputs, &self.coefficients())
     }
 }

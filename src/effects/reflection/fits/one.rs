@@ -6,7 +6,9 @@ use crate::data::{AlphaMap, Norm, Source};
 use crate::effects::Entry;
 use crate::effects::reflection::Region;
 use crate::effects::reflection::samples::Data;
-use crate::fit::{Domain, FitError, Hypothesis, Options, optimise, prove_regular, round_to_f32};
+use crate::fit::{
+    Domain, FitError, Hypothesis, Options, Samples, Termination, optimise, prove_regular, round_to_f32,
+};
 
 /// The box of inputs, alpha following from roughness.
 fn domain(region: &Region) -> Result<Domain, FitError> {
@@ -19,33 +21,50 @@ fn domain(region: &Region) -> Result<Domain, FitError> {
     Domain::new(&[("roughness", r0, r1), ("mu", m0, m1)])?.with_derived("alpha", "roughness", power)
 }
 
-/// Coefficients for a hypothesis: found, rounded, proven regular, measured.
-pub fn fit_one(
-    spec: &FitSpec,
+/// What a search found: coefficients rounded to f32 and proven regular, under the name of their norm.
+pub(in crate::effects) struct Searched {
+    pub hypothesis: Hypothesis,
+    pub coefficients: Vec<f32>,
+    pub termination: Termination,
+}
+
+/// Coefficients for a hypothesis: found, rounded, proven regular.
+pub(in crate::effects) fn searched(
     hypothesis: &Hypothesis,
     norm: Norm,
-    data: &dyn Data,
-) -> Result<Fit, FitStageError> {
-    let domain = domain(&spec.region)?;
-    let fitted = optimise(hypothesis, &data.samples(hypothesis, norm)?, &[], &Options::new(norm));
+    samples: &Samples,
+    domain: &Domain,
+) -> Result<Searched, FitStageError> {
+    let fitted = optimise(hypothesis, samples, &[], &Options::new(norm));
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let fitted = fitted.map_err(|error| {
-        prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)
+        prove_regular(hypothesis.tape(), &hypothesis.starts(), domain).err().unwrap_or(error)
     })?;
     if !fitted.termination.is_converged() {
         // A pole that the search ran into says more than how the search ended.
-        prove_regular(hypothesis.tape(), &fitted.coefficients, &domain)?;
+        prove_regular(hypothesis.tape(), &fitted.coefficients, domain)?;
         let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
         return Err(FitStageError::NotConverged { hypothesis, norm, termination: fitted.termination });
     }
     refuse_run_away(hypothesis, norm, &fitted.coefficients)?;
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
-    prove_regular(hypothesis.tape(), &exact, &domain)?;
-    let hypothesis = named_for(hypothesis, norm);
+    prove_regular(hypothesis.tape(), &exact, domain)?;
+    Ok(Searched { hypothesis: named_for(hypothesis, norm), coefficients, termination: fitted.termination })
+}
+
+/// The same, measured.
+pub fn fit_one(
+    spec: &FitSpec,
+    hypothesis: &Hypothesis,
+    norm: Norm,
+    data: &dyn Data,
+) -> Result<Fit, FitStageError> {
+    let found = searched(hypothesis, norm, &data.samples(hypothesis, norm)?, &domain(&spec.region)?)?;
+    let Searched { hypothesis, coefficients, termination } = found;
     let form = formula(&hypothesis, &coefficients, norm.name());
     let approximation = certified(spec, &hypothesis, form, Source::Fitted, data)?;
-    Ok(Fit { approximation, hypothesis, termination: Some(fitted.termination), emitted: true, wraps: None })
+    Ok(Fit { approximation, hypothesis, termination: Some(termination), emitted: true, wraps: None })
 }
 
 /// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1].

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::blend::blends;
 use super::one::{fit_one, published};
 use super::saturate::saturate;
 use super::{Dropped, Fit, FitSet, FitSpec, FitStageError};
@@ -49,11 +50,15 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
         let data = AverageData::new(spec.smith, &spec.region, counter)?;
         fits.extend(reliable(spec, &averages, &data, &mut dropped)?);
     }
-    let comparable = |entries: &'static [Entry]| -> Vec<&Entry> {
-        // A formula that takes roughness means alpha = roughness^2; under another map it would be judged on a misreading.
-        let squared = spec.region.alpha_map == AlphaMap::RoughnessSquared;
-        entries.iter().filter(|entry| squared || !takes_roughness(entry)).collect()
-    };
+    // A formula that takes roughness means alpha = roughness^2; under another map it would be judged on a misreading.
+    let squared = spec.region.alpha_map == AlphaMap::RoughnessSquared;
+    let means_it = |entry: &&Entry| squared || !takes_roughness(entry);
+    if spec.blend {
+        let set = blends(spec, means_it, counter)?;
+        fits.extend(set.fits);
+        dropped.extend(set.dropped);
+    }
+    let comparable = |entries: &'static [Entry]| -> Vec<&Entry> { entries.iter().filter(means_it).collect() };
     fits.extend(each(&comparable(&SEEDS), |entry| published(spec, entry, true, &data))?);
     fits.extend(each(&comparable(&RIVALS), |entry| published(spec, entry, false, &data))?);
     Ok(FitSet { fits, dropped })
@@ -105,8 +110,16 @@ fn reliable(
     data: &dyn Data,
     dropped: &mut Vec<Dropped>,
 ) -> Result<Vec<Fit>, FitStageError> {
-    let results: Vec<Result<Fit, FitStageError>> =
-        jobs.par_iter().map(|(hypothesis, norm)| fit_one(spec, hypothesis, *norm, data)).collect();
+    let results = jobs.par_iter().map(|(hypothesis, norm)| fit_one(spec, hypothesis, *norm, data)).collect();
+    kept(jobs, results, dropped)
+}
+
+/// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other error handed on.
+pub(in crate::effects) fn kept(
+    jobs: &[(Hypothesis, Norm)],
+    results: Vec<Result<Fit, FitStageError>>,
+    dropped: &mut Vec<Dropped>,
+) -> Result<Vec<Fit>, FitStageError> {
     let mut fits = Vec::new();
     for ((hypothesis, norm), result) in jobs.iter().zip(results) {
         match result {

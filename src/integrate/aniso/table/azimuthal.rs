@@ -72,13 +72,13 @@ impl Azimuthal {
         tolerance: f64,
     ) -> Result<Azimuthal, IntegrateError> {
         let digits = grid::digits(tolerance)?;
-        let most = check(alpha_range, aspect_range, mu_range)?;
-        let ranges = [mu_range, alpha_range, [1.0 / most, most]];
+        let ranges = [mu_range, alpha_range, check(alpha_range, aspect_range, mu_range)?];
         let (mut evaluations, mut reached) = (0, f64::INFINITY);
         for more in LADDER {
             let mut tried = Azimuthal::build(smith, ranges, digits + more);
-            evaluations += tried.evaluations;
-            reached = tried.check(smith, digits + more);
+            let (worst, taken) = tried.check(smith, digits + more);
+            evaluations += tried.evaluations + taken;
+            reached = worst;
             if reached <= tolerance {
                 (tried.evaluations, tried.worst) = (evaluations, reached);
                 return Ok(tried);
@@ -130,7 +130,7 @@ impl Azimuthal {
         self.worst
     }
 
-    /// Integrand evaluations that the interpolant took.
+    /// Integrand evaluations that the interpolant took, those of a first try that missed the tolerance and the checks included.
     pub fn evaluations(&self) -> u64 {
         self.evaluations
     }
@@ -164,24 +164,28 @@ impl Azimuthal {
         Pinned { whole: self, swapped, root: if swapped { aspect } else { 1.0 / aspect }, coefficients }
     }
 
-    fn check(&self, smith: Smith, digits: f64) -> f64 {
+    /// Worst difference at the points checked, and the evaluations that they took.
+    fn check(&self, smith: Smith, digits: f64) -> (f64, u64) {
         let mut random = Pcg64::seed_from_u64(SEED);
         let mut places: Vec<[f64; 4]> = (0..POINTS).map(|_| [(); 4].map(|()| random.random())).collect();
         places.extend((0..16).map(|corner| [0, 1, 2, 3].map(|bit| f64::from(corner >> bit & 1))));
         let between = |[low, high]: [f64; 2], u: f64| {
             ops::exp(ops::log(low) + u * (ops::log(high) - ops::log(low))).clamp(low, high)
         };
-        let differences: Vec<f64> = places
+        let differences: Vec<(f64, u64)> = places
             .par_iter()
             .map(|u| {
                 let [mu, alpha, aspect] = [0, 1, 2].map(|k| between(self.ranges[k], u[k]));
                 let phi = std::f64::consts::FRAC_PI_2 * u[3];
                 let pair = [alpha / aspect, alpha * aspect];
                 let direct = azimuth::at(Path::Best, smith, pair, mu, phi, digits + CHECK_DIGITS);
-                (self.at(mu, phi, alpha, aspect) - direct.value).abs()
+                ((self.at(mu, phi, alpha, aspect) - direct.value).abs(), direct.evaluations)
             })
             .collect();
-        differences.into_iter().fold(0.0, |worst, x| if x.is_nan() || x > worst { x } else { worst })
+        let evaluations = differences.iter().map(|(_, n)| n).sum();
+        // A difference that is not a number is the worst, whatever follows it.
+        let worse = |worst: f64, (x, _)| if x > worst || f64::is_nan(x) { x } else { worst };
+        (differences.into_iter().fold(0.0, worse), evaluations)
     }
 }
 
@@ -213,8 +217,9 @@ fn within(x: f64, [low, high]: [f64; 2]) -> bool {
     (low..=high).contains(&x)
 }
 
-/// Refuses ranges outside the kernel's domain; else the greatest aspect, its inverse included, that the range holds.
-fn check(alpha: [f64; 2], aspect: [f64; 2], mu: [f64; 2]) -> Result<f64, IntegrateError> {
+/// Refuses ranges outside the kernel's domain; else the aspects and their inverses. The ends given lie in that range as they are: the
+/// inverse of an inverse need not be the number it was made from.
+fn check(alpha: [f64; 2], aspect: [f64; 2], mu: [f64; 2]) -> Result<[f64; 2], IntegrateError> {
     for (input, range, whole, says) in [
         ("alpha", alpha, aniso::ALPHA, "is not in [1e-4, 4] or not a range"),
         ("aspect", aspect, ASPECT, "is not in [0.1, 10] or not a range"),
@@ -226,8 +231,8 @@ fn check(alpha: [f64; 2], aspect: [f64; 2], mu: [f64; 2]) -> Result<f64, Integra
             }
         }
     }
-    let most = aspect[1].max(1.0 / aspect[0]);
-    grid::check_alpha("alpha_x", alpha[1] * most)?;
-    grid::check_alpha("alpha_y", alpha[0] / most)?;
-    Ok(most)
+    let both = [aspect[0].min(1.0 / aspect[1]), aspect[1].max(1.0 / aspect[0])];
+    grid::check_alpha("alpha_x", alpha[1] * both[1])?;
+    grid::check_alpha("alpha_y", alpha[0] * both[0])?;
+    Ok(both)
 }

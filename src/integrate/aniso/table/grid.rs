@@ -7,12 +7,12 @@ use crate::integrate::{IntegrateError, aniso};
 pub enum Columns<'a> {
     /// The same in every row and slice.
     Fixed(&'a [f64]),
-    /// mu of (column, alpha, aspect).
+    /// mu of (column, row, aspect).
     Varying {
         /// Number of columns.
         count: usize,
-        /// Cosine at a column, an alpha and an aspect.
-        mu: &'a (dyn Fn(usize, f64, f64) -> f64 + Sync),
+        /// Cosine at a column, the index of a row and an aspect.
+        mu: &'a (dyn Fn(usize, usize, f64) -> f64 + Sync),
     },
 }
 
@@ -53,18 +53,18 @@ impl Grid<'_> {
         [(alpha / aspect).max(self.floor), (alpha * aspect).max(self.floor)]
     }
 
-    /// The cosine at a column, an alpha and an aspect.
-    pub fn mu(&self, column: usize, alpha: f64, aspect: f64) -> f64 {
+    /// The cosine at a column, a row and an aspect.
+    pub fn mu(&self, column: usize, row: usize, aspect: f64) -> f64 {
         match self.columns {
             Columns::Fixed(mu) => mu[column],
-            Columns::Varying { mu, .. } => mu(column, alpha, aspect),
+            Columns::Varying { mu, .. } => mu(column, row, aspect),
         }
     }
 
     /// alpha and mu of a texel.
     pub fn texel(&self, [column, row, slice]: [usize; 3]) -> ([f64; 2], f64) {
         let (alpha, aspect) = (self.alphas[row], self.aspects[slice]);
-        (self.alpha(alpha, aspect), self.mu(column, alpha, aspect))
+        (self.alpha(alpha, aspect), self.mu(column, row, aspect))
     }
 
     /// Whether the floor raises alpha_x or alpha_y in a row.
@@ -78,9 +78,9 @@ impl Grid<'_> {
         let [columns, ..] = self.size();
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for &aspect in self.aspects {
-            for &alpha in self.alphas {
+            for row in 0..self.alphas.len() {
                 for column in 0..columns {
-                    let mu = self.mu(column, alpha, aspect);
+                    let mu = self.mu(column, row, aspect);
                     range = [range[0].min(mu), range[1].max(mu)];
                 }
             }
@@ -102,7 +102,7 @@ impl Grid<'_> {
             if !(ASPECT[0]..=ASPECT[1]).contains(&aspect) {
                 return Err(domain("aspect", aspect, "is not in [0.1, 10]"));
             }
-            for &alpha in self.alphas {
+            for (row, &alpha) in self.alphas.iter().enumerate() {
                 let [x, y] = self.alpha(alpha, aspect);
                 for (input, value) in [("alpha_x", x), ("alpha_y", y)] {
                     check_alpha(input, value)?;
@@ -111,7 +111,7 @@ impl Grid<'_> {
                     return Err(domain("alpha", alpha, "is not above 0"));
                 }
                 for column in 0..size[0] {
-                    let mu = self.mu(column, alpha, aspect);
+                    let mu = self.mu(column, row, aspect);
                     if !(MU[0]..=MU[1]).contains(&mu) {
                         return Err(domain("mu", mu, "is not in [1e-4, 1]"));
                     }

@@ -35,7 +35,8 @@ const LADDER: [f64; 5] = [0.0, 0.6, 1.2, 1.8, 2.4];
 pub struct Tabulated {
     /// E of every texel, columns fastest, then rows, then slices.
     pub e: Vec<f64>,
-    /// Integrand evaluations of the nodes' integrals, those of a first try that missed the tolerance included.
+    /// Integrand evaluations of the nodes' integrals; a first try that missed the tolerance counts with its check. Those of the last
+    /// check are its own.
     pub evaluations: u64,
     /// What recomputing texels showed.
     pub checked: Checked,
@@ -73,6 +74,7 @@ pub fn tabulate_on(
         if checked.worst <= tolerance {
             return Ok(Tabulated { e, evaluations, checked });
         }
+        evaluations += checked.evaluations;
     }
     Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
 }

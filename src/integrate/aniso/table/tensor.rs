@@ -48,7 +48,7 @@ pub(super) fn fill(grid: &Grid, rows: &Rows, cosines: &Cosines, values: &[f64], 
                 Columns::Fixed(_) => target.copy_from_slice(line),
                 Columns::Varying { mu, .. } => {
                     for (column, texel) in target.iter_mut().enumerate() {
-                        let at = cosines.cosine.of(mu(column, grid.alphas[row], *aspect));
+                        let at = cosines.cosine.of(mu(column, row, *aspect));
                         *texel = cosines.nodes.weights(at).iter().zip(line).map(|(w, x)| w * x).sum();
                     }
                 }

@@ -1,11 +1,16 @@
 //! How many nodes a tolerance takes.
 
+use super::rules::MOST;
 use crate::integrate::IntegrateError;
+use crate::math::lanes::LANES;
 
-/// Numbers of nodes of a kernel.
+/// Shortest panels that an effort may ask for, a twelfth of those of the finest check: so the number of panels stays bounded.
+const SHORTEST: f64 = 0.1;
+
+/// Numbers of nodes of a kernel: at least one of each, at most 96 on a panel or a ring.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// Longest panel of the sweeps, in u.
+    /// Longest panel of the sweeps, in u, at least 0.1.
     pub longest: f64,
     /// Nodes of a panel of the transmission's sweep.
     pub panel: usize,
@@ -39,6 +44,30 @@ impl Effort {
             value: format!("{tolerance:?}"),
             must: "of a glass table must be in [1e-8, 1e-2]",
         })
+    }
+
+    /// Refuses what the loops could not run as it stands: eight rings make a block, and rules have at most [`MOST`] nodes.
+    pub(super) fn check(&self) -> Result<(), IntegrateError> {
+        let Effort { longest, panel, azimuth, ring_panel, ring, near } = self;
+        let refuse = |option, value: String, must| Err(IntegrateError::Option { option, value, must });
+        if !(SHORTEST..f64::INFINITY).contains(longest) {
+            return refuse("longest", format!("{longest:?}"), "of an effort must be finite and at least 0.1");
+        }
+        for (option, count) in [("panel", *panel), ("ring", *ring)] {
+            if !(1..=MOST).contains(&count) {
+                return refuse(option, count.to_string(), "of an effort must be in [1, 96]");
+            }
+        }
+        for (option, count) in [("ring_panel", *ring_panel), ("near", *near)] {
+            if !(1..=MOST).contains(&count) || !count.is_multiple_of(LANES) {
+                return refuse(option, count.to_string(), "of an effort must be a multiple of 8 in [8, 96]");
+            }
+        }
+        if !(azimuth[0] >= 1.0 && azimuth[1] >= 0.0 && azimuth.iter().all(|x| x.is_finite())) {
+            let must = "of an effort must be finite, its first number at least 1, its second not below 0";
+            return refuse("azimuth", format!("{azimuth:?}"), must);
+        }
+        Ok(())
     }
 
     /// Half as long panels and eight more nodes on each, for checks.

@@ -24,7 +24,7 @@ pub struct GlassGrid<'a> {
     pub columns: usize,
     /// Index of refraction of every slice, in [1, 3].
     pub iors: &'a [f64],
-    /// mu in [1e-3, 1] of a column at an alpha and an index of refraction. A table is five times as fast where mu does not depend on alpha,
+    /// mu, in [`MU`](super::MU), of a column at an alpha and an index of refraction. A table is five times as fast where mu does not depend on alpha,
     /// and faster again where it is the same for all indices.
     pub mu: &'a (dyn Fn(usize, f64, f64) -> f64 + Sync),
     /// Largest absolute error of E at a texel.

@@ -10,6 +10,10 @@ use crate::data::Smith;
 use crate::integrate::{IntegrateError, Path};
 use crate::optics::ggx;
 
+/// Range of a cosine. The lower end leaves room below 1e-3, where lookups are judged, for the texel that a lookup at that edge
+/// blends with.
+pub const MU: [f64; 2] = [2e-4, 1.0];
+
 /// Below this ior - 1 the limit stands: E has slopes up to 1e5 there (at grazing, where a refraction by less than mu matters).
 const STRAIGHT: f64 = 1e-14;
 
@@ -41,7 +45,7 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// A kernel of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in [1e-3, 1] and ior in [1, 3].
+    /// A kernel of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in [`MU`] and ior in [1, 3].
     pub fn new(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
         let (effort, rules) = (Effort::of(tolerance)?, Rules::new());
         let series = rules.series(effort.ring_panel);
@@ -52,7 +56,7 @@ impl Kernel {
     pub fn finer(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
         let kernel = Kernel::new(smith, tolerance)?;
         let finer = kernel.effort.finer();
-        Ok(kernel.with(finer))
+        kernel.with(finer)
     }
 
     /// The same kernel on another compiled form of its loops: the results are the same bits.
@@ -66,9 +70,13 @@ impl Kernel {
     }
 
     /// The same kernel with other numbers of nodes: for studies of convergence.
-    pub fn with(self, effort: Effort) -> Kernel {
+    ///
+    /// # Errors
+    /// [`IntegrateError::Option`] for an effort outside what [`Effort`] states.
+    pub fn with(self, effort: Effort) -> Result<Kernel, IntegrateError> {
+        effort.check()?;
         let series = self.rules.series(effort.ring_panel);
-        Kernel { effort, series, ..self }
+        Ok(Kernel { effort, series, ..self })
     }
 
     /// R and T from both sides for every index of refraction into `out`, of the same length; returns the number of integrand
@@ -124,7 +132,7 @@ fn check(alpha: f64, mu: f64, iors: &[f64]) -> Result<(), IntegrateError> {
     if !(3.99e-4..=1.0).contains(&alpha) {
         return refuse("alpha", alpha, "is outside [4e-4, 1] of a table");
     }
-    if !(2e-4..=1.0).contains(&mu) {
+    if !(MU[0]..=MU[1]).contains(&mu) {
         return refuse("mu", mu, "is outside [2e-4, 1] of a table");
     }
     match iors.iter().find(|ior| !(1.0..=3.0).contains(*ior)) {

@@ -1,0 +1,143 @@
+//! The catalogue's hypotheses fitted to a target, beside published formulas for the same use.
+
+use super::Entry;
+use super::reflection::{Counter, Dropped, Fit, FitSet, FitStageError, formula, kept, searched};
+use super::target::{Sampled, Target, TargetSpec};
+use crate::data::{Approximation, Certificate, Cost, Form, Norm, Source};
+use crate::fit::{FitError, Hypothesis, measure_first, round_up};
+use rayon::prelude::*;
+
+/// What to fit.
+#[derive(Clone, Debug)]
+pub struct Wanted<'a> {
+    /// Quantity, use and domain.
+    pub spec: TargetSpec,
+    /// Hypotheses with free parameters.
+    pub own: &'a [Entry],
+    /// Published formulas, for comparison.
+    pub rivals: Vec<&'a Entry>,
+    /// Errors to minimise, one fit each.
+    pub norms: &'a [Norm],
+    /// Most operations of a fit; none: any.
+    pub max_ops: Option<u32>,
+}
+
+/// A target with its samples. Formulas that are affine in f0 and those that are not have different ones.
+struct Ready {
+    target: Target,
+    even: Sampled,
+    edged: Sampled,
+    measured: Sampled,
+}
+
+/// Fits and measures everything in the catalogue's order, then the rivals. A hypothesis that does not converge, or has a pole, in
+/// this domain is dropped with the reason.
+///
+/// # Errors
+/// A domain that the quantity does not have; a truth that cannot be integrated.
+pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageError> {
+    let own = parse(wanted.own.iter())?;
+    let affordable = |h: &&Hypothesis| wanted.max_ops.is_none_or(|most| h.tape().cost_ops() <= most);
+    let own: Vec<&Hypothesis> = own.iter().filter(affordable).collect();
+    let rivals = parse(wanted.rivals.iter().copied())?;
+    let mut ready: Vec<Ready> = Vec::new();
+    for hypothesis in own.iter().copied().chain(&rivals) {
+        let target = Target::new(&wanted.spec, hypothesis)?;
+        if ready.iter().all(|r| r.target != target) {
+            ready.push(Ready::new(target, counter)?);
+        }
+    }
+    let of = |h: &Hypothesis| -> Result<&Ready, FitStageError> {
+        let target = Target::new(&wanted.spec, h)?;
+        let found = ready.iter().find(|r| r.target == target);
+        found.ok_or_else(|| {
+            FitStageError::Fit(FitError::Solver { message: format!("{}: no samples", h.file()) })
+        })
+    };
+    let jobs: Vec<(Hypothesis, Norm)> =
+        own.iter().flat_map(|h| wanted.norms.iter().map(|norm| ((*h).clone(), *norm))).collect();
+    let results = jobs.par_iter().map(|(h, norm)| of(h)?.fit(h, *norm)).collect();
+    let mut dropped = Vec::<Dropped>::new();
+    let mut fits = kept(&jobs, results, &mut dropped)?;
+    for (entry, hypothesis) in wanted.rivals.iter().zip(&rivals) {
+        fits.push(of(hypothesis)?.published(entry, hypothesis)?);
+    }
+    Ok(FitSet { fits, dropped })
+}
+
+fn parse<'a>(entries: impl Iterator<Item = &'a Entry>) -> Result<Vec<Hypothesis>, FitError> {
+    entries.map(|entry| Hypothesis::parse(entry.file, entry.source)).collect()
+}
+
+impl Ready {
+    fn new(target: Target, counter: &Counter) -> Result<Ready, FitStageError> {
+        let (even, edged, measured) = (target.even()?, target.edged()?, target.measured()?);
+        counter.add(even.points.len() + edged.points.len() + measured.points.len());
+        Ok(Ready { target, even, edged, measured })
+    }
+
+    fn fit(&self, hypothesis: &Hypothesis, norm: Norm) -> Result<Fit, FitStageError> {
+        let sampled = match norm {
+            Norm::Max => &self.edged,
+            Norm::Rms => &self.even,
+        };
+        let samples = sampled.samples(hypothesis.name(), hypothesis.inputs(), None)?;
+        let found = searched(hypothesis, norm, &samples, &self.target.domain()?)?;
+        let approximation =
+            self.certified(&found.hypothesis, &found.coefficients, norm.name(), Source::Fitted)?;
+        Ok(Fit {
+            approximation,
+            hypothesis: found.hypothesis,
+            termination: Some(found.termination),
+            emitted: true,
+            wraps: None,
+        })
+    }
+
+    fn published(&self, entry: &Entry, hypothesis: &Hypothesis) -> Result<Fit, FitStageError> {
+        let source = Source::Published(entry.publication.unwrap_or_default().to_string());
+        let approximation = self.certified(hypothesis, &[], "published", source)?;
+        Ok(Fit {
+            approximation,
+            hypothesis: hypothesis.clone(),
+            termination: None,
+            emitted: false,
+            wraps: None,
+        })
+    }
+
+    /// Measures a formula at points that it was not fitted on, in f32 as emitted.
+    fn certified(
+        &self,
+        hypothesis: &Hypothesis,
+        coefficients: &[f32],
+        norm: &str,
+        source: Source,
+    ) -> Result<Approximation, FitStageError> {
+        let Sampled { points, scale, target } = &self.measured;
+        let inputs = self.measured.inputs(hypothesis.name(), hypothesis.inputs())?;
+        let (all, uniform) =
+            measure_first(hypothesis.tape(), coefficients, &inputs, scale, target, points.uniform)?;
+        let certificate = Certificate {
+            max_abs: round_up(all.max_abs, 4),
+            max_rel: round_up(all.max_rel, 4),
+            rms: uniform.rms,
+            mean: uniform.mean,
+            at: points.place(all.worst),
+            domain: self.target.ranges(),
+            precision: "f32".into(),
+            points: all.points as u64,
+        };
+        Ok(Approximation {
+            name: hypothesis.name().to_string(),
+            quantity: self.target.quantity.name.into(),
+            column: self.target.column.into(),
+            used_as: self.target.used_as,
+            smith: self.target.smith,
+            source,
+            form: Form::Formula(formula(hypothesis, coefficients, norm)),
+            certificate,
+            cost: Cost { ops: hypothesis.tape().cost_ops(), fetches: 0, bytes: 0 },
+        })
+    }
+}

@@ -1,0 +1,41 @@
+//! Fits of f0 A + B as one formula of f0.
+
+use std::collections::BTreeMap;
+
+use super::{FitSet, FitSpec, FitStageError};
+use crate::data::Use;
+use crate::effects::fitted::{self, Wanted};
+use crate::effects::reflection::catalogue::BLENDS;
+use crate::effects::reflection::{BLEND_RIVALS, Counter};
+use crate::effects::target::TargetSpec;
+use crate::effects::{Entry, Quantity};
+use crate::integrate::IntegrateError;
+
+/// The blends of the catalogue and, of the published ones, those that are `comparable` under the spec's map of roughness.
+pub fn blends(
+    spec: &FitSpec,
+    comparable: impl Fn(&&Entry) -> bool,
+    counter: &Counter,
+) -> Result<FitSet, FitStageError> {
+    let quantity = Quantity::find("ggx-reflection").ok_or(IntegrateError::NotFinite {
+        quantity: "ggx-reflection",
+        place: "the list of quantities".into(),
+    })?;
+    let range = |name: &str, range: [f64; 2]| (name.to_string(), range);
+    let wanted = Wanted {
+        spec: TargetSpec {
+            quantity,
+            column: Some("E".into()),
+            used_as: Some(Use::F0Blend),
+            smith: spec.smith,
+            alpha_map: spec.region.alpha_map,
+            domain: BTreeMap::from([range("roughness", spec.region.roughness), range("mu", spec.region.mu)]),
+            words: BTreeMap::new(),
+        },
+        own: &BLENDS,
+        rivals: BLEND_RIVALS.iter().filter(comparable).collect(),
+        norms: &spec.norms,
+        max_ops: spec.max_ops,
+    };
+    fitted::fit_all(&wanted, counter)
+}

@@ -1,0 +1,137 @@
+//! A search over forms for a quantity: the frontier of cost against certified error, each point a formula to keep.
+
+mod rivals;
+mod space;
+mod told;
+
+pub use told::{document, files, summary};
+
+use super::certificates::certificate;
+use super::{Demand, FittingError};
+use crate::data::{Certificate, Use};
+use crate::effects::target::{Sampled, Target, TargetError, TargetSpec};
+use crate::fit::search::{Progress, search};
+use crate::fit::{FitError, Hypothesis, Precision, prove_regular};
+
+/// What to search.
+#[derive(Clone, Debug)]
+pub struct SearchJob {
+    /// What the formulas should be.
+    pub spec: TargetSpec,
+    /// Most operations.
+    pub max_ops: u32,
+    /// Forms of each cost that are built upon; none: the search's own number.
+    pub width: Option<usize>,
+    /// Where forms are to be exact; none: at alpha = 0, if the truth has one value there.
+    pub demands: Vec<Demand>,
+    /// Largest error of the most accurate form that is accepted.
+    pub limit: Option<f64>,
+    /// Command that does this again.
+    pub command: String,
+}
+
+/// A form of the frontier, measured.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// The formula; its parameters start at the optimum.
+    pub hypothesis: Hypothesis,
+    /// Operations.
+    pub ops: u32,
+    /// Error in f32 at points that it was not searched on.
+    pub certificate: Certificate,
+    /// No coefficients of this form have a smaller largest error on the samples; 0 where nothing is proven.
+    pub bound: f64,
+}
+
+/// Something else that approximates the same for the same use.
+#[derive(Clone, Debug)]
+pub struct Rival {
+    /// Name.
+    pub name: String,
+    /// Operations.
+    pub ops: u32,
+    /// Largest error.
+    pub max: f64,
+    /// Root of the mean square error.
+    pub rms: f64,
+    /// Somebody else's constants; otherwise a fit of the catalogue.
+    pub published: bool,
+}
+
+/// Everything that was found.
+#[derive(Clone, Debug)]
+pub struct Searched {
+    /// What was searched for.
+    pub target: Target,
+    /// Where the forms are exact, in words; empty: nowhere.
+    pub anchor: String,
+    /// The frontier by rising cost; certified errors fall.
+    pub points: Vec<Point>,
+    /// What there was before.
+    pub rivals: Vec<Rival>,
+}
+
+impl Searched {
+    /// Beginning of the names of the files: quantity, column and use.
+    pub fn name(&self) -> String {
+        space::name(&self.target)
+    }
+
+    /// Why nothing of it is written: a limit that is passed.
+    pub fn problem(&self, limit: Option<f64>) -> Option<String> {
+        let best = self.points.iter().map(|p| p.certificate.max_abs).fold(f64::INFINITY, f64::min);
+        let limit = limit.filter(|limit| best > *limit)?;
+        Some(format!("the most accurate form has a largest error of {best}, above the limit {limit}"))
+    }
+}
+
+/// Searches, then certifies the frontier; forms that the certificate puts behind a cheaper one are dropped.
+///
+/// # Errors
+/// A target that cannot be searched; no form within the budget.
+pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, FittingError> {
+    let target = space::target(&job.spec)?;
+    if target.used_as == Use::F0Blend || target.f0.is_some() {
+        let reason =
+            "a search goes over forms of the quantity's own inputs; search E and B one by one".into();
+        return Err(TargetError::Use { used_as: target.used_as.name(), reason }.into());
+    }
+    let anchor = space::anchor(&target, &job.demands)?;
+    let space = space::space(&target, anchor.clone(), job)?;
+    let found = search(&space, &space::samples(&target)?, progress)?;
+    let measured = target.measured()?;
+    let mut points: Vec<Point> = Vec::new();
+    for form in found {
+        let coefficients: Vec<f32> = form.hypothesis.parameters().iter().map(|p| p.start).collect();
+        let exact: Vec<f64> = form.hypothesis.starts();
+        if let Err(FitError::Irregular { .. }) =
+            prove_regular(form.hypothesis.tape(), &exact, &target.domain()?)
+        {
+            // Not to be had in the whole domain: the search proves what it can, the certificate needs all.
+            continue;
+        }
+        let certificate = certified(&form.hypothesis, &coefficients, &target, &measured)?;
+        let beaten = points.iter().any(|p| p.certificate.max_abs <= certificate.max_abs);
+        if !beaten {
+            points.push(Point { hypothesis: form.hypothesis, ops: form.ops, certificate, bound: form.bound });
+        }
+    }
+    if points.is_empty() {
+        let message = format!(
+            "no form of at most {} operations is finite over the whole domain; give more --max-ops",
+            job.max_ops
+        );
+        return Err(FitError::Solver { message }.into());
+    }
+    let rivals = rivals::rivals(&target, &measured)?;
+    Ok(Searched { anchor: space::words(&target, anchor.as_ref()), target, points, rivals })
+}
+
+fn certified(
+    hypothesis: &Hypothesis,
+    coefficients: &[f32],
+    target: &Target,
+    measured: &Sampled,
+) -> Result<Certificate, FitError> {
+    certificate(hypothesis, coefficients, target, measured, Precision::F32)
+}

@@ -1,0 +1,51 @@
+//! What the catalogue has for the same quantity and use: fits of ours at their declared constants, and published formulas.
+
+use super::Rival;
+use crate::data::{AlphaMap, Smith, Use};
+use crate::effects::target::{Sampled, Target};
+use crate::effects::{reflection, sheen};
+use crate::fit::{Hypothesis, Precision};
+use crate::fitting::FittingError;
+use crate::fitting::certificates::certificate;
+
+/// How the names begin of the catalogue's formulas for a use of a quantity.
+fn prefix(target: &Target) -> Option<&'static str> {
+    match (target.quantity.name, target.column, target.used_as) {
+        ("ggx-reflection", "E", Use::Normalisation) => Some("ggx_norm_"),
+        ("ggx-reflection", "E", Use::Value) => Some("ggx_e_"),
+        ("ggx-reflection", "B", Use::Value) => Some("ggx_b_"),
+        ("ggx-average", "E_avg", Use::Value) => Some("ggx_eavg_"),
+        ("sheen-charlie", "E", Use::Value) => Some("charlie_e_"),
+        _ => None,
+    }
+}
+
+/// Measured at the same points; none where the conventions are others than the catalogue's.
+pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, FittingError> {
+    let usual = target.smith == Smith::Correlated && target.alpha_map == AlphaMap::RoughnessSquared;
+    let Some(prefix) = prefix(target).filter(|_| usual) else { return Ok(Vec::new()) };
+    let known = target.inputs();
+    let mut rivals = Vec::new();
+    for (name, source) in catalogue().filter(|(name, _)| name.starts_with(prefix)) {
+        let hypothesis = Hypothesis::parse(&format!("{name}.wgsl"), source)?;
+        if !hypothesis.inputs().iter().all(|input| known.contains(input)) {
+            continue;
+        }
+        let constants: Vec<f32> = hypothesis.parameters().iter().map(|p| p.start).collect();
+        let certificate = certificate(&hypothesis, &constants, target, measured, Precision::F32)?;
+        rivals.push(Rival {
+            name,
+            ops: hypothesis.tape().cost_ops(),
+            max: certificate.max_abs,
+            rms: certificate.rms,
+            published: constants.is_empty(),
+        });
+    }
+    Ok(rivals)
+}
+
+/// Names and sources of all catalogues.
+fn catalogue() -> impl Iterator<Item = (String, &'static str)> {
+    let sheen = sheen::RIVALS.iter().map(|entry| (entry.name().to_string(), entry.source));
+    reflection::catalogue_names().zip(reflection::catalogue_sources()).chain(sheen)
+}

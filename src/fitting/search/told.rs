@@ -1,0 +1,170 @@
+//! What is printed and written of a search.
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use super::{Point, SearchJob, Searched};
+use crate::data::Approximation;
+use crate::emit::header::{place, short};
+use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
+use crate::fit::Goal;
+use crate::fitting::document::{TOOL, as_object, hash};
+use crate::fitting::one::approximation;
+use crate::fitting::{FittingError, words};
+use crate::report::{self, Dot, Origin, SearchPage, SearchRow};
+use crate::store::Files;
+
+/// A table of the frontier, then each formula.
+pub fn summary(searched: &Searched) -> String {
+    let target = &searched.target;
+    let mut out = format!(
+        "{} {} as {}, smith {}, alpha = {}: {} forms on the frontier{}\n  {:>5}  {:>10}  {:>10}  worst at\n",
+        target.quantity.name,
+        target.column,
+        target.used_as.name(),
+        target.smith.name(),
+        target.alpha_map.name(),
+        searched.points.len(),
+        if searched.anchor.is_empty() {
+            String::new()
+        } else {
+            format!(", each exactly {}", searched.anchor)
+        },
+        "ops",
+        "max",
+        "rms"
+    );
+    for point in &searched.points {
+        let c = &point.certificate;
+        // Writing to a string cannot fail.
+        let _ =
+            writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", point.ops, c.max_abs, short(c.rms), place(&c.at));
+    }
+    let published = searched.rivals.iter().filter(|r| r.published);
+    let mut published: Vec<_> = published.collect();
+    published.sort_by_key(|r| r.ops);
+    if !published.is_empty() {
+        out += "  published, for comparison\n";
+    }
+    for rival in published {
+        let _ =
+            writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", rival.ops, rival.max, short(rival.rms), rival.name);
+    }
+    for point in &searched.points {
+        let _ = write!(out, "\n{}", file(point));
+    }
+    out
+}
+
+/// A formula as it is kept: a hypothesis file.
+fn file(point: &Point) -> String {
+    let c = &point.certificate;
+    format!(
+        "// {}: max {}, rms {}, in f32 at {} points.\n{}\n",
+        point.hypothesis.name(),
+        c.max_abs,
+        short(c.rms),
+        c.points,
+        point.hypothesis.source().trim_end()
+    )
+}
+
+fn of(point: &Point, searched: &Searched) -> Approximation {
+    let constants: Vec<f32> = point.hypothesis.parameters().iter().map(|p| p.start).collect();
+    approximation(&point.hypothesis, &constants, Goal::Max, &searched.target, point.certificate.clone())
+}
+
+/// The document for machines: `fits[]` as in a bake's manifest, by rising cost.
+///
+/// # Errors
+/// Values that JSON does not have.
+pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, FittingError> {
+    let entry = |point: &Point| {
+        let approximation = of(point, searched);
+        let entry = FitEntry::new("", searched.target.alpha_map.name(), &approximation);
+        let mut entry = entry.map_or(Ok(serde_json::Map::new()), |entry| as_object(&entry))?;
+        entry.remove("effect");
+        entry.insert("bound".into(), json!(point.bound));
+        entry.insert("file".into(), json!(format!("{}.wgsl", point.hypothesis.name())));
+        Ok(Value::Object(entry))
+    };
+    let fits: Vec<Value> = searched.points.iter().map(entry).collect::<Result<_, serde_json::Error>>()?;
+    let rival = |r: &super::Rival| json!({"name": r.name, "ops": r.ops, "max": r.max, "rms": r.rms, "published": r.published});
+    let name = searched.name();
+    let document = json!({
+        "schema_version": SCHEMA_VERSION,
+        "tool": TOOL,
+        "command": job.command,
+        "recipe": hash(&[&job.command]),
+        "anchor": searched.anchor,
+        "fits": fits,
+        "others": searched.rivals.iter().map(rival).collect::<Vec<_>>(),
+        "reports": [{"file": format!("{name}.html")}, {"file": format!("{name}.json")}],
+    });
+    let mut bytes = serde_json::to_vec_pretty(&document)?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+/// Every file: the page, the document, a hypothesis for each point of the frontier.
+///
+/// # Errors
+/// Data that the page refuses.
+pub fn files(job: &SearchJob, searched: &Searched) -> Result<Files, FittingError> {
+    let name = searched.name();
+    let mut files = Files::new();
+    files.insert(format!("{name}.html"), report::search_page(&page(job, searched))?.into_bytes());
+    files.insert(format!("{name}.json"), document(job, searched)?);
+    for point in &searched.points {
+        files.insert(format!("{}.wgsl", point.hypothesis.name()), file(point).into_bytes());
+    }
+    Ok(files)
+}
+
+fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
+    let target = &searched.target;
+    let ours = searched.points.iter().map(|p| dot(&p.ops.to_string(), p.ops, p.certificate.max_abs, false));
+    let others = searched.rivals.iter().filter(|r| r.published).map(|r| dot(&r.name, r.ops, r.max, true));
+    let mut asked = vec![
+        ("Quantity".to_string(), format!("{}, column {}", target.quantity.name, target.column)),
+        (
+            "Used as".into(),
+            format!("{}: the error is the {}", target.used_as.name(), words::metric(target.used_as)),
+        ),
+        (
+            "Conventions".into(),
+            format!("smith: {}; alpha = {}", target.smith.name(), target.alpha_map.name()),
+        ),
+        ("Most operations".into(), job.max_ops.to_string()),
+    ];
+    if !searched.anchor.is_empty() {
+        asked.push(("Exact".into(), searched.anchor.clone()));
+    }
+    let row = |point: &Point| SearchRow {
+        name: point.hypothesis.name().into(),
+        ops: point.ops,
+        bound: point.bound,
+        certificate: point.certificate.clone(),
+        source: point.hypothesis.source().into(),
+    };
+    let other = |r: &super::Rival| (r.name.clone(), r.ops, r.max, r.rms, r.published);
+    SearchPage {
+        origin: Origin {
+            scene: String::new(),
+            recipe: hash(&[&job.command]),
+            tool: env!("CARGO_PKG_VERSION").into(),
+            command: job.command.clone(),
+        },
+        name: searched.name(),
+        used_as: target.used_as,
+        asked,
+        dots: ours.chain(others).collect(),
+        rows: searched.points.iter().map(row).collect(),
+        others: searched.rivals.iter().map(other).collect(),
+    }
+}
+
+fn dot(name: &str, ops: u32, max: f64, published: bool) -> Dot {
+    Dot { name: name.into(), x: f64::from(ops), y: max, published, table: false }
+}
