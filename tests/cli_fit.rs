@@ -43,10 +43,16 @@ fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
 #[test]
 fn a_normalisation_is_fitted_certified_and_written() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = fit(folder.path(), MINE, &with(&["--out", "out", "--precision", "f32", "--precision", "f16"]));
+    let output =
+        fit(folder.path(), MINE, &with(&["--out", "out", "--precision", "f32", "--precision", "f16"]));
     assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    for words in ["3 operations", "proven over the whole domain", "furnace error |E N - 1|", "fn my_norm(alpha: f32, mu: f32)"] {
+    for words in [
+        "3 operations",
+        "proven over the whole domain",
+        "furnace error |E N - 1|",
+        "fn my_norm(alpha: f32, mu: f32)",
+    ] {
         assert!(text.contains(words), "{words}: {text}");
     }
     let extensions = ["glsl", "h", "hlsl", "html", "json", "metal", "rs", "wgsl"];
@@ -56,7 +62,17 @@ fn a_normalisation_is_fitted_certified_and_written() {
     let fit = &document["fits"][0];
     // What the contract asks of an entry of `fits[]`.
     for field in [
-        "name", "quantity", "column", "use", "smith", "function", "inputs", "hypothesis", "coefficients", "certificate", "cost",
+        "name",
+        "quantity",
+        "column",
+        "use",
+        "smith",
+        "function",
+        "inputs",
+        "hypothesis",
+        "coefficients",
+        "certificate",
+        "cost",
         "source",
     ] {
         assert!(!fit[field].is_null(), "{field}: {fit}");
@@ -86,7 +102,8 @@ fn fit_again(folder: &Path) -> Output {
 #[test]
 fn every_norm_is_better_in_its_own_measure() {
     let folder = tempfile::tempdir().expect("a folder");
-    let output = fit(folder.path(), MINE, &with(&["--json", "--norm", "max", "--norm", "rms", "--norm", "p=8"]));
+    let output =
+        fit(folder.path(), MINE, &with(&["--json", "--norm", "max", "--norm", "rms", "--norm", "p=8"]));
     let document = json(&output);
     let fits = document["fits"].as_array().expect("a list");
     let names: Vec<&str> = fits.iter().filter_map(|f| f["name"].as_str()).collect();
@@ -159,7 +176,11 @@ fn a_limit_that_is_passed_and_a_pole_that_is_not_excluded_end_with_1() {
         let x = mu - 0.123456;\n return 1.0 + c * alpha * 1e-9 / (x * x);\n}\n";
     let output = fit(folder.path(), pole, &with(&["--out", "out"]));
     assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
-    assert!(stderr(&output).contains("mine.wgsl:4:") && stderr(&output).contains("may divide by zero"), "{}", stderr(&output));
+    assert!(
+        stderr(&output).contains("mine.wgsl:4:") && stderr(&output).contains("may divide by zero"),
+        "{}",
+        stderr(&output)
+    );
     assert!(!folder.path().join("out").exists());
 }
 
@@ -168,9 +189,17 @@ fn bad_input_is_refused_with_its_place_and_nothing_is_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let cases: [(&str, &[&str], &str); 17] = [
         ("fn mine(alpha: f32 -> f32 { return alpha; }", &NORMALISATION, "mine.wgsl:1:"),
-        ("fn mine(nu: f32) -> f32 { return nu; }", &NORMALISATION, "argument `nu` is not one of roughness, mu, alpha"),
+        (
+            "fn mine(nu: f32) -> f32 { return nu; }",
+            &NORMALISATION,
+            "argument `nu` is not one of roughness, mu, alpha",
+        ),
         ("override c: f32 = 1.0;\nfn mine() -> f32 { return c; }", &NORMALISATION, "no argument"),
-        ("override c: f32 = 1.0;\nfn mine(mu: f32) -> f32 { return c * sqrt(mu - 0.5); }", &NORMALISATION, "mine.wgsl:2:"),
+        (
+            "override c: f32 = 1.0;\nfn mine(mu: f32) -> f32 { return c * sqrt(mu - 0.5); }",
+            &NORMALISATION,
+            "mine.wgsl:2:",
+        ),
         ("override c: f32 = 1.0;\nfn float4(mu: f32) -> f32 { return c * mu; }", &NORMALISATION, "float4"),
         (MINE, &["--to", "ggx-albedo"], "ggx-reflection"),
         (MINE, &["--to", "ggx-reflection:F"], "E, A, B, loss"),

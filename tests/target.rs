@@ -70,7 +70,9 @@ fn points_of_measurement_are_no_samples_and_edges_are_among_both() {
 fn scale_and_target_are_those_of_the_use() {
     let reflection = Quantity::find("ggx-reflection").expect("a quantity");
     let method = Method::Quadrature { tolerance: reflection.tolerance() };
-    let at = |sampled: &Sampled, i: usize, name: &str| f64::from(sampled.points.column(name).expect("a column")[i]);
+    let at = |sampled: &Sampled, i: usize, name: &str| {
+        f64::from(sampled.points.column(name).expect("a column")[i])
+    };
     let truth = |sampled: &Sampled, i: usize| {
         let inputs = [at(sampled, i, "alpha"), at(sampled, i, "mu")];
         let v = reflection.evaluate(Smith::Correlated, &inputs, method).expect("in the domain");
@@ -110,14 +112,17 @@ fn four_values_of_f0_stand_for_all() {
         values.dedup();
         values
     };
-    let square = |a: f64, b: f64| mean.iter().map(|x| (a + b * f64::from(*x)) * (a + b * f64::from(*x))).sum::<f64>() / 2.0;
+    let square = |a: f64, b: f64| {
+        mean.iter().map(|x| (a + b * f64::from(*x)) * (a + b * f64::from(*x))).sum::<f64>() / 2.0
+    };
     for (a, b) in [(1.0, 0.0), (0.3, -0.7), (0.0, 2.0)] {
         let exact = a * a + a * b + b * b / 3.0;
         assert!((square(a, b) - exact).abs() < 1e-6, "{a} {b}: {} {exact}", square(a, b));
     }
     let rest: BTreeSet<u32> = f0[measured.points.uniform..].iter().map(|x| x.to_bits()).collect();
     assert_eq!(rest, [0.0_f32, 1.0].iter().map(|x| x.to_bits()).collect());
-    let curved = Hypothesis::parse("f.wgsl", "fn f(mu: f32, f0: f32) -> f32 { return mu * f0 * f0; }").expect("a formula");
+    let curved = Hypothesis::parse("f.wgsl", "fn f(mu: f32, f0: f32) -> f32 { return mu * f0 * f0; }")
+        .expect("a formula");
     let target = Target::new(&spec("ggx-reflection"), &curved).expect("a target");
     assert!(!target.affine);
     let (edged, measured) = (target.edged().expect("E"), target.measured().expect("E"));
@@ -144,7 +149,11 @@ fn bad_targets_are_refused_with_the_setting() {
     let range = |input: &str, range: [f64; 2]| BTreeMap::from([(input.to_string(), range)]);
     let cases: [(TargetSpec, &str, &str); 8] = [
         (TargetSpec { column: Some("F".into()), ..spec("ggx-reflection") }, "mu", "E, A, B, loss"),
-        (TargetSpec { domain: range("mu", [0.5, 0.1]), ..spec("ggx-reflection") }, "mu", "domain mu=0.5..0.1"),
+        (
+            TargetSpec { domain: range("mu", [0.5, 0.1]), ..spec("ggx-reflection") },
+            "mu",
+            "domain mu=0.5..0.1",
+        ),
         (TargetSpec { domain: range("mu", [0.0, 1.5]), ..spec("ggx-reflection") }, "mu", "[0, 1]"),
         (TargetSpec { domain: range("ior", [1.0, 1.5]), ..spec("ggx-reflection") }, "mu", "no such input"),
         (TargetSpec { used_as: Some(Use::F0Blend), ..spec("ggx-reflection") }, "mu", "argument f0"),

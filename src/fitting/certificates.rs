@@ -30,7 +30,13 @@ pub(super) fn certificate(
     Ok(stated(&all, &uniform, measured.points.place(all.worst), target, precision))
 }
 
-fn stated(all: &Measured, uniform: &Measured, at: Place, target: &Target, precision: Precision) -> Certificate {
+fn stated(
+    all: &Measured,
+    uniform: &Measured,
+    at: Place,
+    target: &Target,
+    precision: Precision,
+) -> Certificate {
     Certificate {
         max_abs: round_up(all.max_abs, 4),
         max_rel: round_up(all.max_rel, 4),

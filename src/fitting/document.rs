@@ -168,8 +168,14 @@ fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
     let target = &fitting.target;
     let mut rows = vec![
         ("Quantity".to_string(), format!("{}, column {}", target.quantity.name, target.column)),
-        ("Used as".into(), format!("{}: the error is the {}", target.used_as.name(), words::metric(target.used_as))),
-        ("Conventions".into(), format!("smith: {}; alpha = {}", target.smith.name(), target.alpha_map.name())),
+        (
+            "Used as".into(),
+            format!("{}: the error is the {}", target.used_as.name(), words::metric(target.used_as)),
+        ),
+        (
+            "Conventions".into(),
+            format!("smith: {}; alpha = {}", target.smith.name(), target.alpha_map.name()),
+        ),
     ];
     rows.extend(target.words.iter().map(|(input, word)| (input.clone(), word.clone())));
     let domain = super::certificates::domain(target);
@@ -190,9 +196,10 @@ fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
 fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, FittingError> {
     let certificates = fit.certificates.iter().filter_map(|(_, c)| c.as_ref().ok().cloned());
     let parameters = fit.hypothesis.parameters().iter().zip(&fit.coefficients);
-    let code = job.languages.iter().map(|language| {
-        Ok((language.title().to_string(), printed::function(*language, job, fitting, fit)?))
-    });
+    let code = job
+        .languages
+        .iter()
+        .map(|language| Ok((language.title().to_string(), printed::function(*language, job, fitting, fit)?)));
     Ok(FitCard {
         name: fit.approximation.name.clone(),
         facts: facts(fit),

@@ -64,7 +64,8 @@ pub(super) fn fit_one(
     })?;
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
-    let proof = prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
+    let proof =
+        prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
     let certificates: Vec<(Precision, Result<Certificate, FitError>)> = job
         .precisions
         .iter()

@@ -68,7 +68,13 @@ impl View {
         Some(View { along, family, fixed, f0 })
     }
 
-    fn slice(&self, fit: &Certified, target: &Target, base: &[f64], f0: f64) -> Result<FitSlice, FittingError> {
+    fn slice(
+        &self,
+        fit: &Certified,
+        target: &Target,
+        base: &[f64],
+        f0: f64,
+    ) -> Result<FitSlice, FittingError> {
         let side = if target.is_dear() { DEAR_SIDE } else { SIDE };
         let along = ruler(&target.axes[self.along], side);
         let of: Vec<f64> = self.family.map_or(vec![0.0], |k| chosen(&target.axes[k]));

@@ -46,8 +46,8 @@ pub(super) fn function(
 ) -> Result<String, FittingError> {
     let lines = lines(job, fitting, fit);
     let printed = code::print(language, &fit.hypothesis, &fit.coefficients, &lines);
-    let printed = printed
-        .map_err(|source| FittingError::Code { file: fit.hypothesis.file().into(), source })?;
+    let printed =
+        printed.map_err(|source| FittingError::Code { file: fit.hypothesis.file().into(), source })?;
     Ok(printed.text)
 }
 

@@ -45,7 +45,10 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
         line(format!("  parameters   {text}"));
     }
     for held in &fit.fitted.constraints {
-        line(format!("  constraint   {}: missed by at most {:.1e} at {} points", held.name, held.worst, held.points));
+        line(format!(
+            "  constraint   {}: missed by at most {:.1e} at {} points",
+            held.name, held.worst, held.points
+        ));
     }
     match &fit.proof {
         Proof::Regular => line(
@@ -58,7 +61,11 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     let domain: Vec<String> =
         a.certificate.domain.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
     line(format!("  domain       {}", domain.join(", ")));
-    line(format!("  error        {}; {} points, none inside the domain fitted on", words::metric(a.used_as), a.certificate.points));
+    line(format!(
+        "  error        {}; {} points, none inside the domain fitted on",
+        words::metric(a.used_as),
+        a.certificate.points
+    ));
     for (precision, certificate) in &fit.certificates {
         match certificate {
             Ok(c) => line(format!(

@@ -23,7 +23,9 @@ impl Weight {
     pub fn parse(expression: &str, target: &Target) -> Result<Weight, FittingError> {
         let refuse = |reason: String| FittingError::Weight { expression: expression.into(), reason };
         if expression.contains(['{', '}', ';', '\n']) {
-            return Err(refuse("one WGSL expression is called for, such as `mu` or `1.0 / (0.1 + alpha)`".into()));
+            return Err(refuse(
+                "one WGSL expression is called for, such as `mu` or `1.0 / (0.1 + alpha)`".into(),
+            ));
         }
         let inputs = target.inputs();
         let arguments: Vec<String> = inputs.iter().map(|name| format!("{name}: f32")).collect();
@@ -45,7 +47,10 @@ impl Weight {
         }
         if let Some(i) = weights.iter().position(|w| !(w.is_finite() && *w >= 0.0)) {
             let at = crate::emit::header::place(&sampled.points.place(i));
-            return Err(refuse(format!("is {} at {at}; a weight is a finite number, 0 or above", weights[i])));
+            return Err(refuse(format!(
+                "is {} at {at}; a weight is a finite number, 0 or above",
+                weights[i]
+            )));
         }
         if weights.iter().all(|w| *w == 0.0) {
             return Err(refuse("is 0 everywhere: nothing is left to fit".into()));

@@ -38,7 +38,9 @@ pub(super) fn termination(termination: Termination) -> String {
         Termination::Converged { cosine } => {
             format!("a minimum: residuals and derivatives are orthogonal within a cosine of {cosine:.1e}")
         }
-        Termination::Minimax => "a minimum: no change near these coefficients lowers the largest error".into(),
+        Termination::Minimax => {
+            "a minimum: no change near these coefficients lowers the largest error".into()
+        }
         Termination::GlobalMinimax => "the global minimum, by proof".into(),
         Termination::Constrained => "a minimum on the edge of what the constraints allow".into(),
         Termination::ZeroResidual => "the formula reproduces the truth".into(),
@@ -62,10 +64,15 @@ pub(super) fn optimality(fitted: &Fitted) -> String {
         ),
         (Gap::Global(gap), None) => format!("global: within {} of the best of all coefficients", part(gap)),
         (Gap::Local(gap), _) if gap.is_finite() => {
-            format!("local: near these coefficients at most {} is left to gain; other minima are not excluded", part(gap))
+            format!(
+                "local: near these coefficients at most {} is left to gain; other minima are not excluded",
+                part(gap)
+            )
         }
         (Gap::Local(_), _) => "local, and no bound on what is left to gain".into(),
-        (Gap::Unknown, _) => "local: the best minimum found from the starting points; others are not excluded".into(),
+        (Gap::Unknown, _) => {
+            "local: the best minimum found from the starting points; others are not excluded".into()
+        }
     }
 }
 

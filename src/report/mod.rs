@@ -21,9 +21,9 @@ pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
-    EffectFinding, ErrorFigure, Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceFinding, FurnaceRow, Index,
-    IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SliceCurve, SourcesFinding, Study, StudySeries, TableFinding,
-    VolumeFindings, VolumeTable,
+    EffectFinding, ErrorFigure, Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace,
+    FurnaceFinding, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SliceCurve,
+    SourcesFinding, Study, StudySeries, TableFinding, VolumeFindings, VolumeTable,
 };
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,

@@ -220,7 +220,8 @@ fn faults_at_every_operation(fault: Fault, new: &Files) {
         let root = folder.path();
         write_all(root, &old_set());
         let count = Countdown::new(k, fault);
-        let result = Folder::open_on(FaultyDisk(Rc::clone(&count)), root, Layout::Bake).and_then(|mut f| f.write(new));
+        let result =
+            Folder::open_on(FaultyDisk(Rc::clone(&count)), root, Layout::Bake).and_then(|mut f| f.write(new));
         let context = format!("{fault:?} at operation {k}");
         assert_whole(root, new, &context);
         if let Err(error) = &result {
@@ -249,8 +250,8 @@ fn a_set_that_fails_leaves_no_new_folder() {
     let root = folder.path().join("a/b");
     for k in 1..500 {
         let count = Countdown::new(k, Fault::Error(io::ErrorKind::StorageFull));
-        let result =
-            Folder::open_on(FaultyDisk(Rc::clone(&count)), &root, Layout::Bake).and_then(|mut f| f.write(&new_set()));
+        let result = Folder::open_on(FaultyDisk(Rc::clone(&count)), &root, Layout::Bake)
+            .and_then(|mut f| f.write(&new_set()));
         if result.is_ok() {
             return assert_only(&root, &new_set(), "written");
         }

@@ -37,7 +37,11 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let (fitting, files) = options.threads.install(|| {
         let fitting = fitting::fit(&job)?;
-        let files = if folder.is_some() && reliable(&fitting) { fitting::files(&job, &fitting)? } else { Default::default() };
+        let files = if folder.is_some() && reliable(&fitting) {
+            fitting::files(&job, &fitting)?
+        } else {
+            Default::default()
+        };
         Ok((fitting, files))
     })?;
     show(options, &job, &fitting)?;

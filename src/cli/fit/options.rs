@@ -308,14 +308,19 @@ fn range(text: &str) -> Result<Demand, String> {
     let end = |text: &str, none: f64| if text.is_empty() { Ok(none) } else { number(text) };
     let (low, high) = (end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?);
     if low > high || (low.is_infinite() && high.is_infinite()) {
-        return Err("LOW..HIGH from the smaller to the larger is called for, at least one of them given".into());
+        return Err(
+            "LOW..HIGH from the smaller to the larger is called for, at least one of them given".into()
+        );
     }
     Ok(Demand::Range { low, high })
 }
 
 fn precision(text: &str) -> Result<Precision, String> {
     let names = Precision::ALL.map(Precision::name);
-    Precision::ALL.into_iter().find(|p| p.name() == text).ok_or_else(|| format!("one of {} is called for", names.join(", ")))
+    Precision::ALL
+        .into_iter()
+        .find(|p| p.name() == text)
+        .ok_or_else(|| format!("one of {} is called for", names.join(", ")))
 }
 
 fn alpha_map(text: &str) -> Result<AlphaMap, String> {

@@ -47,7 +47,15 @@ impl<'a> HeatMap<'a> {
             text: numbers::brief_bound(value, 2),
         });
         let shade = if field.signed { signed(field.peak()) } else { magnitude(field) };
-        HeatMap { title: title.into(), field, shade, top_down: false, worst, marks: Vec::new(), size: (220.0, 190.0) }
+        HeatMap {
+            title: title.into(),
+            field,
+            shade,
+            top_down: false,
+            worst,
+            marks: Vec::new(),
+            size: (220.0, 190.0),
+        }
     }
 
     fn cells(&self) -> Vec<u8> {

@@ -16,7 +16,9 @@ mod timings;
 mod volumes;
 mod words;
 
-use super::{AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, Timings, VolumeFindings};
+use super::{
+    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, Timings, VolumeFindings,
+};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {

@@ -51,9 +51,10 @@ fn asked(findings: &FitPage) -> Section {
 fn errors(findings: &FitPage, fit: &FitCard) -> Result<Section, ReportError> {
     let section = format!("fit {}", fit.name);
     check::filled(&section, "certificates", fit.certificates.len())?;
-    let constants = fit.coefficients.iter().map(|(name, start, value)| {
-        vec![name.clone(), value.to_string(), start.to_string()]
-    });
+    let constants = fit
+        .coefficients
+        .iter()
+        .map(|(name, start, value)| vec![name.clone(), value.to_string(), start.to_string()]);
     let mut blocks = vec![
         Block::Table(certificates(findings, fit)),
         Block::Facts { rows: vec![("Cost".into(), words::operations(fit.ops))] },
@@ -67,7 +68,9 @@ fn errors(findings: &FitPage, fit: &FitCard) -> Result<Section, ReportError> {
     Ok(Section {
         id: anchor(fit, "error"),
         title: format!("{}: error and constants", fit.name),
-        lead: "Measured after the constants were rounded to f32, at points that the formula was not fitted on.".into(),
+        lead:
+            "Measured after the constants were rounded to f32, at points that the formula was not fitted on."
+                .into(),
         blocks,
     })
 }
@@ -219,7 +222,11 @@ fn worst_places(slice: &FitSlice) -> Option<TextTable> {
         [(words::symbol(&field.x.name), true), (words::symbol(&field.y.name), true), ("signed error", true)];
     let row = |&(x, y, value): &(f64, f64, f64)| vec![brief(x, 3), brief(y, 3), significant(value, 3)];
     let rows = slice.worst.iter().map(row).collect();
-    Some(words::table(&columns, rows, "The worst places of the map, those that are marked: each the largest of its surroundings."))
+    Some(words::table(
+        &columns,
+        rows,
+        "The worst places of the map, those that are marked: each the largest of its surroundings.",
+    ))
 }
 
 fn solver(fit: &FitCard) -> Section {
@@ -234,7 +241,9 @@ fn solver(fit: &FitCard) -> Section {
     Section {
         id: anchor(fit, "search"),
         title: format!("{}: what the solver did", fit.name),
-        lead: "How the search ended, how far from the best possible the constants can be, and what is proven.".into(),
+        lead:
+            "How the search ended, how far from the best possible the constants can be, and what is proven."
+                .into(),
         blocks,
     }
 }
