@@ -23,7 +23,6 @@ pub(super) struct Spelling {
     strict: bool,
 }
 
-/// In HLSL and GLSL a `const` has a constant for its value, or had in older versions.
 const HLSL: Spelling = Spelling {
     linkage: "",
     suffix: "f",
@@ -31,6 +30,7 @@ const HLSL: Spelling = Spelling {
     truth: ["bool", "false", "true"],
     strict: false,
 };
+/// A `const` had a constant for its value before GLSL 4.20.
 const GLSL: Spelling = Spelling { suffix: "", constant: "", ..HLSL };
 const MSL: Spelling = Spelling { linkage: "inline ", ..HLSL };
 /// C99 has its `bool` in another header, and C++ has none of C99's `_Bool`.
