@@ -1,6 +1,8 @@
 //! Tables of three axes, and of sheen, with the defects that published ones have.
 
-use lobefit::audit::{Audit, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit};
+use lobefit::audit::{
+    Audit, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
+};
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
 use lobefit::foreign::Step;
@@ -11,7 +13,14 @@ use lobefit::integrate::sheen;
 
 fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> Shipped {
     let channels = vec![ShippedChannel { name: "0".into(), values }];
-    Shipped { what: what.into(), size: size.to_vec(), axes: Shipped::axes_of(size.len()), source: Source::Table, channels, step: Step::None }
+    Shipped {
+        what: what.into(),
+        size: size.to_vec(),
+        axes: Shipped::axes_of(size.len()),
+        source: Source::Table,
+        channels,
+        step: Step::None,
+    }
 }
 
 fn run(shipped: &Shipped, quantity: &str, pins: &Pins) -> Audit {

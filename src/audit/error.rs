@@ -83,7 +83,9 @@ pub enum AuditError {
         value: f64,
     },
     /// A function of which the arguments do not tell the inputs.
-    #[error("{function}: the arguments {names} are left for {inputs} inputs; give --set NAME=VALUE to those that are none")]
+    #[error(
+        "{function}: the arguments {names} are left for {inputs} inputs; give --set NAME=VALUE to those that are none"
+    )]
     Arguments {
         /// Function.
         function: String,

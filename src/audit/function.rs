@@ -25,16 +25,18 @@ pub fn sampled(
         let reason = format!("{} has the arguments {}", function.name, function.inputs.join(", "));
         return Err(AuditError::Option { option: "--set", value: format!("{name}={value}"), reason });
     }
-    let free: Vec<usize> = (0..function.inputs.len()).filter(|i| given(&function.inputs[*i]).is_none()).collect();
-    let blended: Vec<usize> = free
-        .iter()
-        .copied()
-        .filter(|i| free.len() > inputs && is_f0(&function.inputs[*i]))
-        .collect();
+    let free: Vec<usize> =
+        (0..function.inputs.len()).filter(|i| given(&function.inputs[*i]).is_none()).collect();
+    let blended: Vec<usize> =
+        free.iter().copied().filter(|i| free.len() > inputs && is_f0(&function.inputs[*i])).collect();
     let axes: Vec<usize> = free.into_iter().filter(|i| !blended.contains(i)).collect();
     if axes.len() != inputs || !(1..=3).contains(&inputs) {
         let names: Vec<&str> = axes.iter().map(|i| function.inputs[*i].as_str()).collect();
-        return Err(AuditError::Arguments { function: function.name.clone(), names: names.join(", "), inputs });
+        return Err(AuditError::Arguments {
+            function: function.name.clone(),
+            names: names.join(", "),
+            inputs,
+        });
     }
     let n = PLACES[inputs - 1];
     let size = vec![n; inputs];

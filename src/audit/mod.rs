@@ -408,7 +408,11 @@ fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[D
         return Fit::Whole;
     }
     let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
-    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() { Fit::Part } else { Fit::None }
+    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() {
+        Fit::Part
+    } else {
+        Fit::None
+    }
 }
 
 /// The inputs of a texel.

@@ -50,7 +50,12 @@ fn word(fit: Fit) -> &'static str {
 fn convention(audit: &Audit, tried: &Tried) -> AuditConvention {
     let held = audit.channels.iter().zip(&tried.convention.columns).zip(&tried.misfits);
     AuditConvention {
-        axes: audit.axes.iter().zip(&tried.convention.axes).map(|(name, a)| axis(audit.source, name, a)).collect(),
+        axes: audit
+            .axes
+            .iter()
+            .zip(&tried.convention.axes)
+            .map(|(name, a)| axis(audit.source, name, a))
+            .collect(),
         lobe: tried.convention.lobe.words(),
         channels: held
             .filter_map(|((c, column), misfit)| {
@@ -95,7 +100,11 @@ fn channel(audit: &Audit, c: &ChannelAudit) -> Option<AuditChannel> {
             judged: e.texels[0],
             all: e.texels[1],
         },
-        defects: c.defects.iter().map(|d| AuditDefect { kind: kind(d).into(), text: sentence(d, &audit.axes) }).collect(),
+        defects: c
+            .defects
+            .iter()
+            .map(|d| AuditDefect { kind: kind(d).into(), text: sentence(d, &audit.axes) })
+            .collect(),
         lookup: c.lookup.as_ref().map(lookup),
         plain_lookup: c.plain_lookup.as_ref().map(lookup),
         maps: maps(audit, c),

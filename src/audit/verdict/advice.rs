@@ -28,11 +28,13 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
 
 fn mending(defect: &Defect) -> Option<&'static str> {
     match defect {
-        Defect::Part { .. } => {
-            Some("make the table again: a part made by other code, at another time or with too few samples looks like this")
-        }
+        Defect::Part { .. } => Some(
+            "make the table again: a part made by other code, at another time or with too few samples looks like this",
+        ),
         Defect::Clamped { .. } => Some("store it in a format that holds values beyond the clamp"),
-        Defect::MissingLoss { .. } => Some("make the loss again by quadrature or by sampling visible normals"),
+        Defect::MissingLoss { .. } => {
+            Some("make the loss again by quadrature or by sampling visible normals")
+        }
         _ => None,
     }
 }

@@ -15,7 +15,8 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
                 })
             };
             let ranges: Vec<String> = axes.iter().zip(range).zip(size).filter_map(along).collect();
-            let place = if ranges.is_empty() { String::new() } else { format!(", all at {}", ranges.join(", ")) };
+            let place =
+                if ranges.is_empty() { String::new() } else { format!(", all at {}", ranges.join(", ")) };
             format!(
                 "{off} of {all} texels are off by more than {}, on average {} {}{place}; the others are not.",
                 number(*over),
@@ -24,7 +25,11 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
             )
         }
         Defect::Bias { mean } => {
-            format!("The error is mostly a bias: values are {} {} on average.", number(mean.abs()), way(*mean))
+            format!(
+                "The error is mostly a bias: values are {} {} on average.",
+                number(mean.abs()),
+                way(*mean)
+            )
         }
         Defect::Clamped { value, texels, truth } => format!(
             "{texels} values stand at {} where the truth goes on to {}: clamped.",

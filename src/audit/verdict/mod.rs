@@ -42,9 +42,9 @@ fn opening(audit: &Audit) -> String {
         Fit::Part => format!(
             "{name} fits no convention{given} as a whole. It is nearest to {reading}, which most of it fits."
         ),
-        Fit::None => format!(
-            "{name} fits no convention{given}. The nearest, which it does not follow, is {reading}."
-        ),
+        Fit::None => {
+            format!("{name} fits no convention{given}. The nearest, which it does not follow, is {reading}.")
+        }
     }
 }
 
@@ -60,8 +60,12 @@ fn doubt(audit: &Audit) -> String {
     if let Some(second) = audit.tried[1..].iter().find(apart) {
         let (times, other) = (number(audit.margin), other(&second.convention));
         out += &match audit.margin {
-            m if m >= CLEAR => format!("This is in no doubt: the next convention ({other}) fits {times} times worse."),
-            m if m >= 1.2 => format!("This is likely: the next convention ({other}) fits {times} times worse."),
+            m if m >= CLEAR => {
+                format!("This is in no doubt: the next convention ({other}) fits {times} times worse.")
+            }
+            m if m >= 1.2 => {
+                format!("This is likely: the next convention ({other}) fits {times} times worse.")
+            }
             _ => format!("This is open: another convention ({other}) fits nearly as well."),
         };
     }
@@ -72,7 +76,10 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     let e = channel.errors.as_ref()?;
     let column = channel.column?.name();
     let part = if e.texels[0] < e.texels[1] {
-        format!(" ({} of {} texels judged, the rest lies where the truth is not to be had)", e.texels[0], e.texels[1])
+        format!(
+            " ({} of {} texels judged, the rest lies where the truth is not to be had)",
+            e.texels[0], e.texels[1]
+        )
     } else {
         String::new()
     };
@@ -81,7 +88,10 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
         Source::Function => format!("Over {} evenly spaced points", e.texels[0]),
     };
     if e.max <= 2.0 * audit.truth_error {
-        return Some(format!("{where_} {column} is exact to the accuracy of the truth, {}{part}.", number(audit.truth_error)));
+        return Some(format!(
+            "{where_} {column} is exact to the accuracy of the truth, {}{part}.",
+            number(audit.truth_error)
+        ));
     }
     // Half the last place of a single.
     if e.max <= 6e-8 * e.value.abs().max(1.0) {

@@ -1,9 +1,9 @@
 //! Conventions and numbers in words.
 
+use crate::audit::Audit;
 use crate::audit::axis::{AxisReading, Input};
 use crate::audit::convention::Convention;
 use crate::audit::shipped::Source;
-use crate::audit::Audit;
 use crate::data::Place;
 
 /// `ggx-reflection holding E (the albedo), of separable Smith, with mu along x at texel centres, ...`.
