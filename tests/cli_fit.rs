@@ -292,3 +292,88 @@ fn a_search_that_makes_no_sense_is_refused() {
         assert_eq!((output.status.code(), said.contains(words)), (Some(2), true), "{options:?}: {said}");
     }
 }
+
+/// Every constraint: held where it is asked for, told in the JSON, and not for free.
+#[test]
+fn constraints_are_held_and_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let cubic = "override a: f32 = 1.0;\noverride b: f32 = -0.2;\noverride c: f32 = -0.2;\noverride d: f32 = 0.1;\noverride e: f32 = 0.1;\n\
+        fn cubic(roughness: f32, alpha: f32, mu: f32) -> f32 {\n\
+        return a + b * roughness + c * mu + d * alpha + e * mu * roughness;\n}\n";
+    let free = first(&fit(folder.path(), cubic, &["--to", "ggx-reflection:E", "--json"]));
+    let cases: [(&[&str], usize); 5] = [
+        (&["--exact", "alpha=0"], 1),
+        (&["--exact", "mu=1:0.9"], 1),
+        (&["--range", "0.4..1.05"], 2),
+        (&["--falling", "roughness"], 1),
+        (&["--rising", "mu", "--norm", "rms"], 1),
+    ];
+    for (options, count) in cases {
+        let output = fit(folder.path(), cubic, &[&["--to", "ggx-reflection:E", "--json"], options].concat());
+        assert_eq!(output.status.code(), Some(0), "{options:?}: {}", stderr(&output));
+        let bound = first(&output);
+        let held = bound["constraints"].as_array().expect("a list");
+        assert_eq!(held.len(), count, "{options:?}: {bound}");
+        for constraint in held {
+            let figure = |name: &str| constraint[name].as_f64().expect("a number");
+            assert!(figure("worst") <= figure("tolerance"), "{options:?}: {constraint}");
+        }
+        if !options.contains(&"rms") {
+            assert!(error(&bound) >= error(&free) * 0.999, "{options:?}: {bound}");
+        }
+    }
+}
+
+/// exact at alpha = 0 and the value 0.5 there: no constants obey both.
+#[test]
+fn constraints_that_contradict_one_another_are_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--to", "ggx-reflection:E", "--exact", "alpha=0", "--exact", "alpha=0:0.5"];
+    let output = fit(folder.path(), PLANE, &options);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("alpha = 0"), "{said}");
+}
+
+/// A formula with one parameter too many: a fit, and which parameter is told.
+#[test]
+fn parameters_that_coincide_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let twice = "override a: f32 = 1.0;\noverride b: f32 = 1.0;\nfn twice(alpha: f32, mu: f32) -> f32 { return 1.0 + (a + b) * alpha * alpha * mu; }\n";
+    let output = fit(folder.path(), twice, &with(&["--json"]));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let fit = first(&output);
+    assert_eq!(fit["solver"]["rank"], 1, "{fit}");
+    let told = fit["solver"]["undetermined"].to_string();
+    assert!(told.contains("`a`") && told.contains("`b`"), "{told}");
+}
+
+/// A rational form has the best of all constants, by proof.
+#[test]
+fn the_optimum_of_a_linear_form_is_global() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let fit = first(&fit(folder.path(), MINE, &with(&["--json"])));
+    assert_eq!(fit["solver"]["optimality"], "global", "{fit}");
+    let (bound, value) = (fit["solver"]["bound"].as_f64(), fit["solver"]["value"].as_f64());
+    assert!(
+        bound.expect("a bound") <= value.expect("a value")
+            && bound.expect("a bound") > 0.99 * value.expect("a value"),
+        "{fit}"
+    );
+}
+
+/// The folder may hold anything: other files stay, and a manifest of somebody else's is no obstacle.
+#[test]
+fn other_files_of_the_folder_are_left_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("out");
+    std::fs::create_dir(&out).expect("created");
+    for (name, text) in [("manifest.json", "not JSON"), ("my_norm.txt", "mine")] {
+        std::fs::write(out.join(name), text).expect("written");
+    }
+    let output = fit(folder.path(), MINE, &with(&["--out", "out", "--language", "wgsl,c", "--quiet"]));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let all = ["manifest.json", "my_norm.h", "my_norm.html", "my_norm.json", "my_norm.txt", "my_norm.wgsl"];
+    assert_eq!(names(&out), all);
+    assert_eq!(std::fs::read_to_string(out.join("manifest.json")).expect("read"), "not JSON");
+}

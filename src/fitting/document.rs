@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::{Certified, Demand, Fitting, FittingError, Job, Proof, pictures, printed, words};
 use crate::data::Certificate;
+use crate::effects::target::Target;
 use crate::emit::code::Language;
 use crate::emit::header::Recipe;
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
@@ -169,18 +170,14 @@ fn page(job: &Job, fitting: &Fitting) -> Result<FitPage, FittingError> {
     })
 }
 
-fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
-    let target = &fitting.target;
+/// What a target is, as names and values.
+pub(super) fn of_target(target: &Target) -> Vec<(String, String)> {
+    let used_as = format!("{}, judged by the {}", target.used_as.name(), words::metric(target.used_as));
+    let conventions = format!("smith: {}; alpha = {}", target.smith.name(), target.alpha_map.name());
     let mut rows = vec![
         ("Quantity".to_string(), format!("{}, column {}", target.quantity.name, target.column)),
-        (
-            "Used as".into(),
-            format!("{}: the error is the {}", target.used_as.name(), words::metric(target.used_as)),
-        ),
-        (
-            "Conventions".into(),
-            format!("smith: {}; alpha = {}", target.smith.name(), target.alpha_map.name()),
-        ),
+        ("Used as".into(), used_as),
+        ("Conventions".into(), conventions),
     ];
     rows.extend(target.words.iter().map(|(input, word)| (input.clone(), word.clone())));
     let domain = target.ranges();
@@ -188,6 +185,11 @@ fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
         domain.iter().map(|(name, [low, high])| format!("{name} {low} to {high}")).collect();
     rows.push(("Domain".into(), domain.join(", ")));
     rows.push(("Truth".into(), format!("within {:e}", target.truth_error())));
+    rows
+}
+
+fn asked(job: &Job, fitting: &Fitting) -> Vec<(String, String)> {
+    let mut rows = of_target(&fitting.target);
     let goals: Vec<String> = job.goals.iter().map(|goal| words::minimised(*goal)).collect();
     rows.push(("Minimised".into(), goals.join("; ")));
     rows.extend(job.weight.iter().map(|weight| ("Weight".to_string(), weight.clone())));

@@ -87,7 +87,7 @@ impl View {
         let family = self.family.map(|k| &target.axes[k]);
         let at = self.fixed_inputs(target, base, f0);
         let mut slice = FitSlice {
-            at: at.iter().map(|(name, x)| format!("{name} {x}")).collect::<Vec<_>>().join(", "),
+            at: at.iter().map(|(name, x)| format!("{name} = {x}")).collect::<Vec<_>>().join(", "),
             value: value(target),
             along: along.clone(),
             family: family.map_or(String::new(), |axis| axis.name.clone()),

@@ -9,9 +9,9 @@ use crate::data::Approximation;
 use crate::emit::header::{place, short};
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
 use crate::fit::Goal;
-use crate::fitting::document::{TOOL, as_object, hash};
+use crate::fitting::FittingError;
+use crate::fitting::document::{TOOL, as_object, hash, of_target};
 use crate::fitting::one::approximation;
-use crate::fitting::{FittingError, words};
 use crate::report::{self, Dot, Origin, SearchPage, SearchRow};
 use crate::store::Files;
 
@@ -126,18 +126,8 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
     let target = &searched.target;
     let ours = searched.points.iter().map(|p| dot(&p.ops.to_string(), p.ops, p.certificate.max_abs, false));
     let others = searched.rivals.iter().filter(|r| r.published).map(|r| dot(&r.name, r.ops, r.max, true));
-    let mut asked = vec![
-        ("Quantity".to_string(), format!("{}, column {}", target.quantity.name, target.column)),
-        (
-            "Used as".into(),
-            format!("{}: the error is the {}", target.used_as.name(), words::metric(target.used_as)),
-        ),
-        (
-            "Conventions".into(),
-            format!("smith: {}; alpha = {}", target.smith.name(), target.alpha_map.name()),
-        ),
-        ("Most operations".into(), job.max_ops.to_string()),
-    ];
+    let mut asked = of_target(target);
+    asked.push(("Most operations".into(), job.max_ops.to_string()));
     if !searched.anchor.is_empty() {
         asked.push(("Exact".into(), searched.anchor.clone()));
     }

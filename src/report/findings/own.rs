@@ -48,7 +48,7 @@ pub struct FitCard {
 /// Truth and fit where all inputs but two are fixed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FitSlice {
-    /// The inputs that are fixed: `f0 0.5`; empty where there is none.
+    /// The inputs that are fixed: `f0 = 0.5`; empty where there is none.
     pub at: String,
     /// What truth and fit are: `N = 1/E`, `E`.
     pub value: String,

@@ -97,7 +97,7 @@ fn certificates(findings: &FitPage, fit: &FitCard) -> TextTable {
         ]
     };
     let caption = format!(
-        "The error is the {}. Maxima are rounded up; RMS and mean are over points uniform in the inputs. Inputs are rounded to \
+        "Judged by the {}. Maxima are rounded up; RMS and mean are over points uniform in the inputs. Inputs are rounded to \
          the arithmetic that is measured.",
         words::metric(findings.used_as)
     );
