@@ -3,7 +3,7 @@
 mod fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{Domain, FitError, prove_regular};
+use lobefit::fit::{Domain, FitError, RangeProof, prove_range, prove_regular};
 
 fn domain() -> Domain {
     Domain::new(&[("roughness", 0.02, 1.0), ("mu", 0.0, 1.0)])
@@ -95,4 +95,26 @@ fn domains_are_checked() {
     assert_eq!(columns[0], [(0.3f32 * 0.3) * (0.3 * 0.3), (0.4f32 * 0.4) * (0.4 * 0.4)]);
     let missing = domain.columns("f", &["mu".to_string()], &[vec![0.3]]).unwrap_err();
     assert_eq!(missing.to_string(), "f: input mu is not one of roughness, alpha");
+}
+
+#[test]
+fn ranges_are_proven_refuted_or_left_open() {
+    let range = |body: &str, lo: f64, hi: f64| {
+        let h = parse(&format!("fn f(roughness: f32, alpha: f32, mu: f32) -> f32 {{ return {body}; }}"));
+        prove_range(h.tape(), &[], &domain(), lo, hi).unwrap()
+    };
+    // x - x^2 <= 1/4: naive intervals give [-1, 1], the subdivision does better.
+    assert_eq!(range("mu - mu * mu", -1e-6, 0.2501), RangeProof::Proven);
+    assert_eq!(range("1.0 + alpha * mu / (alpha + mu)", 0.999, 2.0), RangeProof::Proven);
+    assert_eq!(range("saturate(3.0 * mu - 1.0)", 0.0, 1.0), RangeProof::Proven);
+    assert_eq!(range("exp(mu)", 0.0, f64::INFINITY), RangeProof::Proven);
+    let RangeProof::Violated { at, value } = range("mu - mu * mu", -1e-6, 0.2) else { panic!() };
+    assert!(value > 0.2 && at.contains("mu = 0.5"), "{at} {value}");
+    // It touches 1/4 from below: rounding decides, and intervals are wider than that.
+    let RangeProof::Open { at } = range("mu - mu * mu", -1.0, 0.25) else { panic!() };
+    assert!(at.contains("mu = 0.") && at.contains(".."), "{at}");
+    let h = parse("fn f(mu: f32) -> f32 { return mu; }");
+    let error = prove_range(h.tape(), &[], &domain(), 1.0, 0.0).unwrap_err();
+    assert_eq!(error.to_string(), "domain: input value of f: 1 .. 0 is not a range of values");
+    assert!(prove_range(h.tape(), &[1.0], &domain(), 0.0, 1.0).is_err());
 }

@@ -3,7 +3,7 @@
 //!
 //! [`Hypothesis`] parses a formula and refuses what the dialect leaves out; [`Tape`] evaluates it in f64 and f32,
 //! with derivatives and over intervals, and counts its operations; [`prove_regular`] proves that it has no pole in
-//! a [`Domain`]; [`optimise`] finds its coefficients, [`rational`] the
+//! a [`Domain`], [`prove_range`] that its values stay in a range; [`optimise`] finds its coefficients, [`rational`] the
 //! globally best ones of forms that are a quotient of linear ones; [`measure`] certifies them in f32, as emitted. [`texels`] does for
 //! tables what [`optimise`] does for formulas.
 
@@ -11,6 +11,7 @@ mod certify;
 mod domain;
 mod error;
 mod hypothesis;
+mod range;
 pub mod rational;
 mod regular;
 pub mod search;
@@ -26,6 +27,7 @@ pub use hypothesis::{
     Binary, Builtin, Expr, ExprKind, Formula, Function, Hypothesis, Kind, Limits, Parameter, Statement,
     Unary, Variable, power_steps,
 };
+pub use range::{RangeProof, prove_range};
 pub use regular::prove_regular;
 pub use solve::{
     Condition, Constraint, Fitted, Gap, Goal, Held, Method, Norm, Options, Samples, Stage, Termination,

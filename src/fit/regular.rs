@@ -103,12 +103,12 @@ fn hazard(tape: &Tape, node: usize, bounds: &[Interval]) -> Option<(Node, &'stat
     wrong.or(endless.then_some((node as Node, "may overflow")))
 }
 
-fn middle(x: Interval) -> f64 {
+pub(super) fn middle(x: Interval) -> f64 {
     f64::from((0.5 * (x.lo + x.hi)) as f32)
 }
 
 /// The operations that one is computed from, itself included.
-fn cone(tape: &Tape, node: Node) -> Vec<usize> {
+pub(super) fn cone(tape: &Tape, node: Node) -> Vec<usize> {
     let mut inside = vec![false; tape.ops().len()];
     inside[node as usize] = true;
     for node in (0..=node as usize).rev() {
@@ -120,15 +120,15 @@ fn cone(tape: &Tape, node: Node) -> Vec<usize> {
 }
 
 /// Width of the operand in danger, and the sum of the widths of all that it is computed from.
-type Widths = (f64, f64);
+pub(super) type Widths = (f64, f64);
 
 /// A box, halved.
-type Halves = (Vec<Interval>, Vec<Interval>);
+pub(super) type Halves = (Vec<Interval>, Vec<Interval>);
 
 /// The two halves of a box along the axis that bounds the operand in danger best; where that is equal (the operand
 /// is clamped, or without bounds), along the one that bounds best what it is computed from; then along the side
 /// that is longest against its distance from 0. None if the box is as small as boxes get.
-fn divide(
+pub(super) fn divide(
     region: &[Interval],
     whole: &[Interval],
     widths: impl Fn(&[Interval]) -> Result<Widths, FitError>,
@@ -159,11 +159,9 @@ fn halves(region: &[Interval], axis: usize) -> Halves {
     (low, high)
 }
 
-fn irregular(tape: &Tape, domain: &Domain, region: &[Interval], danger: &Danger) -> FitError {
-    let inputs = match domain.intervals(tape.function(), tape.inputs(), region) {
-        Ok(inputs) => inputs,
-        Err(error) => return error,
-    };
+/// A box in the formula's own inputs: `alpha = 0.1 .. 0.2, mu = 0.5`.
+pub(super) fn describe(tape: &Tape, domain: &Domain, region: &[Interval]) -> Result<String, FitError> {
+    let inputs = domain.intervals(tape.function(), tape.inputs(), region)?;
     let range = |(name, x): (&String, &Interval)| {
         if x.lo == x.hi {
             format!("{name} = {}", x.lo as f32)
@@ -172,7 +170,14 @@ fn irregular(tape: &Tape, domain: &Domain, region: &[Interval], danger: &Danger)
         }
     };
     let at: Vec<String> = tape.inputs().iter().zip(&inputs).map(range).collect();
-    let at = if at.is_empty() { "every point".to_string() } else { at.join(", ") };
+    Ok(if at.is_empty() { "every point".to_string() } else { at.join(", ") })
+}
+
+fn irregular(tape: &Tape, domain: &Domain, region: &[Interval], danger: &Danger) -> FitError {
+    let at = match describe(tape, domain, region) {
+        Ok(at) => at,
+        Err(error) => return error,
+    };
     let place = Box::new(tape.place(danger.node).clone());
     FitError::Irregular { place, function: tape.function().to_string(), hazard: danger.hazard, at }
 }
