@@ -3,8 +3,8 @@
 //!
 //! [`Hypothesis`] parses a formula and refuses what the dialect leaves out; [`Tape`] evaluates it in f64 and f32,
 //! with derivatives and over intervals, and counts its operations; [`prove_regular`] proves that it has no pole in
-//! a [`Domain`]; [`optimise`] finds its coefficients, [`rational`] the
-//! globally best ones of forms that are a quotient of linear ones; [`measure`] certifies them in f32, as emitted. [`texels`] does for
+//! a [`Domain`]; [`optimise`] finds its coefficients, [`rational`] the globally best ones of forms that are a quotient
+//! of linear ones, [`mod@search`] the forms themselves; [`measure`] certifies them in f32, as emitted. [`texels`] does for
 //! tables what [`optimise`] does for formulas.
 
 mod certify;
