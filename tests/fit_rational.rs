@@ -139,7 +139,7 @@ fn q13(samples: &Samples) -> Rational {
 fn it_agrees_with_the_local_solver_and_never_exceeds_it() {
     let hypothesis = hypothesis("ggx_norm_q13");
     let samples = furnace(&hypothesis, 48, true);
-    let local = optimise(&hypothesis, &samples, &Options::new(Norm::Max)).unwrap();
+    let local = optimise(&hypothesis, &samples, &[], &Options::new(Norm::Max)).unwrap();
     let problem = q13(&samples);
     let global = best(&problem);
     println!("{global:?}\n{local:?}");
