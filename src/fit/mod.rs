@@ -4,7 +4,7 @@
 //! [`Hypothesis`] parses a formula and refuses what the dialect leaves out; [`Tape`] evaluates it in f64 and f32,
 //! with derivatives and over intervals, and counts its operations; [`prove_regular`] proves that it has no pole in
 //! a [`Domain`], [`prove_range`] that its values stay in a range; [`optimise`] finds its coefficients, [`rational`] the
-//! globally best ones of forms that are a quotient of linear ones; [`measure`] certifies them in f32, as emitted. [`texels`] does for
+//! globally best ones of forms that are a quotient of linear ones, [`mod@search`] the forms themselves; [`measure`] certifies them in f32, as emitted. [`texels`] does for
 //! tables what [`optimise`] does for formulas.
 
 mod certify;

@@ -83,7 +83,7 @@ impl Form {
                     Form { over: terms, ..self.clone() }
                 }
             };
-            for term in additions(space, terms, &self.over, &self.under, slots) {
+            for term in additions(terms, &self.over, &self.under, slots) {
                 found.push(with(terms.iter().copied().chain([term]).collect()));
             }
             for k in 0..terms.len() {
@@ -141,8 +141,8 @@ impl Form {
     }
 }
 
-/// Terms that may be added: one step from a term there is, of either sum, and low powers.
-fn additions(space: &Space, terms: &[Term], over: &[Term], under: &[Term], slots: usize) -> Vec<Term> {
+/// Terms that may be added: those of either sum, and those one or two steps from one.
+fn additions(terms: &[Term], over: &[Term], under: &[Term], slots: usize) -> Vec<Term> {
     let mut found: Vec<Term> = Vec::new();
     for term in over.iter().chain(under) {
         found.push(*term);
@@ -151,7 +151,6 @@ fn additions(space: &Space, terms: &[Term], over: &[Term], under: &[Term], slots
             found.extend(steps(&one, slots));
         }
     }
-    let _ = space;
     found.sort_unstable();
     found.dedup();
     found.retain(|t| !terms.contains(t));
