@@ -7,8 +7,12 @@ mod fit_support;
 
 use code_support::{INPUTS, POINTS, all, points, starts, values};
 use emit_support::compilers::{Contraction, Target, glslang, includes_in_cpp, loops, run};
+use emit_support::languages::{FAMILY, compile};
+use emit_support::programs::compile_library;
 use emit_support::say;
+use fit_support::parse;
 use lobefit::emit::code::{Language, Printed, print};
+use lobefit::emit::comment::comment;
 use lobefit::fit::Hypothesis;
 
 /// How far, in ulp, functions may lie from the tape whose transcendental functions are the platform's.
@@ -76,6 +80,53 @@ fn c_is_included_from_cpp() {
 fn shaders_read_as_cpp_return_the_bits_of_the_tape() {
     for language in [Language::Hlsl, Language::Glsl, Language::Msl] {
         compare(language, &all(), TRANSCENDENTAL);
+    }
+}
+
+/// Lines that would end a comment, swallow the line after it, or hide what it is.
+const HOSTILE: [&str; 16] = [
+    "a line\nfloat x = 1.0f;",
+    "carriage\rreturn",
+    "next\u{85}line",
+    "separators\u{2028}float x;\u{2029}",
+    "feed\u{0c}and\u{0b}tab\t",
+    "end */ of a comment",
+    "/* start of one",
+    "// another //",
+    "#include <none.h>",
+    "*/ fn evil() {} /*",
+    "right \u{202e}to\u{202c} left \u{2066}isolated",
+    "\u{200f}\u{feff}marked",
+    "nothing\0",
+    "trigraph ??/",
+    "splice and blanks \\ \t ",
+    "splice \\",
+];
+
+#[test]
+fn hostile_comments_change_nothing() {
+    let hypothesis = parse("fn two_inputs(x: f32, y: f32) -> f32 { return x - 0.25 * y; }");
+    // One of them is the last before the function: the first, and each of those that might splice.
+    for last in [0, HOSTILE.len() - 3, HOSTILE.len() - 2, HOSTILE.len() - 1] {
+        let mut header: Vec<String> = HOSTILE.iter().map(ToString::to_string).collect();
+        header.swap(last, HOSTILE.len() - 1);
+        let text = |language| {
+            let printed = print(language, &hypothesis, &[], &header).unwrap().text;
+            assert_eq!(printed.lines().count(), HOSTILE.len() + 3, "{printed}");
+            format!("{}{}{printed}", comment(language.comment(), &header), language.opening())
+        };
+        compile_library(&text(Language::Rust));
+        let read = Hypothesis::parse("hostile.wgsl", &text(Language::Wgsl)).unwrap();
+        assert_eq!(read.tape().evaluate::<f32>(&[vec![0.75], vec![1.0]], &[]).unwrap(), [0.5]);
+        let main = loops(2, &["        put(two_inputs(p[0], p[1]));\n".to_string()]);
+        let point: Vec<u8> = [0.75_f32, 1.0].into_iter().flat_map(f32::to_le_bytes).collect();
+        for language in FAMILY {
+            let found = run(language, &text(language), &main, &point, Contraction::Off);
+            assert!(found.is_none_or(|values| values == [0.5]), "{}", language.title());
+        }
+        for language in [Language::Hlsl, Language::Glsl] {
+            assert!(compile(language, &text(language)).is_none_or(|functions| functions == 1));
+        }
     }
 }
 

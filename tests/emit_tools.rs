@@ -5,6 +5,7 @@ mod emit_support;
 use std::collections::BTreeMap;
 use std::fs;
 
+use emit_support::accuracy::{CPU, bound};
 use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
 use emit_support::languages::{self, Called, FAMILY, compile, file};
 use emit_support::programs::{READ_EXR, compile_library, python, run};
@@ -128,16 +129,18 @@ fn include(language: Language) -> String {
     format!("fits/lobefit.{}", language.extension())
 }
 
+/// A call of a function at a point `p`.
+fn call(name: &str, inputs: &[String]) -> String {
+    let index = |input: &String| ["roughness", "alpha", "mu", "f0"].iter().position(|name| name == input);
+    let arguments: Vec<String> =
+        inputs.iter().map(|i| format!("p[{}]", index(i).expect("an input"))).collect();
+    format!("        put({name}({}));\n", arguments.join(", "))
+}
+
 #[test]
 fn the_functions_of_the_other_languages_return_the_bits_that_were_certified() {
     let (points, functions) = (Points::of_fits(), emitted());
-    let body = |inputs: &[String], name: &str| {
-        let index = |input: &String| ["roughness", "alpha", "mu", "f0"].iter().position(|name| name == input);
-        let arguments: Vec<String> =
-            inputs.iter().map(|i| format!("p[{}]", index(i).expect("an input"))).collect();
-        format!("        put({name}({}));\n", arguments.join(", "))
-    };
-    let bodies: Vec<String> = functions.iter().map(|(_, name, inputs)| body(inputs, name)).collect();
+    let bodies: Vec<String> = functions.iter().map(|(_, name, inputs)| call(name, inputs)).collect();
     for language in FAMILY {
         let (code, main) = (text(&include(language)), loops(4, &bodies));
         let found = compilers::run(language, &code, &main, &points.bytes(), Contraction::Off);
@@ -149,6 +152,31 @@ fn the_functions_of_the_other_languages_return_the_bits_that_were_certified() {
         let (title, count, n) = (language.name(), functions.len(), points.len());
         say(&format!("{title}: {count} functions, {n} points each, every bit the same"));
     }
+}
+
+/// With both roundings in one, a product and a sum are nearer to the exact value, and so within the same bound of it.
+#[test]
+fn c_that_is_contracted_stays_within_the_bound_of_its_roundings() {
+    let (points, functions) = (Points::of_fits(), emitted());
+    let bodies: Vec<String> = functions.iter().map(|(_, name, inputs)| call(name, inputs)).collect();
+    let (code, main) = (text(&include(Language::C)), loops(4, &bodies));
+    let found = compilers::run(Language::C, &code, &main, &points.bytes(), Contraction::Fast);
+    let Some(found) = found else { return };
+    let mut worst = (0.0, "none");
+    for ((fit, name, inputs), found) in functions.iter().zip(found.chunks_exact(points.len())) {
+        for (i, (expected, found)) in points.values(fit, inputs).into_iter().zip(found).enumerate() {
+            let at: Vec<f32> = inputs.iter().map(|input| points.column(input)[i]).collect();
+            let allowed = 2.0 * bound(fit.hypothesis.tape(), &at, &fit.coefficients(), CPU);
+            let gap = (f64::from(expected) - f64::from(*found)).abs();
+            assert!(gap <= allowed, "{name} at {at:?}: {expected}, contracted {found}, allowed {allowed:e}");
+            let ulps = gap / f64::from(expected.abs().next_up() - expected.abs());
+            if ulps > worst.0 {
+                worst = (ulps, name);
+            }
+        }
+    }
+    let (count, n) = (functions.len(), points.len());
+    say(&format!("c, contracted: {count} functions, {n} points each: worst {:.2} ulp, {}", worst.0, worst.1));
 }
 
 /// Looks tables up with the emitted code of C's family at every point.

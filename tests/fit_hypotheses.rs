@@ -15,7 +15,32 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Rivals as published: A and B both computed where E is
 /// their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 27] = [
+const COSTS: [(&str, u32); 76] = [
+    ("ggx_norm_r6p", 6),
+    ("ggx_norm_r8", 8),
+    ("ggx_norm_i10", 10),
+    ("ggx_norm_i11", 11),
+    ("ggx_norm_i12", 12),
+    ("ggx_norm_i13", 13),
+    ("ggx_norm_i14", 14),
+    ("ggx_norm_i15", 15),
+    ("ggx_norm_o17", 17),
+    ("ggx_norm_o19", 19),
+    ("ggx_eavg_3", 3),
+    ("ggx_eavg_4", 4),
+    ("ggx_eavg_5p", 5),
+    ("ggx_eavg_12", 12),
+    ("ggx_blend_16", 16),
+    ("ggx_blend_22", 22),
+    ("ggx_blend_24", 24),
+    ("ggx_blend_29", 29),
+    ("ggx_blend_30p", 30),
+    ("ggx_blend_34", 34),
+    ("charlie_e_8", 8),
+    ("charlie_e_9", 9),
+    ("charlie_e_11", 11),
+    ("charlie_e_14", 14),
+    ("charlie_e_16", 16),
     ("ggx_norm_r1", 1),
     ("ggx_norm_r2", 2),
     ("ggx_norm_n1", 3),
@@ -43,6 +68,30 @@ const COSTS: [(&str, u32); 27] = [
     ("published/ggx_norm_dassault", 15),
     ("published/ggx_norm_tauray", 21),
     ("published/ggx_norm_turquin_label", 12),
+    ("charlie_e_exp", 0),
+    ("charlie_e_gauss", 0),
+    ("charlie_e_rational", 0),
+    ("ggx_blend_11", 11),
+    ("ggx_blend_14", 14),
+    ("ggx_blend_30", 30),
+    ("published/charlie_e_threejs", 0),
+    ("published/ggx_blend_karis", 0),
+    ("published/ggx_blend_lazarov", 0),
+    ("published/ggx_blend_materialx_m1", 0),
+    ("published/ggx_blend_narkowicz_l2", 0),
+    ("published/ggx_blend_narkowicz_p1", 0),
+    ("published/ggx_blend_pesce_iwanicki", 0),
+    ("published/ggx_blend_ray_tracing_gems", 0),
+    ("published/ggx_blend_ross", 0),
+    ("published/ggx_blend_schlick_roughness", 0),
+    ("published/ggx_blend_tauray", 0),
+    ("published/ggx_blend_ue5", 0),
+    ("published/ggx_blend_urp", 0),
+    ("published/ggx_eavg_chebyshev", 0),
+    ("published/ggx_eavg_cycles", 0),
+    ("published/ggx_eavg_dassault", 0),
+    ("published/ggx_norm_lazarov", 0),
+    ("published/ggx_norm_urp", 0),
 ];
 
 #[test]
@@ -145,7 +194,17 @@ fn published_rivals_have_the_errors_that_were_measured_of_them() {
 }
 
 /// Largest error when that is minimised, rms when that is; from the published study of the forms.
-const REACHED: [(&str, f64, f64); 14] = [
+const REACHED: [(&str, f64, f64); 24] = [
+    ("ggx_norm_r6p", 0.0615, 0.023),
+    ("ggx_norm_r8", 0.055, 0.02),
+    ("ggx_norm_i10", 0.0323, 0.0155),
+    ("ggx_norm_i11", 0.0276, 0.013),
+    ("ggx_norm_i12", 0.0204, 0.0105),
+    ("ggx_norm_i13", 0.015, 0.0085),
+    ("ggx_norm_i14", 0.0125, 0.0065),
+    ("ggx_norm_i15", 0.0098, 0.0058),
+    ("ggx_norm_o17", 0.0075, 0.0041),
+    ("ggx_norm_o19", 0.006, 0.0035),
     ("ggx_norm_n2", 0.513, 0.128),
     ("ggx_norm_r1", 0.513, 0.122),
     ("ggx_norm_r2", 0.254, 0.083),

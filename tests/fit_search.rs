@@ -4,13 +4,28 @@
 mod fit_support;
 
 use fit_support::albedo;
-use lobefit::fit::search::{Anchor, Found, Progress, SearchAxis, SearchSamples, Space, search};
+use lobefit::fit::FitError;
+use lobefit::fit::search::{Anchor, Found, Helper, Progress, SearchAxis, SearchSamples, Space, search};
 
 fn axis(arguments: &[(&str, u32)], degree: u8) -> SearchAxis {
     SearchAxis { arguments: arguments.iter().map(|(n, p)| (n.to_string(), *p)).collect(), degree }
 }
 
 fn quiet(_: &Progress) {}
+
+/// Samples of values on the unit square, denser at its edges.
+fn square(n: usize, f: impl Fn(f64, f64) -> f64) -> SearchSamples {
+    let t = |i: usize| 0.5 - 0.5 * (std::f64::consts::PI * i as f64 / (n - 1) as f64).cos();
+    let x: Vec<f64> = (0..n * n).map(|i| t(i / n)).collect();
+    let y: Vec<f64> = (0..n * n).map(|i| t(i % n)).collect();
+    let target = x.iter().zip(&y).map(|(x, y)| f(*x, *y)).collect();
+    SearchSamples { scale: vec![1.0; n * n], target, axes: vec![x, y] }
+}
+
+fn plain(max_ops: u32) -> Space {
+    let axes = vec![axis(&[("x", 1)], 3), axis(&[("y", 1)], 3)];
+    Space { width: 8, sweeps: 2, ..Space::new("f_", axes, max_ops) }
+}
 
 /// Furnace samples on a grid denser at the ends.
 fn furnace(n: usize) -> SearchSamples {
@@ -57,4 +72,84 @@ fn the_cheap_bars_of_the_furnace_are_met() {
     show(&found);
     let best = |ops: u32| found.iter().filter(|f| f.ops <= ops).map(|f| f.max).fold(f64::INFINITY, f64::min);
     assert!(best(3) < 0.098 && best(6) < 0.0625, "{} {}", best(3), best(6));
+}
+
+#[test]
+fn planted_forms_are_found_at_their_cost() {
+    // Four operations: two products fuse; nine: 1 + x y and the divisor take one each, the reciprocal 4, the product 1.
+    for (planted, ops) in [
+        ((|x, y| 0.5 + x * (2.0 - 1.5 * y * x)) as fn(f64, f64) -> f64, 3),
+        (|x, y| (0.25 + x * y) / (1.0 + 2.0 * x), 8),
+    ] {
+        let found = search(&plain(ops), &square(12, planted), &quiet).unwrap();
+        show(&found);
+        let last = found.last().unwrap();
+        assert!(last.max < 1e-6 && last.ops <= ops, "{} {}", last.max, last.ops);
+        // A frontier: dearer is better, and no better than proven.
+        assert!(found.windows(2).all(|w| w[0].ops < w[1].ops && w[0].max > w[1].max));
+        assert!(found.iter().all(|f| f.bound <= f.max * (1.0 + 1e-9) && f.rms <= f.max));
+        assert!(found.iter().all(|f| f.ops == f.hypothesis.tape().cost_ops()));
+    }
+}
+
+#[test]
+fn helpers_pay_where_the_data_call_for_them() {
+    let data = square(14, |x, y| 2.0_f64.powf(-1.7 * x) * (1.0 + y));
+    let bare = search(&plain(7), &data, &quiet).unwrap();
+    let helpers = vec![Helper::Decay { axis: 0, power: 1 }, Helper::Complement { axis: 1 }];
+    let helped = search(&Space { helpers, ..plain(7) }, &data, &quiet).unwrap();
+    show(&helped);
+    // The constant lies between those that are tried: only the local solver finds it.
+    assert!(helped.last().unwrap().max < 1e-5 && bare.last().unwrap().max > 1e-4);
+    assert!(helped.last().unwrap().hypothesis.source().contains("exp2"));
+    let root = square(14, |x, y| 0.3 + y / (x + 0.8 * y + 1e-3).sqrt());
+    let helpers = vec![Helper::RootReciprocal { x: 0, y: 1, power: 1 }, Helper::Root { axis: 1 }];
+    let mut data = root.clone();
+    let keep: Vec<usize> = (0..data.len()).filter(|i| data.axes[0][*i] + data.axes[1][*i] > 0.0).collect();
+    let pick = |c: &Vec<f64>| keep.iter().map(|i| c[*i]).collect::<Vec<f64>>();
+    data = SearchSamples {
+        axes: data.axes.iter().map(pick).collect(),
+        scale: pick(&data.scale),
+        target: pick(&data.target),
+    };
+    let found = search(&Space { helpers, ..plain(7) }, &data, &quiet).unwrap();
+    assert!(found.iter().any(|f| f.hypothesis.source().contains("inverseSqrt")));
+}
+
+#[test]
+fn the_frontier_does_not_depend_on_threads() {
+    let samples = furnace(12);
+    let helpers = vec![Helper::Reciprocal { x: 1, y: 0, power: 2 }];
+    let space = Space { width: 4, sweeps: 2, helpers, ..normalisation(11) };
+    let run = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| search(&space, &samples, &quiet).unwrap())
+    };
+    let one = run(1);
+    assert!(one.len() > 8);
+    for threads in [2, 3] {
+        assert_eq!(one, run(threads), "{threads} threads");
+    }
+}
+
+#[test]
+fn bad_spaces_and_samples_are_named() {
+    let good = square(6, |x, y| x + y);
+    let refused = |space: &Space, change: &dyn Fn(&mut SearchSamples)| {
+        let mut samples = good.clone();
+        change(&mut samples);
+        search(space, &samples, &quiet).unwrap_err().to_string()
+    };
+    let space = plain(4);
+    assert_eq!(refused(&space, &|s| s.target[3] = f64::NAN), "target, sample 3: value NaN is not finite");
+    assert_eq!(refused(&space, &|s| s.axes[1][5] = f64::INFINITY), "y, sample 5: value inf is not finite");
+    assert_eq!(refused(&space, &|s| s.scale.truncate(7)), "f_: samples of scale: 7 given, 36 expected");
+    assert_eq!(refused(&space, &|s| s.axes.truncate(1)), "f_: columns of axes: 1 given, 2 expected");
+    let anchor = Some(Anchor { value: 1.0, zeros: vec![2] });
+    assert!(refused(&Space { anchor, ..plain(4) }, &|_| ()).contains("the anchor names axis 2 of 2"));
+    let axes = vec![axis(&[("alpha", 2)], 3), axis(&[("y", 1)], 3)];
+    assert!(refused(&Space { axes, ..plain(4) }, &|_| ()).contains("powers of the first"));
+    let anchor = Some(Anchor { value: 1.0, zeros: vec![0] });
+    let error = search(&Space { anchor, ..plain(0) }, &good, &quiet).unwrap_err();
+    assert!(matches!(error, FitError::Solver { .. }), "{error}");
 }

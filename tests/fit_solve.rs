@@ -5,7 +5,7 @@ mod fit_support;
 
 use fit_support::{furnace, hypothesis, parse};
 use lobefit::fit::{
-    FitError, Fitted, Hypothesis, Norm, Options, Samples, Termination, measure, optimise, round_to_f32,
+    FitError, Fitted, Goal, Hypothesis, Norm, Options, Samples, Termination, measure, optimise, round_to_f32,
     round_up,
 };
 
@@ -96,7 +96,7 @@ fn the_best_straight_line_to_a_parabola_is_found() {
         parse("override a: f32 = 0.3; override b: f32 = 0.9; fn f(x: f32) -> f32 { return a + b * x; }");
     let samples = curve(1025, |x| x * x);
     let best = fit(&line, &samples, Norm::Max);
-    assert_eq!(best.termination, Termination::Minimax);
+    assert_eq!(best.termination, Termination::GlobalMinimax);
     assert!((best.max - 0.125).abs() < 1e-7, "{best:?}");
     assert!(
         (best.coefficients[0] + 0.125).abs() < 1e-6 && (best.coefficients[1] - 1.0).abs() < 1e-6,
@@ -138,7 +138,8 @@ fn minimax_fits_equioscillate() {
     for (hypothesis, known) in [(&polynomial, 2.7e-5), (&rational, 9e-6)] {
         let samples = curve(2001, f64::exp);
         let fitted = fit(hypothesis, &samples, Norm::Max);
-        assert_eq!(fitted.termination, Termination::Minimax, "{fitted:?}");
+        assert_eq!(fitted.termination, Termination::GlobalMinimax, "{fitted:?}");
+        assert!(fitted.bound.is_some_and(|bound| bound > fitted.max * (1.0 - 1e-4)), "{fitted:?}");
         assert!(fitted.max < known * 1.1, "{fitted:?}");
         assert!(equioscillations(hypothesis, &fitted, &samples) >= 6, "{fitted:?}");
     }
@@ -206,12 +207,20 @@ fn bad_data_are_refused_with_their_place() {
     assert_eq!(refused(&|s| *s = curve(0, |x| x)), "f: samples: 0 given, 1 expected");
     let log = parse("override a: f32 = -1.0; fn f(x: f32) -> f32 { return log(x) + a; }");
     let error = optimise(&log, &curve(50, |x| x), &[], &Options::new(Norm::Max)).unwrap_err();
-    assert!(matches!(error, FitError::NotFinite { index: 0, .. }), "{error}");
+    assert!(matches!(error, FitError::Undefined { .. }), "{error}");
+    let (place, rest) =
+        error.to_string().split_once(": is ").map(|(a, b)| (a.to_string(), b.to_string())).unwrap();
+    assert!(place.starts_with("test.wgsl:1:") && place.contains("log(x)"), "{place}");
+    assert_eq!(
+        rest,
+        "-inf in f at x = 0, with the parameters at their declared starts; no start does better"
+    );
     let pole = parse(
         "override a: f32 = 0.5; override b: f32 = 0.01; fn f(x: f32) -> f32 { return a / (x - 0.5 + b * x * 0.001); }",
     );
     let error = optimise(&pole, &curve(50, |x| x), &[], &Options::new(Norm::Rms)).unwrap_err();
-    assert!(error.to_string().contains("changes sign"), "{error}");
+    assert!(error.to_string().contains("changes sign among the samples, near sample "), "{error}");
+    assert!(error.to_string().contains("(x = 0."), "{error}");
 }
 
 #[test]
@@ -309,4 +318,116 @@ fn rounding_refuses_what_is_no_f32() {
     assert_eq!(round_to_f32(&[0.1, 1e-31, -1e-40]).unwrap(), [0.1, 0.0, 0.0]);
     assert!(matches!(round_to_f32(&[1.0, 1e39]), Err(FitError::NotFinite { index: 1, .. })));
     assert!(round_to_f32(&[f64::NAN]).is_err());
+}
+
+#[test]
+fn undetermined_parameters_are_named() {
+    let bent = curve(50, |x| x * x + 0.3);
+    let told = |source: &str, goal: Goal| {
+        let fitted = optimise(&parse(source), &bent, &[], &Options::new(goal)).unwrap();
+        (fitted.rank, fitted.undetermined)
+    };
+    for goal in [Goal::Rms, Goal::Max, Goal::Power(4.0)] {
+        let sum = "override a: f32; override b: f32; override c: f32; fn f(x: f32) -> f32 { return (a + b) * x + c; }";
+        let coincide = "`a` and `b` coincide: only a combination of them is determined".to_string();
+        assert_eq!(told(sum, goal), (2, vec![coincide]));
+        let idle = "override a: f32; override b: f32; fn f(x: f32) -> f32 { return a + 0.0 * b * x; }";
+        assert_eq!(told(idle, goal), (1, vec!["`b` does not matter".to_string()]));
+        let product = "override a: f32; override b: f32; override c: f32 = 2.0; override d: f32 = 0.5;
+                       fn f(x: f32) -> f32 { return a * b + exp(-c * d * x); }";
+        let (rank, words) = told(product, goal);
+        assert_eq!(rank, 2);
+        assert_eq!(words.len(), 2);
+        assert!(words[0].starts_with("`a` and `b`") && words[1].starts_with("`c` and `d`"), "{words:?}");
+        let three = "override a: f32; override b: f32; override c: f32; fn f(x: f32) -> f32 { return (a + b - c) * x; }";
+        let words = "`a`, `b` and `c` coincide: only fewer combinations of them are determined".to_string();
+        assert_eq!(told(three, goal), (1, vec![words]));
+        let line = "override a: f32; override b: f32; fn f(x: f32) -> f32 { return a + b * x; }";
+        assert_eq!(told(line, goal), (2, vec![]));
+    }
+}
+
+#[test]
+fn p_norms_are_minimised_in_their_own_right() {
+    // The constant of least p-norm on 0, 0, 0, 1: c with 3 c^(p-1) = (1 - c)^(p-1), c = 1 / (1 + 3^(1/(p-1))).
+    let constant = parse("override a: f32 = 0.9; fn f(x: f32) -> f32 { return a + 0.0 * x; }");
+    let samples =
+        Samples { inputs: vec![vec![0.0; 4]], scale: vec![1.0; 4], target: vec![0.0, 0.0, 0.0, 1.0] };
+    for p in [2.0, 2.5, 3.0, 4.0, 8.0, 33.0, 100.0] {
+        let fitted = optimise(&constant, &samples, &[], &Options::new(Goal::Power(p))).unwrap();
+        let c = 1.0 / (1.0 + 3.0_f64.powf(1.0 / (p - 1.0)));
+        assert!(fitted.termination.is_converged(), "{p}: {fitted:?}");
+        assert!((fitted.coefficients[0] - c).abs() < 1e-9, "{p}: {fitted:?} instead of {c}");
+        let value = ((3.0 * c.powf(p) + (1.0 - c).powf(p)) / 4.0).powf(1.0 / p);
+        assert!((fitted.value / value - 1.0).abs() < 1e-12);
+    }
+    // Between least squares and minimax, towards which it tends; all of it on a rational form from its declared start.
+    let q = hypothesis("ggx_norm_q13");
+    let samples = furnace(&q, 40, true);
+    let at = |goal: Goal| optimise(&q, &samples, &[], &Options::new(goal)).unwrap();
+    let (square, largest) = (at(Goal::Rms), at(Goal::Max));
+    let mut last = square.max;
+    for p in [4.0, 16.0, 64.0, 256.0] {
+        let fitted = at(Goal::Power(p));
+        println!(
+            "p = {p}: value {} max {} {:?} {}",
+            fitted.value, fitted.max, fitted.termination, fitted.evaluations
+        );
+        assert!(fitted.termination.is_converged(), "{fitted:?}");
+        assert!(fitted.max < last && fitted.max >= largest.max * (1.0 - 1e-9), "{fitted:?}");
+        assert!(fitted.rms > square.rms && fitted.value <= fitted.max && fitted.value > fitted.rms);
+        last = fitted.max;
+    }
+    assert!(last < 1.02 * largest.max, "{last} {}", largest.max);
+}
+
+#[test]
+fn weights_multiply_scale_and_target() {
+    let line = parse("override a: f32; override b: f32; fn f(x: f32) -> f32 { return a + b * x; }");
+    let plain = curve(41, |x| x * x);
+    let weight = |i: usize| 1.0 + (i % 3) as f64;
+    let weighted = Samples {
+        scale: (0..41).map(weight).collect(),
+        target: plain.target.iter().enumerate().map(|(i, t)| weight(i) * t).collect(),
+        ..plain.clone()
+    };
+    // A sample of weight w in the maximum, and in a p-norm, is a residual w times as large; in least squares, w^2 samples.
+    let mut repeated = Samples { inputs: vec![vec![]], scale: vec![], target: vec![] };
+    for i in 0..41 {
+        for _ in 0..(weight(i) * weight(i)) as usize {
+            repeated.inputs[0].push(plain.inputs[0][i]);
+            repeated.scale.push(1.0);
+            repeated.target.push(plain.target[i]);
+        }
+    }
+    let (a, b) = (fit(&line, &weighted, Norm::Rms), fit(&line, &repeated, Norm::Rms));
+    assert!(a.coefficients.iter().zip(&b.coefficients).all(|(a, b)| (a - b).abs() < 1e-10), "{a:?} {b:?}");
+    let heavy = fit(&line, &weighted, Norm::Max);
+    let off = |i: usize| {
+        weight(i) * (heavy.coefficients[0] + heavy.coefficients[1] * plain.inputs[0][i] - plain.target[i])
+    };
+    assert!((0..41).all(|i| off(i).abs() <= heavy.max * (1.0 + 1e-9)));
+    assert!((0..41).filter(|&i| off(i).abs() > heavy.max * (1.0 - 1e-6)).all(|i| weight(i) == 3.0));
+}
+
+#[test]
+fn residuals_scaled_by_a_million_give_the_same_coefficients() {
+    let q = hypothesis("ggx_norm_q13");
+    let plain = furnace(&q, 32, true);
+    for goal in [Goal::Rms, Goal::Max, Goal::Power(8.0)] {
+        let base = optimise(&q, &plain, &[], &Options::new(goal)).unwrap();
+        for factor in [1e6, 1e-6] {
+            let times = |column: &[f64]| column.iter().map(|x| factor * x).collect::<Vec<f64>>();
+            let samples = Samples {
+                inputs: plain.inputs.clone(),
+                scale: times(&plain.scale),
+                target: times(&plain.target),
+            };
+            let scaled = optimise(&q, &samples, &[], &Options::new(goal)).unwrap();
+            assert!((scaled.value / base.value / factor - 1.0).abs() < 1e-8, "{goal}: {scaled:?} {base:?}");
+            for (a, b) in scaled.coefficients.iter().zip(&base.coefficients) {
+                assert!((a / b - 1.0).abs() < 1e-5, "{goal} {factor}: {a} {b}");
+            }
+        }
+    }
 }

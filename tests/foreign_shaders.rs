@@ -49,7 +49,7 @@ fn assert_bits<const N: usize>(function: &ShaderFunction, formula: impl Fn(f32, 
 /// K of Karis 2014: constants in vectors, a swizzle, a vector result.
 fn karis(mu: f32, rough: f32) -> [f32; 2] {
     let [x, y, z, w] =
-        [-1.0 * rough + 1.0, -0.0275 * rough + 0.0425, -0.572 * rough + 1.04, 0.022 * rough + -0.04];
+        [-rough + 1.0, -0.0275 * rough + 0.0425, -0.572 * rough + 1.04, 0.022 * rough + -0.04];
     let t = (x * x).min(exp2f(-9.28 * mu)) * x + y;
     [-1.04 * t + z, 1.04 * t + w]
 }
@@ -456,8 +456,7 @@ fn damaged_sources_are_errors_or_functions() {
                 match random.next_u32() % 4 {
                     0 => bytes[to] = bytes[from],
                     1 => bytes.truncate(to.max(20)),
-                    2 => bytes
-                        .insert(to, b"(){}[];,.+-*/<>=&|!0123456789#\0\xff"[random.next_u64() as usize % 34]),
+                    2 => bytes.insert(to, ODD[random.next_u64() as usize % ODD.len()]),
                     _ => drop(bytes.remove(to)),
                 }
             }

@@ -74,9 +74,9 @@ struct Lit {
     truth: f64,
 }
 
-/// Where the small tables are certified: a region that holds the points, in which their few texels suffice.
+/// Where the small tables are certified: the hull of the points, in which their few texels suffice.
 fn region(third: Third, span: [f64; 2]) -> Region {
-    Region { roughness: [0.5, 1.0], mu: [0.2, 1.0], third, span, alpha_map: AlphaMap::RoughnessSquared }
+    Region { roughness: [0.52, 0.97], mu: [0.21, 0.93], third, span, alpha_map: AlphaMap::RoughnessSquared }
 }
 
 /// Largest error of a table's lookup at points of the region, as a certificate states it: of the reference lookup, not of the emitted
@@ -92,7 +92,7 @@ fn certificate(table: &Table, decode: Decode, judged: &Points, truth: &[f64]) ->
 /// The certificate of a table of the anisotropic lobe.
 fn of_metal(table: &Table, decode: Decode) -> f64 {
     let azimuth = decode == Decode::AzimuthCubic;
-    let judge = Judge::new(&region(Third::Anisotropy, [0.05, 0.8]), azimuth);
+    let judge = Judge::new(&region(Third::Anisotropy, [0.1, 0.77]), azimuth);
     let (truth, _) = if azimuth { at_azimuths(table.smith, &judge) } else { means(table.smith, &judge) }
         .expect("the truths of a judge");
     certificate(table, decode, &judge.points, &truth)
@@ -285,7 +285,7 @@ fn compensated_glass_is_white_from_both_sides() {
     let inputs: Vec<(&Emitted, &[Point])> = emitted.iter().map(|e| (e, &points[..])).collect();
     let found = returned(&text, Compensation::Glass, &inputs);
     let (outside, inside) = (OUTSIDE.pair(), INSIDE.pair());
-    let judged = Points::certification(&region(Third::Ior, [1.2, 2.0]), 11);
+    let judged = Points::certification(&region(Third::Ior, [1.25, 1.9]), 11);
     let truths = SMITHS.map(|smith| Truth::at(smith, &judged).expect("the truths of a judge"));
     for (((smith, side), table), found) in cases.into_iter().zip(&tables).zip(&found) {
         let (rule, rules) = match side {

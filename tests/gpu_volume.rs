@@ -5,9 +5,9 @@
 mod emit_support;
 mod gpu_support;
 
+use emit_support::accuracy::{CPU, WGSL, bound};
 use emit_support::say;
 use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surface, to_look_up};
-use gpu_support::accuracy::{CPU, WGSL, bound};
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Axis, Decode, Warp};

@@ -5,8 +5,8 @@
 mod emit_support;
 mod gpu_support;
 
+use emit_support::accuracy::{CPU, WGSL, bound, divides};
 use emit_support::{Looked, Points, TRUTH, baked_tables, emitted, other_tables, say, text};
-use gpu_support::accuracy::{CPU, WGSL, bound, divides};
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Serves, Use};
@@ -14,7 +14,7 @@ use lobefit::effects::reflection::{Counter, Field, Fit, Lookup};
 use lobefit::emit::code::Language;
 
 /// Classes of functions, and the most units in the last place that may lie between the CPU and any device that keeps to WGSL:
-/// the largest bound of [`gpu_support::accuracy`] over the functions and points, which the test computes and compares. What is
+/// the largest bound of [`emit_support::accuracy`] over the functions and points, which the test computes and compares. What is
 /// asserted at each point is that point's own bound; these figures say how much it leaves.
 const CLASSES: [(&str, f64); 3] = [
     // One plus a product whose factors are sums of up to four terms below 3, in Horner's form; rounded once more at the end.

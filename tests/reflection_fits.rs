@@ -20,7 +20,7 @@ fn bars() {
     let fits = fit_all(&spec(), &Counter::default()).expect("fits");
     // 20 operations and 2 more to saturate are too many: said, not hidden.
     let dropped: Vec<&str> = fits.dropped.iter().map(|d| d.hypothesis.as_str()).collect();
-    assert_eq!(dropped, ["ggx_norm_q20_saturating"], "{:?}", fits.dropped);
+    assert_eq!(dropped, ["ggx_norm_o19_saturating", "ggx_norm_q20_saturating"], "{:?}", fits.dropped);
     let fits = fits.fits;
     let named = |name: &str| -> &Fit {
         fits.iter().find(|f| f.approximation.name == name).unwrap_or_else(|| panic!("no {name}"))
@@ -35,6 +35,26 @@ fn bars() {
     assert!(max("ggx_norm_r3p") <= 0.10 && rms("ggx_norm_r3p_rms") <= 0.037 && ops("ggx_norm_r3p") == 3);
     assert!(max("ggx_norm_q13") <= 0.021 && ops("ggx_norm_q13") <= 13);
     assert!(max("ggx_norm_q20") <= 0.0105 && ops("ggx_norm_q20") <= 20);
+    // What the search has found.
+    for (name, most, bar) in [
+        ("ggx_norm_r6p", 6, 0.0624),
+        ("ggx_norm_r8", 8, 0.0557),
+        ("ggx_norm_i10", 10, 0.0326),
+        ("ggx_norm_i11", 11, 0.028),
+        ("ggx_norm_i12", 12, 0.0206),
+        ("ggx_norm_i13", 13, 0.0151),
+        ("ggx_norm_i14", 14, 0.0127),
+        ("ggx_norm_i15", 15, 0.01),
+        ("ggx_norm_o17", 17, 0.0077),
+        ("ggx_norm_o19", 19, 0.0061),
+        ("ggx_eavg_3", 3, 0.00145),
+        ("ggx_eavg_4", 4, 0.00031),
+        ("ggx_eavg_5p", 5, 6.2e-5),
+        ("ggx_eavg_12", 12, 2.5e-6),
+    ] {
+        println!("{name}: {} max {} rms {}", ops(name), max(name), rms(&format!("{name}_rms")));
+        assert!(max(name) <= bar && ops(name) == most, "{name}: {} at {}", max(name), ops(name));
+    }
     assert!(max("ggx_eavg_5") <= 1e-4 && ops("ggx_eavg_5") <= 5);
     for fit in &fits {
         let a = &fit.approximation;

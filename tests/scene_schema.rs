@@ -149,6 +149,7 @@ fn it_refuses_what_the_program_refuses() {
 fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
     let anisotropic = r#"{"schema_version":1,"formats":["exr","raw"],"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"anisotropy":[0,1],"wants":{"fit":{},"tables":[{"size":[8,8,8]},{"layout":"azimuth"},{"layout":"path-tracer"}]}}]}"#;
     let glass = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":[1,2],"roughness":1,"wants":{"tables":[{"format":"f32"}]}}]}"#;
+    let sheen = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"sheen":{"roughness":[0.1,1],"norms":["rms"],"max_ops":9},"wants":{"fit":{"blend":true}}}]}"#;
     let dielectric =
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
     for (base, changes) in [
@@ -185,6 +186,18 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
             ],
         ),
         (dielectric, &[("1.5", "[1.5,1.6]"), ("1.5", "1"), ("1.5", "4.5")]),
+        (
+            sheen,
+            &[
+                ("[0.1,1]", "[0.1,1.5]"),
+                ("\"roughness\":[0.1,1],", ""),
+                ("[\"rms\"]", "[]"),
+                ("[\"rms\"]", "[\"rms\",\"rms\"]"),
+                ("\"max_ops\":9", "\"max_ops\":1.5"),
+                ("\"max_ops\":9", "\"colour\":1"),
+                ("\"blend\":true", "\"blend\":1"),
+            ],
+        ),
     ] {
         assert_eq!(check(base), Vec::<String>::new());
         Scene::from_json(base.as_bytes(), "s").unwrap();
@@ -226,6 +239,7 @@ fn it_names_and_describes_every_field() {
             "alpha",
             "anisotropy",
             "average",
+            "blend",
             "f0",
             "fit",
             "format",
@@ -240,15 +254,20 @@ fn it_names_and_describes_every_field() {
             "max_error",
             "max_error",
             "max_error",
+            "max_error",
+            "max_ops",
             "max_ops",
             "mu",
             "name",
             "name",
             "norms",
+            "norms",
             "probes",
+            "roughness",
             "roughness",
             "schema_version",
             "serves",
+            "sheen",
             "size",
             "size",
             "smith",

@@ -78,13 +78,13 @@ fn the_check_finds_what_interpolation_leaves() {
                 worst = worst.max((wanted.targets[i] - loss(&node)).abs());
             }
         }
-        let checked = check("test", &plan, [&wanted], direct).expect("a check");
+        let checked = check("test", &plan, 8192, [&wanted], direct).expect("a check");
         assert!(checked.worst <= worst && checked.worst > 0.67 * worst, "{checked:?} of {worst:e}");
         assert!(worst > 1e-7 && worst < most && checked.at.is_some(), "{nodes} nodes: {worst:e}");
         assert_eq!(checked.evaluations, checked.samples as u64);
-        assert_eq!(checked, check("test", &plan, [&wanted], direct).expect("a check"));
+        assert_eq!(checked, check("test", &plan, 8192, [&wanted], direct).expect("a check"));
         wanted.targets.fill(f64::NAN);
-        let refused = check("test", &plan, [&wanted], direct);
+        let refused = check("test", &plan, 8192, [&wanted], direct);
         assert!(matches!(refused, Err(IntegrateError::NotFinite { quantity: "test", .. })), "{refused:?}");
     }
 }

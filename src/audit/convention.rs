@@ -43,6 +43,8 @@ pub struct Pins {
     pub meanings: Option<Vec<Column>>,
     /// The one column that is asked for.
     pub column: Option<Column>,
+    /// Of a function: what the names of its arguments tell.
+    pub roles: Option<Vec<Option<Input>>>,
 }
 
 impl Pins {
@@ -98,9 +100,12 @@ impl Pins {
 
     /// The ways to read axis `axis` as an input.
     pub(super) fn readings(&self, axis: usize, input: Input) -> Vec<AxisReading> {
-        let scales: Vec<(Scale, bool)> = match &self.axes {
-            Some(given) => given.get(axis).copied().filter(|(s, _)| s.input() == input).into_iter().collect(),
-            None => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
+        let scales: Vec<(Scale, bool)> = match (&self.axes, &self.roles) {
+            (Some(given), _) => {
+                given.get(axis).copied().filter(|(s, _)| s.input() == input).into_iter().collect()
+            }
+            (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten()),
+            (None, None) => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
         };
         let sitings: Vec<Siting> = match &self.sitings {
             Some(given) if given.len() == 1 => given.clone(),
@@ -120,6 +125,16 @@ impl Pins {
                 && self.side.is_none_or(|s| l.side.is_none_or(|own| own == s))
         };
         (0..truth.lobes().len()).filter(|i| fits(&truth.lobes()[*i])).collect()
+    }
+}
+
+/// What an argument may be given for an input: nobody passes the root of a cosine, and one that is named for a cosine is one.
+fn argument(input: Input, role: Option<Input>) -> Vec<(Scale, bool)> {
+    match (input, role) {
+        (_, Some(role)) if role != input => Vec::new(),
+        (Input::Mu, Some(_)) => vec![(Scale::Mu, false)],
+        (Input::Mu, None) => vec![(Scale::Mu, false), (Scale::Mu, true), (Scale::Theta, false)],
+        _ => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! What is wrong with a channel, told from the pattern of its errors.
 
 use super::column::Column;
-use super::errors::{Residuals, median};
+use super::errors::Residuals;
 use super::shipped::{flat, place};
 use crate::foreign::Step;
 
@@ -51,7 +51,7 @@ pub enum Defect {
     },
     /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's tail.
     MissingLoss {
-        /// Median of the stored share of the true loss over smooth texels.
+        /// Share of the true loss that a quarter of the smooth texels do not even hold.
         stored: f64,
         /// Largest alpha of those texels.
         alpha: f64,
@@ -187,13 +187,15 @@ fn missing_loss(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f6
             shares.push((stored / truth, alpha, [stored, truth], texel));
         }
     }
-    let typical = median(shares.iter().map(|s| s.0).collect());
-    if shares.len() < 8 || typical > 0.7 {
+    let mut stored: Vec<f64> = shares.iter().map(|s| s.0).collect();
+    stored.sort_by(f64::total_cmp);
+    let quarter = stored.get(stored.len() / 4).copied().unwrap_or(1.0);
+    if shares.len() < 8 || quarter > 0.7 {
         return None;
     }
     let alpha = shares.iter().map(|s| s.1).fold(0.0, f64::max);
     let worst = shares.into_iter().max_by(|a, b| (a.2[1] - a.2[0]).total_cmp(&(b.2[1] - b.2[0])))?;
-    Some(Defect::MissingLoss { stored: typical, alpha, worst: worst.2, texel: worst.3 })
+    Some(Defect::MissingLoss { stored: quarter, alpha, worst: worst.2, texel: worst.3 })
 }
 
 /// What the values of a channel are rounded to: the file's word, or for a file that can hold more than was put into it the coarsest

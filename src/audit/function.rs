@@ -2,6 +2,7 @@
 //! them. What the arguments mean is then found as the axes of a table are.
 
 use super::AuditError;
+use super::axis::Input;
 use super::shipped::{Shipped, ShippedChannel, Source, place};
 use crate::foreign::{ShaderFunction, Step};
 
@@ -46,6 +47,15 @@ pub fn sampled(
     let blends: &[(f32, &str)] = if blended.is_empty() { &BLENDS[..1] } else { &BLENDS };
     let mut channels: Vec<ShippedChannel> = Vec::new();
     for (f0, words) in blends {
+        let name = |k: usize| {
+            let component =
+                match (function.results.get(k).map_or("", String::as_str), function.components.len()) {
+                    ("", 1) => "result".to_string(),
+                    ("", _) => k.to_string(),
+                    (name, _) => name.to_string(),
+                };
+            if blended.is_empty() { component } else { format!("{component} {words}") }
+        };
         let column = |argument: usize| -> Vec<f32> {
             if let Some(value) = given(&function.inputs[argument]) {
                 return vec![value; points];
@@ -62,15 +72,9 @@ pub fn sampled(
                 reason: e.to_string(),
             })?;
             let values: Vec<f64> = values.into_iter().map(f64::from).collect();
-            let name = match (function.components.len(), blended.is_empty()) {
-                (1, true) => "result".to_string(),
-                (1, false) => words.to_string(),
-                (_, true) => k.to_string(),
-                (_, false) => format!("{k} {words}"),
-            };
             // A grey result is one channel, not three.
             if !channels.iter().any(|c| c.values == values) {
-                channels.push(ShippedChannel { name, values });
+                channels.push(ShippedChannel { name: name(k), values });
             }
         }
     }
@@ -88,4 +92,14 @@ pub fn sampled(
 fn is_f0(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
     ["f0", "specular", "color", "colour", "reflectance", "rf0"].iter().any(|word| name.contains(word))
+}
+
+/// The input that an argument's name tells, if it does.
+pub(super) fn role(name: &str) -> Option<Input> {
+    let name = name.to_ascii_lowercase().replace('_', "");
+    let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
+    if name == "mu" || name == "nv" || has(&["ndotv", "nov", "ndotwo", "vdotn", "cos"]) {
+        return Some(Input::Mu);
+    }
+    has(&["rough", "alpha", "gloss", "smooth"]).then_some(Input::Alpha)
 }

@@ -45,10 +45,10 @@ impl Points {
         let coordinate = |k: usize| (k as f64 + 0.5) / n as f64;
         let (mut coordinates, mut inputs) = (Vec::new(), Vec::new());
         for axis in &convention.axes {
-            let [low, high] = truth.range(axis.scale.input());
+            let input = axis.scale.input();
             let kept: Vec<(f64, f64)> = (0..n)
                 .map(|k| (coordinate(k), axis.scale.input_at(coordinate(k)).max(axis.floor)))
-                .filter(|(_, x)| (low..=high).contains(x))
+                .filter(|(_, x)| truth.judges(input, *x))
                 .collect();
             coordinates.push(kept.iter().map(|k| k.0).collect());
             inputs.push(kept.iter().map(|k| k.1).collect::<Vec<f64>>());

@@ -12,6 +12,7 @@ mod convention;
 mod defects;
 mod error;
 mod errors;
+mod found;
 mod function;
 mod judge;
 mod lookup;
@@ -28,6 +29,7 @@ pub use convention::{Convention, Misfit, Pins};
 pub use defects::Defect;
 pub use error::AuditError;
 pub use errors::TexelErrors;
+pub use found::{Audit, ChannelAudit, Fit, Furnace, Tried};
 pub use function::sampled;
 pub use lookup::LookupErrors;
 pub use page::findings;
@@ -77,114 +79,6 @@ pub const AUDITED: [(&str, usize); 5] = [
 /// Conventions of which clamps are tried.
 const CLAMPED: [usize; 2] = [TOLD, 2];
 
-/// How a table fits its best convention.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fit {
-    /// Its errors are small beside the spread of the truth.
-    Whole,
-    /// A part of it fits and the rest does not: stale or damaged.
-    Part,
-    /// It fits none.
-    None,
-}
-
-/// A convention that was tried.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Tried {
-    /// The convention.
-    pub convention: Convention,
-    /// Figures of the channels that are judged, by channel.
-    pub misfits: Vec<Option<Misfit>>,
-    /// What it ranks by.
-    pub rank: f64,
-}
-
-/// The furnace: E over the E that the table makes the shader believe, less 1.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Furnace {
-    /// Least and largest.
-    pub range: [f64; 2],
-    /// Where the magnitude is largest.
-    pub at: Place,
-}
-
-/// A channel under the best convention.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChannelAudit {
-    /// Its name.
-    pub name: String,
-    /// What it holds; none if it is constant or not asked for.
-    pub column: Option<Column>,
-    /// Its errors at the texels, where it is judged.
-    pub errors: Option<TexelErrors>,
-    /// How it fits.
-    pub fit: Fit,
-    /// Signed errors of the texels, the first axis fastest, of at most 64 (three axes) or 4096 places along each; empty if not judged.
-    pub map: Vec<f64>,
-    /// The truth at those texels.
-    pub truth: Vec<f64>,
-    /// What is wrong with it.
-    pub defects: Vec<Defect>,
-    /// Its lookup with the best registration.
-    pub lookup: Option<LookupErrors>,
-    /// Its lookup as a texture unit does it without a remap of the coordinates.
-    pub plain_lookup: Option<LookupErrors>,
-}
-
-/// What was found out.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Audit {
-    /// File and array.
-    pub what: String,
-    /// Quantity.
-    pub quantity: &'static str,
-    /// What the values are of.
-    pub source: Source,
-    /// Size of the table without axes of one texel.
-    pub size: Vec<usize>,
-    /// Names of its axes.
-    pub axes: Vec<String>,
-    /// Places along every axis at which the maps are given.
-    pub places: Vec<Vec<usize>>,
-    /// How the whole fits: as its worst channel.
-    pub fit: Fit,
-    /// The conventions, the best first.
-    pub tried: Vec<Tried>,
-    /// Rank of the next that differs over that of the first; infinite if there is none.
-    pub margin: f64,
-    /// Whether part of the convention was given by the user.
-    pub pinned: bool,
-    /// The channels.
-    pub channels: Vec<ChannelAudit>,
-    /// The furnace, where the channels make an albedo.
-    pub furnace: Option<Furnace>,
-    /// Bound of the truth's own error.
-    pub truth_error: f64,
-    /// All of it in a paragraph.
-    pub verdict: String,
-}
-
-impl Audit {
-    /// The best convention.
-    pub fn best(&self) -> &Convention {
-        &self.tried[0].convention
-    }
-
-    /// Largest error at a texel of any judged channel.
-    pub fn worst(&self) -> f64 {
-        self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
-    }
-
-    /// Whether it is what it is said to be: it fits, and no texel is off by more than the limit. With nothing given by the user and no
-    /// limit an audit only tells.
-    pub fn passes(&self, limit: Option<f64>) -> bool {
-        match limit {
-            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit,
-            None => !self.pinned || self.fit != Fit::None,
-        }
-    }
-}
-
 /// Audits a table as a quantity. `progress` is told the stages.
 ///
 /// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or options that contradict it.
@@ -201,7 +95,8 @@ pub fn audit(
     let truth = truth.as_ref();
     check_axes(&table, truth)?;
     pins.check(truth, table.size.len(), live.len())?;
-    let sampled = Pins { sitings: Some(vec![Siting::Centre]), ..pins.clone() };
+    let roles = table.axes.iter().map(|name| function::role(name)).collect();
+    let sampled = Pins { sitings: Some(vec![Siting::Centre]), roles: Some(roles), ..pins.clone() };
     let tried = if table.source == Source::Function { &sampled } else { pins };
     let found = candidates(truth, &table, &live, tried, progress)?;
     progress("errors under the best convention");
@@ -344,7 +239,6 @@ fn finish(
         });
     }
     let furnace = furnace(table, &convention, &sample, &judgement, live);
-    let worst = |a: Fit, b: Fit| if rank(b) > rank(a) { b } else { a };
     let judged = channels.iter().filter(|c| c.column.is_some());
     let mut audit = Audit {
         what: table.what.clone(),
@@ -353,7 +247,7 @@ fn finish(
         size: table.size.clone(),
         axes: table.axes.clone(),
         places: sample.at.clone(),
-        fit: judged.map(|c| c.fit).fold(Fit::Whole, worst),
+        fit: judged.map(|c| c.fit).fold(Fit::Whole, Fit::max),
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
         margin: margin(found),
         pinned: !pins.is_free(),
@@ -370,14 +264,6 @@ fn finish(
 fn margin(found: &[Candidate]) -> f64 {
     let times = found.iter().map(|c| c.fitted.rank / found[0].fitted.rank);
     times.skip(1).find(|t| t - 1.0 >= 1e-6).unwrap_or(f64::INFINITY)
-}
-
-fn rank(fit: Fit) -> u8 {
-    match fit {
-        Fit::Whole => 0,
-        Fit::Part => 1,
-        Fit::None => 2,
-    }
 }
 
 fn unjudged(name: &str) -> ChannelAudit {

@@ -1,6 +1,6 @@
 //! What an audit found out, for the report.
 
-use super::axis::{AxisReading, Input};
+use super::axis::{AxisReading, Input, Siting};
 use super::shipped::{Source, flat, place};
 use super::verdict::{number, sentence};
 use super::{Audit, ChannelAudit, Convention, Defect, Fit, LookupErrors, Tried};
@@ -143,9 +143,18 @@ fn maps(audit: &Audit, c: &ChannelAudit) -> Vec<Field> {
         shown.push(k);
         shown.sort_unstable();
     }
-    let ruler = |axis: usize| Ruler {
-        name: format!("{} ({})", ["column", "row"][axis], audit.best().axes[axis].scale.name()),
-        values: audit.places[axis].iter().map(|i| *i as f64).collect(),
+    let ruler = |axis: usize| {
+        let (scale, places) = (audit.best().axes[axis].scale.name(), &audit.places[axis]);
+        match audit.source {
+            Source::Table => Ruler {
+                name: format!("{} ({scale})", ["column", "row"][axis]),
+                values: places.iter().map(|i| *i as f64).collect(),
+            },
+            Source::Function => Ruler {
+                name: format!("{} (given {scale})", audit.axes[axis]),
+                values: places.iter().map(|i| Siting::Centre.coordinate(*i, audit.size[axis])).collect(),
+            },
+        }
     };
     let name = |k: usize| match audit.places.get(2) {
         Some(z) => format!("error, slice {}", z[k]),

@@ -96,8 +96,8 @@ pub(super) fn judged(truth: &dyn Truth, sample: &Sample, axes: &[AxisReading]) -
         .iter()
         .enumerate()
         .map(|(axis, reading)| {
-            let [low, high] = truth.range(reading.scale.input());
-            sample.nodes(axis, reading).iter().map(|x| (low..=high).contains(x)).collect()
+            let input = reading.scale.input();
+            sample.nodes(axis, reading).iter().map(|x| truth.judges(input, *x)).collect()
         })
         .collect();
     let dims = sample.dims();

@@ -1,26 +1,30 @@
 //! `lobefit audit`: somebody else's table or shader function against the truth.
 
+mod words;
+
 use std::path::PathBuf;
 
 use clap::Args;
 
 use super::CliError;
-use super::options::{ThreadsOption, not_negative, quantity, smith};
+use super::options::{ThreadsOption, not_negative, smith};
 use super::output::{Outcome, print, say};
 use super::progress::Spinner;
-use crate::audit::{self, Audit, Column, Pins, SCALES, SITINGS, Scale, Shipped, Siting};
+use crate::audit::{self, Audit, Column, Pins, Scale, Shipped, Siting};
 use crate::data::Smith;
 use crate::effects::Quantity;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::integrate::glass::Side;
 use crate::report::{self, Origin};
-use crate::store;
+use crate::store::{self, Files, Folder};
+use words::{Size, axis, column, raw_format, setting, side, siting, size, wanted};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit audit dfg.exr --as ggx-reflection             how is this table meant, and how far off is it?
   lobefit audit lut.png --as ggx-reflection:E --limit 0.01   in CI: exit 1 if E is off by more than 0.01
   lobefit audit shader.tables --as ggx-glass --symbol table_ggx_glass_E --size 16x16x16
+  lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx
   lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
 
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior-1, F0, ...;
@@ -31,7 +35,7 @@ Exit code 1: over the limit, or it fits no convention that the options leave ope
 /// Options of `audit`.
 #[derive(Args)]
 pub(super) struct Options {
-    /// Table: EXR, DDS, PNG, KTX2, raw numbers, or a text with an array
+    /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL)
     pub file: PathBuf,
     /// Quantity that it is measured as, and the column that is asked for
     #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
@@ -66,6 +70,12 @@ pub(super) struct Options {
     /// Name of the layer of an EXR file
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
+    /// Function of a shader
+    #[arg(long, value_name = "NAME")]
+    pub function: Option<String>,
+    /// Value of an argument that is no input
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    pub set: Vec<(String, f64)>,
     /// Largest error at a texel that is accepted
     #[arg(long, value_name = "E", value_parser = not_negative)]
     pub limit: Option<f64>,
@@ -82,15 +92,12 @@ pub(super) struct Options {
     pub quiet: bool,
 }
 
-/// Texels along each axis.
-#[derive(Clone)]
-pub(super) struct Size(Vec<usize>);
-
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let bytes = store::read(&options.file, foreign::limits::BYTES)?;
-    let tables = foreign::read_table(&bytes, &options.file.display().to_string(), &hints(options))?;
-    let table = chosen(options, &tables)?;
-    let shipped = Shipped { what: named(options, &table.name), ..Shipped::from(table) };
+    let (shipped, holds) =
+        if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
+    // A folder that cannot be written is told of before the work.
+    let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
     let mut done = options.threads.install(|| work(options, &shipped, &progress))?;
     if options_fit_nothing(&done) {
@@ -102,12 +109,12 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     }
     drop(progress);
     let origin = origin(options, &bytes);
-    let found = audit::findings(&done, origin, &file_name(options), &table.what, options.limit);
+    let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
     let (page, figures) = report::audit_page(&found)?;
-    if let Some(folder) = &options.out {
+    if let Some(folder) = &mut folder {
         let name = file_name(options);
-        store::write(&folder.join(format!("{name}.audit.html")), page.as_bytes())?;
-        store::write(&folder.join(format!("{name}.audit.json")), &figures)?;
+        let html = (format!("{name}.audit.html"), page.into_bytes());
+        folder.write(&Files::from([html, (format!("{name}.audit.json"), figures.clone())]))?;
     }
     if options.json {
         print(&figures)?;
@@ -132,6 +139,56 @@ fn options_fit_nothing(done: &Audit) -> bool {
     done.pinned && done.fit == audit::Fit::None
 }
 
+/// Extensions of shaders.
+const SHADERS: [&str; 8] = ["wgsl", "glsl", "frag", "vert", "comp", "fs", "vs", "glslh"];
+
+fn is_shader(options: &Options) -> bool {
+    let extension = options.file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    options.function.is_some() || extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
+}
+
+/// The function that is meant as a table, and what the file is.
+fn shader(options: &Options, bytes: &[u8]) -> Result<(Shipped, String), CliError> {
+    let file = options.file.display().to_string();
+    let functions = foreign::read_functions(bytes, &file, None, options.function.as_deref())?;
+    let inputs = inputs(options);
+    let mut found = Vec::new();
+    let mut refused = None;
+    for function in &functions {
+        match audit::sampled(function, inputs, &options.set) {
+            Ok(sampled) => found.push(sampled),
+            Err(error) => refused = refused.or(Some(error)),
+        }
+    }
+    let names: Vec<&str> = found.iter().map(|f| f.what.as_str()).collect();
+    let names = names.join("`, `");
+    match (found.len(), refused) {
+        (0, Some(error)) => Err(error.into()),
+        (0, None) => Err(CliError::Usage(format!("{file}: holds no function"))),
+        (1, _) => {
+            let function = found.swap_remove(0);
+            let holds = format!("shader, function {} of {}", function.what, function.axes.join(", "));
+            Ok((Shipped { what: format!("{} ({})", function.what, file_name(options)), ..function }, holds))
+        }
+        _ => Err(CliError::Usage(format!(
+            "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"
+        ))),
+    }
+}
+
+/// The table that is meant, and what the file is.
+fn table(options: &Options, bytes: &[u8]) -> Result<(Shipped, String), CliError> {
+    let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints(options))?;
+    let table = chosen(options, &tables)?;
+    Ok((Shipped { what: named(options, &table.name), ..Shipped::from(table) }, table.what.clone()))
+}
+
+/// Inputs of the quantity.
+fn inputs(options: &Options) -> usize {
+    let name = options.wanted.0.name;
+    audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1)
+}
+
 /// Why the exit code is 1.
 fn refusal(done: &Audit, limit: Option<f64>) -> String {
     match limit {
@@ -147,8 +204,7 @@ fn chosen<'a>(
     options: &Options,
     tables: &'a [foreign::ForeignTable],
 ) -> Result<&'a foreign::ForeignTable, CliError> {
-    let name = options.wanted.0.name;
-    let inputs = audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1);
+    let inputs = inputs(options);
     let axes = |t: &&foreign::ForeignTable| t.size.iter().filter(|n| **n > 1).count() == inputs;
     let fitting: Vec<&foreign::ForeignTable> = tables.iter().filter(axes).collect();
     match (fitting.as_slice(), tables) {
@@ -187,6 +243,7 @@ fn pins(options: &Options) -> Result<Pins, CliError> {
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,
+        roles: None,
     })
 }
 
@@ -208,70 +265,4 @@ fn origin(options: &Options, bytes: &[u8]) -> Origin {
         tool: env!("CARGO_PKG_VERSION").into(),
         command: format!("lobefit audit {} --as {}{column}", file_name(options), quantity.name),
     }
-}
-
-fn wanted(text: &str) -> Result<(&'static Quantity, Option<Column>), String> {
-    let (name, of) = text.split_once(':').map_or((text, None), |(n, c)| (n, Some(c)));
-    let quantity = quantity(name)?;
-    Ok((quantity, of.map(|c| column(quantity, c)).transpose()?))
-}
-
-fn column(quantity: &Quantity, name: &str) -> Result<Column, String> {
-    let columns = Column::of(quantity.name);
-    let alias = match name {
-        "loss" => "1-E",
-        "N" => "1/E",
-        "loss_avg" => "1-E_avg",
-        other => other,
-    };
-    columns.iter().copied().find(|c| c.name() == alias).ok_or_else(|| {
-        let names: Vec<&str> = columns.iter().map(|c| c.name()).collect();
-        format!(
-            "`{name}` is nothing that a channel of {} holds; it may hold {}",
-            quantity.name,
-            names.join(", ")
-        )
-    })
-}
-
-fn axis(text: &str) -> Result<(Scale, bool), String> {
-    let (name, reversed) = match (text, text.strip_prefix("1-")) {
-        ("gloss", _) => ("roughness", true),
-        (_, Some(rest)) => (rest, true),
-        (name, None) => (name, false),
-    };
-    let found = SCALES.into_iter().find(|s| s.name() == name).map(|s| (s, reversed));
-    found.ok_or_else(|| {
-        let names: Vec<&str> = SCALES.iter().map(|s| s.name()).collect();
-        format!("no such coordinate; they are gloss, {}", names.join(", "))
-    })
-}
-
-fn siting(text: &str) -> Result<Siting, String> {
-    SITINGS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = SITINGS.iter().map(|s| s.name()).collect();
-        format!("no such registration; they are {}", names.join(", "))
-    })
-}
-
-fn side(text: &str) -> Result<Side, String> {
-    [Side::Outside, Side::Inside]
-        .into_iter()
-        .find(|s| s.name() == text)
-        .ok_or_else(|| "`outside` or `inside` is called for".into())
-}
-
-fn size(text: &str) -> Result<Size, String> {
-    let parts: Result<Vec<usize>, _> = text.split('x').map(str::parse).collect();
-    match parts {
-        Ok(list) if (1..=3).contains(&list.len()) && !list.contains(&0) => Ok(Size(list)),
-        _ => Err("one to three whole numbers above 0 are called for, as 64x64".into()),
-    }
-}
-
-fn raw_format(text: &str) -> Result<RawFormat, String> {
-    RawFormat::ALL.into_iter().find(|f| f.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = RawFormat::ALL.iter().map(|f| f.name()).collect();
-        format!("no such format; they are {}", names.join(", "))
-    })
 }

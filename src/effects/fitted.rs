@@ -41,26 +41,28 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let own: Vec<&Hypothesis> = own.iter().filter(affordable).collect();
     let rivals = parse(wanted.rivals.iter().copied())?;
     let mut ready: Vec<Ready> = Vec::new();
-    for hypothesis in own.iter().copied().chain(&rivals) {
+    let mut prepare = |hypothesis: &Hypothesis| -> Result<usize, FitStageError> {
         let target = Target::new(&wanted.spec, hypothesis)?;
-        if ready.iter().all(|r| r.target != target) {
-            ready.push(Ready::new(target, counter)?);
+        if let Some(known) = ready.iter().position(|r| r.target == target) {
+            return Ok(known);
         }
-    }
-    let of = |h: &Hypothesis| -> Result<&Ready, FitStageError> {
-        let target = Target::new(&wanted.spec, h)?;
-        let found = ready.iter().find(|r| r.target == target);
-        found.ok_or_else(|| {
-            FitStageError::Fit(FitError::Solver { message: format!("{}: no samples", h.file()) })
-        })
+        ready.push(Ready::new(target, counter)?);
+        Ok(ready.len() - 1)
     };
-    let jobs: Vec<(Hypothesis, Norm)> =
-        own.iter().flat_map(|h| wanted.norms.iter().map(|norm| ((*h).clone(), *norm))).collect();
-    let results = jobs.par_iter().map(|(h, norm)| of(h)?.fit(h, *norm)).collect();
+    let of_own: Vec<usize> = own.iter().map(|h| prepare(h)).collect::<Result<_, _>>()?;
+    let of_rivals: Vec<usize> = rivals.iter().map(prepare).collect::<Result<_, _>>()?;
+    let each_norm = |(h, index): (&&Hypothesis, &usize)| {
+        let (h, index) = ((*h).clone(), *index);
+        wanted.norms.iter().map(move |norm| ((h.clone(), *norm), index))
+    };
+    let (jobs, indices): (Vec<(Hypothesis, Norm)>, Vec<usize>) =
+        own.iter().zip(&of_own).flat_map(each_norm).unzip();
+    let results =
+        jobs.par_iter().zip(&indices).map(|((h, norm), index)| ready[*index].fit(h, *norm)).collect();
     let mut dropped = Vec::<Dropped>::new();
     let mut fits = kept(&jobs, results, &mut dropped)?;
-    for (entry, hypothesis) in wanted.rivals.iter().zip(&rivals) {
-        fits.push(of(hypothesis)?.published(entry, hypothesis)?);
+    for ((entry, hypothesis), index) in wanted.rivals.iter().zip(&rivals).zip(of_rivals) {
+        fits.push(ready[index].published(entry, hypothesis)?);
     }
     Ok(FitSet { fits, dropped })
 }

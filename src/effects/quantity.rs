@@ -108,6 +108,16 @@ pub static QUANTITIES: [Quantity; 6] = [
 ];
 
 impl Quantity {
+    /// `ggx-reflection`.
+    pub fn ggx_reflection() -> &'static Quantity {
+        &QUANTITIES[0]
+    }
+
+    /// `sheen-charlie`.
+    pub fn sheen_charlie() -> &'static Quantity {
+        &QUANTITIES[4]
+    }
+
     /// The quantity of a name.
     pub fn find(name: &str) -> Option<&'static Quantity> {
         QUANTITIES.iter().find(|q| q.name == name)
@@ -214,5 +224,16 @@ fn specular(index: f64) -> Specular {
         0 => Specular::Single,
         1 => Specular::Normalised,
         _ => Specular::Compensated,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantities_are_where_they_are_looked_for() {
+        assert_eq!(Quantity::ggx_reflection().name, "ggx-reflection");
+        assert_eq!(Quantity::sheen_charlie().name, "sheen-charlie");
     }
 }

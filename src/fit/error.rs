@@ -151,6 +151,20 @@ pub enum FitError {
         /// Its value.
         value: f64,
     },
+    /// A formula is not a number, or infinite, at a sample, and every start of its parameters fails so.
+    #[error(
+        "{place}: is {value} in {function} at {at}, with the parameters at their declared starts; no start does better"
+    )]
+    Undefined {
+        /// The first sub-expression that leaves the reals.
+        place: Box<Place>,
+        /// Function's name.
+        function: String,
+        /// Its value: not a number, or infinite.
+        value: f64,
+        /// The inputs there: `alpha = 0, mu = 0.5`.
+        at: String,
+    },
     /// The power of a p-norm is out of range.
     #[error(
         "the power of a p-norm is {power}: it must lie in 2 .. {largest}; the limit of large powers is the goal max"

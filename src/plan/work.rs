@@ -31,11 +31,11 @@ const EVALUATION_S: f64 = 30e-9;
 const OPTIMISE_S: f64 = 0.05;
 
 /// Seconds of the truth of the fits of f0 A + B, and of one of them.
-const BLEND_TRUTH_S: f64 = 8.0;
-const BLEND_FIT_S: f64 = 2.0;
+const BLEND_TRUTH_S: f64 = 3.3;
+const BLEND_FIT_S: f64 = 0.2;
 /// Seconds of the truth of the fits of the sheen, and of one of them.
-const SHEEN_TRUTH_S: f64 = 2.5;
-const SHEEN_FIT_S: f64 = 1.0;
+const SHEEN_TRUTH_S: f64 = 2.0;
+const SHEEN_FIT_S: f64 = 0.15;
 
 /// Seconds of a sampled texel of the azimuth mean of an anisotropic lobe: integrated for 1e-6 on Chebyshev nodes, interpolated,
 /// encoded. This and the next five from bakes of the path tracer's and of the default sizes beside one of 8x8x4.

@@ -49,6 +49,14 @@ pub enum Contraction {
     Fast,
 }
 
+/// Whether the processor has an instruction for a * b + c.
+fn fuses() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    return std::arch::is_x86_feature_detected!("fma");
+    #[cfg(not(target_arch = "x86_64"))]
+    return cfg!(target_arch = "aarch64");
+}
+
 /// Compiles a file of emitted code and a `main` after it, and runs the program with two files as arguments: what `input` holds,
 /// and what it writes, which is returned. None where the compiler is not there.
 ///
@@ -61,6 +69,10 @@ pub fn run(
     input: &[u8],
     contraction: Contraction,
 ) -> Option<Vec<f32>> {
+    if contraction == Contraction::Fast && !fuses() {
+        missing("this processor fuses no sums with products", "nothing: run it on another");
+        return None;
+    }
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
     let header = format!("lobefit.{}", language.extension());

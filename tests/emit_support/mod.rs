@@ -2,6 +2,7 @@
 //! emits reading functions for.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
+pub mod accuracy;
 pub mod compilers;
 pub mod languages;
 pub mod programs;

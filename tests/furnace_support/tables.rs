@@ -94,7 +94,7 @@ pub fn of_azimuth(smith: Smith) -> Table {
 
 /// Both sides of glass, outside first.
 pub fn of_glass(smith: Smith) -> [Table; 2] {
-    let axes = glass_axes([32, 32, 24], ROUGHNESS, [1.0, 2.0]);
+    let axes = glass_axes([32, 32, 32], ROUGHNESS, [1.0, 2.0]);
     let alphas = alphas(&axes[1]);
     // The slices' ior depends on alpha, the texels' grid does not: one grid a row.
     let rows: Vec<glass::Tabulated> = alphas

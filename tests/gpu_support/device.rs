@@ -42,6 +42,13 @@ impl Gpu {
         self.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source })
     }
 
+    /// A shader module in SPIR-V.
+    pub fn spirv(&self, bytes: &[u8]) -> wgpu::ShaderModule {
+        let words = bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+        let source = wgpu::ShaderSource::SpirV(words);
+        self.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source })
+    }
+
     /// A storage buffer that holds `bytes`.
     pub fn buffer(&self, bytes: &[u8]) -> wgpu::Buffer {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;

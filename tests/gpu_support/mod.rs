@@ -1,7 +1,6 @@
-//! What the tests on a device need: the device, and a bound on what arithmetic may make of a formula there.
+//! What the tests on a device need: the device.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
-pub mod accuracy;
 pub mod device;
 
 use crate::emit_support::missing;

@@ -10,9 +10,9 @@ use crate::audit::column::{self, Column};
 use crate::data::Smith;
 use crate::integrate::IntegrateError;
 use crate::integrate::glass::table::{Energies, Kernel};
-use crate::integrate::glass::{self, ALPHA, Side};
+use crate::integrate::glass::{self, Side};
 
-/// Least alpha that the kernel of tables takes; from [`ALPHA`] up to here a value is integrated singly, below it the interface is smooth.
+/// Least alpha that is judged, beside 0: that of the kernel of tables.
 const KERNEL_ALPHA: f64 = 4e-4;
 
 /// Least mu that is judged.
@@ -75,7 +75,7 @@ fn energies(
             if *alpha >= KERNEL_ALPHA {
                 kernel.energies(*alpha, *mu, iors, &mut out)?;
             } else {
-                single(smith, *alpha, *mu, iors, &mut out)?;
+                smooth(smith, *mu, iors, &mut out)?;
             }
             Ok(out)
         })
@@ -83,18 +83,11 @@ fn energies(
     Ok(lines.into_iter().flatten().collect())
 }
 
-/// The same where the kernel of tables does not reach.
-fn single(
-    smith: Smith,
-    alpha: f64,
-    mu: f64,
-    iors: &[f64],
-    out: &mut [Energies],
-) -> Result<(), IntegrateError> {
-    let alpha = if alpha < ALPHA[0] { 0.0 } else { alpha };
+/// The smooth interface.
+fn smooth(smith: Smith, mu: f64, iors: &[f64], out: &mut [Energies]) -> Result<(), IntegrateError> {
     for (ior, energies) in iors.iter().zip(out) {
         for (k, side) in SIDES.into_iter().enumerate() {
-            let value = glass::glass(smith, alpha, mu, *ior, side, EXACT)?;
+            let value = glass::glass(smith, 0.0, mu, *ior, side, EXACT)?;
             (energies.r[k], energies.t[k]) = (value.r, value.t);
         }
     }
@@ -126,6 +119,12 @@ impl Truth for Glass {
         }
     }
 
+    fn judges(&self, input: Input, x: f64) -> bool {
+        let [low, high] = self.range(input);
+        let gap = input == Input::Alpha && x > 0.0 && x < KERNEL_ALPHA;
+        (low..=high).contains(&x) && !gap
+    }
+
     fn quick(&self, lobe: usize, at: &[&[f64]]) -> Values {
         self.solid.at(lobe, at)
     }
@@ -148,7 +147,7 @@ mod tests {
     fn exact_values_are_the_quantity_and_quick_ones_are_near() {
         let lobes = SIDES.map(|side| Lobe { smith: Some(Smith::Separable), side: Some(side) }).to_vec();
         let truth = glass(lobes).unwrap();
-        let (iors, alphas, mus) = ([1.2, 1.5], [0.0, 2e-4, 0.09, 0.7], [0.2, 0.83]);
+        let (iors, alphas, mus) = ([1.2, 1.5], [0.0, 5e-4, 0.09, 0.7], [0.2, 0.83]);
         for (lobe, side) in SIDES.into_iter().enumerate() {
             let exact = truth.exact(lobe, &[&iors, &alphas, &mus]).unwrap();
             let quick = truth.quick(lobe, &[&iors, &alphas, &mus]);

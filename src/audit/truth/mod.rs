@@ -58,6 +58,11 @@ pub(super) trait Truth: Sync {
     fn columns(&self) -> &'static [Column];
     /// Range of an input in which the truth can be had; texels outside are not judged.
     fn range(&self, input: Input) -> [f64; 2];
+    /// Whether a texel with this value of an input is judged.
+    fn judges(&self, input: Input, x: f64) -> bool {
+        let [low, high] = self.range(input);
+        (low..=high).contains(&x)
+    }
     /// Values within about 1e-3, for trying many conventions; inputs are moved into the range.
     fn quick(&self, lobe: usize, at: &[&[f64]]) -> Values;
     /// Values within [`Truth::bound`]; inputs lie in the range.

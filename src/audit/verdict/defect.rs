@@ -45,10 +45,10 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
             format!("That is what rounding to {} leaves (RMS {}).", step.text(), number(*rms))
         }
         Defect::MissingLoss { stored, alpha, worst, texel } => format!(
-            "For smooth surfaces (alpha up to {}) it holds only {} % of the true loss, {} where {} is true at texel {texel:?}: a sampling \
-             that misses the tail of the lobe does this.",
+            "A quarter of the texels of smooth surfaces (alpha up to {}) hold less than {} % of the true loss; worst at texel {texel:?}, {} \
+             where {} is true: a sampling that misses the tail of the lobe does this.",
             number(*alpha),
-            (100.0 * stored.max(0.0)).round(),
+            (100.0 * stored.max(0.0)).ceil(),
             number(worst[0]),
             number(worst[1])
         ),

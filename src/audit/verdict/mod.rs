@@ -83,26 +83,26 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     } else {
         String::new()
     };
-    let where_ = match audit.source {
+    let scope = match audit.source {
         Source::Table => "At its texels".to_string(),
         Source::Function => format!("Over {} evenly spaced points", e.texels[0]),
     };
     if e.max <= 2.0 * audit.truth_error {
         return Some(format!(
-            "{where_} {column} is exact to the accuracy of the truth, {}{part}.",
+            "{scope} {column} is exact to the accuracy of the truth, {}{part}.",
             number(audit.truth_error)
         ));
     }
     // Half the last place of a single.
     if e.max <= 6e-8 * e.value.abs().max(1.0) {
-        return Some(format!("{where_} {column} is exact to single precision{part}."));
+        return Some(format!("{scope} {column} is exact to single precision{part}."));
     }
     let texel = match audit.source {
         Source::Table => format!("texel {:?} ({})", e.texel, place(&e.at)),
         Source::Function => place(&e.at),
     };
     Some(format!(
-        "{where_} {column} is off by at most {} (RMS {}){part}, worst at {texel}, where it is {} and {} is true.",
+        "{scope} {column} is off by at most {} (RMS {}){part}, worst at {texel}, where it is {} and {} is true.",
         number(e.max),
         number(e.rms),
         words::long(e.value),

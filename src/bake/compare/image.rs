@@ -120,3 +120,27 @@ fn judge(
     difference.promise_kept = Some(kept);
     difference.detail += &format!("; promise {word}: {says}");
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_promise_is_kept_only_where_it_is_measured() {
+        let judged = |measured: Result<f64, String>| {
+            let mut difference = plain("tables/t.exr", Kind::Different, "texels differ");
+            judge(0.5, &[], &mut difference, |_| measured.clone());
+            difference
+        };
+        assert_eq!(judged(Ok(0.5)).promise_kept, Some(true));
+        for broken in [Ok(0.6), Ok(f64::NAN), Err("a channel is missing".to_string())] {
+            let difference = judged(broken.clone());
+            assert_eq!(difference.promise_kept, Some(false), "{broken:?}");
+        }
+        let says = judged(Err("a channel is missing".into())).detail;
+        assert!(
+            says.ends_with("; promise broken: its lookup cannot be measured: a channel is missing"),
+            "{says}"
+        );
+    }
+}

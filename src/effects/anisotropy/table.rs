@@ -19,6 +19,9 @@ const SAMPLED: f64 = 1e-6;
 /// targets' own error is measured.
 const TARGETS: f64 = 1e-5;
 
+/// Targets drawn for their check.
+const CHECKED: usize = 1 << 13;
+
 /// Tolerance of the integrals that targets are compared with.
 const DIRECT: f64 = 1e-6;
 
@@ -77,7 +80,7 @@ fn optimised(spec: &Spec) -> Result<(Table, Made), VolumeError> {
     };
     let losses: Vec<f64> = points.iter().enumerate().map(|(i, p)| loss(i, p)).collect();
     let wanted = plan.targets(&losses);
-    let checked = check(QUANTITY, &plan, [&wanted], |nodes| direct(*smith, nodes))?;
+    let checked = check(QUANTITY, &plan, CHECKED, [&wanted], |nodes| direct(*smith, nodes))?;
     let texels = plan.optimised(&wanted, ROUNDS).0;
     let made = Made {
         evaluations: made(&table).evaluations + checked.evaluations,

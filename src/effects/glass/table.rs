@@ -15,6 +15,9 @@ const SAMPLED: f64 = 1e-6;
 /// targets' own error is measured.
 const TARGETS: f64 = 1e-5;
 
+/// Targets drawn for their check.
+const CHECKED: usize = 1 << 15;
+
 /// The tables for rays from outside and from inside, which share their integrals; texels not yet rounded. `specs` differ in their names.
 ///
 /// Errors: a truth that cannot be integrated; a layout that has no glass.
@@ -54,7 +57,7 @@ fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
         let losses: Vec<f64> = both.iter().map(|e| 1.0 - e[side]).collect();
         plan.targets(&losses)
     });
-    let checked = check(QUANTITY, &plan, wanted.each_ref(), |nodes| direct(*smith, nodes))?;
+    let checked = check(QUANTITY, &plan, CHECKED, wanted.each_ref(), |nodes| direct(*smith, nodes))?;
     let table = |side: usize| {
         let texels = plan.optimised(&wanted[side], ROUNDS).0;
         specs[side].table(QUANTITY, axes.clone(), vec![channel("loss", texels)])

@@ -4,7 +4,7 @@ use super::rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
 use crate::effects::entry::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
-pub const NORMALISATIONS: [Entry; 14] = own![
+pub const NORMALISATIONS: [Entry; 24] = own![
     "ggx_norm_r1",
     "ggx_norm_n2",
     "ggx_norm_r2",
@@ -14,18 +14,38 @@ pub const NORMALISATIONS: [Entry; 14] = own![
     "ggx_norm_r4p",
     "ggx_norm_r5",
     "ggx_norm_r6",
+    "ggx_norm_r6p",
+    "ggx_norm_r8",
+    "ggx_norm_i10",
+    "ggx_norm_i11",
     "ggx_norm_q12",
+    "ggx_norm_i12",
     "ggx_norm_q13",
+    "ggx_norm_i13",
+    "ggx_norm_i14",
     "ggx_norm_q15",
+    "ggx_norm_i15",
     "ggx_norm_q16",
+    "ggx_norm_o17",
+    "ggx_norm_o19",
     "ggx_norm_q20",
 ];
 
 /// E_avg(alpha) with free parameters.
-pub const AVERAGES: [Entry; 1] = own!["ggx_eavg_5"];
+pub const AVERAGES: [Entry; 5] = own!["ggx_eavg_3", "ggx_eavg_4", "ggx_eavg_5", "ggx_eavg_5p", "ggx_eavg_12"];
 
 /// f0 A + B with free parameters, by rising cost.
-pub const BLENDS: [Entry; 3] = own!["ggx_blend_11", "ggx_blend_14", "ggx_blend_30"];
+pub const BLENDS: [Entry; 9] = own![
+    "ggx_blend_11",
+    "ggx_blend_14",
+    "ggx_blend_16",
+    "ggx_blend_22",
+    "ggx_blend_24",
+    "ggx_blend_29",
+    "ggx_blend_30",
+    "ggx_blend_30p",
+    "ggx_blend_34",
+];
 
 /// The formulas of the source post, which started this: emitted beside ours.
 pub const SEEDS: [Entry; 2] = published![

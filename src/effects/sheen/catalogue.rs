@@ -3,7 +3,16 @@
 use crate::effects::entry::{Entry, own, published};
 
 /// E(alpha, mu) with free parameters, by rising cost.
-pub const HYPOTHESES: [Entry; 3] = own!["charlie_e_rational", "charlie_e_exp", "charlie_e_gauss"];
+pub const HYPOTHESES: [Entry; 8] = own![
+    "charlie_e_8",
+    "charlie_e_9",
+    "charlie_e_11",
+    "charlie_e_14",
+    "charlie_e_16",
+    "charlie_e_rational",
+    "charlie_e_exp",
+    "charlie_e_gauss",
+];
 
 /// E(roughness, mu) as engines ship it: measured and reported, not emitted.
 pub const RIVALS: [Entry; 1] = published!["charlie_e_threejs" by "three.js, IBLSheenBRDF, 2025"];

@@ -9,7 +9,6 @@ use super::fitted::{self, Wanted};
 use super::reflection::{Counter, FitSet, FitStageError, Region};
 use super::target::TargetSpec;
 use crate::data::{AlphaMap, Norm, Smith, Use};
-use crate::integrate::IntegrateError;
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 
 /// What to fit.
@@ -30,13 +29,9 @@ pub struct SheenSpec {
 pub fn fit_all(spec: &SheenSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
     let Region { roughness, mu, alpha_map } = spec.region;
     let squared = alpha_map == AlphaMap::RoughnessSquared;
-    let quantity = Quantity::find("sheen-charlie").ok_or(IntegrateError::NotFinite {
-        quantity: "sheen-charlie",
-        place: "the list of quantities".into(),
-    })?;
     let spec = Wanted {
         spec: TargetSpec {
-            quantity,
+            quantity: Quantity::sheen_charlie(),
             column: Some("E".into()),
             used_as: Some(Use::Value),
             // The lobe has no Smith form; the field is nobody's.

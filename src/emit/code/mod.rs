@@ -3,6 +3,20 @@
 //! The printers write the specialised formula: coefficients and constant sub-expressions as the shortest decimals
 //! that read back to the same f32, in the order of operations of the hypothesis, with no more parentheses than that
 //! order needs. `a + -c b` is written `a - c b`, which has the same bits.
+//!
+//! What is promised of the values, beside those of the hypothesis's tape in f32:
+//!
+//! | language | promise, and what it is tested with |
+//! |---|---|
+//! | Rust | the same bits where [`Printed::exact`], else 8 ulp; rustc, run |
+//! | C | the same bits where [`Printed::exact`], else 4 ulp, without contraction, on machines that evaluate a float as a float; a C99 compiler, run, and a C++ compiler. Contracted, each operation's error is no larger than its rounding's |
+//! | WGSL | read back, the same bits; on a device, what WGSL leaves to it: sums and products within 1 ulp, quotients 2.5; naga, and a Vulkan device |
+//! | HLSL, GLSL | the same as C, with the specifications' built-ins, in C++; on a device, what Vulkan leaves to it, which is the same as in WGSL; glslang, SPIR-V Tools, and a Vulkan device |
+//! | MSL | the same as C, with the specification's built-ins, in C++. No Metal compiler runs outside Apple's systems, and none has read it; fast math, its default, may reorder sums |
+//!
+//! The ulp are of sums of positive terms, or of 1 where terms cancel. In C's family, `mix` is x (1 - t) + y t by a function of ours where
+//! the language's own is x + t (y - x); `select` is `?:`, both of whose operands are free of side effects; `fma` is `fmaf`, `fma` in MSL,
+//! `mad` in HLSL and, for versions that have none, `x * y + z` in GLSL, the last two of which may round once or twice.
 
 mod clike;
 mod expression;
@@ -28,7 +42,8 @@ pub struct Printed {
     pub text: String,
     /// Rust: whether it needs `std` (sqrt, floor, mul_add, exp, ...); `core` is enough otherwise.
     pub needs_std: bool,
-    /// Whether its bits are promised: it uses no transcendental function, whose last bits are the platform's.
+    /// Whether its bits are promised, as far as the language promises bits: it uses no transcendental function, whose last bits are
+    /// the platform's, and no `fma` where the language may round twice.
     /// `min`, `max` and `clamp` are excepted where an operand is not a number or two zeros differ in sign.
     pub exact: bool,
 }

@@ -95,11 +95,9 @@ fn parse(file: &str, source: &str) -> Result<Module, FitError> {
     let mut options = naga::front::wgsl::Options::new();
     options.parse_doc_comments = true;
     let module = naga::front::wgsl::Frontend::new_with_options(options).parse(source).map_err(|e| {
-        let label = e.labels().next().map(|(span, text)| (span, text.to_string()));
-        let (span, text) = label.map_or((None, String::new()), |(span, text)| (Some(span), text));
-        let message =
-            if text.is_empty() { e.message().to_string() } else { format!("{} ({text})", e.message()) };
-        FitError::Syntax { place: place(span), message }
+        let label = e.labels().next();
+        let message = worded(e.message(), label.as_ref().map_or("", |(_, text)| text));
+        FitError::Syntax { place: place(label.map(|(span, _)| span)), message }
     })?;
     let flags = naga::valid::ValidationFlags::all();
     naga::valid::Validator::new(flags, naga::valid::Capabilities::empty()).validate(&module).map_err(
@@ -109,6 +107,13 @@ fn parse(file: &str, source: &str) -> Result<Module, FitError> {
         },
     )?;
     Ok(module)
+}
+
+/// The front end's message with the label of its place, unless that says nothing new: labels refer to the message (`see msg`), or
+/// repeat it.
+fn worded(message: &str, label: &str) -> String {
+    let told = label.is_empty() || label == "see msg" || message.contains(label);
+    if told { message.to_string() } else { format!("{message} ({label})") }
 }
 
 /// An error with its causes in one line.

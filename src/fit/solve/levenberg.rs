@@ -24,6 +24,9 @@ const NEARLY_ZERO: f64 = 0.01;
 /// Trials of larger damping before an iteration gives up.
 const TRIALS: usize = 40;
 
+/// Trials at what may be a minimum already: only its last digits are left to gain.
+const LAST_TRIALS: usize = 6;
+
 type LeastSquaresState = IterState<Vec<f64>, (), (), (), (), f64>;
 
 /// How a least-squares search has ended.
@@ -157,7 +160,8 @@ impl Marquardt {
         at: &[f64],
         model: &Model,
     ) -> Option<(Vec<f64>, f64)> {
-        for _ in 0..TRIALS {
+        let near = model.triangle.orthogonality() <= NEARLY_ORTHOGONAL;
+        for _ in 0..if near { LAST_TRIALS } else { TRIALS } {
             let trial = model.triangle.step(&self.scale, self.damping).and_then(|step| {
                 let next: Vec<f64> = at.iter().zip(&step).map(|(p, d)| p + d).collect();
                 let moved = next.iter().zip(at).any(|(a, b)| a != b);

@@ -43,7 +43,7 @@ const TINY: f64 = 1e-30;
 ///
 /// # Errors
 /// Data that are not finite or of the wrong shape, with the index; a p-norm's power out of range; no start at which the formula is
-/// finite at every sample and its divisors keep their sign, with the sample that refused the declared one; a constraint that no
+/// finite at every sample and its divisors keep their sign, with what the declared one runs into and where; a constraint that no
 /// coefficients found obey.
 pub fn optimise(
     hypothesis: &Hypothesis,

@@ -124,20 +124,33 @@ fn run(objective: &Objective, starts: &[Vec<f64>], iterations: u64) -> Result<Ve
     Ok(searches)
 }
 
-/// Why a start was refused.
+/// Why a start was refused: the operation that leaves the reals, or a pole among the samples, with the sample's inputs.
 pub(super) fn refused(objective: &Objective, start: &[f64]) -> FitError {
+    let (tape, samples) = (objective.tape, objective.samples);
     let index = objective.linearise(start).err().map_or(0, |r| r.sample);
-    let inputs: Vec<f64> = objective.samples.inputs.iter().map(|column| column[index]).collect();
-    let value = objective.tape.at(&inputs, start);
-    let name = objective.tape.function();
-    if value.is_finite() {
+    let inputs: Vec<f64> = samples.inputs.iter().map(|column| column[index]).collect();
+    let named = tape.inputs().iter().zip(&inputs).map(|(name, x)| format!("{name} = {x}"));
+    let (function, at) = (tape.function().to_string(), named.collect::<Vec<_>>().join(", "));
+    let mut values: Vec<f64> = Vec::with_capacity(tape.ops().len());
+    for (node, op) in tape.ops().iter().enumerate() {
+        let value = op.evaluate(&inputs, start, &values);
+        if !value.is_finite() {
+            let place = Box::new(tape.place(node as u32).clone());
+            return FitError::Undefined { place, function, value, at };
+        }
+        values.push(value);
+    }
+    if let Some(parameter) = tape.gradient_at(&inputs, start).iter().position(|g| !g.is_finite()) {
         let message = format!(
-            "{name}: at the declared start a divisor changes sign among the samples, near sample {index}; \
-             every other start failed too"
+            "{function}: its derivative by parameter {parameter} (counted from 0) is not finite at {at}"
         );
         return FitError::Solver { message };
     }
-    FitError::NotFinite { column: format!("{name}: value at the declared start"), index, value }
+    let message = format!(
+        "{function}: at the declared start a divisor changes sign among the samples, near sample {index} ({at}); every other \
+         start failed too"
+    );
+    FitError::Solver { message }
 }
 
 /// Whether a root mean square residual is nothing beside the targets.

@@ -117,8 +117,8 @@ impl Maker {
     pub fn select(&mut self, condition: Node, accept: Node, reject: Node) -> Node {
         match self.tape.constant(condition) {
             _ if accept == reject => accept,
-            Some(x) if x == 1.0 => accept,
-            Some(x) if x == 0.0 => reject,
+            Some(1.0) => accept,
+            Some(0.0) => reject,
             _ => self.push(Op::Select(condition, accept, reject)),
         }
     }

@@ -253,8 +253,8 @@ impl<'a> Walk<'a> {
         span: Span,
     ) -> Result<Flow, ForeignError> {
         match self.maker.tape.constant(condition) {
-            Some(x) if x == 1.0 => return self.block(frame, accept),
-            Some(x) if x == 0.0 => return self.block(frame, reject),
+            Some(1.0) => return self.block(frame, accept),
+            Some(0.0) => return self.block(frame, reject),
             Some(_) => return Err(self.source.unsupported(span, "a condition that is not a number", ONLY)),
             None => {}
         }
@@ -306,7 +306,7 @@ impl<'a> Walk<'a> {
             if let Some(condition) = break_if {
                 let condition = self.truth(frame, condition)?;
                 match self.maker.tape.constant(condition) {
-                    Some(x) if x == 1.0 => return Ok(Flow::Next),
+                    Some(1.0) => return Ok(Flow::Next),
                     Some(_) => {}
                     None => {
                         let advice = "only loops that run a fixed number of times are";

@@ -29,8 +29,7 @@ pub(super) fn read(
             RawFormat::F32 => f64::from(u32::MAX),
             RawFormat::F64 => return refuse("64-bit integers are not read as f64 exactly".into()),
         };
-        // An integer that is not finite is the word for it.
-        if negative || !(largest <= limit) {
+        if negative || largest > limit {
             return refuse(format!(
                 "integers from {} to {largest} are no {}",
                 smallest(&values),

@@ -11,7 +11,7 @@ use crate::report::{
 pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
     let mut sections = vec![verdict(audit), conventions(audit)];
     for channel in &audit.channels {
-        sections.push(channel_section(channel)?);
+        sections.push(channel_section(channel, is_function(audit))?);
     }
     Ok(Page {
         title: format!("lobefit audit: {} as {}", audit.file, audit.quantity),
@@ -21,6 +21,11 @@ pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
             .into(),
         sections,
     })
+}
+
+/// Whether the axes are arguments, which lie nowhere.
+fn is_function(audit: &AuditFindings) -> bool {
+    audit.conventions.iter().flat_map(|c| &c.axes).all(|a| a.registration.is_empty())
 }
 
 fn verdict(audit: &AuditFindings) -> Section {
@@ -104,7 +109,7 @@ fn axis(a: &AuditAxis) -> String {
     format!("{coordinate}{siting}{clamp}")
 }
 
-fn channel_section(channel: &AuditChannel) -> Result<Section, ReportError> {
+fn channel_section(channel: &AuditChannel, function: bool) -> Result<Section, ReportError> {
     let section = format!("channel {}", channel.name);
     let mut blocks = vec![Block::Table(errors(channel))];
     for defect in &channel.defects {
@@ -119,26 +124,33 @@ fn channel_section(channel: &AuditChannel) -> Result<Section, ReportError> {
             .map(|f| {
                 let map = HeatMap::of(&f.name, f);
                 HeatMap {
-                    top_down: true,
+                    top_down: !function,
                     shade: signed(peak),
                     worst: map.worst.clone().filter(|_| worst(f)),
                     ..map
                 }
             })
             .collect();
-        let caption = "Signed error of every texel in its place in the file, first row at the top: blue too low, red too high, white \
-                       exact. Colours follow the square root of the magnitude; the ring marks the worst texel.";
-        blocks.push(figures(&maps, caption)?);
+        let place = if function {
+            "over its arguments"
+        } else {
+            "of every texel in its place in the file, first row at the top"
+        };
+        let caption = format!(
+            "Signed error {place}: blue too low, red too high, white exact. Colours follow the square root of the magnitude; the ring \
+             marks the worst place."
+        );
+        blocks.push(figures(&maps, &caption)?);
     }
     if !channel.curves.is_empty() {
         let charts: Vec<Curves> =
             channel.curves.iter().map(|c| chart(&section, c)).collect::<Result<_, _>>()?;
-        blocks.push(figures(&charts, "What is held at the texels (marks) beside the truth (black).")?);
+        blocks.push(figures(&charts, "What is held beside the truth (black).")?);
     }
     Ok(Section {
         id: format!("channel-{}", anchor(&channel.name)),
         title: format!("Channel {}: {}", channel.name, channel.holds),
-        lead: "Errors under the best convention: at the texels themselves, and between them as a shader sees them.".into(),
+        lead: "Errors under the best convention, and where they are.".into(),
         blocks,
     })
 }
@@ -154,7 +166,8 @@ fn errors(channel: &AuditChannel) -> crate::report::TextTable {
     let cells = |what: String, max: f64, rms: f64, mean: f64, at: String| {
         vec![what, words::max(max), words::mean(rms), significant(mean, 2), at]
     };
-    let what = if judged == all { "texels".into() } else { format!("texels ({judged} of {all})") };
+    let noun = if channel.lookup.is_some() { "texels" } else { "points" };
+    let what = if judged == all { noun.into() } else { format!("{noun} ({judged} of {all})") };
     let mut rows = vec![cells(what, *max, *rms, *mean, words::place(at))];
     let mut lookup = |name: &str, l: &Option<AuditLookup>| {
         if let Some(l) = l {
@@ -162,11 +175,17 @@ fn errors(channel: &AuditChannel) -> crate::report::TextTable {
         }
     };
     lookup("lookup, texels where they are", &channel.lookup);
-    lookup("lookup, texels taken for centres", &channel.plain_lookup);
+    if channel.plain_lookup != channel.lookup {
+        lookup("lookup, texels taken for centres", &channel.plain_lookup);
+    }
     words::table(
         &[("error of", false), ("max", true), ("RMS", true), ("mean", true), ("where", false)],
         rows,
-        "Lookups interpolate linearly over even coordinates of the whole domain; beyond the outermost texels they hold their value.",
+        if channel.lookup.is_some() {
+            "Lookups interpolate linearly over even coordinates of the whole domain; beyond the outermost texels they hold their value."
+        } else {
+            "Over evenly spaced points of the arguments."
+        },
     )
 }
 
@@ -179,11 +198,13 @@ fn chart(section: &str, curve: &AuditCurve) -> Result<Curves, ReportError> {
         style,
         end: None,
     };
+    // More marks than this hide the truth below them.
+    let style = if curve.at.len() <= 24 { Style::Marked(0) } else { Style::Line(0) };
     Ok(Curves {
         title: curve.title.clone(),
         x: (words::axis(&curve.x), Spread::Linear),
         y: (String::new(), Spread::Linear),
-        series: vec![line("truth", &curve.truth, Style::Truth), line("held", &curve.held, Style::Marked(0))],
+        series: vec![line("truth", &curve.truth, Style::Truth), line("held", &curve.held, style)],
         annotations: Vec::new(),
         guides: Vec::new(),
         y_limits: None,

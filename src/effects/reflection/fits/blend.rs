@@ -9,7 +9,6 @@ use crate::effects::reflection::catalogue::BLENDS;
 use crate::effects::reflection::{BLEND_RIVALS, Counter};
 use crate::effects::target::TargetSpec;
 use crate::effects::{Entry, Quantity};
-use crate::integrate::IntegrateError;
 
 /// The blends of the catalogue and, of the published ones, those that are `comparable` under the spec's map of roughness.
 pub fn blends(
@@ -17,14 +16,10 @@ pub fn blends(
     comparable: impl Fn(&&Entry) -> bool,
     counter: &Counter,
 ) -> Result<FitSet, FitStageError> {
-    let quantity = Quantity::find("ggx-reflection").ok_or(IntegrateError::NotFinite {
-        quantity: "ggx-reflection",
-        place: "the list of quantities".into(),
-    })?;
     let range = |name: &str, range: [f64; 2]| (name.to_string(), range);
     let wanted = Wanted {
         spec: TargetSpec {
-            quantity,
+            quantity: Quantity::ggx_reflection(),
             column: Some("E".into()),
             used_as: Some(Use::F0Blend),
             smith: spec.smith,

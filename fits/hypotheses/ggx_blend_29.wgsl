@@ -1,0 +1,28 @@
+override c0: f32 = -0.0055563073;
+override c1: f32 = -0.4128085;
+override c2: f32 = 0.23585445;
+override c3: f32 = -3.514061;
+override d0: f32 = 0.0516986;
+override d1: f32 = -0.94971377;
+override d2: f32 = 6.240244;
+override d3: f32 = 4.5119896;
+override d4: f32 = -5.5824285;
+override a0: f32 = 0.98045325;
+override a1: f32 = -1.3225057;
+override b0: f32 = 9.851658;
+override b1: f32 = 16.71482;
+override b2: f32 = 2.3434818;
+override b3: f32 = -13.060948;
+override b4: f32 = 21.760462;
+
+/// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
+/// Twenty-nine operations, 27 of them for E and B: two quotients.
+fn ggx_blend_29(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
+    let cube = alpha * roughness;
+    let loss = alpha * (c0 + mu * (c1 + alpha * (c2 + c3 * alpha)));
+    let divisor = cube + mu * (d0 + roughness * (d1 + d2 * cube) + mu * (d3 + d4 * roughness));
+    let albedo = 1.0 + loss / divisor;
+    let falloff = b2 + b3 * roughness + b4 * mu;
+    let share = (a0 + a1 * mu) / (1.0 + alpha * (b0 + b1 * roughness) + mu * falloff);
+    return albedo * (share + f0 * (1.0 - share));
+}

@@ -1,0 +1,117 @@
+//! What an audit finds out, as plain data.
+
+use super::column::Column;
+use super::convention::{Convention, Misfit};
+use super::defects::Defect;
+use super::errors::TexelErrors;
+use super::lookup::LookupErrors;
+use super::shipped::Source;
+use crate::data::Place;
+
+/// How a table fits its best convention, the better first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fit {
+    /// Its errors are small beside the spread of the truth.
+    Whole,
+    /// A part of it fits and the rest does not: stale or damaged.
+    Part,
+    /// It fits none.
+    None,
+}
+
+/// A convention that was tried.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tried {
+    /// The convention.
+    pub convention: Convention,
+    /// Figures of the channels that are judged, by channel.
+    pub misfits: Vec<Option<Misfit>>,
+    /// What it ranks by.
+    pub rank: f64,
+}
+
+/// The furnace: E over the E that the table makes the shader believe, less 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Furnace {
+    /// Least and largest.
+    pub range: [f64; 2],
+    /// Where the magnitude is largest.
+    pub at: Place,
+}
+
+/// A channel under the best convention.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelAudit {
+    /// Its name.
+    pub name: String,
+    /// What it holds; none if it is constant or not asked for.
+    pub column: Option<Column>,
+    /// Its errors at the texels, where it is judged.
+    pub errors: Option<TexelErrors>,
+    /// How it fits.
+    pub fit: Fit,
+    /// Signed errors of the texels, the first axis fastest, of at most 64 (three axes) or 4096 places along each; empty if not judged.
+    pub map: Vec<f64>,
+    /// The truth at those texels.
+    pub truth: Vec<f64>,
+    /// What is wrong with it.
+    pub defects: Vec<Defect>,
+    /// Its lookup with the best registration.
+    pub lookup: Option<LookupErrors>,
+    /// Its lookup as a texture unit does it without a remap of the coordinates.
+    pub plain_lookup: Option<LookupErrors>,
+}
+
+/// What was found out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Audit {
+    /// File and array.
+    pub what: String,
+    /// Quantity.
+    pub quantity: &'static str,
+    /// What the values are of.
+    pub source: Source,
+    /// Size of the table without axes of one texel.
+    pub size: Vec<usize>,
+    /// Names of its axes.
+    pub axes: Vec<String>,
+    /// Places along every axis at which the maps are given.
+    pub places: Vec<Vec<usize>>,
+    /// How the whole fits: as its worst channel.
+    pub fit: Fit,
+    /// The conventions, the best first.
+    pub tried: Vec<Tried>,
+    /// Rank of the next that differs over that of the first; infinite if there is none.
+    pub margin: f64,
+    /// Whether part of the convention was given by the user.
+    pub pinned: bool,
+    /// The channels.
+    pub channels: Vec<ChannelAudit>,
+    /// The furnace, where the channels make an albedo.
+    pub furnace: Option<Furnace>,
+    /// Bound of the truth's own error.
+    pub truth_error: f64,
+    /// All of it in a paragraph.
+    pub verdict: String,
+}
+
+impl Audit {
+    /// The best convention.
+    pub fn best(&self) -> &Convention {
+        &self.tried[0].convention
+    }
+
+    /// Largest error at a texel of any judged channel.
+    pub fn worst(&self) -> f64 {
+        self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
+    }
+
+    /// Whether it is what it is said to be: it fits, and no texel is off by more than the limit. With nothing given by the user and no
+    /// limit an audit only tells.
+    pub fn passes(&self, limit: Option<f64>) -> bool {
+        match limit {
+            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit,
+            None => !self.pinned || self.fit != Fit::None,
+        }
+    }
+}
