@@ -48,8 +48,7 @@ fn assert_bits<const N: usize>(function: &ShaderFunction, formula: impl Fn(f32, 
 
 /// K of Karis 2014: constants in vectors, a swizzle, a vector result.
 fn karis(mu: f32, rough: f32) -> [f32; 2] {
-    let [x, y, z, w] =
-        [-rough + 1.0, -0.0275 * rough + 0.0425, -0.572 * rough + 1.04, 0.022 * rough + -0.04];
+    let [x, y, z, w] = [-rough + 1.0, -0.0275 * rough + 0.0425, -0.572 * rough + 1.04, 0.022 * rough + -0.04];
     let t = (x * x).min(exp2f(-9.28 * mu)) * x + y;
     [-1.04 * t + z, 1.04 * t + w]
 }

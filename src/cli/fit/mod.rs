@@ -5,6 +5,7 @@ mod search;
 
 use super::CliError;
 use super::output::{Outcome, print, say};
+use super::progress::Spinner;
 use crate::fitting::{self, Fitting, Job};
 use crate::scene::escape::visible;
 use crate::store::Folder;
@@ -44,6 +45,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let job = options.job()?;
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
+    let spinner = Spinner::new(options.quiet || options.json);
+    spinner.stage("integrating and fitting");
     let (fitting, files) = options.threads.install(|| {
         let fitting = fitting::fit(&job)?;
         let files = if folder.is_some() && reliable(&fitting) {
@@ -53,6 +56,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         };
         Ok((fitting, files))
     })?;
+    drop(spinner);
     show(options, &job, &fitting)?;
     for fit in &fitting.fits {
         for problem in &fit.problems {

@@ -182,7 +182,7 @@ impl Target {
     fn refuse_unknown(&self, spec: &TargetSpec, formula: &Hypothesis) -> Result<(), TargetError> {
         let known = self.inputs();
         let listed = known.join(", ");
-        for input in spec.domain.keys().filter(|input| !known.contains(input)) {
+        if let Some(input) = spec.domain.keys().find(|input| !known.contains(input)) {
             let (input, quantity) = (input.clone(), self.quantity.name);
             return Err(TargetError::Input { input, quantity, known: listed });
         }
