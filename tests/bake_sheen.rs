@@ -1,5 +1,7 @@
 //! The effect sheen, and fits of f0 A + B: from the scene to the bytes, and nothing of them where the scene does not ask.
 
+use std::sync::LazyLock;
+
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
 use lobefit::effects::reflection::Fit;
@@ -29,10 +31,13 @@ fn manifest(baked: &Baked) -> Value {
 const SATIN: &str =
     r#""kind": "dielectric", "ior": 1.5, "roughness": 0, "sheen": {"roughness": [0.3, 1], "norms": ["max"]}"#;
 
+/// Its bake, for the tests that look at it.
+static SATIN_BAKED: LazyLock<Baked> = LazyLock::new(|| baked(SATIN));
+
 #[test]
 fn a_sheen_is_fitted_certified_and_emitted_in_every_language() {
-    let baked = baked(SATIN);
-    let manifest = manifest(&baked);
+    let baked = &*SATIN_BAKED;
+    let manifest = manifest(baked);
     let fits = manifest["fits"].as_array().expect("a list");
     assert!(fits.len() >= 3 && fits.iter().all(|f| f["effect"] == "sheen"), "{fits:?}");
     for fit in fits {
@@ -63,7 +68,7 @@ fn a_sheen_is_fitted_certified_and_emitted_in_every_language() {
 /// The certificate bounds the error at points of a lattice, and a rival has its own.
 #[test]
 fn certificates_of_the_sheen_hold() {
-    let baked = baked(SATIN);
+    let baked = &*SATIN_BAKED;
     let error = |fit: &Fit, roughness: f32, mu: f32| {
         let column = |name: &String| match name.as_str() {
             "roughness" => vec![roughness],
