@@ -35,24 +35,20 @@ pub enum AuditError {
         expected: usize,
     },
     /// The quantity has another number of inputs than the table has axes.
-    #[error(
-        "{what}: {size:?} texels have {axes} axes that vary, {quantity} has {inputs} inputs ({names}); {advice}"
-    )]
+    #[error("{what}: a table of {size:?} texels, but {quantity} has {inputs} inputs ({names}); {advice}")]
     Axes {
         /// File and array.
         what: String,
-        /// Size of the table.
+        /// Size of the table without axes of one texel.
         size: Vec<usize>,
-        /// Axes longer than 1.
-        axes: usize,
         /// Quantity asked for.
-        quantity: String,
+        quantity: &'static str,
         /// Its inputs.
         inputs: usize,
         /// Their names.
         names: String,
         /// What to do.
-        advice: String,
+        advice: &'static str,
     },
     /// Too few texels to tell conventions apart.
     #[error(

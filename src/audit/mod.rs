@@ -146,11 +146,10 @@ fn check_axes(table: &Shipped, truth: &dyn Truth) -> Result<(), AuditError> {
     Err(AuditError::Axes {
         what: table.what.clone(),
         size: table.size.clone(),
-        axes,
-        quantity: truth.quantity().into(),
+        quantity: truth.quantity(),
         inputs,
         names: truth.inputs().iter().map(|i| i.name()).collect::<Vec<_>>().join(", "),
-        advice: advice.into(),
+        advice,
     })
 }
 

@@ -66,10 +66,10 @@ pub enum CliError {
     },
     /// A table or shader of somebody else's that cannot be read.
     #[error(transparent)]
-    Foreign(#[from] ForeignError),
+    Foreign(#[from] Box<ForeignError>),
     /// A table or shader of which nothing can be said.
     #[error(transparent)]
-    Audit(#[from] AuditError),
+    Audit(#[from] Box<AuditError>),
     /// A page could not be made.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -103,6 +103,18 @@ impl From<FittingError> for CliError {
             FittingError::Weight { .. } => CliError::Usage(format!("--{error}")),
             _ => CliError::Fitting(Box::new(error)),
         }
+    }
+}
+
+impl From<ForeignError> for CliError {
+    fn from(error: ForeignError) -> CliError {
+        CliError::Foreign(Box::new(error))
+    }
+}
+
+impl From<AuditError> for CliError {
+    fn from(error: AuditError) -> CliError {
+        CliError::Audit(Box::new(error))
     }
 }
 
