@@ -240,7 +240,7 @@ fn power(objective: &Objective, searches: &[Search], p: f64, iterations: u64) ->
 
 /// The best minimax descent from the finalists of the least-squares searches.
 ///
-/// No p-norm stage between: measured on six rational forms of 3 to 9 parameters, disguised so that only this route serves them, the
+/// No p-norm stage between: measured on six rational forms of 4 to 10 parameters, disguised so that only this route serves them, the
 /// descents end at the proven optimum from least squares already, and a climb to p = 64 takes 2 to 4 times as long as they do.
 fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Result<Route, FitError> {
     let finalists = &searches[..searches.len().min(FINALISTS)];
