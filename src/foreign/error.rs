@@ -153,7 +153,7 @@ pub enum ForeignError {
         /// Channel of the first such value.
         channel: String,
         /// Index along each axis of the first such value, x first.
-        texel: Vec<usize>,
+        texel: Box<[usize]>,
         /// The first such value.
         value: f64,
         /// How many there are, all channels together.
