@@ -8,10 +8,10 @@ use lobefit::effects::Quantity;
 use lobefit::foreign::Step;
 use lobefit::integrate::reflection::{self, Effort, albedo, split};
 
-/// A table over (mu, alpha) of several functions.
 /// A channel: its name and its value at a texel.
 type Channel<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
 
+/// A table over (mu, alpha) of several functions.
 fn table(size: [usize; 2], channels: &[Channel]) -> Shipped {
     let texels = |f: &dyn Fn(usize, usize) -> f64| {
         (0..size[0] * size[1]).map(|i| f(i % size[0], i / size[0])).collect()
