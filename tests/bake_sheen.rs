@@ -204,7 +204,7 @@ fn blends_are_fitted_for_every_f0() {
 /// One job for all sheens: the hull of their ranges, every norm, the largest number of operations, each promise by itself.
 #[test]
 fn sheens_are_planned_together() {
-    let scene = Scene::from_json(include_bytes!("cloth.json"), "cloth.json").expect("a scene");
+    let scene = Scene::from_json(include_bytes!("../examples/cloth.json"), "cloth.json").expect("a scene");
     let plan = plan(&scene);
     let job = plan.sheen.as_ref().expect("a job");
     assert_eq!((job.roughness, job.mu, job.max_ops), ([0.1, 1.0], [0.01, 1.0], None));

@@ -15,8 +15,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Rivals as published: A and B both computed where E is
 /// their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 76] = [
-    ("ggx_norm_r6p", 6),
+const COSTS: [(&str, u32); 75] = [
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
     ("ggx_norm_i11", 11),
@@ -130,9 +129,14 @@ fn costs_are_those_of_the_operation_model() {
 
 #[test]
 fn no_hypothesis_has_a_pole_in_the_domain() {
+    // The sheen's forms are made for roughness from 0.1: at 0.02 E is 8 at grazing and below 1e-300 elsewhere.
+    let cloth = Domain::new(&[("roughness", 0.1, 1.0), ("mu", 0.01, 1.0)])
+        .and_then(|d| d.with_derived("alpha", "roughness", 2))
+        .unwrap();
     for (name, _) in COSTS {
         let hypothesis = hypothesis(name);
-        prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain()).unwrap_or_else(|e| panic!("{e}"));
+        let domain = if name.contains("charlie") { cloth.clone() } else { domain() };
+        prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).unwrap_or_else(|e| panic!("{e}"));
     }
 }
 
@@ -193,9 +197,10 @@ fn published_rivals_have_the_errors_that_were_measured_of_them() {
     }
 }
 
-/// Largest error when that is minimised, rms when that is; from the published study of the forms.
-const REACHED: [(&str, f64, f64); 24] = [
-    ("ggx_norm_r6p", 0.0615, 0.023),
+/// Largest error when that is minimised, rms when that is; from the published study of the forms, and from the search. (ggx_norm_o19
+/// is held by `tests/reflection_fits.rs`: on the coarser grid of this test its least squares fit comes too close to a pole in the
+/// corner of roughness 0.02 and mu 0.01 to be proven.)
+const REACHED: [(&str, f64, f64); 22] = [
     ("ggx_norm_r8", 0.055, 0.02),
     ("ggx_norm_i10", 0.0323, 0.0155),
     ("ggx_norm_i11", 0.0276, 0.013),
@@ -204,7 +209,6 @@ const REACHED: [(&str, f64, f64); 24] = [
     ("ggx_norm_i14", 0.0125, 0.0065),
     ("ggx_norm_i15", 0.0098, 0.0058),
     ("ggx_norm_o17", 0.0075, 0.0041),
-    ("ggx_norm_o19", 0.006, 0.0035),
     ("ggx_norm_n2", 0.513, 0.128),
     ("ggx_norm_r1", 0.513, 0.122),
     ("ggx_norm_r2", 0.254, 0.083),

@@ -37,7 +37,6 @@ fn bars() {
     assert!(max("ggx_norm_q20") <= 0.0105 && ops("ggx_norm_q20") <= 20);
     // What the search has found.
     for (name, most, bar) in [
-        ("ggx_norm_r6p", 6, 0.0624),
         ("ggx_norm_r8", 8, 0.0557),
         ("ggx_norm_i10", 10, 0.0326),
         ("ggx_norm_i11", 11, 0.028),

@@ -4,7 +4,7 @@ use super::rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
 use crate::effects::entry::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
-pub const NORMALISATIONS: [Entry; 24] = own![
+pub const NORMALISATIONS: [Entry; 23] = own![
     "ggx_norm_r1",
     "ggx_norm_n2",
     "ggx_norm_r2",
@@ -14,7 +14,6 @@ pub const NORMALISATIONS: [Entry; 24] = own![
     "ggx_norm_r4p",
     "ggx_norm_r5",
     "ggx_norm_r6",
-    "ggx_norm_r6p",
     "ggx_norm_r8",
     "ggx_norm_i10",
     "ggx_norm_i11",

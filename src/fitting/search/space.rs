@@ -126,6 +126,12 @@ pub(super) fn space(target: &Target, anchor: Option<Anchor>, job: &SearchJob) ->
     if let Some(mu) = mu.filter(|_| target.used_as == Use::Value) {
         space.helpers.push(Helper::Complement { axis: mu as u8 });
     }
+    // A smooth lobe depends on mu/alpha alone, and the rim of cloth on mu/roughness: one reciprocal makes both degree 0.
+    let rough = space.axes.iter().position(|a| a.arguments[0].0 == "roughness");
+    if let (Some(mu), Some(rough)) = (mu, rough) {
+        let power = if target.quantity.name.starts_with("sheen") { 1 } else { power as u8 };
+        space.helpers.push(Helper::Reciprocal { x: mu as u8, y: rough as u8, power });
+    }
     space.width = job.width.unwrap_or(space.width);
     space.domain = Some(target.domain()?);
     Ok(space)
