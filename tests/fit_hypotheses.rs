@@ -15,7 +15,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Rivals as published: A and B both computed where E is
 /// their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 75] = [
+const COSTS: [(&str, u32); 73] = [
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
     ("ggx_norm_i11", 11),
@@ -23,8 +23,9 @@ const COSTS: [(&str, u32); 75] = [
     ("ggx_norm_i13", 13),
     ("ggx_norm_i14", 14),
     ("ggx_norm_i15", 15),
-    ("ggx_norm_o17", 17),
-    ("ggx_norm_o19", 19),
+    ("ggx_norm_i17", 17),
+    ("ggx_norm_i19", 19),
+    ("ggx_norm_i20", 20),
     ("ggx_eavg_3", 3),
     ("ggx_eavg_4", 4),
     ("ggx_eavg_5p", 5),
@@ -49,10 +50,7 @@ const COSTS: [(&str, u32); 75] = [
     ("ggx_norm_r4p", 4),
     ("ggx_norm_r5", 5),
     ("ggx_norm_r6", 6),
-    ("ggx_norm_q12", 12),
     ("ggx_norm_q13", 13),
-    ("ggx_norm_q15", 15),
-    ("ggx_norm_q16", 16),
     ("ggx_norm_q20", 20),
     ("ggx_eavg_5", 5),
     ("published/ggx_norm_pesce_n1", 3),
@@ -145,7 +143,9 @@ fn rational_forms_are_proven_far_outside_the_default_domain() {
     let wide = Domain::new(&[("roughness", 0.003, 1.0), ("mu", 1e-4, 1.0)])
         .and_then(|d| d.with_derived("alpha", "roughness", 2))
         .unwrap();
-    for name in ["ggx_norm_q12", "ggx_norm_q13", "ggx_norm_q15", "ggx_norm_q16", "ggx_norm_q20"] {
+    for name in
+        ["ggx_norm_q13", "ggx_norm_q20", "ggx_norm_i10", "ggx_norm_i13", "ggx_norm_i15", "ggx_norm_i20"]
+    {
         let hypothesis = hypothesis(name);
         prove_regular(hypothesis.tape(), &hypothesis.starts(), &wide).unwrap_or_else(|e| panic!("{e}"));
     }
@@ -197,18 +197,18 @@ fn published_rivals_have_the_errors_that_were_measured_of_them() {
     }
 }
 
-/// Largest error when that is minimised, rms when that is; from the published study of the forms, and from the search. (ggx_norm_o19
-/// is held by `tests/reflection_fits.rs`: on the coarser grid of this test its least squares fit comes too close to a pole in the
-/// corner of roughness 0.02 and mu 0.01 to be proven.)
-const REACHED: [(&str, f64, f64); 22] = [
+/// Largest error when that is minimised, rms when that is; from the published study of the forms, and from the search.
+const REACHED: [(&str, f64, f64); 21] = [
     ("ggx_norm_r8", 0.055, 0.02),
     ("ggx_norm_i10", 0.0323, 0.0155),
-    ("ggx_norm_i11", 0.0276, 0.013),
+    ("ggx_norm_i11", 0.0234, 0.0103),
     ("ggx_norm_i12", 0.0204, 0.0105),
     ("ggx_norm_i13", 0.015, 0.0085),
     ("ggx_norm_i14", 0.0125, 0.0065),
-    ("ggx_norm_i15", 0.0098, 0.0058),
-    ("ggx_norm_o17", 0.0075, 0.0041),
+    ("ggx_norm_i15", 0.0088, 0.0035),
+    ("ggx_norm_i17", 0.0068, 0.0036),
+    ("ggx_norm_i19", 0.0047, 0.0023),
+    ("ggx_norm_i20", 0.0043, 0.00202),
     ("ggx_norm_n2", 0.513, 0.128),
     ("ggx_norm_r1", 0.513, 0.122),
     ("ggx_norm_r2", 0.254, 0.083),
@@ -218,10 +218,7 @@ const REACHED: [(&str, f64, f64); 22] = [
     ("ggx_norm_r4p", 0.107, 0.023),
     ("ggx_norm_r5", 0.077, 0.024),
     ("ggx_norm_r6", 0.0625, 0.023),
-    ("ggx_norm_q12", 0.041, 0.014),
     ("ggx_norm_q13", 0.0206, 0.0107),
-    ("ggx_norm_q15", 0.0178, 0.0091),
-    ("ggx_norm_q16", 0.0151, 0.0077),
     ("ggx_norm_q20", 0.0099, 0.0044),
 ];
 

@@ -4,7 +4,7 @@ use super::rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
 use crate::effects::entry::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
-pub const NORMALISATIONS: [Entry; 23] = own![
+pub const NORMALISATIONS: [Entry; 21] = own![
     "ggx_norm_r1",
     "ggx_norm_n2",
     "ggx_norm_r2",
@@ -17,17 +17,15 @@ pub const NORMALISATIONS: [Entry; 23] = own![
     "ggx_norm_r8",
     "ggx_norm_i10",
     "ggx_norm_i11",
-    "ggx_norm_q12",
     "ggx_norm_i12",
     "ggx_norm_q13",
     "ggx_norm_i13",
     "ggx_norm_i14",
-    "ggx_norm_q15",
     "ggx_norm_i15",
-    "ggx_norm_q16",
-    "ggx_norm_o17",
-    "ggx_norm_o19",
+    "ggx_norm_i17",
+    "ggx_norm_i19",
     "ggx_norm_q20",
+    "ggx_norm_i20",
 ];
 
 /// E_avg(alpha) with free parameters.
