@@ -422,6 +422,15 @@ fn what_is_not_read_is_named_with_its_place() {
     }
     let deep = format!("float f(float x) {{ return {}x{}; }}", "(".repeat(3000), ")".repeat(3000));
     assert!(refused(&deep, "f.glsl").contains("the limit is 1024"));
+    // naga's WGSL front end has a limit of its own, 256.
+    let cases = [("f.glsl", "float f(float x)", 1000), ("f.wgsl", "fn f(x: f32) -> f32", 100)];
+    for (file, head, depth) in cases {
+        let (open, close) = ("max(x, ".repeat(depth), ")".repeat(depth));
+        assert_eq!(functions(&format!("{head} {{ return {open}x{close}; }}"), file, None).len(), 1);
+    }
+    let beside =
+        format!("fn f(x: f32) -> f32 {{ return {}x{}; }}", "max(x, ".repeat(90_000), ")".repeat(90_000));
+    assert!(refused(&beside, "f.wgsl").contains("the limit is 1024"));
     let names = read_functions(b"fn f(x: f32) -> f32 { return x; }", "f.wgsl", None, Some("g"));
     assert!(names.unwrap_err().to_string().contains("function g is not there; the file has f"));
     let told = read_functions(b"float f(float x) { return x; }", "f.txt", Some(ShaderLanguage::Glsl), None);

@@ -178,7 +178,8 @@ fn decimal(rest: &str) -> (Option<Number>, usize) {
     let text: String = rest[..mantissa].chars().filter(|c| *c != '_').collect();
     let value = if plain || SUFFIXES.contains(&known) { text.parse::<f64>().ok() } else { None };
     let exponent: i64 = text.split_once(['e', 'E']).and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
-    let printed = fraction.saturating_sub(whole + 1) as i64 - exponent;
+    let digits = bytes[whole..fraction].iter().filter(|c| c.is_ascii_digit()).count();
+    let printed = digits as i64 - exponent;
     let integer =
         fraction == whole && mantissa == fraction && !known.starts_with(['f', 'F', 'h', 'H', 'l', 'L']);
     let decimals = (!integer).then(|| printed.clamp(0, 400) as u32);

@@ -5,27 +5,27 @@ use super::lex::{Lexer, Token};
 /// Most operators and brackets on the way from a statement to a term. Arguments of one bracket are beside each other, not inside.
 pub(in crate::foreign) fn nesting(text: &str, file: &str) -> usize {
     let mut lexer = Lexer::new(text, file);
-    // Operators since the last comma or semicolon, for each bracket that is open.
+    // Operators since the last comma or semicolon, for each bracket that is open, the outermost being the text itself.
     let (mut open, mut sum, mut deepest) = (vec![0usize], 0usize, 0);
     while let Some((_, token)) = lexer.next() {
-        let mut count = |by: usize, open: &mut Vec<usize>| {
-            if let Some(top) = open.last_mut() {
-                *top += by;
-                sum += by;
-            }
-            deepest = deepest.max(sum);
+        let operator = match token {
+            // An index is applied to what stands before it; a member too.
+            Token::Open(b'[') | Token::Word("else") => 1,
+            Token::Mark(b',' | b';') => 0,
+            Token::Mark(_) => 1,
+            _ => 0,
         };
+        sum += operator;
+        if let Some(top) = open.last_mut() {
+            *top += operator;
+        }
         match token {
-            Token::Open(_) => {
-                open.push(0);
-                count(1, &mut open);
-            }
+            Token::Open(_) => open.push(0),
             Token::Close(_) if open.len() > 1 => sum -= open.pop().unwrap_or_default(),
             Token::Mark(b',' | b';') => sum -= open.last_mut().map_or(0, std::mem::take),
-            Token::Mark(b'.') => {}
-            Token::Mark(_) | Token::Word("else") => count(1, &mut open),
             _ => {}
         }
+        deepest = deepest.max(sum + open.len() - 1);
     }
     deepest
 }
@@ -42,7 +42,11 @@ mod tests {
         assert_eq!(depth("-(-(-(x)))"), 6);
         assert_eq!(depth(&format!("f({});", vec!["vec2(1, -2)"; 5000].join(", "))), 3);
         assert_eq!(depth(&"(".repeat(2000)), 2000);
-        assert_eq!(depth(&"if (x) {} else ".repeat(300)), 301);
+        assert_eq!(depth(&"if (x) {} else ".repeat(300)), 300);
+        assert_eq!(depth(&"f(a, ".repeat(2000)), 2000);
+        assert_eq!(depth(&format!("a{};", ".x".repeat(2000))), 2000);
+        assert_eq!(depth(&format!("a{};", "[0]".repeat(2000))), 2001);
+        assert_eq!(depth(&"float f(float x) { return x; }\n".repeat(2000)), 1);
         assert_eq!(depth("// ((((\n/* (((( */ )))) ,"), 0);
     }
 }
