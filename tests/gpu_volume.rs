@@ -165,7 +165,7 @@ fn every_lookup_in_space_is_that_of_the_tables_measure() {
 #[test]
 fn the_compensations_are_those_of_rust_up_to_the_accuracy_of_wgsl() {
     let Some(gpu) = gpu() else { return };
-    let texts = [Compensation::Reflection, Compensation::Glass].map(Compensation::wgsl);
+    let texts = [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl));
     let source = format!(
         "{}{}
 @group(0) @binding(0) var<storage, read> test_points: array<vec4<f32>>;
