@@ -187,7 +187,7 @@ fn a_limit_that_is_passed_and_a_pole_that_is_not_excluded_end_with_1() {
 #[test]
 fn bad_input_is_refused_with_its_place_and_nothing_is_written() {
     let folder = tempfile::tempdir().expect("a folder");
-    let cases: [(&str, &[&str], &str); 17] = [
+    let cases: [(&str, &[&str], &str); 19] = [
         ("fn mine(alpha: f32 -> f32 { return alpha; }", &NORMALISATION, "mine.wgsl:1:"),
         (
             "fn mine(nu: f32) -> f32 { return nu; }",
@@ -209,6 +209,8 @@ fn bad_input_is_refused_with_its_place_and_nothing_is_written() {
         (MINE, &["--to", "ggx-reflection", "--domain", "ior=1..2"], "--domain ior"),
         (MINE, &["--to", "ggx-reflection", "--weight", "nu"], "--weight `nu`: column 1"),
         (MINE, &["--to", "ggx-reflection", "--weight", "-mu"], "0 or above"),
+        (MINE, &["--to", "ggx-reflection", "--weight", ""], "is empty"),
+        (MINE, &["--to", "ggx-reflection", "--weight", " "], "is empty"),
         (MINE, &["--to", "ggx-reflection", "--exact", "ior=1"], "--exact ior"),
         (MINE, &["--to", "ggx-reflection", "--rising", "f0"], "--rising f0"),
         (MINE, &["--to", "ggx-reflection", "--norm", "p=1"], "p=P"),
@@ -376,4 +378,98 @@ fn other_files_of_the_folder_are_left_alone() {
     let all = ["manifest.json", "my_norm.h", "my_norm.html", "my_norm.json", "my_norm.txt", "my_norm.wgsl"];
     assert_eq!(names(&out), all);
     assert_eq!(std::fs::read_to_string(out.join("manifest.json")).expect("read"), "not JSON");
+}
+
+/// Without an anchor the cheapest form is a constant, which has no argument.
+#[test]
+fn a_search_without_an_anchor_has_a_constant_on_its_frontier() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["fit", "--search", "--to", "sheen-charlie", "--max-ops", "3", "--width", "4"];
+    let output = lobefit(folder.path(), &[&options[..], &["--out", "out", "--json"]].concat(), b"");
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    let document = json(&output);
+    let fits = document["fits"].as_array().expect("a list");
+    assert_eq!((&document["anchor"], &fits[0]["cost"]["ops"]), (&"".into(), &0.into()), "{document}");
+    assert_eq!(fits[0]["inputs"], serde_json::json!([]));
+    assert!(error(&fits[0]) > error(&fits[1]), "{document}");
+    // Half of what the truth spans, 0 to 9.
+    assert!((3.0..6.0).contains(&error(&fits[0])), "{document}");
+}
+
+#[test]
+fn a_fixed_input_is_fitted_over_the_other() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let line = "override a: f32 = 1.0;\noverride b: f32 = -0.2;\n\
+        fn sloped(roughness: f32, mu: f32) -> f32 { return a + b * mu * roughness; }\n";
+    for fixed in [&["--fix", "roughness=0.5"][..], &["--fix", "mu=0.5"], &["--domain", "mu=0.5..0.5"]] {
+        let options = [&["--to", "ggx-reflection:E", "--json"][..], fixed].concat();
+        let output = fit(folder.path(), line, &options);
+        assert_eq!(output.status.code(), Some(0), "{fixed:?}: {}", stderr(&output));
+        assert!(error(&first(&output)) < 0.1, "{fixed:?}");
+    }
+}
+
+/// A weight that depends on f0 in another way than the formula's error is sampled between the ends of f0.
+#[test]
+fn a_weight_of_f0_counts_inside_its_range() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let blend = "override a: f32 = 1.0;\noverride b: f32 = 0.5;\nfn blend(alpha: f32, mu: f32, f0: f32) -> f32 {\n\
+        return mix(b * (1.0 - alpha) * (1.0 - mu), 1.0 - a * alpha * mu, f0);\n}\n";
+    let coefficients = |weight: &[&str]| {
+        let options = [&["--to", "ggx-reflection", "--json", "--starts", "2"][..], weight].concat();
+        let output = fit(folder.path(), blend, &options);
+        assert_eq!(output.status.code(), Some(0), "{weight:?}: {}", stderr(&output));
+        first(&output)["coefficients"].clone()
+    };
+    let free = coefficients(&[]);
+    assert_ne!(coefficients(&["--weight", "1.0+100.0*f0*(1.0-f0)"]), free);
+    assert_ne!(coefficients(&["--weight", "f0*(1.0-f0)"]), free);
+}
+
+/// The bound of a proof is one under what was asked for: weights and constraints are part of its sentence.
+#[test]
+fn the_sentence_of_a_proof_names_its_conditions() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (options, words) in [
+        (&[][..], "that keep every divisor's sign bring the largest error"),
+        (&["--weight", "mu"], "that keep every divisor's sign bring the weighted largest error"),
+        (
+            &["--exact", "mu=1:1"],
+            "that keep the constraints and every divisor's sign bring the largest error",
+        ),
+    ] {
+        let output = fit(folder.path(), MINE, &with(options));
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(text.contains(words), "{options:?}: {text} {}", stderr(&output));
+    }
+}
+
+/// Between the places that it is fitted to, a range holds too: at every point of the certificate, and it is told whether by proof.
+#[test]
+#[allow(clippy::disallowed_methods)]
+fn a_range_holds_between_the_places_that_it_is_fitted_to() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let wave = "override a: f32 = 0.5;\noverride b: f32 = 0.1;\nfn wave(roughness: f32) -> f32 {\n\
+        return a + b * roughness + 0.2 * sin(40.0 * roughness);\n}\n";
+    let fitted = |options: &[&str]| {
+        let options = [&["--to", "ggx-average:E_avg", "--json"][..], options].concat();
+        let output = fit(folder.path(), wave, &options);
+        assert_eq!(output.status.code(), Some(0), "{options:?}: {}", stderr(&output));
+        first(&output)
+    };
+    let largest = |fit: &Value| {
+        let c = |name: &str| fit["coefficients"][name].as_f64().expect("a number");
+        let value = |x: f64| c("a") + c("b") * x + 0.2 * (40.0 * x).sin();
+        (0..=10_000).map(|i| value(0.02 + 0.98 * f64::from(i) / 1e4)).fold(0.0, f64::max)
+    };
+    assert!(largest(&fitted(&[])) > 1.01);
+    let bound = fitted(&["--range", "..1"]);
+    assert!((0.99..1.00001).contains(&largest(&bound)), "{}: {bound}", largest(&bound));
+    let told = &bound["constraints"][0];
+    assert!(told["points"].as_u64().expect("a number") > 1000, "{told}");
+    assert_eq!(told["proven"], false, "it touches its end: {told}");
+    let wide = fitted(&["--range", "-9..9"]);
+    for constraint in wide["constraints"].as_array().expect("a list") {
+        assert_eq!(constraint["proven"], true, "{constraint}");
+    }
 }

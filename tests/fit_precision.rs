@@ -93,3 +93,19 @@ fn halves_that_overflow_are_refused_by_name() {
     let literal = "override a: f32; fn f(x: f32) -> f32 { return a / (x + 1e6); }";
     assert_eq!(message(literal, 1.0, 1.0), "f: literal 1000000 in f16, sample 0: value inf is not finite");
 }
+
+/// 3 x 683 + 2^-20 = 2049.00000095 lies just above the tie between 2048 and 2050.
+#[test]
+fn a_fused_sum_in_f16_is_rounded_once() {
+    let h = parse("override a: f32; override b: f32; fn f(x: f32) -> f32 { return a * x + b; }");
+    let (small, one) = (2.0_f32.powi(-20), 683.0_f32);
+    for (a, b, expected) in [
+        (3.0, small, 2050.0),
+        (3.0, -small, 2048.0),
+        (-3.0, -small, -2050.0),
+        (-3.0, small, -2048.0),
+        (3.0, 0.0, 2048.0),
+    ] {
+        assert_eq!(values(&h, &[a, b], &[one], Precision::F16Fused), [expected], "{a} {b}");
+    }
+}

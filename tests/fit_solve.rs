@@ -431,3 +431,32 @@ fn residuals_scaled_by_a_million_give_the_same_coefficients() {
         }
     }
 }
+
+/// A parameter that the value does not depend on stays where it is declared, whatever is minimised, and is told.
+#[test]
+fn a_parameter_that_does_not_matter_stays_and_is_told() {
+    for idle in ["0.0 * k", "k * max(x - 2.0, 0.0)"] {
+        let formula = format!(
+            "override a: f32 = 1.0; override k: f32 = 0.5; fn f(x: f32) -> f32 {{ return a * x + {idle}; }}"
+        );
+        let hypothesis = parse(&formula);
+        let samples = curve(50, |x| 0.3 + x * x);
+        for goal in [Goal::Max, Goal::Rms, Goal::Power(8.0)] {
+            let fitted =
+                optimise(&hypothesis, &samples, &[], &Options::new(goal)).unwrap_or_else(|e| panic!("{e}"));
+            assert!(fitted.termination.is_converged(), "{idle} {goal:?}: {:?}", fitted.termination);
+            assert!(fitted.coefficients[1].abs() < 10.0, "{idle} {goal:?}: {:?}", fitted.coefficients);
+            assert_eq!(fitted.undetermined, ["`k` does not matter"], "{idle} {goal:?}");
+            assert_eq!(fitted.rank, 1, "{idle} {goal:?}");
+        }
+    }
+}
+
+#[test]
+fn a_coefficient_beyond_f32_is_refused_by_its_name() {
+    let hypothesis = parse("override far: f32 = 1.0; fn f(x: f32) -> f32 { return far * x; }");
+    let samples = curve(20, |x| 1e60 * x);
+    let error =
+        optimise(&hypothesis, &samples, &[], &Options::new(Norm::Rms)).expect_err("no f32").to_string();
+    assert!(error.contains("`far`") && error.len() < 100, "{error}");
+}

@@ -166,3 +166,40 @@ fn bad_targets_are_refused_with_the_setting() {
         assert!(error.contains(words), "{error}");
     }
 }
+
+/// A lattice of one axis has as many points as one of two, and one without a range is a point.
+#[test]
+fn an_axis_of_one_value_does_not_square_the_lattice() {
+    let fixed = |inputs: &[&str]| {
+        let domain = inputs.iter().map(|input| (input.to_string(), [0.5, 0.5])).collect();
+        let spec = TargetSpec { domain, ..spec("ggx-reflection") };
+        let target = Target::new(&spec, &formula("alpha mu")).expect("a target");
+        [target.even().expect("E"), target.edged().expect("E")].map(|sampled| sampled.points.len())
+    };
+    let [even, edged] = fixed(&[]);
+    for inputs in [["roughness"], ["mu"]] {
+        let [one, with_edges] = fixed(&inputs);
+        assert!(one > 100 && one <= 2 * even, "{inputs:?}: {one} {even}");
+        assert!(with_edges > 100 && with_edges <= 2 * edged, "{inputs:?}: {with_edges} {edged}");
+    }
+    assert_eq!(fixed(&["roughness", "mu"])[0], 1);
+}
+
+/// Sheen is not defined at alpha = 0, and 0.001 is the roughness of its smallest alpha.
+#[test]
+fn an_edge_is_compared_with_the_range_of_its_own_input() {
+    let sheen = Target::new(&spec("sheen-charlie"), &formula("alpha mu")).expect("a target");
+    let names = ["alpha".to_string(), "mu".to_string()];
+    for (input, at, words) in [
+        ("roughness", 0.0, "0 is not in [0.001, 1]"),
+        ("roughness", 1.5, "1.5 is not in"),
+        ("alpha", 1e-7, "0.0000001 is not in [0.000001, 1]"),
+        ("alpha", -0.25, "-0.25 is not in [0.000001, 1]"),
+        ("alpha", 1.5, "1.5 is not in"),
+    ] {
+        let error = sheen.edge(&names, "f", (input, at), Some(1.0)).expect_err(words).to_string();
+        assert!(error.contains(words), "{error}");
+    }
+    let (columns, values) = sheen.edge(&names, "f", ("alpha", 0.25), Some(1.0)).expect("inside");
+    assert!(columns[0].iter().all(|alpha| *alpha == 0.25) && !values.is_empty());
+}

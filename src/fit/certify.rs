@@ -65,7 +65,8 @@ pub struct Measured {
     pub points: usize,
 }
 
-/// Measures `scale f - target` with f evaluated in f32 at f32 points (one column per input) and the rest in f64.
+/// Measures `scale f - target` with f evaluated in f32 at f32 points (one column per input) and the rest in f64;
+/// a formula without inputs has the same value at every point of the target.
 ///
 /// The furnace error of a normalisation N has scale E and target 1; the error of a value scale 1 and target the
 /// truth. The result does not depend on the number of threads.
@@ -115,7 +116,9 @@ pub fn measure_in(
     first: usize,
     precision: Precision,
 ) -> Result<(Measured, Measured), FitError> {
-    let points = tape.check_shape(inputs, coefficients)?;
+    let given = tape.check_shape(inputs, coefficients)?;
+    // A formula without inputs has one value, whatever the number of points.
+    let points = if inputs.is_empty() { target.len() } else { given };
     let shape = |what: &str, found, expected| FitError::Shape {
         what: format!("{}: {what}", tape.function()),
         found,
@@ -129,7 +132,10 @@ pub fn measure_in(
             return Err(shape(name, column.len(), points));
         }
     }
-    let values = values(tape, coefficients, inputs, precision)?;
+    let mut values = values(tape, coefficients, inputs, precision)?;
+    if let ([value], true) = (values.as_slice(), inputs.is_empty()) {
+        values = vec![*value; points];
+    }
     let finite = |column: &str, index: usize, value: f64| {
         if value.is_finite() {
             return Ok(value);

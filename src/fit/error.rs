@@ -142,7 +142,7 @@ pub enum FitError {
         expected: usize,
     },
     /// A datum is NaN or infinite.
-    #[error("{column}, sample {index}: value {value} is not finite")]
+    #[error("{column}, sample {index}: value {value:e} is not finite")]
     NotFinite {
         /// Column of the data: an input's name, `scale`, `target`, `coefficient`, `residual`.
         column: String,

@@ -93,8 +93,11 @@ fn entry(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<Value, Fitting
         Err(error) => Ok(failed(*precision, error)),
     };
     let certificates: Vec<Value> = fit.certificates.iter().map(certificate).collect::<Result<_, _>>()?;
-    let held = fit.fitted.constraints.iter().map(|held| {
-        json!({"name": held.name, "worst": held.worst, "tolerance": held.tolerance, "points": held.points})
+    let held = fit.kept.iter().map(|kept| {
+        let held = &kept.held;
+        json!({
+            "name": held.name, "worst": held.worst, "tolerance": held.tolerance, "points": held.points, "proven": kept.proven,
+        })
     });
     let more = json!({
         "certificates": certificates,
@@ -209,7 +212,7 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
         .map(|language| Ok((language.title().to_string(), printed::function(*language, job, fitting, fit)?)));
     Ok(FitCard {
         name: fit.approximation.name.clone(),
-        facts: facts(fit),
+        facts: facts(fit, job.weight.is_some()),
         ops: fit.approximation.cost.ops,
         coefficients: parameters.map(|(p, value)| (p.name.clone(), p.start, *value)).collect(),
         certificates: certificates.collect(),
@@ -219,12 +222,12 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
     })
 }
 
-fn facts(fit: &Certified) -> Vec<(String, String)> {
+fn facts(fit: &Certified, weighted: bool) -> Vec<(String, String)> {
     let fitted = &fit.fitted;
     let mut rows = vec![
         ("Minimised".to_string(), words::minimised(fit.goal)),
         ("Ended as".into(), words::termination(fitted.termination)),
-        ("Optimality".into(), words::optimality(fitted)),
+        ("Optimality".into(), words::optimality(fitted, weighted)),
     ];
     rows.extend(fitted.undetermined.iter().map(|text| ("Parameters".to_string(), text.clone())));
     rows.push(match &fit.proof {
@@ -236,12 +239,6 @@ fn facts(fit: &Certified) -> Vec<(String, String)> {
         ),
         Proof::NotProven(error) => ("Regular".into(), format!("not proven: {error}")),
     });
-    rows.extend(fitted.constraints.iter().map(|held| {
-        let text = format!(
-            "{}: missed by at most {:.1e} at {} points (rounding allows {:.1e})",
-            held.name, held.worst, held.points, held.tolerance
-        );
-        ("Constraint".to_string(), text)
-    }));
+    rows.extend(fit.kept.iter().map(|kept| ("Constraint".to_string(), words::constraint(kept))));
     rows
 }

@@ -4,6 +4,7 @@
 mod certificates;
 mod demands;
 mod document;
+mod kept;
 mod one;
 mod pictures;
 mod printed;
@@ -14,6 +15,7 @@ mod words;
 
 pub use demands::Demand;
 pub use document::{document, files};
+pub use kept::Kept;
 pub use one::{Certified, Proof};
 pub use summary::summary;
 

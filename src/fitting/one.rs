@@ -1,13 +1,14 @@
 //! One fit: searched, rounded, proven regular, measured.
 
 use super::certificates::certificate;
+use super::kept::{self, Kept};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
 use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
 use crate::effects::target::{Sampled, Target};
 use crate::fit::{
-    Constraint, FitError, Fitted, Goal, Hypothesis, Options, Precision, Samples, optimise, prove_regular,
-    round_to_f32,
+    Constraint, Domain, FitError, Fitted, Goal, Hypothesis, Options, Precision, Samples, optimise,
+    prove_regular, round_to_f32,
 };
 
 /// Whether a formula has been proven to stay finite in its domain, by interval arithmetic.
@@ -32,6 +33,8 @@ pub struct Certified {
     pub fitted: Fitted,
     /// Coefficients rounded to f32.
     pub coefficients: Vec<f32>,
+    /// How the constraints hold, in the order of the demands.
+    pub kept: Vec<Kept>,
     /// Whether it is finite everywhere.
     pub proof: Proof,
     /// Certificates in every arithmetic, or why there is none.
@@ -55,15 +58,9 @@ pub(super) fn fit_one(
     let domain = target.domain()?;
     let samples = samples(&hypothesis, goal, target, weight)?;
     let options = Options { starts: job.starts, ..Options::new(goal) };
-    // Where the search cannot even start, the proof knows the place in the source that is at fault.
-    let fitted = optimise(&hypothesis, &samples, constraints, &options).map_err(|error| match error {
-        FitError::NotFinite { .. } | FitError::Solver { .. } => {
-            prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).err().unwrap_or(error)
-        }
-        error => error,
-    })?;
-    let coefficients = round_to_f32(&fitted.coefficients)?;
-    let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
+    let finer = kept::finer(constraints, &job.demands, target, &hypothesis, measured)?;
+    let Obedient { fitted, coefficients, exact, kept } =
+        obedient(&hypothesis, &samples, constraints, &finer, &options, &domain)?;
     let proof =
         prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
     let certificates: Vec<(Precision, Result<Certificate, FitError>)> = job
@@ -83,12 +80,63 @@ pub(super) fn fit_one(
         goal,
         fitted,
         coefficients,
+        kept,
         proof,
         certificates,
         problems: Vec::new(),
     };
     fit.problems = problems(&fit, job.limit);
     Ok(fit)
+}
+
+/// Rounds in which places where a constraint was broken are added to it.
+const ROUNDS: usize = 6;
+
+/// Coefficients that obey the constraints, at as many places as can be had.
+struct Obedient {
+    fitted: Fitted,
+    coefficients: Vec<f32>,
+    exact: Vec<f64>,
+    kept: Vec<Kept>,
+}
+
+/// Searches, looks where the finer constraints are broken, and searches again with these places added.
+fn obedient(
+    hypothesis: &Hypothesis,
+    samples: &Samples,
+    constraints: &[Constraint],
+    finer: &[Constraint],
+    options: &Options,
+    domain: &Domain,
+) -> Result<Obedient, FittingError> {
+    let tape = hypothesis.tape();
+    let search = |constraints: &[Constraint]| -> Result<Obedient, FitError> {
+        let fitted = optimise(hypothesis, samples, constraints, options)?;
+        let coefficients = round_to_f32(&fitted.coefficients)?;
+        let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
+        let kept = kept::kept(finer, &fitted.constraints, tape, &exact, domain)?;
+        Ok(Obedient { fitted, coefficients, exact, kept })
+    };
+    // Where the search cannot even start, the proof knows the place in the source that is at fault.
+    let mut best = search(constraints).map_err(|error| match error {
+        FitError::NotFinite { .. } | FitError::Solver { .. } => {
+            prove_regular(tape, &hypothesis.starts(), domain).err().unwrap_or(error)
+        }
+        error => error,
+    })?;
+    let mut constraints = constraints.to_vec();
+    for _ in 0..ROUNDS {
+        if !kept::add_broken(&mut constraints, finer, &best.kept, tape, &best.exact)? {
+            break;
+        }
+        match search(&constraints) {
+            Ok(next) => best = next,
+            // The fit before stands, and where it breaks a constraint is told as a problem.
+            Err(FitError::Unsatisfiable { .. } | FitError::Solver { .. }) => break,
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(best)
 }
 
 /// The only fit bears its hypothesis' name; of several, all but the minimax fit have their norm appended.
@@ -110,6 +158,10 @@ fn samples(
     target: &Target,
     weight: Option<&Weight>,
 ) -> Result<Samples, FittingError> {
+    // The values of f0 that stand for all do so for a mean square or a maximum of errors that are affine in it, as they are weighted.
+    let mut target = target.clone();
+    let squares = !matches!(goal, Goal::Power(p) if p != 2.0);
+    target.affine &= squares && !weight.is_some_and(|weight| weight.reads("f0"));
     let sampled = match goal {
         Goal::Max => target.edged()?,
         Goal::Rms | Goal::Power(_) => target.even()?,
@@ -174,10 +226,11 @@ fn problems(fit: &Certified, limit: Option<f64>) -> Vec<String> {
             problems.push(format!("in {}: {error}", precision.name()));
         }
     }
-    for held in fit.fitted.constraints.iter().filter(|held| held.worst > held.tolerance) {
+    for kept in fit.kept.iter().filter(|kept| !kept.is_kept()) {
         problems.push(format!(
-            "constraint `{}` is missed by {:e}, more than rounding accounts for ({:e})",
-            held.name, held.worst, held.tolerance
+            "constraint `{}` is missed by {:.1e} at {}, more than rounding accounts for ({:.1e}); no constants were found that keep it \
+             between the places that they are fitted to",
+            kept.held.name, kept.held.worst, kept.at, kept.held.tolerance
         ));
     }
     let error = fit.approximation.certificate.max_abs;

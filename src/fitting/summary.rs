@@ -40,15 +40,12 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     line(format!("  minimised    {}{weight}", words::minimised(fit.goal)));
     let converged = if fit.fitted.termination.is_converged() { "" } else { "NOT CONVERGED: " };
     line(format!("  ended        {converged}{}", words::termination(fit.fitted.termination)));
-    line(format!("  optimality   {}", words::optimality(&fit.fitted)));
+    line(format!("  optimality   {}", words::optimality(&fit.fitted, job.weight.is_some())));
     for text in &fit.fitted.undetermined {
         line(format!("  parameters   {text}"));
     }
-    for held in &fit.fitted.constraints {
-        line(format!(
-            "  constraint   {}: missed by at most {:.1e} at {} points",
-            held.name, held.worst, held.points
-        ));
+    for kept in &fit.kept {
+        line(format!("  constraint   {}", words::constraint(kept)));
     }
     match &fit.proof {
         Proof::Regular => line(

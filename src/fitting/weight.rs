@@ -2,7 +2,7 @@
 
 use super::FittingError;
 use crate::effects::target::{Sampled, Target};
-use crate::fit::{FitError, Hypothesis};
+use crate::fit::{FitError, Hypothesis, Op};
 
 /// A WGSL expression of a target's inputs.
 #[derive(Clone, Debug)]
@@ -22,6 +22,11 @@ impl Weight {
     /// Parses the expression as the body of a function of all inputs.
     pub fn parse(expression: &str, target: &Target) -> Result<Weight, FittingError> {
         let refuse = |reason: String| FittingError::Weight { expression: expression.into(), reason };
+        if expression.trim().is_empty() {
+            return Err(refuse(
+                "is empty; give a WGSL expression, such as `mu` or `1.0 / (0.1 + alpha)`".into(),
+            ));
+        }
         if expression.contains(['{', '}', ';', '\n']) {
             return Err(refuse(
                 "one WGSL expression is called for, such as `mu` or `1.0 / (0.1 + alpha)`".into(),
@@ -32,6 +37,12 @@ impl Weight {
         let source = format!("fn weight({}) -> f32 {{\n{BEFORE}{expression};\n}}\n", arguments.join(", "));
         let function = Hypothesis::parse(FILE, &source).map_err(|error| refuse(placed(&error)))?;
         Ok(Weight { expression: expression.into(), function, inputs })
+    }
+
+    /// Whether the expression has this input.
+    pub fn reads(&self, input: &str) -> bool {
+        let tape = self.function.tape();
+        tape.ops().iter().any(|op| matches!(op, Op::Input(i) if tape.inputs()[usize::from(*i)] == input))
     }
 
     /// The weights of samples, in f64.

@@ -1,5 +1,6 @@
 //! What a search did, in words.
 
+use super::Kept;
 use crate::data::Use;
 use crate::fit::{Fitted, Gap, Goal, Stage, Termination};
 
@@ -54,14 +55,19 @@ pub(super) fn termination(termination: Termination) -> String {
     }
 }
 
-/// How far from the best possible the coefficients may be.
-pub(super) fn optimality(fitted: &Fitted) -> String {
+/// How far from the best possible the coefficients may be, with errors `weighted` or not.
+pub(super) fn optimality(fitted: &Fitted, weighted: bool) -> String {
     let part = |gap: f64| format!("{:.1e} of the error", gap);
     match (fitted.gap, fitted.bound) {
-        (Gap::Global(gap), Some(bound)) => format!(
-            "global: no coefficients of this formula bring the largest error on the samples below {bound:.6}, which is {} away",
-            part(gap)
-        ),
+        (Gap::Global(gap), Some(bound)) => {
+            let kept = if fitted.constraints.is_empty() { "" } else { "the constraints and " };
+            let error = if weighted { "weighted largest error" } else { "largest error" };
+            format!(
+                "global: no coefficients of this formula that keep {kept}every divisor's sign bring the {error} on the samples \
+                 below {bound:.6}, which is {} away",
+                part(gap)
+            )
+        }
         (Gap::Global(gap), None) => format!("global: within {} of the best of all coefficients", part(gap)),
         (Gap::Local(gap), _) if gap.is_finite() => {
             format!(
@@ -73,6 +79,17 @@ pub(super) fn optimality(fitted: &Fitted) -> String {
         (Gap::Unknown, _) => {
             "local: the best minimum found from the starting points; others are not excluded".into()
         }
+    }
+}
+
+/// How a constraint holds.
+pub(super) fn constraint(kept: &Kept) -> String {
+    let held = &kept.held;
+    let missed = || format!("by at most {:.1e} (rounding allows {:.1e})", held.worst, held.tolerance);
+    match (kept.proven, kept.is_kept()) {
+        (true, _) => format!("{}: proven over the whole domain", held.name),
+        (false, true) => format!("{}: held at {} points, missed {}", held.name, held.points, missed()),
+        (false, false) => format!("{}: BROKEN {} at {}", held.name, missed(), kept.at),
     }
 }
 

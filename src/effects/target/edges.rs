@@ -9,6 +9,10 @@ use crate::math::chebyshev;
 /// Places per axis of the lattices of constraints.
 const NODES: usize = 17;
 
+/// Places per axis where it is checked that they hold, and the most places of all axes for that many.
+const FINE: usize = 65;
+const MOST: usize = 1 << 18;
+
 /// Points of the formula's inputs, one column per input.
 type Columns = Vec<Vec<f64>>;
 
@@ -28,16 +32,18 @@ impl Target {
         let refuse = |reason: String| TargetError::Edge { setting: "exact", input: input.into(), reason };
         let mut target = self.clone();
         let axis = self.axis_of("exact", input)?;
-        let at = if input == "alpha" { self.alpha_inverse(at) } else { at };
         let defined = self.defined(input);
         if !(defined[0]..=defined[1]).contains(&at) {
             return Err(refuse(format!("{at} is not in [{}, {}]", defined[0], defined[1])));
         }
         match axis {
-            Axis::Axis(k) => target.axes[k].range = [at, at],
+            Axis::Axis(k) => {
+                let at = if input == "alpha" { self.alpha_inverse(at) } else { at };
+                target.axes[k].range = [at, at];
+            }
             Axis::F0 => target.f0 = Some(Span { name: "f0".into(), range: [at, at] }),
         }
-        let (places, f0) = target.lattice();
+        let (places, f0) = target.lattice(NODES);
         let ideal = match value {
             Some(value) => vec![value; places.len() * f0.len()],
             None => target.at(&places, &f0)?.ideal(),
@@ -53,7 +59,7 @@ impl Target {
     /// # Errors
     /// An input that there is not.
     pub fn inside(&self, names: &[String], function: &str) -> Result<Columns, TargetError> {
-        let (places, f0) = self.lattice();
+        let (places, f0) = self.lattice(NODES);
         Ok(self.columns(names, function, &places, &f0)?)
     }
 
@@ -68,8 +74,35 @@ impl Target {
         setting: &'static str,
         input: &str,
     ) -> Result<(Columns, Columns), TargetError> {
+        self.steps_of(names, function, (setting, input), NODES)
+    }
+
+    /// [`Target::steps`] on a finer lattice, which holds the other.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn fine_steps(
+        &self,
+        names: &[String],
+        function: &str,
+        setting: &'static str,
+        input: &str,
+    ) -> Result<(Columns, Columns), TargetError> {
+        let spanned = self.spans().iter().filter(|span| span.is_spanned()).count() as u32;
+        let fits = |n: usize| n.checked_pow(spanned).is_some_and(|all| all <= MOST);
+        let count = [FINE, FINE / 2 + 1].into_iter().find(|n| fits(*n)).unwrap_or(NODES);
+        self.steps_of(names, function, (setting, input), count)
+    }
+
+    fn steps_of(
+        &self,
+        names: &[String],
+        function: &str,
+        (setting, input): (&'static str, &str),
+        count: usize,
+    ) -> Result<(Columns, Columns), TargetError> {
         let axis = self.axis_of(setting, input)?;
-        let (places, f0) = self.lattice();
+        let (places, f0) = self.lattice(count);
         let (mut from, mut to) = (Vec::new(), Vec::new());
         match axis {
             Axis::F0 => {
@@ -79,7 +112,7 @@ impl Target {
                 }
             }
             Axis::Axis(k) => {
-                let nodes = nodes(&self.axes[k]);
+                let nodes = nodes(&self.axes[k], count);
                 for place in &places {
                     let next = nodes.iter().copied().find(|x| *x > place[k]);
                     for f0 in &f0 {
@@ -111,8 +144,11 @@ impl Target {
         })
     }
 
-    /// Where the quantity is defined, of an axis; roughness is in [0, 1] as its alpha is.
+    /// Where the quantity is defined, of an input; roughness where its alpha is, f0 in [0, 1].
     fn defined(&self, input: &str) -> [f64; 2] {
+        if input == ROUGHNESS && self.has_alpha() {
+            return self.defined("alpha").map(|alpha| self.alpha_inverse(alpha));
+        }
         let found = self.quantity.inputs.iter().find(|i| i.name == input);
         match found.map(|i| i.values) {
             Some(Values::Numbers { min, max }) => [min, max],
@@ -121,14 +157,14 @@ impl Target {
     }
 
     /// Places of the axes and values of f0, ends included.
-    fn lattice(&self) -> (Vec<Vec<f64>>, Vec<f64>) {
-        let per_axis: Vec<Vec<f64>> = self.axes.iter().map(nodes).collect();
+    fn lattice(&self, count: usize) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let per_axis: Vec<Vec<f64>> = self.axes.iter().map(|axis| nodes(axis, count)).collect();
         let places = per_axis.iter().fold(vec![Vec::new()], |places: Vec<Vec<f64>>, axis| {
             places.iter().flat_map(|place| axis.iter().map(|x| with(place, *x))).collect()
         });
         let f0 = self.f0.as_ref().map_or(vec![1.0], |span| match self.affine {
             true if span.is_spanned() => span.range.to_vec(),
-            _ => nodes(span),
+            _ => nodes(span, count),
         });
         (places, f0)
     }
@@ -176,9 +212,9 @@ enum Axis {
     F0,
 }
 
-fn nodes(span: &Span) -> Vec<f64> {
+fn nodes(span: &Span, count: usize) -> Vec<f64> {
     let [low, high] = span.range;
-    if span.is_spanned() { chebyshev::nodes(low, high, NODES) } else { vec![low] }
+    if span.is_spanned() { chebyshev::nodes(low, high, count) } else { vec![low] }
 }
 
 fn with(place: &[f64], more: f64) -> Vec<f64> {

@@ -68,10 +68,10 @@ impl Points {
     }
 }
 
-/// The region of a target whose axes are roughness and mu.
+/// The region of a target whose axes are roughness and mu, both of more than one value.
 fn region(axes: &[Span], alpha: Option<AlphaMap>) -> Option<Region> {
     match axes {
-        [r, m] if r.name == ROUGHNESS && m.name == "mu" => {
+        [r, m] if r.name == ROUGHNESS && m.name == "mu" && r.is_spanned() && m.is_spanned() => {
             Some(Region { roughness: r.range, mu: m.range, alpha_map: alpha? })
         }
         _ => None,
@@ -146,9 +146,12 @@ pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -
     Points { uniform, ..Points::of(axes, alpha, &places) }
 }
 
-/// Nodes of each axis, so that the lattice has about as many points as the effort says.
+/// Nodes of each axis that is spanned, so that the lattice has about as many points as the effort says; 1 where none is.
 fn per_axis(axes: &[Span], effort: Effort) -> usize {
     let spanned = axes.iter().filter(|axis| axis.is_spanned()).count();
+    if spanned == 0 {
+        return 1;
+    }
     let fits = |n: usize| {
         (0..spanned).try_fold(1_usize, |all, _| all.checked_mul(n)).is_some_and(|all| all <= effort.lattice)
     };

@@ -136,7 +136,7 @@ impl<'a> Solver<Objective<'a>, LeastSquaresState> for Marquardt {
         let linear = problem.problem("jacobian_count", |o| o.linearise(&at).map_err(refuse))?;
         let model = self.norm.model(&linear);
         for (scale, norm) in self.scale.iter_mut().zip(model.triangle.column_norms()) {
-            *scale = scale.max(norm).max(f64::MIN_POSITIVE);
+            *scale = scale.max(norm);
         }
         let zero = problem.problem("zero_count", |o| Ok(is_zero(o, rms(&linear.residuals))))?;
         if zero || model.triangle.orthogonality() <= ORTHOGONAL {

@@ -81,6 +81,7 @@ fn finish(
     found: Route,
 ) -> Result<Fitted, FitError> {
     let Route { coefficients, termination, stages, evaluations, gap, bound } = found;
+    round_to_f32(&coefficients).map_err(|error| named(hypothesis, error))?;
     let linear = objective.linearise(&coefficients).map_err(|_| route::refused(objective, &coefficients))?;
     let (rms, max) = (PNorm::SQUARE.of(&linear.residuals), largest(&linear.residuals));
     let value = match goal {
@@ -120,6 +121,18 @@ fn finish(
 pub fn residual_range(hypothesis: &Hypothesis, samples: &Samples) -> Result<Option<(f64, f64)>, FitError> {
     let objective = Objective::new(hypothesis.tape(), samples)?;
     Ok(objective.residuals(&hypothesis.starts()).ok().map(|r| (largest(&r), objective::rms(&r))))
+}
+
+/// The error of a coefficient by its parameter's name.
+fn named(hypothesis: &Hypothesis, error: FitError) -> FitError {
+    match error {
+        FitError::NotFinite { index, value, .. } => {
+            let name = hypothesis.parameters().get(index).map_or("", |p| p.name.as_str());
+            let column = format!("{}: coefficient `{name}` as f32", hypothesis.name());
+            FitError::NotFinite { column, index, value }
+        }
+        other => other,
+    }
 }
 
 /// Coefficients rounded to f32, as they are emitted and certified; those below 1e-30 become 0.

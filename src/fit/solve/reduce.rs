@@ -115,13 +115,15 @@ impl Triangle {
         values.iter().filter(|v| **v > RANK_TOLERANCE * largest).count()
     }
 
-    /// The step d that minimises |R d + q|^2 + damping |D d|^2, D = diag(scale), by QR with column pivoting.
+    /// The step d that minimises |R d + q|^2 + damping |D d|^2, D = diag(scale), by QR with column pivoting;
+    /// 0 for a parameter of scale 0, which does not matter.
     /// None if it is not finite.
     pub fn step(&self, scale: &[f64], damping: f64) -> Option<Vec<f64>> {
         let n = self.r.ncols();
         let root = damping.sqrt();
         let augmented = DMatrix::from_fn(2 * n, n, |i, j| match (i < n, i == j + n) {
-            (true, _) => self.r[(i, j)] / scale[j],
+            (true, _) if scale[j] > 0.0 => self.r[(i, j)] / scale[j],
+            (true, _) => 0.0,
             (_, true) => root,
             _ => 0.0,
         });
@@ -130,7 +132,7 @@ impl Triangle {
         qr.q_tr_mul(&mut right);
         let mut z = qr.r().solve_upper_triangular(&right.rows(0, n))?;
         qr.p().inv_permute_rows(&mut z);
-        let step: Vec<f64> = z.iter().zip(scale).map(|(z, s)| z / s).collect();
+        let step: Vec<f64> = z.iter().zip(scale).map(|(z, s)| if *s > 0.0 { z / s } else { 0.0 }).collect();
         step.iter().all(|x| x.is_finite()).then_some(step)
     }
 

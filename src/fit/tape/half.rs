@@ -13,6 +13,18 @@ fn through(x: f16, f: impl Fn(f32) -> f32) -> f16 {
     f16::from_f32(f(x.to_f32()))
 }
 
+/// Rounded to odd in f32: a number that is no f32 becomes the one of its two neighbours whose last bit is 1. |x| is at most 2^33 and not
+/// below 2^-48 but for 0: no f32 overflows or is subnormal.
+fn odd(x: f64) -> f32 {
+    let near = x as f32;
+    let wide = f64::from(near);
+    if wide == x || !x.is_finite() {
+        return near;
+    }
+    let towards_zero = if wide.abs() > x.abs() { near.to_bits() - 1 } else { near.to_bits() };
+    f32::from_bits(towards_zero | 1)
+}
+
 impl Real for f16 {
     const ZERO: f16 = f16::ZERO;
     const ONE: f16 = f16::ONE;
@@ -22,17 +34,17 @@ impl Real for f16 {
         f16::from_f32(x)
     }
 
-    /// The product is exact in f64; the sum is rounded to odd there, so that the last rounding sees on which side of a tie it lies
-    /// (Boldo & Melquiond 2008).
+    /// The product is exact in f64; the sum is rounded to odd there and again in f32, so that the last rounding sees on which side of a
+    /// tie it lies (Boldo & Melquiond 2008). Not from f64 at once: where a host converts in hardware, that goes through f32, to even.
     fn fma(self, y: f16, z: f16) -> f16 {
         let (product, z) = (self.to_f64() * y.to_f64(), z.to_f64());
         let sum = product + z;
         let back = sum - product;
         let lost = (product - (sum - back)) + (z - back);
         if lost == 0.0 || !sum.is_finite() || sum.to_bits() & 1 == 1 {
-            return f16::from_f64(sum);
+            return f16::from_f32(odd(sum));
         }
-        f16::from_f64(if lost > 0.0 { sum.next_up() } else { sum.next_down() })
+        f16::from_f32(odd(if lost > 0.0 { sum.next_up() } else { sum.next_down() }))
     }
 
     fn magnitude(self) -> f16 {
