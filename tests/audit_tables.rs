@@ -329,3 +329,46 @@ fn bad_tables_are_named_errors() {
     let large = Shipped { size: vec![1 << 40, 1 << 40], ..sound };
     assert!(refused(&large).contains("at most"));
 }
+
+#[test]
+fn every_texel_is_judged() {
+    let at = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
+    let value = |x: usize, y: usize| both(Smith::Correlated, at(x, 5000), at(y, 4)).0;
+    let mut shipped = table([5000, 4], &[("R", &value)]);
+    // The rounds that rank conventions pass over this column.
+    shipped.channels[0].values[5005] += 0.5;
+    let found = reflection_of(&shipped);
+    let errors = found.channels[0].errors.as_ref().unwrap();
+    assert_eq!((errors.texels, errors.unsampled), ([20000; 2], 0));
+    assert_eq!(errors.texel, [5, 1]);
+    assert!((errors.max - 0.5).abs() < 1e-3 && !found.passes(Some(0.1)), "{}", errors.max);
+    assert_eq!(found.channels[0].map.len(), 4096 * 4);
+}
+
+#[test]
+fn a_constant_channel_is_judged_or_named() {
+    let at = |i: usize| (i as f64 + 0.5) / 16.0;
+    let value = |x: usize, y: usize| both(Smith::Correlated, at(y) * at(y), at(x));
+    let shipped = table([16, 16], &[("R", &|x, y| value(x, y).0 - value(x, y).1), ("G", &|_, _| 0.0)]);
+    let free = reflection_of(&shipped);
+    assert!(free.verdict.contains("Channel G is constant (0)"), "{}", free.verdict);
+    assert!(!free.passes(Some(1.0)) && free.unjudged().is_some_and(|why| why.contains("channel G")));
+    let with = |list: &[Column]| {
+        run(&shipped, "ggx-reflection", &Pins { meanings: Some(list.to_vec()), ..Pins::default() })
+    };
+    assert!(with(&[Column::A]).passes(Some(1e-3)));
+    let judged = with(&[Column::A, Column::B]);
+    assert!(judged.worst() > 0.1 && !judged.passes(Some(1e-3)), "{}", judged.worst());
+}
+
+#[test]
+fn a_furnace_with_a_dark_texel_is_infinite_there() {
+    let at = |i: usize| (i as f64 + 0.5) / 16.0;
+    let mut shipped = table([16, 16], &[("R", &|x, y| both(Smith::Correlated, at(y) * at(y), at(x)).0)]);
+    shipped.channels[0].values[37] = 0.0;
+    let found = reflection_of(&shipped);
+    let furnace = found.furnace.as_ref().unwrap();
+    assert!(furnace.range[1] == f64::INFINITY && furnace.dark == 1, "{furnace:?}");
+    assert!((furnace.at["mu"] - at(5)).abs() < 1e-12, "{furnace:?}");
+    assert!(found.verdict.contains("0 or less at 1 texels"), "{}", found.verdict);
+}

@@ -104,6 +104,9 @@ fn bad_usage_is_exit_2_and_writes_nothing() {
         (&["tables.h", "--as", "ggx-glass", "--size", "16x16"], "3 inputs"),
         (&["tables.h", "--as", "ggx-reflection", "--limit", "NaN"], "finite number"),
         (&["tables.h", "--as", "parallax", "--limit", "1"], "no such quantity"),
+        (&["tables.h", "--as", "ggx-reflection", "--set", "k=1"], "--set"),
+        (&["tables.wgsl", "--as", "ggx-reflection", "--size", "16x16"], "--size"),
+        (&["tables.h", "--as", "ggx-reflection", "--function", "f", "--symbol", "g"], "--symbol"),
     ] {
         let all = [&["audit", "--out", "report"], arguments].concat();
         let output = lobefit(folder.path(), &all, b"");
@@ -112,4 +115,15 @@ fn bad_usage_is_exit_2_and_writes_nothing() {
         assert!(output.stdout.is_empty(), "{arguments:?}");
         assert_eq!(names(folder.path()), ["tables.h"], "{arguments:?}");
     }
+}
+
+#[test]
+fn a_table_that_fits_nothing_is_told_of_and_only_a_limit_fails_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: Vec<String> = (0..256).map(|i| format!("0.{:03}", i * 7919 % 1000)).collect();
+    std::fs::write(folder.path().join("t.h"), format!("float t[16][16] = {{{}}};", rows.join(","))).unwrap();
+    let free = lobefit(folder.path(), &["audit", "t.h", "--as", "ggx-reflection"], b"");
+    assert_eq!(free.status.code(), Some(0), "{}", stderr(&free));
+    let limited = ["audit", "t.h", "--as", "ggx-reflection", "--limit", "10"];
+    assert_eq!(lobefit(folder.path(), &limited, b"").status.code(), Some(1));
 }

@@ -489,3 +489,38 @@ fn damaged_sources_are_errors_or_functions() {
         assert!(read > 0 && refused > 0, "{file}: {read} read, {refused} refused");
     }
 }
+
+#[test]
+fn nested_arrays_are_bounded_as_a_whole() {
+    let declared = [
+        "var a: array<array<f32, 11000>, 11000>;",
+        "var a: array<array<array<S, 40>, 40>, 40>;",
+        "var a: T;",
+    ];
+    for variable in declared {
+        let types =
+            "struct S { x: f32, y: vec4<f32> }\nstruct T { a: array<S, 20000>, b: array<S, 20000> }\n";
+        let text = format!("{types}fn f(x: f32, y: f32) -> f32 {{ {variable} return x + y; }}");
+        let message = refused(&text, "t.wgsl");
+        assert!(message.contains("entries of a"), "{variable}: {message}");
+    }
+}
+
+#[test]
+fn a_write_to_the_caller_after_a_path_that_returned_is_refused() {
+    let inner = "void set(inout float y) { y = 2.0; }\n";
+    for body in ["if (b > 0.5) { y = 2.0; }", "y = 2.0;", "set(y);", "if (b > 0.5) { set(y); }"] {
+        let early =
+            format!("void early(float a, float b, inout float y) {{ if (a > 0.5) {{ return; }} {body} }}\n");
+        let main = "float f(float a, float b) { float y = a; early(a, b, y); return y; }";
+        let message = read_functions(format!("{inner}{early}{main}").as_bytes(), "t.glsl", None, Some("f"));
+        let message = message.expect_err(body).to_string();
+        assert!(message.contains("early return"), "{body}: {message}");
+    }
+}
+
+#[test]
+fn a_main_in_a_comment_is_none() {
+    let text = "// see main (below)\nfloat f(float a, float b) { return a + b; }";
+    assert_bits(&one(text, "t.glsl", "f"), |a, b| [a + b]);
+}

@@ -206,3 +206,11 @@ fn raw_numbers_take_their_size_from_the_length_or_the_caller() {
     bad[..4].copy_from_slice(&f32::NAN.to_le_bytes());
     assert!(matches!(read(&bad, &Hints::default()).unwrap_err(), ForeignError::NotFinite { count: 1, .. }));
 }
+
+#[test]
+fn declared_sizes_that_are_not_those_of_the_rows_are_refused() {
+    let nested = |rows_of: usize| rows(rows_of, 16, "{", "}", |x, y| format!("{}f", number(x, y, 0)));
+    let message = refused(&format!("float E[16][16] = {{ {} }};", nested(12)), &Hints::default());
+    assert!(message.contains("declared as 16 x 16 and holds 192"), "{message}");
+    assert_grid(&one(&format!("float E[16][12] = {{ {} }};", nested(12)), "t.c"), 12, 16, 1);
+}

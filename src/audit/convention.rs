@@ -86,7 +86,9 @@ impl Pins {
             return refuse(
                 "--meaning",
                 names,
-                format!("{channels} channels vary, as many words are called for"),
+                format!(
+                    "{channels} channels vary; a word for each of those is called for, or one for every channel"
+                ),
             );
         }
         let unknown = |c: &&Column| !truth.columns().contains(c);

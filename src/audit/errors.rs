@@ -27,6 +27,8 @@ pub struct TexelErrors {
     pub truth: f64,
     /// Texels judged, and texels in all.
     pub texels: [usize; 2],
+    /// Texels that were not looked at, of a table of three axes with more than [`super::JUDGED_TEXELS`].
+    pub unsampled: usize,
 }
 
 /// A channel beside its truth at the texels that are judged.
@@ -96,6 +98,7 @@ impl<'a> Residuals<'a> {
             value: self.values[worst],
             truth: self.truth(worst),
             texels: [self.judged.len(), self.sample.size.iter().product()],
+            unsampled: self.sample.size.iter().product::<usize>() - self.values.len(),
         }
     }
 }

@@ -33,10 +33,12 @@ pub struct Tried {
 /// The furnace: E over the E that the table makes the shader believe, less 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Furnace {
-    /// Least and largest.
+    /// Least and largest; infinite where the table's E is 0 or less.
     pub range: [f64; 2],
-    /// Where the magnitude is largest.
+    /// Where the magnitude is largest; the first such place.
     pub at: Place,
+    /// Texels where the table's E is 0 or less, of which no compensation can be made.
+    pub dark: usize,
 }
 
 /// A channel under the best convention.
@@ -46,6 +48,8 @@ pub struct ChannelAudit {
     pub name: String,
     /// What it holds; none if it is constant or not asked for.
     pub column: Option<Column>,
+    /// Its value, if it is constant and was not asked for.
+    pub constant: Option<f64>,
     /// Its errors at the texels, where it is judged.
     pub errors: Option<TexelErrors>,
     /// How it fits.
@@ -85,6 +89,8 @@ pub struct Audit {
     pub margin: f64,
     /// Whether part of the convention was given by the user.
     pub pinned: bool,
+    /// Whether the user said which channels are meant: others may be constant.
+    pub excused: bool,
     /// The channels.
     pub channels: Vec<ChannelAudit>,
     /// The furnace, where the channels make an albedo.
@@ -106,11 +112,23 @@ impl Audit {
         self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
     }
 
-    /// Whether it is what it is said to be: it fits, and no texel is off by more than the limit. With nothing given by the user and no
+    /// What was not judged, for which it passes no limit: texels that were not sampled, or constant channels that no option leaves out.
+    pub fn unjudged(&self) -> Option<String> {
+        let sampled = |c: &ChannelAudit| c.errors.as_ref().map_or(0, |e| e.unsampled);
+        if let Some(n) = self.channels.iter().map(sampled).max().filter(|n| *n > 0) {
+            return Some(format!("{n} texels were not sampled: audit the table in slices"));
+        }
+        let dead = self.channels.iter().filter(|c| c.constant.is_some() && !self.excused);
+        let names: Vec<&str> = dead.map(|c| c.name.as_str()).collect();
+        let advice = "give --meaning for every channel to judge it, or for those that vary to leave it out";
+        (!names.is_empty()).then(|| format!("channel {} is constant: {advice}", names.join(", ")))
+    }
+
+    /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by more than the limit. With nothing given by the user and no
     /// limit an audit only tells.
     pub fn passes(&self, limit: Option<f64>) -> bool {
         match limit {
-            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit,
+            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit && self.unjudged().is_none(),
             None => !self.pinned || self.fit != Fit::None,
         }
     }

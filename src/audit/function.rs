@@ -90,8 +90,11 @@ pub fn sampled(
 
 /// Whether a name says that an argument is a reflectance at normal incidence.
 fn is_f0(name: &str) -> bool {
-    let name = name.to_ascii_lowercase();
-    ["f0", "specular", "color", "colour", "reflectance", "rf0"].iter().any(|word| name.contains(word))
+    let lower = name.to_ascii_lowercase();
+    let told =
+        ["f0", "specular", "color", "colour", "reflectance", "rf0"].iter().any(|word| lower.contains(word));
+    // A `specularRoughness` is a roughness.
+    told && role(name).is_none()
 }
 
 /// The input that an argument's name tells, if it does.

@@ -64,6 +64,10 @@ const SIEVE: [usize; 2] = [10, 7];
 const ROUND: [usize; 2] = [24, 9];
 const WHOLE: [usize; 2] = [4096, 64];
 
+/// Most texels of a table of three axes that are all judged: every one is an integral of its own. A larger one is judged at the places of
+/// the last round, and passes no limit.
+pub const JUDGED_TEXELS: usize = 1 << 18;
+
 /// Conventions after the first exact round.
 const ROUND_KEPT: [usize; 2] = [40, 16];
 
@@ -89,7 +93,7 @@ pub fn audit(
     progress: &dyn Fn(&str),
 ) -> Result<Audit, AuditError> {
     let table = shipped.checked()?;
-    let live = table.live()?;
+    let live = table.live(pins.meanings.as_ref().map(Vec::len))?;
     progress("truth");
     let truth = truth_of(&table, quantity, pins)?;
     let truth = truth.as_ref();
@@ -198,7 +202,9 @@ fn finish(
     found: &[Candidate],
 ) -> Result<Audit, AuditError> {
     let class = usize::from(table.size.len() == 3);
-    let sample = Sample::new(table, live, WHOLE[class], false);
+    let all = class == 0 || table.size.iter().product::<usize>() <= JUDGED_TEXELS;
+    let sample = Sample::new(table, live, if all { usize::MAX } else { WHOLE[class] }, false);
+    let (places, shown) = sample.thinned(WHOLE[class]);
     let best = &found[0];
     let convention = best.convention(truth, live, table.channels.len());
     let judgement = judge(truth, &sample, &best.axes, best.lobe)?;
@@ -211,7 +217,8 @@ fn finish(
         let place = live.iter().position(|l| *l == k);
         let column = convention.columns[k];
         let (Some(place), Some(column)) = (place, column) else {
-            channels.push(unjudged(&channel.name));
+            let constant = place.is_none().then_some(channel.values[0]);
+            channels.push(ChannelAudit { constant, ..unjudged(&channel.name) });
             continue;
         };
         let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
@@ -226,9 +233,10 @@ fn finish(
         channels.push(ChannelAudit {
             name: channel.name.clone(),
             column: Some(column),
+            constant: None,
             fit: fit(table.source, &residuals, &errors, &defects),
-            truth: (0..residuals.values.len()).map(|i| residuals.truth(i)).collect(),
-            map: residuals.errors.clone(),
+            truth: shown.iter().map(|i| residuals.truth(*i)).collect(),
+            map: shown.iter().map(|i| residuals.errors[*i]).collect(),
             errors: Some(errors),
             defects,
             lookup: points.as_ref().and_then(|p| p.errors(table, k, column, &convention, None)),
@@ -245,11 +253,12 @@ fn finish(
         source: table.source,
         size: table.size.clone(),
         axes: table.axes.clone(),
-        places: sample.at.clone(),
+        places,
         fit: judged.map(|c| c.fit).fold(Fit::Whole, Fit::max),
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
         margin: margin(found),
         pinned: !pins.is_free(),
+        excused: pins.meanings.is_some() || pins.column.is_some(),
         channels,
         furnace,
         truth_error: truth.bound(),
@@ -269,6 +278,7 @@ fn unjudged(name: &str) -> ChannelAudit {
     ChannelAudit {
         name: name.into(),
         column: None,
+        constant: None,
         errors: None,
         fit: Fit::None,
         map: Vec::new(),
@@ -328,10 +338,14 @@ fn furnace(
         Some((sample.values[a][i] + sample.values[b][i], judgement.base[i][0]))
     };
     let mut out: Option<Furnace> = None;
+    let mut dark = 0;
     let dims = sample.dims();
     for i in (0..judgement.base.len()).filter(|i| judgement.judged[*i]) {
-        let (stored, truth) = at(i).filter(|(stored, _)| *stored > 0.0)?;
-        let off = truth / stored - 1.0;
+        let (stored, truth) = at(i)?;
+        // A compensation divides by the stored E: there is none of one that is 0 or less.
+        let lit = stored > 0.0;
+        dark += usize::from(!lit);
+        let off = if lit { truth / stored - 1.0 } else { f64::INFINITY };
         let worse = out.as_ref().is_none_or(|f| off.abs() > f.range[0].abs().max(f.range[1].abs()));
         let places: Vec<usize> =
             shipped::place(i, &dims).iter().zip(&sample.at).map(|(k, at)| at[*k]).collect();
@@ -340,7 +354,7 @@ fn furnace(
             Some(f) if !worse => f.at,
             _ => inputs_at(convention, &table.size, &places),
         };
-        out = Some(Furnace { range, at });
+        out = Some(Furnace { range, at, dark });
     }
-    out
+    out.map(|f| Furnace { dark, ..f })
 }

@@ -31,7 +31,7 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         truth_error: audit.truth_error,
         conventions: audit.tried.iter().map(|t| convention(audit, t)).collect(),
         channels: audit.channels.iter().filter_map(|c| channel(audit, c)).collect(),
-        furnace: audit.furnace.as_ref().map(|f| AuditFurnace {
+        furnace: audit.furnace.as_ref().filter(|f| f.dark == 0).map(|f| AuditFurnace {
             least: f.range[0],
             most: f.range[1],
             at: f.at.clone(),

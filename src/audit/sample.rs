@@ -35,6 +35,19 @@ impl Sample {
         self.at.iter().map(Vec::len).collect()
     }
 
+    /// At most `most` of the places along every axis, and where the sample holds their texels.
+    pub(super) fn thinned(&self, most: usize) -> (Vec<Vec<usize>>, Vec<usize>) {
+        let dims = self.dims();
+        let kept: Vec<Vec<usize>> = dims.iter().map(|n| spread(*n, most, false)).collect();
+        let lengths: Vec<usize> = kept.iter().map(Vec::len).collect();
+        let texel = |i: usize| {
+            let at: Vec<usize> = place(i, &lengths).iter().zip(&kept).map(|(k, kept)| kept[*k]).collect();
+            flat(&at, &dims)
+        };
+        let places = kept.iter().zip(&self.at).map(|(kept, at)| kept.iter().map(|k| at[*k]).collect());
+        (places.collect(), (0..lengths.iter().product()).map(texel).collect())
+    }
+
     /// The inputs at the places of one axis.
     pub(super) fn nodes(&self, axis: usize, reading: &AxisReading) -> Vec<f64> {
         self.at[axis].iter().map(|i| reading.node(*i, self.size[axis])).collect()

@@ -103,9 +103,12 @@ impl Shipped {
         Ok(Shipped { size, axes, ..self.clone() })
     }
 
-    /// Channels that vary, by their place.
-    pub(super) fn live(&self) -> Result<Vec<usize>, AuditError> {
+    /// Channels that vary, by their place; all of them where a meaning is `given` for each.
+    pub(super) fn live(&self, given: Option<usize>) -> Result<Vec<usize>, AuditError> {
         let varies = |c: &ShippedChannel| c.values.iter().any(|v| *v != c.values[0]);
+        if given == Some(self.channels.len()) && self.channels.iter().any(varies) {
+            return Ok((0..self.channels.len()).collect());
+        }
         let live: Vec<usize> = (0..self.channels.len()).filter(|i| varies(&self.channels[*i])).collect();
         if live.is_empty() {
             let value = self.channels.first().map_or(0.0, |c| c.values[0]);

@@ -30,7 +30,8 @@ Examples:
 What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior-1, F0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low.
 
-Exit code 1: over the limit, or it fits no convention that the options leave open.";
+Exit code 1: with --limit, over it, not all judged, or no convention fits; without it, no convention fits that options (--axes, --registration,
+--smith, --side, --meaning) leave open. With none of them it only tells, and the exit code is 0.";
 
 /// Options of `audit`.
 #[derive(Args)]
@@ -93,6 +94,7 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
+    other_kind(options)?;
     let bytes = store::read(&options.file, foreign::limits::BYTES)?;
     let (shipped, holds) =
         if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
@@ -147,6 +149,29 @@ fn is_shader(options: &Options) -> bool {
     options.function.is_some() || extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
 }
 
+/// Refuses options that mean nothing for the kind of file.
+fn other_kind(options: &Options) -> Result<(), CliError> {
+    let shader = is_shader(options);
+    let (kind, given) = if shader {
+        let given = [
+            ("--registration", !options.registration.is_empty()),
+            ("--size", options.size.is_some()),
+            ("--channels", options.channels.is_some()),
+            ("--raw-format", options.raw_format.is_some()),
+            ("--symbol", options.symbol.is_some()),
+            ("--layer", options.layer.is_some()),
+        ];
+        ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
+    } else {
+        ("a table", (!options.set.is_empty()).then_some("--set"))
+    };
+    let advice = if shader { "only of tables" } else { "only of shader functions: --function names one" };
+    given.map_or(Ok(()), |option| {
+        let file = options.file.display();
+        Err(CliError::Usage(format!("{option}: {file} is read as {kind}, and this is {advice}")))
+    })
+}
+
 /// The function that is meant as a table, and what the file is.
 fn shader(options: &Options, bytes: &[u8]) -> Result<(Shipped, String), CliError> {
     let file = options.file.display().to_string();
@@ -192,6 +217,9 @@ fn inputs(options: &Options) -> usize {
 /// Why the exit code is 1.
 fn refusal(done: &Audit, limit: Option<f64>) -> String {
     match limit {
+        Some(limit) if done.fit == audit::Fit::Whole && done.worst() <= limit => {
+            format!("audit failed: {}", done.unjudged().unwrap_or_default())
+        }
         Some(limit) if done.fit == audit::Fit::Whole => {
             format!("audit failed: the largest error is {:e}, the limit {limit:e}", done.worst())
         }

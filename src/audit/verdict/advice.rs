@@ -12,13 +12,20 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
     let mut steps = Vec::new();
     for (name, axis) in audit.axes.iter().zip(&audit.best().axes) {
         if audit.source == Source::Table {
-            steps.extend(registration(name, axis.siting));
+            steps.extend(registration(name, axis.siting, axis.reversed));
         }
         if axis.reversed && axis.scale.input() == Input::Alpha {
             steps.push(format!("pass 1 - {} as {name}", axis.scale.name()));
         }
     }
-    steps.extend(audit.channels.iter().flat_map(|c| &c.defects).filter_map(mending).map(String::from));
+    steps.extend(
+        audit
+            .channels
+            .iter()
+            .flat_map(|c| &c.defects)
+            .filter_map(|d| mending(d, audit.source))
+            .map(String::from),
+    );
     if audit.channels.iter().any(|c| matches!(c.column, Some(Column::Normal | Column::NormalLoss))) {
         steps.push("average over the cosine, E_avg = 2 int E mu dmu, if an average is meant".into());
     }
@@ -26,11 +33,14 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
     (!steps.is_empty()).then(|| format!("To mend it: {}.", steps.join("; ")))
 }
 
-fn mending(defect: &Defect) -> Option<&'static str> {
+fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
     match defect {
         Defect::Part { .. } => Some(
             "make the table again: a part made by other code, at another time or with too few samples looks like this",
         ),
+        Defect::Clamped { .. } if source == Source::Function => {
+            Some("the function saturates there: let it go on beyond that value, or clamp what becomes of it")
+        }
         Defect::Clamped { .. } => Some("store it in a format that holds values beyond the clamp"),
         Defect::MissingLoss { .. } => {
             Some("make the loss again by quadrature or by sampling visible normals")
@@ -40,7 +50,15 @@ fn mending(defect: &Defect) -> Option<&'static str> {
 }
 
 /// What a reader or maker should do about an axis.
-fn registration(axis: &str, siting: Siting) -> Option<String> {
+fn registration(axis: &str, siting: Siting, reversed: bool) -> Option<String> {
+    // The siting is that of the rising coordinate; a reader counts along the texels.
+    let siting = match siting {
+        Siting::Left if reversed => Siting::Right,
+        Siting::Right if reversed => Siting::Left,
+        Siting::OneHigh if reversed => Siting::OneLow,
+        Siting::OneLow if reversed => Siting::OneHigh,
+        other => other,
+    };
     let again = format!("compute the texels along {axis} at (i + 1/2)/n");
     Some(match siting {
         Siting::Centre => return None,
@@ -50,4 +68,26 @@ fn registration(axis: &str, siting: Siting) -> Option<String> {
         Siting::OneHigh => format!("{again}: they are one texel too far"),
         Siting::OneLow => format!("{again}: they are one texel too near"),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_falling_axis_is_shifted_the_other_way() {
+        for (siting, mirrored) in [(Siting::Left, Siting::Right), (Siting::OneHigh, Siting::OneLow)] {
+            assert_eq!(registration("x", siting, true), registration("x", mirrored, false));
+            assert_eq!(registration("x", mirrored, true), registration("x", siting, false));
+        }
+        assert_ne!(registration("x", Siting::Left, true), registration("x", Siting::Left, false));
+    }
+
+    #[test]
+    fn a_function_is_stored_in_no_format() {
+        let clamped = Defect::Clamped { value: 1.0, texels: 3, truth: 1.2 };
+        let [of_table, of_function] = [Source::Table, Source::Function].map(|s| mending(&clamped, s));
+        assert!(of_table.is_some_and(|t| t.contains("format")), "{of_table:?}");
+        assert!(of_function.is_some_and(|t| t.contains("saturates")), "{of_function:?}");
+    }
 }

@@ -76,10 +76,14 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     let e = channel.errors.as_ref()?;
     let column = channel.column?.name();
     let part = if e.texels[0] < e.texels[1] {
-        format!(
-            " ({} of {} texels judged, the rest lies where the truth is not to be had)",
-            e.texels[0], e.texels[1]
-        )
+        let beyond = e.texels[1] - e.texels[0] - e.unsampled;
+        let told = [
+            (beyond, "where the truth is not to be had"),
+            (e.unsampled, "not sampled: the table is too large to judge each texel"),
+        ];
+        let told: Vec<String> =
+            told.iter().filter(|(n, _)| *n > 0).map(|(n, why)| format!("{n} {why}")).collect();
+        format!(" ({} of {} texels judged; {})", e.texels[0], e.texels[1], told.join(", "))
     } else {
         String::new()
     };
@@ -112,15 +116,24 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
 
 /// Channels that hold nothing that is asked for.
 fn idle(audit: &Audit) -> Option<String> {
-    let names: Vec<&str> =
-        audit.channels.iter().filter(|c| c.column.is_none()).map(|c| c.name.as_str()).collect();
-    let noun = if names.len() == 1 { "Channel" } else { "Channels" };
-    let verb = if names.len() == 1 { "is" } else { "are" };
-    (!names.is_empty()).then(|| format!("{noun} {} {verb} constant or not asked for.", names.join(", ")))
+    let idle = audit.channels.iter().filter(|c| c.column.is_none());
+    let told = idle.map(|c| match c.constant {
+        Some(value) => format!("Channel {} is constant ({}) and was not judged.", c.name, number(value)),
+        None => format!("Channel {} is not asked for.", c.name),
+    });
+    let told: Vec<String> = told.collect();
+    (!told.is_empty()).then(|| told.join(" "))
 }
 
 fn furnace(audit: &Audit) -> Option<String> {
     let f = audit.furnace.as_ref()?;
+    if f.dark > 0 {
+        return Some(format!(
+            "No white furnace can be compensated with it: its E is 0 or less at {} texels, the first at {}.",
+            f.dark,
+            place(&f.at)
+        ));
+    }
     if f.range[1] - f.range[0] <= (4.0 * audit.truth_error).max(2e-7) {
         return None;
     }

@@ -77,7 +77,8 @@ impl Language {
             Language::Rust | Language::Wgsl => &[],
             Language::Hlsl => &["HLSL of shader model 5 or later."],
             Language::Glsl => &[
-                "GLSL 3.30, GLSL ES 3.00 or later; in GLSL ES a sampler3D needs its precision: `precision highp sampler3D;`.",
+                "GLSL 3.30, GLSL ES 3.00 or later. GLSL ES needs, before this file: `precision highp float; precision highp sampler2D;`, and",
+                "`precision highp sampler3D;` for a volume.",
             ],
             Language::Msl => &[
                 "Metal Shading Language. No Metal compiler has read this file: it is checked as C++ about stand-ins for the library.",

@@ -228,18 +228,43 @@ impl<'a> Walk<'a> {
             }
             TypeInner::Array { base, size: ArraySize::Constant(count), .. } => {
                 let count = count.get() as usize;
-                if count > limits::OPERATIONS {
-                    return Err(self.source.too_large("entries of an array", count, limits::OPERATIONS));
+                let all = count.saturating_mul(self.entries(*base));
+                if all > limits::OPERATIONS {
+                    return Err(self.source.too_large("entries of an array", all, limits::OPERATIONS));
                 }
                 Value::List(vec![self.filled(*base, span, fill)?; count])
             }
             TypeInner::Struct { members, .. } => {
+                let all = self.entries(ty);
+                if all > limits::OPERATIONS {
+                    return Err(self.source.too_large("entries of a structure", all, limits::OPERATIONS));
+                }
                 let fields: Result<Vec<Value>, ForeignError> =
                     members.iter().map(|m| self.filled(m.ty, span, fill)).collect();
                 Value::List(fields?)
             }
             _ => return Err(self.source.unsupported(span, "a variable of this type", ONLY)),
         })
+    }
+
+    /// Scalars of a type, those of an array counted in. A module's types name only those before them, so that one pass counts all.
+    fn entries(&self, ty: Handle<Type>) -> usize {
+        let mut counts: Vec<usize> = Vec::with_capacity(ty.index() + 1);
+        for (_, each) in self.module.types.iter().take(ty.index() + 1) {
+            let of = |inner: &Handle<Type>| counts.get(inner.index()).copied().unwrap_or(usize::MAX);
+            counts.push(match &each.inner {
+                TypeInner::Vector { size, .. } => *size as usize,
+                TypeInner::Matrix { columns, rows, .. } => *columns as usize * *rows as usize,
+                TypeInner::Array { base, size: ArraySize::Constant(count), .. } => {
+                    (count.get() as usize).saturating_mul(of(base))
+                }
+                TypeInner::Struct { members, .. } => {
+                    members.iter().fold(0, |sum: usize, m| sum.saturating_add(of(&m.ty)))
+                }
+                _ => 1,
+            });
+        }
+        counts.last().copied().unwrap_or(0)
     }
 
     /// A vector from scalars and vectors; anything else from its entries.

@@ -6,7 +6,7 @@ use naga::{Module, ShaderStage, Span};
 
 use super::ShaderLanguage;
 use crate::fit::Place;
-use crate::foreign::text::nesting;
+use crate::foreign::text::{called, nesting};
 use crate::foreign::{ForeignError, Spot, limits};
 
 /// A shader source.
@@ -132,12 +132,7 @@ fn blanked(text: &str) -> String {
             out.push_str(line);
         }
     }
-    let main = |(at, name): (usize, &str)| {
-        let before = text[..at].chars().next_back();
-        let word = before.is_none_or(|c| !c.is_alphanumeric() && c != '_');
-        word && text[at + name.len()..].trim_start().starts_with('(')
-    };
-    if !text.match_indices("main").any(main) {
+    if !called(text, "main") {
         out.push_str("\nvoid main() {}\n");
     }
     out

@@ -49,6 +49,8 @@ pub(super) struct Walk<'a> {
     pub globals: Vec<Option<usize>>,
     /// The last place that was known: front ends do not tell that of every expression.
     here: Span,
+    /// Slots below this belong to callers of a function that may have returned already: they are not written.
+    guard: usize,
     steps: usize,
     depth: usize,
 }
@@ -62,6 +64,7 @@ impl<'a> Walk<'a> {
             memory: Vec::new(),
             globals: vec![None; module.global_variables.len()],
             here: Span::default(),
+            guard: 0,
             steps: 0,
             depth: 0,
         }
@@ -206,7 +209,10 @@ impl<'a> Walk<'a> {
             Statement::Call { function, arguments, result } => {
                 let values: Result<Vec<Value>, ForeignError> =
                     arguments.iter().map(|&a| self.value(frame, a)).collect();
+                let guarded = self.guarded(frame);
+                let guard = std::mem::replace(&mut self.guard, guarded);
                 let value = self.call(*function, values?)?;
+                self.guard = guard;
                 if let Some(result) = result {
                     frame.values[result.index()] = Some(value);
                 }
@@ -226,7 +232,7 @@ impl<'a> Walk<'a> {
         let Value::Pointer(pointer) = self.value(frame, pointer)? else {
             return Err(self.source.unsupported(span, "an assignment to this", ONLY));
         };
-        if pointer.slot < frame.base && matches!(frame.returned, Returned::Where(..)) {
+        if pointer.slot < self.guarded(frame) {
             return Err(self.early(span));
         }
         match pointer.of(&mut self.memory) {
@@ -236,6 +242,11 @@ impl<'a> Walk<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The guard at a statement of a function: its callers' slots, once it has returned on some path.
+    fn guarded(&self, frame: &Frame) -> usize {
+        if matches!(frame.returned, Returned::Where(..)) { self.guard.max(frame.base) } else { self.guard }
     }
 
     fn early(&self, span: Span) -> ForeignError {
@@ -259,12 +270,15 @@ impl<'a> Walk<'a> {
             None => {}
         }
         let before = self.memory.clone();
+        let guarded = self.guarded(frame);
+        let guard = std::mem::replace(&mut self.guard, guarded);
         let returned = std::mem::replace(&mut frame.returned, Returned::Never);
         let first = self.block(frame, accept)?;
         let accepted = std::mem::replace(&mut self.memory, before);
         let first_returned = std::mem::replace(&mut frame.returned, Returned::Never);
         let second = self.block(frame, reject)?;
         let second_returned = std::mem::replace(&mut frame.returned, Returned::Never);
+        self.guard = guard;
         if matches!(first, Flow::Break | Flow::Continue) || matches!(second, Flow::Break | Flow::Continue) {
             let advice = "only loops that run a fixed number of times are";
             return Err(self.source.unsupported(span, "a loop's end that depends on the inputs", advice));

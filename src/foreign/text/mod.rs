@@ -15,7 +15,7 @@ mod words;
 use frame::Literal;
 use lead::Lead;
 use lex::{Lexer, Token};
-pub(super) use nesting::nesting;
+pub(super) use nesting::{called, nesting};
 
 use super::shape::{self, Values};
 use super::{ForeignError, ForeignTable, Hints, Spot, Step, limits};
@@ -91,7 +91,7 @@ fn dimensions(lead: &Lead, literal: &Literal) -> Result<shape::Grouped, String> 
     };
     let nested: Vec<usize> = literal.shape.iter().copied().filter(|&n| n != 1).collect();
     let stated = &lead.sizes;
-    if declared != 0 && declared != literal.values.len() && stated.first() != literal.shape.first() {
+    if declared != 0 && !agree(stated, &literal.shape) {
         return Err(format!(
             "{} is declared as {} and holds {} numbers",
             lead.name,
@@ -105,6 +105,15 @@ fn dimensions(lead: &Lead, literal: &Literal) -> Result<shape::Grouped, String> 
         return Ok((None, None));
     }
     shape::grouped(shape, literal.vectors && !flat).map_err(|message| format!("{}: {message}", lead.name))
+}
+
+/// Whether declared sizes are those of the brackets, outermost first: channels may follow them, and inner brackets may be left out.
+fn agree(stated: &[usize], shape: &[usize]) -> bool {
+    let long = |list: &[usize]| list.iter().copied().filter(|&n| n != 1).collect::<Vec<_>>();
+    let (stated, shape) = (long(stated), long(shape));
+    let same = stated.iter().zip(&shape).take_while(|(a, b)| a == b).count();
+    let rest = stated[same..].iter().fold(1, |n: usize, &size| n.saturating_mul(size));
+    same == stated.len() || shape[same..] == [rest]
 }
 
 /// Numbers on each line of a literal and its lines, if all lines hold as many.
