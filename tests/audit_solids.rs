@@ -145,3 +145,15 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
     let found = run(&shipped("lut_charlie", &[16, 16], wrong), "sheen-charlie", &Pins::default());
     assert_eq!(found.fit, Fit::None);
 }
+
+#[test]
+fn texels_that_are_not_sampled_are_told_and_pass_no_limit() {
+    let size = [5200, 8, 8];
+    let values = (0..5200 * 64).map(|i| 1.0 - 0.3 * ((i / 5200 % 8) as f64 / 8.0)).collect();
+    let mut found = run(&shipped("large", &size, values), "ggx-reflection-aniso", &Pins::default());
+    let errors = found.channels[0].errors.as_ref().unwrap();
+    assert_eq!(errors.unsampled, 5200 * 64 - 64 * 64);
+    assert!(found.verdict.contains("328704 not sampled"), "{}", found.verdict);
+    found.fit = Fit::Whole;
+    assert!(!found.passes(Some(f64::MAX)));
+}

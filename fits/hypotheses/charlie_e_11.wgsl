@@ -11,5 +11,6 @@ override k: f32 = 2.2023745;
 fn charlie_e_11(roughness: f32, alpha: f32, mu: f32) -> f32 {
     let inverse = 1.0 / (mu + k * roughness);
     let ratio = mu * inverse;
-    return c0 + inverse * (c1 + c2 * alpha + ratio * (c3 + c4 * roughness + c5 * ratio));
+    let rim = c1 + c2 * alpha + ratio * (c3 + c4 * roughness + c5 * ratio);
+    return c0 + inverse * rim;
 }
