@@ -190,6 +190,7 @@ fn the_compensations_are_those_of_rust_up_to_the_accuracy_of_wgsl() {
     let functions = ["ggx_compensate_reflection_factor", "ggx_compensate_glass_factor"];
     for ((entry, text), function) in ["reflection", "glass"].into_iter().zip(&texts).zip(functions) {
         let factor = &text[text.find(&format!("fn {function}(")).expect("the factor")..];
+        let factor = &factor[..factor.find("\n}\n").expect("its end") + 2];
         let factor = Hypothesis::parse("compensation", factor).unwrap_or_else(|e| panic!("{e}"));
         let resources = [buffer.as_entire_binding()];
         let found = gpu.run(&module, entry, &resources, points.len(), 4 * points.len());

@@ -53,7 +53,7 @@ fn main() {{
 "
     );
     fs::write(path("main.rs"), source).unwrap();
-    rustc(&["-O", "--edition", "2021"], &path("main.rs"), &path("harness"));
+    rustc(&["-C", "opt-level=0", "--edition", "2021"], &path("main.rs"), &path("harness"));
     let status = Command::new(path("harness")).arg(path("points")).arg(path("values")).status().unwrap();
     assert!(status.success(), "{status}");
     let bytes = fs::read(path("values")).unwrap();
