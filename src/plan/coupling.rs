@@ -26,10 +26,15 @@ struct Coupled<'a> {
 fn coupled(scene: &Scene) -> impl Iterator<Item = Coupled<'_>> {
     rough(scene).filter_map(|(index, material, roughness)| {
         let base = material.base.as_ref().filter(|base| !base.is_black())?;
-        let [first, rest @ ..] = material.f0?;
+        let [first, rest @ ..] = material.f0?.map(twelve);
         let f0 = rest.iter().fold([first; 2], |all, f0| hull(all, [*f0; 2]));
         Some(Coupled { index, material, base, roughness, f0 })
     })
+}
+
+/// A reflectance in twelve digits, without the rounding error of ((1.5 - 1)/(1.5 + 1))^2.
+fn twelve(f0: f64) -> f64 {
+    format!("{f0:.11e}").parse().unwrap_or(f0)
 }
 
 /// The fits that they want, by the specular lobe above them.

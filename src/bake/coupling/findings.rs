@@ -19,8 +19,9 @@ use crate::scene::Scene;
 /// Side of the maps' grids.
 const MAP: usize = 64;
 
-/// Cosines of curves and spheres.
+/// Cosines of curves, and of spheres.
 const COSINES: usize = 64;
+const RADII: usize = 40;
 
 /// Roughness of the curves, and of the furnace's spheres, as far as they lie in the region.
 const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 1.0];
@@ -33,7 +34,7 @@ const FURNACES: [f64; 4] = [0.02, 0.04, 0.2, 1.0];
 const SHOWN: [&str; 4] = ["coupling_none", "coupling_fresnel", "coupling_gltf", "coupling_pesce"];
 
 /// How often the furnace's departure from white is amplified.
-const AMPLIFICATION: f64 = 5.0;
+const AMPLIFICATION: f64 = 10.0;
 
 /// The findings of the effect.
 pub fn findings(
@@ -122,7 +123,7 @@ fn fit_finding(
 /// Spheres of lobe and white base together, the lobe exact: without coupling, with published factors, and with ours of the frontier.
 fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<CouplingFurnace, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
-    let grid = Grid::new(spec.smith, region, chosen(region, &SPHERES), grazing(region, COSINES), context);
+    let grid = Grid::new(spec.smith, region, chosen(region, &SPHERES), grazing(region, RADII), context);
     let of_rival = |name: &&str| lobe.fits.iter().find(|f| f.approximation.name == **name);
     let rivals = SHOWN.iter().filter_map(of_rival);
     let ours = [shown.first(), shown.last()];
