@@ -1,10 +1,17 @@
 //! The effect diffuse-coupling: from the scene to the bytes, and nothing of it where the scene does not ask.
 
+mod emit_support;
+
 use std::sync::LazyLock;
 
+use emit_support::compilers::includes_in_cpp;
+use emit_support::languages::compile;
+use emit_support::programs::{compile_library, run};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
 use lobefit::effects::reflection::Fit;
+use lobefit::emit::code::Language;
+use lobefit::integrate::Estimate;
 use lobefit::integrate::coupling::{Specular, Split, factor};
 use lobefit::integrate::reflection::{TOLERANCE, reflection};
 use lobefit::plan::{EffectName, Plan, plan};
@@ -185,6 +192,78 @@ fn limits_and_monotony_of_the_emitted_factors() {
         }
     }
     assert!(exact >= 100, "{exact}: no form says that it is exact at normal incidence");
+}
+
+fn include(language: Language) -> String {
+    String::from_utf8(ALL.files[&format!("fits/lobefit.{}", language.extension())].clone()).expect("text")
+}
+
+/// Factors under every kind of lobe, the exact ones and the materials: compilers take the files without a word.
+#[test]
+fn compilers_take_the_files() {
+    compile_library(&include(Language::Rust));
+    includes_in_cpp(&include(Language::C));
+    for language in [Language::Hlsl, Language::Glsl] {
+        assert!(compile(language, &include(language)).is_none_or(|functions| functions >= 20));
+    }
+    let wgsl = include(Language::Wgsl);
+    let module =
+        naga::front::wgsl::parse_str(&wgsl).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&wgsl)));
+    let flags = naga::valid::ValidationFlags::all();
+    naga::valid::Validator::new(flags, naga::valid::Capabilities::empty())
+        .validate(&module)
+        .expect("valid WGSL");
+}
+
+/// The emitted factors of E and B are the truth's, with its limits: a mirror leaves (1 - f0)(1 - (1 - mu)^5), f0 = 1 nothing but what a bare
+/// lobe loses, and at mu = 1, where B is small, 1 - f0 times what is not lost.
+#[test]
+fn emitted_factors_of_e_and_b_are_exact() {
+    let mirror = |mu: f32| {
+        let x = 1.0 - f64::from(mu);
+        (1.0, x * x * x * x * x)
+    };
+    let lobe = |alpha: f64, mu: f64| {
+        let lobe = reflection(Smith::Correlated, alpha, mu, TOLERANCE).expect("in the domain");
+        (lobe.e, lobe.b)
+    };
+    let pairs = [
+        mirror(0.0),
+        mirror(0.3),
+        mirror(1.0),
+        lobe(0.25, 0.01),
+        lobe(0.25, 1.0),
+        lobe(1.0, 1.0),
+        lobe(1.0, 0.4),
+    ];
+    let points: Vec<[f32; 3]> = [0.0_f32, 0.04, 0.5, 1.0]
+        .iter()
+        .flat_map(|f0| pairs.map(|(e, b)| [*f0, e as f32, b as f32]))
+        .collect();
+    let calls: String = Specular::ALL
+        .map(|s| format!("        out.push(lobefit::diffuse_coupling_{}(f0, e, b));\n", s.name()))
+        .concat();
+    let body = format!("    for &[f0, e, b] in &points {{\n{calls}    }}\n");
+    let bytes: Vec<u8> = points.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+    let found = run(&include(Language::Rust), 3, &body, &bytes);
+    for ([f0, e, b], found) in points.iter().map(|p| p.map(f64::from)).zip(found.chunks_exact(3)) {
+        let with = |value| Estimate { value, error: 0.0 };
+        let split = Split { e: with(e), a: with(e - b), loss: with(1.0 - e) };
+        for (s, found) in Specular::ALL.into_iter().zip(found) {
+            let expected = factor(&split, f0, s).value;
+            assert!(
+                (f64::from(*found) - expected).abs() < 1e-6,
+                "{} at {f0} {e} {b}: {found}, {expected}",
+                s.name()
+            );
+            if e == 1.0 {
+                assert!((expected - (1.0 - f0) * (1.0 - b)).abs() < 1e-15);
+            }
+            if f0 == 1.0 {
+                assert!((expected - if s == Specular::Single { 1.0 - e } else { 0.0 }).abs() < 1e-15);
+            }
+        }
+    }
 }
 
 /// Ours beat the published comparison's bars at f0 = 0.04: 0.102 with 7 operations and 0.019 with 15 under a normalised lobe, 0.070 and
