@@ -3,7 +3,7 @@
 use super::words;
 use crate::data::Certificate;
 use crate::report::numbers::{brief, brief_bound, grouped, place, significant};
-use crate::report::plot::{Scale, signed};
+use crate::report::plot::signed;
 use crate::report::{
     Block, Curves, Field, FitCard, FitPage, FitSlice, HeatMap, Page, ReportError, Section, Series, Spread,
     Style, TextTable, Worst, check,
@@ -170,14 +170,12 @@ fn curves(fit: &FitCard, slice: &FitSlice) -> Curves {
     for (i, c) in slice.curves.iter().enumerate() {
         series.push(line(if i == 0 { &fit.name } else { "" }, slice, &c.fit, Style::Line(0), None));
     }
-    // The truth stays readable beside a wild fit.
-    let limits = Scale::around(Spread::Linear, slice.curves.iter().flat_map(|c| c.truth.iter().copied()));
-    chart(slice, slice.value.clone(), series, Some((limits.min, limits.max)))
+    chart(slice, slice.value.clone(), series)
 }
 
 fn error_curves(slice: &FitSlice) -> Curves {
     let series = slice.curves.iter().map(|c| line("", slice, &c.error, Style::Line(0), None)).collect();
-    chart(slice, "signed error".into(), series, None)
+    chart(slice, "signed error".into(), series)
 }
 
 /// Roughness in short: the end of a line has little room.
@@ -190,7 +188,7 @@ fn line(name: &str, slice: &FitSlice, values: &[f64], style: Style, end: Option<
     Series { name: name.into(), points, style, end }
 }
 
-fn chart(slice: &FitSlice, value: String, series: Vec<Series>, y_limits: Option<(f64, f64)>) -> Curves {
+fn chart(slice: &FitSlice, value: String, series: Vec<Series>) -> Curves {
     Curves {
         title: value.clone(),
         x: (words::axis(&slice.along.name), Spread::Linear),
@@ -198,7 +196,7 @@ fn chart(slice: &FitSlice, value: String, series: Vec<Series>, y_limits: Option<
         series,
         annotations: Vec::new(),
         guides: Vec::new(),
-        y_limits,
+        y_limits: None,
         size: (400.0, 250.0),
     }
 }
