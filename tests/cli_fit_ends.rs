@@ -107,3 +107,33 @@ fn starts_with_a_pole_are_no_obstacle_to_a_quotient_and_named_elsewhere() {
     assert_eq!(output.status.code(), Some(2), "{told}");
     assert!(told.contains("mine.wgsl:3:") && told.contains("declared starts"), "{told}");
 }
+
+/// The visibility of a sheen has no Smith form: none is told of. Where E is nothing, a relative error is none either.
+#[test]
+fn a_sheen_is_told_of_without_a_smith_form() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override a: f32 = 0.5;\noverride b: f32 = 0.2;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return a * alpha + b * (1.0 - mu); }\n";
+    let output = fit(folder.path(), source, &["--to", "sheen-charlie", "--out", "out", "--language", "wgsl"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).expect("written");
+    for text in [stdout(&output), read("mine.html"), read("mine.wgsl")] {
+        assert!(text.contains("sheen-charlie E") || text.contains("sheen-charlie, column E"), "{text}");
+        assert!(!text.to_lowercase().contains("smith"), "{text}");
+    }
+    let document: Value = serde_json::from_str(&read("mine.json")).expect("JSON");
+    assert!(document["fits"][0]["certificate"]["max_rel"].is_number(), "{}", document["fits"][0]);
+}
+
+#[test]
+fn what_was_not_searched_for_is_not_called_a_minimum() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override a: f32 = 0.5;\noverride b: f32 = 0.0;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return a * alpha + b * (1.0 - mu); }\n";
+    let point = ["--to", "ggx-reflection:E", "--fix", "mu=0.5", "--fix", "roughness=0.5"];
+    let output = fit(folder.path(), source, &point);
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    let text = stdout(&output);
+    assert!(text.contains("optimality   none: nothing was searched for"), "{text}");
+    assert!(!text.contains("is 0: drop it"), "{text}");
+}

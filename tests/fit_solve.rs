@@ -227,7 +227,6 @@ fn bad_data_are_refused_with_their_place() {
     {
         assert!(told.contains(words), "{words}: {told}");
     }
-    assert!(error.to_string().contains("(x = 0."), "{error}");
 }
 
 #[test]

@@ -32,7 +32,7 @@ pub(crate) struct Label {
     pub(crate) leader: bool,
 }
 
-/// Places every label, in the order given, at the first spot that is free of obstacles, points and placed labels. A point
+/// Places every label, from right to left, at the first spot that is free of obstacles, points and placed labels. A point
 /// without a name only keeps others off.
 ///
 /// Greedy: the first spot whose leader, if it needs one, crosses nothing; else the first that is free; a label with no free spot
@@ -45,8 +45,13 @@ pub(crate) fn place(
     obstacles: &[Frame],
 ) -> Result<Vec<Label>, ReportError> {
     let dots: Vec<Frame> = points.iter().map(|&p| around(p, 5.0, 5.0)).collect();
+    // From the right edge, where there is least room, to the left.
+    let mut order: Vec<usize> = (0..points.len().min(names.len())).collect();
+    order.sort_by(|&a, &b| points[b].0.total_cmp(&points[a].0));
+    let named: Vec<(f64, f64)> = order.iter().map(|&i| points[i]).collect();
     let mut placed: Vec<Label> = Vec::with_capacity(points.len());
-    for (&point, name) in points.iter().zip(names) {
+    for (&point, &index) in named.iter().zip(&order) {
+        let name = &names[index];
         if name.is_empty() {
             placed.push(Label { frame: around(point, 0.0, 0.0), leader: false });
             continue;
@@ -56,7 +61,7 @@ pub(crate) fn place(
             || REACH.iter().flat_map(move |&r| DIRECTIONS.iter().map(move |&d| spot(point, half, d, r)));
         let apart = |f: &Frame| inside.contains(*f) && !placed.iter().any(|l| l.frame.overlaps(*f));
         let free = |f: &Frame| apart(f) && !dots.iter().chain(obstacles).any(|o| o.overlaps(*f));
-        let clear = |f: &Frame| free(f) && is_clear(point, *f, &points[..placed.len()], &placed, &dots);
+        let clear = |f: &Frame| free(f) && is_clear(point, *f, &named[..placed.len()], &placed, &dots);
         let frame = spots()
             .find(clear)
             .or_else(|| spots().find(free))
@@ -65,7 +70,9 @@ pub(crate) fn place(
         let leader = needs_leader(point, frame);
         placed.push(Label { frame, leader });
     }
-    Ok(placed)
+    let mut labels: Vec<(usize, Label)> = order.into_iter().zip(placed).collect();
+    labels.sort_by_key(|(index, _)| *index);
+    Ok(labels.into_iter().map(|(_, label)| label).collect())
 }
 
 /// Whether a label is far enough from its point to be joined to it by a line.

@@ -3,7 +3,7 @@
 use super::words;
 use crate::data::Certificate;
 use crate::report::numbers::{brief, brief_bound, grouped, place, significant};
-use crate::report::plot::signed;
+use crate::report::plot::{Scale, signed};
 use crate::report::{
     Block, Curves, Field, FitCard, FitPage, FitSlice, HeatMap, Page, ReportError, Section, Series, Spread,
     Style, TextTable, Worst, check,
@@ -170,12 +170,24 @@ fn curves(fit: &FitCard, slice: &FitSlice) -> Curves {
     for (i, c) in slice.curves.iter().enumerate() {
         series.push(line(if i == 0 { &fit.name } else { "" }, slice, &c.fit, Style::Line(0), None));
     }
-    chart(slice, slice.value.clone(), series)
+    let (truth, fit) = (slice.curves.iter().map(|c| &c.truth), slice.curves.iter().map(|c| &c.fit));
+    chart(slice, slice.value.clone(), series, Some(limits(truth.flatten(), fit.flatten())))
+}
+
+/// The frame of the truth, widened to just beyond the fit where that leaves it.
+fn limits<'a>(
+    truth: impl Iterator<Item = &'a f64> + Clone,
+    fit: impl Iterator<Item = &'a f64>,
+) -> (f64, f64) {
+    let Scale { min, max, .. } = Scale::around(Spread::Linear, truth.copied());
+    let (low, high) = fit.fold((min, max), |(low, high), v| (low.min(*v), high.max(*v)));
+    let room = 0.02 * (high - low);
+    (if low < min { low - room } else { min }, if high > max { high + room } else { max })
 }
 
 fn error_curves(slice: &FitSlice) -> Curves {
     let series = slice.curves.iter().map(|c| line("", slice, &c.error, Style::Line(0), None)).collect();
-    chart(slice, "signed error".into(), series)
+    chart(slice, "signed error".into(), series, None)
 }
 
 /// Roughness in short: the end of a line has little room.
@@ -188,7 +200,7 @@ fn line(name: &str, slice: &FitSlice, values: &[f64], style: Style, end: Option<
     Series { name: name.into(), points, style, end }
 }
 
-fn chart(slice: &FitSlice, value: String, series: Vec<Series>) -> Curves {
+fn chart(slice: &FitSlice, value: String, series: Vec<Series>, y_limits: Option<(f64, f64)>) -> Curves {
     Curves {
         title: value.clone(),
         x: (words::axis(&slice.along.name), Spread::Linear),
@@ -196,7 +208,7 @@ fn chart(slice: &FitSlice, value: String, series: Vec<Series>) -> Curves {
         series,
         annotations: Vec::new(),
         guides: Vec::new(),
-        y_limits: None,
+        y_limits,
         size: (400.0, 250.0),
     }
 }
