@@ -120,6 +120,7 @@ pub(super) fn plain_arguments(text: &str) -> String {
 /// The byte of something on the right of `&&` or `||` that changes what others read, within a range, with its name: GLSL makes it only where
 /// the left side asks for it, the front end always.
 pub(super) fn eager(text: &str, range: [usize; 2], writes: &dyn Fn(&str) -> bool) -> Option<(usize, String)> {
+    let text = &text[range[0]..range[1]];
     let bytes = text.as_bytes();
     let pair = |at: usize, c: u8| bytes.get(at) == Some(&c) && bytes.get(at + 1) == Some(&c);
     let mut lexer = Lexer::new(text, "");
@@ -127,28 +128,28 @@ pub(super) fn eager(text: &str, range: [usize; 2], writes: &dyn Fn(&str) -> bool
     let (mut depth, mut right): (usize, Vec<usize>) = (0, Vec::new());
     let mut last: Option<(usize, &str)> = None;
     while let Some((at, token)) = lexer.next() {
-        if at < range[0] || at >= range[1] {
-            continue;
-        }
         let inside = !right.is_empty();
         match token {
             Token::Mark(c @ (b'&' | b'|')) if pair(at, c) => right.push(depth),
             Token::Mark(b';') => right.clear(),
             Token::Mark(b',' | b'?' | b':') => right.retain(|d| *d < depth),
             Token::Mark(c @ (b'+' | b'-')) if inside && pair(at, c) => {
-                return Some((at, "an assignment".into()));
+                return Some((range[0] + at, "an assignment".into()));
             }
             Token::Mark(b'=') if inside => {
                 let compares = at > 0 && b"=<>!".contains(&bytes[at - 1]) || bytes.get(at + 1) == Some(&b'=');
                 if !compares {
-                    return Some((at, "an assignment".into()));
+                    return Some((range[0] + at, "an assignment".into()));
                 }
             }
             Token::Open(kind) => {
                 if let (b'(', true, Some((at, name))) = (kind, inside, last)
                     && writes(name)
                 {
-                    return Some((at, format!("a call of {name}, which writes variables of others,")));
+                    return Some((
+                        range[0] + at,
+                        format!("a call of {name}, which writes variables of others,"),
+                    ));
                 }
                 depth += 1;
             }

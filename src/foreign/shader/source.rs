@@ -24,6 +24,9 @@ pub(super) struct Source {
 /// Directives of GLSL that say nothing about what functions compute, and that the front end stumbles over.
 const DIRECTIVES: [&str; 6] = ["version", "extension", "pragma", "line", "include", "import"];
 
+/// Most functions that the front end may stumble over: every one costs a parse.
+const DROPPED: usize = 64;
+
 impl Source {
     /// Checks the bytes of a file.
     pub fn new(bytes: &[u8], file: &str, language: Option<ShaderLanguage>) -> Result<Source, ForeignError> {
@@ -81,7 +84,7 @@ impl Source {
     fn glsl(&self, entry: Option<&str>) -> Result<(Module, Vec<String>), ForeignError> {
         let mut cut = Cut::new(self, entry)?;
         let options = glsl::Options::from(ShaderStage::Fragment);
-        let mut refused = None;
+        let (mut refused, mut dropped) = (None, 0);
         loop {
             let text = format!("{}{}", self.prelude, plain_arguments(&blanked(&cut.text(&self.text))));
             let errors = match glsl::Frontend::default().parse(&options, &text) {
@@ -98,7 +101,8 @@ impl Source {
             let span = first.map(|e| e.meta).filter(Span::is_defined);
             let error = self.malformed(span, format!("no GLSL that can be read: {message}"));
             let at = span.and_then(|s| s.to_range()).map(|r| self.own(r.start));
-            if !at.is_some_and(|at| cut.drop_at(at)) {
+            dropped += 1;
+            if dropped > DROPPED || !at.is_some_and(|at| cut.drop_at(at)) {
                 return Err(error);
             }
             refused = refused.or(Some(error));
