@@ -15,11 +15,17 @@ pub(super) enum Formula {
 /// Deepest brackets.
 const DEPTH: usize = 64;
 
+/// Longest text: a chain of sums is as deep as it is long.
+const LENGTH: usize = 1024;
+
 impl Formula {
     /// Reads a whole text.
     ///
     /// Errors: what stands where something else is called for.
     pub fn parse(text: &str) -> Result<Formula, String> {
+        if text.len() > LENGTH {
+            return Err(format!("a formula of {} letters, the most is {LENGTH}", text.len()));
+        }
         let mut reader = Reader { text, at: 0, depth: 0 };
         let formula = reader.sum()?;
         match reader.peek() {
@@ -162,9 +168,18 @@ mod tests {
         assert_eq!(at("2^3^2 / 2^-1"), Some(1024.0));
         assert_eq!(at("-log2(mu) - l"), Some(-1.0));
         assert_eq!(at("mu + nothing"), None);
-        for bad in
-            ["", "mu +", "(mu", "mu)", "exp(mu)", "1.2.3", "mu $ l", &"(".repeat(200), &"-".repeat(200)]
-        {
+        for bad in [
+            "",
+            "mu +",
+            "(mu",
+            "mu)",
+            "exp(mu)",
+            "1.2.3",
+            "mu $ l",
+            &"(".repeat(200),
+            &"-".repeat(200),
+            &"1+".repeat(900),
+        ] {
             assert!(Formula::parse(bad).is_err(), "{bad}");
         }
     }

@@ -267,16 +267,20 @@ impl Look<'_> {
     }
 }
 
-/// u of an axis; what its names stand for may use others of them.
+/// u of an axis; what its names stand for may use others of them, each of which is made once.
 fn coordinate(axis: &Axis, known: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
-    fn of(axis: &Axis, name: &str, known: &dyn Fn(&str) -> Option<f64>, depth: usize) -> Option<f64> {
-        let own = axis.coordinate.iter().find(|(n, _)| n == name).filter(|_| depth <= axis.coordinate.len());
-        match own {
-            Some((_, formula)) => formula.value(&|n| of(axis, n, known, depth + 1)),
-            None => known(name),
+    let (wanted, _) = axis.coordinate.first()?;
+    let mut made: Vec<(&str, f64)> = Vec::new();
+    for _ in 0..axis.coordinate.len() {
+        for (name, formula) in &axis.coordinate {
+            let of = |n: &str| made.iter().find(|m| m.0 == n).map(|m| m.1).or_else(|| known(n));
+            let new = made.iter().all(|m| m.0 != name);
+            if let Some(value) = formula.value(&of).filter(|_| new) {
+                made.push((name, value));
+            }
         }
     }
-    of(axis, &axis.coordinate.first()?.0, known, 0)
+    made.iter().find(|m| m.0 == wanted).map(|m| m.1)
 }
 
 /// The registration, of one axis or of all, or the shadowing form under which the table is as good as it claims.
