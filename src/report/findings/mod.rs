@@ -19,7 +19,7 @@ use super::Field;
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use audit::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup,
+    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
