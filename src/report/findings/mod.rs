@@ -3,6 +3,7 @@
 
 mod approximation;
 mod audit;
+mod coupling;
 mod furnace;
 mod index;
 mod own;
@@ -20,6 +21,9 @@ pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCur
 pub use audit::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
+};
+pub use coupling::{
+    AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
 };
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};

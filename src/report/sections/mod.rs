@@ -4,6 +4,7 @@ mod approximations;
 mod audit;
 mod averages;
 mod called_for;
+mod coupling;
 mod fits;
 mod furnace;
 mod index;
@@ -18,8 +19,8 @@ mod volumes;
 mod words;
 
 use super::{
-    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings,
-    VolumeFindings,
+    AuditFindings, Block, CouplingFindings, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage,
+    Timings, VolumeFindings,
 };
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
@@ -54,6 +55,11 @@ pub(crate) fn of_volumes(findings: &VolumeFindings) -> Result<Page, ReportError>
         ),
         sections: volumes::sections(findings)?,
     })
+}
+
+/// The page of the coupling of diffuse bases.
+pub(crate) fn of_coupling(findings: &CouplingFindings) -> Result<Page, ReportError> {
+    coupling::page(findings)
 }
 
 /// The overview of a bake.
