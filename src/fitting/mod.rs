@@ -10,6 +10,7 @@ mod pictures;
 mod printed;
 pub mod search;
 mod summary;
+mod vanished;
 mod weight;
 mod words;
 

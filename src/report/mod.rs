@@ -30,7 +30,7 @@ pub use findings::{
 };
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup,
+    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
