@@ -262,6 +262,58 @@ fn the_emitted_material_integrates_to_white() {
     }
 }
 
+/// The material for path tracers: f(l, v) = f(v, l) to rounding, and white light by light but for the average's own error, which is told.
+#[test]
+fn the_reciprocal_material_is_reciprocal_and_white() {
+    const AVERAGE: f64 = 1e-3;
+    let of =
+        of_use(Use::Coupling).into_iter().filter(|f| f.approximation.name.starts_with("coupling_single_"));
+    let best = of
+        .min_by(|a, b| a.approximation.certificate.max_abs.total_cmp(&b.approximation.certificate.max_abs))
+        .expect("a factor");
+    let inputs = best.hypothesis.inputs();
+    let constants: Vec<&str> = inputs.iter().map(String::as_str).filter(|name| *name != "mu").collect();
+    let swapped: Vec<&str> = inputs.iter().map(|name| if name == "mu" { "mu_l" } else { name }).collect();
+    let body = format!(
+        "    for p in &points {{
+        let [roughness, alpha, mu, f0, mu_l] = *p;
+        let average = lobefit::diffuse_coupling_average_single({});
+        out.push(lobefit::{}({}));
+        out.push(lobefit::diffuse_coupled_reciprocal_single([0.0; 3], [1.0, 0.5, 0.0], average, mu_l, {})[0]);
+        out.push(lobefit::diffuse_coupled_reciprocal_single([0.0; 3], [1.0, 0.5, 0.0], average, mu, {})[0]);
+    }}
+",
+        constants.join(", "),
+        best.hypothesis.name(),
+        inputs.join(", "),
+        inputs.join(", "),
+        swapped.join(", "),
+    );
+    let rule = lobefit::math::gauss::Gauss::new(24);
+    let lights: Vec<f32> = rule.nodes.iter().map(|x| (0.5 * (1.0 + x)) as f32).collect();
+    let views = views();
+    let numbers =
+        views.iter().flat_map(|view| lights.iter().flat_map(|l| view.numbers().into_iter().chain([*l])));
+    let points: Vec<u8> = numbers.flat_map(f32::to_le_bytes).collect();
+    let found = programs::run(&emitted(), 5, &body, &points);
+    for (view, of_view) in views.iter().zip(found.chunks_exact(3 * lights.len())) {
+        let mut base = 0.0;
+        for ((l, w), three) in lights.iter().zip(&rule.weights).zip(of_view.chunks_exact(3)) {
+            let [_, there, back] = [three[0], three[1], three[2]].map(f64::from);
+            assert!(
+                (there - back).abs() <= 4.0 * f64::from(f32::EPSILON) * there,
+                "{view:?} {l}: {there} {back}"
+            );
+            // pi times the mean of 2 l, over half the range of the rule
+            base += std::f64::consts::PI * w * f64::from(*l) * there;
+        }
+        let factor = f64::from(of_view[0]);
+        assert!((base / factor - 1.0).abs() <= AVERAGE, "{view:?}: {base}, factor {factor}");
+        let stated = best.approximation.certificate.max_abs + AVERAGE + RULE;
+        assert!((albedo(view) + base - 1.0).abs() <= stated, "{view:?}: {base}, certificate {stated}");
+    }
+}
+
 /// A base whose factor follows from a table of E and B, under a lobe that is divided by the table's E: what both are off is the table's error of
 /// f0 A + B over its E.
 #[test]
