@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::colour::{ColourRow, METALS, colour_table};
 use super::darker::{DarkRow, dark_table};
 use super::interface::{IORS, SchlickRow, schlick_table};
+use super::opinion::{BounceRow, ViewRow, bounce_table, view_table};
 use super::table::{Grid, ReciprocityRow, reciprocity_table};
 use super::{Coupling, SurfaceError};
 use crate::data::Smith;
@@ -12,6 +13,13 @@ use crate::integrate::walk::Walks;
 
 /// f0 of the dielectric whose base is darkened: that of an index of refraction of 1.5.
 const DARK_F0: f64 = 0.04;
+
+/// (roughness, mu) of the walks of white facets: where single scattering loses a tenth, and most.
+const BOUNCE_VIEWS: [(f64, f64); 4] = [(0.5, 0.3), (0.8, 0.3), (1.0, 0.3), (1.0, 0.9)];
+
+/// Views of gold.
+const VIEW_ROUGHNESS: [f64; 2] = [0.6, 1.0];
+const VIEW_COSINES: [f64; 8] = [0.05, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
 
 /// What is measured, and how finely.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +60,10 @@ pub struct SurfaceRows {
     pub darker: Vec<DarkRow>,
     /// Rough metals.
     pub colour: Vec<ColourRow>,
+    /// The random walk of white facets.
+    pub bounces: Vec<BounceRow>,
+    /// The random walk of gold at single views.
+    pub views: Vec<ViewRow>,
 }
 
 impl SurfaceRows {
@@ -64,9 +76,11 @@ impl SurfaceRows {
         Ok(SurfaceRows {
             grid: grid.clone(),
             reciprocity: reciprocity_table(*smith, couplings, grid)?,
-            schlick: schlick_table(*smith, &IORS, grid)?,
+            schlick: schlick_table(*smith, &IORS, &grid.roughness)?,
             darker: dark_table(*smith, DARK_F0, grid)?,
             colour: colour_table(&METALS, &grid.roughness, *walks)?,
+            bounces: bounce_table(&BOUNCE_VIEWS, *walks)?,
+            views: view_table(&METALS[0], &VIEW_ROUGHNESS, &VIEW_COSINES, *walks)?,
         })
     }
 }

@@ -7,6 +7,7 @@ mod called_for;
 mod fits;
 mod furnace;
 mod index;
+mod metals;
 mod own;
 mod reciprocity;
 mod search;
@@ -17,6 +18,7 @@ mod tables;
 mod timed_tables;
 mod timings;
 mod volumes;
+mod walks;
 mod words;
 
 use super::{
