@@ -3,7 +3,7 @@
 //! Heights enter through c in [0, 1] alone, the part of the surface that lies below (the cumulative distribution of heights), so the walk
 //! needs no distribution of heights: a ray going up from c reaches c' > c unblocked with probability (c/c')^Lambda, and leaves at c' = 1;
 //! one going down reaches c' < c with probability (c'/c)^(1 + Lambda), Lambda that of the opposite direction, as
-//! Lambda(-w) = -1 - Lambda(w) (Heitz et al. 2016, eqs. 14 and 15, with C1(h) = c). The first facet is met from c = 1.
+//! Lambda(-w) = -1 - Lambda(w) (Heitz et al. 2016, with C1(h) = c). The first facet is met from c = 1.
 
 use rand::RngExt;
 use rand_pcg::Pcg64;

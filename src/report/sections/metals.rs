@@ -6,6 +6,9 @@ use crate::effects::surface::opinion::ViewRow;
 use crate::report::numbers::{bound, brief, significant};
 use crate::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
 
+/// The channel whose albedo is drawn.
+const GREEN: usize = 1;
+
 /// The section of the averages over the hemisphere and of single views; the averages must be there.
 pub(super) fn section(rows: &[ColourRow], views: &[ViewRow]) -> Result<Section, ReportError> {
     check::filled("colour", "rows", rows.len())?;
@@ -18,9 +21,8 @@ pub(super) fn section(rows: &[ColourRow], views: &[ViewRow]) -> Result<Section, 
     let mut charts = Vec::new();
     for metal in &metals {
         let of_metal: Vec<&ColourRow> = rows.iter().filter(|row| row.metal == **metal).collect();
-        let red = |row: &ColourRow| row.albedo[0];
         charts.push(chart(format!("{metal}: saturation"), "1 − min/max", &of_metal, |row| row.saturation));
-        charts.push(chart(format!("{metal}: red albedo"), "albedo", &of_metal, red));
+        charts.push(chart(format!("{metal}: green albedo"), "albedo", &of_metal, |row| row.albedo[GREEN]));
     }
     let caption = "What a convex body sends back on average in an environment of radiance 1. The heavy line is the random walk; its standard \
                    errors are in the table and narrower than the line.";
@@ -115,8 +117,6 @@ fn of_views(rows: &[ViewRow]) -> Result<Option<Block>, ReportError> {
     );
     figures(&charts, &caption).map(Some)
 }
-
-const GREEN: usize = 1;
 
 fn view_chart(metal: &str, roughness: f64, rows: &[ViewRow]) -> Curves {
     let here: Vec<&ViewRow> =
