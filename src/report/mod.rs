@@ -17,6 +17,8 @@ mod plot;
 mod sections;
 mod timings;
 
+use crate::effects::surface::SurfaceRows;
+
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
@@ -132,6 +134,15 @@ pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
 /// As [`page`].
 pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
     Ok((html(&sections::of_audit(audit)?)?, json::document("audit.json", audit)?))
+}
+
+/// Energy and reciprocity of whole materials, the colour of rough metals, what Schlick's Fresnel costs, and bases below white: sections for
+/// the page of an effect or of a study.
+///
+/// # Errors
+/// As [`page`].
+pub fn surface_sections(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
+    sections::of_surfaces(rows)
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {
