@@ -6,6 +6,7 @@ mod demands;
 mod document;
 mod kept;
 mod one;
+mod perceptual;
 mod pictures;
 mod printed;
 pub mod search;
@@ -17,6 +18,7 @@ pub use demands::Demand;
 pub use document::{document, files};
 pub use kept::Kept;
 pub use one::{Certified, Proof};
+pub use perceptual::Perceptual;
 pub use summary::summary;
 
 use crate::effects::target::{Target, TargetError, TargetSpec};

@@ -4,6 +4,7 @@ mod approximations;
 mod audit;
 mod averages;
 mod called_for;
+mod coupling_study;
 mod fits;
 mod furnace;
 mod index;
@@ -18,8 +19,8 @@ mod volumes;
 mod words;
 
 use super::{
-    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings,
-    VolumeFindings,
+    AuditFindings, Block, CouplingStudy, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage,
+    Timings, VolumeFindings,
 };
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
@@ -86,6 +87,11 @@ pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
 /// The page of an audit.
 pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
     audit::page(findings)
+}
+
+/// The page of the study of diffuse couplings.
+pub(crate) fn of_coupling_study(study: &CouplingStudy) -> Result<Page, ReportError> {
+    coupling_study::page(study)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.

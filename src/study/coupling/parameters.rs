@@ -1,0 +1,96 @@
+//! What the study covers.
+
+use serde::Serialize;
+
+use super::candidates::Candidate;
+use crate::effects::surface::Lobe;
+use crate::report::flip::PIXELS_PER_DEGREE;
+use crate::report::render::{Environment, Settings};
+use crate::study::Size;
+
+/// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
+const METHOD: u32 = 1;
+
+/// Everything that the recipe covers beside the tool's version.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Parameters {
+    method: u32,
+    /// Specular lobes; the pictures of the first are shown.
+    #[serde(serialize_with = "names")]
+    pub lobes: Vec<Lobe>,
+    /// Couplings, with the formulas of those that have one.
+    couplings: Vec<String>,
+    pub furnace: Furnace,
+    pub lit: Lit,
+}
+
+/// The furnace.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Furnace {
+    pub roughness: Vec<f64>,
+    pub f0: Vec<f64>,
+    /// Cosines of the view, increasing.
+    pub mu: Vec<f64>,
+}
+
+/// The lit spheres.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Lit {
+    pub roughness: Vec<f64>,
+    pub f0: Vec<f64>,
+    /// Reflectance whose pictures are shown.
+    pub shown_f0: f64,
+    /// Albedo of the base.
+    pub albedo: [f64; 3],
+    pub environment: Environment,
+    pub settings: Settings,
+    pub pixels_per_degree: f64,
+}
+
+impl Parameters {
+    /// Those of a size.
+    pub fn of(size: Size, candidates: &[Candidate]) -> Parameters {
+        let full = size == Size::Full;
+        let settings = Settings {
+            side: if full { 80 } else { 24 },
+            radius: if full { 37.0 } else { 11.0 },
+            samples: if full { 96 } else { 16 },
+            lamp_samples: if full { 24 } else { 4 },
+            background: [0.18; 3],
+        };
+        Parameters {
+            method: METHOD,
+            lobes: vec![Lobe::Normalised, Lobe::Compensated, Lobe::Single],
+            couplings: candidates.iter().map(Candidate::recipe).collect(),
+            furnace: Furnace {
+                roughness: if full { even(0.1, 0.9, 9) } else { vec![0.3, 0.8] },
+                f0: if full { vec![0.02, 0.04, 0.2, 1.0] } else { vec![0.04, 1.0] },
+                mu: even_squared(if full { 24 } else { 8 }),
+            },
+            lit: Lit {
+                roughness: if full { vec![0.1, 0.3, 0.5, 0.7, 0.9] } else { vec![0.3, 0.8] },
+                f0: if full { vec![0.02, 0.04, 0.2] } else { vec![0.04] },
+                shown_f0: 0.04,
+                albedo: [0.8; 3],
+                environment: Environment::afternoon(),
+                settings,
+                pixels_per_degree: PIXELS_PER_DEGREE,
+            },
+        }
+    }
+}
+
+/// `n` values from `low` to `high`, of few digits.
+fn even(low: f64, high: f64, n: usize) -> Vec<f64> {
+    let value = |i: usize| low + (high - low) * (i as f64 / (n - 1) as f64);
+    (0..n).map(|i| (1000.0 * value(i)).round() / 1000.0).collect()
+}
+
+/// Squares of `n` even steps up to 1, dense at grazing views.
+fn even_squared(n: usize) -> Vec<f64> {
+    (1..=n).map(|i| (i as f64 / n as f64) * (i as f64 / n as f64)).collect()
+}
+
+fn names<S: serde::Serializer>(lobes: &[Lobe], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(lobes.iter().map(|lobe| lobe.name()))
+}
