@@ -8,7 +8,7 @@ use super::fresnel::schlick_weight;
 /// Half a polynomial of degree 5, which the average over the hemisphere inverts: 1 - (1 - mu/2)^5; 0 at mu = 0, 31/32 at mu = 1.
 #[inline(always)]
 fn half_power(mu: f64) -> f64 {
-    1.0 - schlick_weight(0.5 * mu)
+    1.0 - schlick_weight(1.0 - 0.5 * mu)
 }
 
 /// Ashikhmin and Shirley 2000, eq. 5: (28/23)(1 - f0)(1 - (1 - mu_l/2)^5)(1 - (1 - mu_v/2)^5), reciprocal. 28/23 makes the base

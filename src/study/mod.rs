@@ -85,3 +85,34 @@ pub fn run(study: Study, size: Size, progress: &dyn Progress) -> Result<Files, S
     };
     Ok(files.into_iter().map(|file| (file.path, file.bytes)).collect())
 }
+
+/// What is wrong with the files of a study in a folder, as a file and a sentence: another recipe than that of the full study of this version, or
+/// one file without the other. Nothing is wrong where there are none.
+///
+/// # Errors
+/// As [`run`].
+pub fn stale(study: Study, found: &Files) -> Result<Option<(String, String)>, StudyError> {
+    let names = study.files();
+    let again = format!("make it again with lobefit report --study {}", study.name());
+    let Some(present) = names.iter().find(|name| found.contains_key(*name)) else { return Ok(None) };
+    let [_, results] = &names;
+    if let Some(missing) = names.iter().find(|name| !found.contains_key(*name)) {
+        return Ok(Some((missing.clone(), format!("missing, and {present} is there; {again}"))));
+    }
+    let recipe = study.recipe(Size::Full)?;
+    let wrong = |file: &String| {
+        let detail = format!("not of the recipe {recipe} of this version's study; {again}");
+        Ok(Some((file.clone(), detail)))
+    };
+    let document: Option<serde_json::Value> =
+        found.get(results).and_then(|bytes| serde_json::from_slice(bytes).ok());
+    if document.is_none_or(|document| document["origin"]["recipe"] != recipe) {
+        return wrong(results);
+    }
+    // The page names the recipe in its head.
+    let named = |bytes: &Vec<u8>| bytes.windows(recipe.len()).any(|w| w == recipe.as_bytes());
+    match names.iter().find(|name| !found.get(*name).is_some_and(named)) {
+        Some(file) => wrong(file),
+        None => Ok(None),
+    }
+}

@@ -80,17 +80,17 @@ impl Gallery {
             check::size(title, &field, pixels, self.side * self.side)?;
             check::values(title, &field, values)
         };
-        let shape = |rows: usize, columns: &mut dyn Iterator<Item = usize>| {
+        let shape = |rows: usize, columns: Vec<usize>| {
             check::size(title, "cells", rows, self.rows.len())?;
-            columns.try_for_each(|n| check::size(title, "cells of a row", n, self.columns.len()))
+            columns.into_iter().try_for_each(|n| check::size(title, "cells of a row", n, self.columns.len()))
         };
         match &self.cells {
             Cells::Colours(cells) => {
-                shape(cells.len(), &mut cells.iter().map(Vec::len))?;
+                shape(cells.len(), cells.iter().map(Vec::len).collect())?;
                 all(cells, |i, j, image| each(i, j, image.pixels.as_flattened(), image.pixels.len()))
             }
             Cells::Values { values, .. } => {
-                shape(values.len(), &mut values.iter().map(Vec::len))?;
+                shape(values.len(), values.iter().map(Vec::len).collect())?;
                 all(values, |i, j, values| each(i, j, values, values.len()))
             }
         }
