@@ -22,7 +22,7 @@ pub fn kulla_conty(loss_l: f64, loss_v: f64, loss_avg: f64) -> f64 {
 /// From which bounce on the colour series of the multiple-scattering lobe counts its reflections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bounces {
-    /// F_avg E_avg/(1 - F_avg (1 - E_avg)): the first bounce inside costs one reflection, as in the slides of Kulla and Conty 2017.
+    /// F_avg E_avg/(1 - F_avg (1 - E_avg)): a form that is also in use. It counts one reflection less than the light met.
     FromFirst,
     /// F_avg^2 E_avg/(1 - F_avg (1 - E_avg)): the lobe holds only light that met two facets or more, so that its series
     /// sum_(n >= 2) F_avg^n (1 - E_avg)^(n-2) E_avg begins with the square.

@@ -1,5 +1,6 @@
 //! What can go wrong with a surface.
 
+use crate::fit::FitError;
 use crate::integrate::IntegrateError;
 
 /// Why there is no surface or no measure of it.
@@ -62,6 +63,15 @@ pub enum SurfaceError {
         /// Error bound wanted.
         tolerance: f64,
     },
+    /// Nothing to measure.
+    #[error("surface: the {what} is empty")]
+    Empty {
+        /// What.
+        what: &'static str,
+    },
+    /// A formula whose cost is counted does not parse, a defect of this program.
+    #[error("surface: {0}")]
+    Formula(Box<FitError>),
     /// A truth that a measure compares with cannot be integrated.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),

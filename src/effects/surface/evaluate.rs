@@ -75,7 +75,7 @@ impl Surface {
         let (e, loss) = (albedos.average.e, albedos.average.loss);
         let bounces = match material.lobe {
             Lobe::KullaConty => Some(Bounces::FromSecond),
-            Lobe::KullaContySlides => Some(Bounces::FromFirst),
+            Lobe::KullaContyOnce => Some(Bounces::FromFirst),
             _ => None,
         };
         let of = |f: fn(Bounces, f64, f64, f64) -> f64, none: f64| {
@@ -173,7 +173,7 @@ impl Surface {
                 Lobe::Single => at.loss + kept,
                 Lobe::Normalised => kept / at.e,
                 Lobe::Compensated => kept + at.loss * (1.0 - self.f0[i] * (1.0 - kept / at.e)),
-                Lobe::KullaConty | Lobe::KullaContySlides => kept + at.loss * self.absorbed[i],
+                Lobe::KullaConty | Lobe::KullaContyOnce => kept + at.loss * self.absorbed[i],
             }
         })
     }

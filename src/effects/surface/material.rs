@@ -27,16 +27,16 @@ pub enum Lobe {
     Normalised,
     /// Times 1 + f0 (1/E(v) - 1) (Fdez-Aguera 2019; Turquin 2019).
     Compensated,
-    /// A second lobe is added, coloured by the series from the second reflection on (Kulla and Conty 2017, the exponent mended).
+    /// A second lobe is added (Kulla and Conty 2017), coloured by the series from the second reflection on, F_avg^2 E_avg/(1 - F_avg (1 - E_avg)).
     KullaConty,
-    /// The same with the series of the slides, from the first reflection on.
-    KullaContySlides,
+    /// The same with the series from the first reflection on, F_avg E_avg/(1 - F_avg (1 - E_avg)), as some engines write it.
+    KullaContyOnce,
 }
 
 impl Lobe {
     /// All of them.
     pub const ALL: [Lobe; 5] =
-        [Lobe::Single, Lobe::Normalised, Lobe::Compensated, Lobe::KullaConty, Lobe::KullaContySlides];
+        [Lobe::Single, Lobe::Normalised, Lobe::Compensated, Lobe::KullaConty, Lobe::KullaContyOnce];
 
     /// The word used in tables.
     pub fn name(self) -> &'static str {
@@ -45,13 +45,13 @@ impl Lobe {
             Lobe::Normalised => "normalised",
             Lobe::Compensated => "compensated",
             Lobe::KullaConty => "kulla-conty",
-            Lobe::KullaContySlides => "kulla-conty (slides)",
+            Lobe::KullaContyOnce => "kulla-conty, F once",
         }
     }
 
     /// Whether f(l, v) = f(v, l).
     pub fn is_reciprocal(self) -> bool {
-        matches!(self, Lobe::Single | Lobe::KullaConty | Lobe::KullaContySlides)
+        matches!(self, Lobe::Single | Lobe::KullaConty | Lobe::KullaContyOnce)
     }
 }
 
@@ -149,13 +149,14 @@ pub struct FactorAt {
 #[derive(Clone)]
 pub struct Factor {
     name: String,
+    ops: Option<u32>,
     formula: Arc<dyn Fn(&FactorAt) -> f64 + Send + Sync>,
 }
 
 impl Factor {
-    /// A formula under a name.
+    /// A formula under a name, of unknown cost.
     pub fn new(name: &str, formula: impl Fn(&FactorAt) -> f64 + Send + Sync + 'static) -> Factor {
-        Factor { name: name.to_string(), formula: Arc::new(formula) }
+        Factor { name: name.to_string(), ops: None, formula: Arc::new(formula) }
     }
 
     /// A fitted hypothesis of any of the inputs roughness, alpha, mu and f0, evaluated in f64.
@@ -181,16 +182,23 @@ impl Factor {
         let order: Vec<usize> = hypothesis.inputs().iter().filter_map(place).collect();
         let (tape, coefficients) = (hypothesis.tape().clone(), coefficients.iter().map(|c| f64::from(*c)));
         let coefficients: Vec<f64> = coefficients.collect();
-        Ok(Factor::new(name, move |at| {
+        let ops = Some(hypothesis.tape().cost_ops());
+        let factor = Factor::new(name, move |at| {
             let all = [at.roughness, at.alpha, at.mu, at.f0];
             let inputs: Vec<f64> = order.iter().map(|i| all[*i]).collect();
             tape.at(&inputs, &coefficients)
-        }))
+        });
+        Ok(Factor { ops, ..factor })
     }
 
     /// Its name.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Operations of one evaluation, if they are known.
+    pub fn ops(&self) -> Option<u32> {
+        self.ops
     }
 
     /// Its value.
