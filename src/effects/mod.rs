@@ -3,6 +3,7 @@
 
 pub mod anisotropy;
 mod catalogue;
+pub mod coupling;
 mod deviation;
 mod entry;
 mod fitted;

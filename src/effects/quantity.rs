@@ -118,6 +118,11 @@ impl Quantity {
         &QUANTITIES[4]
     }
 
+    /// `diffuse-coupling`.
+    pub fn diffuse_coupling() -> &'static Quantity {
+        &QUANTITIES[5]
+    }
+
     /// The quantity of a name.
     pub fn find(name: &str) -> Option<&'static Quantity> {
         QUANTITIES.iter().find(|q| q.name == name)

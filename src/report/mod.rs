@@ -23,6 +23,9 @@ mod timings;
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
+    AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
+};
+pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
     EffectFinding, ErrorFigure, Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace,
     FurnaceFinding, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SearchPage,
@@ -73,6 +76,20 @@ pub fn volume_page(findings: &VolumeFindings) -> Result<Vec<File>, ReportError> 
     let effect = &findings.effect.effect;
     let figures = json::document(&format!("{effect}.json"), findings)?;
     let text = html(&sections::of_volumes(findings)?)?;
+    Ok(vec![
+        file(&format!("reports/{effect}.html"), text.into_bytes()),
+        file(&format!("reports/{effect}.json"), figures),
+    ])
+}
+
+/// The same of the coupling of diffuse bases.
+///
+/// # Errors
+/// As [`page`].
+pub fn coupling_page(findings: &CouplingFindings) -> Result<Vec<File>, ReportError> {
+    let effect = &findings.effect.effect;
+    let figures = json::document(&format!("{effect}.json"), findings)?;
+    let text = html(&sections::of_coupling(findings)?)?;
     Ok(vec![
         file(&format!("reports/{effect}.html"), text.into_bytes()),
         file(&format!("reports/{effect}.json"), figures),

@@ -3,6 +3,7 @@
 
 mod approximation;
 mod audit;
+mod coupling;
 mod coupling_study;
 mod furnace;
 mod index;
@@ -21,6 +22,9 @@ pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCur
 pub use audit::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
     AuditFurnace, AuditHeld, AuditLookup,
+};
+pub use coupling::{
+    AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
 };
 pub use coupling_study::{CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Ranked, Ranking};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};

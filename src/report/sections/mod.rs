@@ -4,6 +4,7 @@ mod approximations;
 mod audit;
 mod averages;
 mod called_for;
+mod coupling;
 mod coupling_study;
 mod fits;
 mod furnace;
@@ -19,8 +20,8 @@ mod volumes;
 mod words;
 
 use super::{
-    AuditFindings, Block, CouplingStudy, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage,
-    Timings, VolumeFindings,
+    AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, Index, Page,
+    ReportError, SearchPage, Timings, VolumeFindings,
 };
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
@@ -55,6 +56,11 @@ pub(crate) fn of_volumes(findings: &VolumeFindings) -> Result<Page, ReportError>
         ),
         sections: volumes::sections(findings)?,
     })
+}
+
+/// The page of the coupling of diffuse bases.
+pub(crate) fn of_coupling(findings: &CouplingFindings) -> Result<Page, ReportError> {
+    coupling::page(findings)
 }
 
 /// The overview of a bake.
