@@ -35,7 +35,7 @@ pub struct Job {
     pub spec: TargetSpec,
     /// What the coefficients minimise: one fit for each.
     pub goals: Vec<Goal>,
-    /// Weight of the errors that are minimised: a WGSL expression of the inputs.
+    /// Weight of the errors that are minimised: a WGSL expression of the inputs, or `perceptual` for [`Perceptual`].
     pub weight: Option<String>,
     /// What the coefficients have to obey.
     pub demands: Vec<Demand>,

@@ -5,6 +5,8 @@ mod coupling;
 
 use crate::bake::Progress;
 use crate::effects::surface::SurfaceError;
+use crate::fit::FitError;
+use crate::fitting::FittingError;
 use crate::report::flip::FlipError;
 use crate::report::{ReportError, study_folder};
 use crate::store::Files;
@@ -67,6 +69,18 @@ pub enum StudyError {
     /// Pictures could not be compared.
     #[error(transparent)]
     Flip(#[from] FlipError),
+    /// A formula of the catalogue that does not parse.
+    #[error(transparent)]
+    Formula(#[from] FitError),
+    /// A formula of the catalogue could not be fitted.
+    #[error(transparent)]
+    Fitting(#[from] FittingError),
+    /// A fit that returned nothing.
+    #[error("{name}: no fit was made")]
+    Unfitted {
+        /// The formula.
+        name: String,
+    },
     /// The page refused its data.
     #[error(transparent)]
     Report(#[from] ReportError),

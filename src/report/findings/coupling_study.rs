@@ -110,9 +110,12 @@ pub struct Ranked {
     pub reciprocal: bool,
     /// Whether the diffuse base needs the light's direction too.
     pub directional: bool,
-    /// Operations of the factor; none where it has to be looked up or integrated.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ops: Option<u64>,
+    /// Whether its constants were fitted here.
+    pub ours: bool,
+    /// Operations of a channel that it adds to the lobe's and to the bare sum of lobe and base.
+    pub ops: u32,
+    /// Texels that lobe and coupling read.
+    pub fetches: u32,
     /// Mean HDR-FLIP under the environment.
     pub flip: f64,
     /// Its standard error.

@@ -41,8 +41,8 @@ pub struct Gallery {
     pub rows: Vec<String>,
     /// Pixels along a side of a picture.
     pub side: usize,
-    /// Pixels of a picture per pixel of the page.
-    pub density: usize,
+    /// Side of a picture in pixels of the page.
+    pub cell: f64,
     /// The pictures.
     pub cells: Cells,
 }
@@ -57,7 +57,7 @@ impl Figure for Gallery {
             }
         }
         let left = names.max(font::width(&self.column_name, SMALL)?) + 12.0;
-        let (width, height) = (self.columns.len() as f64 * self.cell(), self.rows.len() as f64 * self.cell());
+        let (width, height) = (self.columns.len() as f64 * self.cell, self.rows.len() as f64 * self.cell);
         let frame = Frame { left, top: TOP, right: left + width, bottom: TOP + height };
         let (under, bar) = self.pictures(frame)?;
         sheet(&self.title, (frame.right + bar, frame.bottom + 12.0), &under, |c| self.label(c, frame))
@@ -65,16 +65,12 @@ impl Figure for Gallery {
 }
 
 impl Gallery {
-    /// Side of a picture in pixels of the page.
-    fn cell(&self) -> f64 {
-        self.side as f64 / self.density as f64
-    }
-
     fn check(&self) -> Result<(), ReportError> {
         let title = &self.title;
         check::filled(title, "columns", self.columns.len())?;
         check::filled(title, "rows", self.rows.len())?;
-        check::filled(title, "side", self.side.min(self.density))?;
+        check::filled(title, "side", self.side)?;
+        check::finite(title, "cell", self.cell)?;
         let each = |row: usize, column: usize, values: &[f64], pixels: usize| {
             let field = format!("row {}, column {}", self.rows[row], self.columns[column]);
             check::size(title, &field, pixels, self.side * self.side)?;
@@ -133,11 +129,11 @@ impl Gallery {
         canvas.text(&title, (4.0, 12.0), TEXT, Align::Left, INK)?;
         canvas.text(&self.column_name, (frame.left - 8.0, 36.0), SMALL, Align::Right, INK)?;
         for (j, name) in self.columns.iter().enumerate() {
-            let x = frame.left + (j as f64 + 0.5) * self.cell();
+            let x = frame.left + (j as f64 + 0.5) * self.cell;
             canvas.text(name, (x, 36.0), SMALL, Align::Centre, INK)?;
         }
         for (i, row) in self.rows.iter().enumerate() {
-            let y = frame.top + (i as f64 + 0.5) * self.cell();
+            let y = frame.top + (i as f64 + 0.5) * self.cell;
             let lines = font::wrap(row, SMALL, NAMES, NAME_LINES)?;
             for (k, line) in lines.iter().enumerate() {
                 let lift = (k as f64 - (lines.len() - 1) as f64 / 2.0) * 14.0;

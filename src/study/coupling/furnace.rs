@@ -5,48 +5,28 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::Compared;
 use super::candidates::Candidate;
-use super::parameters::Parameters;
-use crate::data::Smith;
+use super::parameters::Furnace;
+use crate::data::{AlphaMap, Smith};
 use crate::effects::surface::measure::Rules;
 use crate::effects::surface::{Albedos, Lobe, Surface};
 use crate::report::{FurnaceStrip, FurnaceStripRow};
 use crate::study::StudyError;
 
 /// Spheres of every lobe and reflectance; white bases.
-pub(super) fn strips(
-    parameters: &Parameters,
-    candidates: &[Candidate],
-) -> Result<Vec<FurnaceStrip>, StudyError> {
-    let furnace = &parameters.furnace;
-    let mut strips = Vec::new();
-    for &lobe in &parameters.lobes {
-        for &f0 in &furnace.f0 {
-            let row = |c: &Candidate| FurnaceStripRow {
-                name: c.name().into(),
-                worst: Vec::new(),
-                albedo: Vec::new(),
-            };
-            strips.push(FurnaceStrip {
-                lobe: lobe.name().into(),
-                f0,
-                roughness: furnace.roughness.clone(),
-                rows: candidates.iter().map(row).collect(),
-                mu: furnace.mu.clone(),
-                shown: lobe == parameters.lobes[0],
-            });
-        }
-    }
+pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<FurnaceStrip>, StudyError> {
+    let under = || compared.iter().flat_map(|c| furnace.f0.iter().map(move |&f0| (c, f0)));
+    let mut strips: Vec<FurnaceStrip> =
+        under().map(|(c, f0)| empty(furnace, c, f0, c.lobe == compared[0].lobe)).collect();
     for &roughness in &furnace.roughness {
-        let albedos = Arc::new(Albedos::new(Smith::Correlated, roughness * roughness, None)?);
-        let rules: Vec<Rules> =
-            furnace.mu.par_iter().map(|&mu| Rules::new(roughness * roughness, mu)).collect();
-        for (i, strip) in strips.iter_mut().enumerate() {
-            let lobe = parameters.lobes[i / furnace.f0.len()];
-            let f0 = strip.f0;
+        let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
+        let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
+        let rules: Vec<Rules> = furnace.mu.par_iter().map(|&mu| Rules::new(alpha, mu)).collect();
+        for (strip, (Compared { lobe, candidates }, f0)) in strips.iter_mut().zip(under()) {
             let columns: Vec<Result<Vec<f64>, StudyError>> = candidates
                 .par_iter()
-                .map(|candidate| column(candidate, (roughness, f0, lobe), &albedos, (&furnace.mu, &rules)))
+                .map(|candidate| column(candidate, (roughness, f0, *lobe), &albedos, (&furnace.mu, &rules)))
                 .collect();
             for (row, albedo) in strip.rows.iter_mut().zip(columns) {
                 let albedo = albedo?;
@@ -56,6 +36,19 @@ pub(super) fn strips(
         }
     }
     Ok(strips)
+}
+
+fn empty(furnace: &Furnace, compared: &Compared, f0: f64, shown: bool) -> FurnaceStrip {
+    let row =
+        |c: &Candidate| FurnaceStripRow { name: c.name().into(), worst: Vec::new(), albedo: Vec::new() };
+    FurnaceStrip {
+        lobe: compared.lobe.name().into(),
+        f0,
+        roughness: furnace.roughness.clone(),
+        rows: compared.candidates.iter().map(row).collect(),
+        mu: furnace.mu.clone(),
+        shown,
+    }
 }
 
 /// Albedos over mu. Those of a coupling that knows the view alone follow from the lobe's; the others are integrated.

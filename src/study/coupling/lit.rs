@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
+use super::Compared;
 use super::candidates::{Candidate, RECIPROCAL, REFERENCE};
-use super::parameters::{Lit, Parameters};
-use crate::effects::surface::{Albedos, Lobe, Side, Surface};
+use super::parameters::Lit;
+use crate::data::{AlphaMap, Smith};
+use crate::effects::surface::{Albedos, Side, Surface};
 use crate::optics::ggx::Vec3;
 use crate::report::flip::{self, ErrorMap};
 use crate::report::render::{Halves, Materials, inside, spheres};
@@ -14,26 +16,21 @@ use crate::report::{Image, LitRow, LitStrip};
 use crate::study::StudyError;
 
 /// Spheres of every lobe and reflectance.
-pub(super) fn strips(parameters: &Parameters, candidates: &[Candidate]) -> Result<Vec<LitStrip>, StudyError> {
-    let lit = &parameters.lit;
-    let mut strips: Vec<LitStrip> = parameters
-        .lobes
-        .iter()
-        .flat_map(|&lobe| lit.f0.iter().map(move |&f0| (lobe, f0)))
-        .map(|(lobe, f0)| empty(parameters, candidates, lobe, f0))
-        .collect();
+pub(super) fn strips(lit: &Lit, compared: &[Compared]) -> Result<Vec<LitStrip>, StudyError> {
+    let under = || compared.iter().flat_map(|c| lit.f0.iter().map(move |&f0| (c, f0)));
+    let mut strips: Vec<LitStrip> =
+        under().map(|(c, f0)| empty(lit, c, f0, c.lobe == compared[0].lobe && f0 == lit.shown_f0)).collect();
     for &roughness in &lit.roughness {
-        let albedos = Arc::new(Albedos::new(crate::data::Smith::Correlated, roughness * roughness, None)?);
-        for (i, strip) in strips.iter_mut().enumerate() {
-            let lobe = parameters.lobes[i / lit.f0.len()];
-            column(strip, lit, candidates, lobe, roughness, &albedos)?;
+        let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
+        let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
+        for (strip, (compared, _)) in strips.iter_mut().zip(under()) {
+            column(strip, lit, compared, roughness, &albedos)?;
         }
     }
     Ok(strips)
 }
 
-fn empty(parameters: &Parameters, candidates: &[Candidate], lobe: Lobe, f0: f64) -> LitStrip {
-    let lit = &parameters.lit;
+fn empty(lit: &Lit, compared: &Compared, f0: f64, shown: bool) -> LitStrip {
     let row = |candidate: &Candidate| LitRow {
         name: candidate.name().into(),
         flip: Vec::new(),
@@ -43,13 +40,13 @@ fn empty(parameters: &Parameters, candidates: &[Candidate], lobe: Lobe, f0: f64)
         maps: Vec::new(),
     };
     LitStrip {
-        lobe: lobe.name().into(),
+        lobe: compared.lobe.name().into(),
         f0,
         roughness: lit.roughness.clone(),
         noise: Vec::new(),
         flip_of_noise: Vec::new(),
-        rows: candidates.iter().map(row).collect(),
-        shown: lobe == parameters.lobes[0] && f0 == lit.shown_f0,
+        rows: compared.candidates.iter().map(row).collect(),
+        shown,
     }
 }
 
@@ -57,18 +54,17 @@ fn empty(parameters: &Parameters, candidates: &[Candidate], lobe: Lobe, f0: f64)
 fn column(
     strip: &mut LitStrip,
     lit: &Lit,
-    candidates: &[Candidate],
-    lobe: Lobe,
+    Compared { lobe, candidates }: &Compared,
     roughness: f64,
     albedos: &Arc<Albedos>,
 ) -> Result<(), StudyError> {
     let surface = |c: &Candidate| {
-        Surface::with(&c.material(roughness, strip.f0, lobe, lit.albedo), Arc::clone(albedos))
+        Surface::with(&c.material(roughness, strip.f0, *lobe, lit.albedo), Arc::clone(albedos))
     };
     let surfaces = Surfaces(candidates.iter().map(surface).collect::<Result<_, _>>()?);
-    let shown = spheres(&lit.environment, roughness * roughness, &surfaces, &lit.settings);
-    let reference = Compared::new(&shown[REFERENCE]);
-    let reciprocal = Compared::new(&shown[RECIPROCAL]);
+    let shown = spheres(&lit.environment, albedos.alpha, &surfaces, &lit.settings);
+    let reference = Pictures::new(&shown[REFERENCE]);
+    let reciprocal = Pictures::new(&shown[RECIPROCAL]);
     let sphere = inside(&lit.settings);
     let mean = |map: &ErrorMap| {
         let on: Vec<f64> =
@@ -79,15 +75,15 @@ fn column(
     let measured: Vec<Result<Measured, StudyError>> = shown
         .par_iter()
         .map(|halves| {
-            let own = Compared::new(halves);
-            let (map, exposures) = flip(&reference.whole, &own.whole)?;
+            let own = Pictures::new(halves);
+            let (map, _) = flip(&reference.whole, &own.whole)?;
             let by_half = [0, 1].map(|i| flip(&reference.halves[i], &own.halves[i]));
             let [first, second] = by_half.map(|half| half.map(|(map, _)| mean(&map)));
             Ok(Measured {
                 flip: mean(&map),
                 reciprocal: mean(&flip(&reciprocal.whole, &own.whole)?.0),
                 error: (first? - second?).abs() / 2.0,
-                picture: flip::shown(&own.whole, (exposures.start + exposures.stop) / 2.0),
+                picture: flip::shown(&own.whole, lit.stops),
                 map: map.values,
             })
         })
@@ -118,14 +114,14 @@ struct Measured {
 }
 
 /// A picture with its halves.
-struct Compared {
+struct Pictures {
     whole: Image,
     halves: [Image; 2],
 }
 
-impl Compared {
-    fn new(shown: &Halves) -> Compared {
-        Compared { whole: shown.mean(), halves: shown.0.clone() }
+impl Pictures {
+    fn new(shown: &Halves) -> Pictures {
+        Pictures { whole: shown.mean(), halves: shown.0.clone() }
     }
 }
 

@@ -8,36 +8,47 @@ mod ranking;
 
 use super::{Size, StudyError};
 use crate::bake::{Progress, TOOL};
+use crate::effects::surface::Lobe;
 use crate::report::{CouplingStudy, File, Origin, coupling_study_page};
-use candidates::candidates;
+use candidates::Candidate;
 use parameters::Parameters;
 
 /// Hash of the tool's version and the parameters.
 pub(super) fn recipe(size: Size) -> Result<String, StudyError> {
     let mut hasher = blake3::Hasher::new();
     hasher.update(TOOL.as_bytes());
-    hasher.update(&serde_json::to_vec(&Parameters::of(size, &candidates()?))?);
+    hasher.update(&serde_json::to_vec(&Parameters::of(size))?);
     Ok(hasher.finalize().to_hex().to_string())
+}
+
+/// A specular lobe with the couplings under it.
+struct Compared {
+    lobe: Lobe,
+    candidates: Vec<Candidate>,
 }
 
 /// Runs it.
 pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, StudyError> {
-    let candidates = candidates()?;
-    let parameters = Parameters::of(size, &candidates);
+    let parameters = Parameters::of(size);
+    let mut compared = Vec::new();
+    for under in &parameters.lobes {
+        progress.stage(&format!("fits, {}", under.lobe.name()));
+        let candidates = under.planned.iter().map(|p| p.made(under.lobe)).collect::<Result<_, _>>()?;
+        compared.push(Compared { lobe: under.lobe, candidates });
+    }
     progress.stage("furnace");
-    let furnace = furnace::strips(&parameters, &candidates)?;
+    let furnace = furnace::strips(&parameters.furnace, &compared)?;
     progress.stage("lit spheres");
-    let lit = lit::strips(&parameters, &candidates)?;
-    let rankings = ranking::rankings(&parameters, &candidates, &furnace, &lit);
+    let lit = lit::strips(&parameters.lit, &compared)?;
+    let rankings = ranking::rankings(&compared, &furnace, &lit)?;
     let origin = Origin {
         scene: String::new(),
         recipe: recipe(size)?,
         tool: env!("CARGO_PKG_VERSION").into(),
         command: command(size),
     };
-    let study =
-        CouplingStudy { origin, parameters: serde_json::to_value(&parameters)?, furnace, lit, rankings };
-    Ok(coupling_study_page(&study)?)
+    let parameters = serde_json::to_value(&parameters)?;
+    Ok(coupling_study_page(&CouplingStudy { origin, parameters, furnace, lit, rankings })?)
 }
 
 fn command(size: Size) -> String {

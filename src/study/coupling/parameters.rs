@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::candidates::Candidate;
+use super::candidates::Planned;
 use crate::effects::surface::Lobe;
 use crate::report::flip::PIXELS_PER_DEGREE;
 use crate::report::render::{Environment, Settings};
@@ -16,12 +16,19 @@ const METHOD: u32 = 1;
 pub(super) struct Parameters {
     method: u32,
     /// Specular lobes; the pictures of the first are shown.
-    #[serde(serialize_with = "names")]
-    pub lobes: Vec<Lobe>,
-    /// Couplings, with the formulas of those that have one.
-    couplings: Vec<String>,
+    pub lobes: Vec<UnderLobe>,
     pub furnace: Furnace,
     pub lit: Lit,
+}
+
+/// A specular lobe and the couplings under it.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct UnderLobe {
+    #[serde(serialize_with = "name")]
+    pub lobe: Lobe,
+    /// What they follow from, formulas of ours with their source.
+    #[serde(rename = "couplings", serialize_with = "recipes")]
+    pub planned: Vec<Planned>,
 }
 
 /// The furnace.
@@ -44,12 +51,14 @@ pub(super) struct Lit {
     pub albedo: [f64; 3],
     pub environment: Environment,
     pub settings: Settings,
+    /// Exposure of the pictures, in stops.
+    pub stops: f64,
     pub pixels_per_degree: f64,
 }
 
 impl Parameters {
     /// Those of a size.
-    pub fn of(size: Size, candidates: &[Candidate]) -> Parameters {
+    pub fn of(size: Size) -> Parameters {
         let full = size == Size::Full;
         let settings = Settings {
             side: if full { 80 } else { 24 },
@@ -58,10 +67,11 @@ impl Parameters {
             lamp_samples: if full { 24 } else { 4 },
             background: [0.18; 3],
         };
+        let lobes = [Lobe::Normalised, Lobe::Compensated, Lobe::Single];
+        let lobes = if full { &lobes[..] } else { &lobes[..1] };
         Parameters {
             method: METHOD,
-            lobes: vec![Lobe::Normalised, Lobe::Compensated, Lobe::Single],
-            couplings: candidates.iter().map(Candidate::recipe).collect(),
+            lobes: lobes.iter().map(|&lobe| UnderLobe { lobe, planned: Planned::of(lobe, size) }).collect(),
             furnace: Furnace {
                 roughness: if full { even(0.1, 0.9, 9) } else { vec![0.3, 0.8] },
                 f0: if full { vec![0.02, 0.04, 0.2, 1.0] } else { vec![0.04, 1.0] },
@@ -74,6 +84,7 @@ impl Parameters {
                 albedo: [0.8; 3],
                 environment: Environment::afternoon(),
                 settings,
+                stops: 1.6,
                 pixels_per_degree: PIXELS_PER_DEGREE,
             },
         }
@@ -91,6 +102,10 @@ fn even_squared(n: usize) -> Vec<f64> {
     (1..=n).map(|i| (i as f64 / n as f64) * (i as f64 / n as f64)).collect()
 }
 
-fn names<S: serde::Serializer>(lobes: &[Lobe], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(lobes.iter().map(|lobe| lobe.name()))
+fn name<S: serde::Serializer>(lobe: &Lobe, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(lobe.name())
+}
+
+fn recipes<S: serde::Serializer>(planned: &[Planned], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(planned.iter().map(Planned::recipe))
 }

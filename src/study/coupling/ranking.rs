@@ -1,28 +1,38 @@
 //! The couplings of a lobe, by what is seen of them.
 
+use super::Compared;
 use super::candidates::Candidate;
-use super::parameters::Parameters;
+use crate::effects::surface::{Lobe, cost};
 use crate::fitting::Perceptual;
 use crate::math::sum::mean;
 use crate::report::{FurnaceStrip, LitRow, LitStrip, Ranked, Ranking};
+use crate::study::StudyError;
 
 /// One ranking for each lobe, over the reflectances that are lit.
 pub(super) fn rankings(
-    parameters: &Parameters,
-    candidates: &[Candidate],
+    compared: &[Compared],
     furnace: &[FurnaceStrip],
     lit: &[LitStrip],
-) -> Vec<Ranking> {
-    let one = |lobe: &str| {
-        let mut rows: Vec<Ranked> = candidates.iter().map(|c| ranked(c, lobe, furnace, lit)).collect();
+) -> Result<Vec<Ranking>, StudyError> {
+    let weight = Perceptual::new();
+    let one = |Compared { lobe, candidates }: &Compared| {
+        let ranked = |c: &Candidate| ranked(c, *lobe, (furnace, lit), &weight);
+        let mut rows = candidates.iter().map(ranked).collect::<Result<Vec<Ranked>, StudyError>>()?;
         rows.sort_by(|a, b| a.flip.total_cmp(&b.flip));
-        Ranking { lobe: lobe.into(), rows }
+        Ok(Ranking { lobe: lobe.name().into(), rows })
     };
-    parameters.lobes.iter().map(|lobe| one(lobe.name())).collect()
+    compared.iter().map(one).collect()
 }
 
-fn ranked(candidate: &Candidate, lobe: &str, furnace: &[FurnaceStrip], lit: &[LitStrip]) -> Ranked {
-    let name = candidate.name();
+fn ranked(
+    candidate: &Candidate,
+    lobe: Lobe,
+    (furnace, lit): (&[FurnaceStrip], &[LitStrip]),
+    weight: &Perceptual,
+) -> Result<Ranked, StudyError> {
+    let whole = cost(lobe, Some(&candidate.coupling))?;
+    let ops = whole.ops.saturating_sub(cost(lobe, None)?.ops);
+    let (name, lobe) = (candidate.name(), lobe.name());
     let lit_rows: Vec<&LitRow> =
         lit.iter().filter(|s| s.lobe == lobe).flat_map(|s| &s.rows).filter(|r| r.name == name).collect();
     let over =
@@ -30,19 +40,21 @@ fn ranked(candidate: &Candidate, lobe: &str, furnace: &[FurnaceStrip], lit: &[Li
     let errors = over(|r| &r.error);
     let seen = |f0: f64| lit.iter().any(|s| s.f0 == f0);
     let strips = furnace.iter().filter(|s| s.lobe == lobe && seen(s.f0));
-    let departures = Departures::of(name, strips);
-    Ranked {
+    let departures = Departures::of(name, strips, weight);
+    Ok(Ranked {
         name: name.into(),
         reciprocal: candidate.coupling.is_reciprocal(),
         directional: candidate.directional(),
-        ops: candidate.ops,
+        ours: candidate.ours,
+        ops,
+        fetches: whole.fetches,
         flip: mean(&over(|r| &r.flip)),
         // Of a mean of independent figures.
         flip_error: errors.iter().map(|e| e * e).sum::<f64>().sqrt() / errors.len().max(1) as f64,
         flip_reciprocal: mean(&over(|r| &r.flip_reciprocal)),
         furnace_max: departures.largest,
         perceptual: departures.weighted,
-    }
+    })
 }
 
 /// Departures from white over roughness, mu and reflectance.
@@ -52,8 +64,7 @@ struct Departures {
 }
 
 impl Departures {
-    fn of<'a>(name: &str, strips: impl Iterator<Item = &'a FurnaceStrip>) -> Departures {
-        let weight = Perceptual::new();
+    fn of<'a>(name: &str, strips: impl Iterator<Item = &'a FurnaceStrip>, weight: &Perceptual) -> Departures {
         let (mut largest, mut sum, mut total) = (0.0_f64, 0.0, 0.0);
         for strip in strips {
             for row in strip.rows.iter().filter(|r| r.name == name) {

@@ -23,7 +23,7 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
         brief(1.0 / LIMIT, 2)
     );
     let mut blocks = vec![figures(&shown, &caption)?];
-    blocks.extend(study.furnace.iter().map(|strip| Block::Table(table(strip))));
+    blocks.extend(study.rankings.iter().map(|r| Block::Table(summary(study, &r.lobe))));
     Ok(Section {
         id: "furnace".into(),
         title: "In the furnace".into(),
@@ -49,7 +49,7 @@ fn gallery(strip: &FurnaceStrip) -> Result<Gallery, ReportError> {
         columns: strip.roughness.iter().map(|&r| place(r)).collect(),
         rows: strip.rows.iter().map(|r| r.name.clone()).collect(),
         side: SIDE,
-        density: 1,
+        cell: SIDE as f64,
         cells: Cells::Values {
             values, shade: Shade::Departure { limit: LIMIT }, unit: "albedo − 1".into()
         },
@@ -60,15 +60,27 @@ fn title(strip: &FurnaceStrip) -> String {
     format!("furnace: specular lobe {}, f0 {}", strip.lobe, place(strip.f0))
 }
 
-fn table(strip: &FurnaceStrip) -> TextTable {
-    let mut columns = vec![(format!("{}, f0 {}: roughness", strip.lobe, place(strip.f0)), false)];
-    columns.extend(strip.roughness.iter().map(|&r| (place(r), true)));
-    let row = |r: &crate::report::FurnaceStripRow| {
-        let cells = r.worst.iter().map(|&x| if x.abs() < 1e-6 { "0".into() } else { bound(x, 2) });
-        std::iter::once(r.name.clone()).chain(cells).collect()
+/// The largest departures over roughness and mu, by reflectance.
+fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
+    let strips: Vec<&FurnaceStrip> = study.furnace.iter().filter(|s| s.lobe == lobe).collect();
+    let mut columns = vec![(format!("specular lobe {lobe}: departure at"), false)];
+    columns.extend(strips.iter().map(|s| (format!("f0 {}", place(s.f0)), true)));
+    let rows = strips.first().map_or(0, |s| s.rows.len());
+    let cell = |strip: &&FurnaceStrip, i: usize| {
+        let worst = strip.rows.get(i).map_or(0.0, |r| farthest(&r.worst));
+        if worst.abs() < 1e-6 { "0".into() } else { bound(worst, 2) }
     };
-    let caption = "Departure of the albedo from 1 with the largest magnitude over μ, rounded away from zero.";
-    let mut table = words::table(&[], strip.rows.iter().map(row).collect(), caption);
+    let row = |i: usize| {
+        let name = strips[0].rows[i].name.clone();
+        std::iter::once(name).chain(strips.iter().map(|s| cell(s, i))).collect()
+    };
+    let caption = "Departure of the albedo from 1 with the largest magnitude over roughness and μ, with its sign, rounded away from zero; \
+                   by roughness in results.json.";
+    let mut table = words::table(&[], (0..rows).map(row).collect(), caption);
     table.columns = columns;
     table
+}
+
+fn farthest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, &d| if d.abs() > m.abs() { d } else { m })
 }

@@ -13,13 +13,13 @@ const LIMIT: f64 = 0.3;
 pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     check::filled("study", "lit", study.lit.len())?;
     let mut blocks = Vec::new();
-    for strip in &study.lit {
+    for strip in study.lit.iter().filter(|strip| strip.shown) {
         blocks.push(Block::Heading { text: title(strip) });
-        if strip.shown {
-            blocks.push(pictures(strip)?);
-        }
+        blocks.push(pictures(strip)?);
         blocks.push(Block::Table(table(strip)));
     }
+    blocks.push(Block::Heading { text: "Every lobe and reflectance".into() });
+    blocks.extend(study.rankings.iter().map(|r| Block::Table(summary(study, &r.lobe))));
     Ok(Section {
         id: "lit".into(),
         title: "Under a sky, a sun and a cloud".into(),
@@ -29,6 +29,25 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
             .into(),
         blocks,
     })
+}
+
+/// Mean FLIP over the roughnesses, by reflectance.
+fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
+    let strips: Vec<&LitStrip> = study.lit.iter().filter(|s| s.lobe == lobe).collect();
+    let mut columns = vec![(format!("specular lobe {lobe}: mean FLIP at"), false)];
+    columns.extend(strips.iter().map(|s| (format!("f0 {}", place(s.f0)), true)));
+    let names: Vec<&String> = strips.first().map_or(Vec::new(), |s| s.rows.iter().map(|r| &r.name).collect());
+    let cell = |strip: &&LitStrip, i: usize| {
+        let flip = strip.rows.get(i).map_or(0.0, |r| crate::math::sum::mean(&r.flip));
+        significant(flip, 3)
+    };
+    let row = |(i, name): (usize, &&String)| {
+        std::iter::once(name.to_string()).chain(strips.iter().map(|s| cell(s, i))).collect()
+    };
+    let caption = "Mean over the spheres of all roughnesses; by roughness in results.json.";
+    let mut table = words::table(&[], names.iter().enumerate().map(row).collect(), caption);
+    table.columns = columns;
+    table
 }
 
 fn title(strip: &LitStrip) -> String {
@@ -43,7 +62,7 @@ fn pictures(strip: &LitStrip) -> Result<Block, ReportError> {
     let shade = Shade::Magnitude { min: 0.0, max: LIMIT, spread: Spread::Linear };
     let maps = gallery(strip, others, Cells::Values { values, shade, unit: "FLIP".into() });
     let caption = format!(
-        "Left: the spheres through the tone mapper of the measure, at one exposure for all. Right: HDR-FLIP of each pixel against the \
+        "Left: the spheres through the tone mapper of the measure, all at one exposure. Right, or below: HDR-FLIP of each pixel against the \
          reference, the largest over all exposures at which the reference can be shown; {LIMIT} and above in the lightest colour.",
     );
     figures(&[shown, maps], &caption)
@@ -58,7 +77,7 @@ fn gallery(strip: &LitStrip, rows: &[LitRow], cells: Cells) -> Gallery {
         columns: strip.roughness.iter().map(|&r| place(r)).collect(),
         rows: rows.iter().map(|r| r.name.clone()).collect(),
         side,
-        density: 1,
+        cell: 64.0,
         cells,
     }
 }

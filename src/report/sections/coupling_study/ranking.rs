@@ -58,7 +58,8 @@ fn table(ranking: &Ranking) -> TextTable {
         ("rank", true),
         ("FLIP to the reciprocal", true),
         ("ops", true),
-        ("reciprocal", false),
+        ("texels", true),
+        ("reciprocal base", false),
     ];
     let by_flip = ranks(ranking, |r| r.flip);
     let by_max = ranks(ranking, |r| r.furnace_max);
@@ -75,15 +76,19 @@ fn table(ranking: &Ranking) -> TextTable {
             measured(r.perceptual),
             by_weight[i].to_string(),
             measured(r.flip_reciprocal),
-            r.ops.map_or("–".into(), |n| n.to_string()),
+            r.ops.to_string(),
+            r.fetches.to_string(),
             if r.reciprocal { "yes".into() } else { "no".into() },
         ]
     };
     let caption = "Furnace max: largest |albedo − 1| of a white base over roughness, μ and f0, as in the tables of the fits. Perceptual RMS: the \
                    same departures weighted as by lobefit fit --weight perceptual. FLIP to the reciprocal: the same pictures against the \
                    reciprocal coupling that is exact in energy; how far the two exact ones are apart is what choosing between them changes. \
-                   Ops: operations of the factor in the model of the tables, without Fresnel's term; a dash where a table is looked up.";
-    words::table(&columns, ranking.rows.iter().enumerate().map(row).collect(), caption)
+                   Ops: operations of a channel that the coupling adds to those of the lobe; texels: what lobe and coupling read. Ours in black: \
+                   constants fitted for the largest error, or, where it says so, for the perceptual RMS.";
+    let mut table = words::table(&columns, ranking.rows.iter().enumerate().map(row).collect(), caption);
+    table.muted = ranking.rows.iter().map(|r| !r.ours).collect();
+    table
 }
 
 /// Place of each row by a measure, 1 for the least; equals share a place.
