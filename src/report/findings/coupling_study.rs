@@ -4,6 +4,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
+use crate::effects::surface::SurfaceRows;
 use crate::report::Image;
 
 /// Couplings in a furnace and under an environment.
@@ -19,6 +20,8 @@ pub struct CouplingStudy {
     pub lit: Vec<LitStrip>,
     /// The couplings of each specular lobe, the least visible difference first.
     pub rankings: Vec<Ranking>,
+    /// Reciprocity, colour, Fresnel and bases below white.
+    pub surfaces: SurfaceRows,
 }
 
 /// Spheres in the furnace: one specular lobe and reflectance, a row for each coupling.

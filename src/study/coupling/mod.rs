@@ -8,7 +8,7 @@ mod ranking;
 
 use super::{Size, StudyError};
 use crate::bake::{Progress, TOOL};
-use crate::effects::surface::Lobe;
+use crate::effects::surface::{Lobe, SurfaceRows, Wanted};
 use crate::report::{CouplingStudy, File, Origin, coupling_study_page};
 use candidates::Candidate;
 use parameters::Parameters;
@@ -40,6 +40,8 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
     let furnace = furnace::strips(&parameters.furnace, &compared)?;
     progress.stage("lit spheres");
     let lit = lit::strips(&parameters.lit, &compared)?;
+    progress.stage("reciprocity and random walks");
+    let surfaces = SurfaceRows::measure(&wanted(size))?;
     let rankings = ranking::rankings(&compared, &furnace, &lit)?;
     let origin = Origin {
         scene: String::new(),
@@ -48,7 +50,15 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
         command: command(size),
     };
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(coupling_study_page(&CouplingStudy { origin, parameters, furnace, lit, rankings })?)
+    Ok(coupling_study_page(&CouplingStudy { origin, parameters, furnace, lit, rankings, surfaces })?)
+}
+
+/// What is measured of whole materials.
+fn wanted(size: Size) -> Wanted {
+    match size {
+        Size::Full => Wanted::full(),
+        Size::Reduced => Wanted::reduced(),
+    }
 }
 
 fn command(size: Size) -> String {

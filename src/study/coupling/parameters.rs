@@ -3,7 +3,9 @@
 use serde::Serialize;
 
 use super::candidates::Planned;
+use super::wanted;
 use crate::effects::surface::Lobe;
+use crate::effects::surface::table::Grid;
 use crate::report::flip::PIXELS_PER_DEGREE;
 use crate::report::render::{Environment, Settings};
 use crate::study::Size;
@@ -19,6 +21,17 @@ pub(super) struct Parameters {
     pub lobes: Vec<UnderLobe>,
     pub furnace: Furnace,
     pub lit: Lit,
+    surfaces: Measured,
+}
+
+/// Whole materials.
+#[derive(Clone, Debug, Serialize)]
+struct Measured {
+    couplings: Vec<String>,
+    grid: Grid,
+    /// Paths of each random walk, and what they begin from.
+    paths: u64,
+    seed: u64,
 }
 
 /// A specular lobe and the couplings under it.
@@ -67,6 +80,7 @@ impl Parameters {
             lamp_samples: if full { 24 } else { 4 },
             background: [0.18; 3],
         };
+        let wanted = wanted(size);
         let lobes = [Lobe::Normalised, Lobe::Compensated, Lobe::Single];
         let lobes = if full { &lobes[..] } else { &lobes[..1] };
         Parameters {
@@ -86,6 +100,12 @@ impl Parameters {
                 settings,
                 stops: 1.6,
                 pixels_per_degree: PIXELS_PER_DEGREE,
+            },
+            surfaces: Measured {
+                couplings: wanted.couplings.iter().map(|c| c.name().to_string()).collect(),
+                grid: wanted.grid,
+                paths: wanted.walks.paths,
+                seed: wanted.walks.seed,
             },
         }
     }

@@ -98,31 +98,27 @@ fn ranks(ranking: &Ranking, by: impl Fn(&Ranked) -> f64) -> Vec<usize> {
     ranking.rows.iter().map(rank).collect()
 }
 
-/// Where the two orders differ most, in words.
+/// Where the orders differ, in words.
 fn disagreement(ranking: &Ranking) -> String {
     let rows: Vec<&Ranked> =
         ranking.rows.iter().filter(|r| r.flip > 0.0 && r.furnace_max > NOTHING).collect();
-    let mut pairs = 0;
-    let mut reversed = 0;
-    let mut most: Option<(f64, &Ranked, &Ranked)> = None;
-    for (i, better) in rows.iter().enumerate() {
-        for worse in &rows[i + 1..] {
-            pairs += 1;
-            if better.furnace_max <= worse.furnace_max {
-                continue;
-            }
-            reversed += 1;
-            let gap =
-                ops::log(worse.flip / better.flip).min(ops::log(better.furnace_max / worse.furnace_max));
-            if most.is_none_or(|(g, ..)| gap > g) {
-                most = Some((gap, better, worse));
-            }
-        }
-    }
-    let counted = format!("The two measures order {reversed} of {pairs} pairs of couplings differently");
-    let Some((_, better, worse)) = most else { return format!("{counted}.") };
+    let pairs = rows.len() * rows.len().saturating_sub(1) / 2;
+    let by_max = reversed(&rows, |r| r.furnace_max);
+    let by_weight = reversed(&rows, |r| r.perceptual);
+    let counted = format!(
+        "Of {pairs} pairs of inexact couplings, the largest departure orders {} otherwise than FLIP does, the perceptual RMS {}",
+        by_max.len(),
+        by_weight.len(),
+    );
+    // How far both measures are apart, the smaller of the two ratios.
+    let gap = |(better, worse): &(&Ranked, &Ranked)| {
+        ops::log(worse.flip / better.flip).min(ops::log(better.furnace_max / worse.furnace_max))
+    };
+    let Some((better, worse)) = by_max.into_iter().max_by(|a, b| gap(a).total_cmp(&gap(b))) else {
+        return format!("{counted}.");
+    };
     format!(
-        "{counted}; most markedly, {} is seen less than {} (FLIP {} against {}) although its largest departure is larger ({} against {}).",
+        "{counted}. Most markedly, {} is seen less than {} (FLIP {} against {}) although its largest departure is larger ({} against {}).",
         better.name,
         worse.name,
         significant(better.flip, 2),
@@ -130,4 +126,10 @@ fn disagreement(ranking: &Ranking) -> String {
         words::max(better.furnace_max),
         words::max(worse.furnace_max),
     )
+}
+
+/// Pairs of rows, which rise by FLIP, that another measure puts the other way round.
+fn reversed<'a>(rows: &[&'a Ranked], by: impl Fn(&Ranked) -> f64) -> Vec<(&'a Ranked, &'a Ranked)> {
+    let pairs = rows.iter().enumerate().flat_map(|(i, a)| rows[i + 1..].iter().map(move |b| (*a, *b)));
+    pairs.filter(|(better, worse)| better.flip < worse.flip && by(better) > by(worse)).collect()
 }
