@@ -20,6 +20,8 @@ pub mod render;
 mod sections;
 mod timings;
 
+use crate::effects::surface::SurfaceRows;
+
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
@@ -156,6 +158,15 @@ pub fn coupling_study_page(study: &CouplingStudy) -> Result<Vec<File>, ReportErr
         file(&format!("{folder}/index.html"), text.into_bytes()),
         file(&format!("{folder}/results.json"), figures),
     ])
+}
+
+/// Energy and reciprocity of whole materials, the colour of rough metals, what Schlick's Fresnel costs, and bases below white: sections for
+/// the page of an effect or of a study.
+///
+/// # Errors
+/// As [`page`].
+pub fn surface_sections(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
+    sections::of_surfaces(rows)
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {

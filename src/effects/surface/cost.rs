@@ -71,16 +71,16 @@ fn left(lobe: Lobe, side: char) -> String {
 
 /// The factor of the base; that of a formula is counted by its own hypothesis.
 fn factor(lobe: Lobe, coupling: &Coupling) -> String {
-    let dark = "f0 + (1.0 - f0) * weight(mu_v)";
     match coupling {
         Coupling::None => "1.0".into(),
         Coupling::OneMinusF0 => "1.0 - f0".into(),
-        Coupling::OneMinusFresnel => format!("1.0 - ({dark})"),
+        Coupling::OneMinusFresnel => "(1.0 - f0) * (1.0 - weight(mu_v))".into(),
         Coupling::FresnelProduct => "(1.0 - f0) * 1.05 * (1.0 - weight(mu_l)) * (1.0 - weight(mu_v))".into(),
         Coupling::HalfVector => "1.0 - fresnel".into(),
         Coupling::AshikhminShirley => "(1.0 - f0) * 1.2173913 * half_power(mu_l) * half_power(mu_v)".into(),
         Coupling::SchlickRoughness => "1.0 - (f0 + (max(1.0 - roughness, f0) - f0) * weight(mu_v))".into(),
-        Coupling::Pesce => format!("mix(1.0 - ({dark}), 1.0 - f0, roughness)"),
+        // mix(1 - F, 1 - f0, roughness) with Schlick's F, multiplied out
+        Coupling::Pesce => "(1.0 - f0) * (1.0 - weight(mu_v) * (1.0 - roughness))".into(),
         Coupling::OneMinusOwnSpecular => left(lobe, 'v'),
         // `scale` is 1/left_avg, or 1/(1 - rho taken_avg): a constant of the material
         Coupling::Kelemen | Coupling::Interreflected => {

@@ -43,7 +43,7 @@ pub struct SchlickRow {
     pub factor: Vec<(String, Difference)>,
 }
 
-/// Compares both for every index of refraction over the roughnesses and cosines of the grid, with a smooth one (roughness 0.05) added.
+/// Compares both for every index of refraction over the roughnesses and cosines of the grid.
 ///
 /// # Errors
 /// A surface that cannot be made.
@@ -57,7 +57,7 @@ fn row(smith: Smith, ior: f64, grid: &Grid) -> Result<SchlickRow, SurfaceError> 
     let f0 = fresnel::f0_of_ior(ior);
     let lobes = [Lobe::Single, Lobe::Normalised, Lobe::Compensated];
     let mut differences: Vec<Vec<Difference>> = vec![Vec::new(); lobes.len()];
-    for roughness in std::iter::once(&0.05).chain(&grid.roughness) {
+    for roughness in &grid.roughness {
         let alpha = AlphaMap::RoughnessSquared.alpha(*roughness);
         let albedos = Arc::new(Albedos::new(smith, alpha, Some(ior))?);
         for (lobe, found) in lobes.iter().zip(&mut differences) {

@@ -22,10 +22,10 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The whole grid: 10 roughnesses, 13 cosines from 0.01, six f0 from 0.02 to 1.
+    /// The whole grid: 11 roughnesses from 0.02, 13 cosines from 0.01, six f0 from 0.02 to 1.
     pub fn full() -> Grid {
         Grid {
-            roughness: (1..=10).map(|i| f64::from(i) / 10.0).collect(),
+            roughness: vec![0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0],
             mu: vec![0.01, 0.03, 0.06, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0],
             f0: vec![0.02, 0.04, 0.08, 0.2, 0.5, 1.0],
         }
@@ -85,6 +85,7 @@ pub struct ReciprocityRow {
     /// Name of the lobe.
     pub lobe: String,
     /// Name of the coupling; none: the lobe alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub coupling: Option<String>,
     /// Whether f(l, v) = f(v, l) by its formula.
     pub reciprocal: bool,

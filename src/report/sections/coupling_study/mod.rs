@@ -1,4 +1,5 @@
-//! The page of the study of diffuse couplings: what can be seen of an error, beside how large it is.
+//! The page of the study of diffuse couplings: what can be seen of an error, beside how large it is, and what is measured of whole
+//! materials.
 
 mod furnace;
 mod lit;
@@ -11,6 +12,7 @@ pub(super) fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
     let mut sections = vec![ranking::section(study)?];
     sections.push(lit::section(study)?);
     sections.push(furnace::section(study)?);
+    sections.extend(super::surfaces::sections(&study.surfaces)?);
     Ok(Page {
         title: "lobefit study: coupling".into(),
         origin: study.origin.clone(),
