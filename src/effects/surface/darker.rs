@@ -25,6 +25,7 @@ pub struct DarkRow {
     /// Largest total albedo over the grid.
     pub most: f64,
     /// Mean over the grid of the base's part over rho times what the lobe leaves: 1 for a plain factor; none for a black base.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,
     /// Whether nowhere on the grid the material got darker as its base got lighter.
     pub monotone: bool,

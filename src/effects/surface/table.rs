@@ -85,6 +85,7 @@ pub struct ReciprocityRow {
     /// Name of the lobe.
     pub lobe: String,
     /// Name of the coupling; none: the lobe alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub coupling: Option<String>,
     /// Whether f(l, v) = f(v, l) by its formula.
     pub reciprocal: bool,

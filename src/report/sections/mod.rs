@@ -5,6 +5,7 @@ mod audit;
 mod averages;
 mod called_for;
 mod coupling;
+mod coupling_study;
 mod fits;
 mod furnace;
 mod index;
@@ -23,8 +24,8 @@ mod walks;
 mod words;
 
 use super::{
-    AuditFindings, Block, CouplingFindings, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage,
-    Section, Timings, VolumeFindings,
+    AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, Index, Page,
+    ReportError, SearchPage, Section, Timings, VolumeFindings,
 };
 use crate::effects::surface::SurfaceRows;
 
@@ -97,6 +98,11 @@ pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
 /// The page of an audit.
 pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
     audit::page(findings)
+}
+
+/// The page of the study of diffuse couplings.
+pub(crate) fn of_coupling_study(study: &CouplingStudy) -> Result<Page, ReportError> {
+    coupling_study::page(study)
 }
 
 /// The sections of whole materials, for a page of their effect or of a study.
