@@ -25,12 +25,12 @@ use crate::plan::{EffectName, Plan};
 use crate::report::{Origin, ReportError};
 use crate::scene::Scene;
 use crate::store::Files;
-pub use compare::{Difference, compare};
+pub use compare::{Difference, Kind, compare};
 use context::Context;
 pub use context::{Progress, Silent};
 pub use kept::{KeptError, kept};
 pub use part::Part;
-pub use recipe::{UserHypothesis, recipe};
+pub use recipe::{TOOL, UserHypothesis, recipe};
 pub use reflection::BakedTable;
 pub use volume::BakedVolume;
 

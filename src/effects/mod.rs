@@ -11,6 +11,7 @@ pub mod glass;
 mod quantity;
 pub mod reflection;
 pub mod sheen;
+pub mod surface;
 pub mod target;
 pub mod volume;
 

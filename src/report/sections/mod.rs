@@ -5,23 +5,29 @@ mod audit;
 mod averages;
 mod called_for;
 mod coupling;
+mod coupling_study;
 mod fits;
 mod furnace;
 mod index;
+mod metals;
 mod own;
+mod reciprocity;
 mod search;
 mod selection;
 mod study;
+mod surfaces;
 mod tables;
 mod timed_tables;
 mod timings;
 mod volumes;
+mod walks;
 mod words;
 
 use super::{
-    AuditFindings, Block, CouplingFindings, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage,
-    Timings, VolumeFindings,
+    AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, Index, Page,
+    ReportError, SearchPage, Section, Timings, VolumeFindings,
 };
+use crate::effects::surface::SurfaceRows;
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -92,6 +98,16 @@ pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
 /// The page of an audit.
 pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
     audit::page(findings)
+}
+
+/// The page of the study of diffuse couplings.
+pub(crate) fn of_coupling_study(study: &CouplingStudy) -> Result<Page, ReportError> {
+    coupling_study::page(study)
+}
+
+/// The sections of whole materials, for a page of their effect or of a study.
+pub(crate) fn of_surfaces(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
+    surfaces::sections(rows)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.
