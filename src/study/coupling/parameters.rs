@@ -117,9 +117,10 @@ fn even(low: f64, high: f64, n: usize) -> Vec<f64> {
     (0..n).map(|i| (1000.0 * value(i)).round() / 1000.0).collect()
 }
 
-/// Squares of `n` even steps up to 1, dense at grazing views.
+/// Squares of `n` even steps from 0.1 to 1: dense at grazing views, and from where the fits begin.
 fn even_squared(n: usize) -> Vec<f64> {
-    (1..=n).map(|i| (i as f64 / n as f64) * (i as f64 / n as f64)).collect()
+    let root = |i: usize| 0.1 + 0.9 * (i as f64 / (n - 1) as f64);
+    (0..n).map(|i| (10_000.0 * root(i) * root(i)).round() / 10_000.0).collect()
 }
 
 fn name<S: serde::Serializer>(lobe: &Lobe, serializer: S) -> Result<S::Ok, S::Error> {
