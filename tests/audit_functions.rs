@@ -29,7 +29,7 @@ fn three(x: f32, y: f32, k: f32) -> f32 { return x * y * k; }
 
 fn run(name: &str) -> Audit {
     let function = read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
-    let shipped = sampled(&function, 2, &[]).unwrap();
+    let shipped = sampled(&function, 2, &[], &[]).unwrap();
     let found =
         audit(&shipped, Quantity::find("ggx-reflection").unwrap(), &Pins::default(), &|_| ()).unwrap();
     assert_eq!(found.source, Source::Function);
@@ -67,6 +67,9 @@ fn a_blend_over_f0_is_taken_apart() {
     let e = found.channels[1].errors.as_ref().unwrap();
     near(e.max, 0.199, 0.1);
     near(e.rms, 0.108, 0.1);
+    // A sixth of the spread is no fit of anything, and that is said.
+    assert_eq!(found.fit, Fit::None);
+    assert!(found.verdict.contains("fits no convention"), "{}", found.verdict);
     assert!(found.channels[0].name.contains("F0 = 0"), "{}", found.channels[0].name);
 }
 
@@ -87,18 +90,80 @@ fn a_normalisation_and_an_albedo_of_alpha_are_told() {
 }
 
 #[test]
+fn an_index_of_refraction_runs_from_1_to_2() {
+    let text = "fn glass(ior: f32, alpha: f32, cos_theta: f32) -> f32 {
+      let r = (ior - 1.0) / (ior + 1.0);
+      return select(-1.0, r * r + (1.0 - r * r) * pow(1.0 - cos_theta, 5.0), ior > 1.0) + 0.0 * alpha;
+    }
+    fn bare(m: f32, a: f32, x: f32) -> f32 { return 0.2 * (x - 1.0) + 0.5 * m * (1.0 - a); }";
+    let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", None, Some(name)).unwrap().remove(0);
+    let shipped = sampled(&read("glass"), 3, &[], &[]).unwrap();
+    assert!(shipped.channels[0].values.iter().all(|v| *v > 0.0), "an index of 1 or less was asked for");
+    let pins = Pins { column: Some(Column::R), ..Pins::default() };
+    let found = audit(&shipped, Quantity::find("ggx-glass").unwrap(), &pins, &|_| ()).unwrap();
+    assert_eq!(scales(&found)[0], (Scale::Ior, false));
+    assert!(found.verdict.contains("the argument ior given ior"), "{}", found.verdict);
+    // A name that tells nothing is told by the user.
+    let told = sampled(&read("bare"), 3, &[], &[Scale::Mu, Scale::Alpha, Scale::Ior]).unwrap();
+    let [first, last] = [0, told.channels[0].values.len() - 400].map(|i| told.channels[0].values[i]);
+    assert!((last - first - 0.2 * 0.95).abs() < 1e-6, "{first} {last}");
+}
+
+#[test]
+fn roughness_with_its_alpha_and_directions_are_arguments() {
+    let text = "
+      fn both(roughness: f32, alpha: f32, mu: f32) -> f32 { return 1.0 - 0.4 * alpha * mu + 0.1 * (roughness * roughness - alpha); }
+      fn view(n: vec3<f32>, v: vec3<f32>, alpha: f32) -> f32 {
+        return 1.0 - 0.4 * alpha * dot(n, v) + 9.0 * (length(v) - 1.0) + v.y;
+      }";
+    let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", None, Some(name)).unwrap().remove(0);
+    let both = sampled(&read("both"), 2, &[], &[]).unwrap();
+    assert_eq!(both.axes, ["roughness (and alpha its square)", "mu"]);
+    let at = |i: usize| (i as f64 + 0.5) / 128.0;
+    let wanted = |r: usize, m: usize| 1.0 - 0.4 * at(r) * at(r) * at(m);
+    assert!((both.channels[0].values[40 * 128 + 100] - wanted(100, 40)).abs() < 1e-6);
+    let view = sampled(&read("view"), 2, &[], &[]).unwrap();
+    assert_eq!(view.axes, ["dot(n, v)", "alpha"]);
+    assert!((view.channels[0].values[40 * 128 + 100] - (1.0 - 0.4 * at(40) * at(100))).abs() < 1e-5);
+}
+
+#[test]
+fn a_fit_that_this_tool_wrote_has_its_certificate() {
+    let quantity = Quantity::find("ggx-reflection").unwrap();
+    for (language, text) in [
+        ("lobefit.wgsl", include_str!("../fits/lobefit.wgsl")),
+        ("lobefit.glsl", include_str!("../fits/lobefit.glsl")),
+    ] {
+        let function =
+            read_functions(text.as_bytes(), language, None, Some("ggx_norm_q13")).unwrap().remove(0);
+        // GLSL's lookups take combined samplers, which the front end cannot read; WGSL has textures and samplers apart.
+        assert_eq!(function.left_out.is_empty(), language.ends_with("wgsl"), "{:?}", function.left_out);
+        let found =
+            audit(&sampled(&function, 2, &[], &[]).unwrap(), quantity, &Pins::default(), &|_| ()).unwrap();
+        assert_eq!(found.best().columns, [Some(Column::Inverse)]);
+        let manifest: serde_json::Value = serde_json::from_str(include_str!("../manifest.json")).unwrap();
+        let fits = manifest["fits"].as_array().unwrap();
+        let own = fits.iter().find(|f| f["function"] == "ggx_norm_q13").unwrap();
+        let certified = own["certificate"]["max_abs"].as_f64().unwrap();
+        let furnace = found.furnace.as_ref().unwrap().range;
+        let worst = furnace[0].abs().max(furnace[1].abs());
+        assert!((worst / certified - 1.0).abs() < 0.02, "{worst}, certified {certified}");
+    }
+}
+
+#[test]
 fn what_is_no_fit_is_told() {
     let found = run("nothing");
     assert_eq!(found.fit, Fit::None);
     assert!(found.verdict.contains("fits no convention"), "{}", found.verdict);
     let read = |name: &str| read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
     let quantity = Quantity::find("ggx-reflection").unwrap();
-    let bad = sampled(&read("infinite"), 2, &[]).unwrap();
+    let bad = sampled(&read("infinite"), 2, &[], &[]).unwrap();
     let error = audit(&bad, quantity, &Pins::default(), &|_| ()).unwrap_err();
     assert!(matches!(error, AuditError::NotFinite { .. }), "{error}");
-    let left = sampled(&read("three"), 2, &[]).unwrap_err();
+    let left = sampled(&read("three"), 2, &[], &[]).unwrap_err();
     assert!(left.to_string().contains("--set"), "{left}");
-    assert!(sampled(&read("three"), 2, &[("k".into(), 1.0)]).is_ok());
-    let absent = sampled(&read("three"), 2, &[("q".into(), 1.0)]).unwrap_err();
+    assert!(sampled(&read("three"), 2, &[("k".into(), 1.0)], &[]).is_ok());
+    let absent = sampled(&read("three"), 2, &[("q".into(), 1.0)], &[]).unwrap_err();
     assert!(absent.to_string().contains("x, y, k"), "{absent}");
 }

@@ -7,6 +7,7 @@ use lobefit::data::Smith;
 use lobefit::effects::Quantity;
 use lobefit::foreign::Step;
 use lobefit::integrate::reflection::{self, Effort, albedo, split};
+use lobefit::math::ops;
 
 /// A channel: its name and its value at a texel.
 type Channel<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
@@ -118,6 +119,74 @@ fn rows_one_texel_off_are_found() {
 }
 
 #[test]
+fn a_limit_holds_for_the_table_as_it_will_be_read() {
+    let at = |i: usize| (i as f64 + 0.5) / 32.0;
+    let one = |i: usize| ((i as f64 + 1.5) / 32.0).min(1.0);
+    let fourth = |x: f64| x * x * x * x;
+    // Rows one texel off, and a gloss that is the fourth root of alpha: right to rounding as they are best read.
+    let shifted = |x: usize, y: usize| both(Smith::Correlated, one(y) * one(y), at(x)).0;
+    let gloss = |x: usize, y: usize| both(Smith::Correlated, fourth(1.0 - at(y)), at(x)).0;
+    let sitings = vec![Siting::Centre, Siting::OneHigh];
+    let axes = vec![(Scale::Mu, false), (Scale::RoughnessFourth, true)];
+    for (value, least, option, pins) in [
+        (
+            &shifted as &dyn Fn(usize, usize) -> f64,
+            0.02,
+            "--registration centre,one-high",
+            Pins { sitings: Some(sitings), ..Pins::default() },
+        ),
+        (&gloss, 0.3, "--axes mu,1-alpha^(1/4)", Pins { axes: Some(axes), ..Pins::default() }),
+    ] {
+        let shipped = table([32, 32], &[("R", value)]);
+        let found = reflection_of(&shipped);
+        let plain = found.plain.as_ref().expect("nobody reads it so without being told");
+        assert!(found.worst() < 1e-6 && plain.max > least, "{} {}", found.worst(), plain.max);
+        assert_eq!(plain.options, option);
+        assert!(!found.passes(Some(0.5 * least)) && found.passes(Some(1.0)), "the plain reading is judged");
+        assert!(found.verdict.contains("without being told"), "{}", found.verdict);
+        let meant = run(&shipped, "ggx-reflection", &pins);
+        assert!(meant.plain.is_none() && meant.passes(Some(1e-6)), "{:?}", meant.plain);
+    }
+    let sound = reflection_of(&table([32, 32], &[("R", &|x, y| both(Smith::Correlated, at(y), at(x)).0)]));
+    assert!(sound.plain.is_none() && sound.passes(Some(1e-6)));
+}
+
+#[test]
+fn end_points_one_texel_off_are_found() {
+    let at = |i: usize| i as f64 / 31.0;
+    for (siting, shift, word) in [(Siting::EndHigh, 1.0, "too far"), (Siting::EndLow, -1.0, "too near")] {
+        let shifted = |i: usize| ((i as f64 + shift) / 31.0).clamp(0.0, 1.0);
+        let value = |x: usize, y: usize| both(Smith::Correlated, shifted(y) * shifted(y), at(x).max(1e-4)).0;
+        let found = reflection_of(&table([32, 32], &[("0", &value)]));
+        assert_eq!(axes(&found), [(Scale::Mu, Siting::Endpoint, false), (Scale::Roughness, siting, false)]);
+        let plain = found.plain.as_ref().expect("a shift");
+        assert_eq!(plain.convention.axes[1].siting, Siting::Endpoint);
+        assert!(plain.max > 0.01 && !found.passes(Some(0.01)), "{}", plain.max);
+        assert!(found.verdict.contains(word) && found.verdict.contains("end points"), "{}", found.verdict);
+    }
+}
+
+#[test]
+fn a_split_sum_at_one_f0_is_told() {
+    let at = |i: usize| (i as f64 + 0.5) / 32.0;
+    for (f0, column) in [(0.02, Column::At(2)), (0.04, Column::At(4)), (0.08, Column::At(8))] {
+        let value = |x: usize, y: usize| {
+            let (e, b) = both(Smith::Correlated, at(y) * at(y), at(x));
+            half(f0 * (e - b) + b)
+        };
+        let found = reflection_of(&table([32, 32], &[("0", &value)]));
+        assert_eq!(columns(&found), [Some(column)]);
+        assert!(found.verdict.contains(&format!("F0={f0}")), "{}", found.verdict);
+    }
+    // A bias alone is none, though all of those are near to it.
+    let bias = reflection_of(&table(
+        [32, 32],
+        &[("0", &|x, y| half(both(Smith::Correlated, at(y), at(x)).1 + 3e-3 * jitter(x, y)))],
+    ));
+    assert_eq!(columns(&bias), [Some(Column::B)]);
+}
+
+#[test]
 fn nodes_at_left_edges_of_a_separable_lobe_are_found() {
     // The path tracer of the sources, a slice: nodes i/64 clamped to [1e-4, 0.9999], roughness is alpha, separable.
     let at = |i: usize| (i as f64 / 64.0).clamp(1e-4, 0.9999);
@@ -183,6 +252,12 @@ fn an_average_that_is_normal_incidence_is_found() {
     assert!(found.channels[0].errors.as_ref().unwrap().max < 3.1e-4);
     assert!(found.verdict.contains("no average"), "{}", found.verdict);
     assert!(found.verdict.contains("average over the cosine"), "{}", found.verdict);
+    // It is no average, so that a limit fails it, unless that is what is asked for.
+    let plain = found.plain.as_ref().expect("an average is meant");
+    assert!(plain.max > 0.02 && plain.convention.columns == [Some(Column::Average)], "{plain:?}");
+    assert!(!found.passes(Some(1e-2)));
+    let asked = Pins { column: Some(Column::Normal), ..Pins::default() };
+    assert!(run(&shipped, "ggx-average", &asked).passes(Some(1e-3)));
     // The same as an average: what is pinned is measured.
     let pins = Pins { column: Some(Column::Average), ..Pins::default() };
     let pinned = run(&shipped, "ggx-average", &pins);
@@ -284,6 +359,37 @@ fn a_clamped_and_a_stale_part_are_found() {
             .iter()
             .any(|d| matches!(d, Defect::Clamped { value, truth, .. } if *value == 1.8 && *truth > 2.5))
     );
+}
+
+#[test]
+fn values_that_were_encoded_for_display_are_told() {
+    let at = |i: usize| (i as f64 + 0.5) / 32.0;
+    let srgb = |v: f64| if v <= 0.0031308 { 12.92 * v } else { 1.055 * ops::pow(v, 1.0 / 2.4) - 0.055 };
+    let eight = |v: f64| (v * 255.0).round() / 255.0;
+    let value = |x: usize, y: usize| both(Smith::Correlated, at(y) * at(y), at(x));
+    let found = reflection_of(&table(
+        [32, 32],
+        &[
+            ("R", &|x, y| eight(srgb(value(x, y).0 - value(x, y).1))),
+            ("G", &|x, y| eight(srgb(value(x, y).1))),
+        ],
+    ));
+    assert_eq!(found.fit, Fit::None);
+    assert!(
+        found.verdict.contains("decoded from sRGB") && found.verdict.contains("R = A"),
+        "{}",
+        found.verdict
+    );
+    assert!(!found.passes(Some(1.0)));
+}
+
+#[test]
+fn rows_the_other_way_round_are_told() {
+    let at = |i: usize| (i as f64 + 0.5) / 32.0;
+    let value = |x: usize, y: usize| both(Smith::Correlated, at(31 - y) * at(31 - y), at(x)).0;
+    let found = reflection_of(&table([32, 32], &[("R", &value)]));
+    assert!(found.verdict.contains("the rows are flipped"), "{}", found.verdict);
+    assert_eq!(found.plain.as_ref().map(|p| p.options.as_str()), Some("--axes mu,1-roughness"));
 }
 
 #[test]

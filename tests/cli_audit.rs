@@ -50,6 +50,8 @@ fn a_table_is_read_judged_and_reported() {
     }
     let found: Value = serde_json::from_slice(&figures).unwrap();
     assert_eq!(found["fits"], "whole");
+    let command = "lobefit audit tables.h --as ggx-reflection --size 16x16";
+    assert_eq!(found["origin"]["command"], command, "the command makes it again");
     assert_eq!(found["conventions"][0]["axes"][0]["coordinate"], "roughness");
     assert_eq!(found["conventions"][0]["axes"][1]["registration"], "endpoint");
     assert_eq!(found["channels"][0]["defects"][0]["kind"], "steps");
@@ -73,6 +75,35 @@ fn the_limit_and_a_wrong_guess_are_exit_1() {
     let told = String::from_utf8(with(&["--axes", "mu,gloss"]).stdout).unwrap();
     assert!(told.contains("Without those options: tables.h"), "{told}");
     assert_eq!(names(folder.path()), ["tables.h"]);
+}
+
+#[test]
+fn a_limit_is_for_the_plain_reading_and_says_how_to_declare_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |i: usize| i as f64 / 16.0;
+    let value = |i: usize| {
+        let r = at(i % 16).max(1e-4);
+        split(Smith::Correlated, r * r, at(i / 16).max(1e-4), &Effort::ladder()[1]).0
+    };
+    let rows: Vec<String> = (0..256).map(|i| format!("{:.6}", value(i))).collect();
+    std::fs::write(folder.path().join("t.js"), format!("const t = [{}];", rows.join(","))).unwrap();
+    let with = |more: &[&str]| {
+        let all =
+            [&["audit", "t.js", "--as", "ggx-reflection:E", "--size", "16x16", "--limit", "1e-4"], more]
+                .concat();
+        lobefit(folder.path(), &all, b"")
+    };
+    let plain = with(&["--json"]);
+    assert_eq!(plain.status.code(), Some(1), "{}", stderr(&plain));
+    assert!(stderr(&plain).contains("read plainly") && stderr(&plain).contains("--registration left,left"));
+    let found: Value = serde_json::from_slice(&plain.stdout).unwrap();
+    assert!(found["max_error"].as_f64().unwrap() < 1e-5 && found["plain"]["max"].as_f64().unwrap() > 0.02);
+    let meant = with(&["--registration", "left,left", "--json"]);
+    assert_eq!(meant.status.code(), Some(0), "{}", stderr(&meant));
+    let found: Value = serde_json::from_slice(&meant.stdout).unwrap();
+    let command =
+        "lobefit audit t.js --as ggx-reflection:E --registration left,left --size 16x16 --limit 0.0001";
+    assert_eq!(found["origin"]["command"], command);
 }
 
 #[test]

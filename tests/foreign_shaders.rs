@@ -524,3 +524,85 @@ fn a_main_in_a_comment_is_none() {
     let text = "// see main (below)\nfloat f(float a, float b) { return a + b; }";
     assert_bits(&one(text, "t.glsl", "f"), |a, b| [a + b]);
 }
+
+#[test]
+fn glsl_with_samplers_is_read_without_them() {
+    let source = "#version 330\nprecision highp float;\nprecision highp sampler2D;\nuniform sampler2D lut;\nlayout(binding = 1) uniform sampler3D cube;
+        vec2 fetch(vec2 uv) { return texture(lut, uv).xy; }
+        #define SCALE 2.0
+        float through(float x) {
+        #ifdef DEBUG
+            return 0.0;
+        #endif
+            return fetch(vec2(x)).x;
+        }
+        float lookup(sampler2D table, float x) { return textureLod(table, vec2(x), 0.0).x; }
+        float plain(float x, float y) { return SCALE * x + y; }
+        float bent(float x, float y) { return x.nonsense; }";
+    let function = one(source, "a.glsl", "plain");
+    assert_bits(&function, |x, y| [2.0 * x + y]);
+    assert_eq!(function.left_out, ["fetch", "through", "lookup", "bent"]);
+    let asked =
+        |name: &str| read_functions(source.as_bytes(), "a.glsl", None, Some(name)).unwrap_err().to_string();
+    for name in ["fetch", "lookup"] {
+        let message = asked(name);
+        assert!(message.contains("texture") && message.starts_with("a.glsl: "), "{name}: {message}");
+    }
+    assert!(asked("bent").starts_with("a.glsl: 16:"), "{}", asked("bent"));
+    assert_eq!(functions(source, "a.glsl", None).len(), 1);
+    // What is asked for may be called through: that it reads a texture is said, and where.
+    assert!(asked("through").contains("texture"), "{}", asked("through"));
+}
+
+#[test]
+fn published_glsl_is_read_as_it_is_printed() {
+    // Karis's fit in the words of engines: a view and a normal, const in, saturate from elsewhere or as a macro.
+    let body = "vec2 dfg( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+        float dotNV = saturate( dot( normal, viewDir ) );
+        const vec4 c0 = vec4( - 1, - 0.0275, - 0.572, 0.022 );
+        const vec4 c1 = vec4( 1, 0.0425, 1.04, - 0.04 );
+        vec4 r = roughness * c0 + c1;
+        float a004 = min( r.x * r.x, exp2( - 9.28 * dotNV ) ) * r.x + r.y;
+        vec2 fab = vec2( - 1.04, 1.04 ) * a004 + r.zw;
+        return fab;
+    }";
+    for before in [
+        "",
+        "#define saturate( a ) clamp( a, 0.0, 1.0 )\n",
+        "#ifndef saturate\n#define saturate(a) clamp(a, 0.0, 1.0)\n#endif\n#define whiteComplement( a ) ( 1.0 - saturate( a ) )\n",
+        "float saturate(float x) { return clamp(x, 0.0, 1.0); }\n",
+    ] {
+        let function = one(&format!("{before}{body}"), "d.glsl", "dfg");
+        assert_eq!(function.inputs.len(), 7);
+        for [mu, rough] in points() {
+            let side = (1.0 - mu * mu).sqrt();
+            let found =
+                [0, 1].map(|k| function.components[k].at::<f32>(&[0.0, 0.0, 1.0, side, 0.0, mu, rough], &[]));
+            let expected = karis(mu, rough);
+            assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() < 2e-7), "{found:?} {expected:?}");
+        }
+    }
+    // A place in a message is that of the text, not of what is put before it.
+    let source = "float f(float x) { return saturate(x); }\nfloat g(float x) { return saturate(y); }";
+    let error = read_functions(source.as_bytes(), "p.glsl", None, Some("g")).unwrap_err().to_string();
+    assert!(error.starts_with("p.glsl: 2:"), "{error}");
+    assert_eq!(one(source, "p.glsl", "f").left_out, ["g"]);
+}
+
+#[test]
+fn what_glsl_would_not_evaluate_is_refused() {
+    let source = |right: &str| {
+        format!(
+            "float count;\nbool set(float x, out float y) {{ y = 2.0 * x; return x > 0.5; }}\nbool tick(float x) {{ count += x; return x > 0.5; }}
+             bool pure(float x) {{ return x > 0.5; }}\nfloat f(float a, float b) {{ float y = a; if (a > b && {right}) {{ y += 1.0; }} return y; }}"
+        )
+    };
+    let read = |right: &str| read_functions(source(right).as_bytes(), "e.glsl", None, Some("f"));
+    for (right, named) in
+        [("set(b, y)", "set"), ("(tick(b) || b < 0.1)", "tick"), ("(y = b) > 0.2", "assignment")]
+    {
+        let error = read(right).unwrap_err().to_string();
+        assert!(error.contains(named) && error.contains("&&") && error.contains("5:"), "{right}: {error}");
+    }
+    assert!(read("pure(b)").is_ok() && read("(b <= 0.5 || b == 1.0)").is_ok());
+}

@@ -34,21 +34,22 @@ fn multiplier(specular: Specular, f0: f64, e: f64) -> f64 {
 }
 
 /// Light of the lobe alone; its multiplier has the albedo `e`.
-fn lobe(specular: Specular, f0: f32, e: &[f64]) -> Vec<f64> {
+fn lobe(grid: &Grid, specular: Specular, f0: f32, e: &[f64]) -> Vec<f64> {
     let f0 = f64::from(f0);
-    let one = |i: usize| (f0 * (GRID.e[i] - GRID.b[i]) + GRID.b[i]) * multiplier(specular, f0, e[i]);
+    let one = |i: usize| (f0 * (grid.e[i] - grid.b[i]) + grid.b[i]) * multiplier(specular, f0, e[i]);
     (0..e.len()).map(one).collect()
 }
 
 /// What lobe and base together are off 1 at an f0, by factor and albedo of the multiplier.
 struct Row<'a> {
+    grid: &'a Grid,
     factor: &'a dyn Fn(Specular, f32) -> Vec<f64>,
     albedo: Option<Vec<f64>>,
 }
 
 impl Row<'_> {
     fn off(&self, specular: Specular, f0: f32) -> Vec<f64> {
-        let lobe = lobe(specular, f0, self.albedo.as_ref().unwrap_or(&GRID.e));
+        let lobe = lobe(self.grid, specular, f0, self.albedo.as_ref().unwrap_or(&self.grid.e));
         lobe.iter().zip((self.factor)(specular, f0)).map(|(lobe, factor)| lobe + factor - 1.0).collect()
     }
 
@@ -62,7 +63,7 @@ impl Row<'_> {
         }
         for (specular, figure) in LOBES.into_iter().zip(printed[3].split_whitespace()) {
             let squares = F0.iter().flat_map(|f0| self.off(specular, *f0)).map(|d| d * d);
-            let rms = (squares.sum::<f64>() / (F0.len() * GRID.e.len()) as f64).sqrt();
+            let rms = (squares.sum::<f64>() / (F0.len() * self.grid.e.len()) as f64).sqrt();
             out.extend(differs(&format!("{id} {} rms", specular.name()), rms, figure));
         }
         out
@@ -100,7 +101,7 @@ fn factors_that_engines_ship() {
     assert_eq!(RIVALS.len(), PURE.len());
     let row = |(name, printed): &(&str, [&str; 4])| {
         let factor = |_, f0: f32| evaluate(pure(name), &GRID, f0, alpha);
-        Row { factor: &factor, albedo: None }.differences(name, *printed)
+        Row { grid: &GRID, factor: &factor, albedo: None }.differences(name, *printed)
     };
     none_differ(&PURE.iter().flat_map(row).collect::<Vec<_>>());
 }
@@ -110,11 +111,13 @@ fn factors_fed_with_another_roughness() {
     let squared = |_: &str, r: f64| r * r;
     let pesce = |_, f0: f32| evaluate(pure("pesce"), &GRID, f0, squared);
     let printed = [".52/.51/.49/.43/.35/.69", ".51/.43/.27", ".51/.42/.26", ".143 .088 .074"];
-    let mut out = Row { factor: &pesce, albedo: None }.differences("mix at alpha", printed);
+    let mut out = Row { grid: &GRID, factor: &pesce, albedo: None }.differences("mix at alpha", printed);
     let fourth = |_: &str, r: f64| r * r * r * r;
     let dassault = |_, f0: f32| evaluate(pure("dassault"), &GRID, f0, fourth);
     let printed = [".56/.55/.53/.46/.47/.69", ".55/.46/.30", ".55/.46/.29", ".167 .118 .095"];
-    out.extend(Row { factor: &dassault, albedo: None }.differences("dassault at alpha^2", printed));
+    out.extend(
+        Row { grid: &GRID, factor: &dassault, albedo: None }.differences("dassault at alpha^2", printed),
+    );
     none_differ(&out);
 }
 
@@ -130,23 +133,29 @@ const OWN: [(&str, [&str; 4]); 5] = [
     ("tauray", [".086/.084/.080/.070/.073/.092", ".084/.070/.077", ".084/.070/.082", ".009 .010 .010"]),
 ];
 
+/// The figure of the page that is not met, and what is measured in its place: the row was made on 60 x 60 points.
+const EXCEPTION: &str = "materialx_m1 compensated at 0.2: 0.04742, printed .046";
+
+fn own(grid: &Grid, name: &str, printed: [&str; 4]) -> Vec<String> {
+    let factor = |specular: Specular, f0: f32| {
+        let full = format!("coupling_{}_{name}", specular.name());
+        let own = OWN_SPECULAR.iter().find(|own| own.entry.name() == full).expect("in the catalogue");
+        assert_eq!(own.specular, specular);
+        evaluate(&own.entry, grid, f0, alpha)
+    };
+    let blend = BLEND_RIVALS.into_iter().find(|b| b.name() == format!("ggx_blend_{name}")).expect("a blend");
+    let albedo = Some(evaluate(&blend, grid, 1.0, alpha));
+    Row { grid, factor: &factor, albedo }.differences(name, printed)
+}
+
 #[test]
 fn one_less_a_fitted_lobe() {
-    let mut out = Vec::new();
-    for (name, printed) in OWN {
-        let factor = |specular: Specular, f0: f32| {
-            let full = format!("coupling_{}_{name}", specular.name());
-            let own = OWN_SPECULAR.iter().find(|own| own.entry.name() == full).expect("in the catalogue");
-            assert_eq!(own.specular, specular);
-            evaluate(&own.entry, &GRID, f0, alpha)
-        };
-        let blend =
-            BLEND_RIVALS.into_iter().find(|b| b.name() == format!("ggx_blend_{name}")).expect("a blend");
-        let albedo = Some(evaluate(&blend, &GRID, 1.0, alpha));
-        out.extend(Row { factor: &factor, albedo }.differences(name, printed));
-    }
     assert_eq!(OWN_SPECULAR.len(), 3 * OWN.len());
-    none_differ(&out);
+    let differences: Vec<String> =
+        OWN.iter().flat_map(|(name, printed)| own(&GRID, name, *printed)).collect();
+    assert_eq!(differences, [EXCEPTION]);
+    let (name, printed) = OWN[1];
+    none_differ(&own(&Grid::of(Smith::Correlated, 60), name, printed));
 }
 
 /// B/E of the page's re-fits of the normalised factor.
@@ -173,7 +182,7 @@ fn the_pages_own_fits() {
     for (id, name, printed) in REFITS {
         let share = share(name);
         let factor = |_, f0: f32| share.iter().map(|b| (1.0 - f64::from(f0)) * (1.0 - b)).collect();
-        out.extend(Row { factor: &factor, albedo: None }.differences(id, printed));
+        out.extend(Row { grid: &GRID, factor: &factor, albedo: None }.differences(id, printed));
     }
     for (id, e, b, printed) in [
         (
@@ -195,7 +204,7 @@ fn the_pages_own_fits() {
             let pairs = e.iter().zip(&b);
             pairs.map(|(e, b)| 1.0 - e * (b + f0 * (1.0 - b)) * multiplier(specular, f0, *e)).collect()
         };
-        out.extend(Row { factor: &factor, albedo: Some(e.clone()) }.differences(id, printed));
+        out.extend(Row { grid: &GRID, factor: &factor, albedo: Some(e.clone()) }.differences(id, printed));
     }
     none_differ(&out);
 }

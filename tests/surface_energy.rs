@@ -11,6 +11,7 @@ use lobefit::fit::Hypothesis;
 use lobefit::integrate::coupling::{self, Specular};
 use lobefit::integrate::reflection;
 use lobefit::math::sobol::Sobol;
+use lobefit::optics::fresnel;
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 
@@ -165,4 +166,27 @@ fn bad_materials_are_refused_by_name() {
     let surface = Surface::new(&material).unwrap();
     assert!(measure::albedo(&surface, 0.0).is_err());
     assert_eq!(surface.evaluate([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), [0.0; 3]);
+}
+
+/// The ends: as alpha -> 0 every lobe leaves (1 - f0)(1 - (1 - mu)^5), the second lobe vanishes, and the average of what is left is
+/// 20/21 (1 - f0); under f0 = 1 nothing is left but what single scattering loses.
+#[test]
+fn smooth_lobes_leave_what_a_mirror_leaves() {
+    for lobe in Lobe::ALL {
+        for f0 in [0.0, 0.04, 0.5, 1.0] {
+            let surface = Surface::new(&Material::white(1e-4, f0, lobe, Coupling::Kelemen)).unwrap();
+            for mu in [0.05, 0.3, 1.0] {
+                let mirror = (1.0 - f0) * (1.0 - fresnel::schlick_weight(1.0 - mu));
+                let left = surface.side(mu).left[0];
+                assert!((left - mirror).abs() < 2e-5, "{lobe:?} f0 {f0}, mu {mu}: {left} {mirror}");
+            }
+            let average = surface.left_average()[0];
+            assert!((average - (1.0 - f0) * 20.0 / 21.0).abs() < 2e-5, "{lobe:?} {f0}: {average}");
+            if f0 < 1.0 {
+                // away from the mirror direction only the base is seen
+                let f = surface.parts([0.6, 0.0, 0.8], [0.0, 0.6, 0.8]);
+                assert!(f.specular[0] < 1e-6 && f.base[0] > 0.1 * (1.0 - f0), "{lobe:?} {f0}: {f:?}");
+            }
+        }
+    }
 }

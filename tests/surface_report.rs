@@ -15,7 +15,7 @@ fn rows() -> SurfaceRows {
         ],
         grid: Grid { roughness: vec![0.3, 0.9], mu: vec![0.2, 0.9], f0: vec![0.04, 1.0] },
         walks: Walks { paths: 1 << 12, seed: 2 },
-        ..Wanted::reduced()
+        ..Wanted::reduced().unwrap()
     };
     SurfaceRows::measure(&wanted).unwrap()
 }
@@ -35,11 +35,11 @@ fn every_row_is_told() {
     let rows = rows();
     let sections = surface_sections(&rows).unwrap();
     let ids: Vec<&str> = sections.iter().map(|s| s.id.as_str()).collect();
-    assert_eq!(ids, ["reciprocity", "colour", "fresnel", "darker"]);
+    assert_eq!(ids, ["reciprocity", "colour", "walk", "fresnel", "darker"]);
     let all: usize = tables(&sections[0]).iter().map(|t| t.rows.len()).sum();
     assert_eq!(all, rows.reciprocity.len());
-    assert_eq!(tables(&sections[2])[0].rows.len(), rows.schlick.len());
-    assert_eq!(tables(&sections[3])[0].rows.len(), rows.darker.len());
+    assert_eq!(tables(&sections[3])[0].rows.len(), rows.schlick.len());
+    assert_eq!(tables(&sections[4])[0].rows.len(), rows.darker.len());
     for table in sections.iter().flat_map(tables) {
         assert!(table.rows.iter().all(|row| row.len() == table.columns.len()), "{table:?}");
         assert_eq!(table.muted.len(), table.rows.len());
@@ -50,7 +50,7 @@ fn every_row_is_told() {
         _ => None,
     });
     let text = text.unwrap();
-    assert!(text.contains("Kelemen") && text.contains("furnace 0, reciprocity 0"), "{text}");
+    assert!(text.contains("Kelemen") && text.contains("furnace 0 up to f0 0.2, reciprocity 0"), "{text}");
     let origin = Origin { scene: "s".into(), recipe: "r".into(), tool: "t".into(), command: "c".into() };
     let page = html(&Page { title: "t".into(), origin, lead: "l".into(), sections }).unwrap();
     assert!(page.contains("Kelemen-Szirmay-Kalos") && page.contains("random walk, exact Fresnel"));
@@ -68,6 +68,9 @@ fn what_is_not_a_number_is_refused_by_its_row() {
     let mut bad = good.clone();
     bad.colour[2].albedo[1] = f64::NAN;
     assert!(surface_sections(&bad).unwrap_err().to_string().contains("gold"));
+    let mut bad = good.clone();
+    bad.bounces[0].kulla_conty.pop();
+    assert!(surface_sections(&bad).unwrap_err().to_string().contains("walk"));
     let mut bad = good;
     bad.schlick.clear();
     assert!(surface_sections(&bad).unwrap_err().to_string().contains("fresnel"));

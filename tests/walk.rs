@@ -37,6 +37,8 @@ fn one_bounce_is_single_scattering_and_all_bounces_are_white() {
         }
         let bins: f64 = walked.lights.iter().map(|bin| bin[0].value).sum();
         assert!((bins - walked.multiple[0].value).abs() < 1e-12, "{at}");
+        let bins: f64 = walked.single_lights.iter().map(|bin| bin[1].value).sum();
+        assert!((bins - walked.bounces[0][1].value).abs() < 1e-12, "{at}");
     }
 }
 

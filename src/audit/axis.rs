@@ -65,6 +65,8 @@ pub enum Scale {
     RootOfOneMinusMu,
     /// mu = sqrt(x).
     MuSquared,
+    /// The index itself, from 1 to 2: an argument of a function that is named for it.
+    Ior,
     /// ior = 1 + x.
     IorUnit,
     /// ior = 1 + 1.5 x.
@@ -86,7 +88,7 @@ pub enum Scale {
 }
 
 /// Every scale, for options.
-pub const SCALES: [Scale; 18] = [
+pub const SCALES: [Scale; 19] = [
     Scale::Alpha,
     Scale::Roughness,
     Scale::RoughnessFourth,
@@ -96,6 +98,7 @@ pub const SCALES: [Scale; 18] = [
     Scale::Theta,
     Scale::RootOfOneMinusMu,
     Scale::MuSquared,
+    Scale::Ior,
     Scale::IorUnit,
     Scale::IorOneAndHalf,
     Scale::IorTwo,
@@ -132,6 +135,7 @@ impl Scale {
             Scale::Theta => "theta",
             Scale::RootOfOneMinusMu => "sqrt(1-mu)",
             Scale::MuSquared => "mu^2",
+            Scale::Ior => "ior",
             Scale::IorUnit => "ior-1",
             Scale::IorOneAndHalf => "(ior-1)/1.5",
             Scale::IorTwo => "(ior-1)/2",
@@ -166,7 +170,7 @@ impl Scale {
             Scale::Theta if x == 1.0 => 0.0,
             Scale::Theta => ops::cos(0.5 * std::f64::consts::PI * x),
             Scale::RootOfOneMinusMu => (1.0 - x) * (1.0 + x),
-            Scale::IorUnit => 1.0 + x,
+            Scale::Ior | Scale::IorUnit => 1.0 + x,
             Scale::IorOneAndHalf => 1.0 + 1.5 * x,
             Scale::IorTwo => 1.0 + 2.0 * x,
             Scale::F0 => ior_of(x.sqrt()),
@@ -197,11 +201,23 @@ pub enum Siting {
     OneHigh,
     /// (i - 1/2)/n, clamped to 0: a texel below its centre.
     OneLow,
+    /// (i + 1)/(n - 1), clamped to 1: a texel above its end point.
+    EndHigh,
+    /// (i - 1)/(n - 1), clamped to 0: a texel below its end point.
+    EndLow,
 }
 
 /// Every siting, the usual ones first.
-pub const SITINGS: [Siting; 6] =
-    [Siting::Centre, Siting::Endpoint, Siting::Left, Siting::Right, Siting::OneHigh, Siting::OneLow];
+pub const SITINGS: [Siting; 8] = [
+    Siting::Centre,
+    Siting::Endpoint,
+    Siting::Left,
+    Siting::Right,
+    Siting::OneHigh,
+    Siting::OneLow,
+    Siting::EndHigh,
+    Siting::EndLow,
+];
 
 impl Siting {
     /// The word in options.
@@ -213,6 +229,16 @@ impl Siting {
             Siting::Right => "right",
             Siting::OneHigh => "one-high",
             Siting::OneLow => "one-low",
+            Siting::EndHigh => "end-high",
+            Siting::EndLow => "end-low",
+        }
+    }
+
+    /// The siting that a reader takes who is told nothing: centres, or end points where the texels lie about those.
+    pub fn plain(self) -> Siting {
+        match self {
+            Siting::Endpoint | Siting::EndHigh | Siting::EndLow => Siting::Endpoint,
+            _ => Siting::Centre,
         }
     }
 
@@ -225,6 +251,8 @@ impl Siting {
             Siting::Right => "right edges, (i + 1)/n",
             Siting::OneHigh => "one texel above the centres, (i + 3/2)/n",
             Siting::OneLow => "one texel below the centres, (i - 1/2)/n",
+            Siting::EndHigh => "one texel above the end points, (i + 1)/(n - 1)",
+            Siting::EndLow => "one texel below the end points, (i - 1)/(n - 1)",
         }
     }
 
@@ -233,8 +261,10 @@ impl Siting {
         let (i, n) = (i as f64, n as f64);
         match self {
             Siting::Centre => (i + 0.5) / n,
-            Siting::Endpoint if n < 2.0 => 0.0,
+            Siting::Endpoint | Siting::EndHigh | Siting::EndLow if n < 2.0 => 0.0,
             Siting::Endpoint => i / (n - 1.0),
+            Siting::EndHigh => ((i + 1.0) / (n - 1.0)).min(1.0),
+            Siting::EndLow => ((i - 1.0) / (n - 1.0)).max(0.0),
             Siting::Left => i / n,
             Siting::Right => (i + 1.0) / n,
             Siting::OneHigh => ((i + 1.5) / n).min(1.0),
@@ -252,6 +282,8 @@ impl Siting {
             Siting::Right => x * n - 1.0,
             Siting::OneHigh => x * n - 1.5,
             Siting::OneLow => x * n + 0.5,
+            Siting::EndHigh => x * (n - 1.0) - 1.0,
+            Siting::EndLow => x * (n - 1.0) + 1.0,
         };
         p.clamp(0.0, n - 1.0)
     }
@@ -315,7 +347,8 @@ mod tests {
     #[test]
     fn scales_cover_their_inputs() {
         for scale in SCALES {
-            assert!(scale.input().scales().contains(&scale), "{scale:?}");
+            // No axis of a table runs over an index itself.
+            assert!(scale == Scale::Ior || scale.input().scales().contains(&scale), "{scale:?}");
         }
         assert!((Scale::FourthRootF0.input_at(0.04_f64.sqrt().sqrt()) - 1.5).abs() < 1e-12);
         assert_eq!(Scale::Theta.input_at(1.0), 0.0);

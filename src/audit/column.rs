@@ -17,6 +17,8 @@ pub enum Column {
     Excess,
     /// B/E.
     Share,
+    /// f0 A + B of one f0, in hundredths: 2, 4 or 8, which most dielectrics lie between.
+    At(u8),
     /// Reflected energy of glass.
     R,
     /// Transmitted energy of glass.
@@ -42,8 +44,18 @@ pub enum Column {
 }
 
 /// Columns of reflection.
-pub const REFLECTION: [Column; 7] =
-    [Column::E, Column::A, Column::B, Column::Loss, Column::Inverse, Column::Excess, Column::Share];
+pub const REFLECTION: [Column; 10] = [
+    Column::E,
+    Column::A,
+    Column::B,
+    Column::Loss,
+    Column::Inverse,
+    Column::Excess,
+    Column::Share,
+    Column::At(2),
+    Column::At(4),
+    Column::At(8),
+];
 /// Columns of a quantity that has E alone.
 pub const ALBEDO: [Column; 4] = [Column::E, Column::Loss, Column::Inverse, Column::Excess];
 /// Columns of glass.
@@ -75,6 +87,9 @@ impl Column {
             Column::Inverse | Column::InverseRT => "1/E",
             Column::Excess => "1/E-1",
             Column::Share => "B/E",
+            Column::At(2) => "F0=0.02",
+            Column::At(4) => "F0=0.04",
+            Column::At(_) => "F0=0.08",
             Column::R => "R",
             Column::T => "T",
             Column::ShareR => "R/E",
@@ -96,6 +111,7 @@ impl Column {
             Column::Inverse | Column::InverseRT | Column::AverageInverse => "a normalisation",
             Column::Excess => "the share that a compensation adds",
             Column::Share | Column::ShareR => "a ratio",
+            Column::At(_) => "F0 A + B at that F0, fixed",
             Column::R => "reflected",
             Column::T => "transmitted",
             Column::Average => "the cosine-weighted average",
@@ -114,6 +130,7 @@ impl Column {
             Column::Inverse | Column::AverageInverse => 1.0 / first,
             Column::Excess => 1.0 / first - 1.0,
             Column::Share => second / first,
+            Column::At(percent) => second + f64::from(percent) / 100.0 * (first - second),
             Column::RT => first + second,
             Column::LossRT => 1.0 - first - second,
             Column::InverseRT => 1.0 / (first + second),
@@ -136,6 +153,11 @@ impl Column {
     /// The truth of [`Column::albedo`].
     pub fn true_albedo(self, base: [f64; 2]) -> Option<f64> {
         self.albedo(self.value(base))
+    }
+
+    /// Whether it is of one f0: B is near to all of those, so that they are told only from clear figures.
+    pub fn is_fixed(self) -> bool {
+        matches!(self, Column::At(_))
     }
 
     /// Whether it is a loss, of which small values matter.

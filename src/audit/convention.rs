@@ -136,6 +136,7 @@ fn argument(input: Input, role: Option<Input>) -> Vec<(Scale, bool)> {
         (_, Some(role)) if role != input => Vec::new(),
         (Input::Mu, Some(_)) => vec![(Scale::Mu, false)],
         (Input::Mu, None) => vec![(Scale::Mu, false), (Scale::Mu, true), (Scale::Theta, false)],
+        (Input::Ior, Some(_)) => vec![(Scale::Ior, false)],
         _ => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
     }
 }

@@ -108,6 +108,16 @@ pub enum AuditError {
         /// What is wrong with it.
         reason: String,
     },
+    /// What a file says of itself cannot be followed: the table is to be read as any other.
+    #[error(
+        "{what}: its attribute `lobefit` is not followed: {reason}; take the attribute away, or say how the table is read by options"
+    )]
+    Statement {
+        /// File and array.
+        what: String,
+        /// The line that is missing or odd.
+        reason: String,
+    },
     /// No texel lies where the truth can be had.
     #[error("{what}: no texel lies in the domain of {quantity} under `{reading}`")]
     OutOfDomain {

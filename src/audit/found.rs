@@ -5,6 +5,7 @@ use super::convention::{Convention, Misfit};
 use super::defects::Defect;
 use super::errors::TexelErrors;
 use super::lookup::LookupErrors;
+use super::plain::Plain;
 use super::shipped::Source;
 use crate::data::Place;
 
@@ -91,6 +92,8 @@ pub struct Audit {
     pub pinned: bool,
     /// Whether the user said which channels are meant: others may be constant.
     pub excused: bool,
+    /// The reading of somebody who is told nothing, where the best one is another that nobody said is meant.
+    pub plain: Option<Plain>,
     /// The channels.
     pub channels: Vec<ChannelAudit>,
     /// The furnace, where the channels make an albedo.
@@ -124,11 +127,18 @@ impl Audit {
         (!names.is_empty()).then(|| format!("channel {} is constant: {advice}", names.join(", ")))
     }
 
-    /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by more than the limit. With nothing given by the user and no
-    /// limit an audit only tells.
+    /// Largest error as the table will be read: plainly, but for what the user said of it.
+    pub fn worst_as_read(&self) -> f64 {
+        self.plain.as_ref().map_or(0.0, |p| p.max).max(self.worst())
+    }
+
+    /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by more than the limit, as it is best read
+    /// and as it will be read. With nothing given by the user and no limit an audit only tells.
     pub fn passes(&self, limit: Option<f64>) -> bool {
         match limit {
-            Some(limit) => self.fit == Fit::Whole && self.worst() <= limit && self.unjudged().is_none(),
+            Some(limit) => {
+                self.fit == Fit::Whole && self.worst_as_read() <= limit && self.unjudged().is_none()
+            }
             None => !self.pinned || self.fit != Fit::None,
         }
     }

@@ -1,5 +1,7 @@
 //! The exact judgement: the sieve's best on more texels, then on all, with the clamps that the ends of an axis may have.
 
+use rayon::prelude::*;
+
 use super::AuditError;
 use super::axis::{AxisReading, Input};
 use super::convention::Pins;
@@ -25,6 +27,18 @@ pub(super) fn judge(
     axes: &[AxisReading],
     lobe: usize,
 ) -> Result<Judgement, AuditError> {
+    judged_by(truth, sample, axes, &|at| truth.exact(lobe, at))
+}
+
+/// Values at every combination of inputs.
+type Truths<'a> = dyn Fn(&[&[f64]]) -> Result<Values, AuditError> + 'a;
+
+fn judged_by(
+    truth: &dyn Truth,
+    sample: &Sample,
+    axes: &[AxisReading],
+    values: &Truths,
+) -> Result<Judgement, AuditError> {
     let inputs = truth.inputs();
     let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
     let assigned: Vec<usize> = inputs.iter().map(along).collect();
@@ -37,7 +51,7 @@ pub(super) fn judge(
         })
         .collect();
     let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-    let values = truth.exact(lobe, &at)?;
+    let values = values(&at)?;
     let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
     let view = View { values: &values, steps: steps(&lengths, &assigned), start: 0 };
     Ok(Judgement { base: view.gather(&sample.dims()), judged: judged(truth, sample, axes) })
@@ -71,6 +85,23 @@ pub(super) fn rejudge(
     Ok(best(out, most))
 }
 
+/// Candidates on another sample by the quick truth; the best `most` of them.
+pub(super) fn requick(
+    truth: &dyn Truth,
+    sample: &Sample,
+    pins: &Pins,
+    list: Vec<Candidate>,
+    most: usize,
+) -> Result<Vec<Candidate>, AuditError> {
+    let one = |c: Candidate| -> Result<Option<Candidate>, AuditError> {
+        let judgement = judged_by(truth, sample, &c.axes, &|at| Ok(truth.quick(c.lobe, at)))?;
+        let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), pins, truth.columns());
+        Ok(fitted.map(|fitted| Candidate { fitted, ..c }))
+    };
+    let done: Vec<Option<Candidate>> = list.into_par_iter().map(one).collect::<Result<_, _>>()?;
+    Ok(best(done.into_iter().flatten().collect(), most))
+}
+
 /// The candidate with the clamps that fit best: of all its axes together (a corner shows only that), then of each.
 pub(super) fn with_floors(
     truth: &dyn Truth,
@@ -79,14 +110,18 @@ pub(super) fn with_floors(
     candidate: &Candidate,
 ) -> Result<Candidate, AuditError> {
     let mut at = candidate.clone();
-    let clamped = |a: &AxisReading| matches!(a.scale.input(), Input::Alpha | Input::Mu);
-    let axes: Vec<usize> = (0..at.axes.len()).filter(|k| clamped(&at.axes[*k])).collect();
+    let of = |inputs: &[Input]| -> Vec<usize> {
+        (0..at.axes.len()).filter(|k| inputs.contains(&at.axes[*k].scale.input())).collect()
+    };
+    let (axes, iors) = (of(&[Input::Alpha, Input::Mu]), of(&[Input::Ior]));
     let least =
         |axis: &usize| sample.nodes(*axis, &candidate.axes[*axis]).into_iter().fold(f64::INFINITY, f64::min);
-    let low: Vec<(usize, f64)> = axes.iter().map(|axis| (*axis, least(axis))).collect();
-    let groups = std::iter::once(axes.clone()).chain(axes.iter().map(|axis| vec![*axis]));
+    let low: Vec<(usize, f64)> = axes.iter().chain(&iors).map(|axis| (*axis, least(axis))).collect();
+    let groups = std::iter::once(axes.clone()).chain(axes.iter().chain(&iors).map(|axis| vec![*axis]));
     for group in groups.filter(|g| !g.is_empty()) {
-        for floor in FLOORS {
+        // An index of refraction is clamped as far above 1 as the others above 0.
+        let least = if group.iter().any(|axis| iors.contains(axis)) { 1.0 } else { 0.0 };
+        for floor in FLOORS.map(|f| least + f) {
             let raised: Vec<usize> = low
                 .iter()
                 .filter(|(axis, least)| group.contains(axis) && *least < floor)
@@ -98,11 +133,18 @@ pub(super) fn with_floors(
             let mut axes = at.axes.clone();
             raised.iter().for_each(|axis| axes[*axis].floor = floor);
             let tried = refit(truth, sample, pins, axes, at.lobe)?;
-            // A clamp is told of only where it explains something.
-            if let Some(tried) = tried.filter(|t| t.fitted.rank < 0.9 * at.fitted.rank) {
+            if let Some(tried) = tried.filter(|t| explains(t, &at)) {
                 at = tried;
             }
         }
     }
     Ok(at)
+}
+
+/// Whether a clamp explains something: more of the texels as well as those before, or none fewer clearly better. A clamp that takes texels out
+/// of the domain explains nothing.
+fn explains(clamped: &Candidate, before: &Candidate) -> bool {
+    let (now, then) = (&clamped.fitted, &before.fitted);
+    now.texels > then.texels && now.rank < 1.2 * then.rank
+        || now.texels >= then.texels && now.rank < 0.9 * then.rank
 }

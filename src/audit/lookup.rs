@@ -117,7 +117,7 @@ impl Points {
 }
 
 /// Linear interpolation at a position in texels.
-fn fetch(values: &[f64], size: &[usize], at: &[f64]) -> f64 {
+pub(super) fn fetch(values: &[f64], size: &[usize], at: &[f64]) -> f64 {
     let mut sum = 0.0;
     for corner in 0..1_usize << size.len() {
         let (mut weight, mut texel) = (1.0, vec![0; size.len()]);

@@ -6,7 +6,7 @@ use super::verdict::{number, sentence};
 use super::{Audit, ChannelAudit, Convention, Defect, Fit, LookupErrors, Tried};
 use crate::report::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup, Field, Origin, Ruler,
+    AuditFurnace, AuditHeld, AuditLookup, AuditPlain, Field, Origin, Ruler,
 };
 
 /// Curves of a channel.
@@ -25,10 +25,16 @@ pub fn findings(audit: &Audit, origin: Origin, file: &str, holds: &str, limit: O
         verdict: audit.verdict.clone(),
         fits: word(audit.fit).into(),
         max_error: audit.worst(),
+        plain: audit.plain.as_ref().map(|p| AuditPlain {
+            untold: p.untold.clone(),
+            max: Some(p.max).filter(|m| m.is_finite()),
+            options: p.options.clone(),
+        }),
         limit,
         passed: audit.passes(limit),
         margin: Some(audit.margin).filter(|m| m.is_finite()),
         truth_error: audit.truth_error,
+        stated: false,
         conventions: audit.tried.iter().map(|t| convention(audit, t)).collect(),
         channels: audit.channels.iter().filter_map(|c| channel(audit, c)).collect(),
         furnace: audit.furnace.as_ref().filter(|f| f.dark == 0).map(|f| AuditFurnace {

@@ -1,5 +1,6 @@
 //! A part of a table, and conventions tried on it.
 
+use super::CLEAR;
 use super::axis::AxisReading;
 use super::column::Column;
 use super::convention::{Convention, Misfit, Pins};
@@ -127,9 +128,14 @@ pub(super) struct Fitted {
     pub misfits: Vec<Option<Misfit>>,
     /// Geometric mean of the ranks.
     pub rank: f64,
+    /// Texels judged.
+    pub texels: usize,
 }
 
-/// The best columns of the channels for given base values; none if no texel is judged.
+/// A reading under which fewer than one texel in this many has a truth is no reading, unless the user gives it.
+const LEAST_SHARE: usize = 3;
+
+/// The best columns of the channels for given base values; none if no texel is judged, or few are.
 pub(super) fn fit_columns(
     sample: &Sample,
     base: &Values,
@@ -139,7 +145,7 @@ pub(super) fn fit_columns(
 ) -> Option<Fitted> {
     let kept = |i: &usize| judged.is_none_or(|j| j[*i]);
     let texels: Vec<usize> = (0..base.len()).filter(kept).collect();
-    if texels.is_empty() {
+    if texels.is_empty() || pins.axes.is_none() && texels.len() * LEAST_SHARE < base.len() {
         return None;
     }
     let misfit = |channel: &[f64], column: Column| {
@@ -147,13 +153,22 @@ pub(super) fn fit_columns(
         Misfit::of(&errors)
     };
     let best = |k: usize, channel: &Vec<f64>| {
-        let tried: Vec<Column> = match (&pins.meanings, pins.column) {
-            (Some(given), _) => vec![given[k]],
-            (None, Some(column)) => vec![column],
-            (None, None) => columns.to_vec(),
+        let least = |tried: &[Column]| {
+            let fits = tried.iter().map(|c| (*c, misfit(channel, *c)));
+            fits.min_by(|a, b| a.1.rank().total_cmp(&b.1.rank()))
         };
-        let fits = tried.into_iter().map(|c| (c, misfit(channel, c)));
-        fits.min_by(|a, b| a.1.rank().total_cmp(&b.1.rank()))
+        match (&pins.meanings, pins.column) {
+            (Some(given), _) => least(&given[k..=k]),
+            (None, Some(column)) => least(&[column]),
+            (None, None) => {
+                let (fixed, plain): (Vec<Column>, Vec<Column>) = columns.iter().partition(|c| c.is_fixed());
+                let plain = least(&plain);
+                let clear = |f: &(Column, Misfit)| plain.is_none_or(|p| CLEAR * f.1.rank() < p.1.rank());
+                // A channel beside another holds a part of the split sum, not all of it.
+                let alone = sample.values.len() == 1;
+                alone.then(|| least(&fixed)).flatten().filter(clear).or(plain)
+            }
+        }
     };
     let mut fits: Vec<Option<(Column, Misfit)>> =
         sample.values.iter().enumerate().map(|(k, channel)| best(k, channel)).collect();
@@ -165,9 +180,11 @@ pub(super) fn fit_columns(
         return None;
     }
     let product = ranks.iter().fold(1.0, |p: f64, r| p * r);
-    let rank = crate::math::ops::pow(product, 1.0 / ranks.len().max(1) as f64);
+    // A reading that takes texels out of the domain must not gain by it.
+    let share = texels.len() as f64 / base.len() as f64;
+    let rank = crate::math::ops::pow(product, 1.0 / ranks.len().max(1) as f64) / share;
     let (columns, misfits) = (fits.iter().map(|f| f.map(|f| f.0)), fits.iter().map(|f| f.map(|f| f.1)));
-    Some(Fitted { columns: columns.collect(), misfits: misfits.collect(), rank })
+    Some(Fitted { columns: columns.collect(), misfits: misfits.collect(), rank, texels: texels.len() })
 }
 
 /// Of channels fitted to one column, the one that fits it.

@@ -1,8 +1,9 @@
-//! The cheap sieve: every convention on a few texels, or, where three axes make too many, each axis in turn.
+//! The cheap sieve: every convention on a few texels; where three axes make too many, first with the two usual registrations, which lie
+//! half a texel from all others, then the coordinates that fit best with every registration.
 
 use rayon::prelude::*;
 
-use super::axis::{AxisReading, Siting};
+use super::axis::{AxisReading, Scale, Siting};
 use super::convention::Pins;
 use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
 use super::truth::Truth;
@@ -10,8 +11,8 @@ use super::truth::Truth;
 /// Conventions that a sieve lets through.
 const KEPT: usize = 300;
 
-/// Rounds of trying each axis in turn.
-const ROUNDS: usize = 4;
+/// Choices of coordinates, of three axes, that are tried with every registration: of each order of axes and lobe.
+const COORDINATES: usize = 6;
 
 /// The most promising conventions, the best first.
 pub(super) fn screen(truth: &dyn Truth, sample: &Sample, pins: &Pins) -> Vec<Candidate> {
@@ -25,7 +26,7 @@ pub(super) fn screen(truth: &dyn Truth, sample: &Sample, pins: &Pins) -> Vec<Can
         }
         for lobe in pins.lobes(truth) {
             let task = Task { truth, sample, pins, assigned: &assigned, lobe };
-            found.extend(if axes < 3 { task.product(&readings) } else { task.alternate(&readings) });
+            found.extend(if axes < 3 { task.product(&readings) } else { task.narrowed(&readings) });
             found = best(found, KEPT);
         }
     }
@@ -80,75 +81,40 @@ impl Task<'_> {
                 start += steps[*axis] * guess * dims[*axis];
                 axes[*axis] = list[guess];
             }
+            let judged = judged(self.truth, self.sample, &axes);
             let base = View { values: &values, steps: steps.clone(), start }.gather(&dims);
-            let fitted = fit_columns(self.sample, &base, None, self.pins, self.truth.columns())?;
+            let fitted = fit_columns(self.sample, &base, Some(&judged), self.pins, self.truth.columns())?;
             Some(Candidate { axes, lobe: self.lobe, fitted })
         };
         let all: Vec<Option<Candidate>> = (0..combinations).into_par_iter().map(one).collect();
         best(all.into_iter().flatten().collect(), KEPT)
     }
 
-    /// From several beginnings: the best reading of each axis in turn, until none betters.
-    fn alternate(&self, readings: &[Vec<AxisReading>]) -> Vec<Candidate> {
-        let starts: Vec<Vec<AxisReading>> = [Siting::Endpoint, Siting::Centre]
-            .into_iter()
-            .flat_map(|siting| [0, 2].map(|scale| self.start(readings, siting, scale)))
-            .collect();
-        let found: Vec<Vec<Candidate>> = starts.into_par_iter().map(|s| self.descend(s, readings)).collect();
-        let mut distinct: Vec<Candidate> = Vec::new();
-        for candidate in best(found.into_iter().flatten().collect(), usize::MAX) {
-            if distinct.len() < KEPT / 10 && !distinct.iter().any(|d| d.axes == candidate.axes) {
-                distinct.push(candidate);
+    /// The product of the usual registrations, then that of all for the coordinates that did best.
+    fn narrowed(&self, readings: &[Vec<AxisReading>]) -> Vec<Candidate> {
+        let usual = |list: &Vec<AxisReading>| -> Vec<AxisReading> {
+            let two = list.iter().filter(|r| matches!(r.siting, Siting::Centre | Siting::Endpoint));
+            let two: Vec<AxisReading> = two.copied().collect();
+            if two.is_empty() { list.clone() } else { two }
+        };
+        let first = self.product(&readings.iter().map(usual).collect::<Vec<_>>());
+        let coordinates =
+            |c: &Candidate| c.axes.iter().map(|a| (a.scale, a.reversed)).collect::<Vec<(Scale, bool)>>();
+        let mut chosen: Vec<Vec<(Scale, bool)>> = Vec::new();
+        for candidate in &first {
+            let own = coordinates(candidate);
+            if chosen.len() < COORDINATES && !chosen.contains(&own) {
+                chosen.push(own);
             }
         }
-        distinct
-    }
-
-    /// Readings to begin with: a siting where it is allowed, and of the readings with it one of the first.
-    fn start(&self, readings: &[Vec<AxisReading>], siting: Siting, scale: usize) -> Vec<AxisReading> {
-        let mut axes = vec![readings[0][0]; self.assigned.len()];
-        for (list, axis) in readings.iter().zip(self.assigned) {
-            let sited: Vec<&AxisReading> = list.iter().filter(|r| r.siting == siting).collect();
-            axes[*axis] = sited.get(scale).or(sited.first()).map_or(list[0], |r| **r);
+        let mut found = Vec::new();
+        for own in chosen {
+            let of = |(list, axis): (&Vec<AxisReading>, &usize)| -> Vec<AxisReading> {
+                list.iter().filter(|r| (r.scale, r.reversed) == own[*axis]).copied().collect()
+            };
+            let sited: Vec<Vec<AxisReading>> = readings.iter().zip(self.assigned).map(of).collect();
+            found.extend(best(self.product(&sited), KEPT / 10));
         }
-        axes
-    }
-
-    fn descend(&self, start: Vec<AxisReading>, readings: &[Vec<AxisReading>]) -> Vec<Candidate> {
-        let Some(mut at) = self.quick(start) else { return Vec::new() };
-        let mut seen = vec![at.clone()];
-        for _ in 0..ROUNDS {
-            let before = at.fitted.rank;
-            for (list, axis) in readings.iter().zip(self.assigned) {
-                for reading in list {
-                    let mut axes = at.axes.clone();
-                    axes[*axis] = *reading;
-                    seen.extend(self.quick(axes));
-                }
-                seen = best(seen, KEPT / 10);
-                at = seen[0].clone();
-            }
-            if at.fitted.rank >= before {
-                break;
-            }
-        }
-        seen
-    }
-
-    fn quick(&self, axes: Vec<AxisReading>) -> Option<Candidate> {
-        let nodes: Vec<Vec<f64>> =
-            self.assigned.iter().map(|axis| self.sample.nodes(*axis, &axes[*axis])).collect();
-        let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-        let values = self.truth.quick(self.lobe, &at);
-        let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
-        let view = View { values: &values, steps: steps(&lengths, self.assigned), start: 0 };
-        let judged = judged(self.truth, self.sample, &axes);
-        // A reading under which most of the table has no truth is no reading.
-        if judged.iter().filter(|j| **j).count() * 3 < judged.len() {
-            return None;
-        }
-        let base = view.gather(&self.sample.dims());
-        let fitted = fit_columns(self.sample, &base, Some(&judged), self.pins, self.truth.columns())?;
-        Some(Candidate { axes, lobe: self.lobe, fitted })
+        best(found, KEPT / 10)
     }
 }

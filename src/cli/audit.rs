@@ -1,5 +1,8 @@
 //! `lobefit audit`: somebody else's table or shader function against the truth.
 
+mod origin;
+mod refusal;
+mod stated;
 mod words;
 
 use std::path::PathBuf;
@@ -15,7 +18,7 @@ use crate::data::Smith;
 use crate::effects::Quantity;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::integrate::glass::Side;
-use crate::report::{self, Origin};
+use crate::report::{self, AuditFindings};
 use crate::store::{self, Files, Folder};
 use words::{Size, axis, column, raw_format, setting, side, siting, size, wanted};
 
@@ -27,11 +30,13 @@ Examples:
   lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx
   lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
 
-What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior-1, F0, ...;
-`1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low.
+What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, ior-1, F0, ...;
+`1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 
 Exit code 1: with --limit, over it, not all judged, or no convention fits; without it, no convention fits that options (--axes, --registration,
---smith, --side, --meaning) leave open. With none of them it only tells, and the exit code is 0.";
+--smith, --side, --meaning) leave open. With none of them it only tells, and the exit code is 0. --limit holds for the table as it is best read
+and as it will be read: texels off their centres or end points, axes that fall, powers of roughness and E at normal incidence for an
+average are over it unless options say that they are meant.";
 
 /// Options of `audit`.
 #[derive(Args)]
@@ -93,15 +98,43 @@ pub(super) struct Options {
     pub quiet: bool,
 }
 
+/// What was read of the file.
+struct Read {
+    shipped: Shipped,
+    /// What the file is, in words.
+    holds: String,
+    /// What it says of itself, or nothing.
+    note: String,
+}
+
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     other_kind(options)?;
     let bytes = store::read(&options.file, foreign::limits::BYTES)?;
-    let (shipped, holds) =
+    let Read { mut shipped, holds, note } =
         if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
     // A folder that cannot be written is told of before the work.
-    let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
+    let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
+    let said = stated::stated(options, &shipped, &note, &progress)?;
+    if let Some(said) = &said {
+        // What it says of its size is known to agree with the file.
+        shipped = Shipped { size: said.size.clone(), axes: Shipped::axes_of(said.size.len()), ..shipped };
+    }
+    if let Some(said) = said.as_ref().filter(|said| said.holds()) {
+        drop(progress);
+        let found = audit::declared_findings(
+            said,
+            origin::origin(options, &bytes),
+            &file_name(options),
+            &holds,
+            options.limit,
+        );
+        return publish(options, folder, &found, &refusal::of_stated(said, options.limit));
+    }
     let mut done = options.threads.install(|| work(options, &shipped, &progress))?;
+    if let Some(said) = &said {
+        done.verdict = format!("{} Without its statement: {}", said.verdict, done.verdict);
+    }
     if options_fit_nothing(&done) {
         progress.stage("the same without the options");
         let free = Pins { column: options.wanted.1, ..Pins::default() };
@@ -110,9 +143,24 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
     }
     drop(progress);
-    let origin = origin(options, &bytes);
+    let origin = origin::origin(options, &bytes);
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
-    let (page, figures) = report::audit_page(&found)?;
+    let found = AuditFindings { passed: found.passed && said.is_none(), ..found };
+    let refused = match &said {
+        Some(said) => refusal::of_stated(said, options.limit),
+        None => refusal::refusal(&done, options.limit),
+    };
+    publish(options, folder, &found, &refused)
+}
+
+/// Writes and prints what was found; `refused` is said where it does not pass.
+fn publish(
+    options: &Options,
+    mut folder: Option<Folder>,
+    found: &AuditFindings,
+    refused: &str,
+) -> Result<Outcome, CliError> {
+    let (page, figures) = report::audit_page(found)?;
     if let Some(folder) = &mut folder {
         let name = file_name(options);
         let html = (format!("{name}.audit.html"), page.into_bytes());
@@ -121,13 +169,13 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if options.json {
         print(&figures)?;
     } else if !options.quiet {
-        print(format!("{}\n", done.verdict).as_bytes())?;
+        print(format!("{}\n", found.verdict).as_bytes())?;
     }
     if found.passed {
         return Ok(Outcome::Done);
     }
     if !options.quiet {
-        say(&refusal(&done, options.limit));
+        say(refused);
     }
     Ok(Outcome::Failed)
 }
@@ -172,15 +220,26 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
     })
 }
 
+/// Functions left out that are told of by name.
+const NAMED: usize = 4;
+
 /// The function that is meant as a table, and what the file is.
-fn shader(options: &Options, bytes: &[u8]) -> Result<(Shipped, String), CliError> {
+fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let file = options.file.display().to_string();
     let functions = foreign::read_functions(bytes, &file, None, options.function.as_deref())?;
+    if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
+        let names: Vec<String> = function.left_out.iter().take(NAMED).map(|n| format!("`{n}`")).collect();
+        let others = function.left_out.len() - names.len();
+        let others = if others > 0 { format!(" and {others} others") } else { String::new() };
+        let names = names.join(", ");
+        say(&format!("{file}: left out, since they read textures or cannot be parsed: {names}{others}"));
+    }
     let inputs = inputs(options);
+    let scales: Vec<Scale> = options.axes.iter().map(|a| a.0).collect();
     let mut found = Vec::new();
     let mut refused = None;
     for function in &functions {
-        match audit::sampled(function, inputs, &options.set) {
+        match audit::sampled(function, inputs, &options.set, &scales) {
             Ok(sampled) => found.push(sampled),
             Err(error) => refused = refused.or(Some(error)),
         }
@@ -193,7 +252,8 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<(Shipped, String), CliError
         (1, _) => {
             let function = found.swap_remove(0);
             let holds = format!("shader, function {} of {}", function.what, function.axes.join(", "));
-            Ok((Shipped { what: format!("{} ({})", function.what, file_name(options)), ..function }, holds))
+            let shipped = Shipped { what: format!("{} ({})", function.what, file_name(options)), ..function };
+            Ok(Read { shipped, holds, note: String::new() })
         }
         _ => Err(CliError::Usage(format!(
             "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"
@@ -202,29 +262,17 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<(Shipped, String), CliError
 }
 
 /// The table that is meant, and what the file is.
-fn table(options: &Options, bytes: &[u8]) -> Result<(Shipped, String), CliError> {
+fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints(options))?;
     let table = chosen(options, &tables)?;
-    Ok((Shipped { what: named(options, &table.name), ..Shipped::from(table) }, table.what.clone()))
+    let shipped = Shipped { what: named(options, &table.name), ..Shipped::from(table) };
+    Ok(Read { shipped, holds: table.what.clone(), note: table.note.clone() })
 }
 
 /// Inputs of the quantity.
 fn inputs(options: &Options) -> usize {
     let name = options.wanted.0.name;
     audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1)
-}
-
-/// Why the exit code is 1.
-fn refusal(done: &Audit, limit: Option<f64>) -> String {
-    match limit {
-        Some(limit) if done.fit == audit::Fit::Whole && done.worst() <= limit => {
-            format!("audit failed: {}", done.unjudged().unwrap_or_default())
-        }
-        Some(limit) if done.fit == audit::Fit::Whole => {
-            format!("audit failed: the largest error is {:e}, the limit {limit:e}", done.worst())
-        }
-        _ => "audit failed: it fits no convention that the options leave open".into(),
-    }
 }
 
 /// The table that is meant, of a file that may hold several.
@@ -282,15 +330,4 @@ fn file_name(options: &Options) -> String {
 /// The file's name with the array's: verdicts depend on no folder.
 fn named(options: &Options, array: &str) -> String {
     if array.is_empty() { file_name(options) } else { format!("{} ({array})", file_name(options)) }
-}
-
-fn origin(options: &Options, bytes: &[u8]) -> Origin {
-    let (quantity, column) = options.wanted;
-    let column = column.map_or(String::new(), |c| format!(":{}", c.name()));
-    Origin {
-        scene: String::new(),
-        recipe: blake3::hash(bytes).to_hex().to_string(),
-        tool: env!("CARGO_PKG_VERSION").into(),
-        command: format!("lobefit audit {} --as {}{column}", file_name(options), quantity.name),
-    }
 }

@@ -139,6 +139,21 @@ impl Quantity {
         }
     }
 
+    /// Whether it has a Smith form: the visibility of a sheen has none.
+    pub fn has_smith(&self) -> bool {
+        self.name != "sheen-charlie"
+    }
+
+    /// The smallest alpha above 0 at which there is a truth; at 0 itself, a mirror, there may be one all the same.
+    pub fn smallest_alpha(&self) -> f64 {
+        match self.name {
+            "ggx-glass" => glass::ALPHA[0],
+            "ggx-reflection-aniso" => aniso::ALPHA[0],
+            "sheen-charlie" => sheen::SMALLEST_ALPHA,
+            _ => reflection::SMALLEST_ALPHA,
+        }
+    }
+
     /// The outputs at one point.
     ///
     /// # Panics

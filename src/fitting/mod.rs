@@ -11,6 +11,7 @@ mod pictures;
 mod printed;
 pub mod search;
 mod summary;
+mod vanished;
 mod weight;
 mod words;
 

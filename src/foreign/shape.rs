@@ -49,7 +49,7 @@ pub(super) fn finish(
     let names: Vec<&str> = channels.iter().map(|c| c.name.as_str()).collect();
     let plural = if names.len() == 1 { "channel" } else { "channels" };
     let what = format!("{kind}, {}, {plural} {}", words(&size), names.join(" "));
-    let table = ForeignTable { file: file.into(), name, what, size, channels, step };
+    let table = ForeignTable { file: file.into(), name, what, size, channels, step, note: String::new() };
     finite(&table)?;
     Ok(table)
 }

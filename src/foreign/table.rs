@@ -72,6 +72,8 @@ pub struct ForeignTable {
     pub channels: Vec<ForeignChannel>,
     /// What the format rounds values to.
     pub step: Step,
+    /// What the file says of itself: the attribute `lobefit` of an EXR layer that this tool wrote; empty in all others.
+    pub note: String,
 }
 
 impl ForeignTable {

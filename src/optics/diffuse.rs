@@ -11,7 +11,7 @@ fn half_power(mu: f64) -> f64 {
     1.0 - schlick_weight(1.0 - 0.5 * mu)
 }
 
-/// Ashikhmin and Shirley 2000, eq. 5: (28/23)(1 - f0)(1 - (1 - mu_l/2)^5)(1 - (1 - mu_v/2)^5), reciprocal. 28/23 makes the base
+/// Ashikhmin and Shirley 2000, the diffuse term: (28/23)(1 - f0)(1 - (1 - mu_l/2)^5)(1 - (1 - mu_v/2)^5), reciprocal. 28/23 makes the base
 /// with f0 = 0 white on average: 2 int (1 - (1 - mu/2)^5) mu dmu = 23/28.
 #[inline(always)]
 pub fn ashikhmin_shirley(f0: f64, mu_l: f64, mu_v: f64) -> f64 {

@@ -69,7 +69,7 @@ pub fn dielectric_average(ior: f64) -> f64 {
     cuts.windows(2).map(part).sum()
 }
 
-/// Unpolarised reflectance of a conductor of complex index eta + i k (eta, k > 0, relative to outside) at the cosine c in [0, 1]; 1 at
+/// Unpolarised reflectance of a conductor of complex index eta + i k (eta > 0, k >= 0, relative to outside; without absorption eta >= 1) at the cosine c in [0, 1]; 1 at
 /// c = 0. Born and Wolf, sec. 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k:
 /// R_s = |c - a - i b|^2/|c + a + i b|^2, and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
 pub fn conductor(eta: f64, k: f64, c: f64) -> f64 {

@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 /// Multiplier of the single-scattering lobe that makes it lossless at f0 = 1 and adds the colour of a second bounce,
-/// 1 + f0 (1/E - 1); 1 at f0 = 0 and where nothing is lost. Fdez-Aguera 2019; Turquin 2019, eq. 16. E > 0.
+/// 1 + f0 (1/E - 1); 1 at f0 = 0 and where nothing is lost. Fdez-Aguera 2019; Turquin 2019. E > 0.
 #[inline(always)]
 pub fn compensation(f0: f64, e: f64, loss: f64) -> f64 {
     1.0 + f0 * (loss / e)

@@ -35,7 +35,7 @@ pub use findings::{
 };
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup,
+    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
 pub use findings::{CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Ranked, Ranking};
 pub use image::{Image, luminance};

@@ -27,9 +27,9 @@ struct Aniso {
 pub(crate) fn aniso(smiths: &[Smith]) -> Result<impl Truth + use<>, AuditError> {
     let square = |range, count| Knots { coordinate: f64::sqrt, input: |u| u * u, range, count };
     let knots = [
-        square([FLOOR, 1.0], 40),
-        square([FLOOR, 1.0], 24),
-        Knots { coordinate: |x| x, input: |u| u, range: [0.0, 1.0], count: 9 },
+        square([FLOOR, 1.0], 64),
+        square([FLOOR, 1.0], 48),
+        Knots { coordinate: |x| x, input: |u| u, range: [0.0, 1.0], count: 17 },
     ];
     let at = knots.map(|k| k.inputs());
     let mut values = Vec::new();

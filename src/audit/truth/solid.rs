@@ -1,4 +1,4 @@
-//! Truths over three inputs, coarsely: linear interpolation between knots, for trying many conventions. What a verdict says is exact.
+//! Truths over three inputs, coarsely: cubic interpolation between knots, for trying many conventions. What a verdict says is exact.
 
 use super::Values;
 
@@ -11,7 +11,7 @@ pub(super) struct Knots {
     pub input: fn(f64) -> f64,
     /// Range of the input.
     pub range: [f64; 2],
-    /// How many, at least 2.
+    /// How many, at least 1.
     pub count: usize,
 }
 
@@ -24,13 +24,19 @@ impl Knots {
         (0..self.count).map(|i| at(i).clamp(self.range[0], self.range[1])).collect()
     }
 
-    /// Knot below an input and the share of the next.
-    fn place(&self, x: f64) -> (usize, f64) {
+    /// The first of the knots that an input's value is made of, and their weights: Lagrange's cubic, near an end that of the last four.
+    fn place(&self, x: f64) -> (usize, [f64; 4]) {
         let [low, high] = self.range.map(self.coordinate);
         let u = (self.coordinate)(x.clamp(self.range[0], self.range[1]));
         let p = (u - low) / (high - low) * (self.count - 1) as f64;
-        let base = (p.floor() as usize).min(self.count - 2);
-        (base, p - base as f64)
+        let taken = self.count.min(4);
+        let first = (p.floor() as usize).saturating_sub(1).min(self.count - taken);
+        let mut weights = [0.0; 4];
+        for (i, weight) in weights.iter_mut().enumerate().take(taken) {
+            let others = (0..taken).filter(|j| *j != i);
+            *weight = others.map(|j| (p - (first + j) as f64) / (i as f64 - j as f64)).product();
+        }
+        (first, weights)
     }
 }
 
@@ -41,30 +47,35 @@ pub(super) struct Solid {
 }
 
 impl Solid {
-    /// Values at every combination of inputs, the first fastest.
+    /// Values at every combination of inputs, the first fastest: one input after the other, the slowest first.
     pub(super) fn at(&self, lobe: usize, at: &[&[f64]]) -> Values {
-        let places: Vec<Vec<(usize, f64)>> =
-            self.knots.iter().zip(at).map(|(k, xs)| xs.iter().map(|x| k.place(*x)).collect()).collect();
-        let (values, [nx, ny, _]) = (&self.values[lobe], self.knots.map(|k| k.count));
-        let mut out = Vec::with_capacity(at.iter().map(|xs| xs.len()).product());
-        for (k, w) in &places[2] {
-            for (j, v) in &places[1] {
-                let corner = |dk: usize, dj: usize| (k + dk) * nx * ny + (j + dj) * nx;
-                let lines = [corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)];
-                let shares = [(1.0 - w) * (1.0 - v), (1.0 - w) * v, w * (1.0 - v), w * v];
-                for (i, u) in &places[0] {
-                    let mut sum = [0.0; 2];
-                    for (line, share) in lines.iter().zip(shares) {
-                        let (a, b) = (values[line + i], values[line + i + 1]);
-                        sum[0] += share * (a[0] + u * (b[0] - a[0]));
-                        sum[1] += share * (a[1] + u * (b[1] - a[1]));
-                    }
-                    out.push(sum);
-                }
-            }
-        }
-        out
+        let [nx, ny, _] = self.knots.map(|k| k.count);
+        let slow = along(&self.knots[2], at[2], nx * ny, &self.values[lobe]);
+        let mid = along(&self.knots[1], at[1], nx, &slow);
+        along(&self.knots[0], at[0], 1, &mid)
     }
+}
+
+/// Values with one axis, of knots `step` apart, taken at inputs instead of knots.
+pub(super) fn along(knots: &Knots, at: &[f64], step: usize, values: &[[f64; 2]]) -> Values {
+    let places: Vec<(usize, [f64; 4])> = at.iter().map(|x| knots.place(*x)).collect();
+    let taken = knots.count.min(4);
+    let mut out = Vec::with_capacity(values.len() / knots.count * at.len());
+    for block in values.chunks(knots.count * step) {
+        for (first, weights) in &places {
+            let lines: [&[[f64; 2]]; 4] =
+                std::array::from_fn(|k| &block[(first + k.min(taken - 1)) * step..][..step]);
+            out.extend((0..step).map(|i| {
+                let mut sum = [0.0; 2];
+                for (line, weight) in lines.iter().zip(weights) {
+                    sum[0] += weight * line[i][0];
+                    sum[1] += weight * line[i][1];
+                }
+                sum
+            }));
+        }
+    }
+    out
 }
 
 #[cfg(test)]
@@ -72,10 +83,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_trilinear_function_is_kept() {
+    fn cubics_are_kept_where_there_are_knots_for_them() {
         let knots = |count| Knots { coordinate: f64::sqrt, input: |u| u * u, range: [0.0, 1.0], count };
         let knots = [knots(3), knots(4), knots(5)];
-        let f = |x: f64, y: f64, z: f64| [1.0 + x.sqrt() * y.sqrt(), z.sqrt() - x.sqrt()];
+        let f = |x: f64, y: f64, z: f64| [1.0 + x * y.sqrt() * y, z * z.sqrt() - x.sqrt()];
         let mut values = Vec::new();
         for z in knots[2].inputs() {
             for y in knots[1].inputs() {

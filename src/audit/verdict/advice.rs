@@ -1,5 +1,6 @@
 //! What to change.
 
+use super::words::listed;
 use crate::audit::axis::{Input, Siting};
 use crate::audit::shipped::Source;
 use crate::audit::{Audit, Column, Defect, Fit};
@@ -10,10 +11,10 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
         return Some("Do not ship it as this quantity: make it again, or name what it holds.".into());
     }
     let mut steps = Vec::new();
+    if audit.source == Source::Table {
+        steps.extend(registrations(audit));
+    }
     for (name, axis) in audit.axes.iter().zip(&audit.best().axes) {
-        if audit.source == Source::Table {
-            steps.extend(registration(name, axis.siting, axis.reversed));
-        }
         if axis.reversed && axis.scale.input() == Input::Alpha {
             steps.push(format!("pass 1 - {} as {name}", axis.scale.name()));
         }
@@ -49,6 +50,22 @@ fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
     }
 }
 
+/// What to do about the axes, those of the same siting together.
+fn registrations(audit: &Audit) -> Vec<String> {
+    let axes: Vec<(&str, Siting, bool)> =
+        audit.axes.iter().zip(&audit.best().axes).map(|(n, a)| (n.as_str(), a.siting, a.reversed)).collect();
+    let mut told: Vec<(Siting, bool)> = Vec::new();
+    let mut steps = Vec::new();
+    for (_, siting, reversed) in &axes {
+        if !told.contains(&(*siting, *reversed)) {
+            told.push((*siting, *reversed));
+            let same = axes.iter().filter(|a| (a.1, a.2) == (*siting, *reversed)).map(|a| a.0);
+            steps.extend(registration(&listed(&same.collect::<Vec<_>>()), *siting, *reversed));
+        }
+    }
+    steps
+}
+
 /// What a reader or maker should do about an axis.
 fn registration(axis: &str, siting: Siting, reversed: bool) -> Option<String> {
     // The siting is that of the rising coordinate; a reader counts along the texels.
@@ -57,6 +74,8 @@ fn registration(axis: &str, siting: Siting, reversed: bool) -> Option<String> {
         Siting::Right if reversed => Siting::Left,
         Siting::OneHigh if reversed => Siting::OneLow,
         Siting::OneLow if reversed => Siting::OneHigh,
+        Siting::EndHigh if reversed => Siting::EndLow,
+        Siting::EndLow if reversed => Siting::EndHigh,
         other => other,
     };
     let again = format!("compute the texels along {axis} at (i + 1/2)/n");
@@ -67,6 +86,12 @@ fn registration(axis: &str, siting: Siting, reversed: bool) -> Option<String> {
         Siting::Right => format!("{again}, or sample at u - 1/(2n)"),
         Siting::OneHigh => format!("{again}: they are one texel too far"),
         Siting::OneLow => format!("{again}: they are one texel too near"),
+        Siting::EndHigh => {
+            format!("compute the texels along {axis} at i/(n - 1): they are one texel too far")
+        }
+        Siting::EndLow => {
+            format!("compute the texels along {axis} at i/(n - 1): they are one texel too near")
+        }
     })
 }
 
@@ -76,7 +101,11 @@ mod tests {
 
     #[test]
     fn a_falling_axis_is_shifted_the_other_way() {
-        for (siting, mirrored) in [(Siting::Left, Siting::Right), (Siting::OneHigh, Siting::OneLow)] {
+        for (siting, mirrored) in [
+            (Siting::Left, Siting::Right),
+            (Siting::OneHigh, Siting::OneLow),
+            (Siting::EndHigh, Siting::EndLow),
+        ] {
             assert_eq!(registration("x", siting, true), registration("x", mirrored, false));
             assert_eq!(registration("x", mirrored, true), registration("x", siting, false));
         }

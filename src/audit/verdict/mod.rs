@@ -5,13 +5,13 @@ mod defect;
 mod words;
 
 pub(super) use defect::sentence;
-pub(super) use words::number;
+pub(super) use words::{along, long, number, place};
 
 use super::axis::Siting;
 use super::convention::Convention;
 use super::shipped::Source;
 use super::{Audit, CLEAR, ChannelAudit, Fit};
-use words::{axes, percent, place, reading, readings_differ};
+use words::{axes, percent, reading, readings_differ};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
 const SAME: f64 = 1e-6;
@@ -25,6 +25,7 @@ pub(super) fn paragraph(audit: &Audit) -> String {
             out.extend(channel.defects.iter().map(|d| sentence(d, &audit.axes)));
         }
     }
+    out.extend(untold(audit));
     out.extend(idle(audit));
     out.extend(furnace(audit));
     out.extend(lookups(audit));
@@ -34,7 +35,7 @@ pub(super) fn paragraph(audit: &Audit) -> String {
 }
 
 /// What it is best read as.
-fn opening(audit: &Audit) -> String {
+pub(super) fn opening(audit: &Audit) -> String {
     let given = if audit.pinned { " of those that the options leave open" } else { "" };
     let (name, reading) = (&audit.what, reading(audit));
     match audit.fit {
@@ -111,6 +112,18 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
         number(e.rms),
         words::long(e.value),
         words::long(e.truth),
+    ))
+}
+
+/// What a reader makes of it who is told nothing.
+fn untold(audit: &Audit) -> Option<String> {
+    let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None)?;
+    let other = readings_differ(audit, audit.best(), &plain.convention);
+    Some(format!(
+        "Nobody takes {} without being told: read plainly ({other}), it is off by at most {}{}.",
+        plain.untold.join(", or "),
+        number(plain.max),
+        if audit.source == Source::Table { " at its texels" } else { "" },
     ))
 }
 

@@ -36,10 +36,34 @@ pub(super) fn axes(audit: &Audit, convention: &Convention) -> String {
         } else {
             String::new()
         };
-        format!("{} along {name} at {}{floor}", a.words(), a.siting.words())
+        // A falling axis and one whose texels lie the other way round are the same numbers.
+        let lines = ["columns", "rows", "slices"][k];
+        let flipped = if a.reversed { format!(" (or the {lines} are flipped)") } else { String::new() };
+        format!("{}{flipped} along {name} at {}{floor}", a.words(), a.siting.words())
     };
     let all: Vec<String> = convention.axes.iter().enumerate().map(one).collect();
     all.join(", and ")
+}
+
+/// `left edges, i/n along x, y and z`: what is said of several axes in the same words, said once.
+pub(in crate::audit) fn along(said: &[(String, String)]) -> Vec<String> {
+    let mut groups: Vec<(&String, Vec<&str>)> = Vec::new();
+    for (words, axis) in said {
+        match groups.iter_mut().find(|g| g.0 == words) {
+            Some(group) => group.1.push(axis),
+            None => groups.push((words, vec![axis])),
+        }
+    }
+    groups.iter().map(|(words, axes)| format!("{words} along {}", listed(axes))).collect()
+}
+
+/// `x`, `x and y`, `x, y and z`.
+pub(in crate::audit) fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_string(),
+        [most @ .., last] => format!("{} and {last}", most.join(", ")),
+    }
 }
 
 /// What another convention has that the best one has not.
@@ -48,14 +72,16 @@ pub(super) fn readings_differ(audit: &Audit, best: &Convention, other: &Conventi
     if best.lobe != other.lobe {
         parts.push(other.lobe.words());
     }
+    let mut said = Vec::new();
     for ((name, a), b) in audit.axes.iter().zip(&best.axes).zip(&other.axes) {
         if (a.scale, a.reversed) != (b.scale, b.reversed) {
-            parts.push(format!("{} along {name}", b.words()));
+            said.push((b.words(), name.clone()));
         }
         if a.siting != b.siting {
-            parts.push(format!("{} along {name}", b.siting.words()));
+            said.push((b.siting.words().to_string(), name.clone()));
         }
     }
+    parts.extend(along(&said));
     for (a, b) in best.columns.iter().zip(&other.columns) {
         if let (true, Some(b)) = (a != b, b) {
             parts.push(b.name().to_string());
@@ -79,7 +105,7 @@ impl AxisReading {
 }
 
 /// `alpha 0.25, mu 0.1`.
-pub(super) fn place(at: &Place) -> String {
+pub(in crate::audit) fn place(at: &Place) -> String {
     at.iter().map(|(k, v)| format!("{k} {}", number(*v))).collect::<Vec<_>>().join(", ")
 }
 
@@ -89,7 +115,7 @@ pub(in crate::audit) fn number(x: f64) -> String {
 }
 
 /// Five.
-pub(super) fn long(x: f64) -> String {
+pub(in crate::audit) fn long(x: f64) -> String {
     digits(x, 4)
 }
 

@@ -211,7 +211,7 @@ impl Options {
             push("--starts ", self.starts.to_string());
         }
         self.limit.iter().for_each(|l| push("--limit ", l.to_string()));
-        let languages: Vec<&str> = self.language.iter().map(|l| l.name()).collect();
+        let languages: Vec<&str> = once(&self.language).iter().map(|l| l.name()).collect();
         if !languages.is_empty() {
             push("--language ", languages.join(","));
         }

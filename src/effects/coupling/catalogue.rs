@@ -4,7 +4,7 @@ use super::rivals::{LIGHTS, OWN_SPECULAR, RIVALS};
 use crate::effects::entry::{Entry, own};
 use crate::integrate::coupling::Specular;
 
-const NORMALISED: [Entry; 7] = own![
+const NORMALISED: [Entry; 8] = own![
     "coupling_normalised_7",
     "coupling_normalised_8",
     "coupling_normalised_11",
@@ -12,6 +12,7 @@ const NORMALISED: [Entry; 7] = own![
     "coupling_normalised_14",
     "coupling_normalised_15",
     "coupling_normalised_18",
+    "coupling_normalised_19",
 ];
 
 const SINGLE: [Entry; 5] = own![

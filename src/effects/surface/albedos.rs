@@ -69,7 +69,7 @@ impl Albedos {
             return Err(SurfaceError::NotFinite { what: "albedo", alpha, mu: nodes[i] });
         }
         let columns = Piecewise::new(cuts, &values);
-        let average = Column::of(average(&columns, |at| at));
+        let average = Column::of(average(&columns, |_, at| at));
         Ok(Albedos { smith, alpha, ior, average, columns })
     }
 
@@ -78,9 +78,9 @@ impl Albedos {
         Column::of(self.columns.at(mu))
     }
 
-    /// 2 int_0^1 f mu dmu of functions of the albedos.
-    pub fn average_of<const N: usize>(&self, f: impl Fn(&Column) -> [f64; N]) -> [f64; N] {
-        average(&self.columns, |at| f(&Column::of(at)))
+    /// 2 int_0^1 f mu dmu of functions of the cosine and of the albedos there.
+    pub fn average_of<const N: usize>(&self, f: impl Fn(f64, &Column) -> [f64; N]) -> [f64; N] {
+        average(&self.columns, |mu, at| f(mu, &Column::of(at)))
     }
 }
 
@@ -94,14 +94,14 @@ fn integrated(smith: Smith, alpha: f64, mu: f64, ior: Option<f64>) -> [f64; 4] {
     [e, loss, b, exact]
 }
 
-fn average<const N: usize>(columns: &Piecewise<4>, f: impl Fn([f64; 4]) -> [f64; N]) -> [f64; N] {
+fn average<const N: usize>(columns: &Piecewise<4>, f: impl Fn(f64, [f64; 4]) -> [f64; N]) -> [f64; N] {
     let rule = Gauss::new(12);
     let mut total = [0.0; N];
     for cut in columns.cuts().windows(2) {
         let (half, middle) = (0.5 * (cut[1] - cut[0]), 0.5 * (cut[0] + cut[1]));
         for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
             let mu = middle + half * node;
-            for (total, value) in total.iter_mut().zip(f(columns.at(mu))) {
+            for (total, value) in total.iter_mut().zip(f(mu, columns.at(mu))) {
                 *total += 2.0 * half * weight * mu * value;
             }
         }

@@ -4,7 +4,7 @@
 //! roughness, constants of the material) and from texels of A and B, beyond the bare sum specular + diffuse.
 
 use super::SurfaceError;
-use super::material::{Coupling, Lobe};
+use super::material::{Coupling, Factor, Lobe};
 use crate::data::Cost;
 use crate::fit::{FitError, Hypothesis};
 
@@ -69,7 +69,7 @@ fn left(lobe: Lobe, side: char) -> String {
     }
 }
 
-/// The factor of the base; that of a formula is counted by its own hypothesis.
+/// The factor of the base; that of a formula is counted by its own hypothesis, and names stand for its values here.
 fn factor(lobe: Lobe, coupling: &Coupling) -> String {
     match coupling {
         Coupling::None => "1.0".into(),
@@ -87,19 +87,25 @@ fn factor(lobe: Lobe, coupling: &Coupling) -> String {
             format!("{} * {} * scale", left(lobe, 'l'), left(lobe, 'v'))
         }
         Coupling::Factor(_) => "scale".into(),
+        Coupling::Symmetrised(_) => "scale * series * second".into(),
     }
 }
 
 fn extra(coupling: Option<&Coupling>) -> Result<u32, SurfaceError> {
     match coupling {
-        Some(Coupling::Factor(factor)) => factor.ops().ok_or_else(|| SurfaceError::Factor {
-            name: factor.name().to_string(),
-            what: "operations".into(),
-            wanted: "a number".into(),
-            found: "none".into(),
-        }),
+        Some(Coupling::Factor(factor)) => operations_of(factor),
+        Some(Coupling::Symmetrised(factor)) => Ok(2 * operations_of(factor)?),
         _ => Ok(0),
     }
+}
+
+fn operations_of(factor: &Factor) -> Result<u32, SurfaceError> {
+    factor.ops().ok_or_else(|| SurfaceError::Factor {
+        name: factor.name().to_string(),
+        what: "operations".into(),
+        wanted: "a number".into(),
+        found: "none".into(),
+    })
 }
 
 /// Texels of (A, B) that are read: at the view, and at the light.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::SurfaceError;
 use super::albedos::{Albedos, Column};
-use super::material::{Coupling, FactorAt, Fresnel, Lobe, Material};
+use super::material::{Base, Coupling, FactorAt, Fresnel, Lobe, Material};
 use crate::optics::ggx::{self, Vec3};
 use crate::optics::multiscatter::{self, Bounces};
 use crate::optics::{diffuse, fresnel};
@@ -20,8 +20,9 @@ pub struct Surface {
     /// Colour of the second lobe, and what it absorbs; 0 and 1 without one.
     series: [f64; 3],
     absorbed: [f64; 3],
-    /// Average of what the specular lobe leaves.
+    /// Average of what the specular lobe leaves, and of the factor of the base.
     left_avg: [f64; 3],
+    factor_avg: [f64; 3],
 }
 
 /// What a surface knows of one of its two directions, from the cosine alone.
@@ -36,7 +37,7 @@ pub struct Side {
     stretched: f64,
     /// Multiplier of the lobe if this is the view.
     boost: [f64; 3],
-    /// Factor of the base if this is the view, for couplings that know the view alone.
+    /// Factor of the base for couplings of one side.
     factor: [f64; 3],
 }
 
@@ -82,9 +83,13 @@ impl Surface {
             f_avg.map(|f_avg| bounces.map_or(none, |bounces| f(bounces, f_avg, e, loss)))
         };
         let (series, absorbed) = (of(multiscatter::series, 0.0), of(multiscatter::absorbed, 1.0));
+        let (material, none) = (material.clone(), [0.0; 3]);
         let mut surface =
-            Surface { material: material.clone(), albedos, f0, series, absorbed, left_avg: [0.0; 3] };
-        surface.left_avg = surface.albedos.average_of(|column| surface.left(column));
+            Surface { material, albedos, f0, series, absorbed, left_avg: none, factor_avg: none };
+        surface.left_avg = surface.albedos.average_of(|_, column| surface.left(column));
+        if let Some(Base { coupling: Coupling::Symmetrised(_), .. }) = surface.material.base {
+            surface.factor_avg = surface.albedos.average_of(|mu, _| surface.factor(mu, &none));
+        }
         Ok(surface)
     }
 
@@ -178,7 +183,7 @@ impl Surface {
         })
     }
 
-    /// Factor of the base for couplings that know the view alone; 0 for the others.
+    /// Factor of the base for couplings of one side; 0 for the others.
     fn factor(&self, mu: f64, left: &[f64; 3]) -> [f64; 3] {
         let Some(base) = &self.material.base else { return [0.0; 3] };
         let alpha = self.material.alpha;
@@ -191,7 +196,9 @@ impl Surface {
             Coupling::SchlickRoughness => diffuse::schlick_roughness(self.f0[i], roughness, mu),
             Coupling::Pesce => diffuse::pesce(self.f0[i], reflectance[i], roughness),
             Coupling::OneMinusOwnSpecular => left[i],
-            Coupling::Factor(factor) => factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] }),
+            Coupling::Factor(factor) | Coupling::Symmetrised(factor) => {
+                factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] })
+            }
             Coupling::FresnelProduct
             | Coupling::HalfVector
             | Coupling::AshikhminShirley
@@ -212,6 +219,9 @@ impl Surface {
                 Coupling::Kelemen => diffuse::kelemen(light.left[i], view.left[i], self.left_avg[i]),
                 Coupling::Interreflected => {
                     diffuse::interreflected(rho, light.left[i], view.left[i], self.left_avg[i])
+                }
+                Coupling::Symmetrised(_) => {
+                    diffuse::kelemen(light.factor[i], view.factor[i], self.factor_avg[i])
                 }
                 _ => view.factor[i],
             };

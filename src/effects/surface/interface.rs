@@ -5,10 +5,12 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::table::Grid;
 use super::{Albedos, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::{AlphaMap, Smith};
 use crate::optics::fresnel;
+
+/// Cosines that are compared: 1/50 to 1.
+const COSINES: usize = 50;
 
 /// Indices of refraction that are compared.
 pub const IORS: [f64; 6] = [1.2, 1.33, 1.5, 1.8, 2.0, 2.5];
@@ -43,21 +45,22 @@ pub struct SchlickRow {
     pub factor: Vec<(String, Difference)>,
 }
 
-/// Compares both for every index of refraction over the roughnesses and cosines of the grid.
+/// Compares both for every index of refraction, over roughnesses and 50 cosines from 0.02 to 1.
 ///
 /// # Errors
-/// A surface that cannot be made.
-pub fn schlick_table(smith: Smith, iors: &[f64], grid: &Grid) -> Result<Vec<SchlickRow>, SurfaceError> {
+/// A surface that cannot be made; no roughness.
+pub fn schlick_table(smith: Smith, iors: &[f64], roughness: &[f64]) -> Result<Vec<SchlickRow>, SurfaceError> {
     let rows: Vec<Result<SchlickRow, SurfaceError>> =
-        iors.par_iter().map(|ior| row(smith, *ior, grid)).collect();
+        iors.par_iter().map(|ior| row(smith, *ior, roughness)).collect();
     rows.into_iter().collect()
 }
 
-fn row(smith: Smith, ior: f64, grid: &Grid) -> Result<SchlickRow, SurfaceError> {
+fn row(smith: Smith, ior: f64, roughness: &[f64]) -> Result<SchlickRow, SurfaceError> {
+    let mus: Vec<f64> = (1..=COSINES).map(|i| i as f64 / COSINES as f64).collect();
     let f0 = fresnel::f0_of_ior(ior);
     let lobes = [Lobe::Single, Lobe::Normalised, Lobe::Compensated];
     let mut differences: Vec<Vec<Difference>> = vec![Vec::new(); lobes.len()];
-    for roughness in &grid.roughness {
+    for roughness in roughness {
         let alpha = AlphaMap::RoughnessSquared.alpha(*roughness);
         let albedos = Arc::new(Albedos::new(smith, alpha, Some(ior))?);
         for (lobe, found) in lobes.iter().zip(&mut differences) {
@@ -65,15 +68,15 @@ fn row(smith: Smith, ior: f64, grid: &Grid) -> Result<SchlickRow, SurfaceError> 
                 Surface::with(&Material { smith, alpha, fresnel, lobe: *lobe, base: None }, albedos.clone())
             };
             let (schlick, exact) = (of(Fresnel::Schlick([f0; 3]))?, of(Fresnel::Dielectric(ior))?);
-            found.extend(grid.mu.iter().map(|mu| {
+            found.extend(mus.iter().map(|mu| {
                 let worst = schlick.side(*mu).left[0] - exact.side(*mu).left[0];
                 Difference { worst, alpha, mu: *mu }
             }));
         }
     }
-    let worst = |found: &[Difference]| largest(found).ok_or(SurfaceError::Empty { what: "grid" });
-    let smooth: Vec<Difference> = grid
-        .mu
+    let worst =
+        |found: &[Difference]| largest(found).ok_or(SurfaceError::Empty { what: "list of roughnesses" });
+    let smooth: Vec<Difference> = mus
         .iter()
         .map(|mu| {
             let worst = fresnel::schlick(f0, 1.0 - mu) - fresnel::dielectric(ior, *mu);

@@ -1,5 +1,6 @@
 //! A material: a GGX lobe over a diffuse base.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -83,6 +84,9 @@ pub enum Coupling {
     Interreflected,
     /// A formula of (roughness, alpha, mu, f0), at v.
     Factor(Factor),
+    /// Such a formula made reciprocal, f(l) f(v)/f_avg: as the average of f(l) is f_avg, it sends back f(v) of a white base as the formula
+    /// does, with the same error in the furnace. f_avg is a constant of the material.
+    Symmetrised(Factor),
 }
 
 impl Coupling {
@@ -102,8 +106,8 @@ impl Coupling {
     ];
 
     /// The words used in tables.
-    pub fn name(&self) -> &str {
-        match self {
+    pub fn name(&self) -> Cow<'_, str> {
+        let name = match self {
             Coupling::None => "none",
             Coupling::OneMinusF0 => "1 - f0",
             Coupling::OneMinusFresnel => "1 - F(n.v)",
@@ -116,7 +120,9 @@ impl Coupling {
             Coupling::Kelemen => "Kelemen-Szirmay-Kalos",
             Coupling::Interreflected => "Kelemen, interreflected",
             Coupling::Factor(factor) => &factor.name,
-        }
+            Coupling::Symmetrised(factor) => return Cow::Owned(format!("{}, symmetrised", factor.name)),
+        };
+        Cow::Borrowed(name)
     }
 
     /// Whether f(l, v) = f(v, l).

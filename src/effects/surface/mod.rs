@@ -3,7 +3,7 @@
 //! [`Surface`] evaluates a [`Material`]: a GGX lobe with one of five ways to treat the light that single scattering loses ([`Lobe`]), over
 //! a diffuse base with one of the published ways to take what the lobe leaves ([`Coupling`]). The formulas themselves are in
 //! `optics::{fresnel, multiscatter, diffuse}`, the albedos that they need are integrated once per alpha ([`Albedos`]).
-//! [`measure`] sends light through the result; [`table`], [`interface`], [`darker`] and [`colour`] do so for every material that is compared,
+//! [`measure`] sends light through the result; [`table`], [`interface`], [`darker`], [`colour`] and [`opinion`] do so for every material that is compared,
 //! and [`SurfaceRows`] gathers their rows for a page.
 
 mod albedos;
@@ -15,6 +15,7 @@ mod evaluate;
 pub mod interface;
 mod material;
 pub mod measure;
+pub mod opinion;
 mod rows;
 pub mod table;
 

@@ -54,6 +54,7 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     }
     let third = if textures > 1 { textures } else { depth };
     let image = Image {
+        note: String::new(),
         file: file.into(),
         name: String::new(),
         kind: format!("DDS, {}", pixels.words()),

@@ -5,6 +5,7 @@ use std::io::Cursor;
 use ::exr::error::Error;
 use ::exr::image::{AnyChannels, Layer};
 use ::exr::meta::MetaData;
+use ::exr::meta::attribute::AttributeValue;
 use ::exr::meta::header::Header;
 use ::exr::prelude::{Compression, FlatSamples, ReadChannels, ReadLayers, SampleType, read as reader};
 
@@ -103,6 +104,10 @@ fn flat(file: &str, layer: &Layer<AnyChannels<FlatSamples>>) -> Image {
         size: vec![layer.size.0, layer.size.1],
         channels: list.iter().map(|c| channel(c.name.to_string(), &c.sample_data)).collect(),
         step,
+        note: match layer.attributes.other.iter().find(|(name, _)| *name == "lobefit") {
+            Some((_, AttributeValue::Text(text))) => text.to_string(),
+            _ => String::new(),
+        },
     }
 }
 

@@ -72,6 +72,7 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     }
     let packing = if scheme == 2 { ", Zstandard" } else { "" };
     let image = Image {
+        note: String::new(),
         file: file.into(),
         name: String::new(),
         kind: format!("KTX 2{packing}, {}", pixels.words()),

@@ -24,12 +24,14 @@ struct Image {
     size: Vec<usize>,
     channels: Vec<ForeignChannel>,
     step: Step,
+    /// What the file says of itself, or nothing.
+    note: String,
 }
 
 impl Image {
     /// The table, its slices taken out of their atlas if the caller says that there are any.
     fn table(self, hints: &Hints) -> Result<ForeignTable, ForeignError> {
-        let Image { file, name, kind, size, mut channels, step } = self;
+        let Image { file, name, kind, size, mut channels, step, note } = self;
         let found = size.iter().product();
         let wrong =
             |message: String| ForeignError::Size { file: file.clone(), name: name.clone(), found, message };
@@ -66,7 +68,7 @@ impl Image {
             }
             size = asked.clone();
         }
-        finish(&file, name, &kind, size, channels, step)
+        Ok(ForeignTable { note, ..finish(&file, name, &kind, size, channels, step)? })
     }
 }
 

@@ -38,6 +38,7 @@ fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignErr
         texels.as_chunks_mut::<2>().0.iter_mut().for_each(|pair| pair.reverse());
     }
     let image = Image {
+        note: String::new(),
         file: source.file.into(),
         name: String::new(),
         kind: format!("PNG, {}{marks}", pixels.words()),

@@ -4,7 +4,9 @@
 //! operations are made in the order written, none fused; a variable of GLSL that is read before it is set is an error.
 
 mod arithmetic;
+mod cut;
 mod expression;
+mod items;
 mod math;
 mod signature;
 mod source;
@@ -42,6 +44,9 @@ pub struct ShaderFunction {
     pub components: Vec<Tape>,
     /// Where it begins.
     pub at: Spot,
+    /// Functions of its file that were left out before it was read, by name: in GLSL those that read textures or that the front end cannot
+    /// read, and what depends on them.
+    pub left_out: Vec<String>,
 }
 
 /// Stack of the thread that parses and walks: both recurse over nested expressions.
@@ -49,7 +54,8 @@ const STACK: usize = 64 << 20;
 
 /// The functions of a shader file: the one that is asked for (each overload of it), or all that can be read. The language is told
 /// by the extension, else by the text, if it is not stated. GLSL may be a bare include: it needs neither `#version` nor `main`;
-/// directives that name other files are left out.
+/// directives that name other files are left out, and so are functions that read textures or that the front end cannot
+/// read, unless the one asked for needs them; `saturate` is known.
 ///
 /// # Errors
 /// Each names the file, line and column, and what to do: what is no WGSL or GLSL; a function that is not there, or uses textures,
@@ -76,7 +82,7 @@ pub fn read_functions(
 }
 
 fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, ForeignError> {
-    let module = source.parse()?;
+    let (module, left_out) = source.parse(entry)?;
     let name = |function: &Function| function.name.clone().unwrap_or_default();
     let plain = || module.functions.iter().filter(|(_, f)| f.name.as_deref() != Some("main"));
     if let Some(entry) = entry {
@@ -87,11 +93,11 @@ fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, For
             let (file, name) = (source.file.clone(), entry.to_string());
             return Err(ForeignError::NoSuch { file, what: "function", name, known });
         }
-        return asked.into_iter().map(|handle| one(source, &module, handle)).collect();
+        return asked.into_iter().map(|handle| one(source, &module, handle, &left_out)).collect();
     }
     let (mut found, mut first) = (Vec::new(), None);
     for (handle, _) in plain() {
-        match one(source, &module, handle) {
+        match one(source, &module, handle, &left_out) {
             Ok(function) => found.push(function),
             Err(error) => first = first.or(Some(error)),
         }
@@ -107,7 +113,12 @@ fn read(source: &Source, entry: Option<&str>) -> Result<Vec<ShaderFunction>, For
     }
 }
 
-fn one(source: &Source, module: &Module, handle: Handle<Function>) -> Result<ShaderFunction, ForeignError> {
+fn one(
+    source: &Source,
+    module: &Module,
+    handle: Handle<Function>,
+    left_out: &[String],
+) -> Result<ShaderFunction, ForeignError> {
     let function = &module.functions[handle];
     let span = module.functions.get_span(handle);
     let name = function.name.clone().unwrap_or_default();
@@ -128,5 +139,6 @@ fn one(source: &Source, module: &Module, handle: Handle<Function>) -> Result<Sha
         inputs: signature.inputs,
         name,
         at: source.spot(span),
+        left_out: left_out.to_vec(),
     })
 }

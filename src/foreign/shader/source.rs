@@ -5,6 +5,8 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, ShaderStage, Span};
 
 use super::ShaderLanguage;
+use super::cut::Cut;
+use super::items::{items, plain_arguments};
 use crate::fit::Place;
 use crate::foreign::text::{called, nesting};
 use crate::foreign::{ForeignError, Spot, limits};
@@ -15,10 +17,15 @@ pub(super) struct Source {
     pub file: String,
     pub text: String,
     pub language: ShaderLanguage,
+    /// What stands before the text as the front end is given it.
+    prelude: &'static str,
 }
 
 /// Directives of GLSL that say nothing about what functions compute, and that the front end stumbles over.
 const DIRECTIVES: [&str; 6] = ["version", "extension", "pragma", "line", "include", "import"];
+
+/// Most functions that the front end may stumble over: every one costs a parse.
+const DROPPED: usize = 64;
 
 impl Source {
     /// Checks the bytes of a file.
@@ -47,41 +54,74 @@ impl Source {
             return Err(too_large("operators and brackets around a term", deepest, limits::NESTING));
         }
         let language = language.unwrap_or_else(|| guess(&file, &text));
-        Ok(Source { file, text, language })
+        let prelude = if language == ShaderLanguage::Glsl { prelude(&text) } else { "" };
+        Ok(Source { file, text, language, prelude })
     }
 
-    /// The module of the source, type-checked.
-    pub fn parse(&self) -> Result<Module, ForeignError> {
-        let module = match self.language {
-            ShaderLanguage::Wgsl => wgsl::parse_str(&self.text).map_err(|e| {
-                let label = e.labels().next();
-                let text = label.as_ref().map_or(String::new(), |(_, text)| format!(" ({text})"));
-                self.malformed(label.map(|(span, _)| span), format!("no valid WGSL: {}{text}", e.message()))
-            })?,
-            ShaderLanguage::Glsl => {
-                let options = glsl::Options::from(ShaderStage::Fragment);
-                glsl::Frontend::default().parse(&options, &blanked(&self.text)).map_err(|errors| {
-                    let first = errors.errors.first();
-                    let message = first.map_or(String::new(), |e| e.kind.to_string());
-                    self.malformed(first.map(|e| e.meta), format!("no GLSL that can be read: {message}"))
-                })?
-            }
+    /// The module of the source, type-checked, and the names of functions of GLSL that are left out of it: those that the front end cannot
+    /// read and that the one asked for does not need.
+    pub fn parse(&self, entry: Option<&str>) -> Result<(Module, Vec<String>), ForeignError> {
+        let (module, left_out) = match self.language {
+            ShaderLanguage::Wgsl => (self.wgsl()?, Vec::new()),
+            ShaderLanguage::Glsl => self.glsl(entry)?,
         };
         Validator::new(ValidationFlags::all(), Capabilities::all()).validate(&module).map_err(|e| {
             let span = e.spans().map(|(span, _)| *span).find(Span::is_defined);
             self.malformed(span, format!("no valid shader: {}", chain(e.as_inner())))
         })?;
-        Ok(module)
+        Ok((module, left_out))
+    }
+
+    fn wgsl(&self) -> Result<Module, ForeignError> {
+        wgsl::parse_str(&self.text).map_err(|e| {
+            let label = e.labels().next();
+            let text = label.as_ref().map_or(String::new(), |(_, text)| format!(" ({text})"));
+            self.malformed(label.map(|(span, _)| span), format!("no valid WGSL: {}{text}", e.message()))
+        })
+    }
+
+    /// Parses until what the front end stumbles over is needed, or nothing is left.
+    fn glsl(&self, entry: Option<&str>) -> Result<(Module, Vec<String>), ForeignError> {
+        let mut cut = Cut::new(self, entry)?;
+        let options = glsl::Options::from(ShaderStage::Fragment);
+        let (mut refused, mut dropped) = (None, 0);
+        loop {
+            let text = format!("{}{}", self.prelude, plain_arguments(&blanked(&cut.text(&self.text))));
+            let errors = match glsl::Frontend::default().parse(&options, &text) {
+                Ok(module) if cut.holds_any() || refused.is_none() => return Ok((module, cut.left_out())),
+                Ok(_) => {
+                    return Err(
+                        refused.unwrap_or_else(|| self.malformed(None, "no GLSL that can be read".into()))
+                    );
+                }
+                Err(errors) => errors,
+            };
+            let first = errors.errors.first();
+            let message = first.map_or(String::new(), |e| e.kind.to_string());
+            let span = first.map(|e| e.meta).filter(Span::is_defined);
+            let error = self.malformed(span, format!("no GLSL that can be read: {message}"));
+            let at = span.and_then(|s| s.to_range()).map(|r| self.own(r.start));
+            dropped += 1;
+            if dropped > DROPPED || !at.is_some_and(|at| cut.drop_at(at)) {
+                return Err(error);
+            }
+            refused = refused.or(Some(error));
+        }
+    }
+
+    /// The byte of the text at one of what the front end was given.
+    fn own(&self, at: usize) -> usize {
+        at.saturating_sub(self.prelude.len())
     }
 
     /// Line and column of a span.
     pub fn spot(&self, span: Span) -> Spot {
-        Spot::of(&self.text, span.to_range().map_or(0, |r| r.start))
+        Spot::of(&self.text, span.to_range().map_or(0, |r| self.own(r.start)))
     }
 
     /// The place of a byte range.
     pub fn place(&self, (start, end): (u32, u32)) -> Place {
-        Place::of(&self.file, &self.text, start as usize, end as usize)
+        Place::of(&self.file, &self.text, self.own(start as usize), self.own(end as usize))
     }
 
     fn malformed(&self, span: Option<Span>, message: String) -> ForeignError {
@@ -99,11 +139,25 @@ impl Source {
         ForeignError::Unsupported { file: self.file.clone(), at: self.spot(span), what, advice }
     }
 
+    /// The same at a byte of the text.
+    pub fn lacking(&self, at: usize, what: impl Into<String>, advice: &str) -> ForeignError {
+        let (what, advice) = (what.into(), advice.into());
+        ForeignError::Unsupported { file: self.file.clone(), at: Spot::of(&self.text, at), what, advice }
+    }
+
     /// The error that a limit is passed.
     pub fn too_large(&self, what: &str, found: usize, limit: usize) -> ForeignError {
         let (found, limit) = (found as u128, limit as u128);
         ForeignError::TooLarge { file: self.file.clone(), what: what.into(), found, limit }
     }
+}
+
+/// What stands before GLSL: `saturate`, which engines define for all their sources and shaders call without saying so.
+fn prelude(text: &str) -> &'static str {
+    let defined = text.lines().any(|l| l.trim_start().starts_with('#') && l.contains(" saturate"));
+    let declared = || items(text).iter().any(|i| i.function && i.name == "saturate");
+    let missing = called(text, "saturate") && !defined && !declared();
+    if missing { "#define saturate(x) clamp(x, 0.0, 1.0)\n" } else { "" }
 }
 
 /// By the extension, else by the keyword of WGSL's functions.

@@ -2,7 +2,7 @@
 
 /// A piece of program text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Token<'a> {
+pub(in crate::foreign) enum Token<'a> {
     /// A number, without its sign.
     Number(Number),
     /// A name or keyword.
@@ -19,7 +19,7 @@ pub(super) enum Token<'a> {
 
 /// A number as printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number {
+pub(in crate::foreign) struct Number {
     /// Its value.
     pub value: f64,
     /// Digits after the decimal point, the exponent counted in; none for integers.
@@ -29,7 +29,7 @@ pub(super) struct Number {
 }
 
 /// Tokens with the bytes where they begin and end.
-pub(super) struct Lexer<'a> {
+pub(in crate::foreign) struct Lexer<'a> {
     text: &'a str,
     at: usize,
     /// `#` begins a comment (Python), a directive (C) or an attribute (Rust); all end with the line, but for `#[`.

@@ -14,7 +14,7 @@ mod words;
 
 use frame::Literal;
 use lead::Lead;
-use lex::{Lexer, Token};
+pub(super) use lex::{Lexer, Token};
 pub(super) use nesting::{called, nesting};
 
 use super::shape::{self, Values};

@@ -52,7 +52,9 @@ pub struct Walked {
     pub multiple: [Sampled; CHANNELS],
     /// What leaves after 1, 2, ... bounces, the last entry after that many or more.
     pub bounces: [[Sampled; CHANNELS]; BOUNCES],
-    /// `multiple` by the cosine at which it leaves, in equal bins from grazing to normal: energy per bin.
+    /// What leaves after one bounce by the cosine at which it leaves, in equal bins from grazing to normal: energy per bin.
+    pub single_lights: [[Sampled; CHANNELS]; BINS],
+    /// `multiple` in the same bins.
     pub lights: [[Sampled; CHANNELS]; BINS],
 }
 
@@ -107,7 +109,8 @@ fn walked(tallies: &[Tally], paths: u64) -> Walked {
         albedo: each(&|tally, c| tally.bounces[0][c] + later(tally, c)),
         multiple: each(&later),
         bounces: std::array::from_fn(|n| each(&|tally, c| tally.bounces[n][c])),
-        lights: std::array::from_fn(|bin| each(&|tally, c| tally.lights[bin][c])),
+        single_lights: std::array::from_fn(|bin| each(&|tally, c| tally.lights[0][bin][c])),
+        lights: std::array::from_fn(|bin| each(&|tally, c| tally.lights[1][bin][c])),
     }
 }
 

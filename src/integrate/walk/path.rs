@@ -3,7 +3,7 @@
 //! Heights enter through c in [0, 1] alone, the part of the surface that lies below (the cumulative distribution of heights), so the walk
 //! needs no distribution of heights: a ray going up from c reaches c' > c unblocked with probability (c/c')^Lambda, and leaves at c' = 1;
 //! one going down reaches c' < c with probability (c'/c)^(1 + Lambda), Lambda that of the opposite direction, as
-//! Lambda(-w) = -1 - Lambda(w) (Heitz et al. 2016, eqs. 14 and 15, with C1(h) = c). The first facet is met from c = 1.
+//! Lambda(-w) = -1 - Lambda(w) (Heitz et al. 2016, with C1(h) = c). The first facet is met from c = 1.
 
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -21,14 +21,16 @@ const MOST_BOUNCES: usize = 400;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     pub bounces: [[f64; CHANNELS]; BOUNCES],
-    pub lights: [[f64; CHANNELS]; BINS],
+    /// Of one bounce, and of more.
+    pub lights: [[[f64; CHANNELS]; BINS]; 2],
     pub unfinished: [f64; CHANNELS],
 }
 
 impl Tally {
     /// All of it times a factor.
     pub fn scaled(mut self, factor: f64) -> Tally {
-        let parts = self.bounces.iter_mut().chain(&mut self.lights).chain([&mut self.unfinished]);
+        let parts =
+            self.bounces.iter_mut().chain(self.lights.as_flattened_mut()).chain([&mut self.unfinished]);
         parts.flatten().for_each(|value| *value *= factor);
         self
     }
@@ -37,9 +39,7 @@ impl Tally {
         let bin = ((cosine * BINS as f64) as usize).min(BINS - 1);
         for channel in 0..CHANNELS {
             self.bounces[bounce.min(BOUNCES - 1)][channel] += energy[channel];
-            if bounce > 0 {
-                self.lights[bin][channel] += energy[channel];
-            }
+            self.lights[bounce.min(1)][bin][channel] += energy[channel];
         }
     }
 }

@@ -23,6 +23,9 @@ pub struct AuditFindings {
     pub fits: String,
     /// Largest error at a texel or point of any channel that is judged.
     pub max_error: f64,
+    /// Largest error as somebody reads it who is told nothing, where that reading is not the best one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plain: Option<AuditPlain>,
     /// Largest error that the user allows.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
@@ -33,6 +36,9 @@ pub struct AuditFindings {
     pub margin: Option<f64>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
+    /// Whether the file said itself how it is read, so that nothing else was tried.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub stated: bool,
     /// The conventions that were tried, the best first.
     pub conventions: Vec<AuditConvention>,
     /// Channels that are judged.
@@ -40,6 +46,17 @@ pub struct AuditFindings {
     /// The furnace, where the channels make an albedo.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub furnace: Option<AuditFurnace>,
+}
+
+/// A table as somebody reads it who is told nothing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditPlain {
+    /// What the best reading has that nobody takes without being told.
+    pub untold: Vec<String>,
+    /// Largest error under the plain reading; none where the truth cannot be had.
+    pub max: Option<f64>,
+    /// Options that say that the best reading is meant.
+    pub options: String,
 }
 
 /// One way to read a table.
@@ -64,7 +81,7 @@ pub struct AuditAxis {
     pub coordinate: String,
     /// Whether it is one minus that.
     pub reversed: bool,
-    /// Where texel i lies: `centre`, `endpoint`, `left`, `right`, `one-high`, `one-low`; empty for an argument.
+    /// Where texel i lies: `centre`, `endpoint`, `left`, `right`, `one-high`, `one-low`, `end-high`, `end-low`; empty for an argument.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub registration: String,
     /// Least value that the input was clamped to.

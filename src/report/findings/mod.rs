@@ -21,7 +21,7 @@ use super::Field;
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use audit::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup,
+    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
 pub use coupling::{
     AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,

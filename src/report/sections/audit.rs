@@ -11,7 +11,7 @@ use crate::report::{
 pub(super) fn page(audit: &AuditFindings) -> Result<Page, ReportError> {
     let mut sections = vec![verdict(audit), conventions(audit)];
     for channel in &audit.channels {
-        sections.push(channel_section(channel, is_function(audit))?);
+        sections.push(channel_section(channel, is_function(audit), audit.stated)?);
     }
     Ok(Page {
         title: format!("lobefit audit: {} as {}", audit.file, audit.quantity),
@@ -40,6 +40,9 @@ fn verdict(audit: &AuditFindings) -> Section {
         ("Fits".into(), fits.into()),
         ("Largest error".into(), words::max(audit.max_error)),
     ];
+    if let Some(max) = audit.plain.as_ref().and_then(|p| p.max) {
+        facts.push(("Largest error, read plainly".into(), words::max(max)));
+    }
     if let Some(limit) = audit.limit {
         let kept = if audit.passed { "kept" } else { "not kept" };
         facts.push(("Limit".into(), format!("{}, {kept}", brief(limit, 3))));
@@ -76,19 +79,25 @@ fn conventions(audit: &AuditFindings) -> Section {
     );
     let rows = audit.conventions.iter().map(|c| row(c, best.rank)).collect();
     let named: Vec<(&str, bool)> = columns.iter().map(|(n, f)| (n.as_str(), *f)).collect();
-    let table = words::table(
-        &named,
-        rows,
-        "The best first. Conventions are ranked by the geometric mean of the root mean square of all errors and of that of the best \
-         four fifths, which a stale part does not touch; max and RMS are of all texels, the worst channel's.",
-    );
+    let table = words::table(&named, rows, if audit.stated { "" } else { BEST_FIRST });
+    let (title, lead) = if audit.stated {
+        ("As the file says", "The file's own statement, held against the truth; nothing else was tried.")
+    } else {
+        (
+            "Conventions tried",
+            "Every combination of input, coordinate, direction, registration, lobe and meaning is tried; these fit best.",
+        )
+    };
     Section {
         id: "conventions".into(),
-        title: "Conventions tried".into(),
-        lead: "Every combination of input, coordinate, direction, registration, lobe and meaning is tried; these fit best.".into(),
+        title: title.into(),
+        lead: lead.into(),
         blocks: vec![Block::Table(table)],
     }
 }
+/// What the table of conventions shows.
+const BEST_FIRST: &str = "The best first. Conventions are ranked by the geometric mean of the root mean square of all errors and of that of \
+     the best four fifths, which a stale part does not touch; max and RMS are of all texels, the worst channel's.";
 
 fn row(c: &AuditConvention, best: f64) -> Vec<String> {
     let mut cells: Vec<String> = c.axes.iter().map(axis).collect();
@@ -109,9 +118,9 @@ fn axis(a: &AuditAxis) -> String {
     format!("{coordinate}{siting}{clamp}")
 }
 
-fn channel_section(channel: &AuditChannel, function: bool) -> Result<Section, ReportError> {
+fn channel_section(channel: &AuditChannel, function: bool, stated: bool) -> Result<Section, ReportError> {
     let section = format!("channel {}", channel.name);
-    let mut blocks = vec![Block::Table(errors(channel))];
+    let mut blocks = vec![Block::Table(errors(channel, stated))];
     for defect in &channel.defects {
         blocks.push(Block::Text { text: defect.text.clone() });
     }
@@ -131,7 +140,9 @@ fn channel_section(channel: &AuditChannel, function: bool) -> Result<Section, Re
                 }
             })
             .collect();
-        let place = if function {
+        let place = if stated {
+            "of lookups over the inputs"
+        } else if function {
             "over its arguments"
         } else {
             "of every texel in its place in the file, first row at the top"
@@ -150,7 +161,12 @@ fn channel_section(channel: &AuditChannel, function: bool) -> Result<Section, Re
     Ok(Section {
         id: format!("channel-{}", anchor(&channel.name)),
         title: format!("Channel {}: {}", channel.name, channel.holds),
-        lead: "Errors under the best convention, and where they are.".into(),
+        lead: if stated {
+            "Errors of looking it up as the file says, and where they are."
+        } else {
+            "Errors under the best convention, and where they are."
+        }
+        .into(),
         blocks,
     })
 }
@@ -161,7 +177,7 @@ fn anchor(name: &str) -> String {
     name.chars().map(plain).collect()
 }
 
-fn errors(channel: &AuditChannel) -> crate::report::TextTable {
+fn errors(channel: &AuditChannel, stated: bool) -> crate::report::TextTable {
     let AuditErrors { max, rms, mean, at, judged, all, .. } = &channel.texels;
     let cells = |what: String, max: f64, rms: f64, mean: f64, at: String| {
         vec![what, words::max(max), words::mean(rms), significant(mean, 2), at]
@@ -183,6 +199,8 @@ fn errors(channel: &AuditChannel) -> crate::report::TextTable {
         rows,
         if channel.lookup.is_some() {
             "Lookups interpolate linearly over even coordinates of the whole domain; beyond the outermost texels they hold their value."
+        } else if stated {
+            "Over points of the whole domain that the file claims, more of them at small alpha and mu."
         } else {
             "Over evenly spaced points of the arguments."
         },

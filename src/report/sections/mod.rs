@@ -9,6 +9,7 @@ mod coupling_study;
 mod fits;
 mod furnace;
 mod index;
+mod metals;
 mod own;
 mod reciprocity;
 mod search;
@@ -19,6 +20,7 @@ mod tables;
 mod timed_tables;
 mod timings;
 mod volumes;
+mod walks;
 mod words;
 
 use super::{

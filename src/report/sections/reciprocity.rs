@@ -2,11 +2,14 @@
 
 use super::words;
 use crate::effects::surface::table::{ExchangeAt, FurnaceRow, ReciprocityRow};
-use crate::report::numbers::{bound, brief};
+use crate::report::numbers::{brief, significant};
 use crate::report::{Block, ReportError, Section, TextTable, check};
 
 /// A furnace departure below this is the error of the measurement.
 const CLOSED: f64 = 1e-5;
+
+/// Largest f0 of a dielectric that the picks are made for: an index of refraction of 2.6.
+const DIELECTRIC: f64 = 0.2;
 
 /// The section of the rows; rows must be there.
 pub(super) fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
@@ -73,7 +76,7 @@ fn lobes(rows: &[&ReciprocityRow]) -> TextTable {
 fn couplings(rows: &[&ReciprocityRow]) -> TextTable {
     let mut columns = vec![("base".to_string(), false)];
     let furnace = rows.first().map(|row| row.furnace.as_slice()).unwrap_or_default();
-    columns.extend(furnace.iter().map(|f| (format!("furnace, f0 {}", brief(f.f0, 3)), true)));
+    columns.extend(furnace.iter().map(|f| (format!("f0 {}", brief(f.f0, 3)), true)));
     let last = [("reciprocity", true), ("where", false), ("ops", true), ("texels", true)];
     columns.extend(last.map(|(name, figures)| (name.to_string(), figures)));
     let row = |row: &&ReciprocityRow| {
@@ -85,15 +88,15 @@ fn couplings(rows: &[&ReciprocityRow]) -> TextTable {
     let mut table = words::table(
         &[],
         rows.iter().map(row).collect(),
-        "Lobe and base together; 0 in a furnace column is exact to the error of the measurement, 0 in the column of reciprocity is exact to \
-         the last bit but for rounding.",
+        "Lobe and base together. Columns of f0: furnace, two digits, 0 if closed to the error of the measurement. Reciprocity: 0 is exact but for \
+         rounding; where: the two cosines that are exchanged.",
     );
     table.columns = columns;
     table
 }
 
 fn departure(x: f64) -> String {
-    if x.abs() < CLOSED { "0".into() } else { bound(x, 2) }
+    if x.abs() < CLOSED { "0".into() } else { significant(x, 2) }
 }
 
 fn exchange(row: &ReciprocityRow) -> String {
@@ -104,15 +107,17 @@ fn place(row: &ReciprocityRow) -> String {
     if row.reciprocal {
         return "–".into();
     }
-    let ExchangeAt { alpha, f0, mu_l, mu_v, .. } = row.at;
-    let part = |name: &str, x: f64| format!("{name}\u{a0}{}", brief(x, 3));
-    [part("α", alpha), part("f0", f0), part("μ", mu_l), part("μ", mu_v)].join(", ")
+    let ExchangeAt { alpha, mu_l, mu_v, .. } = row.at;
+    format!("α\u{a0}{}, μ\u{a0}{}\u{a0}↔\u{a0}{}", brief(alpha, 2), brief(mu_l, 2), brief(mu_v, 2))
 }
 
 /// What each kind of author may want: the cheapest that closes the furnace and is reciprocal, the cheapest that closes it, and the least
 /// wrong without a texel.
 fn picks(rows: &[&ReciprocityRow]) -> impl Iterator<Item = String> {
-    let worst = |row: &ReciprocityRow| row.worst().map_or(0.0, |f: &FurnaceRow| f.worst.abs());
+    let dielectric = |f: &&FurnaceRow| f.f0 <= DIELECTRIC;
+    let worst = |row: &ReciprocityRow| {
+        row.furnace.iter().filter(dielectric).fold(0.0_f64, |worst, f| worst.max(f.worst.abs()))
+    };
     let least_lost = |row: &ReciprocityRow| (row.fetches, row.ops);
     let cheapest = |keep: &dyn Fn(&ReciprocityRow) -> bool| {
         rows.iter().filter(|row| keep(row)).min_by_key(|row| least_lost(row)).copied()
@@ -128,12 +133,13 @@ fn picks(rows: &[&ReciprocityRow]) -> impl Iterator<Item = String> {
     let told = |who: &str, row: Option<&ReciprocityRow>| {
         row.map(|row| {
             format!(
-                "{who}: {} over “{}”, {} and {}, furnace {}, reciprocity {}.",
+                "{who}: {} over “{}”, {} and {}, furnace {} up to f0 {}, reciprocity {}.",
                 row.lobe,
                 row.coupling.as_deref().unwrap_or_default(),
                 words::operations(row.ops),
                 words::count(row.fetches as usize, "texel", "texels"),
                 departure(worst(row)),
+                brief(DIELECTRIC, 2),
                 exchange(row),
             )
         })

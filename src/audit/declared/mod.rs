@@ -1,0 +1,317 @@
+//! A table that says itself what it is, as those that this tool writes do: what it says is read, and then held against the truth. It is
+//! looked up as its statement says, between its texels too, all over the domain that it claims.
+
+mod findings;
+mod formula;
+mod statement;
+mod words;
+
+pub use findings::findings as declared_findings;
+
+use super::AuditError;
+use super::axis::{Input, Siting};
+use super::column::Column;
+use super::lookup::fetch;
+use super::shipped::Shipped;
+use super::truth::{Truth, Values};
+use crate::data::{Place, Smith};
+use crate::effects::Quantity;
+use statement::{Axis, Statement};
+
+/// Places along the inputs: of two, and of three in the truth's order.
+const PLACES: [usize; 2] = [64, 14];
+
+/// How much larger than claimed an error may be: it is looked for at other places than the file's maker did.
+const SLACK: f64 = 1.2;
+
+/// Error of a column as the statement says that it is looked up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Held {
+    /// Column.
+    pub column: Column,
+    /// Largest magnitude.
+    pub max: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// Signed mean.
+    pub mean: f64,
+    /// Where the largest is.
+    pub at: Place,
+    /// What the table gives there.
+    pub value: f64,
+    /// What is true there.
+    pub truth: f64,
+    /// Signed errors, in the truth's order of inputs.
+    pub errors: Vec<f64>,
+    /// The truth at the same places.
+    pub truths: Vec<f64>,
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Declared {
+    /// File and array.
+    pub what: String,
+    /// Quantity.
+    pub quantity: &'static str,
+    /// Shadowing form and side.
+    pub lobe: String,
+    /// Every axis: its letter, what runs along it, its siting and its formula.
+    pub axes: Vec<[String; 4]>,
+    /// Texels along every axis.
+    pub size: Vec<usize>,
+    /// Columns that it decodes to.
+    pub held: Vec<Held>,
+    /// Names of the truth's inputs and the places along each.
+    pub places: Vec<(&'static str, Vec<f64>)>,
+    /// Largest error that it claims.
+    pub claimed: f64,
+    /// What would make it true, where it is not: the other registration or shadowing form under which it is as good as claimed.
+    pub instead: Option<String>,
+    /// Bound of the truth's own error.
+    pub truth_error: f64,
+    /// All of it in a paragraph.
+    pub verdict: String,
+}
+
+impl Declared {
+    /// Largest error of any column.
+    pub fn worst(&self) -> f64 {
+        self.held.iter().map(|h| h.max).fold(0.0, f64::max)
+    }
+
+    /// Whether it is what it says.
+    pub fn holds(&self) -> bool {
+        self.worst() <= SLACK * self.claimed + self.truth_error
+    }
+
+    /// Whether it is that, and within a limit.
+    pub fn passes(&self, limit: Option<f64>) -> bool {
+        self.holds() && limit.is_none_or(|l| self.worst() <= l)
+    }
+}
+
+/// Holds a table against the truth as its own `statement` says that it is looked up; of the columns, only `wanted` if it is given.
+///
+/// # Errors
+/// [`AuditError::Statement`] where what it says cannot be read, speaks of another size, or depends on more than the quantity's inputs; a
+/// statement of another quantity; a truth that cannot be had.
+pub fn declared(
+    table: &Shipped,
+    quantity: &Quantity,
+    wanted: Option<Column>,
+    statement: &str,
+) -> Result<Declared, AuditError> {
+    let odd = |reason: String| AuditError::Statement { what: table.what.clone(), reason };
+    let said = Statement::parse(statement).map_err(odd)?;
+    let shipped = agreed(table, quantity, &said)?;
+    let pins = super::Pins { side: said.side, ..super::Pins::default() };
+    let truth = super::truth_of(&shipped, quantity, &pins)?;
+    let truth = truth.as_ref();
+    let places: Vec<(&'static str, Vec<f64>)> = places(truth, &said).map_err(odd)?;
+    let lobe =
+        |smith: Option<Smith>| truth.lobes().iter().position(|l| l.smith.is_none() || l.smith == smith);
+    let own = lobe(said.smith).ok_or_else(|| odd("its line `smith` names no shadowing form".into()))?;
+    let at: Vec<&[f64]> = places.iter().map(|p| p.1.as_slice()).collect();
+    let base = truth.exact(own, &at)?;
+    let look = Look { table: &shipped, said: &said, places: &places, wanted };
+    let sitings: Vec<Siting> = said.axes.iter().map(|a| a.siting).collect();
+    let held = look.errors(truth, &base, &sitings).map_err(odd)?;
+    let mut found = Declared {
+        what: shipped.what.clone(),
+        quantity: truth.quantity(),
+        lobe: truth.lobes()[own].words(),
+        axes: said.axes.iter().zip(&shipped.axes).map(|(a, letter)| words::axis(a, letter)).collect(),
+        size: shipped.size.clone(),
+        held,
+        claimed: said.claimed,
+        instead: None,
+        truth_error: truth.bound(),
+        verdict: String::new(),
+        places: places.clone(),
+    };
+    if !found.holds() {
+        let limit = SLACK * said.claimed + truth.bound();
+        found.instead = instead(&look, truth, own, &base, limit)?;
+    }
+    found.verdict = words::paragraph(&found);
+    Ok(found)
+}
+
+/// The table in the size that the statement gives it, if the file and the question allow it.
+fn agreed(table: &Shipped, quantity: &Quantity, said: &Statement) -> Result<Shipped, AuditError> {
+    if said.quantity != quantity.name {
+        let reason = format!("{} says that it holds {}: audit it as that", table.what, said.quantity);
+        return Err(AuditError::Option { option: "--as", value: quantity.name.into(), reason });
+    }
+    let size: Vec<usize> = said.axes.iter().map(|a| a.size).collect();
+    let texels = size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s));
+    if texels != Some(table.size.iter().product()) || size.first() != table.size.first() {
+        let reason = format!("it speaks of {size:?} texels, the file holds {:?}", table.size);
+        return Err(AuditError::Statement { what: table.what.clone(), reason });
+    }
+    let axes = Shipped::axes_of(size.len());
+    Shipped { size, axes, ..table.clone() }.checked()
+}
+
+/// Places of every input over the domain that is claimed, both ends among them; more of mu where it grazes.
+fn places(truth: &dyn Truth, said: &Statement) -> Result<Vec<(&'static str, Vec<f64>)>, String> {
+    let n = PLACES[usize::from(truth.inputs().len() == 3)];
+    let of = |input: &Input| {
+        let name = input.name();
+        let range = said.range(name).ok_or_else(|| format!("its line `domain` has no {name}"))?;
+        let [low, high] = truth.range(*input);
+        let [from, to] = range.map(|x| x.clamp(low, high));
+        let curved = matches!(input, Input::Mu | Input::Alpha);
+        let at = |k: usize| {
+            let u = k as f64 / (n - 1) as f64;
+            (from + (to - from) * if curved { u * u } else { u }).clamp(from, to)
+        };
+        Ok((name, (0..n).map(at).collect()))
+    };
+    truth.inputs().iter().map(of).collect()
+}
+
+/// Lookups as the statement says.
+struct Look<'a> {
+    table: &'a Shipped,
+    said: &'a Statement,
+    places: &'a [(&'static str, Vec<f64>)],
+    wanted: Option<Column>,
+}
+
+impl Look<'_> {
+    /// The columns under these sitings.
+    fn errors(&self, truth: &dyn Truth, base: &Values, sitings: &[Siting]) -> Result<Vec<Held>, String> {
+        let columns: Vec<(Column, usize)> = self
+            .said
+            .decode
+            .iter()
+            .enumerate()
+            .filter_map(|(k, (name, _))| Some((*truth.columns().iter().find(|c| c.name() == name)?, k)))
+            .filter(|(c, _)| self.wanted.is_none_or(|w| w == *c))
+            .collect();
+        if columns.is_empty() {
+            return Err("it decodes to no column that is asked for".into());
+        }
+        let dims: Vec<usize> = self.places.iter().map(|p| p.1.len()).collect();
+        let mut values = vec![Vec::with_capacity(base.len()); columns.len()];
+        for i in 0..base.len() {
+            let decoded = self.decoded(&self.inputs(i, &dims), sitings)?;
+            for (list, (_, k)) in values.iter_mut().zip(&columns) {
+                list.push(decoded[*k]);
+            }
+        }
+        let one = |((column, _), values): (&(Column, usize), Vec<f64>)| {
+            let truths: Vec<f64> = base.iter().map(|b| column.value(*b)).collect();
+            let errors: Vec<f64> = values.iter().zip(&truths).map(|(v, t)| v - t).collect();
+            let worst =
+                (0..errors.len()).fold(0, |w, i| if errors[i].abs() > errors[w].abs() { i } else { w });
+            let n = errors.len() as f64;
+            Held {
+                column: *column,
+                max: errors[worst].abs(),
+                rms: (errors.iter().map(|e| e * e).sum::<f64>() / n).sqrt(),
+                mean: errors.iter().sum::<f64>() / n,
+                at: self.inputs(worst, &dims).into_iter().map(|(name, x)| (name.to_string(), x)).collect(),
+                value: values[worst],
+                truth: truths[worst],
+                errors,
+                truths,
+            }
+        };
+        Ok(columns.iter().zip(values).map(one).collect())
+    }
+
+    fn inputs(&self, i: usize, dims: &[usize]) -> Vec<(&'static str, f64)> {
+        let places = super::shipped::place(i, dims);
+        self.places.iter().zip(places).map(|((name, list), k)| (*name, list[k])).collect()
+    }
+
+    /// What the channels decode to at inputs.
+    fn decoded(&self, inputs: &[(&'static str, f64)], sitings: &[Siting]) -> Result<Vec<f64>, String> {
+        let input = |name: &str| inputs.iter().find(|(n, _)| *n == name).map(|(_, x)| *x);
+        let roughness = input("alpha").and_then(|alpha| self.roughness(alpha));
+        let known = |name: &str| if name == "roughness" { roughness } else { input(name) };
+        let mut at = Vec::new();
+        for ((axis, siting), n) in self.said.axes.iter().zip(sitings).zip(&self.table.size) {
+            let u = coordinate(axis, &known)
+                .filter(|u| u.is_finite())
+                .ok_or_else(|| format!("its coordinate `{}` has no value at {inputs:?}", axis.text))?;
+            at.push(siting.position(u, *n));
+        }
+        let texel = |name: &str| {
+            let channel = self.table.channels.iter().find(|c| c.name == name)?;
+            Some(fetch(&channel.values, &self.table.size, &at))
+        };
+        let mut out: Vec<(&str, f64)> = Vec::new();
+        for (name, formula) in &self.said.decode {
+            // A channel may bear the name of what it decodes to: `E = E`.
+            let before = |n: &str| out.iter().find(|(o, _)| *o == n).map(|(_, x)| *x);
+            let value = formula.value(&|n| before(n).or_else(|| texel(n)).or_else(|| known(n)));
+            let value = value.ok_or_else(|| format!("its `decode` of {name} names what is not there"))?;
+            out.push((name, value));
+        }
+        Ok(out.into_iter().map(|o| o.1).collect())
+    }
+
+    /// The roughness of an alpha: the alpha maps are powers, which rise on [0, 1], so that halving finds it to the last digits.
+    fn roughness(&self, alpha: f64) -> Option<f64> {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..64 {
+            let middle = 0.5 * (low + high);
+            let of = self.said.alpha.value(&|name| (name == "roughness").then_some(middle))?;
+            if of < alpha { low = middle } else { high = middle }
+        }
+        Some(high)
+    }
+}
+
+/// u of an axis; what its names stand for may use others of them, each of which is made once.
+fn coordinate(axis: &Axis, known: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    let (wanted, _) = axis.coordinate.first()?;
+    let mut made: Vec<(&str, f64)> = Vec::new();
+    for _ in 0..axis.coordinate.len() {
+        for (name, formula) in &axis.coordinate {
+            let of = |n: &str| made.iter().find(|m| m.0 == n).map(|m| m.1).or_else(|| known(n));
+            let new = made.iter().all(|m| m.0 != name);
+            if let Some(value) = formula.value(&of).filter(|_| new) {
+                made.push((name, value));
+            }
+        }
+    }
+    made.iter().find(|m| m.0 == wanted).map(|m| m.1)
+}
+
+/// The registration, of one axis or of all, or the shadowing form under which the table is as good as it claims.
+fn instead(
+    look: &Look,
+    truth: &dyn Truth,
+    own: usize,
+    base: &Values,
+    limit: f64,
+) -> Result<Option<String>, AuditError> {
+    let fits = |base: &Values, sitings: &[Siting]| {
+        look.errors(truth, base, sitings).is_ok_and(|held| held.iter().all(|h| h.max <= limit))
+    };
+    let said: Vec<Siting> = look.said.axes.iter().map(|a| a.siting).collect();
+    let at: Vec<&[f64]> = look.places.iter().map(|p| p.1.as_slice()).collect();
+    for lobe in (0..truth.lobes().len()).filter(|l| *l != own) {
+        if fits(&truth.exact(lobe, &at)?, &said) {
+            return Ok(Some(truth.lobes()[lobe].words()));
+        }
+    }
+    for siting in super::SITINGS {
+        if fits(base, &vec![siting; said.len()]) {
+            return Ok(Some(format!("{} along every axis", siting.words())));
+        }
+        for k in 0..said.len() {
+            let mut one = said.clone();
+            one[k] = siting;
+            if fits(base, &one) {
+                return Ok(Some(format!("{} along {}", siting.words(), look.table.axes[k])));
+            }
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,120 @@
+//! What a reader makes of a table who is told nothing: it takes texels for centres (or for end points, where they lie about those), axes for
+//! rising ones, a roughness for a roughness and an average for an average. A table that is right only under another reading is
+//! wrong as it will be used, unless the user says that it is meant so.
+
+use super::AuditError;
+use super::arguments::is_gloss;
+use super::axis::{AxisReading, Input, Scale};
+use super::column::Column;
+use super::convention::{Convention, Pins};
+use super::errors::Residuals;
+use super::judge::judge;
+use super::sample::{Candidate, Sample};
+use super::shipped::{Shipped, Source};
+use super::truth::Truth;
+use super::verdict::along;
+
+/// Places along each of three axes at which a plain reading is judged: every one is an integral of its own.
+const PLACES: usize = 16;
+
+/// A table under the reading of somebody who is told nothing, where the best reading is another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plain {
+    /// That reading.
+    pub convention: Convention,
+    /// What the best reading has that nobody takes without being told, in words.
+    pub untold: Vec<String>,
+    /// Options that say it.
+    pub options: String,
+    /// Largest error at the texels that were judged; infinite where the truth cannot be had at any.
+    pub max: f64,
+}
+
+/// The plain reading of a table; none if the best one is plain, or what is not is said by the user.
+pub(super) fn plain(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    pins: &Pins,
+    best: &Candidate,
+) -> Result<Option<Plain>, AuditError> {
+    let convention = best.convention(truth, live, table.channels.len());
+    let mut read = convention.clone();
+    let (mut said, mut options) = (Vec::new(), Vec::new());
+    for (name, axis) in table.axes.iter().zip(&mut read.axes) {
+        let own = *axis;
+        if pins.axes.is_none() {
+            scaled(name, table.source, axis);
+        }
+        if pins.sitings.is_none() && table.source == Source::Table {
+            axis.siting = axis.siting.plain();
+        }
+        if (own.scale, own.reversed) != (axis.scale, axis.reversed) {
+            said.push((own.words(), name.clone()));
+        }
+        if own.siting != axis.siting {
+            said.push((own.siting.words().to_string(), name.clone()));
+        }
+    }
+    let mut untold = along(&said);
+    if read.axes.iter().zip(&convention.axes).any(|(a, b)| (a.scale, a.reversed) != (b.scale, b.reversed)) {
+        let word = |a: &AxisReading| format!("{}{}", if a.reversed { "1-" } else { "" }, a.scale.name());
+        options.push(format!("--axes {}", list(&convention.axes, word)));
+    }
+    if read.axes.iter().zip(&convention.axes).any(|(a, b)| a.siting != b.siting) {
+        options.push(format!("--registration {}", list(&convention.axes, |a| a.siting.name().into())));
+    }
+    for column in
+        read.columns.iter_mut().flatten().filter(|_| pins.meanings.is_none() && pins.column.is_none())
+    {
+        let told = match column {
+            Column::Normal => Column::Average,
+            Column::NormalLoss => Column::AverageLoss,
+            _ => continue,
+        };
+        untold.push(column.words());
+        options.push(format!("--as {}:'{}'", truth.quantity(), column.name()));
+        *column = told;
+    }
+    if untold.is_empty() {
+        return Ok(None);
+    }
+    let max = worst(truth, table, live, best.lobe, &read)?;
+    Ok(Some(Plain { convention: read, untold, options: options.join(" "), max }))
+}
+
+fn list(axes: &[AxisReading], word: impl Fn(&AxisReading) -> String) -> String {
+    axes.iter().map(word).collect::<Vec<_>>().join(",")
+}
+
+/// The coordinate that a reader takes an axis for. Roughness and alpha are both passed as they are; their powers come of squaring once too
+/// often. An argument that is named for gloss is one, 1 - roughness.
+fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
+    let gloss = source == Source::Function && is_gloss(name);
+    if axis.scale.input() == Input::Alpha {
+        let usual = matches!(axis.scale, Scale::Roughness | Scale::Alpha) && !gloss;
+        axis.scale = if usual { axis.scale } else { Scale::Roughness };
+    }
+    axis.reversed = gloss && axis.scale.input() == Input::Alpha;
+}
+
+/// Largest error of any judged channel under a reading.
+fn worst(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    lobe: usize,
+    read: &Convention,
+) -> Result<f64, AuditError> {
+    let most = if table.size.len() == 3 { PLACES } else { usize::MAX };
+    let sample = Sample::new(table, live, most, false);
+    let judgement = judge(truth, &sample, &read.axes, lobe)?;
+    let mut worst: Option<f64> = None;
+    for (place, k) in live.iter().enumerate() {
+        let Some(column) = read.columns[*k] else { continue };
+        let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
+        let errors = residuals.judged.iter().map(|i| residuals.errors[*i].abs());
+        worst = errors.fold(worst, |worst, e| Some(worst.map_or(e, |w| w.max(e))));
+    }
+    Ok(worst.unwrap_or(f64::INFINITY))
+}

@@ -1,0 +1,38 @@
+//! Why the exit code is 1.
+
+use crate::audit::{Audit, Declared, Fit};
+
+/// The message: which of the figures is over the limit, and what the reader is told to do about it.
+pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
+    let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {
+        return "audit failed: it fits no convention that the options leave open".into();
+    };
+    if done.worst() > limit {
+        return format!("audit failed: the largest error is {:.3e}, the limit {limit:e}", done.worst());
+    }
+    match &done.plain {
+        Some(plain) if plain.max > limit => format!(
+            "audit failed: read plainly the largest error is {:.3e}, the limit {limit:e}; it is {:.3e} only with {}, which nobody takes without \
+             being told: make it again, or if it is meant so give {}",
+            plain.max,
+            done.worst(),
+            plain.untold.join(", and "),
+            plain.options
+        ),
+        _ => format!("audit failed: {}", done.unjudged().unwrap_or_default()),
+    }
+}
+
+/// The same of a file that says what it is.
+pub(super) fn of_stated(said: &Declared, limit: Option<f64>) -> String {
+    let worst = said.worst();
+    match limit.filter(|_| said.holds()) {
+        Some(limit) => format!(
+            "audit failed: looked up as the file says, the largest error is {worst:.3e}, the limit {limit:e}"
+        ),
+        None => format!(
+            "audit failed: the file is not what it says: it claims an error of {:e} at most, it is {worst:.3e}",
+            said.claimed
+        ),
+    }
+}
