@@ -8,6 +8,7 @@ use crate::effects::coupling::AnyF0;
 use crate::effects::reflection::Fit;
 use crate::emit::code::{self, Language};
 use crate::emit::{coupling, header};
+use crate::integrate::coupling::Specular;
 
 /// Text by language; empty where nothing is emitted.
 pub fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {
@@ -36,6 +37,9 @@ fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
         text += &format!("\n{}", coupling::exact(language, specular));
         let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
         text += &format!("\n{}", coupling::coupled(language, specular, name, inputs));
+        if specular == Specular::Single {
+            text += &format!("\n{}", coupling::reciprocal(language, name, inputs));
+        }
     }
     Ok(text)
 }
