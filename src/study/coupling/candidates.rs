@@ -1,5 +1,6 @@
 //! The couplings that are compared under a lobe.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::data::{AlphaMap, Smith, Use};
@@ -30,6 +31,9 @@ const PUBLISHED: [Coupling; 10] = [
     Coupling::Pesce,
 ];
 
+/// Reflectances that fits are made for: those of dielectrics with an index of refraction from 1.33 to 2.6, which are lit.
+pub(super) const F0: [f64; 2] = [0.02, 0.2];
+
 /// Starting points of a fit: the constants in the files are good ones.
 const STARTS: usize = 2;
 
@@ -38,12 +42,24 @@ const STARTS: usize = 2;
 pub(super) enum Planned {
     /// A formula of the literature.
     Published(Coupling),
-    /// A form of ours, its constants fitted for the largest error or for what is seen.
-    Fit { entry: Entry, perceptual: bool },
+    /// A form of ours.
+    Fit(Entry, Kind),
+}
+
+/// What a form of ours is fitted for, and used as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The largest error.
+    Max,
+    /// What is seen.
+    Perceptual,
+    /// The largest error, and made reciprocal: the factor at the light times that at the view over its average.
+    Symmetrised,
 }
 
 impl Planned {
-    /// Those of a lobe: of our forms the cheapest, one in the middle and the most accurate, each fitted twice.
+    /// Those of a lobe: of our forms the cheapest, one in the middle and the most accurate, each fitted for both measures, and the last
+    /// made reciprocal.
     pub fn of(lobe: Lobe, size: Size) -> Vec<Planned> {
         let mut planned: Vec<Planned> = PUBLISHED.into_iter().map(Planned::Published).collect();
         let forms = specular(lobe).map_or(&[][..], hypotheses);
@@ -52,9 +68,11 @@ impl Planned {
             Size::Reduced => vec![0],
         };
         chosen.dedup();
-        for entry in chosen.into_iter().filter_map(|i| forms.get(i)) {
-            planned.extend([false, true].map(|perceptual| Planned::Fit { entry: *entry, perceptual }));
+        let chosen: Vec<Entry> = chosen.into_iter().filter_map(|i| forms.get(i).copied()).collect();
+        for entry in &chosen {
+            planned.extend([Kind::Max, Kind::Perceptual].map(|kind| Planned::Fit(*entry, kind)));
         }
+        planned.extend(chosen.last().map(|entry| Planned::Fit(*entry, Kind::Symmetrised)));
         planned
     }
 
@@ -62,9 +80,7 @@ impl Planned {
     pub fn recipe(&self) -> String {
         match self {
             Planned::Published(coupling) => coupling.name().to_string(),
-            Planned::Fit { entry, perceptual } => {
-                format!("{} {}", if *perceptual { "perceptual" } else { "max" }, entry.source)
-            }
+            Planned::Fit(entry, kind) => format!("{kind:?} over f0 {F0:?}: {}", entry.source),
         }
     }
 
@@ -72,7 +88,7 @@ impl Planned {
     pub fn made(&self, lobe: Lobe) -> Result<Candidate, StudyError> {
         match self {
             Planned::Published(coupling) => Ok(Candidate { coupling: coupling.clone(), ours: false }),
-            Planned::Fit { entry, perceptual } => fitted(entry, *perceptual, lobe),
+            Planned::Fit(entry, kind) => fitted(entry, *kind, lobe),
         }
     }
 }
@@ -86,7 +102,7 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> Cow<'_, str> {
         self.coupling.name()
     }
 
@@ -107,11 +123,13 @@ impl Candidate {
                 | Coupling::AshikhminShirley
                 | Coupling::Kelemen
                 | Coupling::Interreflected
+                | Coupling::Symmetrised(_)
         )
     }
 }
 
-fn fitted(entry: &Entry, perceptual: bool, lobe: Lobe) -> Result<Candidate, StudyError> {
+fn fitted(entry: &Entry, kind: Kind, lobe: Lobe) -> Result<Candidate, StudyError> {
+    let perceptual = kind == Kind::Perceptual;
     let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
     let specular = specular(lobe).map_or("single", Specular::name);
     let job = Job {
@@ -122,7 +140,7 @@ fn fitted(entry: &Entry, perceptual: bool, lobe: Lobe) -> Result<Candidate, Stud
             used_as: Some(Use::Coupling),
             smith: Smith::Correlated,
             alpha_map: AlphaMap::RoughnessSquared,
-            domain: BTreeMap::new(),
+            domain: BTreeMap::from([("f0".to_string(), F0)]),
             words: BTreeMap::from([("specular".to_string(), specular.to_string())]),
         },
         goals: vec![if perceptual { Goal::Rms } else { Goal::Max }],
@@ -139,7 +157,11 @@ fn fitted(entry: &Entry, perceptual: bool, lobe: Lobe) -> Result<Candidate, Stud
     let name = format!("{}{suffix}", entry.name());
     let factor = fits.first().map(|fit| Factor::fitted(&name, &fit.hypothesis, &fit.coefficients));
     let factor = factor.ok_or(StudyError::Unfitted { name })??;
-    Ok(Candidate { coupling: Coupling::Factor(factor), ours: true })
+    let coupling = match kind {
+        Kind::Symmetrised => Coupling::Symmetrised(factor),
+        Kind::Max | Kind::Perceptual => Coupling::Factor(factor),
+    };
+    Ok(Candidate { coupling, ours: true })
 }
 
 /// What multiplies the lobe, as the quantity names it; none for lobes that the quantity does not have.
