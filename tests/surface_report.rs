@@ -15,7 +15,7 @@ fn rows() -> SurfaceRows {
         ],
         grid: Grid { roughness: vec![0.3, 0.9], mu: vec![0.2, 0.9], f0: vec![0.04, 1.0] },
         walks: Walks { paths: 1 << 12, seed: 2 },
-        ..Wanted::reduced()
+        ..Wanted::reduced().unwrap()
     };
     SurfaceRows::measure(&wanted).unwrap()
 }

@@ -8,7 +8,7 @@ use lobefit::effects::surface::darker::{ALBEDOS, dark_table};
 use lobefit::effects::surface::interface::schlick_table;
 use lobefit::effects::surface::opinion::{bounce_table, view_table};
 use lobefit::effects::surface::table::{Grid, ReciprocityRow, reciprocity_table};
-use lobefit::effects::surface::{Coupling, Factor, FactorAt, Lobe, SurfaceRows, Wanted, cost, formulas};
+use lobefit::effects::surface::{Coupling, Factor, FactorAt, Lobe, SurfaceRows, Wanted, cost};
 use lobefit::fit::Hypothesis;
 use lobefit::integrate::walk::Walks;
 use lobefit::optics::fresnel;
@@ -181,7 +181,7 @@ fn rows_do_not_depend_on_threads_and_become_json() {
         couplings: vec![Coupling::Pesce, Coupling::Kelemen],
         grid: Grid { roughness: vec![0.4], mu: vec![0.2, 0.9], f0: vec![0.04] },
         walks: Walks { paths: 256, seed: 2 },
-        ..Wanted::reduced()
+        ..Wanted::reduced().unwrap()
     };
     let measured = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -230,9 +230,10 @@ fn views_of_gold_stay_near_the_walk() {
 /// A factor of one side, made reciprocal, keeps its furnace to the bit of the measurement.
 #[test]
 fn symmetrised_formulas_keep_their_furnace() {
-    let formulas = formulas().unwrap();
-    assert!(matches!(formulas, [Coupling::Factor(_), Coupling::Symmetrised(_)]));
-    let rows = reciprocity_table(Smith::Correlated, &formulas, &Grid::reduced()).unwrap();
+    let wanted = Wanted::reduced().unwrap();
+    let formulas: Vec<Coupling> = wanted.couplings.iter().skip(Coupling::ALL.len()).cloned().collect();
+    assert!(matches!(formulas[..], [Coupling::Factor(_), Coupling::Symmetrised(_)]));
+    let rows = reciprocity_table(Smith::Correlated, &formulas, &wanted.grid).unwrap();
     for lobe in Lobe::ALL {
         let (one, both) = (row(&rows, lobe, Some(&formulas[0])), row(&rows, lobe, Some(&formulas[1])));
         for (a, b) in one.furnace.iter().zip(&both.furnace) {

@@ -1,5 +1,6 @@
 //! A material: a GGX lobe over a diffuse base.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -105,8 +106,8 @@ impl Coupling {
     ];
 
     /// The words used in tables.
-    pub fn name(&self) -> &str {
-        match self {
+    pub fn name(&self) -> Cow<'_, str> {
+        let name = match self {
             Coupling::None => "none",
             Coupling::OneMinusF0 => "1 - f0",
             Coupling::OneMinusFresnel => "1 - F(n.v)",
@@ -118,13 +119,10 @@ impl Coupling {
             Coupling::OneMinusOwnSpecular => "1 - own specular",
             Coupling::Kelemen => "Kelemen-Szirmay-Kalos",
             Coupling::Interreflected => "Kelemen, interreflected",
-            Coupling::Factor(factor) | Coupling::Symmetrised(factor) => &factor.name,
-        }
-    }
-
-    /// A formula made reciprocal, under its name with that word added.
-    pub fn symmetrised(factor: &Factor) -> Coupling {
-        Coupling::Symmetrised(Factor { name: format!("{}, symmetrised", factor.name), ..factor.clone() })
+            Coupling::Factor(factor) => &factor.name,
+            Coupling::Symmetrised(factor) => return Cow::Owned(format!("{}, symmetrised", factor.name)),
+        };
+        Cow::Borrowed(name)
     }
 
     /// Whether f(l, v) = f(v, l).

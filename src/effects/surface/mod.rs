@@ -24,4 +24,4 @@ pub use cost::cost;
 pub use error::SurfaceError;
 pub use evaluate::{Parts, Side, Surface};
 pub use material::{Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material};
-pub use rows::{SurfaceRows, Wanted, formulas};
+pub use rows::{SurfaceRows, Wanted};

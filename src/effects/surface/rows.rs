@@ -15,7 +15,8 @@ use crate::integrate::walk::Walks;
 /// f0 of the dielectric whose base is darkened: that of an index of refraction of 1.5.
 const DARK_F0: f64 = 0.04;
 
-/// Source of [`formulas`].
+/// (1 - f0)(1 - b) with b = ((1 - roughness)(1 - mu)^2)^2 for B/E, a formula without constants: a factor of one side that costs little and
+/// knows no texel, as it is and made reciprocal.
 const SEVEN: &str = "fn seven(roughness: f32, mu: f32, f0: f32) -> f32 {\n    let x = 1.0 - mu;\n    let y = (1.0 - roughness) * (x * x);\n    \
                      return (1.0 - f0) * (1.0 - y * y);\n}\n";
 
@@ -31,7 +32,7 @@ const VIEW_COSINES: [f64; 8] = [0.05, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
 pub struct Wanted {
     /// Form of the shadowing of furnace, reciprocity and Fresnel rows; the walk is correlated by nature.
     pub smith: Smith,
-    /// Couplings; formulas may be among them. Those of [`formulas`] are added.
+    /// Couplings; formulas may be among them.
     pub couplings: Vec<Coupling>,
     /// Where.
     pub grid: Grid,
@@ -41,27 +42,26 @@ pub struct Wanted {
 
 impl Wanted {
     /// Everything over the whole grid, a million paths a walk.
-    pub fn full() -> Wanted {
+    ///
+    /// # Errors
+    /// A formula that does not parse, a defect of this program.
+    pub fn full() -> Result<Wanted, SurfaceError> {
         let walks = Walks { paths: 1 << 20, seed: 1 };
-        Wanted { smith: Smith::Correlated, couplings: Coupling::ALL.to_vec(), grid: Grid::full(), walks }
+        let hypothesis =
+            Hypothesis::parse("seven.wgsl", SEVEN).map_err(|e| SurfaceError::Formula(Box::new(e)))?;
+        let factor = Factor::fitted("7 operations", &hypothesis, &[])?;
+        let formulas = [Coupling::Factor(factor.clone()), Coupling::Symmetrised(factor)];
+        let couplings = Coupling::ALL.into_iter().chain(formulas).collect();
+        Ok(Wanted { smith: Smith::Correlated, couplings, grid: Grid::full(), walks })
     }
 
     /// The same over few points with few paths, for tests.
-    pub fn reduced() -> Wanted {
-        Wanted { grid: Grid::reduced(), walks: Walks { paths: 1 << 14, seed: 1 }, ..Wanted::full() }
+    ///
+    /// # Errors
+    /// As of [`Wanted::full`].
+    pub fn reduced() -> Result<Wanted, SurfaceError> {
+        Ok(Wanted { grid: Grid::reduced(), walks: Walks { paths: 1 << 14, seed: 1 }, ..Wanted::full()? })
     }
-}
-
-/// A formula that needs no texel, (1 - f0)(1 - b) with b = ((1 - roughness)(1 - mu)^2)^2 for B/E, as it is and made reciprocal: measured
-/// beside every list of couplings.
-///
-/// # Errors
-/// A source that does not parse, a defect of this program.
-pub fn formulas() -> Result<[Coupling; 2], SurfaceError> {
-    let hypothesis =
-        Hypothesis::parse("seven.wgsl", SEVEN).map_err(|e| SurfaceError::Formula(Box::new(e)))?;
-    let factor = Factor::fitted("7 operations", &hypothesis, &[])?;
-    Ok([Coupling::Factor(factor.clone()), Coupling::symmetrised(&factor)])
 }
 
 /// The rows.
@@ -90,10 +90,9 @@ impl SurfaceRows {
     /// As of the tables.
     pub fn measure(wanted: &Wanted) -> Result<SurfaceRows, SurfaceError> {
         let Wanted { smith, couplings, grid, walks } = wanted;
-        let couplings: Vec<Coupling> = couplings.iter().cloned().chain(formulas()?).collect();
         Ok(SurfaceRows {
             grid: grid.clone(),
-            reciprocity: reciprocity_table(*smith, &couplings, grid)?,
+            reciprocity: reciprocity_table(*smith, couplings, grid)?,
             schlick: schlick_table(*smith, &IORS, &grid.roughness)?,
             darker: dark_table(*smith, DARK_F0, grid)?,
             colour: colour_table(&METALS, &grid.roughness, *walks)?,
