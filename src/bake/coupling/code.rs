@@ -33,7 +33,7 @@ fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
         text += &format!("\n{function}");
     }
     let specular = lobe.spec.specular;
-    if let Some(best) = best(lobe) {
+    if let Some(best) = lobe.best() {
         text += &format!("\n{}", coupling::exact(language, specular));
         let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
         text += &format!("\n{}", coupling::coupled(language, specular, name, inputs));
@@ -42,13 +42,6 @@ fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
         }
     }
     Ok(text)
-}
-
-/// The most accurate of the emitted factors, the cheapest of equals: the one that a material is shown with.
-fn best(lobe: &Lobe) -> Option<&Fit> {
-    let rank = |fit: &&Fit| (fit.approximation.certificate.max_abs, fit.approximation.cost.ops);
-    let emitted = lobe.fits.iter().filter(|fit| fit.emitted);
-    emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
 }
 
 /// The header of a factor: what it is, its error and its cost.
