@@ -74,8 +74,8 @@ impl Parameters {
     pub fn of(size: Size) -> Result<Parameters, StudyError> {
         let full = size == Size::Full;
         let settings = Settings {
-            side: if full { 80 } else { 24 },
-            radius: if full { 37.0 } else { 11.0 },
+            side: if full { 72 } else { 24 },
+            radius: if full { 33.0 } else { 11.0 },
             samples: if full { 96 } else { 16 },
             lamp_samples: if full { 24 } else { 4 },
             background: [0.18; 3],

@@ -18,6 +18,7 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
         blocks.push(Block::Heading { text: format!("Specular lobe: {}", ranking.lobe) });
         blocks.push(Block::Table(table(ranking)));
         blocks.push(Block::Text { text: disagreement(ranking) });
+        blocks.extend(refitted(ranking).map(|text| Block::Text { text }));
     }
     Ok(Section {
         id: "ranking".into(),
@@ -113,7 +114,8 @@ fn disagreement(ranking: &Ranking) -> String {
     let by_max = reversed(&rows, |r| r.furnace_max);
     let by_weight = reversed(&rows, |r| r.perceptual);
     let counted = format!(
-        "Of {pairs} pairs of inexact couplings, the largest departure orders {} otherwise than FLIP does, the perceptual RMS {}",
+        "Of {pairs} pairs of inexact couplings (without those that are nearer to the reciprocal reference), the largest departure orders {} \
+         otherwise than FLIP does, the perceptual RMS {}",
         by_max.len(),
         by_weight.len(),
     );
@@ -133,6 +135,26 @@ fn disagreement(ranking: &Ranking) -> String {
         words::max(better.furnace_max),
         words::max(worse.furnace_max),
     )
+}
+
+/// What it changes to fit a form for what is seen instead of for the largest error, in words; none where no form is fitted for both.
+fn refitted(ranking: &Ranking) -> Option<String> {
+    let one = |max: &Ranked| {
+        let seen = ranking.rows.iter().find(|r| r.name == format!("{}, perceptual", max.name))?;
+        Some(format!(
+            "{}: FLIP {} instead of {}, largest departure {} instead of {}",
+            max.name,
+            significant(seen.flip, 2),
+            significant(max.flip, 2),
+            words::max(seen.furnace_max),
+            words::max(max.furnace_max),
+        ))
+    };
+    let all: Vec<String> = ranking.rows.iter().filter_map(one).collect();
+    if all.is_empty() {
+        return None;
+    }
+    Some(format!("Constants fitted for the perceptual RMS instead of the largest error: {}.", all.join("; ")))
 }
 
 /// Pairs of rows, which rise by FLIP, that another measure puts the other way round.
