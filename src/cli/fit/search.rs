@@ -44,9 +44,10 @@ pub(super) fn run(options: &Options, job: &SearchJob) -> Result<Outcome, CliErro
 
 /// How far a search is.
 fn told(at: &Progress) -> String {
-    let Progress { sweep, sweeps, ops, max_ops, forms, best, .. } = at;
+    let Progress { trial, sweep, sweeps, ops, max_ops, forms, best, .. } = at;
+    let trial = trial.map_or(String::new(), |[k, count]| format!("what pays ({k} of {count}): "));
     format!(
-        "sweep {} of at most {sweeps}, {ops} of {max_ops} operations, {forms} forms tried, error {best:.5} so far",
+        "{trial}sweep {} of at most {sweeps}, {ops} of {max_ops} operations, {forms} forms tried, error {best:.5} so far",
         sweep + 1
     )
 }

@@ -33,7 +33,8 @@ pub(super) fn solved(
 /// The best of a cost, and the best of those without admitted helpers.
 fn finalists(space: &Space, level: Vec<Entry>) -> Vec<Entry> {
     let bare = |e: &Entry| e.form.helpers.iter().all(|h| !space.admitted.contains(&h.kind));
-    let (mut first, rest): (Vec<Entry>, Vec<Entry>) = (level.iter().take(FINALISTS).cloned().collect(), level);
+    let (mut first, rest): (Vec<Entry>, Vec<Entry>) =
+        (level.iter().take(FINALISTS).cloned().collect(), level);
     let missing = FINALISTS.saturating_sub(first.iter().filter(|e| bare(e)).count());
     first.extend(rest.into_iter().skip(FINALISTS).filter(bare).take(missing));
     first
