@@ -163,8 +163,8 @@ fn excess(include: &str) -> (f64, String, f64) {
             let [factor, multiplier] = [pair[0], pair[1]].map(f64::from);
             let departure = (lobe * multiplier + factor - 1.0).abs();
             let over = departure - c.certificate - RULE;
-            // Written so that a value that is not a number is the worst.
-            if !(over <= worst) {
+            // A value that is not a number is the worst, and stays so.
+            if over.is_nan() || over > worst {
                 (worst, at) =
                     (over, format!("{} at {view:?}: off {departure}, allowed {}", c.name, c.certificate));
             }

@@ -83,14 +83,33 @@ impl Planned {
             Planned::Fit(entry, kind) => format!("{kind:?} over f0 {F0:?}: {}", entry.source),
         }
     }
+}
 
-    /// The coupling itself; a form of ours is fitted for a lobe.
-    pub fn made(&self, lobe: Lobe) -> Result<Candidate, StudyError> {
-        match self {
-            Planned::Published(coupling) => Ok(Candidate { coupling: coupling.clone(), ours: false }),
-            Planned::Fit(entry, kind) => fitted(entry, *kind, lobe),
-        }
+/// The couplings themselves; forms of ours are fitted for the lobe, once for each measure.
+pub(super) fn made(planned: &[Planned], lobe: Lobe) -> Result<Vec<Candidate>, StudyError> {
+    let mut factors: Vec<Factor> = Vec::new();
+    let mut made = Vec::new();
+    for one in planned {
+        let coupling = match one {
+            Planned::Published(coupling) => coupling.clone(),
+            Planned::Fit(entry, kind) => {
+                let perceptual = *kind == Kind::Perceptual;
+                let name = format!("{}{}", entry.name(), if perceptual { ", perceptual" } else { "" });
+                let factor = match factors.iter().find(|factor| factor.name() == name) {
+                    Some(factor) => factor.clone(),
+                    None => fitted(entry, &name, perceptual, lobe)?,
+                };
+                factors.push(factor.clone());
+                if *kind == Kind::Symmetrised {
+                    Coupling::Symmetrised(factor)
+                } else {
+                    Coupling::Factor(factor)
+                }
+            }
+        };
+        made.push(Candidate { coupling, ours: matches!(one, Planned::Fit(..)) });
     }
+    Ok(made)
 }
 
 /// A coupling ready to be evaluated.
@@ -128,8 +147,8 @@ impl Candidate {
     }
 }
 
-fn fitted(entry: &Entry, kind: Kind, lobe: Lobe) -> Result<Candidate, StudyError> {
-    let perceptual = kind == Kind::Perceptual;
+/// A form of ours with its constants.
+fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Factor, StudyError> {
     let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
     let specular = specular(lobe).map_or("single", Specular::name);
     let job = Job {
@@ -153,15 +172,8 @@ fn fitted(entry: &Entry, kind: Kind, lobe: Lobe) -> Result<Candidate, StudyError
         command: String::new(),
     };
     let fits = fit(&job)?.fits;
-    let suffix = if perceptual { ", perceptual" } else { "" };
-    let name = format!("{}{suffix}", entry.name());
-    let factor = fits.first().map(|fit| Factor::fitted(&name, &fit.hypothesis, &fit.coefficients));
-    let factor = factor.ok_or(StudyError::Unfitted { name })??;
-    let coupling = match kind {
-        Kind::Symmetrised => Coupling::Symmetrised(factor),
-        Kind::Max | Kind::Perceptual => Coupling::Factor(factor),
-    };
-    Ok(Candidate { coupling, ours: true })
+    let first = fits.first().ok_or_else(|| StudyError::Unfitted { name: name.into() })?;
+    Ok(Factor::fitted(name, &first.hypothesis, &first.coefficients)?)
 }
 
 /// What multiplies the lobe, as the quantity names it; none for lobes that the quantity does not have.

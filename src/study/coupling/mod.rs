@@ -33,7 +33,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
     let mut compared = Vec::new();
     for under in &parameters.lobes {
         progress.stage(&format!("fits, {}", under.lobe.name()));
-        let candidates = under.planned.iter().map(|p| p.made(under.lobe)).collect::<Result<_, _>>()?;
+        let candidates = candidates::made(&under.planned, under.lobe)?;
         compared.push(Compared { lobe: under.lobe, candidates });
     }
     progress.stage("furnace");

@@ -13,7 +13,7 @@ pub(super) fn section(lobe: &CouplingLobe) -> Result<Option<Section>, ReportErro
         id: format!("{}-{}", section.id, lobe.specular),
         title: format!("{}, {} lobe", section.title, lobe.specular),
         lead: format!(
-            "{} Here at a few places only; all lobes, couplings and places are those of the study, `lobefit report --study coupling`.",
+            "{} Here at a few places only; all lobes, couplings and places are those of the study, “lobefit report --study coupling”.",
             section.lead
         ),
         blocks: section.blocks,
