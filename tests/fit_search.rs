@@ -6,8 +6,8 @@ mod fit_support;
 use fit_support::albedo;
 use lobefit::fit::FitError;
 use lobefit::fit::search::{
-    Aid, Anchor, Found, Helper, Link, Pair, PairSamples, Pairing, Progress, SearchAxis, SearchSamples, Second,
-    Space, scout, search, search_pair,
+    Aid, Anchor, Found, Helper, Link, Pair, PairSamples, Pairing, Progress, SearchAxis, SearchSamples,
+    Second, Space, scout, search, search_pair,
 };
 
 fn axis(arguments: &[(&str, u32)], degree: u8) -> SearchAxis {
@@ -131,7 +131,7 @@ fn with(space: &Space, aid: Aid) -> Space {
 fn what_pays_is_told_and_used() {
     let root = Aid::Helper(Helper::Root { axis: 0 });
     let decay = Aid::Helper(Helper::Decay { axis: 1, power: 1 });
-    let [exp2, root_of, square] = [Link::Exp2, Link::Root, Link::Square].map(Aid::Link);
+    let [exp2, root_of, squared] = [Link::Exp2, Link::Root, Link::Square].map(Aid::Link);
     type Planted = fn(f64, f64) -> f64;
     let cases: [(Planted, Aid, u32, &str, f64); 4] = [
         // Polynomial 3, exp2 4.
@@ -139,13 +139,13 @@ fn what_pays_is_told_and_used() {
         // The root 4, two products that fuse.
         (|x, y| 0.3 + y * (1.0 + 2.0 * x.sqrt()), root, 7, "sqrt", 1e-6),
         (|x, y| (0.04 + x * x + 2.0 * y).sqrt(), root_of, 7, "sqrt", 1e-5),
-        // 0.3 + x (y - 1.5 x), its square.
-        (|x, y| (0.3 + x * (2.0 * y - 1.5 * x)).powi(2), square, 5, "root", 1e-5),
+        // Three operations, and the square.
+        (|x, y| (0.3 + x * (2.0 * y + 1.5 * x)).powi(2), squared, 5, "root", 1e-5),
     ];
     for (planted, pays, ops, word, bar) in cases {
         let space = Space { width: 4, ..plain(ops) };
         let samples = square(12, planted);
-        let trials = scout(&space, &[root, decay, exp2, root_of, square], &samples, &quiet).unwrap();
+        let trials = scout(&space, &[root, decay, exp2, root_of, squared], &samples, &quiet).unwrap();
         println!("{trials:?}");
         let best = trials.iter().max_by(|a, b| a.gain.total_cmp(&b.gain)).unwrap();
         assert!(best.aid == pays && best.admitted && best.gain > 0.9, "{best:?}");
@@ -164,7 +164,6 @@ fn what_pays_is_told_and_used() {
         assert!((0..=ops).all(|ops| at(&found, ops) <= at(&bare, ops) * (1.0 + 1e-9)));
     }
 }
-
 
 /// An anchor that a link does not take is kept, not bent: 2^p is nowhere 0; and 1 stays 1.
 #[test]

@@ -1,11 +1,12 @@
 //! Which helpers and links pay: narrow searches for cheap forms, each with one of them.
 
-use super::Progress;
 use super::beam::{Beam, Entry};
+use super::finish::solved;
 use super::helper::Helper;
 use super::link::Link;
 use super::score::Data;
 use super::space::{SearchSamples, Space};
+use super::{Found, Progress};
 use crate::fit::FitError;
 
 /// What a form may have beside sums of powers.
@@ -62,19 +63,23 @@ pub fn scout(
     let few = samples.some(SAMPLES);
     let count = aids.len() + 1;
     let told = |k: usize, at: &Progress| progress(&Progress { trial: Some([k + 1, count]), ..*at });
-    let plain = least(&narrow(space, &few, &|at| told(0, at)), |_| true);
-    let one = |(k, aid): (usize, &Aid)| {
-        let found = space.with(*aid).and_then(|aided| {
-            let linked = match aid {
-                Aid::Link(link) => link.linked(&few)?,
-                Aid::Helper(_) => few.clone(),
-            };
-            Some(narrow(&aided, &linked, &|at| told(k + 1, at)))
-        });
-        let (gain, ops) = found.map_or((0.0, 0), |levels| gained(*aid, &levels, &plain));
-        Trial { aid: *aid, gain, ops, admitted: gain >= PAYS }
-    };
-    let mut trials: Vec<Trial> = aids.iter().enumerate().map(one).collect();
+    let plain = narrow(space, &few, &|at| told(0, at));
+    let mut trials = Vec::new();
+    for (k, aid) in aids.iter().enumerate() {
+        let told = |at: &Progress| told(k + 1, at);
+        let (gain, ops) = match (space.with(*aid), aid) {
+            (None, _) => (0.0, 0),
+            (Some(aided), Aid::Helper(helper)) => of_helper(*helper, &narrow(&aided, &few, &told), &plain),
+            (Some(aided), Aid::Link(link)) => match link.linked(&few) {
+                Some(linked) => {
+                    let levels = narrow(&aided, &linked, &told);
+                    of_link((&aided, &linked, levels), (space, &few, &plain))?
+                }
+                None => (0.0, 0),
+            },
+        };
+        trials.push(Trial { aid: *aid, gain, ops, admitted: gain >= PAYS });
+    }
     let helpers = trials.iter().filter(|t| t.admitted && matches!(t.aid, Aid::Helper(_)));
     let mut gains: Vec<f64> = helpers.map(|t| t.gain).collect();
     gains.sort_by(|a, b| b.total_cmp(a));
@@ -85,16 +90,36 @@ pub fn scout(
     Ok(trials)
 }
 
-/// Where forms with an aid take most away from the error of those without, which are among the same levels too.
-fn gained(aid: Aid, levels: &[Vec<Entry>], plain: &[f64]) -> (f64, u32) {
-    let has = |e: &Entry| match aid {
-        Aid::Helper(helper) => e.form.helpers.iter().any(|h| h.kind == helper),
-        Aid::Link(_) => true,
-    };
+type Levels = [Vec<Entry>];
+
+/// Where forms with a helper take most away from the error of those without, which are among the same levels too.
+fn of_helper(helper: Helper, levels: &Levels, plain: &Levels) -> (f64, u32) {
+    let has = |e: &Entry| e.form.helpers.iter().any(|h| h.kind == helper);
     let (with, without) = (least(levels, has), least(levels, |e| !has(e)));
+    let plain = least(plain, |_| true);
+    most(&with, &without.iter().zip(plain).map(|(a, b)| a.min(b)).collect::<Vec<_>>())
+}
+
+/// The same of a link. Its levels are ranked by errors of what is put into it, so both are solved, and measured by those of the value.
+fn of_link(
+    (aided, linked, levels): (&Space, &SearchSamples, Vec<Vec<Entry>>),
+    (space, samples, plain): (&Space, &SearchSamples, &Levels),
+) -> Result<(f64, u32), FitError> {
+    let without = solved(&small(space), samples, samples, plain.to_vec())?;
+    let with = solved(&small(aided), linked, samples, levels)?;
+    let at = |found: &[Found], ops: usize| {
+        let cheap = found.iter().filter(|f| f.ops as usize <= ops);
+        cheap.map(|f| f.max).fold(f64::INFINITY, f64::min)
+    };
+    let all = |found: &[Found]| (0..plain.len()).map(|ops| at(found, ops)).collect::<Vec<_>>();
+    Ok(most(&all(&with), &all(&without)))
+}
+
+/// The largest part of the second errors that the first are without, and at how many operations.
+fn most(with: &[f64], without: &[f64]) -> (f64, u32) {
     let mut best = (0.0, 0);
-    for (ops, ((with, without), plain)) in with.iter().zip(without).zip(plain).enumerate() {
-        let gain = 1.0 - with / without.min(*plain);
+    for (ops, (with, without)) in with.iter().zip(without).enumerate() {
+        let gain = 1.0 - with / without;
         if gain > best.0 {
             best = (gain, ops as u32);
         }
@@ -102,18 +127,23 @@ fn gained(aid: Aid, levels: &[Vec<Entry>], plain: &[f64]) -> (f64, u32) {
     best
 }
 
-fn narrow(space: &Space, samples: &SearchSamples, progress: &dyn Fn(&Progress)) -> Vec<Vec<Entry>> {
-    let narrow = Space {
+fn small(space: &Space) -> Space {
+    Space {
         width: space.width.min(WIDTH),
         sweeps: space.sweeps.min(SWEEPS),
         max_ops: space.max_ops.min(OPS),
+        domain: None,
         ..space.clone()
-    };
+    }
+}
+
+fn narrow(space: &Space, samples: &SearchSamples, progress: &dyn Fn(&Progress)) -> Vec<Vec<Entry>> {
+    let narrow = small(space);
     Beam::new(&narrow, Data::new(&narrow, samples)).run(progress)
 }
 
 /// The smallest error of the chosen forms, at every cost or below.
-fn least(levels: &[Vec<Entry>], chosen: impl Fn(&Entry) -> bool) -> Vec<f64> {
+fn least(levels: &Levels, chosen: impl Fn(&Entry) -> bool) -> Vec<f64> {
     let mut least = f64::INFINITY;
     let best = |level: &Vec<Entry>| {
         least = level.iter().find(|e| chosen(e)).map_or(least, |e| least.min(e.score.max));
