@@ -12,6 +12,7 @@ use crate::store::Folder;
 pub(super) fn run(options: &Options, job: &SearchJob) -> Result<Outcome, CliError> {
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let spinner = Spinner::new(options.quiet || options.json);
+    spinner.stage("integrating");
     let (searched, files) = options.threads.install(|| {
         let searched = search::run(job, &|at| spinner.stage(&told(at)))?;
         let kept = folder.is_some() && searched.problem(job.limit).is_none();
