@@ -196,7 +196,8 @@ impl Tried {
     /// What came of it, in words.
     pub fn outcome(&self) -> String {
         let Trial { gain, ops, admitted, .. } = self.trial;
-        if gain <= 0.0 {
+        // Less than the digits that are told.
+        if gain < 5e-4 {
             return "no gain: not used".into();
         }
         let used = if admitted { "used" } else { "not used" };
