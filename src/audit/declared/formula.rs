@@ -164,7 +164,7 @@ mod tests {
             let of = |name: &str| [("mu", 0.25), ("l", 3.0)].iter().find(|v| v.0 == name).map(|v| v.1);
             Formula::parse(text).unwrap().value(&of)
         };
-        assert_eq!(at("sqrt(mu * (1 + l) / (mu + l) * 13) - 2 * -1"), Some(6.0));
+        assert_eq!(at("sqrt(mu * (1 + l) / (mu + l) * 13) - 2 * -1"), Some(4.0));
         assert_eq!(at("2^3^2 / 2^-1"), Some(1024.0));
         assert_eq!(at("-log2(mu) - l"), Some(-1.0));
         assert_eq!(at("mu + nothing"), None);

@@ -83,7 +83,11 @@ fn note(item: &mut Item, at: usize, token: Token, before: Token, depth: usize) {
             if let Some(last) = item.words.last_mut() {
                 last.2 = true;
             }
-            if depth == 0 && !item.function && !["layout", "if", "while", "for"].contains(&name) {
+            if depth == 0
+                && !item.function
+                && item.name.is_empty()
+                && !["layout", "if", "while", "for"].contains(&name)
+            {
                 (item.function, item.name) = (true, name.to_string());
             }
         }
@@ -197,7 +201,7 @@ mod tests {
         assert_eq!(found("b = set(x) && a; set(y);"), None);
         assert_eq!(found("b = (a || c) ? set(x) : d;"), None);
         assert_eq!(found("f(a && c, set(x)); if (a || c) { x = 1.0; }"), None);
-        assert_eq!(found("b = a || (c && x++ > 1);"), Some(17));
+        assert_eq!(found("b = a || (c && x++ > 1);"), Some(16));
         assert_eq!(found("b = a && (x = 2.0) > c;"), Some(12));
         assert_eq!(found("b = a && c <= d && c == e && c != e;"), None);
     }
