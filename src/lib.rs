@@ -22,6 +22,7 @@
 //! | 6 | [`audit`] | somebody else's table or shader function against the truth |
 //! | 6 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
 //! | 6 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
+//! | 7 | [`study`] | the long studies: rendered spheres and random walks, outside `bake` |
 //! | 7 | [`timing`] | what accuracy costs in seconds |
 //! | 8 | [`cli`] | one file per verb |
 
@@ -41,4 +42,5 @@ pub mod plan;
 pub mod report;
 pub mod scene;
 pub mod store;
+pub mod study;
 pub mod timing;

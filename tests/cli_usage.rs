@@ -94,11 +94,11 @@ fn plan_prints_the_keys_of_the_contract() {
         assert!(!effect[key].is_null(), "{key}");
     }
     let effects = plan["effects"].as_array().unwrap().iter().filter_map(|e| e["effect"].as_str());
-    assert_eq!(effects.collect::<Vec<_>>(), ["reflection", "anisotropy", "glass"]);
+    assert_eq!(effects.collect::<Vec<_>>(), ["reflection", "anisotropy", "glass", "diffuse-coupling"]);
     assert_eq!(effect["ranges"]["roughness"], serde_json::json!([0.02, 1.0]));
     let left: Vec<&str> =
         plan["left_out"].as_array().unwrap().iter().filter_map(|l| l["effect"].as_str()).collect();
-    assert_eq!(left, ["diffuse-coupling", "sheen", "clearcoat", "oren-nayar", "parallax", "occlusion"]);
+    assert_eq!(left, ["sheen", "clearcoat", "oren-nayar", "parallax", "occlusion"]);
     assert!(names(folder.path()).is_empty());
 }
 
@@ -222,8 +222,12 @@ fn an_effect_that_is_not_called_for_or_not_there_is_refused_with_the_reason_of_t
     for (scene, only, expected) in [
         (rough, "glass", "error: --only glass: no material transmits light"),
         (rough, "reflection,sheen", "error: --only sheen: no material has a sheen layer"),
-        (rough, "diffuse-coupling", "error: --only diffuse-coupling: called for by `m`"),
-        (rough, "diffuse-coupling", "not available in this version"),
+        (
+            rough,
+            "diffuse-coupling",
+            "error: --only diffuse-coupling: no material is a dielectric with a diffuse base",
+        ),
+        (rough, "diffuse-coupling", "`m` has no `base`"),
         (mirrors, "reflection", "error: --only reflection: no material has a rough specular lobe"),
     ] {
         let output = lobefit(folder.path(), &["bake", "-", "--only", only], scene);

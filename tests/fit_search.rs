@@ -5,7 +5,10 @@ mod fit_support;
 
 use fit_support::albedo;
 use lobefit::fit::FitError;
-use lobefit::fit::search::{Anchor, Found, Helper, Progress, SearchAxis, SearchSamples, Space, search};
+use lobefit::fit::search::{
+    Anchor, Found, Helper, Pair, PairSamples, Pairing, Progress, SearchAxis, SearchSamples, Second, Space,
+    search, search_pair,
+};
 
 fn axis(arguments: &[(&str, u32)], degree: u8) -> SearchAxis {
     SearchAxis { arguments: arguments.iter().map(|(n, p)| (n.to_string(), *p)).collect(), degree }
@@ -114,6 +117,69 @@ fn helpers_pay_where_the_data_call_for_them() {
     };
     let found = search(&Space { helpers, ..plain(7) }, &data, &quiet).unwrap();
     assert!(found.iter().any(|f| f.hypothesis.source().contains("inverseSqrt")));
+}
+
+/// u = 1 + x y / (0.5 + x) and v = 0.25 / (1 + 2 y): one division serves both.
+#[test]
+fn two_functions_share_a_division() {
+    let first = square(12, |x, y| 1.0 + x * y / (0.5 + x));
+    let truth: Vec<f64> = first.axes[1].iter().map(|y| 0.25 / (1.0 + 2.0 * y)).collect();
+    let formula = |pairing: Pairing, t: f64, u: f64, v: f64| match pairing {
+        Pairing::Mix => v + t * (u - v),
+        Pairing::Blend => u * (v + t * (1.0 - v)),
+        Pairing::Rest => 1.0 - u * (v + t * (1.0 - v)),
+        _ => (1.0 - t) * (v + u * (1.0 - (1.0 - t) * v)),
+    };
+    for pairing in [Pairing::Mix, Pairing::Blend, Pairing::Rest, Pairing::Recycled] {
+        let space = |name: &str| Space { name: name.into(), ..plain(8) };
+        let anchor = Some(Anchor { value: 1.0, zeros: vec![0] });
+        let pair = Pair {
+            name: "pair_".into(),
+            argument: "t".into(),
+            first: Space { anchor, ..space("first") },
+            seconds: vec![Second {
+                pairing,
+                title: String::new(),
+                space: space("second"),
+                truth: truth.clone(),
+            }],
+            max_ops: 18,
+            domain: None,
+        };
+        let at = vec![0.0, 0.5, 1.0];
+        let samples = PairSamples { axes: first.axes.clone(), first: first.target.clone(), at };
+        let found = search_pair(&pair, &samples, &quiet).unwrap();
+        show(&found);
+        let last = found.last().unwrap();
+        // Apart they take 7 and 6 operations and two divisions; what pairs them 2 to 4 more.
+        assert!(last.max < 1e-6 && last.ops <= 15, "{pairing:?}: {} {}", last.max, last.ops);
+        assert_eq!(last.ops, last.hypothesis.tape().cost_ops());
+        assert!(found.windows(2).all(|w| w[0].ops < w[1].ops && w[0].max > w[1].max));
+        let names = last.hypothesis.inputs();
+        let values = [0.3, 0.7, 0.6];
+        let inputs: Vec<Vec<f32>> = names
+            .iter()
+            .map(|name| vec![values[["x", "y", "t"].iter().position(|n| n == name).unwrap()]])
+            .collect();
+        let coefficients: Vec<f32> = last.hypothesis.parameters().iter().map(|p| p.start).collect();
+        let value = last.hypothesis.tape().evaluate(&inputs, &coefficients).unwrap()[0];
+        let [x, y, t] = values.map(f64::from);
+        let expected = formula(pairing, t, 1.0 + x * y / (0.5 + x), 0.25 / (1.0 + 2.0 * y));
+        assert!((f64::from(value) - expected).abs() < 1e-5, "{pairing:?}: {value} {expected}");
+    }
+    let space = Space { name: "u".into(), ..plain(4) };
+    let second = Second { pairing: Pairing::Mix, title: String::new(), space: space.clone(), truth };
+    let pair = Pair {
+        name: "p_".into(),
+        argument: "t".into(),
+        first: space,
+        seconds: vec![second],
+        max_ops: 4,
+        domain: None,
+    };
+    let samples = PairSamples { axes: first.axes, first: first.target, at: vec![1.0] };
+    let error = search_pair(&pair, &samples, &quiet).unwrap_err().to_string();
+    assert!(error.contains("nowhere below 1"), "{error}");
 }
 
 #[test]

@@ -170,8 +170,14 @@ fn bad_lists_are_named_with_their_place() {
         ("int n = 3;", "no array"),
         ("float t[3][4] = {{1.5,2,3,4},\n{1,2,3},{1,2,3,4}};", "t.h:"),
         ("float t[9] = {0.5,1,2,3,4,5,6,7", "1:14"),
-        ("float t[9] = {0.5,1,2,NaN,4,5,6,7,-INFINITY};", "nor are 1 others"),
-        ("float t[9] = {0.5,1,2,1e999,4,5,6,7,8};", "texel [3]: inf"),
+        (
+            "float t[9] = {0.5,1,2,NaN,4,5,6,7,-INFINITY};",
+            "NaN is not a finite number, nor is 1 other of 9 values",
+        ),
+        (
+            "float t[9] = {0.5,1,2,1e999,4,5,6,7,8};",
+            "texel [3]: inf is not a finite number, the only one of 9 values",
+        ),
     ];
     for (text, part) in cases {
         let message = refused(text, &Hints::default());

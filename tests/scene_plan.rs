@@ -1,5 +1,6 @@
 //! Scenes to plans: merging, ranges, what is left out and why.
 
+use lobefit::integrate::coupling::Specular;
 use lobefit::plan::{EffectName, Plan, plan};
 use lobefit::scene::{Norm, Scene};
 
@@ -36,7 +37,8 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
     assert_eq!(fit.promises.len(), 1);
     assert_eq!(fit.promises[0].materials, ["rough metal", "rough dielectric"]);
     let effects: Vec<EffectName> = plan.effects.iter().map(|e| e.effect).collect();
-    assert_eq!(effects, [EffectName::Reflection, EffectName::Anisotropy, EffectName::Glass]);
+    use EffectName::{Anisotropy, DiffuseCoupling, Glass, Reflection};
+    assert_eq!(effects, [Reflection, Anisotropy, Glass, DiffuseCoupling]);
     let volumes: Vec<&str> =
         plan.volumes.iter().flat_map(|job| &job.tables).map(|table| table.name.as_str()).collect();
     assert_eq!(
@@ -53,8 +55,13 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
     );
     assert_eq!(plan.effects[0].bytes, 32 * 32 * 2 + 64 * 64 * 2 * 2);
     assert_eq!(plan.effects[0].because.len(), 2);
-    let coupling = reason(&plan, EffectName::DiffuseCoupling);
-    assert!(coupling.contains("`rough dielectric`") && coupling.contains("not available"), "{coupling}");
+    let [coupling] = &plan.couplings[..] else { panic!("{:?}", plan.couplings) };
+    assert_eq!(
+        (coupling.specular, coupling.roughness, coupling.mu),
+        (Specular::Normalised, [0.02, 1.0], [0.01, 1.0])
+    );
+    assert!(coupling.f0[0] == coupling.f0[1] && (coupling.f0[0] - 0.04).abs() < 1e-12, "{:?}", coupling.f0);
+    assert_eq!((coupling.max_ops, coupling.promises[0].max_error), (Some(19), 0.007));
 }
 
 #[test]

@@ -150,6 +150,7 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
     let anisotropic = r#"{"schema_version":1,"formats":["exr","raw"],"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"anisotropy":[0,1],"wants":{"fit":{},"tables":[{"size":[8,8,8]},{"layout":"azimuth"},{"layout":"path-tracer"}]}}]}"#;
     let glass = r#"{"schema_version":1,"materials":[{"name":"m","kind":"glass","ior":[1,2],"roughness":1,"wants":{"tables":[{"format":"f32"}]}}]}"#;
     let sheen = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":1,"sheen":{"roughness":[0.1,1],"norms":["rms"],"max_ops":9},"wants":{"fit":{"blend":true}}}]}"#;
+    let based = r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","f0":0.04,"roughness":1,"base":{"albedo":[0.5,1,0],"specular":"single","max_ops":9,"norms":["max"]}}]}"#;
     let dielectric =
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":1}]}"#;
     for (base, changes) in [
@@ -183,6 +184,18 @@ fn it_refuses_of_anisotropy_and_glass_what_the_program_refuses() {
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"fit\":{}"),
                 ("\"tables\":[{\"format\":\"f32\"}]", "\"table\":{}"),
                 ("[{\"format\":\"f32\"}]", "[]"),
+            ],
+        ),
+        (
+            based,
+            &[
+                ("[0.5,1,0]", "[0.5,1]"),
+                ("[0.5,1,0]", "1.5"),
+                ("\"single\"", "\"kelemen\""),
+                ("[\"max\"]", "[]"),
+                ("\"max_ops\":9", "\"colour\":1"),
+                ("\"dielectric\"", "\"metal\""),
+                ("\"dielectric\",\"f0\":0.04", "\"glass\",\"ior\":1.5"),
             ],
         ),
         (dielectric, &[("1.5", "[1.5,1.6]"), ("1.5", "1"), ("1.5", "4.5")]),
@@ -236,9 +249,11 @@ fn it_names_and_describes_every_field() {
     assert_eq!(
         names,
         [
+            "albedo",
             "alpha",
             "anisotropy",
             "average",
+            "base",
             "blend",
             "f0",
             "fit",
@@ -255,11 +270,14 @@ fn it_names_and_describes_every_field() {
             "max_error",
             "max_error",
             "max_error",
+            "max_error",
+            "max_ops",
             "max_ops",
             "max_ops",
             "mu",
             "name",
             "name",
+            "norms",
             "norms",
             "norms",
             "probes",
@@ -271,6 +289,7 @@ fn it_names_and_describes_every_field() {
             "size",
             "size",
             "smith",
+            "specular",
             "table",
             "tables",
             "wants"

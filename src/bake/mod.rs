@@ -4,6 +4,7 @@
 mod compare;
 mod containers;
 mod context;
+mod coupling;
 mod includes;
 mod kept;
 mod names;
@@ -24,12 +25,12 @@ use crate::plan::{EffectName, Plan};
 use crate::report::{Origin, ReportError};
 use crate::scene::Scene;
 use crate::store::Files;
-pub use compare::{Difference, compare};
+pub use compare::{Difference, Kind, compare};
 use context::Context;
 pub use context::{Progress, Silent};
 pub use kept::{KeptError, kept};
 pub use part::Part;
-pub use recipe::{UserHypothesis, recipe};
+pub use recipe::{TOOL, UserHypothesis, recipe};
 pub use reflection::BakedTable;
 pub use volume::BakedVolume;
 
@@ -151,6 +152,9 @@ pub fn bake(
             EffectName::Anisotropy | EffectName::Glass => {
                 parts.push(volume::part(scene, plan, effect, &mut baked, &mut context)?);
             }
+            EffectName::DiffuseCoupling => {
+                parts.push(coupling::part(scene, &plan.couplings, effect, &mut baked, &mut context)?);
+            }
             EffectName::Sheen => {
                 let job = plan.sheen.as_ref();
                 let job = job.ok_or_else(|| BakeError::Internal("a sheen without a job".into()))?;
@@ -191,6 +195,7 @@ fn opening(smith: Smith, alpha: AlphaMap) -> Vec<String> {
         "`ggx_compensate_*`. ior is the index of refraction, inside over outside, for rays from either side; anisotropy a in [0, 1]",
         "makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the squared cosine of the view's azimuth",
         "from the alpha_x axis.",
+        "`coupling_*` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.",
         "Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;",
         "sin, cos, log2 4; log 5.",
     ]

@@ -6,7 +6,7 @@ use crate::effects::catalogue_names;
 use crate::effects::reflection::FitStageError;
 use crate::emit::code::Language;
 use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
-use crate::emit::{code, compensation};
+use crate::emit::{code, compensation, coupling};
 use crate::fit::Hypothesis;
 
 /// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
@@ -20,6 +20,7 @@ pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
     let mut taken: Vec<String> = catalogue_names().flat_map(|name| forms(&name)).collect();
     taken.extend(RUST_HELPER_NAMES.map(String::from));
     taken.extend(compensation::NAMES.map(String::from));
+    taken.extend(coupling::names());
     for user in hypotheses {
         let parsed = Hypothesis::parse(&user.file, &user.source).map_err(FitStageError::from)?;
         let names = forms(parsed.name());

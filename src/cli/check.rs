@@ -9,10 +9,11 @@ use super::options::{SceneOption, ThreadsOption, not_negative};
 use super::output::{Outcome, print, print_json};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{Baked, Difference, Selection, compare};
+use crate::bake::{self, Baked, Difference, Selection, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
+use crate::study::{self, Study};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -59,7 +60,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let strays = strays(&options.against, &baked)?;
         let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
-        let differences = compare(&baked, &found, &strays, options.values, &progress);
+        let mut differences = compare(&baked, &found, &strays, options.values, &progress);
+        differences.extend(studies(&options.against)?);
         Ok((baked, differences))
     })?;
     drop(progress);
@@ -82,8 +84,8 @@ struct Verdict<'a> {
     differences: &'a [Difference],
 }
 
-/// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's
-/// and timings are measured: they may be there.
+/// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's,
+/// timings are measured and studies have a recipe of their own: they may be there.
 fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
     let mut strays = Vec::new();
     for place in SUBFOLDERS.into_iter().chain([MANIFEST]) {
@@ -93,11 +95,27 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
         let name = entry.name.as_str();
         let allowed = name == "fits/hypotheses"
             || name.starts_with("fits/hypotheses/")
-            || name.starts_with("reports/timings.");
+            || name.starts_with("reports/timings.")
+            || entry.kind == Kind::File
+                && Study::ALL.iter().any(|study| study.files().iter().any(|f| f == name));
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);
         !allowed && !baked
     });
     Ok(strays)
+}
+
+/// What is wrong with the studies that are there: results of another recipe than this version's, or half of the files. They are not run
+/// again.
+fn studies(root: &Path) -> Result<Vec<Difference>, CliError> {
+    let mut differences = Vec::new();
+    for study in Study::ALL {
+        let files = study.files();
+        let found = store::read_set(root, files.iter().map(String::as_str), FILE_BYTES)?;
+        let stale = study::stale(study, &found)?;
+        differences
+            .extend(stale.map(|(file, detail)| Difference::plain(&file, bake::Kind::Different, &detail)));
+    }
+    Ok(differences)
 }
 
 /// The folder as the user named it.
@@ -107,7 +125,7 @@ fn shown(options: &Options) -> String {
 
 fn closing(baked: &Baked, differences: &[Difference], options: &Options) -> String {
     let (folder, files) = (shown(options), baked.files.len());
-    let extra = differences.iter().filter(|d| !baked.files.contains_key(&d.file)).count();
+    let extra = differences.iter().filter(|d| d.kind == bake::Kind::Extra).count();
     match (differences.len() - extra, extra) {
         (0, 0) => format!("{files} files in {folder} follow from their recipe\n"),
         (0, extra) => format!("{files} files in {folder} follow from their recipe, {extra} extra\n"),

@@ -12,6 +12,7 @@ use crate::report::ReportError;
 use crate::scene::SceneError;
 use crate::scene::escape::visible;
 use crate::store::StoreError;
+use crate::study::StudyError;
 
 /// Why a verb did not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -79,6 +80,9 @@ pub enum CliError {
     /// A formula that was not fitted.
     #[error("{0}")]
     Fitting(#[from] Box<FittingError>),
+    /// A study made nothing.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// The bake made nothing.
     #[error(transparent)]
     Bake(#[from] Box<BakeError>),

@@ -15,6 +15,7 @@ mod output;
 mod plan;
 mod points;
 mod progress;
+mod report;
 mod schema;
 
 use std::ffi::OsString;
@@ -65,6 +66,9 @@ enum Verb {
     /// Measure what accuracy costs in time
     #[command(after_help = cost::EXAMPLES)]
     Cost(cost::Options),
+    /// Make the page of a long study, which no bake waits for
+    #[command(after_help = report::EXAMPLES)]
+    Report(report::Options),
     /// Print the JSON Schema of the scene
     #[command(after_help = schema::EXAMPLES)]
     Schema(schema::Options),
@@ -84,6 +88,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Fit(options) => fit::run(&options),
         Verb::Audit(options) => audit::run(&options),
         Verb::Cost(options) => cost::run(&options),
+        Verb::Report(options) => report::run(&options),
         Verb::Schema(options) => schema::run(&options),
     };
     output::finish(done)

@@ -63,6 +63,12 @@ impl Spinner {
     }
 }
 
+impl Progress for Spinner {
+    fn stage(&self, name: &str) {
+        Spinner::stage(self, name);
+    }
+}
+
 impl Drop for Spinner {
     fn drop(&mut self) {
         self.0.finish_and_clear();

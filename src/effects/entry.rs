@@ -1,5 +1,7 @@
 //! The files of the catalogue. They are what a person writes; they are compiled in, so that nothing depends on the working directory.
 
+use crate::fit::Hypothesis;
+
 /// One WGSL file of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Entry {
@@ -15,6 +17,12 @@ impl Entry {
     /// Name of its function: that of the file.
     pub fn name(&self) -> &'static str {
         self.file.trim_start_matches("published/").trim_end_matches(".wgsl")
+    }
+
+    /// Whether the formula has an argument of this name; what does not parse has none, and is refused where it is fitted.
+    pub fn takes(&self, input: &str) -> bool {
+        let parsed = Hypothesis::parse(self.file, self.source);
+        parsed.is_ok_and(|h| h.inputs().iter().any(|i| i == input))
     }
 }
 

@@ -3,6 +3,7 @@
 
 pub mod anisotropy;
 mod catalogue;
+pub mod coupling;
 mod deviation;
 mod entry;
 mod fitted;
@@ -10,6 +11,7 @@ pub mod glass;
 mod quantity;
 pub mod reflection;
 pub mod sheen;
+pub mod surface;
 pub mod target;
 pub mod volume;
 

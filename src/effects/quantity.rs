@@ -118,6 +118,11 @@ impl Quantity {
         &QUANTITIES[4]
     }
 
+    /// `diffuse-coupling`.
+    pub fn diffuse_coupling() -> &'static Quantity {
+        &QUANTITIES[5]
+    }
+
     /// The quantity of a name.
     pub fn find(name: &str) -> Option<&'static Quantity> {
         QUANTITIES.iter().find(|q| q.name == name)
@@ -131,6 +136,21 @@ impl Quantity {
             "sheen-charlie" => sheen::TOLERANCE,
             "diffuse-coupling" => coupling::TOLERANCE,
             _ => reflection::TOLERANCE,
+        }
+    }
+
+    /// Whether it has a Smith form: the visibility of a sheen has none.
+    pub fn has_smith(&self) -> bool {
+        self.name != "sheen-charlie"
+    }
+
+    /// The smallest alpha above 0 at which there is a truth; at 0 itself, a mirror, there may be one all the same.
+    pub fn smallest_alpha(&self) -> f64 {
+        match self.name {
+            "ggx-glass" => glass::ALPHA[0],
+            "ggx-reflection-aniso" => aniso::ALPHA[0],
+            "sheen-charlie" => sheen::SMALLEST_ALPHA,
+            _ => reflection::SMALLEST_ALPHA,
         }
     }
 

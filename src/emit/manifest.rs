@@ -173,10 +173,25 @@ pub struct FitEntry {
     pub coefficients: BTreeMap<String, f32>,
     /// Measured error.
     pub certificate: Certificate,
+    /// What multiplies the specular lobe above a base; none of other quantities.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub specular: Option<&'static str>,
+    /// Largest error over all f0 in [0, 1], whatever the certificate's are; none of formulas that do not depend on it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub any_f0: Option<AnyF0Entry>,
     /// Cost.
     pub cost: CostEntry,
     /// `fitted` or the publication.
     pub source: String,
+}
+
+/// Error of a coupling over all f0.
+#[derive(Clone, Debug, Serialize)]
+pub struct AnyF0Entry {
+    /// Largest absolute error.
+    pub max_abs: f64,
+    /// Where it is.
+    pub at: Place,
 }
 
 /// Cost of an evaluation.
@@ -312,9 +327,18 @@ impl FitEntry {
             norm: formula.norm.clone(),
             coefficients: formula.coefficients.iter().cloned().collect(),
             certificate: approximation.certificate.clone(),
+            specular: None,
+            any_f0: None,
             cost: CostEntry::new(approximation),
             source: approximation.source.text().to_string(),
         })
+    }
+}
+
+impl FitEntry {
+    /// The entry of a coupling under a lobe of this kind, with its error over all f0.
+    pub fn under(self, specular: &'static str, any_f0: AnyF0Entry) -> FitEntry {
+        FitEntry { specular: Some(specular), any_f0: Some(any_f0), ..self }
     }
 }
 

@@ -4,6 +4,7 @@ pub mod code;
 pub mod comment;
 pub mod compensation;
 pub mod container;
+pub mod coupling;
 pub mod dds;
 pub mod exr;
 pub mod header;

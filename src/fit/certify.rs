@@ -53,7 +53,7 @@ impl Precision {
 pub struct Measured {
     /// Largest |scale f - target|.
     pub max_abs: f64,
-    /// Largest |scale f - target| / |target|, over the points where the target is not 0.
+    /// Largest |scale f - target| / |target|, over the points where the target is not 0 to a shader: at least the smallest normal f32.
     pub max_rel: f64,
     /// Root of the mean square.
     pub rms: f64,
@@ -196,7 +196,7 @@ fn summarise(errors: &[f64], target: &[f64]) -> Measured {
         if error.abs() > max_abs {
             (max_abs, worst) = (error.abs(), i);
         }
-        if *target != 0.0 {
+        if target.abs() >= f64::from(f32::MIN_POSITIVE) {
             max_rel = max_rel.max(error.abs() / target.abs());
         }
     }

@@ -153,7 +153,8 @@ pub enum FitError {
     },
     /// A formula is not a number, or infinite, at a sample, and every start of its parameters fails so.
     #[error(
-        "{place}: is {value} in {function} at {at}, with the parameters at their declared starts; no start does better"
+        "{place}: is {value} in {function} at {at}, with the parameters at their declared starts; no start does better: declare others \
+         (`override NAME: f32 = VALUE;`), or narrow the domain"
     )]
     Undefined {
         /// The first sub-expression that leaves the reals.
@@ -163,6 +164,20 @@ pub enum FitError {
         /// Its value: not a number, or infinite.
         value: f64,
         /// The inputs there: `alpha = 0, mu = 0.5`.
+        at: String,
+    },
+    /// A divisor has both signs over the samples at every start of the parameters: they have to begin on one side of a pole.
+    #[error(
+        "{place}: with the parameters at their declared starts this divisor of {function} changes sign over the domain, at or before \
+         {at}: the formula has a pole there, and at every other start tried as well; declare starts with which it keeps its sign \
+         (`override NAME: f32 = VALUE;`), or narrow the domain"
+    )]
+    PoleAtStart {
+        /// The divisor.
+        place: Box<Place>,
+        /// Function's name.
+        function: String,
+        /// The inputs of a sample beyond the pole, as seen from the first: `alpha = 0, mu = 0.5`.
         at: String,
     },
     /// The power of a p-norm is out of range.

@@ -107,6 +107,7 @@ fn entry(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<Value, Fitting
         "truth_error": target.truth_error(),
         "solver": solver(fit),
         "regular": regular(&fit.proof),
+        "notes": fit.notes,
         "problems": fit.problems,
     });
     if let Value::Object(more) = more {
@@ -176,7 +177,9 @@ fn page(job: &Job, fitting: &Fitting) -> Result<FitPage, FittingError> {
 /// What a target is, as names and values.
 pub(super) fn of_target(target: &Target) -> Vec<(String, String)> {
     let used_as = format!("{}, judged by the {}", target.used_as.name(), words::metric(target.used_as));
-    let conventions = format!("smith: {}; alpha = {}", target.smith.name(), target.alpha_map.name());
+    let smith =
+        if target.quantity.has_smith() { format!("smith: {}; ", target.smith.name()) } else { String::new() };
+    let conventions = format!("{smith}alpha = {}", target.alpha_map.name());
     let mut rows = vec![
         ("Quantity".to_string(), format!("{}, column {}", target.quantity.name, target.column)),
         ("Used as".into(), used_as),
@@ -229,7 +232,8 @@ fn facts(fit: &Certified, weighted: bool) -> Vec<(String, String)> {
         ("Ended as".into(), words::termination(fitted.termination)),
         ("Optimality".into(), words::optimality(fitted, weighted)),
     ];
-    rows.extend(fitted.undetermined.iter().map(|text| ("Parameters".to_string(), text.clone())));
+    let parameters = fitted.undetermined.iter().chain(&fit.notes);
+    rows.extend(parameters.map(|text| ("Parameters".to_string(), text.clone())));
     rows.push(match &fit.proof {
         Proof::Regular => (
             "Regular".into(),

@@ -118,6 +118,22 @@ pub(super) fn kept(
     finer.iter().zip(held).map(one).collect()
 }
 
+/// Whether equations hold within their tolerances with these coefficients.
+pub(super) fn equations_hold(
+    finer: &[Constraint],
+    held: &[Held],
+    tape: &Tape,
+    coefficients: &[f64],
+) -> Result<bool, FitError> {
+    let equations = finer.iter().zip(held).filter(|(c, _)| matches!(c.condition, Condition::Equal { .. }));
+    for (constraint, held) in equations {
+        if violations(constraint, tape, coefficients)?.iter().any(|v| *v > held.tolerance) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
 /// The finer constraints' points of the largest violations, added to the constraints that are fitted to. Whether there were any.
 pub(super) fn add_broken(
     constraints: &mut [Constraint],

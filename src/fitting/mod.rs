@@ -6,10 +6,12 @@ mod demands;
 mod document;
 mod kept;
 mod one;
+mod perceptual;
 mod pictures;
 mod printed;
 pub mod search;
 mod summary;
+mod vanished;
 mod weight;
 mod words;
 
@@ -17,6 +19,7 @@ pub use demands::Demand;
 pub use document::{document, files};
 pub use kept::Kept;
 pub use one::{Certified, Proof};
+pub use perceptual::Perceptual;
 pub use summary::summary;
 
 use crate::effects::target::{Target, TargetError, TargetSpec};
@@ -33,7 +36,7 @@ pub struct Job {
     pub spec: TargetSpec,
     /// What the coefficients minimise: one fit for each.
     pub goals: Vec<Goal>,
-    /// Weight of the errors that are minimised: a WGSL expression of the inputs.
+    /// Weight of the errors that are minimised: a WGSL expression of the inputs, or `perceptual` for [`Perceptual`].
     pub weight: Option<String>,
     /// What the coefficients have to obey.
     pub demands: Vec<Demand>,

@@ -2,6 +2,7 @@
 
 use super::certificates::certificate;
 use super::kept::{self, Kept};
+use super::vanished::{self, Obedient};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
 use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
@@ -39,6 +40,8 @@ pub struct Certified {
     pub proof: Proof,
     /// Certificates in every arithmetic, or why there is none.
     pub certificates: Vec<(Precision, Result<Certificate, FitError>)>,
+    /// What its author may want to change in the formula, each a sentence.
+    pub notes: Vec<String>,
     /// Why it cannot be relied on, each a sentence; none if it can.
     pub problems: Vec<String>,
 }
@@ -59,8 +62,9 @@ pub(super) fn fit_one(
     let samples = samples(&hypothesis, goal, target, weight)?;
     let options = Options { starts: job.starts, ..Options::new(goal) };
     let finer = kept::finer(constraints, &job.demands, target, &hypothesis, measured)?;
-    let Obedient { fitted, coefficients, exact, kept } =
-        obedient(&hypothesis, &samples, constraints, &finer, &options, &domain)?;
+    let found = obedient(&hypothesis, &samples, constraints, &finer, &options, &domain)?;
+    let found = vanished::cleared(found, &hypothesis, &samples, &finer, &domain)?;
+    let Obedient { fitted, coefficients, exact, kept } = found;
     let proof =
         prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
     let certificates: Vec<(Precision, Result<Certificate, FitError>)> = job
@@ -83,22 +87,18 @@ pub(super) fn fit_one(
         kept,
         proof,
         certificates,
+        notes: Vec::new(),
         problems: Vec::new(),
     };
+    if fit.fitted.termination.is_converged() {
+        fit.notes = vanished::notes(&fit.hypothesis, &fit.coefficients);
+    }
     fit.problems = problems(&fit, job.limit);
     Ok(fit)
 }
 
 /// Rounds in which places where a constraint was broken are added to it.
 const ROUNDS: usize = 6;
-
-/// Coefficients that obey the constraints, at as many places as can be had.
-struct Obedient {
-    fitted: Fitted,
-    coefficients: Vec<f32>,
-    exact: Vec<f64>,
-    kept: Vec<Kept>,
-}
 
 /// Searches, looks where the finer constraints are broken, and searches again with these places added.
 fn obedient(

@@ -58,11 +58,11 @@ fn lines(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<String> {
         lines.push(String::new());
     }
     lines.push(format!(
-        "{} {} as {}, smith {}, alpha = {}; {}",
+        "{} {} as {}{}, alpha = {}; {}",
         a.quantity,
         a.column,
         a.used_as.name(),
-        a.smith.name(),
+        words::smith(target),
         target.alpha_map.name(),
         header::operations(a.cost.ops)
     ));

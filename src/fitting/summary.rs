@@ -25,14 +25,15 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
         // Writing to a string cannot fail.
         let _ = writeln!(out, "{text}");
     };
+    let smith = words::smith(target);
     let words: Vec<String> = target.words.iter().map(|(k, v)| format!(", {k} {v}")).collect();
     line(format!(
-        "{}: {} {} as {}, smith {}, alpha = {}{}",
+        "{}: {} {} as {}{}, alpha = {}{}",
         a.name,
         a.quantity,
         a.column,
         a.used_as.name(),
-        a.smith.name(),
+        smith,
         target.alpha_map.name(),
         words.concat()
     ));
@@ -41,7 +42,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     let converged = if fit.fitted.termination.is_converged() { "" } else { "NOT CONVERGED: " };
     line(format!("  ended        {converged}{}", words::termination(fit.fitted.termination)));
     line(format!("  optimality   {}", words::optimality(&fit.fitted, job.weight.is_some())));
-    for text in &fit.fitted.undetermined {
+    for text in fit.fitted.undetermined.iter().chain(&fit.notes) {
         line(format!("  parameters   {text}"));
     }
     for kept in &fit.kept {

@@ -1,16 +1,31 @@
 //! A weight of the errors that are minimised.
 
-use super::FittingError;
+use super::{FittingError, Perceptual};
 use crate::effects::target::{Sampled, Target};
 use crate::fit::{FitError, Hypothesis, Op};
 
+/// What the errors are multiplied with.
+#[derive(Clone, Debug)]
+pub(super) enum Weight {
+    /// A WGSL expression of a target's inputs.
+    Expression(Expression),
+    /// How much of an error is seen.
+    Perceptual(Perceptual),
+}
+
 /// A WGSL expression of a target's inputs.
 #[derive(Clone, Debug)]
-pub(super) struct Weight {
-    expression: String,
+pub(super) struct Expression {
+    text: String,
     function: Hypothesis,
     inputs: Vec<String>,
 }
+
+/// The word for [`Perceptual`] in the place of an expression.
+const PERCEPTUAL: &str = "perceptual";
+
+/// The input that it weighs by.
+const MU: &str = "mu";
 
 /// How the expression is named in messages of the front end.
 const FILE: &str = "weight";
@@ -19,8 +34,46 @@ const FILE: &str = "weight";
 const BEFORE: &str = "return ";
 
 impl Weight {
-    /// Parses the expression as the body of a function of all inputs.
+    /// Parses the expression as the body of a function of all inputs; `perceptual` stands for itself.
     pub fn parse(expression: &str, target: &Target) -> Result<Weight, FittingError> {
+        if expression.trim() != PERCEPTUAL {
+            return Expression::parse(expression, target).map(Weight::Expression);
+        }
+        if !target.inputs().iter().any(|input| input == MU) {
+            return Err(FittingError::Weight {
+                expression: expression.into(),
+                reason: format!(
+                    "weighs by mu, which is no input of {}; give an expression of its inputs, which are {}",
+                    target.quantity.name,
+                    target.inputs().join(", ")
+                ),
+            });
+        }
+        Ok(Weight::Perceptual(Perceptual::new()))
+    }
+
+    /// Whether it has this input.
+    pub fn reads(&self, input: &str) -> bool {
+        match self {
+            Weight::Expression(expression) => expression.reads(input),
+            Weight::Perceptual(_) => input == MU,
+        }
+    }
+
+    /// The weights of samples, in f64.
+    pub fn of(&self, sampled: &Sampled) -> Result<Vec<f64>, FittingError> {
+        match self {
+            Weight::Expression(expression) => expression.of(sampled),
+            Weight::Perceptual(weight) => {
+                let mu = sampled.inputs(PERCEPTUAL, &[MU.to_string()])?;
+                Ok(mu.iter().flatten().map(|mu| weight.at(f64::from(*mu))).collect())
+            }
+        }
+    }
+}
+
+impl Expression {
+    fn parse(expression: &str, target: &Target) -> Result<Expression, FittingError> {
         let refuse = |reason: String| FittingError::Weight { expression: expression.into(), reason };
         if expression.trim().is_empty() {
             return Err(refuse(
@@ -36,18 +89,16 @@ impl Weight {
         let arguments: Vec<String> = inputs.iter().map(|name| format!("{name}: f32")).collect();
         let source = format!("fn weight({}) -> f32 {{\n{BEFORE}{expression};\n}}\n", arguments.join(", "));
         let function = Hypothesis::parse(FILE, &source).map_err(|error| refuse(placed(&error)))?;
-        Ok(Weight { expression: expression.into(), function, inputs })
+        Ok(Expression { text: expression.into(), function, inputs })
     }
 
-    /// Whether the expression has this input.
-    pub fn reads(&self, input: &str) -> bool {
+    fn reads(&self, input: &str) -> bool {
         let tape = self.function.tape();
         tape.ops().iter().any(|op| matches!(op, Op::Input(i) if tape.inputs()[usize::from(*i)] == input))
     }
 
-    /// The weights of samples, in f64.
-    pub fn of(&self, sampled: &Sampled) -> Result<Vec<f64>, FittingError> {
-        let refuse = |reason: String| FittingError::Weight { expression: self.expression.clone(), reason };
+    fn of(&self, sampled: &Sampled) -> Result<Vec<f64>, FittingError> {
+        let refuse = |reason: String| FittingError::Weight { expression: self.text.clone(), reason };
         let columns = sampled.inputs("weight", &self.inputs)?;
         let columns: Vec<Vec<f64>> =
             columns.into_iter().map(|c| c.into_iter().map(f64::from).collect()).collect();

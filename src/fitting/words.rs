@@ -2,6 +2,7 @@
 
 use super::Kept;
 use crate::data::Use;
+use crate::effects::target::Target;
 use crate::fit::{Fitted, Gap, Goal, Stage, Termination};
 
 /// `max`, `rms`, `p=8`: as on the command line.
@@ -20,6 +21,11 @@ pub(super) fn minimised(goal: Goal) -> String {
         Goal::Rms => "the root of the mean square error".into(),
         Goal::Power(p) => format!("the p-norm of the error, p = {p}"),
     }
+}
+
+/// `, smith correlated`, or nothing where the quantity has no such form.
+pub(super) fn smith(target: &Target) -> String {
+    if target.quantity.has_smith() { format!(", smith {}", target.smith.name()) } else { String::new() }
 }
 
 /// What the error of a use is.
@@ -46,8 +52,18 @@ pub(super) fn termination(termination: Termination) -> String {
         Termination::Constrained => "a minimum on the edge of what the constraints allow".into(),
         Termination::ZeroResidual => "the formula reproduces the truth".into(),
         Termination::NoParameters => "the formula has no free parameter: nothing was fitted".into(),
+        Termination::RankDeficient { rank: 0 } => {
+            "a minimum, but no combination of the parameters is determined".into()
+        }
+        Termination::RankDeficient { rank: 1 } => {
+            "a minimum, but only one combination of the parameters is determined".into()
+        }
         Termination::RankDeficient { rank } => {
             format!("a minimum, but only {rank} combinations of the parameters are determined")
+        }
+        Termination::Saddle => {
+            "a saddle: derivatives vanish, but there is lower ground beside it; give other starting values"
+                .into()
         }
         Termination::IterationCap => "the iterations were used up".into(),
         Termination::Stalled => "no step made progress, short of a minimum".into(),
@@ -57,6 +73,9 @@ pub(super) fn termination(termination: Termination) -> String {
 
 /// How far from the best possible the coefficients may be, with errors `weighted` or not.
 pub(super) fn optimality(fitted: &Fitted, weighted: bool) -> String {
+    if matches!(fitted.termination, Termination::NoParameters | Termination::TooFewSamples) {
+        return "none: nothing was searched for".into();
+    }
     let part = |gap: f64| format!("{:.1e} of the error", gap);
     match (fitted.gap, fitted.bound) {
         (Gap::Global(gap), Some(bound)) => {

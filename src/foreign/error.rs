@@ -16,6 +16,15 @@ pub enum Spot {
     },
 }
 
+/// How many more there are, as the sentence goes on.
+fn others(count: usize) -> String {
+    match count {
+        0 => ", the only one".into(),
+        1 => ", nor is 1 other".into(),
+        n => format!(", nor are {n} others"),
+    }
+}
+
 impl Spot {
     /// The place of byte `at` of a text.
     pub(super) fn of(text: &str, at: usize) -> Spot {
@@ -142,8 +151,8 @@ pub enum ForeignError {
     },
     /// Values that are NaN or infinite.
     #[error(
-        "{file}{}: channel {channel}, texel {texel:?}: {value} is not a finite number, nor are {} others of {total} values",
-        of(name), count - 1
+        "{file}{}: channel {channel}, texel {texel:?}: {value} is not a finite number{} of {total} values",
+        of(name), others(count.saturating_sub(1))
     )]
     NotFinite {
         /// File as the caller named it.

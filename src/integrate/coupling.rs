@@ -8,19 +8,49 @@
 //! Every term is positive, so nothing cancels but what A lost to B. Ends: at f0 = 1 only `single` leaves light, L; at alpha = 0 all three
 //! are g (1 - (1 - mu)^5); at mu = 0 what is lost is 0 for correlated shadowing.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::reflection::{Reflection, reflection};
 use super::{Estimate, IntegrateError};
 use crate::data::Smith;
 
 /// What multiplies the specular lobe.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "lowercase")]
 pub enum Specular {
     /// Nothing: single scattering.
     Single,
     /// 1/E.
+    #[default]
     Normalised,
     /// 1 + f0 (1/E - 1).
     Compensated,
+}
+
+impl Specular {
+    /// All of them, in the order of the quantity's words.
+    pub const ALL: [Specular; 3] = [Specular::Single, Specular::Normalised, Specular::Compensated];
+
+    /// The word used in scenes, as input of `diffuse-coupling`, and in names of functions.
+    pub fn name(self) -> &'static str {
+        match self {
+            Specular::Single => "single",
+            Specular::Normalised => "normalised",
+            Specular::Compensated => "compensated",
+        }
+    }
+
+    /// What the lobe is multiplied by, as a formula.
+    pub fn formula(self) -> &'static str {
+        match self {
+            Specular::Single => "1",
+            Specular::Normalised => "1/E",
+            Specular::Compensated => "1 + f0 (1/E - 1)",
+        }
+    }
 }
 
 /// The tolerance of a value when none is asked for: the promise for alpha, mu in [1e-4, 1].

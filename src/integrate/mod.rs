@@ -9,6 +9,7 @@ pub mod monte_carlo;
 mod path;
 pub mod reflection;
 pub mod sheen;
+pub mod walk;
 
 pub use error::IntegrateError;
 pub use estimate::{Estimate, PanelRule};

@@ -5,6 +5,7 @@ pub mod gauss;
 pub mod lanes;
 pub mod ops;
 pub mod panels;
+pub mod piecewise;
 pub mod recurrence;
 pub mod sobol;
 pub mod sum;

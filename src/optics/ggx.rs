@@ -73,8 +73,19 @@ pub fn shadowed_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f
     }
 }
 
+/// G2/(4 mu_l mu_v), finite where one cosine is 0: correlated 1/(2 (mu_l s_v + mu_v s_l)), separable 1/((mu_v + s_v)(mu_l + s_l)),
+/// s = [`stretched_length`]. Exactly the same with the two directions exchanged; infinite for the correlated form at mu_l = mu_v = 0.
+#[inline(always)]
+pub fn visibility(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64) -> f64 {
+    match smith {
+        Smith::Correlated => 0.5 / (mu_l * s_v + mu_v * s_l),
+        Smith::Separable => 1.0 / ((mu_v + s_v) * (mu_l + s_l)),
+    }
+}
+
 /// A normal visible from `view`, drawn by the spherical cap of Dupuy and Benyoub 2023, listing 2, from two numbers in
-/// [0, 1). No tangent frame and no branch. `view` above the horizon.
+/// [0, 1). No tangent frame and no branch. `view` on either side of the horizon: from below, the visible normals are those of facets seen
+/// between others, and the cap of directions mirrored about them is z in (-view.z, 1] all the same.
 pub fn visible_normal(alpha: [f64; 2], view: Vec3, u: f64, v: f64) -> Vec3 {
     let stretched = normalise([alpha[0] * view[0], alpha[1] * view[1], view[2]]);
     let azimuth = 2.0 * std::f64::consts::PI * u;

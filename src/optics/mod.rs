@@ -1,5 +1,7 @@
 //! Floor 2: pure models of optics. Each function states its domain, its limits and its source.
 
+pub mod diffuse;
 pub mod fresnel;
 pub mod ggx;
+pub mod multiscatter;
 pub mod sheen;

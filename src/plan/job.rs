@@ -2,6 +2,7 @@
 
 use super::effect::EffectName;
 use crate::data::{AlphaMap, Smith, TexelFormat};
+use crate::integrate::coupling::Specular;
 use crate::integrate::glass::Side;
 use crate::scene::{Layout, Norm, Serves, VolumeLayout};
 
@@ -161,12 +162,12 @@ fn listed<'a>(limits: impl Iterator<Item = &'a Limit>) -> String {
     limits.map(|l| format!("{} ({})", l.material, l.field)).collect::<Vec<_>>().join(", ")
 }
 
-/// A limit that a material sets: one emitted normalisation, or fit of the sheen, of at most `max_ops` operations within `max_error`.
+/// A limit that a material sets: one emitted normalisation, or fit of the sheen or of a coupling, of at most `max_ops` operations within `max_error`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitPromise {
     /// Most operations; `None`: any.
     pub max_ops: Option<u32>,
-    /// Largest furnace error |E N - 1|; of the sheen, largest error of E.
+    /// Largest furnace error |E N - 1|; of the sheen, largest error of E; of a coupling, largest error of the factor.
     pub max_error: f64,
     /// Names of the materials that ask for it.
     pub materials: Vec<String>,
@@ -228,6 +229,33 @@ pub struct SheenJob {
     /// The strictest error of the promises, for summaries; what must hold are the `promises`.
     pub max_error: Option<f64>,
     /// What must hold of the emitted fits, each by itself: `max_error` is of E here.
+    pub promises: Vec<FitPromise>,
+    /// Errors to minimise, in the order max, rms.
+    pub norms: Vec<Norm>,
+}
+
+/// The fits of the coupling of diffuse bases with one kind of specular lobe: one job for all dielectrics of the scene that have
+/// that, merged as [`FitJob`] is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CouplingJob {
+    /// What multiplies the specular lobe.
+    pub specular: Specular,
+    /// Shadowing form.
+    pub smith: Smith,
+    /// How roughness becomes alpha.
+    pub alpha_map: AlphaMap,
+    /// Roughness domain, at least `ROUGHNESS_WIDTH_MIN` wide.
+    pub roughness: [f64; 2],
+    /// Domain of mu.
+    pub mu: [f64; 2],
+    /// The hull of the materials' reflectances at normal incidence, over their colour channels. It may be one value: a factor is
+    /// close to a multiple of 1 - f0, and one f0 leaves two axes to fit over.
+    pub f0: [f64; 2],
+    /// Most operations of an emitted fit; `None`: any.
+    pub max_ops: Option<u32>,
+    /// The strictest error of the promises, for summaries; what must hold are the `promises`.
+    pub max_error: Option<f64>,
+    /// What must hold of the emitted fits, each by itself: `max_error` is of the factor here.
     pub promises: Vec<FitPromise>,
     /// Errors to minimise, in the order max, rms.
     pub norms: Vec<Norm>,

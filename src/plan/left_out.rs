@@ -2,7 +2,7 @@
 
 use super::effect::EffectName;
 use super::merge::is_rough;
-use crate::scene::{Kind, Lobe, Material, Scene};
+use crate::scene::{Base, Kind, Lobe, Material, Scene};
 
 /// Most materials that a reason names; the rest are counted.
 const NAMED: usize = 3;
@@ -11,7 +11,7 @@ const NAMED: usize = 3;
 pub(super) fn reason(effect: EffectName, scene: &Scene) -> String {
     let lacks = match effect {
         EffectName::Reflection => return no_reflection(scene),
-        EffectName::DiffuseCoupling => return diffuse_coupling(scene),
+        EffectName::DiffuseCoupling => return no_coupling(scene),
         EffectName::Anisotropy => return no_anisotropy(scene),
         EffectName::Glass => return no_glass(scene),
         EffectName::Sheen => return no_sheen(scene),
@@ -80,13 +80,28 @@ fn no_sheen(scene: &Scene) -> String {
     format!("no sheen is rough: {of} {}", stay_smooth(&sheens))
 }
 
-fn diffuse_coupling(scene: &Scene) -> String {
+fn no_coupling(scene: &Scene) -> String {
     let dielectrics: Vec<&Material> = scene.materials.iter().filter(|m| m.kind == Kind::Dielectric).collect();
-    if dielectrics.is_empty() {
-        return "no material is a dielectric with a diffuse base".into();
+    let based = |m: &&&Material| m.base.is_some();
+    let (based, bare): (Vec<&Material>, Vec<&Material>) = dielectrics.iter().partition(based);
+    if based.is_empty() {
+        let but = match bare.is_empty() {
+            true => String::new(),
+            false => format!(": {} {} no `base`", named(&bare), verb(&bare, "have")),
+        };
+        return format!("no material is a dielectric with a diffuse base{but}");
     }
-    let names = named(&dielectrics);
-    format!("called for by {names} (the diffuse base of a dielectric); not available in this version")
+    let (black, lit): (Vec<&Material>, Vec<&Material>) =
+        based.into_iter().partition(|m| m.base.as_ref().is_some_and(Base::is_black));
+    let why = [
+        (!black.is_empty()).then(|| {
+            format!("{} {} a black base, which sends back nothing", named(&black), verb(&black, "have"))
+        }),
+        (!lit.is_empty())
+            .then(|| format!("{}: there the factor is (1 - f0)(1 - (1 - mu)^5)", stay_smooth(&lit))),
+    ];
+    let why: Vec<String> = why.into_iter().flatten().collect();
+    format!("no dielectric with a diffuse base calls for it: {}", why.join("; "))
 }
 
 fn stay_smooth(materials: &[&Material]) -> String {
@@ -95,7 +110,11 @@ fn stay_smooth(materials: &[&Material]) -> String {
 
 /// The verb as it goes with one material or with several.
 fn verb(materials: &[&Material], plural: &str) -> String {
-    if materials.len() == 1 { format!("{plural}s") } else { plural.into() }
+    match (materials.len(), plural) {
+        (1, "have") => "has".into(),
+        (1, _) => format!("{plural}s"),
+        _ => plural.into(),
+    }
 }
 
 /// The first names, and how many more there are.

@@ -1,6 +1,7 @@
 //! Floor 5: a scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is planned
 //! that no material needs; jobs that several materials share are planned once.
 
+mod coupling;
 mod effect;
 mod job;
 mod left_out;
@@ -11,7 +12,9 @@ mod volumes;
 mod work;
 
 pub use effect::{Effect, EffectName, JobSummary, LeftOut};
-pub use job::{FitJob, FitPromise, JUDGED_MU, Limit, SheenJob, TableJob, VolumeJob, VolumeSpan, VolumeTable};
+pub use job::{
+    CouplingJob, FitJob, FitPromise, JUDGED_MU, Limit, SheenJob, TableJob, VolumeJob, VolumeSpan, VolumeTable,
+};
 
 use serde::Serialize;
 
@@ -40,6 +43,10 @@ pub struct Plan {
     /// The fits of the sheen, if any material has one.
     #[serde(skip)]
     pub sheen: Option<SheenJob>,
+    /// The fits of the coupling of diffuse bases, one job for each kind of specular lobe above them, in the order of
+    /// [`Specular::ALL`](crate::integrate::coupling::Specular::ALL).
+    #[serde(skip)]
+    pub couplings: Vec<CouplingJob>,
 }
 
 /// Plans a validated scene.
@@ -48,11 +55,13 @@ pub fn plan(scene: &Scene) -> Plan {
     let fit = merge::fit(scene);
     let volumes = volumes::volumes(scene);
     let sheen = sheen::job(scene);
+    let couplings = coupling::jobs(scene);
     let effects: Vec<Effect> = EffectName::ALL
         .into_iter()
         .filter_map(|name| match name {
             EffectName::Reflection => reflection::effect(scene, &tables, fit.as_ref()),
             EffectName::Anisotropy | EffectName::Glass => volumes::effect(scene, &volumes, name),
+            EffectName::DiffuseCoupling => coupling::effect(scene, &couplings),
             EffectName::Sheen => sheen.as_ref().map(|job| sheen::effect(scene, job)),
             _ => None,
         })
@@ -62,7 +71,8 @@ pub fn plan(scene: &Scene) -> Plan {
         .filter(|&name| !effects.iter().any(|e| e.effect == name))
         .map(|name| LeftOut { effect: name, reason: left_out::reason(name, scene) })
         .collect();
-    Plan { schema_version: 1, scene: scene.name.clone(), effects, left_out, tables, fit, volumes, sheen }
+    let (schema_version, scene) = (1, scene.name.clone());
+    Plan { schema_version, scene, effects, left_out, tables, fit, volumes, sheen, couplings }
 }
 
 impl Plan {

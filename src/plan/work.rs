@@ -3,10 +3,10 @@
 //! An estimate for people who wait, not a promise: counts are those of the jobs' main loops; times are CPU seconds of a
 //! release build on one core, from bakes of scenes that differ in one job, and vary by half with the load beside them.
 
-use super::job::{FitJob, SheenJob, TableJob, VolumeJob, VolumeSpan};
+use super::job::{CouplingJob, FitJob, SheenJob, TableJob, VolumeJob, VolumeSpan};
 use crate::data::{Layout, Serves, VolumeLayout};
 use crate::effects::reflection::{AVERAGES, BLENDS, NORMALISATIONS, RIVALS, SEEDS};
-use crate::effects::sheen::HYPOTHESES;
+use crate::effects::{coupling, sheen};
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -36,6 +36,9 @@ const BLEND_FIT_S: f64 = 0.2;
 /// Seconds of the truth of the fits of the sheen, and of one of them.
 const SHEEN_TRUTH_S: f64 = 2.0;
 const SHEEN_FIT_S: f64 = 0.15;
+/// Seconds of the truths of the fits of a coupling and of their pictures, and of one of the fits.
+const COUPLING_TRUTH_S: f64 = 3.3;
+const COUPLING_FIT_S: f64 = 0.2;
 
 /// Seconds of a sampled texel of the azimuth mean of an anisotropic lobe: integrated for 1e-6 on Chebyshev nodes, interpolated,
 /// encoded. This and the next five from bakes of the path tracer's and of the default sizes beside one of 8x8x4.
@@ -137,7 +140,13 @@ pub(super) fn fit_seconds(job: &FitJob) -> f64 {
 
 /// Seconds of the fits of the sheen on one core.
 pub(super) fn sheen_seconds(job: &SheenJob) -> f64 {
-    SHEEN_TRUTH_S + (HYPOTHESES.len() * job.norms.len()) as f64 * SHEEN_FIT_S
+    SHEEN_TRUTH_S + (sheen::HYPOTHESES.len() * job.norms.len()) as f64 * SHEEN_FIT_S
+}
+
+/// Seconds of the fits of a coupling on one core.
+pub(super) fn coupling_seconds(job: &CouplingJob) -> f64 {
+    let fits = coupling::hypotheses(job.specular).len() * job.norms.len();
+    COUPLING_TRUTH_S + fits as f64 * COUPLING_FIT_S
 }
 
 #[cfg(test)]
@@ -160,7 +169,7 @@ mod tests {
     #[test]
     fn the_built_in_scene_is_estimated_within_a_factor_of_one_and_a_half() {
         let plan = crate::plan::plan(&Scene::built_in().expect("the built-in scene"));
-        let measured = [("reflection", 9.2), ("anisotropy", 6.3), ("glass", 6.1)];
+        let measured = [("reflection", 9.2), ("anisotropy", 6.3), ("glass", 6.1), ("diffuse-coupling", 6.9)];
         let within = |estimate: f64, measured: f64| (measured / 1.5..measured * 1.5).contains(&estimate);
         assert_eq!(plan.effects.len(), measured.len());
         for (effect, (name, seconds)) in plan.effects.iter().zip(measured) {
@@ -168,7 +177,7 @@ mod tests {
             assert!(within(effect.seconds, seconds), "{name}: {} for {seconds}", effect.seconds);
         }
         let all: f64 = plan.effects.iter().map(|effect| effect.seconds).sum();
-        assert!(within(all, 21.6), "{all}");
+        assert!(within(all, 28.5), "{all}");
     }
 
     #[test]

@@ -10,15 +10,23 @@ mod check;
 mod error;
 mod field;
 mod findings;
+pub mod flip;
+mod image;
 mod json;
 mod numbers;
 mod page;
 mod plot;
+pub mod render;
 mod sections;
 mod timings;
 
+use crate::effects::surface::SurfaceRows;
+
 pub use error::ReportError;
 pub use field::{Field, Ruler};
+pub use findings::{
+    AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
+};
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
     EffectFinding, ErrorFigure, Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace,
@@ -29,10 +37,12 @@ pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
+pub use findings::{CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Ranked, Ranking};
+pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
-    Annotation, Bar, Bars, Curves, Dot, Figure, HeatMap, Scatter, Series, Shade, SphereRow, Spheres, Spread,
-    Style, Worst,
+    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
+    Spheres, Spread, Style, Worst, disc,
 };
 pub use timings::{
     TimedApproximation, TimedEstimator, TimedPoint, TimedSeries, TimedTableRun, TimedTables, Timings,
@@ -68,6 +78,20 @@ pub fn volume_page(findings: &VolumeFindings) -> Result<Vec<File>, ReportError> 
     let effect = &findings.effect.effect;
     let figures = json::document(&format!("{effect}.json"), findings)?;
     let text = html(&sections::of_volumes(findings)?)?;
+    Ok(vec![
+        file(&format!("reports/{effect}.html"), text.into_bytes()),
+        file(&format!("reports/{effect}.json"), figures),
+    ])
+}
+
+/// The same of the coupling of diffuse bases.
+///
+/// # Errors
+/// As [`page`].
+pub fn coupling_page(findings: &CouplingFindings) -> Result<Vec<File>, ReportError> {
+    let effect = &findings.effect.effect;
+    let figures = json::document(&format!("{effect}.json"), findings)?;
+    let text = html(&sections::of_coupling(findings)?)?;
     Ok(vec![
         file(&format!("reports/{effect}.html"), text.into_bytes()),
         file(&format!("reports/{effect}.json"), figures),
@@ -115,6 +139,34 @@ pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
 /// As [`page`].
 pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
     Ok((html(&sections::of_audit(audit)?)?, json::document("audit.json", audit)?))
+}
+
+/// Where the files of a study lie, relative to the folder of a bake.
+pub fn study_folder(study: &str) -> String {
+    format!("reports/studies/{study}")
+}
+
+/// `index.html` and `results.json` of the study of diffuse couplings, in its folder.
+///
+/// # Errors
+/// As [`page`].
+pub fn coupling_study_page(study: &CouplingStudy) -> Result<Vec<File>, ReportError> {
+    let folder = study_folder("coupling");
+    let figures = json::document("results.json", study)?;
+    let text = html(&sections::of_coupling_study(study)?)?;
+    Ok(vec![
+        file(&format!("{folder}/index.html"), text.into_bytes()),
+        file(&format!("{folder}/results.json"), figures),
+    ])
+}
+
+/// Energy and reciprocity of whole materials, the colour of rough metals, what Schlick's Fresnel costs, and bases below white: sections for
+/// the page of an effect or of a study.
+///
+/// # Errors
+/// As [`page`].
+pub fn surface_sections(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
+    sections::of_surfaces(rows)
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {

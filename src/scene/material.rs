@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::base::Base;
 use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
@@ -77,6 +78,10 @@ pub struct Material {
     // Absent where there is none, for the same reason.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheen: Option<Sheen>,
+    /// Its diffuse base, if it has one: of dielectrics.
+    // Absent where there is none, for the same reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base: Option<Base>,
     /// What is wanted of its specular lobe.
     pub wants: Wants,
 }
@@ -125,14 +130,19 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 
 /// A material.
 #[derive(Deserialize, JsonSchema)]
-// Exactly one of `f0` and `ior`: a metal `f0`, a dielectric either, glass `ior`. Tables of three axes are for anisotropic
+// A diffuse base is a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric either, glass `ior`. Tables of three axes are for anisotropic
 // materials and for glass, which has neither anisotropy nor the approximations of lobes that only reflect.
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
         {
             "required": ["f0"],
-            "properties": { "kind": { "enum": ["metal", "dielectric"] } },
+            "properties": { "kind": { "const": "metal" }, "base": false },
+            "anyOf": [{ "required": ["anisotropy"] }, { "properties": { "wants": { "properties": { "tables": false } } } }],
+        },
+        {
+            "required": ["f0"],
+            "properties": { "kind": { "const": "dielectric" } },
             "anyOf": [{ "required": ["anisotropy"] }, { "properties": { "wants": { "properties": { "tables": false } } } }],
         },
         {
@@ -145,6 +155,7 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "kind": { "const": "glass" },
                 "ior": { "maximum": 3.0, "items": { "maximum": 3.0 } },
                 "anisotropy": false,
+                "base": false,
                 "wants": { "properties": { "table": false, "fit": false } },
             },
         },
@@ -173,6 +184,9 @@ struct MaterialFile {
     /// A sheen layer; without it, none.
     #[serde(default)]
     sheen: Maybe<Sheen>,
+    /// The diffuse base of a dielectric; without it, none.
+    #[serde(default)]
+    base: Maybe<Base>,
     /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a table of three axes, with
     /// their defaults.
     #[serde(default)]
@@ -196,8 +210,20 @@ impl TryFrom<MaterialFile> for Material {
         if kind == Kind::Glass {
             check_path_tracer(&wants, ior)?;
         }
-        let (name, roughness, sheen) = (file.name.0, file.roughness.0, file.sheen.0);
-        Ok(Material { name, kind, f0, ior, roughness, anisotropy, sheen, wants })
+        let (name, roughness, sheen, base) = (file.name.0, file.roughness.0, file.sheen.0, file.base.0);
+        if base.is_some() && kind != Kind::Dielectric {
+            return Err(format!("`base` is for dielectrics; leave it out of {}", of_kind(kind)));
+        }
+        Ok(Material { name, kind, f0, ior, roughness, anisotropy, sheen, base, wants })
+    }
+}
+
+/// A material of a kind, as it reads in a sentence.
+fn of_kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Metal => "a metal",
+        Kind::Dielectric => "a dielectric",
+        Kind::Glass => "glass",
     }
 }
 

@@ -3,6 +3,7 @@
 //! A scene is JSON of our own (`lobefit schema` prints its JSON Schema). Unknown and repeated fields, `null`, negative
 //! zero and anything out of range are refused with file, line, column and field. Nothing here opens a file.
 
+mod base;
 mod error;
 pub mod escape;
 mod file;
@@ -16,6 +17,7 @@ mod value;
 mod volume;
 mod wants;
 
+pub use base::Base;
 pub use error::{Position, SceneError};
 pub use file::{Scene, schema};
 pub use material::{Kind, Lobe, Material, smallest_rough};

@@ -113,7 +113,7 @@ impl<D: Disk> Folder<D> {
         if self.lock.is_none() {
             self.acquire()?;
         }
-        self.sweep()?;
+        self.sweep(files)?;
         let mut prepared = Prepared::default();
         for (name, bytes) in files {
             let path = inside(&self.root, name)?;
@@ -219,10 +219,16 @@ impl<D: Disk> Folder<D> {
         Ok(())
     }
 
-    /// Removes the temporary files of a write that was broken off; the lock says that it is over.
-    fn sweep(&self) -> Result<(), StoreError> {
-        let below = self.layout.folders().iter().map(|name| self.root.join(name));
-        for folder in std::iter::once(self.root.clone()).chain(below) {
+    /// Removes the temporary files of a write that was broken off, in the folders of the layout and of this set; the lock says that it
+    /// is over.
+    fn sweep(&self, files: &Files) -> Result<(), StoreError> {
+        let mut folders: BTreeSet<PathBuf> =
+            self.layout.folders().iter().map(|f| self.root.join(f)).collect();
+        for name in files.keys() {
+            folders.insert(folder_of(&inside(&self.root, name)?).to_owned());
+        }
+        folders.insert(self.root.clone());
+        for folder in folders {
             if !self.exists(&folder)? {
                 continue;
             }

@@ -1,5 +1,7 @@
 //! The grid of the published comparison, the truth on it, and its error columns.
 
+#![allow(dead_code, reason = "each test binary uses its part")]
+
 pub mod forms;
 pub mod page;
 

@@ -34,6 +34,7 @@ struct float4 {
 };
 
 inline float3 operator+(float a, float3 b) { return float3(a + b.x, a + b.y, a + b.z); }
+inline float3 operator+(float3 a, float3 b) { return float3(a.x + b.x, a.y + b.y, a.z + b.z); }
 inline float3 operator*(float3 a, float b) { return float3(a.x * b, a.y * b, a.z * b); }
 inline float3 operator*(float3 a, float3 b) { return float3(a.x * b.x, a.y * b.y, a.z * b.z); }
 inline float3 operator/(float3 a, float b) { return float3(a.x / b, a.y / b, a.z / b); }

@@ -1,6 +1,6 @@
 //! Tables: texel against texel.
 
-use super::{Difference, Kind, plain};
+use super::{Difference, Kind};
 use crate::bake::{Baked, BakedTable, BakedVolume, reflection, volume};
 use crate::data::{Channel, TexelFormat};
 use crate::emit::exr::{self, Decoded};
@@ -9,11 +9,13 @@ use crate::emit::exr::{self, Decoded};
 pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (expected, found) = match (exr::decode(expected), exr::decode(found)) {
         (Ok(expected), Ok(found)) => (expected, found),
-        (_, Err(error)) | (Err(error), _) => return plain(file, Kind::Different, &error.to_string()),
+        (_, Err(error)) | (Err(error), _) => {
+            return Difference::plain(file, Kind::Different, &error.to_string());
+        }
     };
     if shape(&expected) != shape(&found) {
         let (want, have) = (words(&expected), words(&found));
-        return plain(file, Kind::Different, &format!("{have} where the recipe gives {want}"));
+        return Difference::plain(file, Kind::Different, &format!("{have} where the recipe gives {want}"));
     }
     let named = |name: &str| file == format!("tables/{name}.exr");
     let table = baked.tables.iter().find(|t| named(&t.approximation.name));
@@ -58,7 +60,8 @@ fn texels(
     format: TexelFormat,
     rows: Option<usize>,
 ) -> Difference {
-    let mut difference = plain(file, Kind::Different, "texels are equal; header or encoding differ");
+    let mut difference =
+        Difference::plain(file, Kind::Different, "texels are equal; header or encoding differ");
     difference.max_abs = Some(0.0);
     let mut count = 0;
     for (want, have) in expected.channels.iter().zip(&found.channels) {
@@ -128,7 +131,7 @@ mod tests {
     #[test]
     fn a_promise_is_kept_only_where_it_is_measured() {
         let judged = |measured: Result<f64, String>| {
-            let mut difference = plain("tables/t.exr", Kind::Different, "texels differ");
+            let mut difference = Difference::plain("tables/t.exr", Kind::Different, "texels differ");
             judge(0.5, &[], &mut difference, |_| measured.clone());
             difference
         };

@@ -47,6 +47,21 @@ pub enum Kind {
     Different,
 }
 
+impl Difference {
+    /// One of which no value can be told.
+    pub fn plain(file: &str, kind: Kind, detail: &str) -> Difference {
+        Difference {
+            file: file.into(),
+            kind,
+            detail: detail.into(),
+            max_abs: None,
+            max_ulp: None,
+            at: None,
+            promise_kept: None,
+        }
+    }
+}
+
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         // Names and lines of a folder that anybody may have written.
@@ -69,13 +84,13 @@ pub fn compare(
     for (file, expected) in &baked.files {
         match found.get(file) {
             None if strays.iter().any(|stray| stray.name == *file) => {
-                differences.push(plain(
+                differences.push(Difference::plain(
                     file,
                     Kind::Different,
                     "a link or device where the recipe makes a file",
                 ));
             }
-            None => differences.push(plain(file, Kind::Missing, "missing: the recipe makes it")),
+            None => differences.push(Difference::plain(file, Kind::Missing, "missing: the recipe makes it")),
             Some(bytes) if bytes == expected => {}
             Some(_) if tolerance.is_some() && file.ends_with(".html") => {}
             Some(bytes) => differences.push(different(baked, file, expected, bytes)),
@@ -86,25 +101,13 @@ pub fn compare(
             store::Kind::Other => "extra: a link or device; the recipe does not make it",
             _ => "extra: the recipe does not make it",
         };
-        differences.push(plain(&stray.name, Kind::Extra, detail));
+        differences.push(Difference::plain(&stray.name, Kind::Extra, detail));
     }
     if let Some(tolerance) = tolerance {
         let beyond = |d: &Difference| d.max_abs.is_none_or(|x| x.is_nan() || x > tolerance);
         differences.retain(|d| beyond(d) || d.promise_kept == Some(false));
     }
     differences
-}
-
-fn plain(file: &str, kind: Kind, detail: &str) -> Difference {
-    Difference {
-        file: file.into(),
-        kind,
-        detail: detail.into(),
-        max_abs: None,
-        max_ulp: None,
-        at: None,
-        promise_kept: None,
-    }
 }
 
 fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {

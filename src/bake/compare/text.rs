@@ -1,14 +1,14 @@
 //! Text files: lines, and within them numbers against numbers.
 
-use super::{Difference, Kind, plain};
+use super::{Difference, Kind};
 
 /// How two texts differ: by the largest difference of their numbers if all else is equal, else by their first differing
 /// line, else by the first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
-        return plain(file, Kind::Different, "different bytes; not text");
+        return Difference::plain(file, Kind::Different, "different bytes; not text");
     };
-    let mut difference = plain(file, Kind::Different, "");
+    let mut difference = Difference::plain(file, Kind::Different, "");
     match worst_number(expected, found) {
         Some((line, want, have)) => {
             let gap = (want - have).abs();

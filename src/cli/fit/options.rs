@@ -45,7 +45,8 @@ pub(in crate::cli) struct Options {
     /// What the constants minimise: max, rms, p=P (the p-norm, 2 <= P <= 1000); several make several fits
     #[arg(long, value_name = "NORM", value_parser = goal, default_value = "max")]
     pub norm: Vec<Goal>,
-    /// Weight of the error that is minimised: a WGSL expression of the inputs, as `mu`. Certificates are not weighted
+    /// Weight of the error that is minimised: a WGSL expression of the inputs, as `mu`, or `perceptual`: how much of an error at mu is
+    /// seen on spheres in the furnace and under a sky (with --norm rms). Certificates are not weighted
     #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
     pub weight: Option<String>,
     /// Range of an input; without it roughness 0.02..1, mu 0.01..1, f0 0..1, ior 1..2, alpha_x and alpha_y 0.02..1
@@ -210,7 +211,7 @@ impl Options {
             push("--starts ", self.starts.to_string());
         }
         self.limit.iter().for_each(|l| push("--limit ", l.to_string()));
-        let languages: Vec<&str> = self.language.iter().map(|l| l.name()).collect();
+        let languages: Vec<&str> = once(&self.language).iter().map(|l| l.name()).collect();
         if !languages.is_empty() {
             push("--language ", languages.join(","));
         }

@@ -46,7 +46,7 @@ impl Target {
         let (places, f0) = target.lattice(NODES);
         let ideal = match value {
             Some(value) => vec![value; places.len() * f0.len()],
-            None => target.at(&places, &f0)?.ideal(),
+            None => target.at(&places, &f0).map_err(|error| no_truth(input, error))?.ideal(),
         };
         if let Some(bad) = ideal.iter().find(|v| !v.is_finite()) {
             return Err(refuse(format!("the truth there is {bad}; give the value as {input}={at}:VALUE")));
@@ -203,6 +203,18 @@ impl Target {
 
     fn alpha_inverse(&self, alpha: f64) -> f64 {
         super::spec::roughness(self.alpha_map, alpha)
+    }
+}
+
+/// The error of a truth that cannot be had at an edge, as the edge's own.
+fn no_truth(input: &str, error: TargetError) -> TargetError {
+    match error {
+        TargetError::Integrate(error) => TargetError::Edge {
+            setting: "exact",
+            input: input.into(),
+            reason: format!("{error}; give the value as {input}=AT:VALUE"),
+        },
+        error => error,
     }
 }
 

@@ -26,7 +26,7 @@ pub enum TargetError {
         reason: String,
     },
     /// A range that is none, or leaves the quantity's domain.
-    #[error("domain {input}={low}..{high}: {reason}")]
+    #[error("domain {input}={low}..{high}{}: {reason}", if low == high { format!(" (or --fix {input}={low})") } else { String::new() })]
     Range {
         /// Input.
         input: String,
@@ -86,8 +86,8 @@ pub enum TargetError {
     /// The domain or the formula.
     #[error(transparent)]
     Fit(#[from] FitError),
-    /// A truth could not be integrated.
-    #[error(transparent)]
+    /// A truth could not be integrated somewhere in the domain.
+    #[error("domain: {0}; give ranges that leave such inputs out")]
     Integrate(#[from] IntegrateError),
 }
 
@@ -102,6 +102,7 @@ impl TargetError {
                 | TargetError::Input { .. }
                 | TargetError::Word { .. }
                 | TargetError::Edge { .. }
+                | TargetError::Integrate(_)
         )
     }
 }

@@ -16,11 +16,14 @@ pub(super) enum Choice {
     Measured,
 }
 
-/// Values of f0 where the error is not affine in it, by [`Choice`]: midpoints, Chebyshev nodes, other midpoints, an even lattice with
-/// both ends.
-const EVEN: usize = 8;
+/// Panels of the rules for means where the error is not affine in f0: samples have no weights of their own, so that all nodes weigh
+/// the same, as in Chebyshev's quadrature (Abramowitz & Stegun, 25.4.28). Midpoints in their place are off by a percent where a
+/// p-norm is weighted by f0.
+const EVEN: usize = 2;
+const MEAN: usize = 3;
+
+/// Values of f0 for the largest error there: Chebyshev's extrema, and an even lattice with both ends.
 const EDGED: usize = 9;
-const MEAN: usize = 7;
 const LATTICE: usize = 17;
 
 /// The values: for an error that is affine in f0 the two Gauss nodes, which give the exact mean square, or the two ends, where the
@@ -31,18 +34,44 @@ pub(super) fn values(span: &Span, affine: bool, choice: Choice) -> Vec<f64> {
     if low == high {
         return vec![low];
     }
-    let midpoints = |n: usize| (0..n).map(|i| at((i as f64 + 0.5) / n as f64)).collect();
+    let panels = |n: usize, nodes: &[f64]| -> Vec<f64> {
+        let panel = |i: usize| nodes.iter().map(move |x| (i as f64 + 0.5 + 0.5 * x) / n as f64);
+        (0..n).flat_map(panel).map(at).collect()
+    };
+    // x^2 = (sqrt 5 -+ 2)/(3 sqrt 5), exact for degree 5; and 1/sqrt 2, for degree 3.
+    let root = 5.0_f64.sqrt();
+    let [inner, outer] = [root - 2.0, root + 2.0].map(|x| (x / (3.0 * root)).sqrt());
+    let half = 0.5_f64.sqrt();
     match (choice, affine) {
         (Choice::Even | Choice::MeasuredMean, true) => {
             let offset = 0.5 / 3.0_f64.sqrt();
             vec![at(0.5 - offset), at(0.5 + offset)]
         }
         (Choice::Edged | Choice::Measured, true) => vec![low, high],
-        (Choice::Even, false) => midpoints(EVEN),
-        (Choice::MeasuredMean, false) => midpoints(MEAN),
+        (Choice::Even, false) => panels(EVEN, &[-outer, -inner, inner, outer]),
+        (Choice::MeasuredMean, false) => panels(MEAN, &[-half, 0.0, half]),
         (Choice::Edged, false) => chebyshev::nodes(low, high, EDGED),
         (Choice::Measured, false) => (0..LATTICE)
             .map(|i| if i + 1 == LATTICE { high } else { at(i as f64 / (LATTICE - 1) as f64) })
             .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn means_over_the_values_are_those_of_powers() {
+        let span = Span { name: "f0".into(), range: [0.25, 0.75] };
+        for (choice, degree) in [(Choice::Even, 5), (Choice::MeasuredMean, 3)] {
+            let values = values(&span, false, choice);
+            for k in 0..=degree {
+                let power = |x: f64| (0..k).fold(1.0, |p, _| p * x);
+                let mean = values.iter().map(|x| power(*x)).sum::<f64>() / values.len() as f64;
+                let exact = (power(0.75) * 0.75 - power(0.25) * 0.25) / (0.5 * f64::from(k + 1));
+                assert!((mean - exact).abs() < 1e-14, "{choice:?} {k}: {mean} {exact}");
+            }
+        }
     }
 }

@@ -168,6 +168,7 @@ impl Target {
                     }
                     None => range(spec, ROUGHNESS, defined.map(|a| roughness(spec.alpha_map, a)))?,
                 };
+                no_gap(spec, &span)?;
                 self.axes.push(span);
                 Ok(Given::Alpha)
             }
@@ -304,12 +305,53 @@ fn range(spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Span, Targ
         return refuse("a range goes from its smaller end to its larger one, both finite".into());
     }
     if low < defined[0] || high > defined[1] {
+        let common = [low.max(defined[0]), high.min(defined[1])];
+        let remedy = if common[0] <= common[1] {
+            format!("give --domain {input}={}..{}", common[0], common[1])
+        } else {
+            "give a range in there".into()
+        };
         return refuse(format!(
-            "is not inside [{}, {}], where {} is defined",
+            "is not inside [{}, {}], where {} is defined; {remedy}",
             defined[0], defined[1], spec.quantity.name
         ));
     }
     Ok(Span { name: input.into(), range: [low, high] })
+}
+
+/// Refuses a range that holds widths between a mirror's 0 and the smallest that have a truth.
+fn no_gap(spec: &TargetSpec, span: &Span) -> Result<(), TargetError> {
+    let (quantity, [low, high]) = (spec.quantity, span.range);
+    let (smallest, map) = (quantity.smallest_alpha(), spec.alpha_map);
+    if high == 0.0 || map.alpha(low) >= smallest * (1.0 - ROUNDED) {
+        return Ok(());
+    }
+    let input = if spec.domain.contains_key("alpha") { "alpha" } else { ROUGHNESS };
+    let from = if input == "alpha" { smallest } else { up(roughness(map, smallest)) };
+    let [low, high] = spec.domain.get(input).copied().unwrap_or([low, high]);
+    let remedy = if from <= high {
+        format!("give --domain {input}={from}..{high}")
+    } else {
+        String::from("begin there")
+    };
+    Err(TargetError::Range {
+        input: input.into(),
+        low,
+        high,
+        reason: format!(
+            "{} has no truth between alpha = 0 and alpha = {smallest:e}, which is {input} = {from}; {remedy}{}",
+            quantity.name,
+            if low == 0.0 { ", and --exact alpha=0 if the mirror matters" } else { "" }
+        ),
+    })
+}
+
+/// An f32 next to an end of a range may lie outside of it by this part.
+const ROUNDED: f64 = 1e-6;
+
+/// To three digits, upwards: what a person would type.
+fn up(x: f64) -> f64 {
+    crate::fit::round_up(x, 3)
 }
 
 /// The roughness of an alpha.

@@ -1,9 +1,7 @@
 //! Expressions and statements as text, with what a language does differently left to it.
 
+use super::lines::lines;
 use crate::fit::{Binary, Builtin, Expr, ExprKind, Function, Kind, Statement, Unary, power_steps};
-
-/// Longest line before a sum is broken up.
-const WIDTH: usize = 100;
 
 /// How tightly an expression binds: it needs parentheses where more is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -188,47 +186,10 @@ impl<D: Dialect> Writer<'_, D> {
         self.line(&start, value, ";", depth, out);
     }
 
-    /// One statement; a sum too long for a line is broken before its signs.
+    /// One statement.
     fn line(&self, start: &str, value: &Expr, end: &str, depth: usize, out: &mut String) {
-        let indent = "    ".repeat(depth);
-        let whole = format!("{indent}{start}{}{end}", self.expression(value, false).text);
-        let sum = matches!(value.kind, ExprKind::Binary(Binary::Add | Binary::Subtract, ..));
-        if whole.len() <= WIDTH || !sum {
-            out.push_str(&whole);
-            out.push('\n');
-            return;
-        }
-        let mut line = format!("{indent}{start}");
-        let mut fresh = true;
-        for term in self.terms(value) {
-            if !fresh && line.len() + 1 + term.len() + end.len() > WIDTH {
-                out.push_str(&line);
-                out.push('\n');
-                line = format!("{indent}    {term}");
-            } else if fresh {
-                line.push_str(&term);
-            } else {
-                line = format!("{line} {term}");
-            }
-            fresh = false;
-        }
-        out.push_str(&line);
-        out.push_str(end);
-        out.push('\n');
-    }
-
-    /// The terms of a sum, each with its sign but the first.
-    fn terms(&self, expr: &Expr) -> Vec<String> {
-        match &expr.kind {
-            ExprKind::Binary(op @ (Binary::Add | Binary::Subtract), a, b) => {
-                let mut terms = self.terms(a);
-                let typed = !(self.anchored(a) || self.anchored(b));
-                let right = self.expression(b, typed).within(Level::Product);
-                terms.push(format!("{} {right}", operator(*op).0));
-                terms
-            }
-            _ => vec![self.expression(expr, false).within(Level::Sum)],
-        }
+        let text = format!("{start}{}{end}", self.expression(value, false).text);
+        out.push_str(&lines(&text, depth));
     }
 }
 

@@ -22,6 +22,7 @@ mod clike;
 mod expression;
 mod helpers;
 mod language;
+mod lines;
 mod names;
 mod rust;
 mod wgsl;

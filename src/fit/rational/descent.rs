@@ -60,7 +60,8 @@ impl<'a> Descent<'a> {
             }
         }
         let x = descent.largest_denominators()?;
-        descent.move_to(x).map_err(|sample| FitError::NoDenominator { sample })?;
+        // The program has found positive denominators that its own solution does not have: the margin is one of rounding.
+        descent.move_to(x).map_err(|_| descent.refused(Failure::Unproven))?;
         Ok(descent)
     }
 
@@ -119,19 +120,28 @@ impl<'a> Descent<'a> {
             Err(Failure::Infeasible) => return Err(FitError::NoDenominator { sample: 0 }),
             solved => solved.map_err(|failure| self.refused(failure))?,
         };
-        if vertex.x.pop().is_none_or(|z| z >= 0.0) {
+        if vertex.x.last().is_none_or(|z| *z >= 0.0) {
+            if vertex.proven(&program) <= 0.0 {
+                return Err(self.refused(Failure::Unproven));
+            }
             let sample = vertex.active.iter().find_map(|(id, y)| match id {
                 Id::Above(sample) if *y > 0.0 => Some(*sample),
                 _ => None,
             });
             return Err(FitError::NoDenominator { sample: sample.unwrap_or(0) });
         }
+        vertex.x.pop();
         Ok(vertex.x)
     }
 
     fn refused(&self, failure: Failure) -> FitError {
         match failure {
             Failure::Infeasible => FitError::Infeasible { rows: self.extra.len() },
+            Failure::Unproven => {
+                let message = "whether any coefficients keep every denominator positive (and the constraints) could not be decided in \
+                               floating point: the columns are nearly dependent, or of very different sizes";
+                FitError::Solver { message: message.to_string() }
+            }
             Failure::Numerical => {
                 let message = "a linear program of the minimax failed in floating point: the columns are nearly dependent";
                 FitError::Solver { message: message.to_string() }

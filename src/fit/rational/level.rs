@@ -122,6 +122,10 @@ fn note(worst: &mut (f64, Option<Id>), violation: f64, id: Id) {
 impl Rows for Level<'_> {
     type Id = Id;
 
+    fn reach(&self, variable: usize) -> f64 {
+        if variable < self.columns.unit.len() { BOX } else { DEEPEST }
+    }
+
     fn worst(&mut self, x: &[f64]) -> Option<Id> {
         let (x, z) = x.split_at(x.len() - 1);
         let z = z[0];

@@ -11,13 +11,17 @@ pub(super) trait Rows {
     fn worst(&mut self, x: &[f64]) -> Option<Self::Id>;
     /// Writes the coefficients of a row and gives its right side.
     fn row(&self, id: Self::Id, into: &mut [f64]) -> f64;
+    /// No solution that is looked for has a magnitude of this variable above this.
+    fn reach(&self, variable: usize) -> f64;
 }
 
 /// Why a program has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Failure {
-    /// The rows contradict one another.
+    /// The rows contradict one another, by multipliers that prove it whatever was rounded.
     Infeasible,
+    /// The rows seem to contradict one another, but rounding could account for it.
+    Unproven,
     /// The active rows became dependent in floating point, or the steps were used up.
     Numerical,
 }
@@ -69,13 +73,58 @@ pub(super) fn minimise_last<R: Rows>(
             return Err(Failure::Numerical);
         }
         let bound = rows.row(id, &mut entering);
-        let leaving = basis.leaving(&entering)?;
+        let Some(leaving) = basis.leaving(&entering) else { return Err(basis.contradiction(rows, id)) };
         basis.exchange(leaving, id, &entering, bound);
         if basis.updates >= FRESH {
             basis = Basis::of(rows, &basis.active, k).ok_or(Failure::Numerical)?;
         }
     }
     Err(Failure::Numerical)
+}
+
+/// Rows combined with multipliers y >= 0: c + sum y a, and sum y b, each with what rounding may have done to it.
+struct Combined {
+    left: Vec<f64>,
+    left_error: Vec<f64>,
+    right: f64,
+    right_error: f64,
+}
+
+impl Combined {
+    fn of<R: Rows>(rows: &R, multipliers: impl Iterator<Item = (R::Id, f64)>, cost: Vec<f64>) -> Combined {
+        let k = cost.len();
+        let mut all = Combined { left: cost, left_error: vec![0.0; k], right: 0.0, right_error: 0.0 };
+        // Running error bound (Higham 2002, section 3.3): each product and each sum rounds by at most half an epsilon of itself.
+        let add = |sum: &mut f64, error: &mut f64, product: f64| {
+            *sum += product;
+            *error += 0.5 * f64::EPSILON * (product.abs() + sum.abs());
+        };
+        let mut row = vec![0.0; k];
+        for (id, y) in multipliers.filter(|(_, y)| *y > 0.0) {
+            let bound = rows.row(id, &mut row);
+            for (j, a) in row.iter().enumerate() {
+                add(&mut all.left[j], &mut all.left_error[j], y * a);
+            }
+            add(&mut all.right, &mut all.right_error, y * bound);
+        }
+        all
+    }
+
+    /// For every x within reach that keeps the rows, c x is at least this: c x >= (c + sum y a) x - sum y b.
+    fn least<R: Rows>(&self, rows: &R) -> f64 {
+        let left = self.left.iter().zip(&self.left_error).enumerate();
+        let lost: f64 = left.map(|(j, (v, error))| (v.abs() + error) * rows.reach(j)).sum();
+        -self.right - self.right_error - lost
+    }
+}
+
+impl<I: Copy + PartialEq> Vertex<I> {
+    /// What no x within reach that keeps the rows has a smaller last variable than, by the multipliers alone, rounding counted.
+    pub fn proven<R: Rows<Id = I>>(&self, rows: &R) -> f64 {
+        let mut cost = vec![0.0; self.x.len()];
+        cost[self.x.len() - 1] = 1.0;
+        Combined::of(rows, self.active.iter().copied(), cost).least(rows)
+    }
 }
 
 /// k active rows and the inverse of their matrix.
@@ -110,8 +159,8 @@ impl<I: Copy + PartialEq> Basis<I> {
         self.inverse[(self.k - 1) * self.k..].iter().map(|v| -v).collect()
     }
 
-    /// The active row that leaves when one with these coefficients enters.
-    fn leaving(&self, entering: &[f64]) -> Result<usize, Failure> {
+    /// The active row that leaves when one with these coefficients enters; none if no x keeps it beside the active ones.
+    fn leaving(&self, entering: &[f64]) -> Option<usize> {
         let w = self.shares(entering);
         let top = w.iter().fold(0.0_f64, |m, w| m.max(w.abs()));
         let y = self.multipliers();
@@ -120,7 +169,23 @@ impl<I: Copy + PartialEq> Basis<I> {
         let least = (0..self.k).filter(usable).map(ratio).fold(f64::INFINITY, f64::min);
         // Of equals the largest pivot, for its stability.
         let ties = (0..self.k).filter(usable).filter(|&j| ratio(j) <= least + NONNEGATIVE);
-        ties.reduce(|best, j| if w[j] > w[best] { j } else { best }).ok_or(Failure::Infeasible)
+        ties.reduce(|best, j| if w[j] > w[best] { j } else { best })
+    }
+
+    /// Whether a row that nothing leaves for contradicts the active ones: it is minus a combination of theirs with multipliers y >= 0,
+    /// and the right sides so combined are below 0 (Farkas).
+    fn contradiction<R: Rows<Id = I>>(&self, rows: &R, id: I) -> Failure {
+        let mut row = vec![0.0; self.k];
+        rows.row(id, &mut row);
+        let shares = self.shares(&row);
+        let top = shares.iter().fold(1.0_f64, |m, w| m.max(w.abs()));
+        let share = |w: &f64| if -w > PIVOT * top { -w } else { 0.0 };
+        let combined = Combined::of(
+            rows,
+            self.active.iter().copied().zip(shares.iter().map(share)).chain([(id, 1.0)]),
+            vec![0.0; self.k],
+        );
+        if combined.least(rows) > 0.0 { Failure::Infeasible } else { Failure::Unproven }
     }
 
     /// A row's coefficients as a combination of the active ones.
@@ -196,6 +261,9 @@ mod tests {
             into.copy_from_slice(&self.0[id].0);
             self.0[id].1
         }
+        fn reach(&self, _: usize) -> f64 {
+            1e6
+        }
     }
 
     #[test]
@@ -213,6 +281,18 @@ mod tests {
         assert!(vertex.active.iter().all(|(id, y)| *id >= 3 && (*y - 0.5).abs() < 1e-14));
         rows.0.push((vec![-1.0, 0.0], -6.0));
         assert_eq!(minimise_last(&mut rows, &[], &[0, 1]).err(), Some(Failure::Infeasible));
+        // The same contradiction with a way out 1e5 away, along a pivot too small to be taken: not called one.
+        let far = Listed(vec![
+            (vec![-1.0, 0.0, 0.0], 1e6),
+            (vec![0.0, 1.0, 0.0], 1.0),
+            (vec![0.0, 0.0, -1.0], 0.0),
+            (vec![-1e-10, -1.0, 0.0], -1.00001),
+        ]);
+        let solved = minimise_last(&mut Listed(far.0.clone()), &[], &[0, 1, 2]);
+        assert_eq!(solved.err(), Some(Failure::Unproven));
+        let mut nearer = far;
+        nearer.0[3].1 = -1.001;
+        assert_eq!(minimise_last(&mut nearer, &[], &[0, 1, 2]).err(), Some(Failure::Infeasible));
         assert_eq!(invert(vec![1.0, 2.0, 2.0, 4.0], 2), None);
     }
 }

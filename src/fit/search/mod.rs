@@ -9,15 +9,21 @@
 //! Deterministic for any number of threads.
 
 mod beam;
+mod draft;
 mod finish;
 mod form;
 mod graph;
 mod helper;
+mod pair;
+mod pairing;
 mod score;
 mod space;
 mod write;
+mod writer;
 
 pub use helper::Helper;
+pub use pair::{Pair, PairSamples, Second, search_pair};
+pub use pairing::Pairing;
 pub use space::{Anchor, SearchAxis, SearchSamples, Space};
 
 use super::{FitError, Hypothesis};

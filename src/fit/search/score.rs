@@ -8,6 +8,8 @@ use crate::fit::rational::{Columns, Descent};
 /// Samples with what every form needs of them.
 pub(super) struct Data<'a> {
     samples: &'a SearchSamples,
+    /// The anchor's value; 0 without one.
+    anchor: f64,
     /// scale anchor - target, over the magnitude.
     offset: Vec<f64>,
     /// scale, over the magnitude.
@@ -30,6 +32,7 @@ impl<'a> Data<'a> {
         let pairs = samples.scale.iter().zip(&samples.target);
         Data {
             samples,
+            anchor,
             offset: pairs.map(|(s, t)| (s * anchor - t) / magnitude).collect(),
             scale: samples.scale.iter().map(|s| s / magnitude).collect(),
             magnitude,
@@ -68,18 +71,42 @@ impl<'a> Data<'a> {
         Some((Score { coefficients, max: level * self.magnitude }, bound))
     }
 
+    /// A form's values at the samples. None where they are not finite.
+    pub fn values(&self, form: &Form, score: &Score) -> Option<Vec<f64>> {
+        let helpers = self.helpers(form)?;
+        let below = form.under.len().max(1);
+        let (under, over) = score.coefficients.split_at(below);
+        let sum = |terms: &[Term], coefficients: &[f64]| {
+            let mut sum = vec![0.0; self.samples.len()];
+            for (term, c) in terms.iter().zip(coefficients) {
+                let column = self.product(term, &helpers);
+                sum.iter_mut().zip(column).for_each(|(s, x)| *s += c * x);
+            }
+            sum
+        };
+        let over = sum(&form.over, over);
+        let under = if form.under.is_empty() { vec![under[0]; over.len()] } else { sum(&form.under, under) };
+        let values: Vec<f64> = over.iter().zip(under).map(|(p, q)| self.anchor + p / q).collect();
+        values.iter().all(|v| v.is_finite()).then_some(values)
+    }
+
+    fn helpers(&self, form: &Form) -> Option<Vec<Vec<f64>>> {
+        form.helpers.iter().map(|h| h.column(&self.samples.axes)).collect()
+    }
+
+    fn product(&self, term: &Term, helpers: &[Vec<f64>]) -> Vec<f64> {
+        let mut column = vec![1.0; self.samples.len()];
+        let factors = self.samples.axes.iter().chain(helpers);
+        for (factor, power) in factors.zip(term).filter(|(_, power)| **power > 0) {
+            column.iter_mut().zip(factor).for_each(|(c, x)| *c *= raised(*x, *power));
+        }
+        column
+    }
+
     /// Columns of (R, D): a term t of Q gives ((scale anchor - target) t, t), one of P (scale t, 0).
     fn columns(&self, form: &Form) -> Option<Columns> {
-        let helpers =
-            form.helpers.iter().map(|h| h.column(&self.samples.axes)).collect::<Option<Vec<_>>>()?;
-        let product = |term: &Term| -> Vec<f64> {
-            let mut column = vec![1.0; self.samples.len()];
-            let factors = self.samples.axes.iter().chain(&helpers);
-            for (factor, power) in factors.zip(term).filter(|(_, power)| **power > 0) {
-                column.iter_mut().zip(factor).for_each(|(c, x)| *c *= raised(*x, *power));
-            }
-            column
-        };
+        let helpers = self.helpers(form)?;
+        let product = |term: &Term| self.product(term, &helpers);
         let by = |column: &[f64], factor: &[f64]| column.iter().zip(factor).map(|(a, b)| a * b).collect();
         let (mut residual, mut divisor): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (Vec::new(), Vec::new());
         let one = [[0; super::space::SLOTS]];

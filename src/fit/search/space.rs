@@ -33,6 +33,8 @@ pub struct Space {
     pub axes: Vec<SearchAxis>,
     /// Where forms must be exact; none: forms are plain quotients.
     pub anchor: Option<Anchor>,
+    /// Name of a further argument t, none of the axes: the formulas are 1 - t times forms, and searched for t = 0.
+    pub faded: Option<String>,
     /// Functions of the inputs that may be factors of terms.
     pub helpers: Vec<Helper>,
     /// Most operations, by [`crate::fit::Tape::cost_ops`].
@@ -69,6 +71,7 @@ impl Space {
             title: String::new(),
             axes,
             anchor: None,
+            faded: None,
             helpers: Vec::new(),
             max_ops,
             width: 24,
@@ -76,6 +79,11 @@ impl Space {
             coefficients: 14,
             domain: None,
         }
+    }
+
+    /// What P/Q is added to.
+    pub(super) fn base(&self) -> Option<f32> {
+        self.anchor.as_ref().map(|anchor| anchor.value).filter(|value| *value != 0.0)
     }
 
     /// Checks that the space makes sense and that the samples are its.

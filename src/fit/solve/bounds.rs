@@ -4,7 +4,7 @@ use super::constraint::{Condition, Constraint};
 use super::fitted::Held;
 use super::objective::{Objective, Refused};
 use super::round_to_f32;
-use super::samples::Samples;
+use super::samples::{Samples, digits};
 use crate::fit::{FitError, Tape};
 
 /// Rounding of a coefficient to f32 moves it by at most this part; twice, for what derivatives at one point leave out.
@@ -194,7 +194,7 @@ impl<'a> Bounds<'a> {
         let tape = self.objective.tape;
         let (points, _) = self.constraints[constraint].condition.columns();
         let columns = tape.inputs().iter().zip(points);
-        let at: Vec<String> = columns.map(|(name, x)| format!("{name} = {}", x[held.at])).collect();
+        let at: Vec<String> = columns.map(|(name, x)| format!("{name} = {}", digits(x[held.at]))).collect();
         FitError::Unsatisfiable {
             constraint: held.name.clone(),
             function: tape.function().to_string(),

@@ -24,6 +24,8 @@ pub enum Termination {
         /// Number of determined combinations of parameters.
         rank: usize,
     },
+    /// No minimum though derivatives vanish: there is lower ground beside these coefficients, and leaving saddles led to saddles only.
+    Saddle,
     /// Iterations used up.
     IterationCap,
     /// No step made progress, short of a minimum.
@@ -35,7 +37,13 @@ pub enum Termination {
 impl Termination {
     /// Whether the coefficients are a minimum of the norm asked for.
     pub fn is_converged(self) -> bool {
-        !matches!(self, Termination::IterationCap | Termination::Stalled | Termination::TooFewSamples)
+        !matches!(
+            self,
+            Termination::IterationCap
+                | Termination::Stalled
+                | Termination::Saddle
+                | Termination::TooFewSamples
+        )
     }
 }
 
@@ -47,7 +55,7 @@ pub enum Gap {
     /// What the last linear program could still have gained near these coefficients; infinite if its trust region held every step
     /// back. Says nothing of other valleys.
     Local(f64),
-    /// Not known: the goal is not the largest residual.
+    /// Not known: the goal is not the largest residual, or a part of all coefficients could be neither searched nor excluded.
     Unknown,
 }
 

@@ -23,7 +23,7 @@ pub(super) fn global(objective: &Objective, bounds: Option<&Bounds>, start: &[f6
     let rows = recognise(objective.tape, &samples.inputs, samples.len())?;
     let signs = signs(&rows, start)?;
     let mut best: Option<Optimum> = None;
-    let mut bound = f64::INFINITY;
+    let mut bound = Some(f64::INFINITY);
     let mut programs = 0;
     for flip in if rows.linear { &[1.0][..] } else { &[1.0, -1.0] } {
         let turned: Vec<f64> = signs.iter().map(|s| s * flip).collect();
@@ -41,13 +41,15 @@ pub(super) fn global(objective: &Objective, bounds: Option<&Bounds>, start: &[f6
         match minimax(&problem, &extra, (*flip > 0.0).then_some(start)) {
             Ok(optimum) => {
                 programs += optimum.programs as u64;
-                bound = bound.min(optimum.bound);
+                bound = bound.map(|bound| optimum.bound.min(bound));
                 if best.as_ref().is_none_or(|b| optimum.max < b.max) {
                     best = Some(optimum);
                 }
             }
-            // No coefficients turn every denominator round: nothing to find there.
+            // Proven that no coefficients turn every denominator round: nothing to find there.
             Err(FitError::NoDenominator { .. } | FitError::Infeasible { .. }) if *flip < 0.0 => {}
+            // Neither searched nor excluded: what was found on this side is not claimed to be the best of both.
+            Err(_) if *flip < 0.0 => bound = None,
             Err(_) => return None,
         }
     }
@@ -59,21 +61,22 @@ fn arrive(
     objective: &Objective,
     bounds: Option<&Bounds>,
     optimum: Optimum,
-    bound: f64,
+    bound: Option<f64>,
     programs: u64,
 ) -> Option<Route> {
-    let mut coefficients = optimum.coefficients;
+    let (own, mut coefficients) = (optimum.bound, optimum.coefficients);
     if let Some(bounds) = bounds {
         super::constrained::correct(bounds, &mut coefficients).ok()?;
         super::constrained::kept(bounds, &coefficients).then_some(())?;
     }
     let residuals = objective.residuals(&coefficients).ok()?;
     let (max, rms) = (largest(&residuals), PNorm::SQUARE.of(&residuals));
-    let gap = if max > 0.0 { ((max - bound) / max).max(0.0) } else { 0.0 };
-    let termination = match () {
-        () if is_zero(objective, rms) => Termination::ZeroResidual,
-        () if gap <= CLOSED => Termination::GlobalMinimax,
-        () => Termination::Stalled,
+    let gap = |bound: f64| if max > 0.0 { ((max - bound) / max).max(0.0) } else { 0.0 };
+    let termination = match bound {
+        _ if is_zero(objective, rms) => Termination::ZeroResidual,
+        Some(bound) if gap(bound) <= CLOSED => Termination::GlobalMinimax,
+        None if gap(own) <= CLOSED => Termination::Minimax,
+        _ => Termination::Stalled,
     };
     let stage = Stage { method: Method::DifferentialCorrection, end: termination, max, rms };
     Some(Route {
@@ -81,9 +84,29 @@ fn arrive(
         termination,
         stages: vec![stage],
         evaluations: programs,
-        gap: Gap::Global(gap),
-        bound: Some(bound),
+        gap: bound.map_or(Gap::Unknown, |bound| Gap::Global(gap(bound))),
+        bound,
     })
+}
+
+/// Coefficients of a quotient whose denominators all have one sign, whatever they are at the declared starts: those with the smallest
+/// largest residual. None if the formula is no such quotient, or there are none.
+pub(super) fn seed(objective: &Objective) -> Option<Vec<f64>> {
+    let samples = objective.samples;
+    let rows = recognise(objective.tape, &samples.inputs, samples.len())?;
+    let best = [1.0, -1.0].into_iter().filter_map(|sign| {
+        let problem = Rational {
+            parameters: objective.tape.parameters(),
+            numerator: by_row(&rows.numerator, &vec![sign; samples.len()]),
+            denominator: by_row(&rows.denominator, &vec![sign; samples.len()]),
+            scale: samples.scale.clone(),
+            target: samples.target.clone(),
+        };
+        // A sign that no coefficients have is one fewer; that none is left is the caller's to report.
+        minimax(&problem, &[], None).ok()
+    });
+    let best = best.reduce(|a, b| if b.max < a.max { b } else { a })?;
+    objective.residuals(&best.coefficients).ok().map(|_| best.coefficients)
 }
 
 /// The sign of each denominator at a point; none if one is 0 or not a number.

@@ -32,10 +32,16 @@ type LeastSquaresState = IterState<Vec<f64>, (), (), (), (), f64>;
 /// How a least-squares search has ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum End {
-    Minimum { cosine: f64 },
+    Minimum {
+        cosine: f64,
+    },
     Zero,
-    Stalled { cosine: f64 },
+    Stalled {
+        cosine: f64,
+    },
     Cap,
+    /// First-order conditions hold, and there is lower ground beside it.
+    Saddle,
 }
 
 /// The outcome of one search.

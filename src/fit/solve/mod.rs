@@ -5,6 +5,7 @@ mod constrained;
 mod constraint;
 mod convex;
 mod descent;
+mod escape;
 mod fitted;
 mod global;
 mod levenberg;

@@ -75,6 +75,27 @@ impl<'a> Objective<'a> {
         Ok(Linear { residuals, jacobian, triangle })
     }
 
+    /// A divisor that has another sign at some sample than at the first, or is 0 there, and the sample.
+    pub fn pole(&self, p: &[f64]) -> Option<(Node, usize)> {
+        let mut workspace = Workspace::new(self.tape);
+        let mut first: Vec<f64> = Vec::new();
+        for block in (0..self.samples.len()).step_by(BLOCK) {
+            let count = BLOCK.min(self.samples.len() - block);
+            self.tape.forward(&self.samples.inputs, block, count, p, &mut workspace);
+            let at = |node: &Node, lane: usize| workspace.values_of(*node)[lane];
+            if first.is_empty() {
+                first = self.divisors.iter().map(|node| at(node, 0)).collect();
+            }
+            for (node, first) in self.divisors.iter().zip(&first) {
+                let changed = |lane: &usize| at(node, *lane) * first.signum() <= 0.0;
+                if let Some(lane) = (0..count).find(changed) {
+                    return Some((*node, block + lane));
+                }
+            }
+        }
+        None
+    }
+
     /// Evaluates all samples; `then` may append to the second list of its task.
     fn tasks(
         &self,

@@ -5,12 +5,14 @@ use rayon::prelude::*;
 use super::bounds::Bounds;
 use super::constrained::constrained;
 use super::descent::{Descent, Problem};
+use super::escape::{LOWER, beside, escaped};
 use super::fitted::{Gap, Method, Stage, Termination};
-use super::global::global;
+use super::global::{global, seed};
 use super::levenberg::{End, Search, search};
 use super::objective::Objective;
 use super::options::{Goal, Options};
 use super::power::PNorm;
+use super::samples::digits;
 use super::starts::starts;
 use crate::fit::FitError;
 
@@ -19,6 +21,9 @@ const COARSE: usize = 1536;
 
 /// Starts whose search is carried on with all samples.
 const FINALISTS: usize = 3;
+
+/// Saddles of the largest residual that are left one after the other.
+const SADDLES: usize = 3;
 
 /// Residuals below this part of the targets are zero.
 const ZERO: f64 = 1e-14;
@@ -95,19 +100,21 @@ fn searches(objective: &Objective, declared: &[f64], options: &Options) -> Resul
     let coarse = objective.samples.subset(COARSE.max(8 * declared.len()));
     let rough = Objective::new(objective.tape, &coarse)?;
     let first = run(&rough, &starts, options.iterations)?;
-    let carried: Vec<Vec<f64>> = if coarse.len() == objective.samples.len() {
-        if !first.is_empty() {
-            return Ok(first);
-        }
-        starts
+    let mut all = if coarse.len() == objective.samples.len() {
+        first
     } else {
         let best = first.iter().take(FINALISTS).map(|s| s.coefficients.clone());
-        best.chain(std::iter::once(declared.to_vec())).collect()
+        let carried: Vec<Vec<f64>> = best.chain(std::iter::once(declared.to_vec())).collect();
+        run(objective, &carried, options.iterations)?
     };
-    let all = run(objective, &carried, options.iterations)?;
-    if all.is_empty() {
-        return Err(refused(objective, declared));
+    if all.is_empty()
+        && let Some(seed) = seed(objective)
+    {
+        // Poles at the declared values are none of a quotient's best coefficients.
+        all = run(objective, &[seed], options.iterations)?;
     }
+    let Some(best) = all.first() else { return Err(refused(objective, declared)) };
+    all[0] = escaped(objective, best.clone(), PNorm::SQUARE, options.iterations)?;
     Ok(all)
 }
 
@@ -124,33 +131,41 @@ fn run(objective: &Objective, starts: &[Vec<f64>], iterations: u64) -> Result<Ve
     Ok(searches)
 }
 
-/// Why a start was refused: the operation that leaves the reals, or a pole among the samples, with the sample's inputs.
+/// Why a start was refused: the operation that leaves the reals, or the divisor with a pole among the samples, with the inputs there.
 pub(super) fn refused(objective: &Objective, start: &[f64]) -> FitError {
     let (tape, samples) = (objective.tape, objective.samples);
     let index = objective.linearise(start).err().map_or(0, |r| r.sample);
-    let inputs: Vec<f64> = samples.inputs.iter().map(|column| column[index]).collect();
-    let named = tape.inputs().iter().zip(&inputs).map(|(name, x)| format!("{name} = {x}"));
-    let (function, at) = (tape.function().to_string(), named.collect::<Vec<_>>().join(", "));
+    let inputs = |index: usize| -> Vec<f64> { samples.inputs.iter().map(|column| column[index]).collect() };
+    let told = |index: usize| {
+        let named =
+            tape.inputs().iter().zip(inputs(index)).map(|(name, x)| format!("{name} = {}", digits(x)));
+        named.collect::<Vec<_>>().join(", ")
+    };
+    let function = tape.function().to_string();
     let mut values: Vec<f64> = Vec::with_capacity(tape.ops().len());
     for (node, op) in tape.ops().iter().enumerate() {
-        let value = op.evaluate(&inputs, start, &values);
+        let value = op.evaluate(&inputs(index), start, &values);
         if !value.is_finite() {
             let place = Box::new(tape.place(node as u32).clone());
-            return FitError::Undefined { place, function, value, at };
+            return FitError::Undefined { place, function, value, at: told(index) };
         }
         values.push(value);
     }
-    if let Some(parameter) = tape.gradient_at(&inputs, start).iter().position(|g| !g.is_finite()) {
+    if let Some(parameter) = tape.gradient_at(&inputs(index), start).iter().position(|g| !g.is_finite()) {
         let message = format!(
-            "{function}: its derivative by parameter {parameter} (counted from 0) is not finite at {at}"
+            "{function}: its derivative by parameter {parameter} (counted from 0) is not finite at {}",
+            told(index)
         );
         return FitError::Solver { message };
     }
-    let message = format!(
-        "{function}: at the declared start a divisor changes sign among the samples, near sample {index} ({at}); every other \
-         start failed too"
-    );
-    FitError::Solver { message }
+    match objective.pole(start) {
+        Some((divisor, index)) => {
+            FitError::PoleAtStart { place: Box::new(tape.place(divisor).clone()), function, at: told(index) }
+        }
+        None => FitError::Solver {
+            message: format!("{function}: no start could be evaluated near {}", told(index)),
+        },
+    }
 }
 
 /// Whether a root mean square residual is nothing beside the targets.
@@ -167,6 +182,7 @@ fn end(search: &Search) -> Termination {
         End::Minimum { cosine } => Termination::Converged { cosine },
         End::Zero => Termination::ZeroResidual,
         End::Stalled { .. } => Termination::Stalled,
+        End::Saddle => Termination::Saddle,
         End::Cap => Termination::IterationCap,
     }
 }
@@ -210,6 +226,9 @@ fn climb(
         let Some((_, last)) = climbed.last() else { break };
         let next = search(objective, &last.coefficients, PNorm(q), iterations)?;
         climbed.push((Method::Power(q), next.map_err(|_| refused(objective, &from.coefficients))?));
+    }
+    if let Some((Method::Power(q), last)) = climbed.last_mut() {
+        *last = escaped(objective, last.clone(), PNorm(*q), iterations)?;
     }
     Ok(climbed)
 }
@@ -262,9 +281,12 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
         }
     }
     let Some((index, best)) = best else { return Err(refused(objective, &searches[0].coefficients)) };
+    let (best, spent, saddle) = off_saddles(objective, best, options.iterations);
+    evaluations += spent;
     let termination = match end(&searches[index]) {
-        Termination::RankDeficient { rank } => Termination::RankDeficient { rank },
+        Termination::RankDeficient { rank } if best.optimal && !saddle => Termination::RankDeficient { rank },
         Termination::ZeroResidual => Termination::ZeroResidual,
+        _ if saddle => Termination::Saddle,
         _ if best.optimal => Termination::Minimax,
         _ if best.capped => Termination::IterationCap,
         _ => Termination::Stalled,
@@ -273,4 +295,30 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
     let last = Stage { method: Method::Programs, end: termination, max: best.max, rms: best.rms };
     let (stages, gap) = (vec![first, last], Gap::Local(best.gap));
     Ok(Route { coefficients: best.coefficients, termination, stages, evaluations, gap, bound: None })
+}
+
+/// The descent, or a better one from beside its end, where the first order holds it in fewer directions than there are; the
+/// evaluations of those that were tried; and whether the end still is a saddle.
+fn off_saddles(objective: &Objective, from: Descent, iterations: u64) -> (Descent, u64, bool) {
+    let (mut at, mut evaluations) = (from, 0);
+    for round in 0..=SADDLES {
+        let points =
+            if at.optimal && at.max > 0.0 { beside(objective, &at.coefficients) } else { Vec::new() };
+        let descents: Vec<Descent> = points
+            .par_iter()
+            .take(FINALISTS)
+            .filter_map(|point| {
+                let (bounds, norm, weight) = (None, None, 1.0);
+                Problem { objective, bounds, norm, weight, iterations }.descend(point).ok()
+            })
+            .collect();
+        evaluations += descents.iter().map(|d| d.evaluations).sum::<u64>();
+        let lowest = descents.into_iter().reduce(|a, b| if b.max < a.max { b } else { a });
+        match lowest.filter(|lowest| lowest.max < at.max * (1.0 - LOWER)) {
+            Some(_) if round == SADDLES => return (at, evaluations, true),
+            Some(lowest) => at = lowest,
+            None => break,
+        }
+    }
+    (at, evaluations, false)
 }

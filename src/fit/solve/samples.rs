@@ -16,6 +16,11 @@ pub struct Samples {
     pub target: Vec<f64>,
 }
 
+/// An input in the digits of an f32 where it is one, as a shader has it; else in all of an f64's.
+pub(super) fn digits(x: f64) -> String {
+    if f64::from(x as f32) == x { (x as f32).to_string() } else { x.to_string() }
+}
+
 impl Samples {
     /// Number of samples.
     pub fn len(&self) -> usize {

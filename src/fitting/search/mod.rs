@@ -1,5 +1,6 @@
 //! A search over forms for a quantity: the frontier of cost against certified error, each point a formula to keep.
 
+mod pair;
 mod rivals;
 mod space;
 mod told;
@@ -8,8 +9,8 @@ pub use told::{document, files, summary};
 
 use super::certificates::certificate;
 use super::{Demand, FittingError};
-use crate::data::{Certificate, Use};
-use crate::effects::target::{Sampled, Target, TargetError, TargetSpec};
+use crate::data::Certificate;
+use crate::effects::target::{Sampled, Target, TargetSpec};
 use crate::fit::search::{Progress, search};
 use crate::fit::{FitError, Hypothesis, Precision, prove_regular};
 
@@ -91,14 +92,15 @@ impl Searched {
 /// A target that cannot be searched; no form within the budget.
 pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, FittingError> {
     let target = space::target(&job.spec)?;
-    if target.used_as == Use::F0Blend || target.f0.is_some() {
-        let reason =
-            "a search goes over forms of the quantity's own inputs; search E and B one by one".into();
-        return Err(TargetError::Use { used_as: target.used_as.name(), reason }.into());
-    }
-    let anchor = space::anchor(&target, &job.demands)?;
-    let space = space::space(&target, anchor.clone(), job)?;
-    let found = search(&space, &space::samples(&target)?, progress)?;
+    let (found, anchor) = match &target.f0 {
+        Some(f0) => pair::run(&target, f0, job, progress)?,
+        None => {
+            let anchor = space::anchor(&target, &job.demands)?;
+            let space = space::space(&target, anchor.clone(), job)?;
+            let found = search(&space, &space::samples(&target)?, progress)?;
+            (found, space::words(&target, anchor.as_ref()))
+        }
+    };
     let measured = target.measured()?;
     let mut points: Vec<Point> = Vec::new();
     for form in found {
@@ -124,7 +126,7 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         return Err(FitError::Solver { message }.into());
     }
     let rivals = rivals::rivals(&target, &measured)?;
-    Ok(Searched { anchor: space::words(&target, anchor.as_ref()), target, points, rivals })
+    Ok(Searched { anchor, target, points, rivals })
 }
 
 fn certified(

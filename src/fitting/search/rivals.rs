@@ -12,6 +12,7 @@ use crate::fitting::certificates::certificate;
 fn prefix(target: &Target) -> Option<&'static str> {
     match (target.quantity.name, target.column, target.used_as) {
         ("ggx-reflection", "E", Use::Normalisation) => Some("ggx_norm_"),
+        ("ggx-reflection", _, Use::F0Blend) => Some("ggx_blend_"),
         ("ggx-reflection", "E", Use::Value) => Some("ggx_e_"),
         ("ggx-reflection", "B", Use::Value) => Some("ggx_b_"),
         ("ggx-average", "E_avg", Use::Value) => Some("ggx_eavg_"),

@@ -25,6 +25,9 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
         }
         arguments.push(input.name);
     }
+    if spec.used_as == Some(Use::F0Blend) {
+        arguments.push("f0");
+    }
     let declared: Vec<String> = arguments.iter().map(|name| format!("{name}: f32")).collect();
     let source = format!("fn form({}) -> f32 {{ return {}; }}", declared.join(", "), arguments.join(" + "));
     Ok(Target::new(spec, &Hypothesis::parse("form.wgsl", &source)?)?)
@@ -32,8 +35,9 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
 
 /// `ggx_reflection_e_normalisation`: quantity, column, use.
 pub(super) fn name(target: &Target) -> String {
-    let parts = [target.quantity.name, target.column, target.used_as.name()];
-    parts.join("_").replace('-', "_").to_lowercase()
+    let words = target.words.values().map(String::as_str);
+    let parts = [target.quantity.name, target.column, target.used_as.name()].into_iter().chain(words);
+    parts.collect::<Vec<_>>().join("_").replace('-', "_").to_lowercase()
 }
 
 /// The axes that have a range, by their index among the target's.
@@ -103,11 +107,21 @@ pub(super) fn words(target: &Target, anchor: Option<&Anchor>) -> String {
 
 /// The space: powers of every input, alpha free where roughness is, and the helpers that pay for lobes.
 pub(super) fn space(target: &Target, anchor: Option<Anchor>, job: &SearchJob) -> Result<Space, FitError> {
-    let power = match target.alpha_map {
-        AlphaMap::Roughness => 1,
-        AlphaMap::RoughnessSquared => 2,
-        AlphaMap::RoughnessFourth => 4,
-    };
+    let mut space = Space::new(&format!("{}_", name(target)), axes(target), job.max_ops);
+    space.title = title(target);
+    space.anchor = anchor;
+    if target.used_as == Use::Value {
+        space.helpers.extend(complement(&space.axes));
+    }
+    space.helpers.extend(reciprocal(target, &space.axes));
+    space.width = job.width.unwrap_or(space.width);
+    space.domain = Some(target.domain()?);
+    Ok(space)
+}
+
+/// The axes with a range.
+pub(super) fn axes(target: &Target) -> Vec<SearchAxis> {
+    let power = power(target);
     let axis = |k: &usize| {
         let name = target.axes[*k].name.clone();
         let rough = name == "roughness" && target.has_alpha();
@@ -117,31 +131,40 @@ pub(super) fn space(target: &Target, anchor: Option<Anchor>, job: &SearchJob) ->
         }
         SearchAxis { arguments, degree: if rough { DEGREES[0] } else { DEGREES[1] } }
     };
-    let axes: Vec<SearchAxis> = spanned(target).iter().map(axis).collect();
-    let mu = axes.iter().position(|a| a.arguments[0].0 == "mu");
-    let mut space = Space::new(&format!("{}_", name(target)), axes, job.max_ops);
-    space.title = title(target);
-    space.anchor = anchor;
-    // A value falls off from grazing by powers of 1 - mu; factors of the furnace are rational in mu already.
-    if let Some(mu) = mu.filter(|_| target.used_as == Use::Value) {
-        space.helpers.push(Helper::Complement { axis: mu as u8 });
-    }
-    // A smooth lobe depends on mu/alpha alone, and the rim of cloth on mu/roughness: one reciprocal makes both degree 0.
-    let rough = space.axes.iter().position(|a| a.arguments[0].0 == "roughness");
-    if let (Some(mu), Some(rough)) = (mu, rough) {
-        let power = if target.quantity.name.starts_with("sheen") { 1 } else { power as u8 };
-        space.helpers.push(Helper::Reciprocal { x: mu as u8, y: rough as u8, power });
-    }
-    space.width = job.width.unwrap_or(space.width);
-    space.domain = Some(target.domain()?);
-    Ok(space)
+    spanned(target).iter().map(axis).collect()
 }
 
-fn title(target: &Target) -> String {
+/// alpha as a power of roughness.
+fn power(target: &Target) -> u32 {
+    match target.alpha_map {
+        AlphaMap::Roughness => 1,
+        AlphaMap::RoughnessSquared => 2,
+        AlphaMap::RoughnessFourth => 4,
+    }
+}
+
+fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
+    axes.iter().position(|a| a.arguments[0].0 == name).map(|k| k as u8)
+}
+
+/// A value falls off from grazing by powers of 1 - mu; factors of the furnace are rational in mu already.
+pub(super) fn complement(axes: &[SearchAxis]) -> Option<Helper> {
+    place(axes, "mu").map(|axis| Helper::Complement { axis })
+}
+
+/// A smooth lobe depends on mu/alpha alone, and the rim of cloth on mu/roughness: one reciprocal makes both degree 0.
+pub(super) fn reciprocal(target: &Target, axes: &[SearchAxis]) -> Option<Helper> {
+    let power = if target.quantity.name.starts_with("sheen") { 1 } else { power(target) as u8 };
+    Some(Helper::Reciprocal { x: place(axes, "mu")?, y: place(axes, "roughness")?, power })
+}
+
+/// What a formula is, in a sentence.
+pub(super) fn title(target: &Target) -> String {
     let what = match target.used_as {
         Use::Normalisation => {
             format!("Normalisation of {}: N with {} N = 1", target.quantity.name, target.column)
         }
+        Use::F0Blend => format!("f0 A + B of {}", target.quantity.name),
         _ => format!("{} of {}", target.column, target.quantity.name),
     };
     let words: Vec<String> = target.words.iter().map(|(k, v)| format!(", {k} {v}")).collect();

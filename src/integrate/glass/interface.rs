@@ -1,5 +1,7 @@
 //! A smooth dielectric interface: refraction and Fresnel, stable for every index of refraction >= 1.
 
+use crate::optics::fresnel;
+
 /// Where the ray comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
@@ -61,23 +63,17 @@ impl Interface {
 
     /// A facet at cosine c and sine s to the view.
     ///
-    /// With c_t the cosine of refraction, c_t^2 = 1 - eta^2 + eta^2 c^2. The amplitudes (c - ...)/(c + ...) have cancelling
-    /// numerators as eta -> 1; both are rewritten with c_t - eta c = contrast/(c_t + eta c):
-    /// r_s = (eta c - c_t)/(eta c + c_t) = -contrast/(eta c + c_t)^2,
-    /// r_p = (c - eta c_t)/(c + eta c_t), c^2 - eta^2 c_t^2 = (1 - eta^2)(c^2 (1 + eta^2) - eta^2) = contrast (c^2 - eta^2 s^2).
+    /// With c_t the cosine of refraction, c_t^2 = 1 - eta^2 + eta^2 c^2.
     pub fn facet(&self, c: f64, s: f64) -> Facet {
         let square = self.contrast + self.eta * self.eta * c * c;
         if square <= 0.0 {
             return Facet { fresnel: 1.0, deviation: [1.0, 0.0] };
         }
         let c_t = square.sqrt();
-        let (sum_s, sum_p) = (self.eta * c + c_t, c + self.eta * c_t);
-        let r_s = self.contrast / (sum_s * sum_s);
-        let r_p = self.contrast * (c * c - self.eta * self.eta * s * s) / (sum_p * sum_p);
         Facet {
-            fresnel: 0.5 * (r_s * r_s + r_p * r_p),
+            fresnel: fresnel::unpolarised(self.eta, self.contrast, c, s * s, c_t),
             // sin(i - t) = s (c_t - eta c), cos(i - t) = c c_t + eta s^2
-            deviation: [c * c_t + self.eta * s * s, s * self.contrast / sum_s],
+            deviation: [c * c_t + self.eta * s * s, s * self.contrast / (self.eta * c + c_t)],
         }
     }
 }

@@ -12,11 +12,13 @@ mod albedo;
 mod average;
 mod effort;
 mod geometry;
+pub mod hemisphere;
 mod schlick;
 
 pub use albedo::{Work, albedo, albedo_work, loss};
 pub use average::{Average, average};
 pub use effort::Effort;
+pub use schlick::reflected;
 
 use super::{Estimate, IntegrateError};
 use crate::data::Smith;

@@ -1,4 +1,4 @@
-//! B: the reflection integral weighted with Schlick's (1 - v.h)^5, over polar angle and azimuth.
+//! The reflection integral weighted with a function of v.h, over polar angle and azimuth: B for Schlick's (1 - v.h)^5.
 
 use crate::data::Smith;
 use crate::math::lanes::{self, F8, LANES};
@@ -10,11 +10,23 @@ use super::geometry::View;
 
 /// B(alpha, mu); alpha > 0, mu in [0, 1].
 pub(super) fn bias(smith: Smith, alpha: f64, mu: f64, effort: &Effort) -> f64 {
-    let view = View::new(smith, alpha, mu);
-    effort.outer.panels(&view.cuts(), &|u| integrand(&view, u, effort))
+    reflected(smith, alpha, mu, effort, &fresnel::schlick_weight)
 }
 
-fn integrand(view: &View, u: &F8, effort: &Effort) -> F8 {
+/// The albedo of the lobe with reflectance `fresnel`(1 - v.h) by one rule, without an error bound; alpha > 0, mu in [0, 1]. `fresnel` is
+/// smooth over [0, 1].
+pub fn reflected(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    effort: &Effort,
+    fresnel: &(impl Fn(f64) -> f64 + Sync),
+) -> f64 {
+    let view = View::new(smith, alpha, mu);
+    effort.outer.panels(&view.cuts(), &|u| integrand(&view, u, effort, fresnel))
+}
+
+fn integrand(view: &View, u: &F8, effort: &Effort, fresnel: &impl Fn(f64) -> f64) -> F8 {
     let at = view.lights(u);
     let a2 = view.alpha * view.alpha;
     let mut out = [0.0; LANES];
@@ -26,7 +38,7 @@ fn integrand(view: &View, u: &F8, effort: &Effort) -> F8 {
             far: at.sin_s[i] * at.sin_s[i],
             swing: view.sine * at.sin_l[i],
         };
-        out[i] = 0.25 * geometry * at.jacobian[i] * a2 * ring.integral(effort);
+        out[i] = 0.25 * geometry * at.jacobian[i] * a2 * ring.integral(effort, fresnel);
     }
     out
 }
@@ -41,20 +53,20 @@ struct Ring {
 }
 
 impl Ring {
-    /// int_0^2pi (D pi/a^2) (1 - v.h)^5 dpsi / pi, by tan(psi/4) = r sinh(v): r puts the pole of D at v = i pi/2 for every
+    /// int_0^2pi (D pi/a^2) F(1 - v.h) dpsi / pi, by tan(psi/4) = r sinh(v): r puts the pole of D at v = i pi/2 for every
     /// alpha.
-    fn integral(&self, effort: &Effort) -> f64 {
+    fn integral(&self, effort: &Effort, fresnel: &impl Fn(f64) -> f64) -> f64 {
         // D has its pole at sin(psi/2) = i kappa; 2 r/(1 - r^2) = kappa. Without swing the ring is even: r = 1.
         let square = self.near * self.peak;
         let r = square.sqrt() / (self.swing.sqrt() + (self.swing + square).sqrt());
         let r = r.min(1.0);
         let end = ops::asinh(1.0 / r);
-        let sum = effort.inner(end).panel(0.0, end, &|v| self.at(v, r));
+        let sum = effort.inner(end).panel(0.0, end, &|v| self.at(v, r, fresnel));
         2.0 * sum / std::f64::consts::PI
     }
 
     #[inline(always)]
-    fn at(&self, v: &F8, r: f64) -> F8 {
+    fn at(&self, v: &F8, r: f64, fresnel: &impl Fn(f64) -> f64) -> F8 {
         let e = lanes::exp(v);
         let mut out = [0.0; LANES];
         for i in 0..LANES {
@@ -67,7 +79,7 @@ impl Ring {
             let half2 = self.near + t;
             let ratio = half2 / (self.near * self.peak + t);
             let complement = (self.far - t) / (1.0 + half2.sqrt());
-            out[i] = ratio * ratio * fresnel::schlick_weight(complement) * 4.0 * slope * length2;
+            out[i] = ratio * ratio * fresnel(complement) * 4.0 * slope * length2;
         }
         out
     }

@@ -3,6 +3,8 @@
 
 mod approximation;
 mod audit;
+mod coupling;
+mod coupling_study;
 mod furnace;
 mod index;
 mod own;
@@ -21,6 +23,10 @@ pub use audit::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
+pub use coupling::{
+    AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
+};
+pub use coupling_study::{CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Ranked, Ranking};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};

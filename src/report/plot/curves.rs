@@ -229,10 +229,8 @@ impl Curves {
             }
         }
         ends.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let mut lowest = plan.frame.bottom + 6.0;
-        for (y, text) in ends {
-            let at = y.min(lowest - 12.0);
-            lowest = at;
+        let heights = apart(&ends.iter().map(|e| e.0).collect::<Vec<_>>(), plan.frame);
+        for ((_, text), at) in ends.iter().zip(heights) {
             canvas.text(text, (plan.frame.right + 6.0, at), SMALL, Align::Left, INK)?;
         }
         Ok(())
@@ -255,6 +253,24 @@ fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportErr
         }
     }
     Ok(())
+}
+
+/// Heights of texts, from the bottom up, at least a line apart and within the frame as long as there is room, each as near as that
+/// allows to the height it is wanted at.
+fn apart(wanted: &[f64], frame: Frame) -> Vec<f64> {
+    const LINE: f64 = 12.0;
+    let mut heights: Vec<f64> = Vec::with_capacity(wanted.len());
+    for &y in wanted {
+        let below = heights.last().map_or(f64::INFINITY, |last| last - LINE);
+        heights.push(y.min(below).min(frame.bottom));
+    }
+    // What has been pushed out at the top pushes back.
+    let mut above = frame.top - LINE;
+    for height in heights.iter_mut().rev() {
+        *height = height.max(above + LINE);
+        above = *height;
+    }
+    heights
 }
 
 /// From one pixel to another.
@@ -283,4 +299,25 @@ fn beads(segment: Segment) -> impl Iterator<Item = Frame> {
         let (x, y) = along(segment, i as f64 / steps as f64);
         Frame { left: x - 2.0, top: y - 2.0, right: x + 2.0, bottom: y + 2.0 }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_at_ends_that_meet_stay_apart_and_beside_the_frame() {
+        let frame = Frame { left: 0.0, top: 50.0, right: 400.0, bottom: 300.0 };
+        for wanted in [
+            vec![50.0; 5],
+            vec![300.0; 5],
+            vec![200.0, 199.0, 60.0, 52.0, 51.0],
+            vec![300.0, 290.0, 150.0, 149.0, 55.0],
+        ] {
+            let heights = apart(&wanted, frame);
+            assert!(heights.windows(2).all(|w| w[0] - w[1] >= 12.0 - 1e-9), "{wanted:?}: {heights:?}");
+            assert!(heights.iter().all(|y| (50.0..=300.0).contains(y)), "{wanted:?}: {heights:?}");
+        }
+        assert_eq!(apart(&[200.0, 100.0], frame), [200.0, 100.0]);
+    }
 }

@@ -8,6 +8,7 @@ mod colour;
 mod colour_bar;
 mod curves;
 mod font;
+mod gallery;
 mod heat_map;
 mod labels;
 mod legend;
@@ -21,13 +22,14 @@ pub(crate) use colour::LINES;
 pub use colour::Shade;
 pub use curves::{Annotation, Curves, Series, Style};
 pub(crate) use font::BYTES as FONT_BYTES;
+pub use gallery::{Cells, Gallery};
 pub(crate) use heat_map::signed;
 pub use heat_map::{HeatMap, Worst};
 pub(crate) use scale::Scale;
 pub use scale::Spread;
 pub(crate) use scatter::frontier;
 pub use scatter::{Dot, Scatter};
-pub use spheres::{SphereRow, Spheres};
+pub use spheres::{SphereRow, Spheres, disc};
 
 use super::ReportError;
 

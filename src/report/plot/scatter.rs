@@ -125,13 +125,7 @@ impl Scatter {
             let middle = (label.frame.left + label.frame.right) / 2.0;
             let height = (label.frame.top + label.frame.bottom) / 2.0;
             if label.leader {
-                let near = at.0.clamp(label.frame.left, label.frame.right);
-                let edge = if near == at.0 {
-                    (near, at.1.clamp(label.frame.top, label.frame.bottom))
-                } else {
-                    (near, height)
-                };
-                canvas.line(&[at, edge], GREY, 0.6)?;
+                canvas.line(&[at, labels::leader_end(at, label.frame)], GREY, 0.6)?;
             }
             if dot.table {
                 canvas.square(at, 4.0, colour)?;

@@ -136,6 +136,18 @@ impl Spheres<'_> {
     }
 }
 
+/// Departure from the environment's 1 of each pixel of a square of `side` pixels with a sphere of `radius` pixels in its middle, row by
+/// row: `factors[k]` at `mu[k]`, which increase; linear between, constant beyond the ends. Both lists have the same length, not 0.
+pub fn disc(side: usize, radius: f64, mu: &[f64], factors: &[f64]) -> Vec<f64> {
+    let pixels = (0..side * side).map(|i| pixel(i % side, i / side, side as f64 / 2.0, radius, mu));
+    pixels
+        .map(|pixel| {
+            let sphere: f64 = pixel.samples.iter().map(|&(k, f)| between(factors, k, f) - 1.0).sum();
+            sphere / pixel.taken as f64
+        })
+        .collect()
+}
+
 /// Samples of a pixel that hit the sphere, as places in the list of mu, and how many were taken.
 struct Pixel {
     samples: Vec<(usize, f64)>,

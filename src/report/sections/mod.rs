@@ -4,23 +4,30 @@ mod approximations;
 mod audit;
 mod averages;
 mod called_for;
+mod coupling;
+mod coupling_study;
 mod fits;
 mod furnace;
 mod index;
+mod metals;
 mod own;
+mod reciprocity;
 mod search;
 mod selection;
 mod study;
+mod surfaces;
 mod tables;
 mod timed_tables;
 mod timings;
 mod volumes;
+mod walks;
 mod words;
 
 use super::{
-    AuditFindings, Block, Figure, Findings, FitPage, Index, Page, ReportError, SearchPage, Timings,
-    VolumeFindings,
+    AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, Index, Page,
+    ReportError, SearchPage, Section, Timings, VolumeFindings,
 };
+use crate::effects::surface::SurfaceRows;
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -56,6 +63,11 @@ pub(crate) fn of_volumes(findings: &VolumeFindings) -> Result<Page, ReportError>
     })
 }
 
+/// The page of the coupling of diffuse bases.
+pub(crate) fn of_coupling(findings: &CouplingFindings) -> Result<Page, ReportError> {
+    coupling::page(findings)
+}
+
 /// The overview of a bake.
 pub(crate) fn of_index(index: &Index) -> Result<Page, ReportError> {
     Ok(Page {
@@ -86,6 +98,16 @@ pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
 /// The page of an audit.
 pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
     audit::page(findings)
+}
+
+/// The page of the study of diffuse couplings.
+pub(crate) fn of_coupling_study(study: &CouplingStudy) -> Result<Page, ReportError> {
+    coupling_study::page(study)
+}
+
+/// The sections of whole materials, for a page of their effect or of a study.
+pub(crate) fn of_surfaces(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
+    surfaces::sections(rows)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.

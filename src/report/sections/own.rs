@@ -170,9 +170,19 @@ fn curves(fit: &FitCard, slice: &FitSlice) -> Curves {
     for (i, c) in slice.curves.iter().enumerate() {
         series.push(line(if i == 0 { &fit.name } else { "" }, slice, &c.fit, Style::Line(0), None));
     }
-    // The truth stays readable beside a wild fit.
-    let limits = Scale::around(Spread::Linear, slice.curves.iter().flat_map(|c| c.truth.iter().copied()));
-    chart(slice, slice.value.clone(), series, Some((limits.min, limits.max)))
+    let (truth, fit) = (slice.curves.iter().map(|c| &c.truth), slice.curves.iter().map(|c| &c.fit));
+    chart(slice, slice.value.clone(), series, Some(limits(truth.flatten(), fit.flatten())))
+}
+
+/// The frame of the truth, widened to just beyond the fit where that leaves it.
+fn limits<'a>(
+    truth: impl Iterator<Item = &'a f64> + Clone,
+    fit: impl Iterator<Item = &'a f64>,
+) -> (f64, f64) {
+    let Scale { min, max, .. } = Scale::around(Spread::Linear, truth.copied());
+    let (low, high) = fit.fold((min, max), |(low, high), v| (low.min(*v), high.max(*v)));
+    let room = 0.02 * (high - low);
+    (if low < min { low - room } else { min }, if high > max { high + room } else { max })
 }
 
 fn error_curves(slice: &FitSlice) -> Curves {

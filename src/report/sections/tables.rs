@@ -26,12 +26,19 @@ pub(super) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError
         title: "The truth".into(),
         lead: "What is approximated, by quadrature: the values that every table and fit is measured against."
             .into(),
-        blocks: vec![figures(&maps, &landscape(&findings.truths[0]))?],
+        blocks: vec![figures(&maps, &landscape(findings))?],
     }))
 }
 
 /// What to see in the maps of the truth; a part of the domain need not show it.
-fn landscape(field: &Field) -> String {
+fn landscape(findings: &Findings) -> String {
+    let field = &findings.truths[0];
+    if findings.approximations.iter().any(|a| a.quantity == "sheen-charlie") {
+        return "E of the sheen's lobe: near 0 where a narrow lobe is seen face on, and largest at grazing view, where with its \
+                visibility term it returns more than it receives the narrower it is: a value above 1 is the model's own, no error \
+                of its integral."
+            .into();
+    }
     let ends = |r: &Ruler| [r.values[0], r.values[r.values.len() - 1]];
     let (roughness, mu) = (ends(&field.x), ends(&field.y));
     let valley = "1 for a smooth surface and at grazing view; between the two lies a valley along the diagonal where mu is \

@@ -15,11 +15,12 @@ pub struct Selected<'a> {
     pub because: &'static str,
 }
 
-/// The emitted fits for a use of E that are worth a picture, in the order given.
+/// The emitted fits for a use of E, or of a coupling factor, that are worth a picture, in the order given.
 pub fn selected(fits: &[Fit], used_as: Use) -> Vec<Selected<'_>> {
     let of_use = |f: &&Fit| {
         let a = &f.approximation;
-        a.used_as == used_as && a.column == "E" && f.wraps.is_none() && f.emitted
+        let whole = matches!(a.column.as_str(), "E" | "factor");
+        a.used_as == used_as && whole && f.wraps.is_none() && f.emitted
     };
     let emitted: Vec<&Fit> = fits.iter().filter(of_use).collect();
     emitted.iter().filter_map(|fit| Some(Selected { fit, because: reason(fit, &emitted)? })).collect()

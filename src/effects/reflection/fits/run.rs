@@ -52,7 +52,7 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
     }
     // A formula that takes roughness means alpha = roughness^2; under another map it would be judged on a misreading.
     let squared = spec.region.alpha_map == AlphaMap::RoughnessSquared;
-    let means_it = |entry: &&Entry| squared || !takes_roughness(entry);
+    let means_it = |entry: &&Entry| squared || !entry.takes("roughness");
     if spec.blend {
         let set = blends(spec, means_it, counter)?;
         fits.extend(set.fits);
@@ -66,12 +66,6 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
 
 fn parse(entries: &[Entry]) -> Result<Vec<Hypothesis>, FitError> {
     entries.iter().map(|entry| Hypothesis::parse(entry.file, entry.source)).collect()
-}
-
-/// Whether a published formula has an argument called roughness; a formula that does not parse is judged, and refused there.
-fn takes_roughness(entry: &Entry) -> bool {
-    let parsed = Hypothesis::parse(entry.file, entry.source);
-    parsed.is_ok_and(|h| h.inputs().iter().any(|input| input == "roughness"))
 }
 
 /// The arguments that a normalisation may have.

@@ -1,0 +1,78 @@
+//! The hypotheses of this effect and the published formulas that they compete with.
+
+use super::rivals::{LIGHTS, OWN_SPECULAR, RIVALS};
+use crate::effects::entry::{Entry, own};
+use crate::integrate::coupling::Specular;
+
+const NORMALISED: [Entry; 8] = own![
+    "coupling_normalised_7",
+    "coupling_normalised_8",
+    "coupling_normalised_11",
+    "coupling_normalised_13",
+    "coupling_normalised_14",
+    "coupling_normalised_15",
+    "coupling_normalised_18",
+    "coupling_normalised_19",
+];
+
+const SINGLE: [Entry; 5] = own![
+    "coupling_single_7",
+    "coupling_single_16",
+    "coupling_single_22",
+    "coupling_single_30",
+    "coupling_single_34"
+];
+
+const COMPENSATED: [Entry; 4] = own![
+    "coupling_compensated_7",
+    "coupling_compensated_18",
+    "coupling_compensated_25",
+    "coupling_compensated_33",
+];
+
+/// The factor of a white base under a lobe of this kind, with free parameters, by rising cost.
+pub fn hypotheses(specular: Specular) -> &'static [Entry] {
+    match specular {
+        Specular::Single => &SINGLE,
+        Specular::Normalised => &NORMALISED,
+        Specular::Compensated => &COMPENSATED,
+    }
+}
+
+/// What engines ship: formulas that are the same under every lobe, and those that are 1 less a fitted lobe of this kind.
+pub fn rivals(specular: Specular) -> impl Iterator<Item = &'static Entry> {
+    RIVALS.iter().chain(OWN_SPECULAR.iter().filter(move |own| own.specular == specular).map(|own| &own.entry))
+}
+
+/// Every file of the catalogue, in a fixed order.
+fn entries() -> impl Iterator<Item = &'static Entry> {
+    let ours = Specular::ALL.into_iter().flat_map(hypotheses);
+    ours.chain(&RIVALS).chain(OWN_SPECULAR.iter().map(|own| &own.entry))
+}
+
+/// Names of the functions of the catalogue.
+pub fn catalogue_names() -> impl Iterator<Item = String> {
+    entries().map(|entry| entry.name().to_string())
+}
+
+/// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.
+pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
+    entries().map(|entry| entry.source).chain(LIGHTS.map(|(_, light)| light))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fit::Hypothesis;
+
+    #[test]
+    fn functions_are_named_like_their_files_and_ours_like_their_cost() {
+        for (entry, name) in entries().zip(catalogue_names()) {
+            assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), name);
+        }
+        for entry in Specular::ALL.into_iter().flat_map(hypotheses) {
+            let ops = Hypothesis::parse(entry.file, entry.source).expect("parses").tape().cost_ops();
+            assert!(entry.name().ends_with(&format!("_{ops}")), "{}: {ops}", entry.name());
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! The effect `diffuse-coupling`: how much light a specular lobe leaves for the diffuse base below it. Quantity `diffuse-coupling`.
+//!
+//! A factor stands for every albedo of the base: with albedo c the base sends back factor c, and the error of the factor counts c times.
+
+mod any;
+mod catalogue;
+mod rivals;
+
+use std::collections::BTreeMap;
+
+use super::Quantity;
+use super::fitted::{self, Wanted};
+use super::reflection::{Counter, FitSet, FitStageError, Region};
+use super::target::TargetSpec;
+use crate::data::{AlphaMap, Norm, Smith, Use};
+use crate::integrate::coupling::Specular;
+pub use any::{AnyF0, anywhere};
+pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
+pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS};
+
+/// What to fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CouplingSpec {
+    /// What multiplies the specular lobe.
+    pub specular: Specular,
+    /// Shadowing form.
+    pub smith: Smith,
+    /// Where the fits must hold.
+    pub region: Region,
+    /// For which reflectances at normal incidence.
+    pub f0: [f64; 2],
+    /// Most operations of a fit; none: any.
+    pub max_ops: Option<u32>,
+    /// Errors to minimise.
+    pub norms: Vec<Norm>,
+}
+
+impl CouplingSpec {
+    /// The target of the fits, over reflectances in `f0`.
+    fn target(&self, f0: [f64; 2]) -> TargetSpec {
+        let Region { roughness, mu, alpha_map } = self.region;
+        let domain = [("roughness", roughness), ("mu", mu), ("f0", f0)];
+        TargetSpec {
+            quantity: Quantity::diffuse_coupling(),
+            column: Some("factor".into()),
+            used_as: Some(Use::Coupling),
+            smith: self.smith,
+            alpha_map,
+            domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
+            words: BTreeMap::from([("specular".to_string(), self.specular.name().to_string())]),
+        }
+    }
+}
+
+/// Fits of the factor, and the published ones beside them; of formulas that take roughness, where the map to alpha is theirs.
+///
+/// # Errors
+/// A region outside of the quantity's domain; a truth that cannot be integrated.
+pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
+    let squared = spec.region.alpha_map == AlphaMap::RoughnessSquared;
+    let wanted = Wanted {
+        spec: spec.target(spec.f0),
+        own: hypotheses(spec.specular),
+        rivals: rivals(spec.specular).filter(|rival| squared || !rival.takes("roughness")).collect(),
+        norms: &spec.norms,
+        max_ops: spec.max_ops,
+    };
+    let mut set = fitted::fit_all(&wanted, counter)?;
+    for fit in &mut set.fits {
+        if let Some(ops) = rivals::light_ops(&fit.approximation.name)? {
+            fit.approximation.cost.ops = ops;
+        }
+    }
+    Ok(set)
+}

@@ -1,0 +1,117 @@
+//! What a surface needs to know of its specular lobe from everywhere: albedos of one alpha, interpolated over the cosine.
+
+use rayon::prelude::*;
+
+use super::SurfaceError;
+use crate::data::Smith;
+use crate::integrate::reflection::{self, Effort};
+use crate::math::gauss::Gauss;
+use crate::math::panels;
+use crate::math::piecewise::{self, Piecewise};
+use crate::optics::fresnel;
+
+/// Range of alpha of a surface. At 0 the lobe is a mirror, which has no BRDF.
+pub const ALPHA: [f64; 2] = [1e-4, 1.0];
+
+/// Range of the index of refraction with exact Fresnel; below it the reflectance changes within 1e-2 of grazing, which the rules do not resolve.
+pub const IOR: [f64; 2] = [1.0001, 4.0];
+
+/// The panels over the cosine begin at this part of alpha: below it E departs from E(0) by less than 1e-7 alpha.
+const FIRST_PANEL: f64 = 1e-6;
+
+/// Directional albedos over mu in [0, 1] of one lobe, to 1e-7 (the loss: relative, for mu >= 1e-5 alpha), and their averages.
+#[derive(Clone, Debug)]
+pub struct Albedos {
+    /// Form of the shadowing.
+    pub smith: Smith,
+    /// GGX alpha.
+    pub alpha: f64,
+    /// Index of refraction for which `exact` is made.
+    pub ior: Option<f64>,
+    /// Average of E over the hemisphere, 2 int E mu dmu, and of the loss.
+    pub average: Column,
+    columns: Piecewise<4>,
+}
+
+/// Albedos at one cosine.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Column {
+    /// E for F = 1.
+    pub e: f64,
+    /// 1 - E.
+    pub loss: f64,
+    /// Schlick's bias B.
+    pub b: f64,
+    /// The albedo with exact Fresnel at [`Albedos::ior`]; 0 without one.
+    pub exact: f64,
+}
+
+impl Column {
+    fn of([e, loss, b, exact]: [f64; 4]) -> Column {
+        Column { e, loss, b, exact }
+    }
+}
+
+impl Albedos {
+    /// Integrates the lobe of alpha in [1e-4, 1], with exact Fresnel for an `ior` in [1.0001, 4] beside Schlick's.
+    ///
+    /// # Errors
+    /// An input outside its range; an integral that is not finite.
+    pub fn new(smith: Smith, alpha: f64, ior: Option<f64>) -> Result<Albedos, SurfaceError> {
+        check("alpha", alpha, ALPHA)?;
+        if let Some(ior) = ior {
+            check("ior", ior, IOR)?;
+        }
+        let cuts = panels::from_zero(1.0, FIRST_PANEL * alpha);
+        let nodes = piecewise::nodes(&cuts);
+        let values: Vec<[f64; 4]> = nodes.par_iter().map(|mu| integrated(smith, alpha, *mu, ior)).collect();
+        if let Some(i) = values.iter().position(|v| !v.iter().all(|x| x.is_finite())) {
+            return Err(SurfaceError::NotFinite { what: "albedo", alpha, mu: nodes[i] });
+        }
+        let columns = Piecewise::new(cuts, &values);
+        let average = Column::of(average(&columns, |_, at| at));
+        Ok(Albedos { smith, alpha, ior, average, columns })
+    }
+
+    /// Albedos at mu in [0, 1].
+    pub fn at(&self, mu: f64) -> Column {
+        Column::of(self.columns.at(mu))
+    }
+
+    /// 2 int_0^1 f mu dmu of functions of the cosine and of the albedos there.
+    pub fn average_of<const N: usize>(&self, f: impl Fn(f64, &Column) -> [f64; N]) -> [f64; N] {
+        average(&self.columns, |mu, at| f(mu, &Column::of(at)))
+    }
+}
+
+fn integrated(smith: Smith, alpha: f64, mu: f64, ior: Option<f64>) -> [f64; 4] {
+    let effort = &Effort::ladder()[1];
+    let e = reflection::albedo(smith, alpha, mu, &effort.outer);
+    let loss = reflection::loss(smith, alpha, mu, &effort.outer);
+    let reflected = |f: &(dyn Fn(f64) -> f64 + Sync)| reflection::reflected(smith, alpha, mu, effort, &f);
+    let b = reflected(&fresnel::schlick_weight);
+    let exact = ior.map_or(0.0, |ior| reflected(&|complement| fresnel::dielectric(ior, 1.0 - complement)));
+    [e, loss, b, exact]
+}
+
+fn average<const N: usize>(columns: &Piecewise<4>, f: impl Fn(f64, [f64; 4]) -> [f64; N]) -> [f64; N] {
+    let rule = Gauss::new(12);
+    let mut total = [0.0; N];
+    for cut in columns.cuts().windows(2) {
+        let (half, middle) = (0.5 * (cut[1] - cut[0]), 0.5 * (cut[0] + cut[1]));
+        for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
+            let mu = middle + half * node;
+            for (total, value) in total.iter_mut().zip(f(mu, columns.at(mu))) {
+                *total += 2.0 * half * weight * mu * value;
+            }
+        }
+    }
+    total
+}
+
+pub(super) fn check(input: &'static str, value: f64, range: [f64; 2]) -> Result<(), SurfaceError> {
+    if (range[0]..=range[1]).contains(&value) {
+        return Ok(());
+    }
+    Err(SurfaceError::Domain { input, value, range })
+}

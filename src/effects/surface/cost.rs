@@ -1,0 +1,117 @@
+//! What a lobe and a coupling cost a shader, counted on the formula that it would run.
+//!
+//! Counted is one channel of specular and diffuse, from what every shader has at hand (D V F and F of the facet, rho/pi, f0, the cosines,
+//! roughness, constants of the material) and from texels of A and B, beyond the bare sum specular + diffuse.
+
+use super::SurfaceError;
+use super::material::{Coupling, Factor, Lobe};
+use crate::data::Cost;
+use crate::fit::{FitError, Hypothesis};
+
+/// Arguments of every formula. a and b are texels at l and v, `second` is the series over pi times the average loss, `scale` what a
+/// coupling divides by.
+const ARGUMENTS: &str = "specular: f32, diffuse: f32, f0: f32, fresnel: f32, roughness: f32, mu_l: f32, mu_v: f32, a_l: f32, b_l: f32, \
+                         a_v: f32, b_v: f32, series: f32, second: f32, scale: f32";
+
+const HELPERS: [(&str, &str); 2] = [
+    (
+        "half_power",
+        "fn half_power(mu: f32) -> f32 { let x = 1.0 - 0.5 * mu; let y = x * x; return 1.0 - y * y * x; }\n",
+    ),
+    ("weight", "fn weight(mu: f32) -> f32 { let x = 1.0 - mu; let y = x * x; return y * y * x; }\n"),
+];
+
+/// Operations and texels of a lobe over a base with this coupling; none: without a base.
+///
+/// # Errors
+/// A formula that does not parse, a defect of this program; a coupling whose formula came without its cost.
+pub fn cost(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Cost, SurfaceError> {
+    let (whole, bare) = match coupling {
+        Some(coupling) => {
+            (format!("{} + diffuse * ({})", boosted(lobe), factor(lobe, coupling)), "specular + diffuse")
+        }
+        None => (boosted(lobe), "specular"),
+    };
+    let ops = operations(&whole)? - operations(bare)? + extra(coupling)?;
+    Ok(Cost { ops, fetches: texels(lobe, coupling), bytes: 0 })
+}
+
+fn operations(value: &str) -> Result<u32, SurfaceError> {
+    // the dialect refuses functions that nothing calls
+    let called: String =
+        HELPERS.iter().filter(|(name, _)| value.contains(name)).map(|(_, text)| *text).collect();
+    let source = format!("{called}fn shade({ARGUMENTS}) -> f32 {{ return {value}; }}\n");
+    let parsed: Result<Hypothesis, FitError> = Hypothesis::parse("shade.wgsl", &source);
+    parsed.map(|hypothesis| hypothesis.tape().cost_ops()).map_err(|e| SurfaceError::Formula(Box::new(e)))
+}
+
+/// The specular part.
+fn boosted(lobe: Lobe) -> String {
+    match lobe {
+        Lobe::Single => "specular".into(),
+        Lobe::Normalised => "specular / (a_v + b_v)".into(),
+        Lobe::Compensated => "specular * (1.0 + f0 * (1.0 / (a_v + b_v) - 1.0))".into(),
+        Lobe::KullaConty | Lobe::KullaContyOnce => {
+            "specular + (1.0 - (a_l + b_l)) * (1.0 - (a_v + b_v)) * second".into()
+        }
+    }
+}
+
+/// What the lobe leaves at one side.
+fn left(lobe: Lobe, side: char) -> String {
+    let (a, b) = (format!("a_{side}"), format!("b_{side}"));
+    let own = format!("(f0 * {a} + {b})");
+    match lobe {
+        Lobe::Single => format!("(1.0 - {own})"),
+        Lobe::Normalised => format!("((1.0 - f0) * ({a} / ({a} + {b})))"),
+        Lobe::Compensated => format!("(1.0 - {own} * (1.0 + f0 * (1.0 / ({a} + {b}) - 1.0)))"),
+        Lobe::KullaConty | Lobe::KullaContyOnce => format!("(1.0 - {own} - (1.0 - ({a} + {b})) * series)"),
+    }
+}
+
+/// The factor of the base; that of a formula is counted by its own hypothesis, and names stand for its values here.
+fn factor(lobe: Lobe, coupling: &Coupling) -> String {
+    match coupling {
+        Coupling::None => "1.0".into(),
+        Coupling::OneMinusF0 => "1.0 - f0".into(),
+        Coupling::OneMinusFresnel => "(1.0 - f0) * (1.0 - weight(mu_v))".into(),
+        Coupling::FresnelProduct => "(1.0 - f0) * 1.05 * (1.0 - weight(mu_l)) * (1.0 - weight(mu_v))".into(),
+        Coupling::HalfVector => "1.0 - fresnel".into(),
+        Coupling::AshikhminShirley => "(1.0 - f0) * 1.2173913 * half_power(mu_l) * half_power(mu_v)".into(),
+        Coupling::SchlickRoughness => "1.0 - (f0 + (max(1.0 - roughness, f0) - f0) * weight(mu_v))".into(),
+        // mix(1 - F, 1 - f0, roughness) with Schlick's F, multiplied out
+        Coupling::Pesce => "(1.0 - f0) * (1.0 - weight(mu_v) * (1.0 - roughness))".into(),
+        Coupling::OneMinusOwnSpecular => left(lobe, 'v'),
+        // `scale` is 1/left_avg, or 1/(1 - rho taken_avg): a constant of the material
+        Coupling::Kelemen | Coupling::Interreflected => {
+            format!("{} * {} * scale", left(lobe, 'l'), left(lobe, 'v'))
+        }
+        Coupling::Factor(_) => "scale".into(),
+        Coupling::Symmetrised(_) => "scale * series * second".into(),
+    }
+}
+
+fn extra(coupling: Option<&Coupling>) -> Result<u32, SurfaceError> {
+    match coupling {
+        Some(Coupling::Factor(factor)) => operations_of(factor),
+        Some(Coupling::Symmetrised(factor)) => Ok(2 * operations_of(factor)?),
+        _ => Ok(0),
+    }
+}
+
+fn operations_of(factor: &Factor) -> Result<u32, SurfaceError> {
+    factor.ops().ok_or_else(|| SurfaceError::Factor {
+        name: factor.name().to_string(),
+        what: "operations".into(),
+        wanted: "a number".into(),
+        found: "none".into(),
+    })
+}
+
+/// Texels of (A, B) that are read: at the view, and at the light.
+fn texels(lobe: Lobe, coupling: Option<&Coupling>) -> u32 {
+    let both = matches!(lobe, Lobe::KullaConty | Lobe::KullaContyOnce)
+        || matches!(coupling, Some(Coupling::Kelemen | Coupling::Interreflected));
+    let one = lobe != Lobe::Single || matches!(coupling, Some(Coupling::OneMinusOwnSpecular));
+    if both { 2 } else { u32::from(one) }
+}

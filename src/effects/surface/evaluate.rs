@@ -1,0 +1,252 @@
+//! f(l, v) of a material.
+
+use std::f64::consts::FRAC_1_PI;
+use std::sync::Arc;
+
+use super::SurfaceError;
+use super::albedos::{Albedos, Column};
+use super::material::{Base, Coupling, FactorAt, Fresnel, Lobe, Material};
+use crate::optics::ggx::{self, Vec3};
+use crate::optics::multiscatter::{self, Bounces};
+use crate::optics::{diffuse, fresnel};
+
+/// A material ready to be evaluated.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    material: Material,
+    albedos: Arc<Albedos>,
+    /// Reflectance at normal incidence.
+    f0: [f64; 3],
+    /// Colour of the second lobe, and what it absorbs; 0 and 1 without one.
+    series: [f64; 3],
+    absorbed: [f64; 3],
+    /// Average of what the specular lobe leaves, and of the factor of the base.
+    left_avg: [f64; 3],
+    factor_avg: [f64; 3],
+}
+
+/// What a surface knows of one of its two directions, from the cosine alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Side {
+    /// Cosine to the normal, in [0, 1].
+    pub mu: f64,
+    /// Albedos of the lobe.
+    pub column: Column,
+    /// 1 less the albedo of the specular lobe as it is drawn, by channel.
+    pub left: [f64; 3],
+    stretched: f64,
+    /// Multiplier of the lobe if this is the view.
+    boost: [f64; 3],
+    /// Factor of the base for couplings of one side.
+    factor: [f64; 3],
+}
+
+/// The BRDF in two parts, without the cosine.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Parts {
+    /// Specular lobe, with what was added to it.
+    pub specular: [f64; 3],
+    /// Diffuse base.
+    pub base: [f64; 3],
+}
+
+impl Surface {
+    /// A surface of a material: integrates the albedos of its alpha (tens of milliseconds).
+    ///
+    /// # Errors
+    /// A property outside its range; an integral that is not finite.
+    pub fn new(material: &Material) -> Result<Surface, SurfaceError> {
+        material.check()?;
+        let albedos = Albedos::new(material.smith, material.alpha, material.ior())?;
+        Surface::with(material, Arc::new(albedos))
+    }
+
+    /// A surface with albedos that were integrated before, of the same shadowing and alpha, and of the same index of refraction if the
+    /// material has one.
+    ///
+    /// # Errors
+    /// A property outside its range; albedos of another lobe.
+    pub fn with(material: &Material, albedos: Arc<Albedos>) -> Result<Surface, SurfaceError> {
+        material.check()?;
+        fits(material, &albedos)?;
+        let (f0, f_avg) = match material.fresnel {
+            Fresnel::Schlick(f0) => (f0, f0.map(fresnel::schlick_average)),
+            Fresnel::Dielectric(ior) => ([fresnel::f0_of_ior(ior); 3], [fresnel::dielectric_average(ior); 3]),
+        };
+        let (e, loss) = (albedos.average.e, albedos.average.loss);
+        let bounces = match material.lobe {
+            Lobe::KullaConty => Some(Bounces::FromSecond),
+            Lobe::KullaContyOnce => Some(Bounces::FromFirst),
+            _ => None,
+        };
+        let of = |f: fn(Bounces, f64, f64, f64) -> f64, none: f64| {
+            f_avg.map(|f_avg| bounces.map_or(none, |bounces| f(bounces, f_avg, e, loss)))
+        };
+        let (series, absorbed) = (of(multiscatter::series, 0.0), of(multiscatter::absorbed, 1.0));
+        let (material, none) = (material.clone(), [0.0; 3]);
+        let mut surface =
+            Surface { material, albedos, f0, series, absorbed, left_avg: none, factor_avg: none };
+        surface.left_avg = surface.albedos.average_of(|_, column| surface.left(column));
+        if let Some(Base { coupling: Coupling::Symmetrised(_), .. }) = surface.material.base {
+            surface.factor_avg = surface.albedos.average_of(|mu, _| surface.factor(mu, &none));
+        }
+        Ok(surface)
+    }
+
+    /// The material.
+    pub fn material(&self) -> &Material {
+        &self.material
+    }
+
+    /// Albedos of its lobe.
+    pub fn albedos(&self) -> &Arc<Albedos> {
+        &self.albedos
+    }
+
+    /// f(l, v) by channel, without the cosine; 0 if either direction (of unit length) is not above the horizon.
+    pub fn evaluate(&self, light: Vec3, view: Vec3) -> [f64; 3] {
+        let parts = self.parts(light, view);
+        [0, 1, 2].map(|i| parts.specular[i] + parts.base[i])
+    }
+
+    /// [`Surface::evaluate`] in its two parts.
+    pub fn parts(&self, light: Vec3, view: Vec3) -> Parts {
+        if light[2] <= 0.0 || view[2] <= 0.0 {
+            return Parts::default();
+        }
+        self.between(&self.side(light[2]), &self.side(view[2]), light, view)
+    }
+
+    /// What is known of a direction by its cosine in [0, 1]: a renderer makes it once for the view.
+    pub fn side(&self, mu: f64) -> Side {
+        let column = self.albedos.at(mu);
+        let left = self.left(&column);
+        let boost = self.f0.map(|f0| match self.material.lobe {
+            Lobe::Normalised => 1.0 / column.e,
+            Lobe::Compensated => multiscatter::compensation(f0, column.e, column.loss),
+            _ => 1.0,
+        });
+        let stretched = ggx::stretched_length(self.material.alpha, mu);
+        Side { mu, column, left, stretched, boost, factor: self.factor(mu, &left) }
+    }
+
+    /// The BRDF between two directions above the horizon, each with its [`Side`].
+    pub fn between(&self, light: &Side, view: &Side, to_light: Vec3, to_view: Vec3) -> Parts {
+        let sum = [0, 1, 2].map(|i| to_light[i] + to_view[i]);
+        let difference = [0, 1, 2].map(|i| to_light[i] - to_view[i]);
+        // |l + v| = 2 cos and |l - v| = 2 sin of the angle between view and half vector: no cancellation at either end.
+        let length = dot(sum, sum).sqrt();
+        let cosine = (0.5 * length).min(1.0);
+        let complement = 0.25 * dot(difference, difference) / (1.0 + cosine);
+        let half = sum.map(|x| x / length);
+        let lobe = ggx::distribution(self.material.alpha, half)
+            * ggx::visibility(self.material.smith, view.mu, view.stretched, light.mu, light.stretched);
+        let reflectance = self.reflectance(cosine, complement);
+        let second =
+            multiscatter::kulla_conty(light.column.loss, view.column.loss, self.albedos.average.loss);
+        let specular = [0, 1, 2].map(|i| lobe * reflectance[i] * view.boost[i] + second * self.series[i]);
+        Parts { specular, base: self.base(light, view, &reflectance) }
+    }
+
+    /// Albedo of the specular lobe as it is drawn, by channel: 1 - left.
+    pub fn specular_albedo(&self, mu: f64) -> [f64; 3] {
+        self.left(&self.albedos.at(mu)).map(|left| 1.0 - left)
+    }
+
+    /// Average of what the specular lobe leaves over the hemisphere, by channel.
+    pub fn left_average(&self) -> [f64; 3] {
+        self.left_avg
+    }
+
+    /// Reflectance of a facet at a cosine and its complement 1 - cosine.
+    fn reflectance(&self, cosine: f64, complement: f64) -> [f64; 3] {
+        match self.material.fresnel {
+            Fresnel::Schlick(f0) => f0.map(|f0| fresnel::schlick(f0, complement)),
+            Fresnel::Dielectric(ior) => [fresnel::dielectric(ior, cosine); 3],
+        }
+    }
+
+    /// 1 less the albedo of the specular lobe as it is drawn. With k = E less the albedo of the bare lobe (g A with Schlick's Fresnel):
+    /// single loss + k; normalised k/E; compensated k + loss (1 - f0 (1 - k/E)); Kulla-Conty k + loss (1 - series).
+    fn left(&self, at: &Column) -> [f64; 3] {
+        [0, 1, 2].map(|i| {
+            let kept = match self.material.fresnel {
+                Fresnel::Schlick(f0) => (1.0 - f0[i]) * (at.e - at.b),
+                Fresnel::Dielectric(_) => at.e - at.exact,
+            };
+            match self.material.lobe {
+                Lobe::Single => at.loss + kept,
+                Lobe::Normalised => kept / at.e,
+                Lobe::Compensated => kept + at.loss * (1.0 - self.f0[i] * (1.0 - kept / at.e)),
+                Lobe::KullaConty | Lobe::KullaContyOnce => kept + at.loss * self.absorbed[i],
+            }
+        })
+    }
+
+    /// Factor of the base for couplings of one side; 0 for the others.
+    fn factor(&self, mu: f64, left: &[f64; 3]) -> [f64; 3] {
+        let Some(base) = &self.material.base else { return [0.0; 3] };
+        let alpha = self.material.alpha;
+        let roughness = alpha.sqrt();
+        let reflectance = self.reflectance(mu, 1.0 - mu);
+        [0, 1, 2].map(|i| match &base.coupling {
+            Coupling::None => 1.0,
+            Coupling::OneMinusF0 => 1.0 - self.f0[i],
+            Coupling::OneMinusFresnel => 1.0 - reflectance[i],
+            Coupling::SchlickRoughness => diffuse::schlick_roughness(self.f0[i], roughness, mu),
+            Coupling::Pesce => diffuse::pesce(self.f0[i], reflectance[i], roughness),
+            Coupling::OneMinusOwnSpecular => left[i],
+            Coupling::Factor(factor) | Coupling::Symmetrised(factor) => {
+                factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] })
+            }
+            Coupling::FresnelProduct
+            | Coupling::HalfVector
+            | Coupling::AshikhminShirley
+            | Coupling::Kelemen
+            | Coupling::Interreflected => 0.0,
+        })
+    }
+
+    /// The base; `reflectance` is that of the facet between the two directions.
+    fn base(&self, light: &Side, view: &Side, reflectance: &[f64; 3]) -> [f64; 3] {
+        let Some(base) = &self.material.base else { return [0.0; 3] };
+        [0, 1, 2].map(|i| {
+            let (f0, rho) = (self.f0[i], base.albedo[i]);
+            let factor = match &base.coupling {
+                Coupling::FresnelProduct => diffuse::fresnel_product(f0, light.mu, view.mu),
+                Coupling::HalfVector => 1.0 - reflectance[i],
+                Coupling::AshikhminShirley => diffuse::ashikhmin_shirley(f0, light.mu, view.mu),
+                Coupling::Kelemen => diffuse::kelemen(light.left[i], view.left[i], self.left_avg[i]),
+                Coupling::Interreflected => {
+                    diffuse::interreflected(rho, light.left[i], view.left[i], self.left_avg[i])
+                }
+                Coupling::Symmetrised(_) => {
+                    diffuse::kelemen(light.factor[i], view.factor[i], self.factor_avg[i])
+                }
+                _ => view.factor[i],
+            };
+            rho * FRAC_1_PI * factor
+        })
+    }
+}
+
+fn dot(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn fits(material: &Material, albedos: &Albedos) -> Result<(), SurfaceError> {
+    let refuse =
+        |property, wanted: String, found: String| Err(SurfaceError::Albedos { property, wanted, found });
+    if material.smith != albedos.smith {
+        return refuse("shadowing", material.smith.name().into(), albedos.smith.name().into());
+    }
+    if material.alpha != albedos.alpha {
+        return refuse("alpha", format!("{:?}", material.alpha), format!("{:?}", albedos.alpha));
+    }
+    match material.ior() {
+        Some(ior) if albedos.ior != Some(ior) => {
+            refuse("ior", format!("{ior:?}"), albedos.ior.map_or("none".into(), |ior| format!("{ior:?}")))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,27 @@
+//! A whole material as a function of two directions, f(l, v): what a renderer shades with, and what furnace and reciprocity are measured on.
+//!
+//! [`Surface`] evaluates a [`Material`]: a GGX lobe with one of five ways to treat the light that single scattering loses ([`Lobe`]), over
+//! a diffuse base with one of the published ways to take what the lobe leaves ([`Coupling`]). The formulas themselves are in
+//! `optics::{fresnel, multiscatter, diffuse}`, the albedos that they need are integrated once per alpha ([`Albedos`]).
+//! [`measure`] sends light through the result; [`table`], [`interface`], [`darker`], [`colour`] and [`opinion`] do so for every material that is compared,
+//! and [`SurfaceRows`] gathers their rows for a page.
+
+mod albedos;
+pub mod colour;
+mod cost;
+pub mod darker;
+mod error;
+mod evaluate;
+pub mod interface;
+mod material;
+pub mod measure;
+pub mod opinion;
+mod rows;
+pub mod table;
+
+pub use albedos::{ALPHA, Albedos, Column, IOR};
+pub use cost::cost;
+pub use error::SurfaceError;
+pub use evaluate::{Parts, Side, Surface};
+pub use material::{Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material};
+pub use rows::{SurfaceRows, Wanted};

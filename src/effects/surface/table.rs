@@ -1,0 +1,223 @@
+//! Every lobe over every coupling: furnace, reciprocity and cost in a row.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::cost::cost;
+use super::measure::{self, Pair, Rules};
+use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
+use crate::data::{AlphaMap, Smith};
+
+/// Where surfaces are measured.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Grid {
+    /// Roughness; alpha is its square.
+    pub roughness: Vec<f64>,
+    /// Cosines of the view.
+    pub mu: Vec<f64>,
+    /// Reflectance at normal incidence.
+    pub f0: Vec<f64>,
+}
+
+impl Grid {
+    /// The whole grid: 11 roughnesses from 0.02, 13 cosines from 0.01, six f0 from 0.02 to 1.
+    pub fn full() -> Grid {
+        Grid {
+            roughness: vec![0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0],
+            mu: vec![0.01, 0.03, 0.06, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0],
+            f0: vec![0.02, 0.04, 0.08, 0.2, 0.5, 1.0],
+        }
+    }
+
+    /// A small one, for tests: all its points are points of [`Grid::full`].
+    pub fn reduced() -> Grid {
+        Grid { roughness: vec![0.3, 0.6, 1.0], mu: vec![0.06, 0.3, 0.7, 1.0], f0: vec![0.04, 1.0] }
+    }
+
+    /// Every (alpha, mu), the cosine fastest.
+    pub(super) fn views(&self) -> Vec<(f64, f64)> {
+        let alpha = |roughness: &f64| AlphaMap::RoughnessSquared.alpha(*roughness);
+        self.roughness.iter().flat_map(|r| self.mu.iter().map(move |mu| (alpha(r), *mu))).collect()
+    }
+
+    /// The albedos of every roughness.
+    pub(super) fn albedos(&self, smith: Smith) -> Result<Vec<Arc<Albedos>>, SurfaceError> {
+        let alphas = self.roughness.iter().map(|r| AlphaMap::RoughnessSquared.alpha(*r));
+        alphas.map(|alpha| Ok(Arc::new(Albedos::new(smith, alpha, None)?))).collect()
+    }
+}
+
+/// The furnace of one f0: what a white material sends back less 1.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FurnaceRow {
+    /// Reflectance at normal incidence.
+    pub f0: f64,
+    /// The largest departure in size, with its sign: above 0 the material makes light.
+    pub worst: f64,
+    /// Root of the mean square over the grid.
+    pub rms: f64,
+    /// Where the largest is.
+    pub alpha: f64,
+    /// Where the largest is.
+    pub mu: f64,
+}
+
+/// Where two directions are exchanged.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ExchangeAt {
+    /// GGX alpha.
+    pub alpha: f64,
+    /// Reflectance at normal incidence.
+    pub f0: f64,
+    /// Cosine of one direction.
+    pub mu_l: f64,
+    /// Cosine of the other.
+    pub mu_v: f64,
+    /// Azimuth between them in degrees.
+    pub azimuth: f64,
+}
+
+/// One lobe over one coupling.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ReciprocityRow {
+    /// Name of the lobe.
+    pub lobe: String,
+    /// Name of the coupling; none: the lobe alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coupling: Option<String>,
+    /// Whether f(l, v) = f(v, l) by its formula.
+    pub reciprocal: bool,
+    /// Furnace of a white base by f0; of the lobe alone only at f0 = 1, where all light must come back.
+    pub furnace: Vec<FurnaceRow>,
+    /// Largest |f(l, v) - f(v, l)| over their mean.
+    pub reciprocity: f64,
+    /// Where.
+    pub at: ExchangeAt,
+    /// Operations beyond specular + diffuse, one channel.
+    pub ops: u32,
+    /// Texels read.
+    pub fetches: u32,
+}
+
+impl ReciprocityRow {
+    /// The furnace of largest departure.
+    pub fn worst(&self) -> Option<&FurnaceRow> {
+        self.furnace.iter().reduce(|a, b| if b.worst.abs() > a.worst.abs() { b } else { a })
+    }
+}
+
+/// Measures every lobe alone and over every one of `couplings`, a white base under Schlick's Fresnel.
+///
+/// # Errors
+/// A surface that cannot be measured; a formula among the couplings whose cost is not known.
+pub fn reciprocity_table(
+    smith: Smith,
+    couplings: &[Coupling],
+    grid: &Grid,
+) -> Result<Vec<ReciprocityRow>, SurfaceError> {
+    let albedos = grid.albedos(smith)?;
+    let entries: Vec<(Lobe, Option<&Coupling>)> = Lobe::ALL
+        .into_iter()
+        .flat_map(|lobe| std::iter::once(None).chain(couplings.iter().map(Some)).map(move |c| (lobe, c)))
+        .collect();
+    let furnaces = furnaces(grid, &albedos, &entries)?;
+    let pairs = measure::pairs();
+    let rows: Vec<Result<ReciprocityRow, SurfaceError>> = entries
+        .par_iter()
+        .zip(furnaces)
+        .map(|((lobe, coupling), furnace)| {
+            let (reciprocity, at) = exchange(grid, &albedos, &pairs, *lobe, *coupling)?;
+            let cost = cost(*lobe, *coupling)?;
+            Ok(ReciprocityRow {
+                lobe: lobe.name().into(),
+                coupling: coupling.map(|c| c.name().into()),
+                reciprocal: lobe.is_reciprocal() && coupling.is_none_or(Coupling::is_reciprocal),
+                furnace,
+                reciprocity,
+                at,
+                ops: cost.ops,
+                fetches: cost.fetches,
+            })
+        })
+        .collect();
+    rows.into_iter().collect()
+}
+
+/// A white material, or a white metal.
+fn surface(
+    albedos: &Arc<Albedos>,
+    f0: f64,
+    lobe: Lobe,
+    coupling: Option<&Coupling>,
+) -> Result<Surface, SurfaceError> {
+    let base = coupling.map(|coupling| Base { albedo: [1.0; 3], coupling: coupling.clone() });
+    let (smith, alpha, fresnel) = (albedos.smith, albedos.alpha, Fresnel::Schlick([f0; 3]));
+    Surface::with(&Material { smith, alpha, fresnel, lobe, base }, albedos.clone())
+}
+
+/// The f0 whose furnace a row has.
+fn f0_of(grid: &Grid, coupling: Option<&Coupling>) -> Vec<f64> {
+    if coupling.is_some() { grid.f0.clone() } else { vec![1.0] }
+}
+
+/// The furnace rows of every entry: views in parallel, each with its own rules, gathered in order.
+fn furnaces(
+    grid: &Grid,
+    albedos: &[Arc<Albedos>],
+    entries: &[(Lobe, Option<&Coupling>)],
+) -> Result<Vec<Vec<FurnaceRow>>, SurfaceError> {
+    let views = grid.views();
+    // [view][entry][f0]
+    let departures: Vec<Result<Vec<Vec<f64>>, SurfaceError>> = views
+        .par_iter()
+        .enumerate()
+        .map(|(i, (alpha, mu))| {
+            let (rules, albedos) = (Rules::new(*alpha, *mu), &albedos[i / grid.mu.len()]);
+            let of_entry = |(lobe, coupling): &(Lobe, Option<&Coupling>)| {
+                let total = |f0: f64| {
+                    let surface = surface(albedos, f0, *lobe, *coupling)?;
+                    Ok(rules.albedo(&surface)?.total()[0].value - 1.0)
+                };
+                f0_of(grid, *coupling).into_iter().map(total).collect()
+            };
+            entries.iter().map(of_entry).collect()
+        })
+        .collect();
+    let departures: Vec<Vec<Vec<f64>>> = departures.into_iter().collect::<Result<_, _>>()?;
+    let row = |entry: usize, k: usize, f0: f64| {
+        let all: Vec<f64> = departures.iter().map(|view| view[entry][k]).collect();
+        let worst = (0..all.len()).fold(0, |w, i| if all[i].abs() > all[w].abs() { i } else { w });
+        let square: f64 = all.iter().map(|x| x * x).sum();
+        let (alpha, mu) = views[worst];
+        FurnaceRow { f0, worst: all[worst], rms: (square / all.len() as f64).sqrt(), alpha, mu }
+    };
+    let of_entry = |(i, (_, coupling)): (usize, &(Lobe, Option<&Coupling>))| {
+        f0_of(grid, *coupling).into_iter().enumerate().map(|(k, f0)| row(i, k, f0)).collect()
+    };
+    Ok(entries.iter().enumerate().map(of_entry).collect())
+}
+
+/// The largest departure from reciprocity over the grid.
+fn exchange(
+    grid: &Grid,
+    albedos: &[Arc<Albedos>],
+    pairs: &[Pair],
+    lobe: Lobe,
+    coupling: Option<&Coupling>,
+) -> Result<(f64, ExchangeAt), SurfaceError> {
+    let mut worst: Option<(f64, ExchangeAt)> = None;
+    for albedos in albedos {
+        for f0 in &grid.f0 {
+            let surface = surface(albedos, *f0, lobe, coupling)?;
+            let Some(found) = measure::reciprocity(&surface, pairs)? else { continue };
+            if worst.is_none_or(|(departure, _)| found.departure > departure) {
+                let Pair { mu_l, mu_v, azimuth } = found.at;
+                let at = ExchangeAt { alpha: albedos.alpha, f0: *f0, mu_l, mu_v, azimuth };
+                worst = Some((found.departure, at));
+            }
+        }
+    }
+    worst.ok_or(SurfaceError::Empty { what: "grid" })
+}

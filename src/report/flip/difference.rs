@@ -1,0 +1,50 @@
+//! One pair of pictures to a map of differences.
+
+use rayon::prelude::*;
+
+use super::ErrorMap;
+use super::colour::{difference, opponent};
+use super::filter::{Filters, Plane};
+use crate::math::ops;
+use crate::report::image::Image;
+
+/// LDR-FLIP of two pictures whose channels lie in [0, 1]: the difference in colour, raised to 1 less the difference in features.
+pub(super) fn map(reference: &Image, test: &Image, filters: &Filters) -> ErrorMap {
+    let (width, height) = (reference.width, reference.height);
+    let [reference, test] = [reference, test].map(|image| Seen::new(image, filters));
+    let pixels = 0..width * height;
+    let values = pixels.into_par_iter().map(|i| {
+        let colour = difference(reference.colour(i), test.colour(i));
+        ops::pow(colour, 1.0 - feature(&reference, &test, i))
+    });
+    ErrorMap { width, height, values: values.collect() }
+}
+
+/// A picture as the eye gets it.
+struct Seen {
+    blurred: [Plane; 3],
+    features: [Plane; 2],
+}
+
+impl Seen {
+    fn new(image: &Image, filters: &Filters) -> Seen {
+        let opponents: Vec<[f64; 3]> = image.pixels.iter().map(|&p| opponent(p)).collect();
+        let planes = [0, 1, 2].map(|channel| opponents.iter().map(|p| p[channel]).collect::<Plane>());
+        let luminance = planes[0].iter().map(|y| (y + 16.0) / 116.0).collect();
+        Seen {
+            features: filters.features(&luminance, image.width),
+            blurred: filters.blurred(&planes, image.width),
+        }
+    }
+
+    fn colour(&self, i: usize) -> [f64; 3] {
+        [0, 1, 2].map(|channel| self.blurred[channel][i])
+    }
+}
+
+/// The larger of the differences in edges and in points, in [0, 1]: over sqrt 2, the strongest that a detector in two directions gives,
+/// and raised to q_f = 1/2 (2020, section 4.2).
+fn feature(reference: &Seen, test: &Seen, i: usize) -> f64 {
+    let strength = |kind: usize| (reference.features[kind][i] - test.features[kind][i]).abs();
+    (strength(0).max(strength(1)) * std::f64::consts::FRAC_1_SQRT_2).sqrt()
+}

@@ -1,0 +1,103 @@
+//! HDR-FLIP: the largest LDR-FLIP over the exposures at which the reference can be shown.
+
+use super::filter::Filters;
+use super::{ErrorMap, FlipError, check, difference};
+use crate::math::ops;
+use crate::report::image::{Image, luminance};
+
+/// Narkowicz's fit of the ACES film curve with the exposure of 0.6 that goes before it, (k0 x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5):
+/// the tone mapper of the paper.
+const ACES: [f64; 6] = [0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.0, 0.6 * 0.6 * 2.43, 0.6 * 0.59, 0.14];
+
+/// Shown value that is bright: the brightest pixel has it at the first exposure, the median at the last (2021, section 3).
+const BRIGHT: f64 = 0.85;
+
+/// Least median that is taken for one, 2^-23: below, a reference that is black in half of its pixels would have no last exposure.
+const LEAST_MEDIAN: f64 = 1.0 / 8_388_608.0;
+
+/// The exposures of a comparison, in stops (powers of two).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exposures {
+    /// The darkest.
+    pub start: f64,
+    /// The brightest.
+    pub stop: f64,
+    /// How many, evenly spaced with both ends; at least 2.
+    pub count: usize,
+}
+
+impl Exposures {
+    /// Those that the paper chooses for a reference.
+    ///
+    /// # Errors
+    /// [`FlipError::Black`].
+    pub fn of(reference: &Image) -> Result<Exposures, FlipError> {
+        let mut light: Vec<f64> = reference.pixels.iter().map(|&p| luminance(p)).collect();
+        light.sort_by(f64::total_cmp);
+        let (brightest, half) = (light.last().copied().unwrap_or(0.0), light.len() / 2);
+        if brightest <= 0.0 {
+            return Err(FlipError::Black);
+        }
+        // The upper of the two in the middle, as the authors' program takes it.
+        let median = light[half];
+        let bright = shown_as(BRIGHT);
+        let start = ops::log2(bright / brightest);
+        let stop = ops::log2(bright / median.max(LEAST_MEDIAN));
+        Ok(Exposures { start, stop, count: ((stop - start).ceil() as usize).max(2) })
+    }
+
+    /// The exposures in stops, from the darkest.
+    pub fn all(self) -> impl Iterator<Item = f64> {
+        let last = (self.count.max(2) - 1) as f64;
+        (0..self.count).map(move |i| self.start + (self.stop - self.start) * (i as f64 / last))
+    }
+}
+
+/// HDR-FLIP of two pictures of radiance, every channel 0 or above, with the exposures of [`Exposures::of`] the reference.
+///
+/// # Errors
+/// Pictures of different sizes, a channel that is negative or not finite, a black reference, a resolution that is none.
+pub fn hdr(
+    reference: &Image,
+    test: &Image,
+    pixels_per_degree: f64,
+) -> Result<(ErrorMap, Exposures), FlipError> {
+    check(reference, test, pixels_per_degree, (f64::MAX, "a finite number, 0 or above,"))?;
+    let (filters, exposures) = (Filters::new(pixels_per_degree), Exposures::of(reference)?);
+    let mut worst = ErrorMap {
+        width: reference.width,
+        height: reference.height,
+        values: vec![0.0; reference.pixels.len()],
+    };
+    for stops in exposures.all() {
+        let map = difference::map(&shown(reference, stops), &shown(test, stops), &filters);
+        worst.values.iter_mut().zip(&map.values).for_each(|(w, v)| *w = w.max(*v));
+    }
+    Ok((worst, exposures))
+}
+
+/// A picture at an exposure, in stops, through the tone mapper: every channel in [0, 1].
+pub fn shown(image: &Image, stops: f64) -> Image {
+    let gain = ops::exp2(stops);
+    let pixels = image.pixels.iter().map(|p| p.map(|x| mapped(gain * x))).collect();
+    Image { width: image.width, height: image.height, pixels }
+}
+
+/// The tone mapper, cut to [0, 1]; numerator and denominator over x^2 where x is large, so that neither overflows.
+fn mapped(x: f64) -> f64 {
+    let [k0, k1, k2, k3, k4, k5] = ACES;
+    let y = if x > 1.0 {
+        let r = 1.0 / x;
+        (k0 + r * (k1 + r * k2)) / (k3 + r * (k4 + r * k5))
+    } else {
+        (x * (k0 * x + k1) + k2) / (x * (k3 * x + k4) + k5)
+    };
+    y.clamp(0.0, 1.0)
+}
+
+/// The light that the tone mapper shows as `y`, below the curve's end k0/k3: the positive root of its quadratic.
+fn shown_as(y: f64) -> f64 {
+    let [k0, k1, k2, k3, k4, k5] = ACES;
+    let (a, b, c) = (k0 - y * k3, k1 - y * k4, k2 - y * k5);
+    (-b + (b * b - 4.0 * a * c).sqrt()) / (2.0 * a)
+}

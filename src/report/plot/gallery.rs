@@ -1,0 +1,164 @@
+//! Rows of square pictures, all of one size, with names at the left and above.
+
+use super::canvas::{Align, Canvas, Frame, INK, SMALL, TEXT, picture, sheet};
+use super::{Figure, Shade, colour_bar, font, raster};
+use crate::math::ops;
+use crate::report::{Image, ReportError, check};
+
+/// Widest line of a row's name in pixels of the page, and the most lines.
+const NAMES: f64 = 150.0;
+const NAME_LINES: usize = 4;
+
+/// Pixels of the page between the top and the first row.
+const TOP: f64 = 48.0;
+
+/// What the pictures are, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cells {
+    /// Linear RGB in [0, 1], encoded for the display by the curve of sRGB.
+    Colours(Vec<Vec<Image>>),
+    /// Values, coloured by a shade with its bar.
+    Values {
+        /// `values[row][column]`, each a square row by row from the top.
+        values: Vec<Vec<Vec<f64>>>,
+        /// What the colours mean.
+        shade: Shade,
+        /// Label of the colour bar.
+        unit: String,
+    },
+}
+
+/// A table of pictures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gallery {
+    /// Line above the pictures.
+    pub title: String,
+    /// Name of the columns' variable.
+    pub column_name: String,
+    /// Name of each column.
+    pub columns: Vec<String>,
+    /// Name of each row.
+    pub rows: Vec<String>,
+    /// Pixels along a side of a picture.
+    pub side: usize,
+    /// Side of a picture in pixels of the page.
+    pub cell: f64,
+    /// The pictures.
+    pub cells: Cells,
+}
+
+impl Figure for Gallery {
+    fn svg(&self) -> Result<String, ReportError> {
+        self.check()?;
+        let mut names: f64 = 40.0;
+        for row in &self.rows {
+            for line in font::wrap(row, SMALL, NAMES, NAME_LINES)? {
+                names = names.max(font::width(&line, SMALL)?);
+            }
+        }
+        let left = names.max(font::width(&self.column_name, SMALL)?) + 12.0;
+        let (width, height) = (self.columns.len() as f64 * self.cell, self.rows.len() as f64 * self.cell);
+        let frame = Frame { left, top: TOP, right: left + width, bottom: TOP + height };
+        let (under, bar) = self.pictures(frame)?;
+        sheet(&self.title, (frame.right + bar, frame.bottom + 12.0), &under, |c| self.label(c, frame))
+    }
+}
+
+impl Gallery {
+    fn check(&self) -> Result<(), ReportError> {
+        let title = &self.title;
+        check::filled(title, "columns", self.columns.len())?;
+        check::filled(title, "rows", self.rows.len())?;
+        check::filled(title, "side", self.side)?;
+        check::finite(title, "cell", self.cell)?;
+        let each = |row: usize, column: usize, values: &[f64], pixels: usize| {
+            let field = format!("row {}, column {}", self.rows[row], self.columns[column]);
+            check::size(title, &field, pixels, self.side * self.side)?;
+            check::values(title, &field, values)
+        };
+        let shape = |rows: usize, columns: Vec<usize>| {
+            check::size(title, "cells", rows, self.rows.len())?;
+            columns.into_iter().try_for_each(|n| check::size(title, "cells of a row", n, self.columns.len()))
+        };
+        match &self.cells {
+            Cells::Colours(cells) => {
+                shape(cells.len(), cells.iter().map(Vec::len).collect())?;
+                all(cells, |i, j, image| each(i, j, image.pixels.as_flattened(), image.pixels.len()))
+            }
+            Cells::Values { values, .. } => {
+                shape(values.len(), values.iter().map(Vec::len).collect())?;
+                all(values, |i, j, values| each(i, j, values, values.len()))
+            }
+        }
+    }
+
+    /// The pictures as markup, and the space at their right that a colour bar takes.
+    fn pictures(&self, frame: Frame) -> Result<(String, f64), ReportError> {
+        let size = (self.columns.len() * self.side, self.rows.len() * self.side);
+        match &self.cells {
+            Cells::Colours(cells) => {
+                let bytes = self.joined(cells, |image, i| image.pixels[i].map(encoded));
+                let png = raster::rgb(&self.title, size, bytes.as_flattened())?;
+                Ok((picture(&png, frame, false), 14.0))
+            }
+            Cells::Values { values, shade, unit } => {
+                let levels = self.joined(values, |values, i| shade.level(values[i]));
+                let png = raster::png(&self.title, size, &levels, *shade)?;
+                let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, *shade)?;
+                Ok((under, colour_bar::space(frame, *shade, unit)?))
+            }
+        }
+    }
+
+    /// Pixels of all pictures as one.
+    fn joined<T, P>(&self, cells: &[Vec<T>], pixel: impl Fn(&T, usize) -> P) -> Vec<P> {
+        let side = self.side;
+        let mut all = Vec::with_capacity(side * side * self.rows.len() * self.columns.len());
+        for row in cells {
+            for line in 0..side {
+                for cell in row {
+                    all.extend((0..side).map(|i| pixel(cell, line * side + i)));
+                }
+            }
+        }
+        all
+    }
+
+    fn label(&self, canvas: &Canvas, frame: Frame) -> Result<(), ReportError> {
+        let title = font::shorten(&self.title, TEXT, frame.right)?;
+        canvas.text(&title, (4.0, 12.0), TEXT, Align::Left, INK)?;
+        canvas.text(&self.column_name, (frame.left - 8.0, 36.0), SMALL, Align::Right, INK)?;
+        for (j, name) in self.columns.iter().enumerate() {
+            let x = frame.left + (j as f64 + 0.5) * self.cell;
+            canvas.text(name, (x, 36.0), SMALL, Align::Centre, INK)?;
+        }
+        for (i, row) in self.rows.iter().enumerate() {
+            let y = frame.top + (i as f64 + 0.5) * self.cell;
+            let lines = font::wrap(row, SMALL, NAMES, NAME_LINES)?;
+            for (k, line) in lines.iter().enumerate() {
+                let lift = (k as f64 - (lines.len() - 1) as f64 / 2.0) * 14.0;
+                canvas.text(line, (frame.left - 8.0, y + lift), SMALL, Align::Right, INK)?;
+            }
+        }
+        match &self.cells {
+            Cells::Values { shade, unit, .. } => colour_bar::draw(canvas, frame, *shade, unit),
+            Cells::Colours(_) => Ok(()),
+        }
+    }
+}
+
+fn all<T>(
+    cells: &[Vec<T>],
+    each: impl Fn(usize, usize, &T) -> Result<(), ReportError>,
+) -> Result<(), ReportError> {
+    let places =
+        cells.iter().enumerate().flat_map(|(i, row)| row.iter().enumerate().map(move |(j, c)| (i, j, c)));
+    places.into_iter().try_for_each(|(i, j, cell)| each(i, j, cell))
+}
+
+/// A byte of sRGB (IEC 61966-2-1) from linear light, cut to [0, 1].
+fn encoded(x: f64) -> u8 {
+    let x = x.clamp(0.0, 1.0);
+    let y = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * ops::pow(x, 1.0 / 2.4) - 0.055 };
+    (255.0 * y).round() as u8
+}

@@ -1,0 +1,135 @@
+//! Couplings by what is seen of them and by what they lose.
+
+use super::super::{figures, words};
+use crate::math::ops;
+use crate::report::numbers::significant;
+use crate::report::{
+    Block, CouplingStudy, Dot, Ranked, Ranking, ReportError, Scatter, Section, Spread, TextTable, check,
+};
+
+pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
+    check::filled("study", "rankings", study.rankings.len())?;
+    let charts: Vec<Scatter> = study.rankings.iter().map(chart).collect();
+    let caption = "Largest departure from white in the furnace against the mean HDR-FLIP under the environment; both logarithmic. What \
+                   lies above the trend errs much where nobody looks, what lies below it errs little where everybody does. The exact \
+                   couplings of energy have no departure and are not drawn.";
+    let mut blocks = vec![figures(&charts, caption)?];
+    for ranking in &study.rankings {
+        blocks.push(Block::Heading { text: format!("Specular lobe: {}", ranking.lobe) });
+        blocks.push(Block::Table(table(ranking)));
+        blocks.push(Block::Text { text: disagreement(ranking) });
+    }
+    Ok(Section {
+        id: "ranking".into(),
+        title: "What is seen, and what is lost".into(),
+        lead: "The reference is the coupling that takes exactly what the lobe, as it is drawn, leaves towards the viewer. FLIP: 0 no visible \
+               difference, 1 the largest there is; the mean is over the pixels of all spheres of a lobe, each sphere compared at the \
+               exposures at which it can be shown."
+            .into(),
+        blocks,
+    })
+}
+
+fn chart(ranking: &Ranking) -> Scatter {
+    let shown = ranking.rows.iter().filter(|r| r.flip > 0.0 && r.furnace_max > NOTHING);
+    let dot =
+        |r: &Ranked| Dot { name: r.name.clone(), x: r.flip, y: r.furnace_max, published: true, table: false };
+    Scatter {
+        title: format!("specular lobe: {}", ranking.lobe),
+        x: ("mean HDR-FLIP under the environment".into(), Spread::Log),
+        y: ("largest departure in the furnace".into(), Spread::Log),
+        dots: shown.map(dot).collect(),
+        size: (420.0, 340.0),
+    }
+}
+
+/// Departures below this are the rounding of a furnace that is white by construction.
+const NOTHING: f64 = 1e-6;
+
+fn table(ranking: &Ranking) -> TextTable {
+    let columns = [
+        ("coupling", false),
+        ("mean FLIP", true),
+        ("± noise", true),
+        ("rank", true),
+        ("furnace max", true),
+        ("rank", true),
+        ("perceptual RMS", true),
+        ("rank", true),
+        ("FLIP to the reciprocal", true),
+        ("ops", true),
+        ("texels", true),
+        ("reciprocal base", false),
+    ];
+    let by_flip = ranks(ranking, |r| r.flip);
+    let by_max = ranks(ranking, |r| r.furnace_max);
+    let by_weight = ranks(ranking, |r| r.perceptual);
+    let row = |(i, r): (usize, &Ranked)| {
+        let measured = |x: f64| if x < NOTHING { "0".into() } else { significant(x, 3) };
+        vec![
+            r.name.clone(),
+            measured(r.flip),
+            significant(r.flip_error, 1),
+            by_flip[i].to_string(),
+            if r.furnace_max < NOTHING { "0".into() } else { words::max(r.furnace_max) },
+            by_max[i].to_string(),
+            measured(r.perceptual),
+            by_weight[i].to_string(),
+            measured(r.flip_reciprocal),
+            r.ops.to_string(),
+            r.fetches.to_string(),
+            if r.reciprocal { "yes".into() } else { "no".into() },
+        ]
+    };
+    let caption = "Furnace max: largest |albedo − 1| of a white base over roughness, μ and f0, as in the tables of the fits. Perceptual RMS: the \
+                   same departures weighted as by lobefit fit --weight perceptual. FLIP to the reciprocal: the same pictures against the \
+                   reciprocal coupling that is exact in energy; how far the two exact ones are apart is what choosing between them changes. \
+                   Ops: operations of a channel that the coupling adds to those of the lobe; texels: what lobe and coupling read. Ours in black: \
+                   constants fitted for the largest error, or, where it says so, for the perceptual RMS.";
+    let mut table = words::table(&columns, ranking.rows.iter().enumerate().map(row).collect(), caption);
+    table.muted = ranking.rows.iter().map(|r| !r.ours).collect();
+    table
+}
+
+/// Place of each row by a measure, 1 for the least; equals share a place.
+fn ranks(ranking: &Ranking, by: impl Fn(&Ranked) -> f64) -> Vec<usize> {
+    let value = |r: &Ranked| if by(r) < NOTHING { 0.0 } else { by(r) };
+    let rank = |r: &Ranked| 1 + ranking.rows.iter().filter(|other| value(other) < value(r)).count();
+    ranking.rows.iter().map(rank).collect()
+}
+
+/// Where the orders differ, in words.
+fn disagreement(ranking: &Ranking) -> String {
+    let rows: Vec<&Ranked> =
+        ranking.rows.iter().filter(|r| r.flip > 0.0 && r.furnace_max > NOTHING).collect();
+    let pairs = rows.len() * rows.len().saturating_sub(1) / 2;
+    let by_max = reversed(&rows, |r| r.furnace_max);
+    let by_weight = reversed(&rows, |r| r.perceptual);
+    let counted = format!(
+        "Of {pairs} pairs of inexact couplings, the largest departure orders {} otherwise than FLIP does, the perceptual RMS {}",
+        by_max.len(),
+        by_weight.len(),
+    );
+    // How far both measures are apart, the smaller of the two ratios.
+    let gap = |(better, worse): &(&Ranked, &Ranked)| {
+        ops::log(worse.flip / better.flip).min(ops::log(better.furnace_max / worse.furnace_max))
+    };
+    let Some((better, worse)) = by_max.into_iter().max_by(|a, b| gap(a).total_cmp(&gap(b))) else {
+        return format!("{counted}.");
+    };
+    format!(
+        "{counted}. Most markedly, {} is seen less than {} (FLIP {} against {}) although its largest departure is larger ({} against {}).",
+        better.name,
+        worse.name,
+        significant(better.flip, 2),
+        significant(worse.flip, 2),
+        words::max(better.furnace_max),
+        words::max(worse.furnace_max),
+    )
+}
+
+/// Pairs of rows, which rise by FLIP, that another measure puts the other way round.
+fn reversed<'a>(rows: &[&'a Ranked], by: impl Fn(&Ranked) -> f64) -> Vec<(&'a Ranked, &'a Ranked)> {
+    let pairs = rows.iter().enumerate().flat_map(|(i, a)| rows[i + 1..].iter().map(move |b| (*a, *b)));
+    pairs.filter(|(better, worse)| better.flip < worse.flip && by(better) > by(worse)).collect()
+}

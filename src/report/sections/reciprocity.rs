@@ -1,0 +1,154 @@
+//! Lobes and couplings as functions of two directions: who keeps energy, who keeps reciprocity, and at what cost.
+
+use super::words;
+use crate::effects::surface::table::{ExchangeAt, FurnaceRow, ReciprocityRow};
+use crate::report::numbers::{brief, significant};
+use crate::report::{Block, ReportError, Section, TextTable, check};
+
+/// A furnace departure below this is the error of the measurement.
+const CLOSED: f64 = 1e-5;
+
+/// Largest f0 of a dielectric that the picks are made for: an index of refraction of 2.6.
+const DIELECTRIC: f64 = 0.2;
+
+/// The section of the rows; rows must be there.
+pub(super) fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
+    check::filled("reciprocity", "rows", rows.len())?;
+    for row in rows {
+        let name = format!("{} {}", row.lobe, row.coupling.as_deref().unwrap_or_default());
+        check::finite("reciprocity", &name, row.reciprocity)?;
+        let furnace: Vec<f64> = row.furnace.iter().map(|f| f.worst).collect();
+        check::values("reciprocity", &format!("{name}: furnace"), &furnace)?;
+    }
+    let (alone, over): (Vec<&ReciprocityRow>, Vec<&ReciprocityRow>) =
+        rows.iter().partition(|row| row.coupling.is_none());
+    let mut blocks = vec![Block::Table(lobes(&alone))];
+    blocks.extend(picks(&over).map(|text| Block::Text { text }));
+    let mut lobe = None;
+    for (i, row) in over.iter().enumerate() {
+        if lobe != Some(&row.lobe) {
+            lobe = Some(&row.lobe);
+            let of_lobe: Vec<&ReciprocityRow> =
+                over[i..].iter().copied().take_while(|next| next.lobe == row.lobe).collect();
+            blocks.push(Block::Heading { text: format!("White base under a lobe: {}", row.lobe) });
+            blocks.push(Block::Table(couplings(&of_lobe)));
+        }
+    }
+    Ok(Section {
+        id: "reciprocity".into(),
+        title: "Energy and reciprocity".into(),
+        lead: "Whole materials as functions f(l, v), integrated over the hemisphere as they are drawn. Furnace: what a white \
+               material sends back less 1, the largest over roughness and angle; minus loses light, plus makes it. Reciprocity: the \
+               largest |f(l, v) − f(v, l)| relative to their mean, between 0 and 2. A path tracer that connects paths from both ends \
+               needs 0; a game that shades towards one eye does not."
+            .into(),
+        blocks,
+    })
+}
+
+fn lobes(rows: &[&ReciprocityRow]) -> TextTable {
+    let columns = [
+        ("lobe", false),
+        ("furnace at f0 = 1", true),
+        ("reciprocity", true),
+        ("where", false),
+        ("ops", true),
+        ("texels", true),
+    ];
+    let row = |row: &&ReciprocityRow| {
+        vec![
+            row.lobe.clone(),
+            row.worst().map_or("–".into(), |f| departure(f.worst)),
+            exchange(row),
+            place(row),
+            row.ops.to_string(),
+            row.fetches.to_string(),
+        ]
+    };
+    words::table(
+        &columns,
+        rows.iter().map(row).collect(),
+        "Specular lobes alone. Operations are those of one channel beyond the bare lobe, by the project's operation model; texels are \
+         reads of (A, B), constants of the material are free.",
+    )
+}
+
+fn couplings(rows: &[&ReciprocityRow]) -> TextTable {
+    let mut columns = vec![("base".to_string(), false)];
+    let furnace = rows.first().map(|row| row.furnace.as_slice()).unwrap_or_default();
+    columns.extend(furnace.iter().map(|f| (format!("f0 {}", brief(f.f0, 3)), true)));
+    let last = [("reciprocity", true), ("where", false), ("ops", true), ("texels", true)];
+    columns.extend(last.map(|(name, figures)| (name.to_string(), figures)));
+    let row = |row: &&ReciprocityRow| {
+        let mut cells = vec![row.coupling.clone().unwrap_or_default()];
+        cells.extend(row.furnace.iter().map(|f| departure(f.worst)));
+        cells.extend([exchange(row), place(row), row.ops.to_string(), row.fetches.to_string()]);
+        cells
+    };
+    let mut table = words::table(
+        &[],
+        rows.iter().map(row).collect(),
+        "Lobe and base together. Columns of f0: furnace, two digits, 0 if closed to the error of the measurement. Reciprocity: 0 is exact but for \
+         rounding; where: the two cosines that are exchanged.",
+    );
+    table.columns = columns;
+    table
+}
+
+fn departure(x: f64) -> String {
+    if x.abs() < CLOSED { "0".into() } else { significant(x, 2) }
+}
+
+fn exchange(row: &ReciprocityRow) -> String {
+    if row.reciprocal { "0".into() } else { words::max(row.reciprocity) }
+}
+
+fn place(row: &ReciprocityRow) -> String {
+    if row.reciprocal {
+        return "–".into();
+    }
+    let ExchangeAt { alpha, mu_l, mu_v, .. } = row.at;
+    format!("α\u{a0}{}, μ\u{a0}{}\u{a0}↔\u{a0}{}", brief(alpha, 2), brief(mu_l, 2), brief(mu_v, 2))
+}
+
+/// What each kind of author may want: the cheapest that closes the furnace and is reciprocal, the cheapest that closes it, and the least
+/// wrong without a texel.
+fn picks(rows: &[&ReciprocityRow]) -> impl Iterator<Item = String> {
+    let dielectric = |f: &&FurnaceRow| f.f0 <= DIELECTRIC;
+    let worst = |row: &ReciprocityRow| {
+        row.furnace.iter().filter(dielectric).fold(0.0_f64, |worst, f| worst.max(f.worst.abs()))
+    };
+    let least_lost = |row: &ReciprocityRow| (row.fetches, row.ops);
+    let cheapest = |keep: &dyn Fn(&ReciprocityRow) -> bool| {
+        rows.iter().filter(|row| keep(row)).min_by_key(|row| least_lost(row)).copied()
+    };
+    let closed = |row: &ReciprocityRow| worst(row) < CLOSED;
+    let path_tracer = cheapest(&|row| row.reciprocal && closed(row));
+    let game = cheapest(&|row| closed(row));
+    let free = rows
+        .iter()
+        .filter(|row| row.fetches == 0)
+        .min_by(|a, b| worst(a).total_cmp(&worst(b)).then(a.ops.cmp(&b.ops)))
+        .copied();
+    let told = |who: &str, row: Option<&ReciprocityRow>| {
+        row.map(|row| {
+            format!(
+                "{who}: {} over “{}”, {} and {}, furnace {} up to f0 {}, reciprocity {}.",
+                row.lobe,
+                row.coupling.as_deref().unwrap_or_default(),
+                words::operations(row.ops),
+                words::count(row.fetches as usize, "texel", "texels"),
+                departure(worst(row)),
+                brief(DIELECTRIC, 2),
+                exchange(row),
+            )
+        })
+    };
+    [
+        told("The cheapest that closes the furnace and is reciprocal", path_tracer),
+        told("The cheapest that closes the furnace", game),
+        told("The least wrong without a texel", free),
+    ]
+    .into_iter()
+    .flatten()
+}

@@ -1,0 +1,81 @@
+//! The random walk of white facets: how much leaves after which bounce, and where it goes.
+
+use super::{figures, words};
+use crate::effects::surface::opinion::BounceRow;
+use crate::report::numbers::{bound, brief, significant};
+use crate::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
+
+/// The section of the rows; rows must be there.
+pub(super) fn section(rows: &[BounceRow]) -> Result<Section, ReportError> {
+    check::filled("walk", "rows", rows.len())?;
+    for row in rows {
+        let field = format!("roughness {}, mu {}", row.roughness, row.mu);
+        check::values("walk", &field, &row.energy)?;
+        for lights in [&row.kulla_conty, &row.multiplied, &row.lights_error] {
+            check::size("walk", &format!("{field}: lights"), lights.len(), row.lights.len())?;
+            check::values("walk", &format!("{field}: lights"), lights)?;
+        }
+    }
+    let charts: Vec<Curves> = rows.iter().map(chart).collect();
+    let caption = "Where light of two bounces or more leaves, as energy per unit of cosine; the area under a curve is what single scattering \
+                   loses. A lobe that is multiplied sends that energy where the single bounce goes, the added lobe of Kulla and Conty \
+                   spreads it almost like a diffuse one.";
+    Ok(Section {
+        id: "walk".into(),
+        title: "Bounces between facets".into(),
+        lead: "The random walk with facets that absorb nothing: all light leaves sooner or later. The first bounce is the lobe of single \
+               scattering, which the quadrature gives without a walk."
+            .into(),
+        blocks: vec![Block::Table(table(rows)), figures(&charts, caption)?],
+    })
+}
+
+fn table(rows: &[BounceRow]) -> TextTable {
+    let bounces = rows.first().map(|row| row.energy.len()).unwrap_or_default();
+    let mut columns =
+        vec![("roughness".to_string(), true), ("μ".into(), true), ("E by quadrature".into(), true)];
+    columns.extend(
+        (1..=bounces).map(|n| (if n == bounces { format!("{n} and more") } else { n.to_string() }, true)),
+    );
+    columns.extend(["Kulla-Conty off", "multiplied off"].map(|name| (name.to_string(), true)));
+    let row = |row: &BounceRow| {
+        let mut cells = vec![brief(row.roughness, 3), brief(row.mu, 3), significant(row.single, 4)];
+        cells.extend(row.energy.iter().map(|energy| significant(*energy, 3)));
+        cells.extend([row.kulla_conty_off, row.multiplied_off].map(|off| significant(off, 2)));
+        cells
+    };
+    let error =
+        rows.iter().flat_map(|row| &row.standard_error).fold(0.0_f64, |worst, error| worst.max(*error));
+    let caption = format!(
+        "Energy that leaves after 1, 2, ... bounces, standard error at most {}. Off: the part of the light of later bounces that a model sends \
+         to the wrong angles.",
+        bound(error, 1)
+    );
+    let mut table = words::table(&[], rows.iter().map(row).collect(), &caption);
+    table.columns = columns;
+    table
+}
+
+fn chart(row: &BounceRow) -> Curves {
+    let bins = row.lights.len() as f64;
+    let line = |name: &str, energy: &[f64], style: Style| Series {
+        name: name.into(),
+        points: energy.iter().enumerate().map(|(i, e)| ((i as f64 + 0.5) / bins, e * bins)).collect(),
+        style,
+        end: None,
+    };
+    Curves {
+        title: format!("roughness {}, view at μ {}", brief(row.roughness, 3), brief(row.mu, 3)),
+        x: ("cosine of the light".into(), Spread::Linear),
+        y: ("energy per unit of cosine".into(), Spread::Linear),
+        series: vec![
+            line("kulla-conty", &row.kulla_conty, Style::Line(0)),
+            line("multiplied lobe", &row.multiplied, Style::Line(1)),
+            line("random walk", &row.lights, Style::Truth),
+        ],
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: None,
+        size: (400.0, 240.0),
+    }
+}

@@ -1,0 +1,74 @@
+//! The diffuse base of a dielectric, and what is wanted of its coupling with the specular lobe above it.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::number::{ErrorLimit, In, Numbers, Ops, Unit, Whole};
+use super::value::{List, Maybe, Word, from_file};
+use super::wants::norms;
+use crate::data::Norm;
+use crate::integrate::coupling::Specular;
+
+/// A diffuse base: Lambert's lobe under the specular one.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Base {
+    /// Albedo per colour channel, in [0, 1]. It scales the base's share of the light, and the error of that with it: the coupling
+    /// factor does not depend on it.
+    pub albedo: [f64; 3],
+    /// What multiplies the specular lobe above it: the factor is what that leaves.
+    pub specular: Specular,
+    /// Most operations of a fit; `None`: any.
+    pub max_ops: Option<u32>,
+    /// Error of the coupling factor that at least one emitted fit must meet.
+    pub max_error: Option<f64>,
+    /// Errors to minimise, each once, in the order max, rms.
+    pub norms: Vec<Norm>,
+}
+
+impl Base {
+    /// Whether it sends back no light: then nothing is coupled with the specular lobe.
+    pub fn is_black(&self) -> bool {
+        self.albedo == [0.0; 3]
+    }
+}
+
+/// The diffuse base of a dielectric (Lambert's lobe), which calls for fits of the factor that a white base is multiplied by so that base and
+/// specular lobe together send back exactly all light. An albedo below 1 scales the base's share alone, and its error as well.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "Base")]
+#[serde(deny_unknown_fields, expecting = "an object that describes a diffuse base")]
+struct BaseFile {
+    /// Albedo of the base: a number, or one for red, green and blue; default 1, white. A black base calls for nothing.
+    #[serde(default)]
+    albedo: Maybe<Numbers<In<Unit>, 3, true>>,
+    /// What the renderer multiplies the specular lobe by: `single` nothing; `normalised` 1/E (the default); `compensated`
+    /// 1 + f0 (1/E - 1).
+    #[serde(default)]
+    specular: Maybe<Word<Specular>>,
+    /// Most operations that an emitted fit may take; default: any number.
+    #[serde(default)]
+    max_ops: Maybe<Whole<Ops>>,
+    /// Error of the factor that at least one emitted fit within `max_ops` must meet, else the bake fails; default: no limit.
+    #[serde(default)]
+    max_error: Maybe<In<ErrorLimit>>,
+    /// Errors to minimise, one fit each; default both.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    norms: Maybe<List<Word<Norm>, 2>>,
+}
+
+impl TryFrom<BaseFile> for Base {
+    type Error = String;
+
+    fn try_from(file: BaseFile) -> Result<Self, String> {
+        Ok(Base {
+            albedo: file.albedo.0.map_or([1.0; 3], |Numbers([r, g, b])| [r.0, g.0, b.0]),
+            specular: file.specular.0.map_or_else(Specular::default, |w| w.0),
+            max_ops: file.max_ops.0.map(|w| w.0),
+            max_error: file.max_error.0.map(|e| e.0),
+            norms: norms(file.norms.0)?,
+        })
+    }
+}
+
+from_file!(Base, BaseFile);

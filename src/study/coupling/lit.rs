@@ -1,0 +1,146 @@
+//! The couplings under an environment, compared with the exact one.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::Compared;
+use super::candidates::{Candidate, RECIPROCAL, REFERENCE};
+use super::parameters::Lit;
+use crate::data::{AlphaMap, Smith};
+use crate::effects::surface::{Albedos, Side, Surface};
+use crate::optics::ggx::Vec3;
+use crate::report::flip::{self, ErrorMap};
+use crate::report::render::{Halves, Materials, inside, spheres};
+use crate::report::{Image, LitRow, LitStrip};
+use crate::study::StudyError;
+
+/// Spheres of every lobe and reflectance.
+pub(super) fn strips(lit: &Lit, compared: &[Compared]) -> Result<Vec<LitStrip>, StudyError> {
+    let under = || compared.iter().flat_map(|c| lit.f0.iter().map(move |&f0| (c, f0)));
+    let mut strips: Vec<LitStrip> =
+        under().map(|(c, f0)| empty(lit, c, f0, c.lobe == compared[0].lobe && f0 == lit.shown_f0)).collect();
+    for &roughness in &lit.roughness {
+        let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
+        let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
+        for (strip, (compared, _)) in strips.iter_mut().zip(under()) {
+            column(strip, lit, compared, roughness, &albedos)?;
+        }
+    }
+    Ok(strips)
+}
+
+fn empty(lit: &Lit, compared: &Compared, f0: f64, shown: bool) -> LitStrip {
+    let row = |candidate: &Candidate| LitRow {
+        name: candidate.name().into(),
+        flip: Vec::new(),
+        flip_reciprocal: Vec::new(),
+        error: Vec::new(),
+        pictures: Vec::new(),
+        maps: Vec::new(),
+    };
+    LitStrip {
+        lobe: compared.lobe.name().into(),
+        f0,
+        roughness: lit.roughness.clone(),
+        noise: Vec::new(),
+        flip_of_noise: Vec::new(),
+        rows: compared.candidates.iter().map(row).collect(),
+        shown,
+    }
+}
+
+/// Adds the spheres of one roughness.
+fn column(
+    strip: &mut LitStrip,
+    lit: &Lit,
+    Compared { lobe, candidates }: &Compared,
+    roughness: f64,
+    albedos: &Arc<Albedos>,
+) -> Result<(), StudyError> {
+    let surface = |c: &Candidate| {
+        Surface::with(&c.material(roughness, strip.f0, *lobe, lit.albedo), Arc::clone(albedos))
+    };
+    let surfaces = Surfaces(candidates.iter().map(surface).collect::<Result<_, _>>()?);
+    let shown = spheres(&lit.environment, albedos.alpha, &surfaces, &lit.settings);
+    let reference = Pictures::new(&shown[REFERENCE]);
+    let reciprocal = Pictures::new(&shown[RECIPROCAL]);
+    let sphere = inside(&lit.settings);
+    let mean = |map: &ErrorMap| {
+        let on: Vec<f64> =
+            map.values.iter().zip(&sphere).filter(|(_, inside)| **inside).map(|(v, _)| *v).collect();
+        crate::math::sum::mean(&on)
+    };
+    let flip = |a: &Image, b: &Image| flip::hdr(a, b, lit.pixels_per_degree);
+    let measured: Vec<Result<Measured, StudyError>> = shown
+        .par_iter()
+        .map(|halves| {
+            let own = Pictures::new(halves);
+            let (map, _) = flip(&reference.whole, &own.whole)?;
+            let by_half = [0, 1].map(|i| flip(&reference.halves[i], &own.halves[i]));
+            let [first, second] = by_half.map(|half| half.map(|(map, _)| mean(&map)));
+            Ok(Measured {
+                flip: mean(&map),
+                reciprocal: mean(&flip(&reciprocal.whole, &own.whole)?.0),
+                error: (first? - second?).abs() / 2.0,
+                picture: flip::shown(&own.whole, lit.stops),
+                map: map.values,
+            })
+        })
+        .collect();
+    for (row, measured) in strip.rows.iter_mut().zip(measured) {
+        let measured = measured?;
+        row.flip.push(measured.flip);
+        row.flip_reciprocal.push(measured.reciprocal);
+        row.error.push(measured.error);
+        if strip.shown {
+            row.pictures.push(measured.picture);
+            row.maps.push(measured.map);
+        }
+    }
+    let [error, light] = shown[REFERENCE].noise();
+    strip.noise.push((error / light).sqrt());
+    strip.flip_of_noise.push(mean(&flip(&reference.halves[0], &reference.halves[1])?.0));
+    Ok(())
+}
+
+/// One coupling of one sphere.
+struct Measured {
+    flip: f64,
+    reciprocal: f64,
+    error: f64,
+    picture: Image,
+    map: Vec<f64>,
+}
+
+/// A picture with its halves.
+struct Pictures {
+    whole: Image,
+    halves: [Image; 2],
+}
+
+impl Pictures {
+    fn new(shown: &Halves) -> Pictures {
+        Pictures { whole: shown.mean(), halves: shown.0.clone() }
+    }
+}
+
+/// Materials that differ in their coupling alone: what is known of a light is the same for all of them.
+struct Surfaces(Vec<Surface>);
+
+impl Materials for Surfaces {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    fn shade(&self, view: Vec3, lights: &[(Vec3, [f64; 3])], sums: &mut [[f64; 3]]) {
+        let views: Vec<Side> = self.0.iter().map(|s| s.side(view[2])).collect();
+        for &(light, weight) in lights {
+            let side = self.0[0].side(light[2]);
+            for ((sum, surface), own) in sums.iter_mut().zip(&self.0).zip(&views) {
+                let parts = surface.between(&side, own, light, view);
+                *sum = [0, 1, 2].map(|c| sum[c] + (parts.specular[c] + parts.base[c]) * weight[c]);
+            }
+        }
+    }
+}

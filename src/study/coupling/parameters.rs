@@ -1,0 +1,131 @@
+//! What the study covers.
+
+use serde::Serialize;
+
+use super::candidates::Planned;
+use super::wanted;
+use crate::effects::surface::Lobe;
+use crate::effects::surface::table::Grid;
+use crate::report::flip::PIXELS_PER_DEGREE;
+use crate::report::render::{Environment, Settings};
+use crate::study::Size;
+
+/// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
+const METHOD: u32 = 1;
+
+/// Everything that the recipe covers beside the tool's version.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Parameters {
+    method: u32,
+    /// Specular lobes; the pictures of the first are shown.
+    pub lobes: Vec<UnderLobe>,
+    pub furnace: Furnace,
+    pub lit: Lit,
+    surfaces: Measured,
+}
+
+/// Whole materials.
+#[derive(Clone, Debug, Serialize)]
+struct Measured {
+    couplings: Vec<String>,
+    grid: Grid,
+    /// Paths of each random walk, and what they begin from.
+    paths: u64,
+    seed: u64,
+}
+
+/// A specular lobe and the couplings under it.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct UnderLobe {
+    #[serde(serialize_with = "name")]
+    pub lobe: Lobe,
+    /// What they follow from, formulas of ours with their source.
+    #[serde(rename = "couplings", serialize_with = "recipes")]
+    pub planned: Vec<Planned>,
+}
+
+/// The furnace.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Furnace {
+    pub roughness: Vec<f64>,
+    pub f0: Vec<f64>,
+    /// Cosines of the view, increasing.
+    pub mu: Vec<f64>,
+}
+
+/// The lit spheres.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Lit {
+    pub roughness: Vec<f64>,
+    pub f0: Vec<f64>,
+    /// Reflectance whose pictures are shown.
+    pub shown_f0: f64,
+    /// Albedo of the base.
+    pub albedo: [f64; 3],
+    pub environment: Environment,
+    pub settings: Settings,
+    /// Exposure of the pictures, in stops.
+    pub stops: f64,
+    pub pixels_per_degree: f64,
+}
+
+impl Parameters {
+    /// Those of a size.
+    pub fn of(size: Size) -> Parameters {
+        let full = size == Size::Full;
+        let settings = Settings {
+            side: if full { 80 } else { 24 },
+            radius: if full { 37.0 } else { 11.0 },
+            samples: if full { 96 } else { 16 },
+            lamp_samples: if full { 24 } else { 4 },
+            background: [0.18; 3],
+        };
+        let wanted = wanted(size);
+        let lobes = [Lobe::Normalised, Lobe::Compensated, Lobe::Single];
+        let lobes = if full { &lobes[..] } else { &lobes[..1] };
+        Parameters {
+            method: METHOD,
+            lobes: lobes.iter().map(|&lobe| UnderLobe { lobe, planned: Planned::of(lobe, size) }).collect(),
+            furnace: Furnace {
+                roughness: if full { even(0.1, 0.9, 9) } else { vec![0.3, 0.8] },
+                f0: if full { vec![0.02, 0.04, 0.2, 1.0] } else { vec![0.04, 1.0] },
+                mu: even_squared(if full { 24 } else { 8 }),
+            },
+            lit: Lit {
+                roughness: if full { vec![0.1, 0.3, 0.5, 0.7, 0.9] } else { vec![0.3, 0.8] },
+                f0: if full { vec![0.02, 0.04, 0.2] } else { vec![0.04] },
+                shown_f0: 0.04,
+                albedo: [0.8; 3],
+                environment: Environment::afternoon(),
+                settings,
+                stops: 1.6,
+                pixels_per_degree: PIXELS_PER_DEGREE,
+            },
+            surfaces: Measured {
+                couplings: wanted.couplings.iter().map(|c| c.name().to_string()).collect(),
+                grid: wanted.grid,
+                paths: wanted.walks.paths,
+                seed: wanted.walks.seed,
+            },
+        }
+    }
+}
+
+/// `n` values from `low` to `high`, of few digits.
+fn even(low: f64, high: f64, n: usize) -> Vec<f64> {
+    let value = |i: usize| low + (high - low) * (i as f64 / (n - 1) as f64);
+    (0..n).map(|i| (1000.0 * value(i)).round() / 1000.0).collect()
+}
+
+/// Squares of `n` even steps up to 1, dense at grazing views.
+fn even_squared(n: usize) -> Vec<f64> {
+    (1..=n).map(|i| (i as f64 / n as f64) * (i as f64 / n as f64)).collect()
+}
+
+fn name<S: serde::Serializer>(lobe: &Lobe, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(lobe.name())
+}
+
+fn recipes<S: serde::Serializer>(planned: &[Planned], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(planned.iter().map(Planned::recipe))
+}

@@ -1,0 +1,139 @@
+//! `lobefit fit` at its edges: what is 0 in the end, what stays broken, ranges and starts that make no sense.
+
+mod common;
+
+use std::path::Path;
+use std::process::Output;
+
+use common::{lobefit, stderr};
+use serde_json::Value;
+
+fn fit(folder: &Path, source: &str, options: &[&str]) -> Output {
+    std::fs::write(folder.join("mine.wgsl"), source).expect("written");
+    let all: Vec<&str> = ["fit", "mine.wgsl"].into_iter().chain(options.iter().copied()).collect();
+    lobefit(folder, &all, b"")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// E is 1 at roughness 0, which leaves nothing to `a`.
+#[test]
+fn a_coefficient_that_is_nothing_is_0_and_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override a: f32 = 0.3;\noverride b: f32 = -0.2;\noverride c: f32 = 0.1;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + a + alpha * (b + c * mu); }\n";
+    let options = ["--to", "ggx-reflection:E", "--exact", "alpha=0:1"];
+    let output = fit(folder.path(), source, &options);
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    let text = stdout(&output);
+    assert!(text.contains("`a` is 0: drop it from the formula"), "{text}");
+    assert!(text.lines().any(|line| line.trim_end() == "  a            0"), "{text}");
+    let output = fit(folder.path(), source, &[&options[..], &["--json"]].concat());
+    let document: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let fitted = &document["fits"][0];
+    assert_eq!(fitted["coefficients"]["a"].as_f64(), Some(0.0), "{fitted}");
+    assert_eq!(fitted["notes"].as_array().map(Vec::len), Some(1), "{fitted}");
+}
+
+/// A spike between the places of the lattice, which no constant can lower: found by the finer places, and not hidden.
+#[test]
+fn a_range_that_stays_broken_between_its_places_ends_with_1() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override c: f32 = 0.5;\nfn mine(alpha: f32, mu: f32) -> f32 {\n\
+        let x = mu - 0.4321;\nreturn c * x * x + 1.5 * exp2(-1.0e6 * x * x) + 0.0 * alpha;\n}\n";
+    let output = fit(folder.path(), source, &["--to", "ggx-reflection:E", "--range", "..1", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    let told = stderr(&output);
+    assert!(told.contains("constraint `at most 1` is missed by 5.0e-1"), "{told}");
+    assert!(told.contains("mu = 0.432") && told.contains("nothing written"), "{told}");
+    assert!(!folder.path().join("out/mine.wgsl").exists());
+}
+
+#[test]
+fn ranges_without_a_truth_are_refused_with_the_range_to_give() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source =
+        "override c: f32 = 1.0;\nfn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + c * alpha * mu; }\n";
+    for (options, words) in [
+        (
+            &["--to", "ggx-reflection:E", "--domain", "roughness=0..1"][..],
+            &[
+                "--domain roughness=0..1",
+                "between alpha = 0 and alpha = 1e-7",
+                "roughness=0.000317..1",
+                "--exact alpha=0",
+            ][..],
+        ),
+        (
+            &["--to", "ggx-reflection:E", "--domain", "alpha=0..0.5"],
+            &["--domain alpha=0..0.5", "alpha=0.0000001..0.5"],
+        ),
+        (
+            &["--to", "sheen-charlie:E", "--domain", "roughness=0..1"],
+            &["--domain roughness=0..1", "is not inside [0.001, 1]", "give --domain roughness=0.001..1"],
+        ),
+        (
+            &["--to", "ggx-glass:R", "--fix", "side=inside", "--fix", "ior=9"],
+            &["--fix ior=9", "is not inside [1, 4]"],
+        ),
+        (
+            &["--to", "ggx-reflection:E", "--exact", "alpha=1e-9"],
+            &["--exact alpha", "neither 0 nor in", "alpha=AT:VALUE"],
+        ),
+    ] {
+        let output = fit(folder.path(), source, options);
+        let told = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{options:?}: {told}");
+        assert!(words.iter().all(|w| told.contains(w)), "{options:?}: {told}");
+    }
+    let mirror =
+        fit(folder.path(), source, &["--to", "ggx-reflection:E", "--domain", "roughness=0.000317..1"]);
+    assert_eq!(mirror.status.code(), Some(0), "{}", stderr(&mirror));
+}
+
+#[test]
+fn starts_with_a_pole_are_no_obstacle_to_a_quotient_and_named_elsewhere() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let quotient = "override a: f32 = 1.0;\noverride b: f32 = -20.0;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return (1.0 + a * alpha) / (1.0 + b * alpha * mu); }\n";
+    let output = fit(folder.path(), quotient, &["--to", "ggx-reflection:E"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("the global minimum, by proof"), "{}", stdout(&output));
+    let general = quotient.replace("b * alpha", "b * b * b * alpha");
+    let output = fit(folder.path(), &general, &["--to", "ggx-reflection:E"]);
+    let told = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.contains("mine.wgsl:3:") && told.contains("declared starts"), "{told}");
+}
+
+/// The visibility of a sheen has no Smith form: none is told of. Where E is nothing, a relative error is none either.
+#[test]
+fn a_sheen_is_told_of_without_a_smith_form() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override a: f32 = 0.5;\noverride b: f32 = 0.2;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return a * alpha + b * (1.0 - mu); }\n";
+    let output = fit(folder.path(), source, &["--to", "sheen-charlie", "--out", "out", "--language", "wgsl"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).expect("written");
+    for text in [stdout(&output), read("mine.html"), read("mine.wgsl")] {
+        assert!(text.contains("sheen-charlie E") || text.contains("sheen-charlie, column E"), "{text}");
+        assert!(!text.to_lowercase().contains("smith"), "{text}");
+    }
+    let document: Value = serde_json::from_str(&read("mine.json")).expect("JSON");
+    assert!(document["fits"][0]["certificate"]["max_rel"].is_number(), "{}", document["fits"][0]);
+}
+
+#[test]
+fn what_was_not_searched_for_is_not_called_a_minimum() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override a: f32 = 0.5;\noverride b: f32 = 0.0;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return a * alpha + b * (1.0 - mu); }\n";
+    let point = ["--to", "ggx-reflection:E", "--fix", "mu=0.5", "--fix", "roughness=0.5"];
+    let output = fit(folder.path(), source, &point);
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    let text = stdout(&output);
+    assert!(text.contains("optimality   none: nothing was searched for"), "{text}");
+    assert!(!text.contains("is 0: drop it"), "{text}");
+}
