@@ -70,3 +70,38 @@ fn what_formulas_of_f0_cannot_keep_is_refused() {
         assert_eq!((output.status.code(), said.contains(words)), (Some(2), true), "{more:?}: {said}");
     }
 }
+
+/// What was tried beforehand is told, or nothing is where the helpers are given; and the catalogue stands beside what is found.
+#[test]
+fn what_was_tried_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let average = ["--to", "ggx-average:E_avg", "--max-ops", "3"];
+    let (document, figures) = frontier(folder.path(), &average);
+    let tried = document["tried"].as_array().expect("a list");
+    let words: Vec<&str> = tried.iter().map(|t| t["what"].as_str().expect("text")).collect();
+    let expected = ["sqrt(roughness)", "exp2(-k roughness)", "exp2(form)", "sqrt(form)", "form squared"];
+    assert_eq!(words, expected);
+    assert!(tried.iter().all(|t| t["used"] == (t["gain"].as_f64().expect("a number") >= 0.03)), "{tried:?}");
+    let (document, bare) = frontier(folder.path(), &[&average[..], &["--helpers", "none"]].concat());
+    assert_eq!(document["tried"], serde_json::json!([]));
+    assert!(document["command"].as_str().expect("text").contains("--helpers none"), "{document}");
+    assert!(best(&figures, 3) <= best(&bare, 3) * 1.0001, "{figures:?} {bare:?}");
+    let coupling = ["--to", "diffuse-coupling", "--fix", "specular=normalised", "--helpers", "none"];
+    let (document, _) =
+        frontier(folder.path(), &[&coupling[..], &["--max-ops", "4", "--width", "2"]].concat());
+    let others = document["others"].as_array().expect("a list");
+    let published = |name: &str| others.iter().find(|o| o["name"] == name).map(|o| o["published"].clone());
+    assert_eq!(published("coupling_normalised_7"), Some(false.into()));
+    assert_eq!(published("coupling_normalised_ue5"), Some(true.into()));
+    assert_eq!(published("coupling_single_ue5"), None);
+    for (helpers, words) in [
+        ("reciprocal", "they have no range here"),
+        ("auto,root", "auto and none stand alone"),
+        ("cosine", "inverse-root"),
+    ] {
+        let arguments = [&["fit", "--search"][..], &average, &["--helpers", helpers]].concat();
+        let output = lobefit(folder.path(), &arguments, b"");
+        let said = stderr(&output);
+        assert_eq!((output.status.code(), said.contains(words)), (Some(2), true), "{helpers}: {said}");
+    }
+}

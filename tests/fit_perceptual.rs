@@ -74,7 +74,7 @@ fn fit(options: &[&str]) -> Value {
 fn a_weighted_fit_trades_grazing_views_for_those_that_are_seen() {
     let plain = fit(&["--norm", "rms"]);
     let weighted = fit(&["--norm", "rms", "--weight", "perceptual"]);
-    assert_eq!(weighted["weight"], "perceptual");
+    assert_eq!(weighted["fits"][0]["weight"], "perceptual");
     let error = |fit: &Value, key: &str| fit["fits"][0]["certificate"][key].as_f64().expect("a number");
     assert!(error(&weighted, "rms") > error(&plain, "rms"), "the plain fit minimises the plain mean square");
     assert!(error(&weighted, "max_abs") > error(&plain, "max_abs"), "grazing views count less");

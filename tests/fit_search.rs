@@ -6,8 +6,8 @@ mod fit_support;
 use fit_support::albedo;
 use lobefit::fit::FitError;
 use lobefit::fit::search::{
-    Anchor, Found, Helper, Pair, PairSamples, Pairing, Progress, SearchAxis, SearchSamples, Second, Space,
-    search, search_pair,
+    Aid, Anchor, Found, Helper, Link, Pair, PairSamples, Pairing, Progress, SearchAxis, SearchSamples,
+    Second, Space, scout, search, search_pair,
 };
 
 fn axis(arguments: &[(&str, u32)], degree: u8) -> SearchAxis {
@@ -117,6 +117,73 @@ fn helpers_pay_where_the_data_call_for_them() {
     };
     let found = search(&Space { helpers, ..plain(7) }, &data, &quiet).unwrap();
     assert!(found.iter().any(|f| f.hypothesis.source().contains("inverseSqrt")));
+}
+
+fn with(space: &Space, aid: Aid) -> Space {
+    match aid {
+        Aid::Link(link) => Space { links: vec![link], ..space.clone() },
+        helper => space.with(helper).unwrap(),
+    }
+}
+
+/// What is planted pays most, what has nothing to do with it is not admitted, and with it the formula is found.
+#[test]
+fn what_pays_is_told_and_used() {
+    let root = Aid::Helper(Helper::Root { axis: 0 });
+    let decay = Aid::Helper(Helper::Decay { axis: 1, power: 1 });
+    let [exp2, root_of, squared] = [Link::Exp2, Link::Root, Link::Square].map(Aid::Link);
+    type Planted = fn(f64, f64) -> f64;
+    let cases: [(Planted, Aid, u32, &str, f64); 4] = [
+        // Polynomial 3, exp2 4.
+        (|x, y| 2.0_f64.powf(0.5 - 7.0 * x * y - 3.0 * y), exp2, 7, "exp2", 1e-5),
+        // The root 4, two products that fuse.
+        (|x, y| 0.3 + y * (1.0 + 2.0 * x.sqrt()), root, 7, "sqrt", 1e-6),
+        (|x, y| (0.04 + x * x + 2.0 * y).sqrt(), root_of, 7, "sqrt", 1e-5),
+        // Three operations, and the square.
+        (|x, y| (0.3 + x * (2.0 * y + 1.5 * x)).powi(2), squared, 5, "root", 1e-5),
+    ];
+    for (planted, pays, ops, word, bar) in cases {
+        let space = Space { width: 4, ..plain(ops) };
+        let samples = square(12, planted);
+        let trials = scout(&space, &[root, decay, exp2, root_of, squared], &samples, &quiet).unwrap();
+        println!("{trials:?}");
+        let best = trials.iter().max_by(|a, b| a.gain.total_cmp(&b.gain)).unwrap();
+        assert!(best.aid == pays && best.admitted && best.gain > 0.9, "{best:?}");
+        assert!(trials.iter().all(|t| t.admitted == (t.gain >= 0.03) && t.ops <= ops), "{trials:?}");
+        let bare = search(&space, &samples, &quiet).unwrap();
+        let found = search(&with(&space, pays), &samples, &quiet).unwrap();
+        show(&found);
+        let last = found.last().unwrap();
+        assert!(last.max < bar && last.hypothesis.source().contains(word), "{}", last.max);
+        assert!(bare.last().unwrap().max > 100.0 * last.max);
+        assert_eq!(last.ops, last.hypothesis.tape().cost_ops());
+        // Nothing is lost by it: every cost is as good as without.
+        let at = |found: &[Found], ops: u32| {
+            found.iter().filter(|f| f.ops <= ops).map(|f| f.max).fold(f64::INFINITY, f64::min)
+        };
+        assert!((0..=ops).all(|ops| at(&found, ops) <= at(&bare, ops) * (1.0 + 1e-9)));
+    }
+}
+
+/// An anchor that a link does not take is kept, not bent: 2^p is nowhere 0; and 1 stays 1.
+#[test]
+fn links_keep_the_anchor() {
+    let samples = square(12, |x, y| 2.0_f64.powf(-3.0 * x * (1.0 + y)));
+    let anchored = |value: f32| Space { anchor: Some(Anchor { value, zeros: vec![0] }), ..plain(8) };
+    assert!(anchored(0.0).with(Aid::Link(Link::Exp2)).is_none());
+    let found = search(&with(&anchored(1.0), Aid::Link(Link::Exp2)), &samples, &quiet).unwrap();
+    let last = found.last().unwrap();
+    assert!(last.max < 1e-5 && last.hypothesis.source().contains("exp2"), "{}", last.max);
+    let coefficients: Vec<f32> = last.hypothesis.parameters().iter().map(|p| p.start).collect();
+    let inputs: Vec<Vec<f32>> =
+        last.hypothesis.inputs().iter().map(|name| vec![if name == "x" { 0.0 } else { 0.7 }]).collect();
+    assert_eq!(last.hypothesis.tape().evaluate(&inputs, &coefficients).unwrap(), [1.0]);
+    // Values that are not positive have no exponent: nothing is gained, nothing is found of it, and nothing fails.
+    let signed = square(8, |x, y| x - y);
+    let trials = scout(&plain(4), &[Aid::Link(Link::Exp2)], &signed, &quiet).unwrap();
+    assert!(trials[0].gain == 0.0 && !trials[0].admitted);
+    let found = search(&with(&plain(4), Aid::Link(Link::Exp2)), &signed, &quiet).unwrap();
+    assert!(found.iter().all(|f| !f.hypothesis.source().contains("exp2")));
 }
 
 /// u = 1 + x y / (0.5 + x) and v = 0.25 / (1 + 2 y): one division serves both.

@@ -1,5 +1,7 @@
 //! The rows that compare materials: reciprocity, furnace and cost, Fresnel, darker bases, colour.
 
+use std::sync::Arc;
+
 use lobefit::data::Smith;
 use lobefit::effects::surface::colour::{
     ColourRow, DIELECTRIC, METALS, WALK_EXACT, WALK_SCHLICK, colour_table,
@@ -8,10 +10,13 @@ use lobefit::effects::surface::darker::{ALBEDOS, dark_table};
 use lobefit::effects::surface::interface::schlick_table;
 use lobefit::effects::surface::opinion::{bounce_table, view_table};
 use lobefit::effects::surface::table::{Grid, ReciprocityRow, reciprocity_table};
-use lobefit::effects::surface::{Coupling, Factor, FactorAt, Lobe, SurfaceRows, Wanted, cost};
+use lobefit::effects::surface::{
+    Albedos, Coupling, Factor, FactorAt, Lobe, Material, Surface, SurfaceRows, Wanted, cost, formula,
+};
 use lobefit::fit::Hypothesis;
 use lobefit::integrate::walk::Walks;
 use lobefit::optics::fresnel;
+use lobefit::optics::multiscatter::{self, Bounces};
 
 fn row<'a>(rows: &'a [ReciprocityRow], lobe: Lobe, coupling: Option<&Coupling>) -> &'a ReciprocityRow {
     let name = coupling.map(|c| c.name().to_string());
@@ -263,6 +268,47 @@ fn a_dielectric_reflects_what_the_walk_says() {
                 0.04
             };
             assert!(off < bound, "{name}: {row:?}");
+        }
+    }
+}
+
+/// What is counted is what is measured: the formulas of the costs, evaluated between two directions, are f(l, v).
+#[test]
+fn counted_formulas_are_the_materials() {
+    let ([l, v], f0, alpha) = ([[0.48, 0.6, 0.64], [0.6, 0.0, 0.8]], 0.3, 0.36);
+    let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None).unwrap());
+    let surface = |lobe, coupling: &Coupling| {
+        Surface::with(&Material::white(alpha, f0, lobe, coupling.clone()), albedos.clone()).unwrap()
+    };
+    let bare = surface(Lobe::Single, &Coupling::None).parts(l, v).specular[0];
+    let half: f64 = (0..3).map(|i| (l[i] + v[i]) * (l[i] + v[i])).sum();
+    let (at_l, at_v, average) = (albedos.at(l[2]), albedos.at(v[2]), albedos.average);
+    for lobe in Lobe::ALL {
+        let bounces = if lobe == Lobe::KullaConty { Bounces::FromSecond } else { Bounces::FromFirst };
+        let series = multiscatter::series(bounces, fresnel::schlick_average(f0), average.e, average.loss);
+        for coupling in &Coupling::ALL {
+            let surface = surface(lobe, coupling);
+            let hypothesis = formula(lobe, Some(coupling)).unwrap();
+            let argument = |name: &String| match name.as_str() {
+                "specular" => bare,
+                "diffuse" => std::f64::consts::FRAC_1_PI,
+                "f0" => f0,
+                "fresnel" => fresnel::schlick(f0, 1.0 - 0.5 * half.sqrt()),
+                "roughness" => alpha.sqrt(),
+                "mu_l" => l[2],
+                "mu_v" => v[2],
+                "a_l" => at_l.e - at_l.b,
+                "b_l" => at_l.b,
+                "a_v" => at_v.e - at_v.b,
+                "b_v" => at_v.b,
+                "series" => series,
+                "second" => series / (std::f64::consts::PI * average.loss),
+                "scale" => 1.0 / surface.left_average()[0],
+                other => panic!("{other}"),
+            };
+            let inputs: Vec<f64> = hypothesis.inputs().iter().map(argument).collect();
+            let (counted, drawn) = (hypothesis.tape().at(&inputs, &[]), surface.evaluate(l, v)[0]);
+            assert!((counted / drawn - 1.0).abs() < 1e-7, "{lobe:?} {coupling:?}: {counted} {drawn}");
         }
     }
 }

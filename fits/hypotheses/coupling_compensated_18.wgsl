@@ -1,10 +1,10 @@
-override b0: f32 = 1.054;
-override b1: f32 = 17.5;
-override b2: f32 = -2.4;
-override b3: f32 = 0.7;
-override b4: f32 = -7.0;
-override b5: f32 = 18.2;
-override c0: f32 = 0.5;
+override b0: f32 = 1.0497421;
+override b1: f32 = 18.831404;
+override b2: f32 = -12.911845;
+override b3: f32 = 0.5697083;
+override b4: f32 = -9.684063;
+override b5: f32 = 21.778946;
+override c0: f32 = 0.7467864;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is multiplied by 1 + f0 (1/E - 1): what that leaves (Schlick's Fresnel).
 /// Eighteen operations: B/E is a quotient, and the loss 1 - E, which counts for little where f0 is small, linear in alpha.

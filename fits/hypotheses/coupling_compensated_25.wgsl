@@ -1,15 +1,15 @@
-override c0: f32 = -0.053625036;
-override c1: f32 = 0.22299115;
-override c2: f32 = 0.56464154;
-override c3: f32 = -2.063955;
-override c4: f32 = -0.34289363;
-override k: f32 = 0.90229094;
-override b0: f32 = 1.037233;
-override b1: f32 = 3.609843;
-override b2: f32 = 13.0514965;
-override b3: f32 = 92.86271;
-override b4: f32 = 6.7139354;
-override b5: f32 = 25.39046;
+override c0: f32 = 0.43681955;
+override c1: f32 = 0.10467997;
+override c2: f32 = 0.66298497;
+override c3: f32 = -2.5912056;
+override c4: f32 = -0.2907374;
+override k: f32 = 0.32145867;
+override b0: f32 = 0.96638066;
+override b1: f32 = 6.5095563;
+override b2: f32 = -15.249765;
+override b3: f32 = 179.70518;
+override b4: f32 = 2.7393408;
+override b5: f32 = 27.387514;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is multiplied by 1 + f0 (1/E - 1): what that leaves (Schlick's Fresnel).
 /// Twenty-five operations: forms of E - 1 and of the share B/E.

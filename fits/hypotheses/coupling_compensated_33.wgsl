@@ -1,21 +1,21 @@
-override c0: f32 = -0.0055563073;
-override c1: f32 = -0.4128085;
-override c2: f32 = 0.23585445;
-override c3: f32 = -3.514061;
-override d0: f32 = 0.0516986;
-override d1: f32 = -0.94971377;
-override d2: f32 = 6.240244;
-override d3: f32 = 4.5119896;
-override d4: f32 = -5.5824285;
-override b0: f32 = 1.0415183;
-override b1: f32 = -0.7711683;
-override b2: f32 = 17.557283;
-override b3: f32 = 2.6055813;
-override b4: f32 = -145.66579;
-override b5: f32 = 382.68994;
-override b6: f32 = 55.426132;
-override b7: f32 = -193.70937;
-override b8: f32 = 590.0967;
+override c0: f32 = -0.016646309;
+override c1: f32 = 0.13400605;
+override c2: f32 = -3.1571023;
+override c3: f32 = -9.683523;
+override d0: f32 = 0.0993642;
+override d1: f32 = -1.2291459;
+override d2: f32 = 26.429853;
+override d3: f32 = 3.0480688;
+override d4: f32 = -6.0667515;
+override b0: f32 = 1.0321858;
+override b1: f32 = -1.3969275;
+override b2: f32 = 18.495388;
+override b3: f32 = 3.830728;
+override b4: f32 = -63.62325;
+override b5: f32 = 153.6008;
+override b6: f32 = 45.34348;
+override b7: f32 = -198.19077;
+override b8: f32 = 649.01416;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is multiplied by 1 + f0 (1/E - 1): what that leaves (Schlick's Fresnel).
 /// Thirty-three operations: forms of E - 1 and of the share B/E.

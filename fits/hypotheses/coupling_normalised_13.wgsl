@@ -1,8 +1,8 @@
-override b0: f32 = 0.9968;
-override b1: f32 = 15.3653;
-override b2: f32 = 1.5279;
-override b3: f32 = -15.3425;
-override b4: f32 = 22.7557;
+override b0: f32 = 0.99551564;
+override b1: f32 = 15.378321;
+override b2: f32 = 1.5526711;
+override b3: f32 = -15.442991;
+override b4: f32 = 22.721205;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Thirteen operations: B/E is a quotient. At mu = 1 the factor is 1 - f0.

@@ -1,9 +1,9 @@
-override b0: f32 = 1.0167;
-override b1: f32 = 10.2576;
-override b2: f32 = 16.0687;
-override b3: f32 = 2.089;
-override b4: f32 = -15.4777;
-override b5: f32 = 16.8976;
+override b0: f32 = 1.0172197;
+override b1: f32 = 10.220702;
+override b2: f32 = 16.232306;
+override b3: f32 = 2.091294;
+override b4: f32 = -15.50516;
+override b5: f32 = 16.860905;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Fourteen operations: B/E is a quotient. At mu = 1 the factor is 1 - f0.

@@ -1,12 +1,12 @@
-override a0: f32 = 18.0096;
-override b0: f32 = 0.9752;
-override b1: f32 = 18.1499;
-override b2: f32 = -0.3597;
-override b3: f32 = 23.096;
-override b4: f32 = -25.3183;
-override b5: f32 = 553.1449;
-override b6: f32 = 26.7426;
-override b7: f32 = 338.2262;
+override a0: f32 = 18.363207;
+override b0: f32 = 0.9739654;
+override b1: f32 = 18.150478;
+override b2: f32 = -0.3469765;
+override b3: f32 = 23.52545;
+override b4: f32 = -25.753057;
+override b5: f32 = 565.63586;
+override b6: f32 = 26.976902;
+override b7: f32 = 344.27457;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Eighteen operations: B/E is a quotient. At mu = 1 the factor is 1 - f0.

@@ -1,13 +1,13 @@
-override a0: f32 = 17.4705;
-override b0: f32 = 1.0136;
-override b1: f32 = 17.501;
-override b2: f32 = -0.3165;
-override b3: f32 = 19.1142;
-override b4: f32 = -25.4373;
-override b5: f32 = 584.9473;
-override b6: f32 = 105.9091;
-override b7: f32 = -218.1544;
-override b8: f32 = 976.4921;
+override a0: f32 = 17.661594;
+override b0: f32 = 1.014655;
+override b1: f32 = 17.504719;
+override b2: f32 = -0.31697935;
+override b3: f32 = 19.219706;
+override b4: f32 = -25.238585;
+override b5: f32 = 589.5237;
+override b6: f32 = 108.6964;
+override b7: f32 = -235.58868;
+override b8: f32 = 1023.78204;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is divided by its albedo, (1 - f0)(1 - B/E) (Schlick's Fresnel).
 /// Nineteen operations: B/E is a quotient. At mu = 1 the factor is 1 - f0.

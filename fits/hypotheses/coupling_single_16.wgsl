@@ -1,10 +1,10 @@
-override b0: f32 = 1.054;
-override b1: f32 = 17.5;
-override b2: f32 = -2.4;
-override b3: f32 = 0.7;
-override b4: f32 = -7.0;
-override b5: f32 = 18.2;
-override c0: f32 = 1.5;
+override b0: f32 = 1.0509138;
+override b1: f32 = 19.386864;
+override b2: f32 = -9.260064;
+override b3: f32 = 0.66229117;
+override b4: f32 = -8.7771015;
+override b5: f32 = 19.831427;
+override c0: f32 = 1.4526194;
 
 /// Coupling factor of a white diffuse base under a bare GGX lobe, 1 - (f0 A + B) (Schlick's Fresnel).
 /// Sixteen operations: B is a quotient, and the loss 1 - E, which counts for little where f0 is small, linear in alpha.

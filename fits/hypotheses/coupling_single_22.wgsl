@@ -1,15 +1,15 @@
-override c0: f32 = -0.053625036;
-override c1: f32 = 0.22299115;
-override c2: f32 = 0.56464154;
-override c3: f32 = -2.063955;
-override c4: f32 = -0.34289363;
-override k: f32 = 0.90229094;
-override b0: f32 = 1.037233;
-override b1: f32 = 3.609843;
-override b2: f32 = 13.0514965;
-override b3: f32 = 92.86271;
-override b4: f32 = 6.7139354;
-override b5: f32 = 25.39046;
+override c0: f32 = 0.39232305;
+override c1: f32 = 0.10222593;
+override c2: f32 = 0.69093716;
+override c3: f32 = -2.5471244;
+override c4: f32 = -0.29144338;
+override k: f32 = 0.32726496;
+override b0: f32 = 0.96615636;
+override b1: f32 = 6.4579654;
+override b2: f32 = -14.276025;
+override b3: f32 = 175.9519;
+override b4: f32 = 2.7135565;
+override b5: f32 = 27.163403;
 
 /// Coupling factor of a white diffuse base under a bare GGX lobe, 1 - (f0 A + B) (Schlick's Fresnel).
 /// Twenty-two operations: forms of E = A + B and of the share B/E.

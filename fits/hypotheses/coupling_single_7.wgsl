@@ -1,6 +1,6 @@
-override b0: f32 = 1.038;
-override b1: f32 = -1.124;
-override b2: f32 = -1.089;
+override b0: f32 = 1.0354835;
+override b1: f32 = -1.1165352;
+override b2: f32 = -1.0819583;
 
 /// Coupling factor of a white diffuse base under a bare GGX lobe, 1 - (f0 A + B) (Schlick's Fresnel).
 /// Seven operations: B is the square of a polynomial, and no light counted as lost between facets.

@@ -1,22 +1,34 @@
-override c0: f32 = 0.38909;
-override c1: f32 = 2.92899;
-override d0: f32 = 1.18097;
-override d1: f32 = 1.61408;
-override d2: f32 = -2.35779;
-override k0: f32 = 12.4517;
-override k1: f32 = 24.6397;
-override k2: f32 = 1.51197;
-override k3: f32 = -16.0845;
-override k4: f32 = 10.1303;
+override c0: f32 = -0.0032785046;
+override c1: f32 = -0.013422908;
+override c2: f32 = -0.38020524;
+override c3: f32 = 1.4318649;
+override c4: f32 = -4.233991;
+override d0: f32 = -0.00028287809;
+override d1: f32 = 0.101648964;
+override d2: f32 = -1.5486135;
+override d3: f32 = 5.5233436;
+override d4: f32 = 4.572225;
+override d5: f32 = -7.278696;
+override d6: f32 = 2.2034297;
+override a0: f32 = 0.05112909;
+override b0: f32 = 0.051324636;
+override b1: f32 = 0.8533697;
+override b2: f32 = 1.1610873;
+override b3: f32 = -1.5599808;
+override b4: f32 = 42.12245;
+override b5: f32 = 8.941943;
+override b6: f32 = 115.3802;
+override b7: f32 = -142.23427;
 
-/// Albedo f0 A + B of the GGX reflection lobe for a reflectance f0 at normal incidence (Schlick's Fresnel).
-/// Thirty operations: E rational in alpha and mu as 1/N of ggx_norm_q13, which resolves the layer mu ~ alpha, and B as a part of E,
-/// which is smoother than B. Exactly 1 for f0 = 1 at alpha = 0 and at mu = 0.
+/// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
+/// Thirty operations: two quotients with one division.
 fn ggx_blend_30(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    let a2 = alpha * alpha;
-    let loss = alpha * mu * (c0 + c1 * a2);
-    let divisor = a2 + mu * (d0 * alpha + mu * (d1 + d2 * alpha));
-    let x = 1.0 - mu;
-    let part = x * x * x / (1.0 + alpha * (k0 + k1 * alpha) + mu * (k2 + k3 * roughness + k4 * mu));
-    return divisor / (divisor + loss) * mix(part, 1.0, f0);
+    let loss = alpha * (c0 + c1 * alpha + mu * (c2 + alpha * (c3 + c4 * roughness)));
+    let slope = d1 + roughness * (d2 + d3 * alpha) + mu * (d4 + roughness * (d5 + d6 * roughness));
+    let divisor = d0 + alpha * roughness + mu * slope;
+    let rest = 1.0 - mu;
+    let falloff = b2 + roughness * (b3 + b4 * alpha) + mu * (b5 + mu * (b6 + b7 * rest));
+    let part = a0 + mu * rest;
+    let whole = b0 + b1 * alpha + mu * falloff;
+    return (divisor + loss) * (part + f0 * (whole - part)) / (divisor * whole);
 }

@@ -16,6 +16,7 @@ mod volume;
 
 use crate::data::{AlphaMap, Smith, TableError};
 use crate::effects::reflection::{Counter, Dropped, Fit, FitStageError};
+use crate::effects::surface::SurfaceError;
 use crate::effects::volume::{LookupError, VolumeError};
 use crate::emit::code;
 use crate::emit::container::ContainerError;
@@ -96,6 +97,9 @@ pub enum BakeError {
         /// What the printer says.
         reason: String,
     },
+    /// A whole material.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
     /// A table of three axes.
     #[error(transparent)]
     Volume(#[from] VolumeError),

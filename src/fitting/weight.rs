@@ -8,7 +8,7 @@ use crate::fit::{FitError, Hypothesis, Op};
 #[derive(Clone, Debug)]
 pub(super) enum Weight {
     /// A WGSL expression of a target's inputs.
-    Expression(Expression),
+    Expression(Box<Expression>),
     /// How much of an error is seen.
     Perceptual(Perceptual),
 }
@@ -37,7 +37,7 @@ impl Weight {
     /// Parses the expression as the body of a function of all inputs; `perceptual` stands for itself.
     pub fn parse(expression: &str, target: &Target) -> Result<Weight, FittingError> {
         if expression.trim() != PERCEPTUAL {
-            return Expression::parse(expression, target).map(Weight::Expression);
+            return Ok(Weight::Expression(Box::new(Expression::parse(expression, target)?)));
         }
         if !target.inputs().iter().any(|input| input == MU) {
             return Err(FittingError::Weight {

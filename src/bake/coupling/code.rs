@@ -8,6 +8,7 @@ use crate::effects::coupling::AnyF0;
 use crate::effects::reflection::Fit;
 use crate::emit::code::{self, Language};
 use crate::emit::{coupling, header};
+use crate::integrate::coupling::Specular;
 
 /// Text by language; empty where nothing is emitted.
 pub fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {
@@ -32,19 +33,15 @@ fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
         text += &format!("\n{function}");
     }
     let specular = lobe.spec.specular;
-    if let Some(best) = best(lobe) {
+    if let Some(best) = lobe.best() {
         text += &format!("\n{}", coupling::exact(language, specular));
         let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
         text += &format!("\n{}", coupling::coupled(language, specular, name, inputs));
+        if specular == Specular::Single {
+            text += &format!("\n{}", coupling::reciprocal(language, name, inputs));
+        }
     }
     Ok(text)
-}
-
-/// The most accurate of the emitted factors, the cheapest of equals: the one that a material is shown with.
-fn best(lobe: &Lobe) -> Option<&Fit> {
-    let rank = |fit: &&Fit| (fit.approximation.certificate.max_abs, fit.approximation.cost.ops);
-    let emitted = lobe.fits.iter().filter(|fit| fit.emitted);
-    emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
 }
 
 /// The header of a factor: what it is, its error and its cost.

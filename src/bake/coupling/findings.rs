@@ -97,6 +97,7 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
         anywhere: lobe.measured().map(any).collect(),
         fits: fits.collect::<Result<_, _>>()?,
         furnace: furnace(lobe, &shown, context)?,
+        reciprocity: super::reciprocity::rows(lobe)?,
     })
 }
 

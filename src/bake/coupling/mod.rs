@@ -3,6 +3,7 @@
 mod code;
 mod findings;
 mod grid;
+mod reciprocity;
 
 use super::context::Context;
 use super::part::{Part, canonical};
@@ -89,6 +90,13 @@ impl Lobe {
     /// Each fit with its error over all f0.
     fn measured(&self) -> impl Iterator<Item = (&Fit, &AnyF0)> {
         self.fits.iter().zip(&self.anywhere)
+    }
+
+    /// The most accurate of the emitted factors, the cheapest of equals: the one that a material is shown with.
+    fn best(&self) -> Option<&Fit> {
+        let rank = |fit: &&Fit| (fit.approximation.certificate.max_abs, fit.approximation.cost.ops);
+        let emitted = self.fits.iter().filter(|fit| fit.emitted);
+        emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
     }
 
     /// Notes what is emitted, and what is left out.

@@ -19,6 +19,9 @@ Examples:
   lobefit fit blend.wgsl --to ggx-reflection --use f0-blend --out fitted
   lobefit fit mine.wgsl --to ggx-reflection:E --exact alpha=0 --range 0..1 --precision f32 --precision f16
   lobefit fit --search --to ggx-reflection:E --use normalisation --max-ops 13 --out found
+  lobefit fit --search --to ggx-reflection --use f0-blend --max-ops 16 --out found
+  lobefit fit --search --to diffuse-coupling --fix specular=normalised --max-ops 12
+  lobefit fit --search --to sheen-charlie:E --max-ops 14 --helpers exp2,complement
   lobefit fit thin.wgsl --to ggx-glass:R --fix side=outside --domain ior=1.5..1.5 --limit 0.01
 
 The formula is the last function of a WGSL file; its free parameters are `override` declarations, whose values are where the
@@ -33,6 +36,9 @@ Where the formula has a divisor, the fit is proven to keep its sign over the who
 
 With --search no formula is given: forms of the inputs (quotients of sums of powers) are searched for the most accurate one of every
 cost up to --max-ops, by the operation model of the reports (add, mul, fma 1; rcp, sqrt, exp2 4; a division is rcp + mul).
+Square roots and exponentials, as factors of terms and of whole forms, are first tried in narrow searches; those that take away 3 %
+of the error or more are used (of the factors the best two), and what each gained is printed. --helpers says otherwise.
+Formulas of f0 (f0-blend, coupling) are made of two forms, which share what they can.
 Where the truth has one value at alpha = 0, as a mirror's albedo, the forms have it exactly; --exact INPUT=0 says otherwise.
 
 With --out, writes NAME.html (page), NAME.json and NAME.{wgsl,rs,hlsl,glsl,metal,h} into the folder, NAME being the function's

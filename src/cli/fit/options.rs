@@ -12,7 +12,7 @@ use crate::effects::target::TargetSpec;
 use crate::effects::{QUANTITIES, Quantity};
 use crate::emit::code::Language;
 use crate::fit::{Goal, Hypothesis, Precision};
-use crate::fitting::search::SearchJob;
+use crate::fitting::search::{AidKind, Aids, SearchJob};
 use crate::fitting::{Demand, Job};
 use crate::scene::limits;
 use crate::store;
@@ -35,6 +35,11 @@ pub(in crate::cli) struct Options {
     /// Forms of each cost that are built upon (--search only): more take longer and may find better ones; without it, 24
     #[arg(long, value_name = "N", requires = "search", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub width: Option<u16>,
+    /// What forms may have beside sums of powers (--search only): auto (what pays in narrow searches beforehand, which are told),
+    /// none, or some of complement (1 - mu), reciprocal (1 / (mu + k alpha)), root, decay (exp2(-k mu)), inverse-root; exp2, root-of,
+    /// square (of the whole form)
+    #[arg(long, value_name = "H", requires = "search", value_delimiter = ',', value_parser = helper, default_value = "auto")]
+    pub helpers: Vec<Asked>,
     /// Quantity and column that the formula approximates; without a column, the quantity's first
     #[arg(long, value_name = "QUANTITY[:COLUMN]", value_parser = to)]
     pub to: To,
@@ -101,6 +106,14 @@ pub(in crate::cli) struct Options {
     pub quiet: bool,
 }
 
+/// One word of --helpers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::cli) enum Asked {
+    Auto,
+    None,
+    This(AidKind),
+}
+
 /// A quantity, and one of its columns.
 #[derive(Clone, Debug)]
 pub(in crate::cli) struct To {
@@ -134,10 +147,23 @@ impl Options {
             spec: self.spec()?,
             max_ops: self.max_ops.unwrap_or_default(),
             width: self.width.map(usize::from),
+            aids: self.aids()?,
             demands: self.demands(),
             limit: self.limit,
             command: self.command(),
         })
+    }
+
+    fn aids(&self) -> Result<Aids, CliError> {
+        let kinds = once(&self.helpers).into_iter().filter_map(|asked| match asked {
+            Asked::This(kind) => Some(kind),
+            Asked::Auto | Asked::None => None,
+        });
+        match (self.helpers.as_slice(), self.helpers.iter().all(|asked| matches!(asked, Asked::This(_)))) {
+            ([Asked::Auto], _) => Ok(Aids::Auto),
+            ([Asked::None], _) | (_, true) => Ok(Aids::These(kinds.collect())),
+            _ => Err(CliError::Usage("--helpers: auto and none stand alone".into())),
+        }
     }
 
     fn spec(&self) -> Result<TargetSpec, CliError> {
@@ -188,6 +214,10 @@ impl Options {
         }
         self.max_ops.iter().for_each(|n| push("--max-ops ", n.to_string()));
         self.width.iter().for_each(|n| push("--width ", n.to_string()));
+        if self.helpers != [Asked::Auto] {
+            let names: Vec<&str> = once(&self.helpers).into_iter().map(Asked::name).collect();
+            push("--helpers ", names.join(","));
+        }
         let column = self.to.column.as_ref().map_or(String::new(), |c| format!(":{c}"));
         push("--to ", format!("{}{column}", self.to.quantity.name));
         self.used_as.iter().for_each(|u| push("--use ", u.name().into()));
@@ -216,6 +246,16 @@ impl Options {
             push("--language ", languages.join(","));
         }
         words.join(" ")
+    }
+}
+
+impl Asked {
+    fn name(self) -> &'static str {
+        match self {
+            Asked::Auto => "auto",
+            Asked::None => "none",
+            Asked::This(kind) => kind.name(),
+        }
     }
 }
 
@@ -352,6 +392,14 @@ fn precision(text: &str) -> Result<Precision, String> {
         .into_iter()
         .find(|p| p.name() == text)
         .ok_or_else(|| format!("one of {} is called for", names.join(", ")))
+}
+
+fn helper(text: &str) -> Result<Asked, String> {
+    let mut all = [Asked::Auto, Asked::None].into_iter().chain(AidKind::ALL.map(Asked::This));
+    all.clone().find(|asked| asked.name() == text).ok_or_else(|| {
+        let names: Vec<&str> = all.by_ref().map(Asked::name).collect();
+        format!("one of {} is called for", names.join(", "))
+    })
 }
 
 fn alpha_map(text: &str) -> Result<AlphaMap, String> {

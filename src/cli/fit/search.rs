@@ -12,6 +12,7 @@ use crate::store::Folder;
 pub(super) fn run(options: &Options, job: &SearchJob) -> Result<Outcome, CliError> {
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let spinner = Spinner::new(options.quiet || options.json);
+    spinner.stage("integrating");
     let (searched, files) = options.threads.install(|| {
         let searched = search::run(job, &|at| spinner.stage(&told(at)))?;
         let kept = folder.is_some() && searched.problem(job.limit).is_none();
@@ -44,9 +45,10 @@ pub(super) fn run(options: &Options, job: &SearchJob) -> Result<Outcome, CliErro
 
 /// How far a search is.
 fn told(at: &Progress) -> String {
-    let Progress { sweep, sweeps, ops, max_ops, forms, best, .. } = at;
+    let Progress { trial, sweep, sweeps, ops, max_ops, forms, best, .. } = at;
+    let trial = trial.map_or(String::new(), |[k, count]| format!("what pays ({k} of {count}): "));
     format!(
-        "sweep {} of at most {sweeps}, {ops} of {max_ops} operations, {forms} forms tried, error {best:.5} so far",
+        "{trial}sweep {} of at most {sweeps}, {ops} of {max_ops} operations, {forms} forms tried, error {best:.5} so far",
         sweep + 1
     )
 }

@@ -16,7 +16,7 @@ use crate::data::{AlphaMap, Norm, Smith, Use};
 use crate::integrate::coupling::Specular;
 pub use any::{AnyF0, anywhere};
 pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
-pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS};
+pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS, light_ops};
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]

@@ -56,7 +56,10 @@ pub(super) const LIGHTS: [(&str, &str); 3] = [
 ];
 
 /// Operations of a formula's form for a light; none of a formula that does not depend on it.
-pub(super) fn light_ops(name: &str) -> Result<Option<u32>, FitError> {
+///
+/// # Errors
+/// A form that does not parse.
+pub fn light_ops(name: &str) -> Result<Option<u32>, FitError> {
     let Some((_, source)) = LIGHTS.iter().find(|(known, _)| *known == name) else { return Ok(None) };
     Ok(Some(Hypothesis::parse(name, source)?.tape().cost_ops()))
 }

@@ -32,16 +32,15 @@ pub const NORMALISATIONS: [Entry; 21] = own![
 pub const AVERAGES: [Entry; 5] = own!["ggx_eavg_3", "ggx_eavg_4", "ggx_eavg_5", "ggx_eavg_5p", "ggx_eavg_12"];
 
 /// f0 A + B with free parameters, by rising cost.
-pub const BLENDS: [Entry; 9] = own![
+pub const BLENDS: [Entry; 8] = own![
     "ggx_blend_11",
     "ggx_blend_14",
     "ggx_blend_16",
     "ggx_blend_22",
     "ggx_blend_24",
-    "ggx_blend_29",
+    "ggx_blend_25",
+    "ggx_blend_27",
     "ggx_blend_30",
-    "ggx_blend_30p",
-    "ggx_blend_34",
 ];
 
 /// The formulas of the source post, which started this: emitted beside ours.

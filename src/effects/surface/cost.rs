@@ -8,8 +8,8 @@ use super::material::{Coupling, Factor, Lobe};
 use crate::data::Cost;
 use crate::fit::{FitError, Hypothesis};
 
-/// Arguments of every formula. a and b are texels at l and v, `second` is the series over pi times the average loss, `scale` what a
-/// coupling divides by.
+/// Arguments of every formula. `specular` is D V F, `diffuse` rho/pi, `fresnel` F(v.h); a and b are texels of A and B at l and v, `series`
+/// the colour of the second lobe, `second` that over pi times the average loss, `scale` one over what a coupling divides by.
 const ARGUMENTS: &str = "specular: f32, diffuse: f32, f0: f32, fresnel: f32, roughness: f32, mu_l: f32, mu_v: f32, a_l: f32, b_l: f32, \
                          a_v: f32, b_v: f32, series: f32, second: f32, scale: f32";
 
@@ -26,23 +26,26 @@ const HELPERS: [(&str, &str); 2] = [
 /// # Errors
 /// A formula that does not parse, a defect of this program; a coupling whose formula came without its cost.
 pub fn cost(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Cost, SurfaceError> {
-    let (whole, bare) = match coupling {
-        Some(coupling) => {
-            (format!("{} + diffuse * ({})", boosted(lobe), factor(lobe, coupling)), "specular + diffuse")
-        }
-        None => (boosted(lobe), "specular"),
-    };
-    let ops = operations(&whole)? - operations(bare)? + extra(coupling)?;
-    Ok(Cost { ops, fetches: texels(lobe, coupling), bytes: 0 })
+    let whole = formula(lobe, coupling)?.tape().cost_ops();
+    let bare = u32::from(coupling.is_some());
+    Ok(Cost { ops: whole - bare + extra(coupling)?, fetches: texels(lobe, coupling), bytes: 0 })
 }
 
-fn operations(value: &str) -> Result<u32, SurfaceError> {
+/// The formula that is counted: f(l, v) of one channel. The value of a [`Coupling::Factor`] is its argument `scale`, the values and the
+/// scale of a [`Coupling::Symmetrised`] are `series`, `second` and `scale`.
+///
+/// # Errors
+/// A formula that does not parse, a defect of this program.
+pub fn formula(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Hypothesis, SurfaceError> {
+    let base =
+        coupling.map_or(String::new(), |coupling| format!(" + diffuse * ({})", factor(lobe, coupling)));
+    let value = format!("{}{base}", boosted(lobe));
     // the dialect refuses functions that nothing calls
     let called: String =
         HELPERS.iter().filter(|(name, _)| value.contains(name)).map(|(_, text)| *text).collect();
     let source = format!("{called}fn shade({ARGUMENTS}) -> f32 {{ return {value}; }}\n");
     let parsed: Result<Hypothesis, FitError> = Hypothesis::parse("shade.wgsl", &source);
-    parsed.map(|hypothesis| hypothesis.tape().cost_ops()).map_err(|e| SurfaceError::Formula(Box::new(e)))
+    parsed.map_err(|e| SurfaceError::Formula(Box::new(e)))
 }
 
 /// The specular part.

@@ -20,7 +20,7 @@ mod rows;
 pub mod table;
 
 pub use albedos::{ALPHA, Albedos, Column, IOR};
-pub use cost::cost;
+pub use cost::{cost, formula};
 pub use error::SurfaceError;
 pub use evaluate::{Parts, Side, Surface};
 pub use material::{Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material};

@@ -20,7 +20,7 @@ const DARK_F0: f64 = 0.04;
 const SEVEN: &str = "fn seven(roughness: f32, mu: f32, f0: f32) -> f32 {\n    let x = 1.0 - mu;\n    let y = (1.0 - roughness) * (x * x);\n    \
                      return (1.0 - f0) * (1.0 - y * y);\n}\n";
 
-/// (roughness, mu) of the walks of white facets: where single scattering loses a tenth, and most.
+/// (roughness, mu) of the walks of white facets: where single scattering loses a sixth, and up to two thirds.
 const BOUNCE_VIEWS: [(f64, f64); 4] = [(0.5, 0.3), (0.8, 0.3), (1.0, 0.3), (1.0, 0.9)];
 
 /// Single views.

@@ -117,9 +117,23 @@ pub fn reciprocity_table(
     couplings: &[Coupling],
     grid: &Grid,
 ) -> Result<Vec<ReciprocityRow>, SurfaceError> {
+    rows_of(smith, &Lobe::ALL, couplings, grid)
+}
+
+/// The same of these lobes.
+///
+/// # Errors
+/// As [`reciprocity_table`].
+pub fn rows_of(
+    smith: Smith,
+    lobes: &[Lobe],
+    couplings: &[Coupling],
+    grid: &Grid,
+) -> Result<Vec<ReciprocityRow>, SurfaceError> {
     let albedos = grid.albedos(smith)?;
-    let entries: Vec<(Lobe, Option<&Coupling>)> = Lobe::ALL
-        .into_iter()
+    let entries: Vec<(Lobe, Option<&Coupling>)> = lobes
+        .iter()
+        .copied()
         .flat_map(|lobe| std::iter::once(None).chain(couplings.iter().map(Some)).map(move |c| (lobe, c)))
         .collect();
     let furnaces = furnaces(grid, &albedos, &entries)?;

@@ -84,7 +84,7 @@ impl<'a> Beam<'a> {
         let all = (0..=ops).flat_map(|ops| self.families(ops)).filter_map(|level| level.first());
         let best = all.map(|e| e.score.max).fold(f64::INFINITY, f64::min);
         let (sweeps, max_ops) = (self.space.sweeps, self.space.max_ops);
-        progress(&Progress { sweep, sweeps, ops, max_ops, forms: self.tried, best });
+        progress(&Progress { trial: None, sweep, sweeps, ops, max_ops, forms: self.tried, best });
     }
 
     /// Tries the neighbours of all forms of a cost that have not been built upon.

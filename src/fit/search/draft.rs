@@ -2,6 +2,7 @@
 
 use super::beam::usable;
 use super::form::Form;
+use super::link::Link;
 use super::score::Score;
 use super::space::Space;
 use super::write::{Layout, Written, layout};
@@ -56,7 +57,7 @@ pub(super) struct Draft {
 
 impl Draft {
     /// The formula that is written of these parts; the operations follow `name`.
-    pub fn new(name: &str, title: &str, parts: &[Part], written: Written) -> Draft {
+    pub fn new(name: &str, title: &str, link: Option<Link>, parts: &[Part], written: Written) -> Draft {
         let ops = written.graph.cost(written.result);
         let constants = written.constants.iter().map(|helper| helper.constant());
         let values = written.order.iter().map(|(part, k)| parts[*part].scaled[*k]).chain(constants).collect();
@@ -68,10 +69,11 @@ impl Draft {
         let arguments: Vec<String> =
             written.arguments.iter().filter(reads).map(|a| format!("{a}: f32")).collect();
         let title: String = title.lines().map(|line| format!("/// {line}\n")).collect();
-        let kinds: Vec<String> = parts.iter().map(Part::words).collect();
+        let kinds: Vec<String> =
+            parts.iter().map(|part| link.map_or("", Link::words).to_string() + &part.words()).collect();
         let kinds = match kinds.as_slice() {
-            [one] => capital(one) + &format!(" of {ops} operations"),
-            several => format!("{} in {ops} operations", capital(&several.join(" and "))),
+            [one] => capital(one) + " of " + &counted(ops),
+            several => format!("{} in {}", capital(&several.join(" and ")), counted(ops)),
         };
         let function =
             format!("{title}/// {kinds}.\nfn {name}({}) -> f32 {{\n{body}}}\n", arguments.join(", "));
@@ -84,6 +86,14 @@ impl Draft {
             |(name, value): (&String, &f64)| format!("override {name}: f32 = {:?};\n", *value as f32);
         let declared: String = self.parameters.iter().zip(values).map(declare).collect();
         Hypothesis::parse(&format!("{}.wgsl", self.name), &format!("{declared}\n{}", self.function))
+    }
+}
+
+fn counted(ops: u32) -> String {
+    match ops {
+        0 => "no operations".into(),
+        1 => "one operation".into(),
+        _ => format!("{ops} operations"),
     }
 }
 

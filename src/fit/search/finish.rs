@@ -15,17 +15,29 @@ use crate::fit::{
 /// Forms of each cost that are solved on all samples.
 const FINALISTS: usize = 4;
 
-/// The frontier of the beam's forms.
-pub(super) fn frontier(
+/// The best forms of every cost of a beam, those without the helpers that were admitted among them: solved on samples of what is put
+/// into the space's link and measured on samples of the value.
+pub(super) fn solved(
     space: &Space,
+    linked: &SearchSamples,
     samples: &SearchSamples,
     levels: Vec<Vec<Entry>>,
 ) -> Result<Vec<Found>, FitError> {
-    let data = Data::new(space, samples);
-    let finalists: Vec<Entry> = levels.into_iter().flat_map(|l| l.into_iter().take(FINALISTS)).collect();
+    let data = Data::new(space, linked);
+    let finalists: Vec<Entry> = levels.into_iter().flat_map(|level| finalists(space, level)).collect();
     let solved: Vec<Option<Found>> =
         finalists.par_iter().map(|entry| solve(space, samples, &data, entry)).collect::<Result<_, _>>()?;
-    best(solved.into_iter().flatten().collect(), &space.name, space.max_ops)
+    Ok(solved.into_iter().flatten().collect())
+}
+
+/// The best of a cost, and the best of those without admitted helpers.
+fn finalists(space: &Space, level: Vec<Entry>) -> Vec<Entry> {
+    let bare = |e: &Entry| e.form.helpers.iter().all(|h| !space.admitted.contains(&h.kind));
+    let (mut first, rest): (Vec<Entry>, Vec<Entry>) =
+        (level.iter().take(FINALISTS).cloned().collect(), level);
+    let missing = FINALISTS.saturating_sub(first.iter().filter(|e| bare(e)).count());
+    first.extend(rest.into_iter().skip(FINALISTS).filter(bare).take(missing));
+    first
 }
 
 /// What no cheaper or equal one beats.
@@ -55,25 +67,29 @@ fn solve(
     let Some((score, bound)) = data.prove(&entry.form, &known) else { return Ok(None) };
     let Some(part) = Part::new(space, &entry.form, &score) else { return Ok(None) };
     let written = write(space, &entry.form, &part.layout, part.negative);
-    let draft = Draft::new(&space.name, &space.title, &[part], written);
+    let draft = Draft::new(&space.name, &space.title, space.link, &[part], written);
     let columns = |name: &str| column(space, samples, name);
-    finished(&draft, &columns, samples, space.domain.as_ref(), bound)
+    // What is proven for the link's argument is not for its value.
+    let bound = if space.link.is_some() { 0.0 } else { bound };
+    let polished = draft.constants > 0 || space.link.is_some();
+    finished(&draft, &columns, samples, space.domain.as_ref(), bound, polished)
 }
 
-/// A drafted formula measured on samples, its helpers' constants polished; none where it has a pole.
+/// A drafted formula measured on samples, its constants polished if asked for; none where it has a pole.
 pub(super) fn finished(
     draft: &Draft,
     columns: &dyn Fn(&str) -> Vec<f64>,
     samples: &SearchSamples,
     domain: Option<&Domain>,
     bound: f64,
+    polish: bool,
 ) -> Result<Option<Found>, FitError> {
     let hypothesis = draft.hypothesis(&draft.values)?;
     let inputs = hypothesis.inputs().iter().map(|name| columns(name)).collect();
     let all = Samples { inputs, scale: samples.scale.clone(), target: samples.target.clone() };
     let mut found = measured(domain, hypothesis, &all, bound)?;
-    if draft.constants > 0 {
-        // The linear programs have left the helpers' constants where they were.
+    if polish {
+        // The linear programs have left the helpers' constants where they were, and took a link for its tangent.
         let options = Options { starts: 1, ..Options::new(Norm::Max) };
         let polished = optimise(&draft.hypothesis(&draft.values)?, &all, &[], &options);
         let polished = polished.ok().filter(|p| p.coefficients.iter().all(|c| c.is_finite()));

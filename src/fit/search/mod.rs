@@ -1,10 +1,11 @@
 //! A search over forms: which formula of a given cost comes closest?
 //!
 //! A form is a quotient of sums of terms, c_k times powers of the inputs (and of helpers: 1 - x, sqrt(x), 2^(-k x), 1 / (x + k y)),
-//! optionally anchored: 1 + P/Q with P = 0 where the value must be exact. For each form linear programs give the smallest largest
-//! residual that it can have on the samples ([`super::rational`]), and the operations of the formula as written its cost. Beginning
-//! with the smallest forms, the best of every cost are changed by one step (a term added, dropped, moved, a factor, a helper) until
-//! nothing new is found. What is left is the frontier: every form that no cheaper or equal one beats.
+//! optionally anchored: 1 + P/Q with P = 0 where the value must be exact, and optionally put into a function as a whole, as 2^(P/Q).
+//! For each form linear programs give the smallest largest residual that it can have on the samples ([`super::rational`]), and the
+//! operations of the formula as written its cost. Beginning with the smallest forms, the best of every cost are changed by one step
+//! (a term added, dropped, moved, a factor, a helper) until nothing new is found. What is left is the frontier: every form that no
+//! cheaper or equal one beats. Which helpers and functions of the whole pay is tried beforehand ([`scout`]).
 //!
 //! Deterministic for any number of threads.
 
@@ -14,16 +15,20 @@ mod finish;
 mod form;
 mod graph;
 mod helper;
+mod link;
 mod pair;
 mod pairing;
 mod score;
+mod scout;
 mod space;
 mod write;
 mod writer;
 
 pub use helper::Helper;
+pub use link::Link;
 pub use pair::{Pair, PairSamples, Second, search_pair};
 pub use pairing::Pairing;
+pub use scout::{Aid, Trial, scout};
 pub use space::{Anchor, SearchAxis, SearchSamples, Space};
 
 use super::{FitError, Hypothesis};
@@ -31,6 +36,8 @@ use super::{FitError, Hypothesis};
 /// How far a search is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
+    /// Which of how many narrow searches of [`scout`] this is; none: a search itself.
+    pub trial: Option<[usize; 2]>,
     /// Times that all costs were gone through before.
     pub sweep: usize,
     /// How often they will be, at most.
@@ -71,7 +78,28 @@ pub fn search(
     progress: &dyn Fn(&Progress),
 ) -> Result<Vec<Found>, FitError> {
     space.check(samples)?;
+    let mut found = solved(space, samples, progress)?;
+    for link in &space.links {
+        let Some(space) = space.with(Aid::Link(*link)) else { continue };
+        found.extend(solved(&space, samples, progress)?);
+    }
+    finish::best(found, &space.name, space.max_ops)
+}
+
+/// The best forms of every cost.
+fn solved(
+    space: &Space,
+    samples: &SearchSamples,
+    progress: &dyn Fn(&Progress),
+) -> Result<Vec<Found>, FitError> {
     let ranked = samples.ranked();
+    let Some(link) = space.link else {
+        let beam = beam::Beam::new(space, score::Data::new(space, &ranked));
+        return finish::solved(space, samples, samples, beam.run(progress));
+    };
+    let (Some(ranked), Some(linked)) = (link.linked(&ranked), link.linked(samples)) else {
+        return Ok(Vec::new());
+    };
     let beam = beam::Beam::new(space, score::Data::new(space, &ranked));
-    finish::frontier(space, samples, beam.run(progress))
+    finish::solved(space, &linked, samples, beam.run(progress))
 }

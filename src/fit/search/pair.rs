@@ -80,6 +80,9 @@ pub fn search_pair(
     if pair.seconds.iter().any(|second| second.space.axes != pair.first.axes) {
         return refuse("both functions of a pair have the same axes");
     }
+    if pair.first.link.is_some() || pair.seconds.iter().any(|second| second.space.link.is_some()) {
+        return refuse("the functions of a pair are put into no other");
+    }
     if !samples.at.iter().any(|t| *t < 1.0) {
         return refuse("the further argument is nowhere below 1");
     }
@@ -214,7 +217,7 @@ impl Way<'_> {
         let (Some(u), Some(v)) = parts else { return Ok(None) };
         let parts = [u, v];
         let Some((_, written)) = self.write(&parts) else { return Ok(None) };
-        let draft = Draft::new(&self.pair.name, &self.second.title, &parts, written);
+        let draft = Draft::new(&self.pair.name, &self.second.title, None, &parts, written);
         let (all, at) = self.whole();
         let columns = |name: &str| match name == self.pair.argument {
             true => at.clone(),
@@ -223,7 +226,7 @@ impl Way<'_> {
         // At t = 1 the formula is u, or 1 less it.
         let alone = self.second.pairing != Pairing::Recycled && self.samples.at.contains(&1.0);
         let bound = if alone { first.bound } else { 0.0 };
-        finished(&draft, &columns, &all, self.pair.domain.as_ref(), bound)
+        finished(&draft, &columns, &all, self.pair.domain.as_ref(), bound, draft.constants > 0)
     }
 
     /// Samples of the formula, those of the axes for every value of the further argument, and the column of that argument.

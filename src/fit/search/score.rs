@@ -28,7 +28,7 @@ impl<'a> Data<'a> {
     pub fn new(space: &'a Space, samples: &'a SearchSamples) -> Data<'a> {
         let largest = samples.target.iter().fold(0.0_f64, |top, t| top.max(t.abs()));
         let magnitude = if largest > 0.0 { largest } else { 1.0 };
-        let anchor = space.anchor.as_ref().map_or(0.0, |a| f64::from(a.value));
+        let anchor = space.base().map_or(0.0, f64::from);
         let pairs = samples.scale.iter().zip(&samples.target);
         Data {
             samples,

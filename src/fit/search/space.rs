@@ -1,6 +1,8 @@
 //! What may be searched: inputs, the point where a form must be exact, helpers, limits; and the samples.
 
 use super::helper::Helper;
+use super::link::Link;
+use super::scout::Aid;
 use crate::fit::{Domain, FitError};
 
 /// An independent input with the arguments that are its powers.
@@ -37,6 +39,12 @@ pub struct Space {
     pub faded: Option<String>,
     /// Functions of the inputs that may be factors of terms.
     pub helpers: Vec<Helper>,
+    /// Those of the helpers that are there because they paid: the best forms without them are measured too.
+    pub admitted: Vec<Helper>,
+    /// What every form's value is put into.
+    pub link: Option<Link>,
+    /// Links with which a search is done again.
+    pub links: Vec<Link>,
     /// Most operations, by [`crate::fit::Tape::cost_ops`].
     pub max_ops: u32,
     /// Forms of each cost that are built upon.
@@ -73,6 +81,9 @@ impl Space {
             anchor: None,
             faded: None,
             helpers: Vec::new(),
+            admitted: Vec::new(),
+            link: None,
+            links: Vec::new(),
             max_ops,
             width: 24,
             sweeps: 3,
@@ -81,9 +92,28 @@ impl Space {
         }
     }
 
+    /// The space with an aid in addition; none where the link does not take the anchor's value.
+    pub fn with(&self, aid: Aid) -> Option<Space> {
+        let mut space = self.clone();
+        match aid {
+            Aid::Helper(helper) => {
+                space.helpers.push(helper);
+                space.admitted.push(helper);
+            }
+            Aid::Link(link) => {
+                if let Some(anchor) = &self.anchor {
+                    link.base(anchor.value)?;
+                }
+                space.link = Some(link);
+            }
+        }
+        Some(space)
+    }
+
     /// What P/Q is added to.
     pub(super) fn base(&self) -> Option<f32> {
-        self.anchor.as_ref().map(|anchor| anchor.value).filter(|value| *value != 0.0)
+        let base = |value: f32| self.link.map_or(Some(value), |link| link.base(value));
+        self.anchor.as_ref().and_then(|anchor| base(anchor.value)).filter(|value| *value != 0.0)
     }
 
     /// Checks that the space makes sense and that the samples are its.
@@ -146,9 +176,14 @@ impl SearchSamples {
         self.target.is_empty()
     }
 
-    /// The samples that forms are ranked on: some of the edges, where largest errors hide, and some of all.
+    /// The samples that forms are ranked on.
     pub(super) fn ranked(&self) -> SearchSamples {
-        if self.len() <= RANKED + EDGES {
+        self.some([RANKED, EDGES])
+    }
+
+    /// So many of all, and so many of the edges, where largest errors hide.
+    pub(super) fn some(&self, [among, on_edges]: [usize; 2]) -> SearchSamples {
+        if self.len() <= among + on_edges {
             return self.clone();
         }
         let ends: Vec<[f64; 2]> = self
@@ -162,8 +197,8 @@ impl SearchSamples {
             |i: &usize| self.axes.iter().zip(&ends).any(|(column, ends)| ends.contains(&column[*i]));
         let all: Vec<usize> = (0..self.len()).collect();
         let edges: Vec<usize> = all.iter().copied().filter(|i| on_edge(i)).collect();
-        let mut picked = spread(&all, RANKED);
-        picked.extend(spread(&edges, EDGES));
+        let mut picked = spread(&all, among);
+        picked.extend(spread(&edges, on_edges));
         picked.sort_unstable();
         picked.dedup();
         let pick = |column: &Vec<f64>| picked.iter().map(|&i| column[i]).collect();

@@ -60,6 +60,7 @@ pub(super) fn write(space: &Space, form: &Form, layout: &Layout, negative: bool)
     let mut writer = Writer::new(space);
     let sums = writer.sums(form, layout, &NAMES[0]);
     let value = sums.value(&mut writer.graph, space.base(), negative);
+    let value = space.link.map_or(value, |link| link.write(&mut writer.graph, value));
     let Some(argument) = &space.faded else { return writer.finish(value) };
     let (t, one) = (writer.further(), writer.graph.number(1.0));
     let rest = writer.graph.binary(BinaryOp::Subtract, one, t);

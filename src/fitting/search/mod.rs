@@ -1,17 +1,19 @@
 //! A search over forms for a quantity: the frontier of cost against certified error, each point a formula to keep.
 
+mod aids;
 mod pair;
 mod rivals;
 mod space;
 mod told;
 
+pub use aids::{AidKind, Aids, Tried};
 pub use told::{document, files, summary};
 
 use super::certificates::certificate;
 use super::{Demand, FittingError};
 use crate::data::Certificate;
 use crate::effects::target::{Sampled, Target, TargetSpec};
-use crate::fit::search::{Progress, search};
+use crate::fit::search::{Found, Progress, search};
 use crate::fit::{FitError, Hypothesis, Precision, prove_regular};
 
 /// What to search.
@@ -23,6 +25,8 @@ pub struct SearchJob {
     pub max_ops: u32,
     /// Forms of each cost that are built upon; none: the search's own number.
     pub width: Option<usize>,
+    /// What forms may have beside sums of powers.
+    pub aids: Aids,
     /// Where forms are to be exact; none: at alpha = 0, if the truth has one value there.
     pub demands: Vec<Demand>,
     /// Largest error of the most accurate form that is accepted.
@@ -66,6 +70,8 @@ pub struct Searched {
     pub target: Target,
     /// Where the forms are exact, in words; empty: nowhere.
     pub anchor: String,
+    /// What was tried beforehand in narrow searches, and what it gained.
+    pub tried: Vec<Tried>,
     /// The frontier by rising cost; certified errors fall.
     pub points: Vec<Point>,
     /// What there was before.
@@ -92,14 +98,9 @@ impl Searched {
 /// A target that cannot be searched; no form within the budget.
 pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, FittingError> {
     let target = space::target(&job.spec)?;
-    let (found, anchor) = match &target.f0 {
+    let Frontier { found, anchor, tried } = match &target.f0 {
         Some(f0) => pair::run(&target, f0, job, progress)?,
-        None => {
-            let anchor = space::anchor(&target, &job.demands)?;
-            let space = space::space(&target, anchor.clone(), job)?;
-            let found = search(&space, &space::samples(&target)?, progress)?;
-            (found, space::words(&target, anchor.as_ref()))
-        }
+        None => alone(&target, job, progress)?,
     };
     let measured = target.measured()?;
     let mut points: Vec<Point> = Vec::new();
@@ -126,7 +127,27 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         return Err(FitError::Solver { message }.into());
     }
     let rivals = rivals::rivals(&target, &measured)?;
-    Ok(Searched { anchor, target, points, rivals })
+    Ok(Searched { anchor, target, tried, points, rivals })
+}
+
+/// What a search has found, where it is exact, and what was tried beforehand.
+struct Frontier {
+    found: Vec<Found>,
+    anchor: String,
+    tried: Vec<Tried>,
+}
+
+/// Forms of one function.
+fn alone(target: &Target, job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Frontier, FittingError> {
+    let anchor = space::anchor(target, &job.demands)?;
+    let (space, samples) = (space::space(target, anchor.clone(), job)?, space::samples(target)?);
+    let (space, trials) = aids::aided(space, aids::usual(target), true, (target, job), &samples, progress)?;
+    let tried = aids::named(&space.axes, None, trials);
+    Ok(Frontier {
+        found: search(&space, &samples, progress)?,
+        anchor: space::words(target, anchor.as_ref()),
+        tried,
+    })
 }
 
 fn certified(

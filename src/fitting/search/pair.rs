@@ -12,8 +12,9 @@
 
 use std::collections::BTreeMap;
 
+use super::aids::{self, AidKind};
 use super::space;
-use super::{Demand, SearchJob};
+use super::{Frontier, SearchJob, Tried};
 use crate::data::Use;
 use crate::effects::Quantity;
 use crate::effects::target::{Span, Target, TargetError, TargetSpec};
@@ -41,28 +42,36 @@ pub(super) fn run(
     f0: &Span,
     job: &SearchJob,
     progress: &dyn Fn(&Progress),
-) -> Result<(Vec<Found>, String), FittingError> {
-    refuse(target, f0, &job.demands)?;
+) -> Result<Frontier, FittingError> {
+    refuse(target, f0, job)?;
     let split = Split::of(target, job)?;
     let at_mirror = split.anchor.as_ref().map(|anchor| space::words(target, Some(anchor)));
-    match target.words.get("specular").map(String::as_str) {
+    let mut asked = Asked { target, job, split: &split, progress, tried: Vec::new() };
+    let specular = target.words.get("specular").map(String::as_str);
+    let (found, anchor) = match specular {
         None => {
-            let found = blends(target, f0, job, &split, progress)?;
-            Ok((found, at_mirror.map_or(String::new(), |words| format!("{words} for f0 = 1"))))
+            let found = asked.blends(f0)?;
+            (found, at_mirror.map_or(String::new(), |words| format!("{words} for f0 = 1")))
         }
-        Some("single") => Ok((blends(target, f0, job, &split, progress)?, String::new())),
-        Some("normalised") => Ok((faded(target, job, &split, progress)?, "0 at f0 = 1".into())),
-        Some(_) => Ok((recycled(target, f0, job, &split, progress)?, "0 at f0 = 1".into())),
-    }
+        Some("single") => (asked.blends(f0)?, String::new()),
+        Some("normalised") => (asked.faded()?, "0 at f0 = 1".into()),
+        Some(_) => (asked.recycled(f0)?, "0 at f0 = 1".into()),
+    };
+    Ok(Frontier { found, anchor, tried: asked.tried })
 }
 
 /// What cannot be asked of formulas of f0.
-fn refuse(target: &Target, f0: &Span, demands: &[Demand]) -> Result<(), TargetError> {
-    if let Some(demand) = demands.first() {
+fn refuse(target: &Target, f0: &Span, job: &SearchJob) -> Result<(), TargetError> {
+    if let Some(demand) = job.demands.first() {
         let reason = "forms of f0 are searched as two functions, and keep to no constraint but those that the truth itself has; search \
                       without it, then fit a formula of the frontier with it"
             .into();
         return Err(TargetError::Edge { setting: "exact", input: demand.words(), reason });
+    }
+    let single = target.words.get("specular").is_some_and(|specular| specular == "normalised");
+    if let Some(kind) = job.aids.of_whole().filter(|_| !single) {
+        let reason = format!("{} is for formulas of one form, and these are made of two", kind.name());
+        return Err(TargetError::Edge { setting: "helpers", input: kind.name().into(), reason });
     }
     if !f0.is_spanned() {
         let reason = format!(
@@ -111,116 +120,137 @@ impl Split {
 
 /// Operations that one of two functions may have, of those of the formula: most of the others are left to the second, whose division
 /// may be the same.
-fn part(max_ops: u32, tenths: u32) -> u32 {
+fn share(max_ops: u32, tenths: u32) -> u32 {
     (max_ops * tenths / 10).max(max_ops.min(8))
 }
 
-/// Forms of a part, named as in the formula.
-fn part_space(target: &Target, name: &str, job: &SearchJob, tenths: u32) -> Space {
-    let mut space = Space::new(name, space::axes(target), part(job.max_ops, tenths));
-    space.width = job.width.unwrap_or(space.width);
-    space
+/// A search, and what was tried for it so far.
+struct Asked<'a> {
+    target: &'a Target,
+    job: &'a SearchJob,
+    split: &'a Split,
+    progress: &'a dyn Fn(&Progress),
+    tried: Vec<Tried>,
 }
 
-fn with_reciprocal(mut space: Space, target: &Target) -> Space {
-    space.helpers.extend(space::reciprocal(target, &space.axes));
-    space
+/// A function of a formula: its name there, its share of the operations in tenths, what its forms may have, where they are exact, and
+/// its values with the factors that its errors have.
+struct Part {
+    name: &'static str,
+    tenths: u32,
+    usual: &'static [AidKind],
+    anchor: Option<Anchor>,
+    truth: Vec<f64>,
+    scale: Vec<f64>,
 }
 
-fn with_complement(mut space: Space) -> Space {
-    space.helpers.extend(space::complement(&space.axes));
-    space
-}
+impl Asked<'_> {
+    /// Forms of a part, with what is asked for or pays.
+    fn space(&mut self, part: Part) -> Result<Space, FittingError> {
+        let Asked { target, job, split, .. } = *self;
+        let space = Space::new(part.name, space::axes(target), share(job.max_ops, part.tenths));
+        let space = Space { width: job.width.unwrap_or(space.width), anchor: part.anchor, ..space };
+        let target_of = part.truth.iter().zip(&part.scale).map(|(x, scale)| x * scale).collect();
+        let samples = SearchSamples { axes: split.axes.clone(), scale: part.scale, target: target_of };
+        let (space, trials) = aids::aided(space, part.usual, false, (target, job), &samples, self.progress)?;
+        self.tried.extend(aids::named(&space.axes, Some(part.name), trials));
+        Ok(space)
+    }
 
-fn pair(target: &Target, job: &SearchJob, first: Space, seconds: Vec<Second>) -> Result<Pair, FitError> {
-    Ok(Pair {
-        name: format!("{}_", space::name(target)),
-        argument: "f0".into(),
-        first,
-        seconds,
-        max_ops: job.max_ops,
-        domain: Some(target.domain()?),
-    })
-}
+    fn pair(&self, first: Space, seconds: Vec<Second>) -> Result<Pair, FitError> {
+        Ok(Pair {
+            name: format!("{}_", space::name(self.target)),
+            argument: "f0".into(),
+            first,
+            seconds,
+            max_ops: self.job.max_ops,
+            domain: Some(self.target.domain()?),
+        })
+    }
 
-/// f0 A + B, or 1 less it.
-fn blends(
-    target: &Target,
-    f0: &Span,
-    job: &SearchJob,
-    split: &Split,
-    progress: &dyn Fn(&Progress),
-) -> Result<Vec<Found>, FitError> {
-    let albedo = with_reciprocal(part_space(target, "albedo", job, 6), target);
-    let albedo = Space { anchor: split.anchor.clone(), ..albedo };
-    let second = |pairing, name: &str, truth: Vec<f64>, words: &str| Second {
-        pairing,
-        title: title(target, words),
-        space: with_complement(part_space(target, name, job, 5)),
-        truth,
-    };
-    let of_share = "E = A + B and the share B/E are two forms, and f0 blends between E and B.";
-    let seconds = match target.used_as {
-        Use::F0Blend => vec![
-            second(
-                Pairing::Mix,
-                "bias",
-                split.bias.clone(),
-                "E = A + B and B are two forms, and f0 blends between them.",
-            ),
-            second(Pairing::Blend, "share", split.share(), of_share),
-        ],
-        _ => vec![second(Pairing::Rest, "share", split.share(), of_share)],
-    };
-    let samples = split.samples(split.albedo.clone(), f0.range.to_vec());
-    search_pair(&pair(target, job, albedo, seconds)?, &samples, progress)
-}
+    /// f0 A + B, or 1 less it.
+    fn blends(&mut self, f0: &Span) -> Result<Vec<Found>, FittingError> {
+        let split = self.split;
+        let ones = vec![1.0; split.albedo.len()];
+        let albedo = self.space(Part {
+            name: "albedo",
+            tenths: 6,
+            usual: &[AidKind::Reciprocal],
+            anchor: split.anchor.clone(),
+            truth: split.albedo.clone(),
+            scale: ones.clone(),
+        })?;
+        let of_share = "E = A + B and the share B/E are two forms, and f0 blends between E and B.";
+        let of_bias = "E = A + B and B are two forms, and f0 blends between them.";
+        let share = ("share", split.share(), split.albedo.clone(), of_share);
+        let ways = match self.target.used_as {
+            Use::F0Blend => {
+                vec![(Pairing::Mix, ("bias", split.bias.clone(), ones, of_bias)), (Pairing::Blend, share)]
+            }
+            _ => vec![(Pairing::Rest, share)],
+        };
+        let mut seconds = Vec::new();
+        for (pairing, (name, truth, scale, words)) in ways {
+            let usual = &[AidKind::Complement];
+            let part = Part { name, tenths: 5, usual, anchor: None, truth: truth.clone(), scale };
+            let space = self.space(part)?;
+            seconds.push(Second { pairing, title: title(self.target, words), space, truth });
+        }
+        let samples = split.samples(split.albedo.clone(), f0.range.to_vec());
+        Ok(search_pair(&self.pair(albedo, seconds)?, &samples, self.progress)?)
+    }
 
-/// (1 - f0) (1 - share).
-fn faded(
-    target: &Target,
-    job: &SearchJob,
-    split: &Split,
-    progress: &dyn Fn(&Progress),
-) -> Result<Vec<Found>, FitError> {
-    let name = format!("{}_", space::name(target));
-    let space = with_reciprocal(with_complement(part_space(target, &name, job, 10)), target);
-    let space = Space {
-        title: title(target, "1 - f0 times a form of the share that f0 scales, A / (A + B)."),
-        anchor: Some(Anchor { value: 1.0, zeros: Vec::new() }),
-        faded: Some("f0".into()),
-        domain: Some(target.domain()?),
-        ..space
-    };
-    let rest: Vec<f64> = split.share().iter().map(|share| 1.0 - share).collect();
-    let samples = SearchSamples { axes: split.axes.clone(), scale: vec![1.0; rest.len()], target: rest };
-    search(&space, &samples, progress)
-}
+    /// (1 - f0) (1 - share).
+    fn faded(&mut self) -> Result<Vec<Found>, FittingError> {
+        let Asked { target, job, split, progress, .. } = *self;
+        let name = format!("{}_", space::name(target));
+        let space = Space::new(&name, space::axes(target), share(job.max_ops, 10));
+        let space = Space {
+            width: job.width.unwrap_or(space.width),
+            title: title(target, "1 - f0 times a form of the share that f0 scales, A / (A + B)."),
+            anchor: Some(Anchor { value: 1.0, zeros: Vec::new() }),
+            faded: Some("f0".into()),
+            domain: Some(target.domain()?),
+            ..space
+        };
+        let rest: Vec<f64> = split.share().iter().map(|share| 1.0 - share).collect();
+        let samples = SearchSamples { axes: split.axes.clone(), scale: vec![1.0; rest.len()], target: rest };
+        let usual = &[AidKind::Complement, AidKind::Reciprocal];
+        let (space, trials) = aids::aided(space, usual, true, (target, job), &samples, progress)?;
+        self.tried.extend(aids::named(&space.axes, None, trials));
+        Ok(search(&space, &samples, progress)?)
+    }
 
-/// g (a + loss (1 - g a)).
-fn recycled(
-    target: &Target,
-    f0: &Span,
-    job: &SearchJob,
-    split: &Split,
-    progress: &dyn Fn(&Progress),
-) -> Result<Vec<Found>, FitError> {
-    let loss = with_reciprocal(part_space(target, "loss", job, 6), target);
-    let loss = Space { anchor: split.anchor.clone().map(|anchor| Anchor { value: 0.0, ..anchor }), ..loss };
-    let share = with_complement(part_space(target, "diffuse", job, 5));
-    let second = Second {
-        pairing: Pairing::Recycled,
-        title: title(
-            target,
-            "g (a + loss (1 - g a)) with g = 1 - f0: the share a = A / (A + B) that f0 scales and the loss 1 - (A + B) are two forms.",
-        ),
-        space: Space { anchor: Some(Anchor { value: 1.0, zeros: Vec::new() }), ..share },
-        truth: split.share().iter().map(|share| 1.0 - share).collect(),
-    };
-    let [low, high] = f0.range;
-    let at = (0..CURVED).map(|i| low + (high - low) * i as f64 / CURVED as f64).collect();
-    let losses = split.albedo.iter().map(|e| 1.0 - e).collect();
-    search_pair(&pair(target, job, loss, vec![second])?, &split.samples(losses, at), progress)
+    /// g (a + loss (1 - g a)).
+    fn recycled(&mut self, f0: &Span) -> Result<Vec<Found>, FittingError> {
+        let split = self.split;
+        let losses: Vec<f64> = split.albedo.iter().map(|e| 1.0 - e).collect();
+        let rest: Vec<f64> = split.share().iter().map(|share| 1.0 - share).collect();
+        let loss = self.space(Part {
+            name: "loss",
+            tenths: 6,
+            usual: &[AidKind::Reciprocal],
+            anchor: split.anchor.clone().map(|anchor| Anchor { value: 0.0, ..anchor }),
+            truth: losses.clone(),
+            scale: vec![1.0; rest.len()],
+        })?;
+        let space = self.space(Part {
+            name: "diffuse",
+            tenths: 5,
+            usual: &[AidKind::Complement],
+            anchor: Some(Anchor { value: 1.0, zeros: Vec::new() }),
+            truth: rest.clone(),
+            scale: split.albedo.clone(),
+        })?;
+        let words = "g (a + loss (1 - g a)) with g = 1 - f0: the share a = A / (A + B) that f0 scales and the loss 1 - (A + B) are two \
+                     forms.";
+        let title = title(self.target, words);
+        let second = Second { pairing: Pairing::Recycled, title, space, truth: rest };
+        let [low, high] = f0.range;
+        let at = (0..CURVED).map(|i| low + (high - low) * i as f64 / CURVED as f64).collect();
+        let samples = split.samples(losses, at);
+        Ok(search_pair(&self.pair(loss, vec![second])?, &samples, self.progress)?)
+    }
 }
 
 /// What the formula is, then how.

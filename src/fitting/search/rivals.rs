@@ -3,10 +3,11 @@
 use super::Rival;
 use crate::data::{AlphaMap, Smith, Use};
 use crate::effects::target::{Sampled, Target};
-use crate::effects::{reflection, sheen};
+use crate::effects::{coupling, reflection, sheen};
 use crate::fit::{Hypothesis, Precision};
 use crate::fitting::FittingError;
 use crate::fitting::certificates::certificate;
+use crate::integrate::coupling::Specular;
 
 /// How the names begin of the catalogue's formulas for a use of a quantity.
 fn prefix(target: &Target) -> Option<&'static str> {
@@ -24,19 +25,22 @@ fn prefix(target: &Target) -> Option<&'static str> {
 /// Measured at the same points; none where the conventions are others than the catalogue's.
 pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, FittingError> {
     let usual = target.smith == Smith::Correlated && target.alpha_map == AlphaMap::RoughnessSquared;
-    let Some(prefix) = prefix(target).filter(|_| usual) else { return Ok(Vec::new()) };
+    if !usual {
+        return Ok(Vec::new());
+    }
     let known = target.inputs();
     let mut rivals = Vec::new();
-    for (name, source) in catalogue().filter(|(name, _)| name.starts_with(prefix)) {
+    for (name, source) in suiting(target) {
         let hypothesis = Hypothesis::parse(&format!("{name}.wgsl"), source)?;
         if !hypothesis.inputs().iter().all(|input| known.contains(input)) {
             continue;
         }
         let constants: Vec<f32> = hypothesis.parameters().iter().map(|p| p.start).collect();
         let certificate = certificate(&hypothesis, &constants, target, measured, Precision::F32)?;
+        let ops = coupling::light_ops(&name)?.unwrap_or_else(|| hypothesis.tape().cost_ops());
         rivals.push(Rival {
             name,
-            ops: hypothesis.tape().cost_ops(),
+            ops,
             max: certificate.max_abs,
             rms: certificate.rms,
             published: constants.is_empty(),
@@ -45,7 +49,19 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
     Ok(rivals)
 }
 
-/// Names and sources of all catalogues.
+/// Names and sources of the formulas for the target's use.
+fn suiting(target: &Target) -> Vec<(String, &'static str)> {
+    if target.used_as == Use::Coupling {
+        let specular =
+            Specular::ALL.into_iter().filter(|s| target.words.values().any(|word| word == s.name()));
+        let all = specular.flat_map(|s| coupling::hypotheses(s).iter().chain(coupling::rivals(s)));
+        return all.map(|entry| (entry.name().to_string(), entry.source)).collect();
+    }
+    let Some(prefix) = prefix(target) else { return Vec::new() };
+    catalogue().filter(|(name, _)| name.starts_with(prefix)).collect()
+}
+
+/// Names and sources of the catalogues of formulas that are known by their names.
 fn catalogue() -> impl Iterator<Item = (String, &'static str)> {
     let sheen = sheen::RIVALS.iter().map(|entry| (entry.name().to_string(), entry.source));
     reflection::catalogue_names().zip(reflection::catalogue_sources()).chain(sheen)

@@ -4,7 +4,7 @@ use super::SearchJob;
 use crate::data::{AlphaMap, Use};
 use crate::effects::Values;
 use crate::effects::target::{Target, TargetError, TargetSpec};
-use crate::fit::search::{Anchor, Helper, SearchAxis, SearchSamples, Space};
+use crate::fit::search::{Anchor, SearchAxis, SearchSamples, Space};
 use crate::fit::{FitError, Hypothesis};
 use crate::fitting::{Demand, FittingError};
 
@@ -105,15 +105,11 @@ pub(super) fn words(target: &Target, anchor: Option<&Anchor>) -> String {
     format!("{} at {}", anchor.value, anchor.zeros.iter().map(zero).collect::<Vec<_>>().join(" and at "))
 }
 
-/// The space: powers of every input, alpha free where roughness is, and the helpers that pay for lobes.
+/// The space: powers of every input, alpha free where roughness is.
 pub(super) fn space(target: &Target, anchor: Option<Anchor>, job: &SearchJob) -> Result<Space, FitError> {
     let mut space = Space::new(&format!("{}_", name(target)), axes(target), job.max_ops);
     space.title = title(target);
     space.anchor = anchor;
-    if target.used_as == Use::Value {
-        space.helpers.extend(complement(&space.axes));
-    }
-    space.helpers.extend(reciprocal(target, &space.axes));
     space.width = job.width.unwrap_or(space.width);
     space.domain = Some(target.domain()?);
     Ok(space)
@@ -143,19 +139,13 @@ fn power(target: &Target) -> u32 {
     }
 }
 
-fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
+pub(super) fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
     axes.iter().position(|a| a.arguments[0].0 == name).map(|k| k as u8)
 }
 
-/// A value falls off from grazing by powers of 1 - mu; factors of the furnace are rational in mu already.
-pub(super) fn complement(axes: &[SearchAxis]) -> Option<Helper> {
-    place(axes, "mu").map(|axis| Helper::Complement { axis })
-}
-
-/// A smooth lobe depends on mu/alpha alone, and the rim of cloth on mu/roughness: one reciprocal makes both degree 0.
-pub(super) fn reciprocal(target: &Target, axes: &[SearchAxis]) -> Option<Helper> {
-    let power = if target.quantity.name.starts_with("sheen") { 1 } else { power(target) as u8 };
-    Some(Helper::Reciprocal { x: place(axes, "mu")?, y: place(axes, "roughness")?, power })
+/// The power of roughness that is of one order with mu where a lobe changes: alpha, and of cloth roughness itself.
+pub(super) fn order(target: &Target) -> u8 {
+    if target.quantity.name.starts_with("sheen") { 1 } else { power(target) as u8 }
 }
 
 /// What a formula is, in a sentence.

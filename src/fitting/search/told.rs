@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::{Point, SearchJob, Searched};
+use super::{Point, SearchJob, Searched, Tried};
 use crate::data::Approximation;
 use crate::emit::header::{place, short};
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
@@ -51,10 +51,31 @@ pub fn summary(searched: &Searched) -> String {
         let _ =
             writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", rival.ops, rival.max, short(rival.rms), rival.name);
     }
+    out += &trials(searched);
     for point in &searched.points {
         let _ = write!(out, "\n{}", file(point));
     }
     out
+}
+
+/// What was tried beforehand.
+fn trials(searched: &Searched) -> String {
+    if searched.tried.is_empty() {
+        return String::new();
+    }
+    let mut out = "  tried beforehand, in narrow searches\n".to_string();
+    for tried in &searched.tried {
+        let _ = writeln!(out, "    {}: {}", subject(tried), tried.outcome());
+    }
+    out
+}
+
+/// What was tried, and in which function.
+fn subject(tried: &Tried) -> String {
+    match tried.part {
+        Some(part) => format!("{} in {part}", tried.words),
+        None => tried.words.clone(),
+    }
 }
 
 /// A formula as it is kept: a hypothesis file.
@@ -91,6 +112,10 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
     };
     let fits: Vec<Value> = searched.points.iter().map(entry).collect::<Result<_, serde_json::Error>>()?;
     let rival = |r: &super::Rival| json!({"name": r.name, "ops": r.ops, "max": r.max, "rms": r.rms, "published": r.published});
+    let tried = |t: &Tried| {
+        let (gain, ops, used) = (t.trial.gain, t.trial.ops, t.trial.admitted);
+        json!({"what": t.words, "part": t.part, "gain": gain, "ops": ops, "used": used})
+    };
     let name = searched.name();
     let document = json!({
         "schema_version": SCHEMA_VERSION,
@@ -98,6 +123,7 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         "command": job.command,
         "recipe": hash(&[&job.command]),
         "anchor": searched.anchor,
+        "tried": searched.tried.iter().map(tried).collect::<Vec<_>>(),
         "fits": fits,
         "others": searched.rivals.iter().map(rival).collect::<Vec<_>>(),
         "reports": [{"file": format!("{name}.html")}, {"file": format!("{name}.json")}],
@@ -148,6 +174,7 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
         },
         name: searched.name(),
         used_as: target.used_as,
+        tried: searched.tried.iter().map(|t| (subject(t), t.outcome())).collect(),
         asked,
         dots: ours.chain(others).collect(),
         rows: searched.points.iter().map(row).collect(),

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow, LeftOut, Origin};
 use crate::data::Place;
+use crate::effects::surface::table::ReciprocityRow;
 use crate::report::Field;
 
 /// What a bake found out about the coupling of diffuse bases.
@@ -62,6 +63,9 @@ pub struct CouplingLobe {
     pub fits: Vec<FitFinding>,
     /// Lobe and white base in a white environment.
     pub furnace: CouplingFurnace,
+    /// The lobe over published couplings and the best fit, as functions of two directions; none where that was not measured.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub reciprocity: Vec<ReciprocityRow>,
 }
 
 /// The error of a factor over all f0.

@@ -15,6 +15,8 @@ pub struct SearchPage {
     pub used_as: Use,
     /// What was asked, as names and values.
     pub asked: Vec<(String, String)>,
+    /// What was tried beforehand in narrow searches, and what came of it.
+    pub tried: Vec<(String, String)>,
     /// Cost against error: the frontier, and published formulas.
     pub dots: Vec<Dot>,
     /// The frontier by rising cost.

@@ -1,5 +1,6 @@
 //! The couplings that are compared under a lobe.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::data::{AlphaMap, Smith, Use};
@@ -30,6 +31,9 @@ const PUBLISHED: [Coupling; 10] = [
     Coupling::Pesce,
 ];
 
+/// Reflectances that fits are made for: those of dielectrics with an index of refraction from 1.33 to 2.6, which are lit.
+pub(super) const F0: [f64; 2] = [0.02, 0.2];
+
 /// Starting points of a fit: the constants in the files are good ones.
 const STARTS: usize = 2;
 
@@ -38,12 +42,24 @@ const STARTS: usize = 2;
 pub(super) enum Planned {
     /// A formula of the literature.
     Published(Coupling),
-    /// A form of ours, its constants fitted for the largest error or for what is seen.
-    Fit { entry: Entry, perceptual: bool },
+    /// A form of ours.
+    Fit(Entry, Kind),
+}
+
+/// What a form of ours is fitted for, and used as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The largest error.
+    Max,
+    /// What is seen.
+    Perceptual,
+    /// The largest error, and made reciprocal: the factor at the light times that at the view over its average.
+    Symmetrised,
 }
 
 impl Planned {
-    /// Those of a lobe: of our forms the cheapest, one in the middle and the most accurate, each fitted twice.
+    /// Those of a lobe: of our forms the cheapest, one in the middle and the most accurate, each fitted for both measures, and the last
+    /// made reciprocal.
     pub fn of(lobe: Lobe, size: Size) -> Vec<Planned> {
         let mut planned: Vec<Planned> = PUBLISHED.into_iter().map(Planned::Published).collect();
         let forms = specular(lobe).map_or(&[][..], hypotheses);
@@ -52,9 +68,11 @@ impl Planned {
             Size::Reduced => vec![0],
         };
         chosen.dedup();
-        for entry in chosen.into_iter().filter_map(|i| forms.get(i)) {
-            planned.extend([false, true].map(|perceptual| Planned::Fit { entry: *entry, perceptual }));
+        let chosen: Vec<Entry> = chosen.into_iter().filter_map(|i| forms.get(i).copied()).collect();
+        for entry in &chosen {
+            planned.extend([Kind::Max, Kind::Perceptual].map(|kind| Planned::Fit(*entry, kind)));
         }
+        planned.extend(chosen.last().map(|entry| Planned::Fit(*entry, Kind::Symmetrised)));
         planned
     }
 
@@ -62,19 +80,36 @@ impl Planned {
     pub fn recipe(&self) -> String {
         match self {
             Planned::Published(coupling) => coupling.name().to_string(),
-            Planned::Fit { entry, perceptual } => {
-                format!("{} {}", if *perceptual { "perceptual" } else { "max" }, entry.source)
-            }
+            Planned::Fit(entry, kind) => format!("{kind:?} over f0 {F0:?}: {}", entry.source),
         }
     }
+}
 
-    /// The coupling itself; a form of ours is fitted for a lobe.
-    pub fn made(&self, lobe: Lobe) -> Result<Candidate, StudyError> {
-        match self {
-            Planned::Published(coupling) => Ok(Candidate { coupling: coupling.clone(), ours: false }),
-            Planned::Fit { entry, perceptual } => fitted(entry, *perceptual, lobe),
-        }
+/// The couplings themselves; forms of ours are fitted for the lobe, once for each measure.
+pub(super) fn made(planned: &[Planned], lobe: Lobe) -> Result<Vec<Candidate>, StudyError> {
+    let mut factors: Vec<Factor> = Vec::new();
+    let mut made = Vec::new();
+    for one in planned {
+        let coupling = match one {
+            Planned::Published(coupling) => coupling.clone(),
+            Planned::Fit(entry, kind) => {
+                let perceptual = *kind == Kind::Perceptual;
+                let name = format!("{}{}", entry.name(), if perceptual { ", perceptual" } else { "" });
+                let factor = match factors.iter().find(|factor| factor.name() == name) {
+                    Some(factor) => factor.clone(),
+                    None => fitted(entry, &name, perceptual, lobe)?,
+                };
+                factors.push(factor.clone());
+                if *kind == Kind::Symmetrised {
+                    Coupling::Symmetrised(factor)
+                } else {
+                    Coupling::Factor(factor)
+                }
+            }
+        };
+        made.push(Candidate { coupling, ours: matches!(one, Planned::Fit(..)) });
     }
+    Ok(made)
 }
 
 /// A coupling ready to be evaluated.
@@ -86,7 +121,7 @@ pub(super) struct Candidate {
 }
 
 impl Candidate {
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> Cow<'_, str> {
         self.coupling.name()
     }
 
@@ -107,11 +142,13 @@ impl Candidate {
                 | Coupling::AshikhminShirley
                 | Coupling::Kelemen
                 | Coupling::Interreflected
+                | Coupling::Symmetrised(_)
         )
     }
 }
 
-fn fitted(entry: &Entry, perceptual: bool, lobe: Lobe) -> Result<Candidate, StudyError> {
+/// A form of ours with its constants.
+fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Factor, StudyError> {
     let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
     let specular = specular(lobe).map_or("single", Specular::name);
     let job = Job {
@@ -122,7 +159,7 @@ fn fitted(entry: &Entry, perceptual: bool, lobe: Lobe) -> Result<Candidate, Stud
             used_as: Some(Use::Coupling),
             smith: Smith::Correlated,
             alpha_map: AlphaMap::RoughnessSquared,
-            domain: BTreeMap::new(),
+            domain: BTreeMap::from([("f0".to_string(), F0)]),
             words: BTreeMap::from([("specular".to_string(), specular.to_string())]),
         },
         goals: vec![if perceptual { Goal::Rms } else { Goal::Max }],
@@ -135,11 +172,8 @@ fn fitted(entry: &Entry, perceptual: bool, lobe: Lobe) -> Result<Candidate, Stud
         command: String::new(),
     };
     let fits = fit(&job)?.fits;
-    let suffix = if perceptual { ", perceptual" } else { "" };
-    let name = format!("{}{suffix}", entry.name());
-    let factor = fits.first().map(|fit| Factor::fitted(&name, &fit.hypothesis, &fit.coefficients));
-    let factor = factor.ok_or(StudyError::Unfitted { name })??;
-    Ok(Candidate { coupling: Coupling::Factor(factor), ours: true })
+    let first = fits.first().ok_or_else(|| StudyError::Unfitted { name: name.into() })?;
+    Ok(Factor::fitted(name, &first.hypothesis, &first.coefficients)?)
 }
 
 /// What multiplies the lobe, as the quantity names it; none for lobes that the quantity does not have.

@@ -18,7 +18,7 @@ use crate::study::StudyError;
 pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<FurnaceStrip>, StudyError> {
     let under = || compared.iter().flat_map(|c| furnace.f0.iter().map(move |&f0| (c, f0)));
     let mut strips: Vec<FurnaceStrip> =
-        under().map(|(c, f0)| empty(furnace, c, f0, c.lobe == compared[0].lobe)).collect();
+        under().map(|(c, f0)| empty(furnace, c, f0, shown(c.lobe, f0, compared[0].lobe))).collect();
     for &roughness in &furnace.roughness {
         let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
         let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
@@ -36,6 +36,12 @@ pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<Fur
         }
     }
     Ok(strips)
+}
+
+/// Whether the page shows the spheres: those under the first lobe, but at f0 = 1, where only a lobe that loses light shows anything,
+/// those under that one.
+fn shown(lobe: Lobe, f0: f64, first: Lobe) -> bool {
+    if f0 < 1.0 { lobe == first } else { lobe == Lobe::Single }
 }
 
 fn empty(furnace: &Furnace, compared: &Compared, f0: f64, shown: bool) -> FurnaceStrip {

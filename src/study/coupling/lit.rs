@@ -8,7 +8,7 @@ use super::Compared;
 use super::candidates::{Candidate, RECIPROCAL, REFERENCE};
 use super::parameters::Lit;
 use crate::data::{AlphaMap, Smith};
-use crate::effects::surface::{Albedos, Side, Surface};
+use crate::effects::surface::{Albedos, Base, Coupling, Side, Surface};
 use crate::optics::ggx::Vec3;
 use crate::report::flip::{self, ErrorMap};
 use crate::report::render::{Halves, Materials, inside, spheres};
@@ -125,8 +125,21 @@ impl Pictures {
     }
 }
 
-/// Materials that differ in their coupling alone: what is known of a light is the same for all of them.
+/// Materials that differ in their coupling alone.
 struct Surfaces(Vec<Surface>);
+
+impl Surfaces {
+    /// The direction that a light comes from as a surface knows it: the same for all but those whose factor is their own there too.
+    fn light<'a>(surface: &Surface, mu: f64, common: &'a Side, own: &'a mut Side) -> &'a Side {
+        match surface.material().base {
+            Some(Base { coupling: Coupling::Symmetrised(_), .. }) => {
+                *own = surface.side(mu);
+                own
+            }
+            _ => common,
+        }
+    }
+}
 
 impl Materials for Surfaces {
     fn count(&self) -> usize {
@@ -138,7 +151,9 @@ impl Materials for Surfaces {
         for &(light, weight) in lights {
             let side = self.0[0].side(light[2]);
             for ((sum, surface), own) in sums.iter_mut().zip(&self.0).zip(&views) {
-                let parts = surface.between(&side, own, light, view);
+                let mut apart = side;
+                let parts =
+                    surface.between(Self::light(surface, light[2], &side, &mut apart), own, light, view);
                 *sum = [0, 1, 2].map(|c| sum[c] + (parts.specular[c] + parts.base[c]) * weight[c]);
             }
         }

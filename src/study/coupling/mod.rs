@@ -17,7 +17,7 @@ use parameters::Parameters;
 pub(super) fn recipe(size: Size) -> Result<String, StudyError> {
     let mut hasher = blake3::Hasher::new();
     hasher.update(TOOL.as_bytes());
-    hasher.update(&serde_json::to_vec(&Parameters::of(size))?);
+    hasher.update(&serde_json::to_vec(&Parameters::of(size)?)?);
     Ok(hasher.finalize().to_hex().to_string())
 }
 
@@ -29,11 +29,11 @@ struct Compared {
 
 /// Runs it.
 pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, StudyError> {
-    let parameters = Parameters::of(size);
+    let parameters = Parameters::of(size)?;
     let mut compared = Vec::new();
     for under in &parameters.lobes {
         progress.stage(&format!("fits, {}", under.lobe.name()));
-        let candidates = under.planned.iter().map(|p| p.made(under.lobe)).collect::<Result<_, _>>()?;
+        let candidates = candidates::made(&under.planned, under.lobe)?;
         compared.push(Compared { lobe: under.lobe, candidates });
     }
     progress.stage("furnace");
@@ -41,7 +41,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
     progress.stage("lit spheres");
     let lit = lit::strips(&parameters.lit, &compared)?;
     progress.stage("reciprocity and random walks");
-    let surfaces = SurfaceRows::measure(&wanted(size))?;
+    let surfaces = SurfaceRows::measure(&wanted(size)?)?;
     let rankings = ranking::rankings(&compared, &furnace, &lit)?;
     let origin = Origin {
         scene: String::new(),
@@ -54,11 +54,11 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
 }
 
 /// What is measured of whole materials.
-fn wanted(size: Size) -> Wanted {
-    match size {
-        Size::Full => Wanted::full(),
-        Size::Reduced => Wanted::reduced(),
-    }
+fn wanted(size: Size) -> Result<Wanted, StudyError> {
+    Ok(match size {
+        Size::Full => Wanted::full()?,
+        Size::Reduced => Wanted::reduced()?,
+    })
 }
 
 fn command(size: Size) -> String {

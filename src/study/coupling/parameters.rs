@@ -8,7 +8,7 @@ use crate::effects::surface::Lobe;
 use crate::effects::surface::table::Grid;
 use crate::report::flip::PIXELS_PER_DEGREE;
 use crate::report::render::{Environment, Settings};
-use crate::study::Size;
+use crate::study::{Size, StudyError};
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
 const METHOD: u32 = 1;
@@ -71,19 +71,19 @@ pub(super) struct Lit {
 
 impl Parameters {
     /// Those of a size.
-    pub fn of(size: Size) -> Parameters {
+    pub fn of(size: Size) -> Result<Parameters, StudyError> {
         let full = size == Size::Full;
         let settings = Settings {
-            side: if full { 80 } else { 24 },
-            radius: if full { 37.0 } else { 11.0 },
+            side: if full { 72 } else { 24 },
+            radius: if full { 33.0 } else { 11.0 },
             samples: if full { 96 } else { 16 },
             lamp_samples: if full { 24 } else { 4 },
             background: [0.18; 3],
         };
-        let wanted = wanted(size);
+        let wanted = wanted(size)?;
         let lobes = [Lobe::Normalised, Lobe::Compensated, Lobe::Single];
         let lobes = if full { &lobes[..] } else { &lobes[..1] };
-        Parameters {
+        Ok(Parameters {
             method: METHOD,
             lobes: lobes.iter().map(|&lobe| UnderLobe { lobe, planned: Planned::of(lobe, size) }).collect(),
             furnace: Furnace {
@@ -98,7 +98,7 @@ impl Parameters {
                 albedo: [0.8; 3],
                 environment: Environment::afternoon(),
                 settings,
-                stops: 1.6,
+                stops: 0.6,
                 pixels_per_degree: PIXELS_PER_DEGREE,
             },
             surfaces: Measured {
@@ -107,7 +107,7 @@ impl Parameters {
                 paths: wanted.walks.paths,
                 seed: wanted.walks.seed,
             },
-        }
+        })
     }
 }
 
@@ -117,9 +117,10 @@ fn even(low: f64, high: f64, n: usize) -> Vec<f64> {
     (0..n).map(|i| (1000.0 * value(i)).round() / 1000.0).collect()
 }
 
-/// Squares of `n` even steps up to 1, dense at grazing views.
+/// Squares of `n` even steps from 0.1 to 1: dense at grazing views, and from where the fits begin.
 fn even_squared(n: usize) -> Vec<f64> {
-    (1..=n).map(|i| (i as f64 / n as f64) * (i as f64 / n as f64)).collect()
+    let root = |i: usize| 0.1 + 0.9 * (i as f64 / (n - 1) as f64);
+    (0..n).map(|i| (10_000.0 * root(i) * root(i)).round() / 10_000.0).collect()
 }
 
 fn name<S: serde::Serializer>(lobe: &Lobe, serializer: S) -> Result<S::Ok, S::Error> {

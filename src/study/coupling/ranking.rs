@@ -32,7 +32,7 @@ fn ranked(
 ) -> Result<Ranked, StudyError> {
     let whole = cost(lobe, Some(&candidate.coupling))?;
     let ops = whole.ops.saturating_sub(cost(lobe, None)?.ops);
-    let (name, lobe) = (candidate.name(), lobe.name());
+    let (name, lobe) = (candidate.name().into_owned(), lobe.name());
     let lit_rows: Vec<&LitRow> =
         lit.iter().filter(|s| s.lobe == lobe).flat_map(|s| &s.rows).filter(|r| r.name == name).collect();
     let over =
@@ -40,9 +40,9 @@ fn ranked(
     let errors = over(|r| &r.error);
     let seen = |f0: f64| lit.iter().any(|s| s.f0 == f0);
     let strips = furnace.iter().filter(|s| s.lobe == lobe && seen(s.f0));
-    let departures = Departures::of(name, strips, weight);
+    let departures = Departures::of(&name, strips, weight);
     Ok(Ranked {
-        name: name.into(),
+        name,
         reciprocal: candidate.coupling.is_reciprocal(),
         directional: candidate.directional(),
         ours: candidate.ours,

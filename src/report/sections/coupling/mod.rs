@@ -3,6 +3,7 @@
 mod curves;
 mod furnace;
 mod lobe;
+mod reciprocity;
 
 use super::called_for;
 use crate::report::{CouplingFindings, Page, ReportError};
@@ -14,6 +15,7 @@ pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
     for one in &findings.lobes {
         sections.extend(lobe::sections(one, &findings.origin)?);
         sections.push(furnace::section(one)?);
+        sections.extend(reciprocity::section(one)?);
     }
     Ok(Page {
         title: format!("lobefit report: {}: {}", findings.origin.scene, findings.effect.effect),

@@ -13,6 +13,9 @@ const LIMIT: f64 = 0.1;
 const SIDE: usize = 56;
 const RADIUS: f64 = 25.0;
 
+/// Side of a cell in pixels of the page: two pictures of nine columns stand side by side.
+const CELL: f64 = 36.0;
+
 pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     check::filled("study", "furnace", study.furnace.len())?;
     let shown: Vec<Gallery> =
@@ -49,7 +52,7 @@ fn gallery(strip: &FurnaceStrip) -> Result<Gallery, ReportError> {
         columns: strip.roughness.iter().map(|&r| place(r)).collect(),
         rows: strip.rows.iter().map(|r| r.name.clone()).collect(),
         side: SIDE,
-        cell: SIDE as f64,
+        cell: CELL,
         cells: Cells::Values {
             values, shade: Shade::Departure { limit: LIMIT }, unit: "albedo − 1".into()
         },

@@ -77,7 +77,7 @@ fn gallery(strip: &LitStrip, rows: &[LitRow], cells: Cells) -> Gallery {
         columns: strip.roughness.iter().map(|&r| place(r)).collect(),
         rows: rows.iter().map(|r| r.name.clone()).collect(),
         side,
-        cell: 64.0,
+        cell: 62.0,
         cells,
     }
 }

@@ -16,13 +16,13 @@ override b3: f32 = -13.060948;
 override b4: f32 = 21.760462;
 
 /// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
-/// Twenty-nine operations, 27 of them for E and B: two quotients.
-fn ggx_blend_29(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
+/// Twenty-five operations: two quotients with one division.
+fn ggx_blend_25(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
     let cube = alpha * roughness;
     let loss = alpha * (c0 + mu * (c1 + alpha * (c2 + c3 * alpha)));
     let divisor = cube + mu * (d0 + roughness * (d1 + d2 * cube) + mu * (d3 + d4 * roughness));
-    let albedo = 1.0 + loss / divisor;
     let falloff = b2 + b3 * roughness + b4 * mu;
-    let share = (a0 + a1 * mu) / (1.0 + alpha * (b0 + b1 * roughness) + mu * falloff);
-    return albedo * (share + f0 * (1.0 - share));
+    let part = a0 + a1 * mu;
+    let whole = 1.0 + alpha * (b0 + b1 * roughness) + mu * falloff;
+    return (divisor + loss) * (part + f0 * (whole - part)) / (divisor * whole);
 }

@@ -18,13 +18,12 @@ override b7: f32 = -193.70937;
 override b8: f32 = 590.0967;
 
 /// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
-/// Thirty operations, 28 of them for E and B: two quotients.
-fn ggx_blend_30p(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
+/// Twenty-seven operations: two quotients with one division.
+fn ggx_blend_27(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
     let cube = alpha * roughness;
     let loss = alpha * (c0 + mu * (c1 + alpha * (c2 + c3 * alpha)));
     let divisor = cube + mu * (d0 + roughness * (d1 + d2 * cube) + mu * (d3 + d4 * roughness));
-    let albedo = 1.0 + loss / divisor;
     let falloff = b3 + alpha * (b4 + b5 * roughness) + mu * (b6 + mu * (b7 + b8 * mu));
-    let share = 1.0 / (b0 + roughness * (b1 + b2 * roughness) + mu * falloff);
-    return albedo * (share + f0 * (1.0 - share));
+    let whole = b0 + roughness * (b1 + b2 * roughness) + mu * falloff;
+    return (divisor + loss) * (1.0 + f0 * (whole - 1.0)) / (divisor * whole);
 }

@@ -1,0 +1,42 @@
+//! Whole materials of a job's lobe over published couplings and over the best fit, as functions of two directions.
+
+use super::Lobe;
+use crate::bake::BakeError;
+use crate::bake::reflection::chosen;
+use crate::data::AlphaMap;
+use crate::effects::surface::table::{Grid, ReciprocityRow, rows_of};
+use crate::effects::surface::{Coupling, Factor, Lobe as Drawn};
+use crate::integrate::coupling::Specular;
+
+/// Roughness and cosines: a few, since every material is integrated over the hemisphere as it is drawn. The study has them all.
+const ROUGHNESS: [f64; 4] = [0.2, 0.4, 0.7, 1.0];
+const COSINES: [f64; 4] = [0.1, 0.3, 0.6, 1.0];
+
+/// The rows of a lobe; none where alpha is not roughness^2, which the materials take it for.
+pub fn rows(lobe: &Lobe) -> Result<Vec<ReciprocityRow>, BakeError> {
+    let (spec, region) = (&lobe.spec, &lobe.spec.region);
+    if region.alpha_map != AlphaMap::RoughnessSquared {
+        return Ok(Vec::new());
+    }
+    let drawn = match spec.specular {
+        Specular::Single => Drawn::Single,
+        Specular::Normalised => Drawn::Normalised,
+        Specular::Compensated => Drawn::Compensated,
+    };
+    let mut couplings = vec![
+        Coupling::None,
+        Coupling::OneMinusFresnel,
+        Coupling::HalfVector,
+        Coupling::Pesce,
+        Coupling::OneMinusOwnSpecular,
+        Coupling::Kelemen,
+    ];
+    if let Some(best) = lobe.best() {
+        let factor = Factor::fitted(best.hypothesis.name(), &best.hypothesis, &best.coefficients())?;
+        couplings.extend([Coupling::Factor(factor.clone()), Coupling::Symmetrised(factor)]);
+    }
+    let mut f0 = vec![spec.f0[0], spec.f0[1]];
+    f0.dedup();
+    let grid = Grid { roughness: chosen(region, &ROUGHNESS).values, mu: COSINES.to_vec(), f0 };
+    Ok(rows_of(spec.smith, &[drawn], &couplings, &grid)?)
+}
