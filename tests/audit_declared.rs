@@ -95,6 +95,9 @@ fn the_command_line_reads_it_unless_told_otherwise() {
     let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
     write("own.exr", DFG);
     write("lie.exr", &patched(DFG, "smith: correlated;", "smith: separable ;"));
+    write("part.exr", &patched(DFG, "alpha [0.0004, 1]", "alpha [0.2500, 1]"));
+    let huge = patched(DFG, "max 0.000691,", "max 1000.000,");
+    write("huge.exr", &patched(&huge, "decode: E = 1 - loss", "decode: E = 7-9*loss"));
     write("odd.exr", &patched(DFG, "sqrt(mu *", "sqxt(mu *"));
     let with = |file: &str, more: &[&str]| {
         let all = [&["audit", file, "--as", "ggx-reflection"], more].concat();
@@ -110,10 +113,84 @@ fn the_command_line_reads_it_unless_told_otherwise() {
         code == Some(1) && out.contains("Without its statement") && err.contains("not what it says"),
         "{out} {err}"
     );
+    let (code, out, err) = with("huge.exr", &["--limit", "1000"]);
+    assert!(code == Some(1) && out.contains("it is not so") && err.contains("however much"), "{out} {err}");
+    let (code, out, _) = with("part.exr", &[]);
+    assert!(code == Some(0) && out.contains("alpha below 0.25"), "{out}");
+    let (code, _, err) = with("part.exr", &["--limit", "1"]);
+    assert!(code == Some(1) && err.contains("alpha below 0.25 is not judged"), "{err}");
     let (code, out, err) = with("odd.exr", &[]);
     assert!(code == Some(0) && !out.contains("says what it is") && err.contains("sqxt"), "{out} {err}");
-    let (_, out, _) = with("own.exr", &["--registration", "endpoint"]);
-    assert!(!out.contains("says what it is"), "{out}");
+    // Its coordinate is none of those that are tried.
+    let (code, out, err) = with("own.exr", &["--registration", "endpoint"]);
+    assert!(code == Some(1) && !out.contains("says what it is") && !err.is_empty(), "{code:?} {out} {err}");
     let (code, _, err) = with("own.exr", &["--limit", "1"]);
     assert_eq!(code, Some(0), "{err}");
+}
+
+/// The 32 x 32 table under its statement with one text for another.
+fn restated(pairs: &[(&str, &str)]) -> Result<Declared, AuditError> {
+    let table = read(DFG);
+    let mut note = table.note.clone();
+    for (from, to) in pairs {
+        assert!(note.contains(from), "{from}");
+        note = note.replace(from, to);
+    }
+    declared(&Shipped::from(&table), Quantity::find("ggx-reflection").unwrap(), None, &note)
+}
+
+#[test]
+fn a_claim_of_any_error_holds_for_nothing() {
+    let claim = ("max 0.000691,", "max 1000,");
+    let found = restated(&[claim, ("E = 1 - loss", "E = 7 - 9 * loss")]).unwrap();
+    assert!(found.keeps() && !found.holds() && !found.passes(None) && !found.passes(Some(1e4)));
+    assert!(found.verdict.contains("it is not so, for all that it claims"), "{}", found.verdict);
+    let modest = restated(&[claim]).unwrap();
+    assert!(modest.holds() && modest.passes(Some(1e-3)), "{}", modest.verdict);
+}
+
+#[test]
+fn what_was_judged_is_told_and_a_limit_is_for_all_that_the_axes_cover() {
+    let whole = restated(&[]).unwrap();
+    assert!(whole.beyond.is_empty() && whole.cut.is_empty(), "{:?} {:?}", whole.beyond, whole.cut);
+    assert!(
+        whole.verdict.contains("mu 0.001 to 1") && whole.verdict.contains("alpha 4e-4 to 1"),
+        "{}",
+        whole.verdict
+    );
+    let part = restated(&[("alpha [0.0004, 1], mu [0.001, 1]", "alpha [0.25, 0.5], mu [-1, 1.5]")]).unwrap();
+    assert_eq!(part.beyond, ["alpha below 0.25", "alpha above 0.5"]);
+    assert_eq!(part.cut, ["mu below 0", "mu above 1"]);
+    assert!(part.verdict.contains("Its axes cover alpha below 0.25 and alpha above 0.5"), "{}", part.verdict);
+    assert!(!part.passes(Some(1.0)));
+    let smooth = restated(&[("alpha [0.0004, 1]", "alpha [0.25, 1]")]).unwrap();
+    assert!(smooth.passes(None) && !smooth.passes(Some(1.0)), "{}", smooth.verdict);
+}
+
+#[test]
+fn statements_that_would_take_for_ever_or_lead_nowhere_are_refused() {
+    let many = |n: usize| (0..n).map(|k| format!(", v{k} = v{}", k + 1)).collect::<String>();
+    let axis = "u = (roughness - 0.02) / (1 - 0.02)";
+    let of_roughness = |text: String| (axis.to_string(), text);
+    let decode = |text: &str| ("E = 1 - loss".to_string(), text.to_string());
+    let domain = |text: &str| ("alpha [0.0004, 1]".to_string(), text.to_string());
+    for ((from, to), told) in [
+        (of_roughness(format!("u = roughness{}", many(16))), "more than 16 definitions"),
+        (of_roughness(format!("u = v0{}", many(15))), "no value"),
+        (of_roughness("u = v, v = u".into()), "no value"),
+        (("alpha = roughness^2".into(), "alpha = log2(0 - roughness)".into()), "no value"),
+        (decode(&format!("E = 1 - loss{}", many(100_000))), "more than 16 definitions"),
+        (decode("E = sqrt(0 - 1 - loss)"), "gives NaN"),
+        (decode("E = 1 / (loss - loss)"), "gives inf"),
+        (decode("E = t * 0, t = 1"), "names what is not there"),
+        (domain("alpha [0.25, 0.25]"), "is no range"),
+        (domain("alpha [0.5, 0.25]"), "is no range"),
+        (domain("alpha [2, 3]"), "no range of alpha"),
+        (domain("alpha [0.25, 0.2500000000000001]"), "no range of alpha"),
+        (("roughness in [0.02, 1]".into(), "roughness in [1, 1]".into()), "an axis is"),
+    ] {
+        let error = restated(&[(&from, &to)]).unwrap_err();
+        let named = matches!(&error, AuditError::Statement { reason, .. } if reason.contains(told));
+        assert!(named, "{to:.60}: {error:?}");
+    }
 }

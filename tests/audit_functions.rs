@@ -27,9 +27,13 @@ fn infinite(x: f32, y: f32) -> f32 { return log(-x) + y; }
 fn three(x: f32, y: f32, k: f32) -> f32 { return x * y * k; }
 ";
 
+fn of(name: &str) -> &'static Quantity {
+    Quantity::find(name).unwrap()
+}
+
 fn run(name: &str) -> Audit {
     let function = read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
-    let shipped = sampled(&function, 2, &[], &[]).unwrap();
+    let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();
     let found =
         audit(&shipped, Quantity::find("ggx-reflection").unwrap(), &Pins::default(), &|_| ()).unwrap();
     assert_eq!(found.source, Source::Function);
@@ -97,14 +101,35 @@ fn an_index_of_refraction_runs_from_1_to_2() {
     }
     fn bare(m: f32, a: f32, x: f32) -> f32 { return 0.2 * (x - 1.0) + 0.5 * m * (1.0 - a); }";
     let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", None, Some(name)).unwrap().remove(0);
-    let shipped = sampled(&read("glass"), 3, &[], &[]).unwrap();
+    let shipped = sampled(&read("glass"), of("ggx-glass"), &[], &[]).unwrap();
     assert!(shipped.channels[0].values.iter().all(|v| *v > 0.0), "an index of 1 or less was asked for");
     let pins = Pins { column: Some(Column::R), ..Pins::default() };
     let found = audit(&shipped, Quantity::find("ggx-glass").unwrap(), &pins, &|_| ()).unwrap();
     assert_eq!(scales(&found)[0], (Scale::Ior, false));
     assert!(found.verdict.contains("the argument ior given ior"), "{}", found.verdict);
+    // Words of a name tell, not letters within one; and only where the quantity has an index.
+    let named = |name: &str, of: &Quantity| {
+        let text = text.replace("x: f32", &format!("{name}: f32")).replace("(x -", &format!("({name} -"));
+        let function = read_functions(text.as_bytes(), "g.wgsl", None, Some("bare")).unwrap().remove(0);
+        let set = if of.name == "ggx-glass" { vec![] } else { vec![("a".to_string(), 1.0)] };
+        let values = sampled(&function, of, &set, &[]).unwrap().channels.remove(0).values;
+        values.iter().all(|v| *v > 0.0)
+    };
+    for (name, told) in [
+        ("ior", true),
+        ("specularIOR", true),
+        ("iorInside", true),
+        ("IORValue", true),
+        ("relative_ior2", true),
+        ("interior", false),
+        ("prior", false),
+        ("iord", false),
+    ] {
+        assert_eq!(named(name, of("ggx-glass")), told, "{name}");
+        assert!(!named(name, of("ggx-reflection")), "{name}");
+    }
     // A name that tells nothing is told by the user.
-    let told = sampled(&read("bare"), 3, &[], &[Scale::Mu, Scale::Alpha, Scale::Ior]).unwrap();
+    let told = sampled(&read("bare"), of("ggx-glass"), &[], &[Scale::Mu, Scale::Alpha, Scale::Ior]).unwrap();
     let [first, last] = [0, told.channels[0].values.len() - 400].map(|i| told.channels[0].values[i]);
     assert!((last - first - 0.2 * 0.95).abs() < 1e-6, "{first} {last}");
 }
@@ -117,12 +142,12 @@ fn roughness_with_its_alpha_and_directions_are_arguments() {
         return 1.0 - 0.4 * alpha * dot(n, v) + 9.0 * (length(v) - 1.0) + v.y;
       }";
     let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", None, Some(name)).unwrap().remove(0);
-    let both = sampled(&read("both"), 2, &[], &[]).unwrap();
+    let both = sampled(&read("both"), of("ggx-reflection"), &[], &[]).unwrap();
     assert_eq!(both.axes, ["roughness (and alpha its square)", "mu"]);
     let at = |i: usize| (i as f64 + 0.5) / 128.0;
     let wanted = |r: usize, m: usize| 1.0 - 0.4 * at(r) * at(r) * at(m);
     assert!((both.channels[0].values[40 * 128 + 100] - wanted(100, 40)).abs() < 1e-6);
-    let view = sampled(&read("view"), 2, &[], &[]).unwrap();
+    let view = sampled(&read("view"), of("ggx-reflection"), &[], &[]).unwrap();
     assert_eq!(view.axes, ["dot(n, v)", "alpha"]);
     assert!((view.channels[0].values[40 * 128 + 100] - (1.0 - 0.4 * at(40) * at(100))).abs() < 1e-5);
 }
@@ -138,8 +163,13 @@ fn a_fit_that_this_tool_wrote_has_its_certificate() {
             read_functions(text.as_bytes(), language, None, Some("ggx_norm_q13")).unwrap().remove(0);
         // GLSL's lookups take combined samplers, which the front end cannot read; WGSL has textures and samplers apart.
         assert_eq!(function.left_out.is_empty(), language.ends_with("wgsl"), "{:?}", function.left_out);
-        let found =
-            audit(&sampled(&function, 2, &[], &[]).unwrap(), quantity, &Pins::default(), &|_| ()).unwrap();
+        let found = audit(
+            &sampled(&function, of("ggx-reflection"), &[], &[]).unwrap(),
+            quantity,
+            &Pins::default(),
+            &|_| (),
+        )
+        .unwrap();
         assert_eq!(found.best().columns, [Some(Column::Inverse)]);
         let manifest: serde_json::Value = serde_json::from_str(include_str!("../manifest.json")).unwrap();
         let fits = manifest["fits"].as_array().unwrap();
@@ -158,12 +188,12 @@ fn what_is_no_fit_is_told() {
     assert!(found.verdict.contains("fits no convention"), "{}", found.verdict);
     let read = |name: &str| read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
     let quantity = Quantity::find("ggx-reflection").unwrap();
-    let bad = sampled(&read("infinite"), 2, &[], &[]).unwrap();
+    let bad = sampled(&read("infinite"), of("ggx-reflection"), &[], &[]).unwrap();
     let error = audit(&bad, quantity, &Pins::default(), &|_| ()).unwrap_err();
     assert!(matches!(error, AuditError::NotFinite { .. }), "{error}");
-    let left = sampled(&read("three"), 2, &[], &[]).unwrap_err();
+    let left = sampled(&read("three"), of("ggx-reflection"), &[], &[]).unwrap_err();
     assert!(left.to_string().contains("--set"), "{left}");
-    assert!(sampled(&read("three"), 2, &[("k".into(), 1.0)], &[]).is_ok());
-    let absent = sampled(&read("three"), 2, &[("q".into(), 1.0)], &[]).unwrap_err();
+    assert!(sampled(&read("three"), of("ggx-reflection"), &[("k".into(), 1.0)], &[]).is_ok());
+    let absent = sampled(&read("three"), of("ggx-reflection"), &[("q".into(), 1.0)], &[]).unwrap_err();
     assert!(absent.to_string().contains("x, y, k"), "{absent}");
 }

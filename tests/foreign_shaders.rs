@@ -594,15 +594,19 @@ fn what_glsl_would_not_evaluate_is_refused() {
     let source = |right: &str| {
         format!(
             "float count;\nbool set(float x, out float y) {{ y = 2.0 * x; return x > 0.5; }}\nbool tick(float x) {{ count += x; return x > 0.5; }}
-             bool pure(float x) {{ return x > 0.5; }}\nfloat f(float a, float b) {{ float y = a; if (a > b && {right}) {{ y += 1.0; }} return y; }}"
+             bool pure(float x) {{ return x > 0.5; }}\nfloat f(float a, float b) {{ float y = a; int k = 1; if (a > b && {right}) {{ y += 1.0; }} return y; }}"
         )
     };
     let read = |right: &str| read_functions(source(right).as_bytes(), "e.glsl", None, Some("f"));
-    for (right, named) in
-        [("set(b, y)", "set"), ("(tick(b) || b < 0.1)", "tick"), ("(y = b) > 0.2", "assignment")]
-    {
+    for (right, named) in [
+        ("set(b, y)", "set"),
+        ("(tick(b) || b < 0.1)", "tick"),
+        ("(y = b) > 0.2", "assignment"),
+        ("(k <<= 1) > 2", "assignment"),
+        ("(k >>= 1) < 2", "assignment"),
+    ] {
         let error = read(right).unwrap_err().to_string();
         assert!(error.contains(named) && error.contains("&&") && error.contains("5:"), "{right}: {error}");
     }
-    assert!(read("pure(b)").is_ok() && read("(b <= 0.5 || b == 1.0)").is_ok());
+    assert!(read("pure(b)").is_ok() && read("(b <= 0.5 || b >= 0.9 || b == 1.0)").is_ok());
 }

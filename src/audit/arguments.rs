@@ -1,7 +1,8 @@
 //! What the arguments of a shader function are given, by their names and by what the user says.
 
-use super::AuditError;
 use super::axis::{Input, Scale};
+use super::{AUDITED, AuditError};
+use crate::effects::Quantity;
 use crate::foreign::ShaderFunction;
 
 /// What an argument is given.
@@ -35,14 +36,26 @@ impl Feed {
     }
 }
 
+/// Inputs of a quantity; 2 of one that cannot be audited, which is refused later.
+fn inputs_of(quantity: &Quantity) -> usize {
+    AUDITED.iter().find(|a| a.0 == quantity.name).map_or(2, |a| a.1)
+}
+
+/// The input that an argument's name tells, if the quantity has it.
+fn role_in(quantity: &Quantity, name: &str) -> Option<Input> {
+    let has_ior = quantity.inputs.iter().any(|i| i.name == Input::Ior.name());
+    role(name).filter(|input| *input != Input::Ior || has_ior)
+}
+
 /// Names of the axes, and what every argument is given.
 pub(super) fn feeds(
     function: &ShaderFunction,
-    inputs: usize,
+    quantity: &Quantity,
     set: &[(String, f64)],
     scales: &[Scale],
 ) -> Result<(Vec<String>, Vec<Feed>), AuditError> {
-    let arguments = &function.inputs;
+    let (arguments, inputs) = (&function.inputs, inputs_of(quantity));
+    let role = |name: &str| role_in(quantity, name);
     if let Some((name, value)) = set.iter().find(|(n, _)| !arguments.contains(n)) {
         let reason = format!("{} has the arguments {}", function.name, arguments.join(", "));
         return Err(AuditError::Option { option: "--set", value: format!("{name}={value}"), reason });
@@ -55,7 +68,7 @@ pub(super) fn feeds(
         axes.extend(directions(arguments, &mut feeds));
     }
     for i in free(&feeds) {
-        if free(&feeds).len() + axes.len() > inputs && is_f0(&arguments[i]) {
+        if free(&feeds).len() + axes.len() > inputs && is_f0(&arguments[i], quantity) {
             feeds[i] = Some(Feed::Blend);
         }
     }
@@ -131,25 +144,23 @@ fn both_widths(arguments: &[String], left: &[usize]) -> Option<usize> {
 }
 
 /// Whether a name says that an argument is a reflectance at normal incidence.
-fn is_f0(name: &str) -> bool {
+fn is_f0(name: &str, quantity: &Quantity) -> bool {
     let lower = name.to_ascii_lowercase();
     let told =
         ["f0", "specular", "color", "colour", "reflectance", "rf0"].iter().any(|word| lower.contains(word));
     // A `specularRoughness` is a roughness.
-    told && role(name).is_none()
+    told && role_in(quantity, name).is_none()
 }
 
 /// The input that an argument's name tells, if it does.
 pub(super) fn role(name: &str) -> Option<Input> {
+    let ior = words(name).any(|word| word == "ior");
     let name = name.to_ascii_lowercase().replace('_', "");
     let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
     if name == "mu" || name == "nv" || has(&["ndotv", "nov", "ndotwo", "vdotn", "dotnv", "dot(", "cos"]) {
         return Some(Input::Mu);
     }
-    if matches!(name.as_str(), "ior" | "eta" | "refractiveindex" | "indexofrefraction")
-        || name.ends_with("ior")
-        || name.starts_with("ior")
-    {
+    if ior || matches!(name.as_str(), "eta" | "refractiveindex" | "indexofrefraction") {
         return Some(Input::Ior);
     }
     has(&["rough", "alpha", "gloss", "smooth"]).then_some(Input::Alpha)
@@ -159,4 +170,22 @@ pub(super) fn role(name: &str) -> Option<Input> {
 pub(super) fn is_gloss(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
     name.contains("gloss") || name.contains("smooth")
+}
+
+/// The words of a snake or camel case name, in lower case: `specularIOR`, `ior_inside`, `IORValue`, but not `interior`.
+fn words(name: &str) -> impl Iterator<Item = String> {
+    let letters: Vec<char> = name.chars().collect();
+    let mut out = vec![String::new()];
+    for (i, c) in letters.iter().enumerate() {
+        let upper = |k: usize| letters.get(k).is_some_and(|c| c.is_uppercase());
+        let lower = |k: usize| letters.get(k).is_some_and(|c| c.is_lowercase());
+        let begins = upper(i) && (i > 0 && !upper(i - 1) || lower(i + 1));
+        if begins || !c.is_alphabetic() {
+            out.push(String::new());
+        }
+        if let Some(word) = out.last_mut().filter(|_| c.is_alphabetic()) {
+            word.extend(c.to_lowercase());
+        }
+    }
+    out.into_iter().filter(|word| !word.is_empty())
 }

@@ -5,6 +5,7 @@ use super::AuditError;
 use super::arguments::{Feed, feeds};
 use super::axis::Scale;
 use super::shipped::{Shipped, ShippedChannel, Source, place};
+use crate::effects::Quantity;
 use crate::foreign::{ShaderFunction, Step};
 
 /// Places along every argument: of one, two and three.
@@ -16,20 +17,20 @@ const BLENDS: [(f32, &str); 2] = [(0.0, "at F0 = 0"), (1.0, "at F0 = 1")];
 /// A function over as many arguments as the quantity has inputs; `set` gives others a value, by name, and `axes` says what the
 /// remaining ones are given, if the user does.
 ///
-/// An argument runs over 0 to 1, one that is an index of refraction (by its name or by `axes`) over 1 to 2. One whose name says that it is an
+/// An argument runs over 0 to 1, one that is an index of refraction (by its name, if the quantity has one, or by `axes`) over 1 to 2. One whose name says that it is an
 /// F0 or a colour is taken at 0 and at 1, alpha beside a roughness is its square, and a normal and a view are two unit vectors.
 ///
 /// # Errors
 /// More or fewer arguments left than inputs; a value that is no number; an argument that is not there.
 pub fn sampled(
     function: &ShaderFunction,
-    inputs: usize,
+    quantity: &Quantity,
     set: &[(String, f64)],
     axes: &[Scale],
 ) -> Result<Shipped, AuditError> {
-    let (names, feeds) = feeds(function, inputs, set, axes)?;
-    let n = PLACES[inputs - 1];
-    let size = vec![n; inputs];
+    let (names, feeds) = feeds(function, quantity, set, axes)?;
+    let n = PLACES[names.len() - 1];
+    let size = vec![n; names.len()];
     let places: Vec<Vec<usize>> = (0..size.iter().product()).map(|i| place(i, &size)).collect();
     let centre = |i: usize| (i as f32 + 0.5) / n as f32;
     let blended = feeds.contains(&Feed::Blend);

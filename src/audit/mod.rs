@@ -109,7 +109,8 @@ pub fn audit(
     let truth = truth.as_ref();
     check_axes(&table, truth)?;
     pins.check(truth, table.size.len(), live.len())?;
-    let roles = table.axes.iter().map(|name| arguments::role(name)).collect();
+    let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
+    let roles = table.axes.iter().map(role).collect();
     let sampled = Pins { sitings: Some(vec![Siting::Centre]), roles: Some(roles), ..pins.clone() };
     let tried = if table.source == Source::Function { &sampled } else { pins };
     let found = candidates(truth, &table, &live, tried, progress)?;

@@ -2,7 +2,6 @@
 //! rising ones, a roughness for a roughness and an average for an average. A table that is right only under another reading is
 //! wrong as it will be used, unless the user says that it is meant so.
 
-use super::AuditError;
 use super::arguments::is_gloss;
 use super::axis::{AxisReading, Input, Scale};
 use super::column::Column;
@@ -13,8 +12,10 @@ use super::sample::{Candidate, Sample};
 use super::shipped::{Shipped, Source};
 use super::truth::Truth;
 use super::verdict::along;
+use super::{AuditError, JUDGED_TEXELS};
 
-/// Places along each of three axes at which a plain reading is judged: every one is an integral of its own.
+/// Places along each of three axes at which a plain reading is judged of a table with more than [`JUDGED_TEXELS`]: every one is an integral of
+/// its own.
 const PLACES: usize = 16;
 
 /// A table under the reading of somebody who is told nothing, where the best reading is another.
@@ -26,7 +27,9 @@ pub struct Plain {
     pub untold: Vec<String>,
     /// Options that say it.
     pub options: String,
-    /// Largest error at the texels that were judged; infinite where the truth cannot be had at any.
+    /// Texels that were judged, and texels in all.
+    pub texels: [usize; 2],
+    /// Largest error at those that were judged; infinite where the truth cannot be had at any.
     pub max: f64,
 }
 
@@ -79,8 +82,9 @@ pub(super) fn plain(
     if untold.is_empty() {
         return Ok(None);
     }
-    let max = worst(truth, table, live, best.lobe, &read)?;
-    Ok(Some(Plain { convention: read, untold, options: options.join(" "), max }))
+    let (max, judged) = worst(truth, table, live, best.lobe, &read)?;
+    let texels = [judged, table.size.iter().product()];
+    Ok(Some(Plain { convention: read, untold, options: options.join(" "), texels, max }))
 }
 
 fn list(axes: &[AxisReading], word: impl Fn(&AxisReading) -> String) -> String {
@@ -98,15 +102,16 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
     axis.reversed = gloss && axis.scale.input() == Input::Alpha;
 }
 
-/// Largest error of any judged channel under a reading.
+/// Largest error of any judged channel under a reading, and how many texels were judged.
 fn worst(
     truth: &dyn Truth,
     table: &Shipped,
     live: &[usize],
     lobe: usize,
     read: &Convention,
-) -> Result<f64, AuditError> {
-    let most = if table.size.len() == 3 { PLACES } else { usize::MAX };
+) -> Result<(f64, usize), AuditError> {
+    let all = table.size.len() < 3 || table.size.iter().product::<usize>() <= JUDGED_TEXELS;
+    let most = if all { usize::MAX } else { PLACES };
     let sample = Sample::new(table, live, most, false);
     let judgement = judge(truth, &sample, &read.axes, lobe)?;
     let mut worst: Option<f64> = None;
@@ -116,5 +121,6 @@ fn worst(
         let errors = residuals.judged.iter().map(|i| residuals.errors[*i].abs());
         worst = errors.fold(worst, |worst, e| Some(worst.map_or(e, |w| w.max(e))));
     }
-    Ok(worst.unwrap_or(f64::INFINITY))
+    let judged = judgement.judged.iter().filter(|j| **j).count();
+    Ok((worst.unwrap_or(f64::INFINITY), judged))
 }

@@ -34,7 +34,8 @@ What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2,
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 
 Exit code 1: with --limit, over it, not all judged, or no convention fits; without it, no convention fits that options (--axes, --registration,
---smith, --side, --meaning) leave open. With none of them it only tells, and the exit code is 0. --limit holds for the table as it is best read
+--smith, --side, --meaning) leave open, or the file is not what its own attribute `lobefit` says. Else it only tells, and the exit code is 0. A file with that attribute is
+judged where it claims something, and passes no --limit if its axes cover more. --limit holds for the table as it is best read
 and as it will be read: texels off their centres or end points, axes that fall, powers of roughness and E at normal incidence for an
 average are over it unless options say that they are meant.";
 
@@ -239,7 +240,7 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let mut found = Vec::new();
     let mut refused = None;
     for function in &functions {
-        match audit::sampled(function, inputs, &options.set, &scales) {
+        match audit::sampled(function, options.wanted.0, &options.set, &scales) {
             Ok(sampled) => found.push(sampled),
             Err(error) => refused = refused.or(Some(error)),
         }

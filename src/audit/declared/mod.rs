@@ -1,6 +1,7 @@
 //! A table that says itself what it is, as those that this tool writes do: what it says is read, and then held against the truth. It is
 //! looked up as its statement says, between its texels too, all over the domain that it claims.
 
+mod domain;
 mod findings;
 mod formula;
 mod statement;
@@ -8,18 +9,16 @@ mod words;
 
 pub use findings::findings as declared_findings;
 
-use super::AuditError;
-use super::axis::{Input, Siting};
+use super::axis::Siting;
 use super::column::Column;
 use super::lookup::fetch;
 use super::shipped::Shipped;
 use super::truth::{Truth, Values};
+use super::{AuditError, FITS};
 use crate::data::{Place, Smith};
 use crate::effects::Quantity;
+use domain::Domain;
 use statement::{Axis, Statement};
-
-/// Places along the inputs: of two, and of three in the truth's order.
-const PLACES: [usize; 2] = [64, 14];
 
 /// How much larger than claimed an error may be: it is looked for at other places than the file's maker did.
 const SLACK: f64 = 1.2;
@@ -47,6 +46,19 @@ pub struct Held {
     pub truths: Vec<f64>,
 }
 
+impl Held {
+    /// Whether it is the column at all, whatever its file claims: by the root mean square, as the columns of any table.
+    fn fits(&self, truth_error: f64) -> bool {
+        self.rms <= FITS * self.spread() + truth_error
+    }
+
+    /// Difference of the largest and the smallest truth.
+    pub fn spread(&self) -> f64 {
+        let truths = || self.truths.iter().copied();
+        truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min)
+    }
+}
+
 /// What came of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Declared {
@@ -64,6 +76,10 @@ pub struct Declared {
     pub held: Vec<Held>,
     /// Names of the truth's inputs and the places along each.
     pub places: Vec<(&'static str, Vec<f64>)>,
+    /// What its axes cover without its claiming anything of it, for which it passes no limit: `alpha below 0.02`.
+    pub beyond: Vec<String>,
+    /// What it claims where the truth is not had, so that it was not judged.
+    pub cut: Vec<String>,
     /// Largest error that it claims.
     pub claimed: f64,
     /// What would make it true, where it is not: the other registration or shadowing form under which it is as good as claimed.
@@ -80,22 +96,27 @@ impl Declared {
         self.held.iter().map(|h| h.max).fold(0.0, f64::max)
     }
 
-    /// Whether it is what it says.
+    /// Whether it is what it says: it keeps its claim, and is no further off than any table of the quantity may be.
     pub fn holds(&self) -> bool {
+        self.keeps() && self.held.iter().all(|h| h.fits(self.truth_error))
+    }
+
+    /// Whether no error is larger than it claims.
+    pub fn keeps(&self) -> bool {
         self.worst() <= SLACK * self.claimed + self.truth_error
     }
 
-    /// Whether it is that, and within a limit.
+    /// Whether it is what it says, and within a limit wherever its axes lead.
     pub fn passes(&self, limit: Option<f64>) -> bool {
-        self.holds() && limit.is_none_or(|l| self.worst() <= l)
+        self.holds() && limit.is_none_or(|l| self.worst() <= l && self.beyond.is_empty())
     }
 }
 
 /// Holds a table against the truth as its own `statement` says that it is looked up; of the columns, only `wanted` if it is given.
 ///
 /// # Errors
-/// [`AuditError::Statement`] where what it says cannot be read, speaks of another size, or depends on more than the quantity's inputs; a
-/// statement of another quantity; a truth that cannot be had.
+/// [`AuditError::Statement`] where what it says cannot be read, speaks of another size, depends on more than the quantity's inputs, leaves no
+/// range of an input to judge, or decodes to what is no number; a statement of another quantity; a truth that cannot be had.
 pub fn declared(
     table: &Shipped,
     quantity: &Quantity,
@@ -108,7 +129,7 @@ pub fn declared(
     let pins = super::Pins { side: said.side, ..super::Pins::default() };
     let truth = super::truth_of(&shipped, quantity, &pins)?;
     let truth = truth.as_ref();
-    let places: Vec<(&'static str, Vec<f64>)> = places(truth, &said).map_err(odd)?;
+    let Domain { places, beyond, cut } = Domain::new(truth, &said).map_err(odd)?;
     let lobe =
         |smith: Option<Smith>| truth.lobes().iter().position(|l| l.smith.is_none() || l.smith == smith);
     let own = lobe(said.smith).ok_or_else(|| odd("its line `smith` names no shadowing form".into()))?;
@@ -129,6 +150,8 @@ pub fn declared(
         truth_error: truth.bound(),
         verdict: String::new(),
         places: places.clone(),
+        beyond,
+        cut,
     };
     if !found.holds() {
         let limit = SLACK * said.claimed + truth.bound();
@@ -154,24 +177,6 @@ fn agreed(table: &Shipped, quantity: &Quantity, said: &Statement) -> Result<Ship
     Shipped { size, axes, ..table.clone() }.checked()
 }
 
-/// Places of every input over the domain that is claimed, both ends among them; more of mu where it grazes.
-fn places(truth: &dyn Truth, said: &Statement) -> Result<Vec<(&'static str, Vec<f64>)>, String> {
-    let n = PLACES[usize::from(truth.inputs().len() == 3)];
-    let of = |input: &Input| {
-        let name = input.name();
-        let range = said.range(name).ok_or_else(|| format!("its line `domain` has no {name}"))?;
-        let [low, high] = truth.range(*input);
-        let [from, to] = range.map(|x| x.clamp(low, high));
-        let curved = matches!(input, Input::Mu | Input::Alpha);
-        let at = |k: usize| {
-            let u = k as f64 / (n - 1) as f64;
-            (from + (to - from) * if curved { u * u } else { u }).clamp(from, to)
-        };
-        Ok((name, (0..n).map(at).collect()))
-    };
-    truth.inputs().iter().map(of).collect()
-}
-
 /// Lookups as the statement says.
 struct Look<'a> {
     table: &'a Shipped,
@@ -183,23 +188,19 @@ struct Look<'a> {
 impl Look<'_> {
     /// The columns under these sitings.
     fn errors(&self, truth: &dyn Truth, base: &Values, sitings: &[Siting]) -> Result<Vec<Held>, String> {
-        let columns: Vec<(Column, usize)> = self
-            .said
-            .decode
-            .iter()
-            .enumerate()
-            .filter_map(|(k, (name, _))| Some((*truth.columns().iter().find(|c| c.name() == name)?, k)))
-            .filter(|(c, _)| self.wanted.is_none_or(|w| w == *c))
-            .collect();
-        if columns.is_empty() {
-            return Err("it decodes to no column that is asked for".into());
-        }
+        let columns = self.columns(truth)?;
         let dims: Vec<usize> = self.places.iter().map(|p| p.1.len()).collect();
         let mut values = vec![Vec::with_capacity(base.len()); columns.len()];
         for i in 0..base.len() {
-            let decoded = self.decoded(&self.inputs(i, &dims), sitings)?;
-            for (list, (_, k)) in values.iter_mut().zip(&columns) {
-                list.push(decoded[*k]);
+            let inputs = self.inputs(i, &dims);
+            let decoded = self.decoded(&inputs, sitings)?;
+            for (list, (column, k)) in values.iter_mut().zip(&columns) {
+                let value = decoded[*k];
+                if !value.is_finite() {
+                    let name = column.name();
+                    return Err(format!("its `decode` of {name} gives {value} at {inputs:?}"));
+                }
+                list.push(value);
             }
         }
         let one = |((column, _), values): (&(Column, usize), Vec<f64>)| {
@@ -221,6 +222,14 @@ impl Look<'_> {
             }
         };
         Ok(columns.iter().zip(values).map(one).collect())
+    }
+
+    /// The columns that are asked for, with their places in `decode`.
+    fn columns(&self, truth: &dyn Truth) -> Result<Vec<(Column, usize)>, String> {
+        let column = |name: &str| truth.columns().iter().copied().find(|c| c.name() == name);
+        let all = self.said.decode.iter().enumerate().filter_map(|(k, (name, _))| Some((column(name)?, k)));
+        let found: Vec<(Column, usize)> = all.filter(|(c, _)| self.wanted.is_none_or(|w| w == *c)).collect();
+        if found.is_empty() { Err("it decodes to no column that is asked for".into()) } else { Ok(found) }
     }
 
     fn inputs(&self, i: usize, dims: &[usize]) -> Vec<(&'static str, f64)> {
@@ -261,6 +270,9 @@ impl Look<'_> {
         for _ in 0..64 {
             let middle = 0.5 * (low + high);
             let of = self.said.alpha.value(&|name| (name == "roughness").then_some(middle))?;
+            if !of.is_finite() {
+                return None;
+            }
             if of < alpha { low = middle } else { high = middle }
         }
         Some(high)
@@ -271,7 +283,9 @@ impl Look<'_> {
 fn coordinate(axis: &Axis, known: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
     let (wanted, _) = axis.coordinate.first()?;
     let mut made: Vec<(&str, f64)> = Vec::new();
-    for _ in 0..axis.coordinate.len() {
+    let mut before = usize::MAX;
+    while before != made.len() {
+        before = made.len();
         for (name, formula) in &axis.coordinate {
             let of = |n: &str| made.iter().find(|m| m.0 == n).map(|m| m.1).or_else(|| known(n));
             let new = made.iter().all(|m| m.0 != name);
@@ -292,7 +306,8 @@ fn instead(
     limit: f64,
 ) -> Result<Option<String>, AuditError> {
     let fits = |base: &Values, sitings: &[Siting]| {
-        look.errors(truth, base, sitings).is_ok_and(|held| held.iter().all(|h| h.max <= limit))
+        let fits = |h: &Held| h.max <= limit && h.fits(truth.bound());
+        look.errors(truth, base, sitings).is_ok_and(|held| held.iter().all(fits))
     };
     let said: Vec<Siting> = look.said.axes.iter().map(|a| a.siting).collect();
     let at: Vec<&[f64]> = look.places.iter().map(|p| p.1.as_slice()).collect();

@@ -14,6 +14,8 @@ pub(super) struct Axis {
     pub size: usize,
     /// Where they lie.
     pub siting: Siting,
+    /// Range of what runs along it.
+    pub range: [f64; 2],
     /// Its coordinate, as printed.
     pub text: String,
     /// Its coordinate u in [0, 1], and what the names in it stand for.
@@ -88,7 +90,7 @@ impl Statement {
 fn axis(text: &str) -> Result<Axis, String> {
     let odd = || format!("an axis is `{text}`");
     let (name, rest) = text.split_once(" in [").ok_or_else(odd)?;
-    let (_, rest) = rest.split_once("], ").ok_or_else(odd)?;
+    let (ends, rest) = rest.split_once("], ").ok_or_else(odd)?;
     let (size, rest) = rest.split_once(" texels, ").ok_or_else(odd)?;
     let (registration, coordinate) = rest.split_once(" registration, ").ok_or_else(odd)?;
     let siting = [Siting::Centre, Siting::Endpoint].into_iter().find(|s| s.name() == registration);
@@ -96,10 +98,14 @@ fn axis(text: &str) -> Result<Axis, String> {
         name: name.to_string(),
         size: size.parse().map_err(|_| odd())?,
         siting: siting.ok_or_else(odd)?,
+        range: numbers(ends).ok_or_else(odd)?,
         text: coordinate.to_string(),
         coordinate: definitions(coordinate)?,
     })
 }
+
+/// Most definitions of a line: tables call for six.
+const DEFINITIONS: usize = 16;
 
 /// `a = formula, b = formula`; what stands in brackets after a formula, as `(t = 0 at ...)`, cannot be read.
 fn definitions(text: &str) -> Result<Vec<(String, Formula)>, String> {
@@ -107,6 +113,9 @@ fn definitions(text: &str) -> Result<Vec<(String, Formula)>, String> {
         let (name, formula) = part.split_once(" = ").ok_or_else(|| format!("`{part}` is no definition"))?;
         Ok((name.trim().to_string(), Formula::parse(formula)?))
     };
+    if text.split(", ").nth(DEFINITIONS).is_some() {
+        return Err(format!("more than {DEFINITIONS} definitions in one line"));
+    }
     text.split(", ").map(one).collect()
 }
 
@@ -114,8 +123,13 @@ fn definitions(text: &str) -> Result<Vec<(String, Formula)>, String> {
 fn range(text: &str) -> Result<(String, [f64; 2]), String> {
     let odd = || format!("`{text}` is no range");
     let (name, ends) = text.trim().trim_end_matches(']').split_once(" [").ok_or_else(odd)?;
-    let (low, high) = ends.split_once(", ").ok_or_else(odd)?;
-    let number = |t: &str| t.trim().parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(odd);
+    Ok((name.to_string(), numbers(ends).ok_or_else(odd)?))
+}
+
+/// `0.001, 1`, rising.
+fn numbers(text: &str) -> Option<[f64; 2]> {
+    let (low, high) = text.split_once(", ")?;
+    let number = |t: &str| t.trim().parse::<f64>().ok().filter(|x| x.is_finite());
     let (low, high) = (number(low)?, number(high)?);
-    if low <= high { Ok((name.to_string(), [low, high])) } else { Err(odd()) }
+    (low < high).then_some([low, high])
 }

@@ -25,15 +25,22 @@ pub(super) fn paragraph(found: &Declared) -> String {
     )];
     out.push(if found.holds() {
         "That was read, held against the truth, and is so.".into()
+    } else if found.keeps() {
+        format!(
+            "That was read and held against the truth, and it is not so, for all that it claims an error of {} at most: no table of this is so \
+             far off.",
+            number(found.claimed)
+        )
     } else {
         format!(
             "That was read and held against the truth, and it is not so: it claims an error of {} at most.",
             number(found.claimed)
         )
     });
+    let domain = domain(found);
     for held in &found.held {
         out.push(format!(
-            "Looked up as it says, {} is off by at most {} (RMS {}) over {} points of its domain, worst at {}, where it is {} and {} is true.",
+            "Looked up as it says, {} is off by at most {} (RMS {}) over {} points of {domain}, worst at {}, where it is {} and {} is true.",
             held.column.name(),
             number(held.max),
             number(held.rms),
@@ -46,6 +53,27 @@ pub(super) fn paragraph(found: &Declared) -> String {
     if found.holds() {
         out.push(format!("It claims {}.", number(found.claimed)));
     }
+    if !found.cut.is_empty() {
+        out.push(format!(
+            "It claims that of {} as well, where the truth is not had.",
+            found.cut.join(" and ")
+        ));
+    }
+    if !found.beyond.is_empty() {
+        out.push(format!(
+            "Its axes cover {} as well, of which it claims nothing: that is not judged.",
+            found.beyond.join(" and ")
+        ));
+    }
     out.extend(found.instead.as_ref().map(|other| format!("It would be so with {other}.")));
     out.join(" ")
+}
+
+/// The ranges that were judged.
+fn domain(found: &Declared) -> String {
+    let one = |(name, list): &(&str, Vec<f64>)| {
+        let ends = list.first().zip(list.last());
+        ends.map(|(from, to)| format!("{name} {} to {}", number(*from), number(*to)))
+    };
+    found.places.iter().filter_map(one).collect::<Vec<_>>().join(", ")
 }

@@ -119,11 +119,15 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
 fn untold(audit: &Audit) -> Option<String> {
     let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None)?;
     let other = readings_differ(audit, audit.best(), &plain.convention);
+    let scope = match (audit.source, plain.texels) {
+        (Source::Function, _) => String::new(),
+        (Source::Table, [judged, all]) if judged < all => format!(" at {judged} of its {all} texels"),
+        (Source::Table, _) => " at its texels".into(),
+    };
     Some(format!(
-        "Nobody takes {} without being told: read plainly ({other}), it is off by at most {}{}.",
+        "Nobody takes {} without being told: read plainly ({other}), it is off by at most {}{scope}.",
         plain.untold.join(", or "),
         number(plain.max),
-        if audit.source == Source::Table { " at its texels" } else { "" },
     ))
 }
 

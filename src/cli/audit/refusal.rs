@@ -27,9 +27,19 @@ pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
 pub(super) fn of_stated(said: &Declared, limit: Option<f64>) -> String {
     let worst = said.worst();
     match limit.filter(|_| said.holds()) {
+        Some(limit) if worst <= limit => format!(
+            "audit failed: {} is not judged, since the file claims nothing of it; with options that say how it is read (--axes, --registration) \
+             every texel is",
+            said.beyond.join(" and ")
+        ),
         Some(limit) => format!(
             "audit failed: looked up as the file says, the largest error is {worst:.3e}, the limit {limit:e}"
         ),
+        None if said.keeps() => {
+            format!(
+                "audit failed: the file is not what it says: its error is {worst:.3e}, however much it claims"
+            )
+        }
         None => format!(
             "audit failed: the file is not what it says: it claims an error of {:e} at most, it is {worst:.3e}",
             said.claimed

@@ -141,8 +141,7 @@ pub(super) fn eager(text: &str, range: [usize; 2], writes: &dyn Fn(&str) -> bool
                 return Some((range[0] + at, "an assignment".into()));
             }
             Token::Mark(b'=') if inside => {
-                let compares = at > 0 && b"=<>!".contains(&bytes[at - 1]) || bytes.get(at + 1) == Some(&b'=');
-                if !compares {
+                if !compares(bytes, at) {
                     return Some((range[0] + at, "an assignment".into()));
                 }
             }
@@ -166,6 +165,16 @@ pub(super) fn eager(text: &str, range: [usize; 2], writes: &dyn Fn(&str) -> bool
         last = if let Token::Word(name) = token { Some((at, name)) } else { None };
     }
     None
+}
+
+/// Whether `=` at a byte is of `==`, `!=`, `<=` or `>=`, and not of an assignment, as it is in `<<=`.
+fn compares(bytes: &[u8], at: usize) -> bool {
+    let before = |k: usize| at.checked_sub(k).map(|i| bytes[i]);
+    match before(1) {
+        Some(b'=' | b'!') => true,
+        Some(c @ (b'<' | b'>')) => before(2) != Some(c),
+        _ => bytes.get(at + 1) == Some(&b'='),
+    }
 }
 
 #[cfg(test)]
@@ -203,6 +212,9 @@ mod tests {
         assert_eq!(found("f(a && c, set(x)); if (a || c) { x = 1.0; }"), None);
         assert_eq!(found("b = a || (c && x++ > 1);"), Some(16));
         assert_eq!(found("b = a && (x = 2.0) > c;"), Some(12));
-        assert_eq!(found("b = a && c <= d && c == e && c != e;"), None);
+        assert_eq!(found("b = a && c <= d && c == e && c != e && c >= e;"), None);
+        assert_eq!(found("b = a && (k <<= 1) > 2;"), Some(14));
+        assert_eq!(found("b = a && (k >>= 1) > 2;"), Some(14));
+        assert_eq!(found("b = a && (k |= 1) > 2;"), Some(13));
     }
 }
