@@ -219,7 +219,12 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
         ops: fit.approximation.cost.ops,
         coefficients: parameters.map(|(p, value)| (p.name.clone(), p.start, *value)).collect(),
         certificates: certificates.collect(),
-        stages: fit.fitted.stages.iter().map(|s| words::stage(s, !fit.fitted.constraints.is_empty())).collect(),
+        stages: fit
+            .fitted
+            .stages
+            .iter()
+            .map(|s| words::stage(s, !fit.fitted.constraints.is_empty()))
+            .collect(),
         slices: pictures::slices(fit, &fitting.target)?,
         code: code.collect::<Result<_, FittingError>>()?,
     })

@@ -56,11 +56,12 @@ pub(super) fn cleared(
 /// One sentence for each coefficient that is 0, but for those of which `fitted` says already that they do not matter.
 pub(super) fn notes(hypothesis: &Hypothesis, coefficients: &[f32], fitted: &Fitted) -> Vec<String> {
     let zero = hypothesis.parameters().iter().zip(coefficients).filter(|(_, value)| **value == 0.0);
-    zero.filter(|(parameter, _)| !fitted.is_idle(&parameter.name)).map(|(parameter, _)| {
-        format!(
-            "`{}` is 0: drop it from the formula; its operations are counted, and computed, for nothing",
-            parameter.name
-        )
-    })
-    .collect()
+    zero.filter(|(parameter, _)| !fitted.is_idle(&parameter.name))
+        .map(|(parameter, _)| {
+            format!(
+                "`{}` is 0: drop it from the formula; its operations are counted, and computed, for nothing",
+                parameter.name
+            )
+        })
+        .collect()
 }

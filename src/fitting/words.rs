@@ -48,7 +48,8 @@ pub(super) fn end(fitted: &Fitted) -> String {
 fn within(end: Termination, first_order: bool) -> String {
     match end {
         Termination::Minimax | Termination::Converged { .. } if first_order => {
-            "no step within the constraints gains anything to first order (whether a saddle is not looked at)".into()
+            "no step within the constraints gains anything to first order (whether a saddle is not looked at)"
+                .into()
         }
         end => termination(end),
     }
@@ -115,9 +116,7 @@ pub(super) fn optimality(fitted: &Fitted, weighted: bool) -> String {
             )
         }
         (Gap::Local(_), _) => "local, and no bound on what is left to gain".into(),
-        (Gap::Unknown, _) => {
-            "local: the best found from the starting points; others are not excluded".into()
-        }
+        (Gap::Unknown, _) => "local: the best found from the starting points; others are not excluded".into(),
     }
 }
 
@@ -135,5 +134,10 @@ pub(super) fn constraint(kept: &Kept) -> String {
 /// One stage of the search, within constraints or not.
 pub(super) fn stage(stage: &Stage, constrained: bool) -> [String; 4] {
     let figure = |x: f64| crate::emit::header::short(x);
-    [stage.method.name().into(), within(stage.end, constrained && stage.method == Method::Programs), figure(stage.max), figure(stage.rms)]
+    [
+        stage.method.name().into(),
+        within(stage.end, constrained && stage.method == Method::Programs),
+        figure(stage.max),
+        figure(stage.rms),
+    ]
 }

@@ -83,7 +83,8 @@ impl Fitted {
     /// Whether the coefficients are where no step within the constraints gains anything to first order: whether that is a minimum or
     /// a saddle is not looked at.
     pub fn is_first_order(&self) -> bool {
-        !self.constraints.is_empty() && self.stages.last().is_some_and(|stage| stage.method == Method::Programs)
+        !self.constraints.is_empty()
+            && self.stages.last().is_some_and(|stage| stage.method == Method::Programs)
     }
 }
 
