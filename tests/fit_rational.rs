@@ -238,3 +238,17 @@ fn units_do_not_matter() {
         assert!((best.max / unit / best_plain.max - 1.0).abs() < 1e-7, "{best:?} {best_plain:?}");
     }
 }
+
+/// Denominators b, -b and c: none of the first two is positive unless the other is not.
+#[test]
+fn denominators_that_reach_0_for_every_choice_are_told() {
+    let problem = Rational {
+        parameters: 3,
+        numerator: [[0.0, 1.0, 0.0, 0.0]; 3].concat(),
+        denominator: [[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 0.0, 0.0, 1.0]].concat(),
+        scale: vec![1.0; 3],
+        target: vec![0.3, 0.5, 0.4],
+    };
+    let told = minimax(&problem, &[], None).unwrap_err().to_string();
+    assert!(told.contains("every choice of the coefficients has a denominator that is 0"), "{told}");
+}

@@ -78,3 +78,43 @@ fn a_minimum_with_vanishing_derivatives_stays_one() {
         assert!((fitted.coefficients[1] - 0.75).abs() < 1e-3, "{goal}: {fitted:?}");
     }
 }
+
+/// b c times values to which the targets are orthogonal: its least squares are at 0, where nothing is gained to first order, but the
+/// largest residual falls from 1 to 0.85 at b c = 0.15. Without a saddle to leave, the better coefficients are kept, but not called a
+/// minimum.
+#[test]
+fn the_better_coefficients_are_kept_where_no_saddle_may_be_left() {
+    let source = "override b: f32 = 0.0; override c: f32 = 0.0; fn f(x: f32) -> f32 { return b * c * x; }";
+    let samples = Samples {
+        scale: vec![1.0; 4],
+        target: vec![1.0, 0.25, 0.0, 0.0],
+        inputs: vec![vec![1.0, -4.0, 0.0, 0.0]],
+    };
+    let fitted = |saddles| {
+        let options = Options { starts: 1, saddles, ..Options::new(Goal::Max) };
+        optimise(&parse(source), &samples, &[], &options).unwrap_or_else(|e| panic!("{e}"))
+    };
+    let (stopped, free) = (fitted(0), fitted(6));
+    assert_eq!(stopped.termination, Termination::Saddle, "{stopped:?}");
+    assert!(!stopped.termination.is_converged());
+    assert!(free.termination.is_converged(), "{free:?}");
+    for fitted in [stopped, free] {
+        assert!((fitted.max - 0.85).abs() < 1e-4, "{fitted:?}");
+    }
+}
+
+/// Least squares, likewise: from a product at 0 to what it is good for.
+#[test]
+fn least_squares_keep_the_better_coefficients_too() {
+    let source = "override a: f32 = 0.5; override b: f32 = 0.0; override c: f32 = 0.0; fn f(x: f32) -> f32 { return a + b * c * x; }";
+    let samples = curve(101, |x| (1.0 + 3.0 * x).ln());
+    for goal in [Goal::Rms, Goal::Power(8.0)] {
+        let options = Options { starts: 1, saddles: 0, ..Options::new(goal) };
+        let stopped = optimise(&parse(source), &samples, &[], &options).unwrap_or_else(|e| panic!("{e}"));
+        let free = fit(source, &samples, goal);
+        assert!((stopped.value / free.value - 1.0).abs() < 1e-4, "{goal}: {stopped:?} {free:?}");
+        // A climb through the norms begins beyond the saddle.
+        let named = stopped.stages[0].end;
+        assert_eq!(named, Termination::Saddle, "{goal}: {stopped:?}");
+    }
+}

@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use lobefit::data::{AlphaMap, Smith, Use};
-use lobefit::effects::target::{Points, Sampled, Target, TargetSpec};
+use lobefit::effects::target::{Points, Sampled, Target, TargetError, TargetSpec};
 use lobefit::effects::{Method, Quantity};
 use lobefit::fit::Hypothesis;
+use lobefit::integrate::IntegrateError;
 
 fn spec(quantity: &str) -> TargetSpec {
     TargetSpec {
@@ -202,4 +203,31 @@ fn an_edge_is_compared_with_the_range_of_its_own_input() {
     }
     let (columns, values) = sheen.edge(&names, "f", ("alpha", 0.25), Some(1.0)).expect("inside");
     assert!(columns[0].iter().all(|alpha| *alpha == 0.25) && !values.is_empty());
+}
+
+/// Only inputs without a truth are mended by other ranges.
+#[test]
+fn a_truth_that_misses_its_tolerance_is_not_called_a_matter_of_ranges() {
+    let misses = TargetError::Integrate(IntegrateError::Tolerance {
+        quantity: "ggx-reflection",
+        place: "alpha = 0.5".into(),
+        reached: 1e-5,
+        tolerance: 1e-7,
+    });
+    let outside = TargetError::Integrate(IntegrateError::Domain {
+        quantity: "ggx-reflection",
+        input: "alpha",
+        value: 2.0,
+        domain: "is outside [0, 1]",
+    });
+    assert!(
+        misses.to_string().starts_with("ggx-reflection at alpha = 0.5: error bound")
+            && !misses.names_a_setting()
+    );
+    let told = outside.to_string();
+    assert!(
+        told.starts_with("domain: ") && told.ends_with("give ranges that leave such inputs out"),
+        "{told}"
+    );
+    assert!(outside.names_a_setting());
 }

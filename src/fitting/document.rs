@@ -140,12 +140,12 @@ fn solver(fit: &Certified) -> Value {
         Gap::Unknown => ("unknown", None),
     };
     let stage = |s: &crate::fit::Stage| {
-        let [method, end, ..] = words::stage(s);
+        let [method, end, ..] = words::stage(s, !fitted.constraints.is_empty());
         json!({"method": method, "end": end, "max": s.max, "rms": s.rms})
     };
     json!({
         "converged": fitted.termination.is_converged(),
-        "termination": words::termination(fitted.termination),
+        "termination": words::end(fitted),
         "optimality": kind,
         "gap": gap.filter(|gap| gap.is_finite()),
         "bound": fitted.bound,
@@ -219,7 +219,12 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
         ops: fit.approximation.cost.ops,
         coefficients: parameters.map(|(p, value)| (p.name.clone(), p.start, *value)).collect(),
         certificates: certificates.collect(),
-        stages: fit.fitted.stages.iter().map(words::stage).collect(),
+        stages: fit
+            .fitted
+            .stages
+            .iter()
+            .map(|s| words::stage(s, !fit.fitted.constraints.is_empty()))
+            .collect(),
         slices: pictures::slices(fit, &fitting.target)?,
         code: code.collect::<Result<_, FittingError>>()?,
     })
@@ -229,7 +234,7 @@ fn facts(fit: &Certified, weighted: bool) -> Vec<(String, String)> {
     let fitted = &fit.fitted;
     let mut rows = vec![
         ("Minimised".to_string(), words::minimised(fit.goal)),
-        ("Ended as".into(), words::termination(fitted.termination)),
+        ("Ended as".into(), words::end(fitted)),
         ("Optimality".into(), words::optimality(fitted, weighted)),
     ];
     let parameters = fitted.undetermined.iter().chain(&fit.notes);

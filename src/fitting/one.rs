@@ -91,7 +91,7 @@ pub(super) fn fit_one(
         problems: Vec::new(),
     };
     if fit.fitted.termination.is_converged() {
-        fit.notes = vanished::notes(&fit.hypothesis, &fit.coefficients);
+        fit.notes = vanished::notes(&fit.hypothesis, &fit.coefficients, &fit.fitted);
     }
     fit.problems = problems(&fit, job.limit);
     Ok(fit)
@@ -207,7 +207,7 @@ fn problems(fit: &Certified, limit: Option<f64>) -> Vec<String> {
     let mut problems = Vec::new();
     let termination = fit.fitted.termination;
     if !termination.is_converged() {
-        problems.push(format!("not converged: {}", words::termination(termination)));
+        problems.push(format!("not converged: {}", words::end(&fit.fitted)));
     }
     for (parameter, value) in fit.hypothesis.parameters().iter().zip(&fit.fitted.coefficients) {
         if value.abs() > RUN_AWAY * f64::from(parameter.start.abs()).max(1.0) {

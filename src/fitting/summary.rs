@@ -40,7 +40,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     let weight = job.weight.as_ref().map_or(String::new(), |weight| format!(", weighted by {weight}"));
     line(format!("  minimised    {}{weight}", words::minimised(fit.goal)));
     let converged = if fit.fitted.termination.is_converged() { "" } else { "NOT CONVERGED: " };
-    line(format!("  ended        {converged}{}", words::termination(fit.fitted.termination)));
+    line(format!("  ended        {converged}{}", words::end(&fit.fitted)));
     line(format!("  optimality   {}", words::optimality(&fit.fitted, job.weight.is_some())));
     for text in fit.fitted.undetermined.iter().chain(&fit.notes) {
         line(format!("  parameters   {text}"));

@@ -53,14 +53,15 @@ pub(super) fn cleared(
     Ok(found)
 }
 
-/// One sentence for each coefficient that is 0.
-pub(super) fn notes(hypothesis: &Hypothesis, coefficients: &[f32]) -> Vec<String> {
+/// One sentence for each coefficient that is 0, but for those of which `fitted` says already that they do not matter.
+pub(super) fn notes(hypothesis: &Hypothesis, coefficients: &[f32], fitted: &Fitted) -> Vec<String> {
     let zero = hypothesis.parameters().iter().zip(coefficients).filter(|(_, value)| **value == 0.0);
-    zero.map(|(parameter, _)| {
-        format!(
-            "`{}` is 0: drop it from the formula; its operations are counted, and computed, for nothing",
-            parameter.name
-        )
-    })
-    .collect()
+    zero.filter(|(parameter, _)| !fitted.is_idle(&parameter.name))
+        .map(|(parameter, _)| {
+            format!(
+                "`{}` is 0: drop it from the formula; its operations are counted, and computed, for nothing",
+                parameter.name
+            )
+        })
+        .collect()
 }

@@ -3,7 +3,7 @@
 use super::Kept;
 use crate::data::Use;
 use crate::effects::target::Target;
-use crate::fit::{Fitted, Gap, Goal, Stage, Termination};
+use crate::fit::{Fitted, Gap, Goal, Method, Stage, Termination};
 
 /// `max`, `rms`, `p=8`: as on the command line.
 pub(super) fn goal(goal: Goal) -> String {
@@ -39,8 +39,24 @@ pub(super) fn metric(used_as: Use) -> &'static str {
     }
 }
 
+/// How the search for a fit ended.
+pub(super) fn end(fitted: &Fitted) -> String {
+    within(fitted.termination, fitted.is_first_order())
+}
+
+/// How a search ended that looked at the first order alone, as it does within constraints, or not.
+fn within(end: Termination, first_order: bool) -> String {
+    match end {
+        Termination::Minimax | Termination::Converged { .. } if first_order => {
+            "no step within the constraints gains anything to first order (whether a saddle is not looked at)"
+                .into()
+        }
+        end => termination(end),
+    }
+}
+
 /// How a search ended.
-pub(super) fn termination(termination: Termination) -> String {
+fn termination(termination: Termination) -> String {
     match termination {
         Termination::Converged { cosine } => {
             format!("a minimum: residuals and derivatives are orthogonal within a cosine of {cosine:.1e}")
@@ -49,7 +65,11 @@ pub(super) fn termination(termination: Termination) -> String {
             "a minimum: no change near these coefficients lowers the largest error".into()
         }
         Termination::GlobalMinimax => "the global minimum, by proof".into(),
-        Termination::Constrained => "a minimum on the edge of what the constraints allow".into(),
+        Termination::Constrained => {
+            "on the edge of what the constraints allow: no step within them gains anything to first order (whether a saddle is not \
+             looked at)"
+                .into()
+        }
         Termination::ZeroResidual => "the formula reproduces the truth".into(),
         Termination::NoParameters => "the formula has no free parameter: nothing was fitted".into(),
         Termination::RankDeficient { rank: 0 } => {
@@ -62,7 +82,8 @@ pub(super) fn termination(termination: Termination) -> String {
             format!("a minimum, but only {rank} combinations of the parameters are determined")
         }
         Termination::Saddle => {
-            "a saddle: derivatives vanish, but there is lower ground beside it; give other starting values"
+            "saddles, left one after the other for lower ground beside them until no more were allowed: not known to be a minimum; \
+             give other starting values"
                 .into()
         }
         Termination::IterationCap => "the iterations were used up".into(),
@@ -95,9 +116,7 @@ pub(super) fn optimality(fitted: &Fitted, weighted: bool) -> String {
             )
         }
         (Gap::Local(_), _) => "local, and no bound on what is left to gain".into(),
-        (Gap::Unknown, _) => {
-            "local: the best minimum found from the starting points; others are not excluded".into()
-        }
+        (Gap::Unknown, _) => "local: the best found from the starting points; others are not excluded".into(),
     }
 }
 
@@ -112,8 +131,13 @@ pub(super) fn constraint(kept: &Kept) -> String {
     }
 }
 
-/// One stage of the search.
-pub(super) fn stage(stage: &Stage) -> [String; 4] {
+/// One stage of the search, within constraints or not.
+pub(super) fn stage(stage: &Stage, constrained: bool) -> [String; 4] {
     let figure = |x: f64| crate::emit::header::short(x);
-    [stage.method.name().into(), termination(stage.end), figure(stage.max), figure(stage.rms)]
+    [
+        stage.method.name().into(),
+        within(stage.end, constrained && stage.method == Method::Programs),
+        figure(stage.max),
+        figure(stage.rms),
+    ]
 }

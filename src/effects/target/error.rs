@@ -87,7 +87,7 @@ pub enum TargetError {
     #[error(transparent)]
     Fit(#[from] FitError),
     /// A truth could not be integrated somewhere in the domain.
-    #[error("domain: {0}; give ranges that leave such inputs out")]
+    #[error("{}", without_truth(.0))]
     Integrate(#[from] IntegrateError),
 }
 
@@ -102,7 +102,19 @@ impl TargetError {
                 | TargetError::Input { .. }
                 | TargetError::Word { .. }
                 | TargetError::Edge { .. }
-                | TargetError::Integrate(_)
-        )
+        ) || matches!(self, TargetError::Integrate(error) if is_of_domain(error))
+    }
+}
+
+/// Whether other ranges are what helps.
+fn is_of_domain(error: &IntegrateError) -> bool {
+    matches!(error, IntegrateError::Domain { .. } | IntegrateError::NotFinite { .. })
+}
+
+fn without_truth(error: &IntegrateError) -> String {
+    if is_of_domain(error) {
+        format!("domain: {error}; give ranges that leave such inputs out")
+    } else {
+        error.to_string()
     }
 }

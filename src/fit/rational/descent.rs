@@ -121,14 +121,19 @@ impl<'a> Descent<'a> {
             solved => solved.map_err(|failure| self.refused(failure))?,
         };
         if vertex.x.last().is_none_or(|z| *z >= 0.0) {
-            if vertex.proven(&program) <= 0.0 {
-                return Err(self.refused(Failure::Unproven));
-            }
             let sample = vertex.active.iter().find_map(|(id, y)| match id {
                 Id::Above(sample) if *y > 0.0 => Some(*sample),
                 _ => None,
             });
-            return Err(FitError::NoDenominator { sample: sample.unwrap_or(0) });
+            let sample = sample.unwrap_or(0);
+            if vertex.proven(&program) > 0.0 {
+                return Err(FitError::NoDenominator { sample });
+            }
+            let message = format!(
+                "every choice of the coefficients has a denominator that is 0, to rounding, or less at some sample; sample {sample} is \
+                 one of those in the way"
+            );
+            return Err(FitError::Solver { message });
         }
         vertex.x.pop();
         Ok(vertex.x)
@@ -210,8 +215,8 @@ impl<'a> Descent<'a> {
             for part in PROOFS {
                 let level = max * (1.0 - part);
                 self.programs += 1;
-                if self.program(level).solve(&self.active).is_ok_and(|v| v.x.last().is_some_and(|z| *z > 0.0))
-                {
+                let mut program = self.program(level);
+                if program.solve(&self.active).is_ok_and(|vertex| vertex.proven(&program) > 0.0) {
                     bound = level;
                     break;
                 }

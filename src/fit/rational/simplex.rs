@@ -18,7 +18,8 @@ pub(super) trait Rows {
 /// Why a program has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Failure {
-    /// The rows contradict one another, by multipliers that prove it whatever was rounded.
+    /// The rows contradict one another, by multipliers that prove it for the rows as they are in floating point: what combining them
+    /// may have rounded is counted, what computing their entries has rounded is not.
     Infeasible,
     /// The rows seem to contradict one another, but rounding could account for it.
     Unproven,
@@ -82,7 +83,8 @@ pub(super) fn minimise_last<R: Rows>(
     Err(Failure::Numerical)
 }
 
-/// Rows combined with multipliers y >= 0: c + sum y a, and sum y b, each with what rounding may have done to it.
+/// Rows combined with multipliers y >= 0: c + sum y a, and sum y b, each with what rounding may have done to it. The rows' entries
+/// are taken as exact.
 struct Combined {
     left: Vec<f64>,
     left_error: Vec<f64>,

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use super::levenberg::{End, Search, search};
 use super::objective::{Linear, Objective, largest};
+use super::options::Options;
 use super::power::PNorm;
 use super::reduce::{RANK_TOLERANCE, reduce};
 use super::starts::starts;
@@ -15,9 +16,6 @@ use crate::math::ops::pow;
 
 /// A search that ends lower by less than this part has found the same minimum.
 pub(super) const LOWER: f64 = 1e-6;
-
-/// Saddles that are left one after the other before one is called the end.
-const SADDLES: usize = 6;
 
 /// Steps of the differences that make second derivatives, in units of a parameter's own size: the error of central ones is its
 /// square, that of rounding some 1e-16 divided by it.
@@ -38,7 +36,8 @@ const BOXES: [f64; 2] = [1.0, 0.1];
 const ACTIVE: f64 = 1.0 - 1e-4;
 const INDEPENDENT: f64 = 1e-3;
 
-/// The search, or a better one that starts beside its end; its end is named a saddle if it still is one.
+/// The search, or a better one that starts beside its end. Where more saddles would have to be left than the options allow, the
+/// best point in hand is returned, its end named a saddle: beside that nobody has looked.
 ///
 /// # Errors
 /// The driver of the searches fails.
@@ -46,17 +45,17 @@ pub(super) fn escaped(
     objective: &Objective,
     from: Search,
     norm: PNorm,
-    iterations: u64,
+    options: &Options,
 ) -> Result<Search, FitError> {
     let mut at = from;
-    for _ in 0..SADDLES {
+    for _ in 0..=options.saddles {
         if !matches!(at.end, End::Minimum { .. }) {
             return Ok(at);
         }
-        let Some(better) = better(objective, &at, norm, iterations)? else { return Ok(at) };
+        let Some(better) = better(objective, &at, norm, options.iterations)? else { return Ok(at) };
         at = Search { evaluations: at.evaluations + better.evaluations, ..better };
     }
-    if matches!(at.end, End::Minimum { .. }) && better(objective, &at, norm, iterations)?.is_some() {
+    if matches!(at.end, End::Minimum { .. }) {
         at.end = End::Saddle;
     }
     Ok(at)

@@ -1,19 +1,23 @@
 //! What a search hands back: coefficients, how it ended, and what is known of them.
 
+use super::rank;
+
 /// How a fit has ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Termination {
-    /// Least squares or p-norm: the residuals, weighted by the norm, are orthogonal to the Jacobian within this cosine.
+    /// Least squares or p-norm: the residuals, weighted by the norm, are orthogonal to the Jacobian within this cosine. Without
+    /// constraints the second order has been looked at as well.
     Converged {
         /// Largest cosine between the residuals and a column of the Jacobian.
         cosine: f64,
     },
-    /// Minimax: the linear programs found nothing more to gain near these coefficients.
+    /// Minimax: the linear programs found nothing more to gain near these coefficients. Within constraints to first order only.
     Minimax,
     /// Minimax: no coefficients whatsoever are better by more than the gap, by proof.
     GlobalMinimax,
-    /// A minimum on the edge of what the constraints allow: the programs found no step within them that gains anything.
+    /// On the edge of what the constraints allow: the programs found no step within them that gains anything to first order. Whether
+    /// it is a minimum or a saddle is not looked at.
     Constrained,
     /// The formula reproduces the targets.
     ZeroResidual,
@@ -24,7 +28,8 @@ pub enum Termination {
         /// Number of determined combinations of parameters.
         rank: usize,
     },
-    /// No minimum though derivatives vanish: there is lower ground beside these coefficients, and leaving saddles led to saddles only.
+    /// Not known to be a minimum though derivatives vanish: saddle after saddle was left for lower ground beside it, and these
+    /// coefficients come from the last that was allowed.
     Saddle,
     /// Iterations used up.
     IterationCap,
@@ -35,7 +40,7 @@ pub enum Termination {
 }
 
 impl Termination {
-    /// Whether the coefficients are a minimum of the norm asked for.
+    /// Whether the coefficients are a minimum of the norm asked for, within constraints to first order.
     pub fn is_converged(self) -> bool {
         !matches!(
             self,
@@ -66,6 +71,20 @@ impl Gap {
             Gap::Global(gap) | Gap::Local(gap) => Some(gap),
             Gap::Unknown => None,
         }
+    }
+}
+
+impl Fitted {
+    /// Whether [`Fitted::undetermined`] says of this parameter that it does not matter.
+    pub fn is_idle(&self, parameter: &str) -> bool {
+        self.undetermined.contains(&rank::idle(parameter))
+    }
+
+    /// Whether the coefficients are where no step within the constraints gains anything to first order: whether that is a minimum or
+    /// a saddle is not looked at.
+    pub fn is_first_order(&self) -> bool {
+        !self.constraints.is_empty()
+            && self.stages.last().is_some_and(|stage| stage.method == Method::Programs)
     }
 }
 

@@ -62,11 +62,13 @@ pub struct Options {
     pub spread: f64,
     /// Iterations of each search.
     pub iterations: u64,
+    /// Saddles that are left one after the other; the end of the next one's search is called [`super::Termination::Saddle`].
+    pub saddles: usize,
 }
 
 impl Options {
-    /// 8 starts within half the magnitude of the declared one, 200 iterations.
+    /// 8 starts within half the magnitude of the declared one, 200 iterations, 6 saddles.
     pub fn new(goal: impl Into<Goal>) -> Options {
-        Options { goal: goal.into(), starts: 8, spread: 0.5, iterations: 200 }
+        Options { goal: goal.into(), starts: 8, spread: 0.5, iterations: 200, saddles: 6 }
     }
 }

@@ -38,10 +38,17 @@ pub(super) fn undetermined(triangle: &Triangle, names: &[String]) -> Vec<String>
     sentences
 }
 
+/// The sentence of a parameter without an effect.
+pub(super) fn idle(name: &str) -> String {
+    format!("`{name}` does not matter")
+}
+
 fn sentence(group: &[usize], names: &[String]) -> String {
+    if let [only] = group {
+        return idle(&names[*only]);
+    }
     let quoted: Vec<String> = group.iter().map(|&i| format!("`{}`", names[i])).collect();
     match quoted.split_last() {
-        Some((last, [])) => format!("{last} does not matter"),
         Some((last, [first])) => {
             format!("{first} and {last} coincide: only a combination of them is determined")
         }

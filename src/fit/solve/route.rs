@@ -22,9 +22,6 @@ const COARSE: usize = 1536;
 /// Starts whose search is carried on with all samples.
 const FINALISTS: usize = 3;
 
-/// Saddles of the largest residual that are left one after the other.
-const SADDLES: usize = 3;
-
 /// Residuals below this part of the targets are zero.
 const ZERO: f64 = 1e-14;
 
@@ -64,7 +61,7 @@ pub(super) fn route(
     }
     match options.goal {
         Goal::Rms => Ok(least_squares(&searches)),
-        Goal::Power(p) => power(objective, &searches, p, options.iterations),
+        Goal::Power(p) => power(objective, &searches, p, options),
         Goal::Max => proven(objective, None, &searches, options)
             .map_or_else(|| minimax(objective, &searches, options), Ok),
     }
@@ -114,7 +111,7 @@ fn searches(objective: &Objective, declared: &[f64], options: &Options) -> Resul
         all = run(objective, &[seed], options.iterations)?;
     }
     let Some(best) = all.first() else { return Err(refused(objective, declared)) };
-    all[0] = escaped(objective, best.clone(), PNorm::SQUARE, options.iterations)?;
+    all[0] = escaped(objective, best.clone(), PNorm::SQUARE, options)?;
     Ok(all)
 }
 
@@ -219,24 +216,24 @@ fn climb(
     objective: &Objective,
     from: &Search,
     p: f64,
-    iterations: u64,
+    options: &Options,
 ) -> Result<Vec<(Method, Search)>, FitError> {
     let mut climbed = vec![(Method::LeastSquares, from.clone())];
     for q in ladder(p) {
         let Some((_, last)) = climbed.last() else { break };
-        let next = search(objective, &last.coefficients, PNorm(q), iterations)?;
+        let next = search(objective, &last.coefficients, PNorm(q), options.iterations)?;
         climbed.push((Method::Power(q), next.map_err(|_| refused(objective, &from.coefficients))?));
     }
     if let Some((Method::Power(q), last)) = climbed.last_mut() {
-        *last = escaped(objective, last.clone(), PNorm(*q), iterations)?;
+        *last = escaped(objective, last.clone(), PNorm(*q), options)?;
     }
     Ok(climbed)
 }
 
 /// The smallest p-norm reached from the finalists of the least-squares searches.
-fn power(objective: &Objective, searches: &[Search], p: f64, iterations: u64) -> Result<Route, FitError> {
+fn power(objective: &Objective, searches: &[Search], p: f64, options: &Options) -> Result<Route, FitError> {
     let finalists = &searches[..searches.len().min(FINALISTS)];
-    let climbs: Vec<_> = finalists.par_iter().map(|search| climb(objective, search, p, iterations)).collect();
+    let climbs: Vec<_> = finalists.par_iter().map(|search| climb(objective, search, p, options)).collect();
     let climbs = climbs.into_iter().collect::<Result<Vec<_>, FitError>>()?;
     let reached = |climb: &[(Method, Search)]| climb.last().map_or(f64::INFINITY, |(_, s)| s.value);
     let mut best = &climbs[0];
@@ -281,7 +278,7 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
         }
     }
     let Some((index, best)) = best else { return Err(refused(objective, &searches[0].coefficients)) };
-    let (best, spent, saddle) = off_saddles(objective, best, options.iterations);
+    let (best, spent, saddle) = off_saddles(objective, best, options);
     evaluations += spent;
     let termination = match end(&searches[index]) {
         Termination::RankDeficient { rank } if best.optimal && !saddle => Termination::RankDeficient { rank },
@@ -298,10 +295,11 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
 }
 
 /// The descent, or a better one from beside its end, where the first order holds it in fewer directions than there are; the
-/// evaluations of those that were tried; and whether the end still is a saddle.
-fn off_saddles(objective: &Objective, from: Descent, iterations: u64) -> (Descent, u64, bool) {
-    let (mut at, mut evaluations) = (from, 0);
-    for round in 0..=SADDLES {
+/// evaluations of those that were tried; and whether it comes from one saddle more than the options allow, so that beside it nobody
+/// has looked.
+fn off_saddles(objective: &Objective, from: Descent, options: &Options) -> (Descent, u64, bool) {
+    let (mut at, mut evaluations, iterations) = (from, 0, options.iterations);
+    for _ in 0..=options.saddles {
         let points =
             if at.optimal && at.max > 0.0 { beside(objective, &at.coefficients) } else { Vec::new() };
         let descents: Vec<Descent> = points
@@ -315,10 +313,10 @@ fn off_saddles(objective: &Objective, from: Descent, iterations: u64) -> (Descen
         evaluations += descents.iter().map(|d| d.evaluations).sum::<u64>();
         let lowest = descents.into_iter().reduce(|a, b| if b.max < a.max { b } else { a });
         match lowest.filter(|lowest| lowest.max < at.max * (1.0 - LOWER)) {
-            Some(_) if round == SADDLES => return (at, evaluations, true),
             Some(lowest) => at = lowest,
-            None => break,
+            None => return (at, evaluations, false),
         }
     }
-    (at, evaluations, false)
+    let saddle = at.optimal && at.max > 0.0;
+    (at, evaluations, saddle)
 }

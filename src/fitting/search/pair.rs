@@ -246,11 +246,15 @@ impl Asked<'_> {
                      forms.";
         let title = title(self.target, words);
         let second = Second { pairing: Pairing::Recycled, title, space, truth: rest };
-        let [low, high] = f0.range;
-        let at = (0..CURVED).map(|i| low + (high - low) * i as f64 / CURVED as f64).collect();
-        let samples = split.samples(losses, at);
+        let samples = split.samples(losses, curved(f0.range));
         Ok(search_pair(&self.pair(loss, vec![second])?, &samples, self.progress)?)
     }
+}
+
+/// Values of f0 that are evenly spread over a range, both its ends among them; but at f0 = 1 every form is exactly 0, which says nothing.
+fn curved([low, high]: [f64; 2]) -> Vec<f64> {
+    let parts = if high == 1.0 { CURVED } else { CURVED - 1 };
+    (0..CURVED).map(|i| low + (high - low) * i as f64 / parts as f64).collect()
 }
 
 /// What the formula is, then how.
