@@ -182,3 +182,97 @@ fn ends_within_constraints_are_claimed_to_first_order_only() {
         );
     }
 }
+
+/// A pole that no sample meets and one point of the certificate does: as any pole that is not excluded.
+#[test]
+fn a_pole_met_by_the_certificate_alone_is_told_as_a_pole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override c: f32 = 0.1;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + c*alpha/(mu - 0.333333); }\n";
+    let options = ["--to", "ggx-reflection:E", "--use", "normalisation", "--out", "out"];
+    let output = fit(folder.path(), source, &options);
+    let told = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    for words in ["not proven finite in its domain: mine.wgsl:2:", "may divide by zero near", "mu = 0.333"] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    assert!(!told.contains("sample") && !folder.path().join("out/mine.wgsl").exists(), "{told}");
+}
+
+#[test]
+fn what_half_precision_cannot_hold_is_told_with_its_place_and_the_remedy() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let to = ["--to", "ggx-reflection:E", "--precision", "f32", "--precision", "f16"];
+    let small = "override c: f32 = 0.1;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { let s = alpha * alpha * alpha; return 1.0 + c * s / (s * mu); }\n";
+    let output = fit(folder.path(), small, &to);
+    let told = stderr(&output);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    for words in
+        ["in f16: mine.wgsl:2:", "is not a number in f16 at alpha = ", "mu = ", "or measure it in f32"]
+    {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+    let large = small.replace("s * mu", "s * mu + 100000.0");
+    let told = stderr(&fit(folder.path(), &large, &to));
+    assert!(told.contains("mine: at 2:") && told.contains("the literal 100000 is infinite in f16"), "{told}");
+    assert!(told.contains("65504; scale the formula, or measure it in f32"), "{told}");
+}
+
+#[test]
+fn refusals_say_what_to_give_instead() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mine =
+        "override c: f32 = 1.0;\nfn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + c * alpha * mu; }\n";
+    let albedo = ["--to", "ggx-reflection:E"];
+    for (source, options, words) in [
+        (
+            mine,
+            &["--to", "ggx-reflection:B", "--use", "normalisation"][..],
+            "give --to ggx-reflection:E or leave",
+        ),
+        (
+            mine,
+            &["--to", "ggx-glass:R", "--fix", "side=outside", "--use", "normalisation"],
+            "give --to ggx-glass:E or",
+        ),
+        (
+            mine,
+            &["--to", "diffuse-coupling", "--use", "normalisation"],
+            "give another quantity or leave --use out",
+        ),
+        (mine, &["--to", "diffuse-coupling"], "--fix specular=single"),
+        (mine, &["--to", "ggx-glass"], "--fix side=outside"),
+        (
+            mine,
+            &["--to", "ggx-reflection:E", "--max-ops", "3"],
+            "--max-ops <N>' cannot be used with '[HYPOTHESIS]'",
+        ),
+        (
+            mine,
+            &["--to", "ggx-reflection:E", "--width", "3"],
+            "--width <N>' cannot be used with '[HYPOTHESIS]'",
+        ),
+        (mine, &["--to", "ggx-reflection:E", "--helpers", "none"], "--helpers <H>' cannot be used with"),
+        (&mine.replace("mu", "NdotV"), &albedo, "roughness, mu, alpha; rename it in the formula"),
+        (
+            &mine.replace("1.0 + c", "1.0"),
+            &albedo,
+            "parameter c is not used: use it in the formula or remove its override",
+        ),
+    ] {
+        let output = fit(folder.path(), source, options);
+        let told = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{options:?}: {told}");
+        assert!(told.contains(words), "{options:?}: {told}");
+    }
+    let root = "override c: f32 = 1.0;\nfn mine(mu: f32) -> f32 { return c + sqrt(mu - 0.5); }\n";
+    let output = fit(folder.path(), root, &albedo);
+    let told = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(
+        told.contains("`sqrt(mu - 0.5)` is not a number at mu = ") && !told.contains("declare"),
+        "{told}"
+    );
+    assert!(told.contains("narrow the domain to where it is defined"), "{told}");
+}

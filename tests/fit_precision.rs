@@ -83,15 +83,27 @@ fn halves_that_overflow_are_refused_by_name() {
         let h = parse(source);
         let measured = measure_in(h.tape(), &[coefficient], &[vec![x]], &[1.0], &[0.0], 1, Precision::F16);
         let error = measured.unwrap_err();
-        assert!(matches!(error, FitError::NotFinite { .. }));
+        assert!(matches!(error, FitError::Unrepresentable { .. } | FitError::Unmeasurable { .. }));
         error.to_string()
     };
     let line = "override a: f32; fn f(x: f32) -> f32 { return a * x; }";
-    assert_eq!(message(line, 1e5, 1.0), "f: coefficient 100000 in f16, sample 0: value inf is not finite");
-    assert_eq!(message(line, 1.0, 7e4), "f: input x 70000 in f16, sample 0: value inf is not finite");
-    assert_eq!(message(line, 300.0, 300.0), "f: value in f16, sample 0: value inf is not finite");
+    assert_eq!(
+        message(line, 1e5, 1.0),
+        "f: coefficient 100000 is infinite in f16, whose largest number is 65504; scale the formula, or measure it in f32"
+    );
+    assert_eq!(
+        message(line, 1.0, 7e4),
+        "f: input x = 70000 is infinite in f16, whose largest number is 65504; narrow the domain, or measure it in f32"
+    );
+    assert_eq!(
+        message(line, 300.0, 300.0),
+        "test.wgsl:1:51: `a * x` is infinite in f16 at x = 300, in function f; narrow the domain, scale the formula, or measure it in f32"
+    );
     let literal = "override a: f32; fn f(x: f32) -> f32 { return a / (x + 1e6); }";
-    assert_eq!(message(literal, 1.0, 1.0), "f: literal 1000000 in f16, sample 0: value inf is not finite");
+    assert_eq!(
+        message(literal, 1.0, 1.0),
+        "f: at 1:61, the literal 1000000 is infinite in f16, whose largest number is 65504; scale the formula, or measure it in f32"
+    );
 }
 
 /// 3 x 683 + 2^-20 = 2049.00000095 lies just above the tie between 2048 and 2050.

@@ -209,11 +209,11 @@ fn bad_data_are_refused_with_their_place() {
     let error = optimise(&log, &curve(50, |x| x), &[], &Options::new(Norm::Max)).unwrap_err();
     assert!(matches!(error, FitError::Undefined { .. }), "{error}");
     let (place, rest) =
-        error.to_string().split_once(": is ").map(|(a, b)| (a.to_string(), b.to_string())).unwrap();
+        error.to_string().split_once(" is ").map(|(a, b)| (a.to_string(), b.to_string())).unwrap();
     assert!(place.starts_with("test.wgsl:1:") && place.contains("log(x)"), "{place}");
     assert_eq!(
         rest,
-        "-inf in f at x = 0, with the parameters at their declared starts; no start does better: declare others \
+        "negative and infinite at x = 0, in function f with the parameters at their declared starts; no start does better: declare others \
          (`override NAME: f32 = VALUE;`), or narrow the domain"
     );
     let pole = parse(

@@ -94,6 +94,7 @@ impl CliError {
         match self {
             CliError::Output(_) => 3,
             CliError::Store(error) if error.is_write() => 3,
+            CliError::Fitting(error) if matches!(**error, FittingError::Uncertified { .. }) => 1,
             _ => 2,
         }
     }

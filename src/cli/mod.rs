@@ -57,7 +57,7 @@ enum Verb {
     /// Compute a quantity at the points of a CSV file
     #[command(after_help = eval::EXAMPLES)]
     Eval(eval::Options),
-    /// Fit a formula of your own to a quantity
+    /// Fit a formula of your own to a quantity, or search for formulas (--search)
     #[command(after_help = fit::EXAMPLES)]
     Fit(Box<fit::Options>),
     /// Measure a table or shader function that somebody ships against the truth

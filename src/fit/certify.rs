@@ -2,7 +2,7 @@
 
 use half::f16;
 
-use super::tape::{Op, Real};
+use super::tape::{Node, Op, Real};
 use super::{FitError, Tape};
 
 /// Points whose squares are summed before they join the total: bounds the rounding error of a sum of millions.
@@ -143,10 +143,11 @@ pub fn measure_in(
         let column = format!("{}: {column}", tape.function());
         Err(FitError::NotFinite { column, index, value })
     };
-    let in_precision = format!("value in {}", precision.name());
     let mut errors = Vec::with_capacity(points);
     for (i, value) in values.iter().enumerate() {
-        let value = finite(&in_precision, i, *value)?;
+        if !value.is_finite() {
+            return Err(unmeasurable(tape, coefficients, inputs, i, precision));
+        }
         errors.push(finite("scale", i, scale[i])? * value - finite("target", i, target[i])?);
     }
     let first = first.min(points);
@@ -165,29 +166,75 @@ fn values(
     if !precision.is_half() {
         return Ok(tape.evaluate(inputs, coefficients)?.into_iter().map(f64::from).collect());
     }
-    let literals = tape.ops().iter().filter_map(|op| match op {
-        Op::Literal(x) => Some(*x),
-        _ => None,
-    });
-    to_half(tape, "literal", &literals.collect::<Vec<_>>())?;
-    let coefficients = to_half(tape, "coefficient", coefficients)?;
+    let scale = "scale the formula";
+    let half = |what: &str, numbers: &[f32], remedy| {
+        to_half(numbers).map_err(|x| FitError::Unrepresentable {
+            function: tape.function().to_string(),
+            what: format!("{what}{x}"),
+            precision,
+            remedy,
+        })
+    };
+    for (node, op) in (0..).zip(tape.ops()) {
+        if let Op::Literal(x) = op {
+            let place = tape.place(node);
+            half(&format!("at {}:{}, the literal ", place.line, place.column), &[*x], scale)?;
+        }
+    }
+    let coefficients = half("coefficient ", coefficients, scale)?;
     let columns = tape.inputs().iter().zip(inputs);
-    let inputs = columns.map(|(name, column)| to_half(tape, &format!("input {name}"), column));
+    let inputs = columns.map(|(name, column)| half(&format!("input {name} = "), column, "narrow the domain"));
     let inputs = inputs.collect::<Result<Vec<_>, FitError>>()?;
     Ok(tape.evaluate(&inputs, &coefficients)?.into_iter().map(f16::to_f64).collect())
 }
 
-/// Numbers rounded to half precision.
-fn to_half(tape: &Tape, what: &str, numbers: &[f32]) -> Result<Vec<f16>, FitError> {
-    let one = |(index, &x): (usize, &f32)| {
-        let rounded = f16::literal(x);
-        if rounded.is_finite() {
-            return Ok(rounded);
-        }
-        let column = format!("{}: {what} {x} in f16", tape.function());
-        Err(FitError::NotFinite { column, index, value: rounded.to_f64() })
+/// Numbers rounded to half precision, or the first that is infinite there.
+fn to_half(numbers: &[f32]) -> Result<Vec<f16>, f32> {
+    let one = |&x: &f32| Some(f16::literal(x)).filter(|rounded| rounded.is_finite()).ok_or(x);
+    numbers.iter().map(one).collect()
+}
+
+/// Which part of a formula is not finite at a point, where its value is not.
+fn unmeasurable(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    index: usize,
+    precision: Precision,
+) -> FitError {
+    let contracted = precision.is_fused().then(|| tape.contracted());
+    let tape = contracted.as_ref().unwrap_or(tape);
+    let point: Vec<f32> = inputs.iter().map(|column| column[index]).collect();
+    let (node, value) = if precision.is_half() {
+        let half = |numbers: &[f32]| numbers.iter().map(|&x| f16::literal(x)).collect::<Vec<_>>();
+        first_not_finite(tape, &half(coefficients), &half(&point), f16::to_f64)
+    } else {
+        first_not_finite(tape, coefficients, &point, f64::from)
     };
-    numbers.iter().enumerate().map(one).collect()
+    let named = tape.inputs().iter().zip(&point).map(|(name, x)| format!("{name} = {x}"));
+    let at = if point.is_empty() { "every point".into() } else { named.collect::<Vec<_>>().join(", ") };
+    let place = Box::new(tape.place(node).clone());
+    FitError::Unmeasurable { place, function: tape.function().to_string(), precision, value, at }
+}
+
+/// The first operation that is not finite at a point, or the last of all, with its value.
+fn first_not_finite<R: Real>(
+    tape: &Tape,
+    coefficients: &[R],
+    point: &[R],
+    wide: impl Fn(R) -> f64,
+) -> (Node, f64) {
+    let mut values: Vec<R> = Vec::with_capacity(tape.ops().len());
+    let mut found = (0, f64::NAN);
+    for (node, op) in (0..).zip(tape.ops()) {
+        let value = op.evaluate(point, coefficients, &values);
+        found = (node, wide(value));
+        if !found.1.is_finite() {
+            break;
+        }
+        values.push(value);
+    }
+    found
 }
 
 fn summarise(errors: &[f64], target: &[f64]) -> Measured {

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::Precision;
+
 /// A place in a hypothesis's source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
@@ -66,6 +68,15 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}:{}", self.file, self.line, self.column)?;
         if self.excerpt.is_empty() { Ok(()) } else { write!(f, ": `{}`", self.excerpt) }
+    }
+}
+
+/// A value that is not finite, in words.
+fn value_words(value: f64) -> &'static str {
+    match value {
+        x if x.is_nan() => "not a number",
+        x if x > 0.0 => "infinite",
+        _ => "negative and infinite",
     }
 }
 
@@ -153,8 +164,8 @@ pub enum FitError {
     },
     /// A formula is not a number, or infinite, at a sample, and every start of its parameters fails so.
     #[error(
-        "{place}: is {value} in {function} at {at}, with the parameters at their declared starts; no start does better: declare others \
-         (`override NAME: f32 = VALUE;`), or narrow the domain"
+        "{place} is {} at {at}, in function {function} with the parameters at their declared starts; no start does better: declare \
+         others (`override NAME: f32 = VALUE;`), or narrow the domain", value_words(*value)
     )]
     Undefined {
         /// The first sub-expression that leaves the reals.
@@ -165,6 +176,52 @@ pub enum FitError {
         value: f64,
         /// The inputs there: `alpha = 0, mu = 0.5`.
         at: String,
+    },
+    /// A formula is not a number, or infinite, at a sample, in a part that no parameter changes.
+    #[error(
+        "{place} is {} at {at}, in function {function}, whatever its parameters are; narrow the domain to where it is defined, or \
+         change this part", value_words(*value)
+    )]
+    UndefinedAlways {
+        /// The first sub-expression that leaves the reals.
+        place: Box<Place>,
+        /// Function's name.
+        function: String,
+        /// Its value: not a number, or infinite.
+        value: f64,
+        /// The inputs there: `alpha = 0, mu = 0.5`.
+        at: String,
+    },
+    /// A formula has no finite value in an arithmetic at a point that it is measured at.
+    #[error(
+        "{place} is {} in {} at {at}, in function {function}; narrow the domain{}", value_words(*value), precision.name(),
+        if precision.is_half() { ", scale the formula, or measure it in f32" } else { ", or change this part" }
+    )]
+    Unmeasurable {
+        /// The first sub-expression that is not finite.
+        place: Box<Place>,
+        /// Function's name.
+        function: String,
+        /// The arithmetic.
+        precision: Precision,
+        /// Its value: not a number, or infinite.
+        value: f64,
+        /// The inputs there, before they are rounded to the arithmetic: `alpha = 0, mu = 0.5`.
+        at: String,
+    },
+    /// A number of a formula, or an input, that half precision does not reach.
+    #[error(
+        "{function}: {what} is infinite in {}, whose largest number is 65504; {remedy}, or measure it in f32", precision.name()
+    )]
+    Unrepresentable {
+        /// Function's name.
+        function: String,
+        /// The number: `coefficient 100000`, `input x = 70000`.
+        what: String,
+        /// The arithmetic.
+        precision: Precision,
+        /// What to change to keep this arithmetic.
+        remedy: &'static str,
     },
     /// A divisor has both signs over the samples at every start of the parameters: they have to begin on one side of a pole.
     #[error(

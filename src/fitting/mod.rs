@@ -71,6 +71,14 @@ pub enum FittingError {
     /// The formula, its data or its domain.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// A fit whose main certificate cannot be had: it is not finite where it is measured.
+    #[error("{name}: {reason}")]
+    Uncertified {
+        /// The fit.
+        name: String,
+        /// What is not finite and where, and the pole that was not excluded if there is one.
+        reason: String,
+    },
     /// A weight that is no expression of the inputs, or has a value that is no weight.
     #[error("weight `{expression}`: {reason}")]
     Weight {
@@ -95,11 +103,22 @@ pub enum FittingError {
     Json(#[from] serde_json::Error),
 }
 
+impl FittingError {
+    /// The measurement that failed, and the proof if it failed before.
+    fn uncertified(hypothesis: &Hypothesis, proof: &Proof, error: &FitError) -> FittingError {
+        let reason = match proof {
+            Proof::NotProven(pole) => format!("not proven finite in its domain: {pole}; measured, {error}"),
+            Proof::Regular => format!("no certificate: {error}"),
+        };
+        FittingError::Uncertified { name: hypothesis.name().into(), reason }
+    }
+}
+
 /// Fits the formula for every goal and certifies each fit.
 ///
 /// # Errors
-/// Bad input: an unknown input, a bad domain, a formula that is not finite on its samples, constraints that contradict one another. A
-/// search that does not converge, a pole that cannot be excluded, and an error above the limit are no errors here: they are told
+/// Bad input: an unknown input, a bad domain, a formula that is not finite on its samples, constraints that contradict one another; a
+/// formula that is not finite where it is measured in the main arithmetic ([`FittingError::Uncertified`]). A search that does not converge, a pole that cannot be excluded, and an error above the limit are no errors here: they are told
 /// in [`Certified::problems`].
 pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
     let target = Target::new(&job.spec, &job.hypothesis)?;

@@ -75,7 +75,7 @@ pub(super) fn fit_one(
     // Without the main certificate there is nothing to tell.
     let main = match &certificates[0].1 {
         Ok(certificate) => certificate.clone(),
-        Err(error) => return Err(error.clone().into()),
+        Err(error) => return Err(FittingError::uncertified(&hypothesis, &proof, error)),
     };
     let approximation = approximation(&hypothesis, &coefficients, goal, target, main);
     let mut fit = Certified {
@@ -121,6 +121,9 @@ fn obedient(
     let mut best = search(constraints).map_err(|error| match error {
         FitError::NotFinite { .. } | FitError::Solver { .. } => {
             prove_regular(tape, &hypothesis.starts(), domain).err().unwrap_or(error)
+        }
+        FitError::Undefined { place, function, value, at } if !tape.is_free_at(&place) => {
+            FitError::UndefinedAlways { place, function, value, at }
         }
         error => error,
     })?;

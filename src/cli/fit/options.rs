@@ -30,15 +30,15 @@ pub(in crate::cli) struct Options {
     #[arg(long, requires = "max_ops", conflicts_with_all = ["norm", "weight", "range", "rising", "falling", "precision", "starts", "language"])]
     pub search: bool,
     /// Most operations of a formula (--search only), 1 to 64
-    #[arg(long, value_name = "N", requires = "search", value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub max_ops: Option<u32>,
     /// Forms of each cost that are built upon (--search only): more take longer and may find better ones; without it, 24
-    #[arg(long, value_name = "N", requires = "search", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub width: Option<u16>,
     /// What forms may have beside sums of powers (--search only): auto (what pays in narrow searches beforehand, which are told),
     /// none, or some of complement (1 - mu), reciprocal (1 / (mu + k alpha)), root, decay (exp2(-k mu)), inverse-root; exp2, root-of,
     /// square (of the whole form)
-    #[arg(long, value_name = "H", requires = "search", value_delimiter = ',', value_parser = helper, default_value = "auto")]
+    #[arg(long, value_name = "H", requires = "search", conflicts_with = "hypothesis", value_delimiter = ',', value_parser = helper, default_value = "auto")]
     pub helpers: Vec<Asked>,
     /// Quantity and column that the formula approximates; without a column, the quantity's first
     #[arg(long, value_name = "QUANTITY[:COLUMN]", value_parser = to)]

@@ -146,7 +146,8 @@ impl Target {
         let known = words.join(", ");
         let given = spec.words.get(input);
         let given = given.ok_or_else(|| {
-            refuse(format!("{} is asked for at one of {known}; say which", spec.quantity.name))
+            let [quantity, first] = [spec.quantity.name, words.first().copied().unwrap_or_default()];
+            refuse(format!("{quantity} is asked for at one of {known}; say which, as --fix {input}={first}"))
         })?;
         let index = words.iter().position(|w| w == given);
         let index = index.ok_or_else(|| refuse(format!("{given} is not one of {known}")))?;
@@ -205,7 +206,10 @@ impl Target {
         }
         match formula.inputs().iter().find(|input| !known.contains(input)) {
             None => Ok(()),
-            Some(input) => Err(TargetError::Argument { file: file(), input: input.clone(), known: listed }),
+            Some(input) => {
+                let known = format!("{listed}; rename it in the formula");
+                Err(TargetError::Argument { file: file(), input: input.clone(), known })
+            }
         }
     }
 
@@ -288,10 +292,24 @@ fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use,
         Use::Coupling if name != "diffuse-coupling" => {
             refuse("a coupling factor is a value of diffuse-coupling; give --to diffuse-coupling")
         }
+        Use::Normalisation if !ALBEDOS.contains(&column) => {
+            let albedos = spec.quantity.outputs.iter().copied().filter(|c| ALBEDOS.contains(c));
+            let albedos: Vec<String> = albedos.map(|c| format!("--to {name}:{c}")).collect();
+            let remedy = match albedos.as_slice() {
+                [] => "give another quantity or leave --use out".into(),
+                some => format!("give {} or leave --use out", some.join(" or ")),
+            };
+            refuse(&format!(
+                "a normalisation N makes E N = 1 of an albedo E, all that leaves a surface, which {name}:{column} is not; {remedy}"
+            ))
+        }
         Use::Parallax => refuse("no quantity of this version is used so"),
         _ => Ok(used_as),
     }
 }
+
+/// The columns that are all the energy that leaves a surface in a white furnace: what a normalisation may divide by.
+const ALBEDOS: [&str; 2] = ["E", "E_avg"];
 
 fn takes(formula: &Hypothesis, input: &str) -> bool {
     formula.inputs().iter().any(|i| i == input)

@@ -187,7 +187,10 @@ fn refuse_unused(context: &Context, parameters: &[Parameter]) -> Result<(), FitE
     if let Some(index) = read.iter().position(|r| !r) {
         let span = context.module.overrides.iter().nth(index).map(|(h, _)| h);
         let span = span.map_or(Span::default(), |h| context.module.overrides.get_span(h));
-        let message = format!("parameter {} is not used", parameters[index].name);
+        let message = format!(
+            "parameter {} is not used: use it in the formula or remove its override",
+            parameters[index].name
+        );
         return Err(context.refuse(span, message));
     }
     Ok(())

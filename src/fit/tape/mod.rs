@@ -138,6 +138,15 @@ impl Tape {
         Tape { function: name.to_string(), ..self.clone() }
     }
 
+    /// Whether an operation at a place depends on a parameter.
+    pub fn is_free_at(&self, place: &Place) -> bool {
+        let mut free: Vec<bool> = Vec::with_capacity(self.ops.len());
+        for op in &self.ops {
+            free.push(matches!(op, Op::Parameter(_)) || op.operands().any(|n| free[n as usize]));
+        }
+        free.iter().zip(&self.places).any(|(free, at)| *free && at == place)
+    }
+
     /// Name of the formula's function.
     pub fn function(&self) -> &str {
         &self.function
