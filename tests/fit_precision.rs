@@ -97,12 +97,12 @@ fn halves_that_overflow_are_refused_by_name() {
     );
     assert_eq!(
         message(line, 300.0, 300.0),
-        "test.wgsl:1:51: `a * x` is infinite in f16 at x = 300, in function f; narrow the domain, scale the formula, or measure it in f32"
+        "test.wgsl:1:47: `a * x` is infinite in f16 at x = 300, in function f; narrow the domain, scale the formula, or measure it in f32"
     );
     let literal = "override a: f32; fn f(x: f32) -> f32 { return a / (x + 1e6); }";
     assert_eq!(
         message(literal, 1.0, 1.0),
-        "f: at 1:61, the literal 1000000 is infinite in f16, whose largest number is 65504; scale the formula, or measure it in f32"
+        "f: at 1:56, the literal 1000000 is infinite in f16, whose largest number is 65504; scale the formula, or measure it in f32"
     );
 }
 
