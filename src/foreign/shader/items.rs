@@ -140,10 +140,8 @@ pub(super) fn eager(text: &str, range: [usize; 2], writes: &dyn Fn(&str) -> bool
             Token::Mark(c @ (b'+' | b'-')) if inside && pair(at, c) => {
                 return Some((range[0] + at, "an assignment".into()));
             }
-            Token::Mark(b'=') if inside => {
-                if !compares(bytes, at) {
-                    return Some((range[0] + at, "an assignment".into()));
-                }
+            Token::Mark(b'=') if inside && !compares(bytes, at) => {
+                return Some((range[0] + at, "an assignment".into()));
             }
             Token::Open(kind) => {
                 if let (b'(', true, Some((at, name))) = (kind, inside, last)
