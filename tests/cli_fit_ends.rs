@@ -246,14 +246,18 @@ fn refusals_say_what_to_give_instead() {
         (
             mine,
             &["--to", "ggx-reflection:E", "--max-ops", "3"],
-            "--max-ops <N>' cannot be used with '[HYPOTHESIS]'",
+            "'[HYPOTHESIS]' cannot be used with '--max-ops <N>'",
         ),
         (
             mine,
             &["--to", "ggx-reflection:E", "--width", "3"],
-            "--width <N>' cannot be used with '[HYPOTHESIS]'",
+            "'[HYPOTHESIS]' cannot be used with '--width <N>'",
         ),
-        (mine, &["--to", "ggx-reflection:E", "--helpers", "none"], "--helpers <H>' cannot be used with"),
+        (
+            mine,
+            &["--to", "ggx-reflection:E", "--helpers", "none"],
+            "'[HYPOTHESIS]' cannot be used with '--helpers <H>'",
+        ),
         (&mine.replace("mu", "NdotV"), &albedo, "roughness, mu, alpha; rename it in the formula"),
         (
             &mine.replace("1.0 + c", "1.0"),
