@@ -150,22 +150,6 @@ fn a_parameter_that_does_not_matter_is_told_of_once() {
     assert_eq!(told, ["  parameters   `k` does not matter"], "{text}");
 }
 
-/// A staircase has no slope anywhere, and its foot is too far from the truth for the steps beside it: wherever the search halts, there
-/// is lower ground beside it.
-#[test]
-fn an_end_that_is_only_a_saddle_is_named_and_refused() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let source = "override a: f32 = 0.5;\n\
-        fn mine(alpha: f32, mu: f32) -> f32 { return 1.0e-5 * floor(a) + 0.0 * alpha * mu; }\n";
-    for norm in ["max", "rms"] {
-        let output = fit(folder.path(), source, &["--to", "ggx-reflection:E", "--norm", norm]);
-        assert_eq!(output.status.code(), Some(1), "{norm}: {}", stderr(&output));
-        let text = stdout(&output);
-        assert!(text.contains("NOT CONVERGED: saddles, left one after the other"), "{norm}: {text}");
-        assert!(stderr(&output).contains("not converged: saddles"), "{norm}: {}", stderr(&output));
-    }
-}
-
 #[test]
 fn ends_within_constraints_are_claimed_to_first_order_only() {
     let folder = tempfile::tempdir().expect("a folder");
