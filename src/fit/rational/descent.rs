@@ -215,8 +215,8 @@ impl<'a> Descent<'a> {
             for part in PROOFS {
                 let level = max * (1.0 - part);
                 self.programs += 1;
-                let mut program = self.program(level);
-                if program.solve(&self.active).is_ok_and(|vertex| vertex.proven(&program) > 0.0) {
+                if self.program(level).solve(&self.active).is_ok_and(|v| v.x.last().is_some_and(|z| *z > 0.0))
+                {
                     bound = level;
                     break;
                 }

@@ -51,7 +51,7 @@ pub struct Optimum {
     /// Largest residual over the samples.
     pub max: f64,
     /// No admissible coefficients have a smaller largest residual than this on these samples: a linear program's multipliers prove
-    /// it of its rows as they are in floating point, the rounding of the proof counted. Admissible are those that keep the rows, whose denominators are positive (at least 1e-7 of the largest
+    /// it, to rounding. Admissible are those that keep the rows, whose denominators are positive (at least 1e-7 of the largest
     /// entry of their sample's row), and which lie within 1e13 when every column is scaled to a largest entry of 1.
     pub bound: f64,
     /// (max - bound) / max; 0 if max is 0.
