@@ -966,7 +966,7 @@ float ggx_eavg_5p_rms(float roughness, float alpha) {
 ///   worst at alpha = 0.92210585, roughness = 0.96026343; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], roughness [0.02, 1]
 float ggx_eavg_12(float roughness, float alpha) {
-    const float loss = alpha * (-4.991525e-5f
+    const float loss = alpha * (-4.9915252e-5f
             + alpha * (-0.7275766f + roughness * (-0.6460181f - 0.3304632f * alpha)));
     const float divisor = 0.089044794f + roughness * (0.6692554f
             + alpha * (1.1257911f + alpha * roughness));

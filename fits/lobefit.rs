@@ -983,7 +983,7 @@ pub fn ggx_eavg_5p_rms(roughness: f32, alpha: f32) -> f32 {
 ///   worst at alpha = 0.92210585, roughness = 0.96026343; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], roughness [0.02, 1]
 pub fn ggx_eavg_12(roughness: f32, alpha: f32) -> f32 {
-    let loss = alpha * (-4.991525e-5 + alpha * (-0.7275766
+    let loss = alpha * (-4.9915252e-5 + alpha * (-0.7275766
                 + roughness * (-0.6460181 - 0.3304632 * alpha)));
     let divisor = 0.089044794 + roughness * (0.6692554 + alpha * (1.1257911 + alpha * roughness));
     1.0 + loss / divisor
