@@ -337,12 +337,24 @@ fn constraints_that_contradict_one_another_are_named() {
     assert!(said.contains("alpha = 0"), "{said}");
 }
 
-/// A formula with one parameter too many: a fit, and which parameter is told.
+/// A formula with one parameter too many: refused with the rank and the names; or a fit, and which parameters are told.
 #[test]
-fn parameters_that_coincide_are_told() {
+fn parameters_that_coincide_are_refused_or_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let twice = "override a: f32 = 1.0;\noverride b: f32 = 1.0;\nfn twice(alpha: f32, mu: f32) -> f32 { return 1.0 + (a + b) * alpha * alpha * mu; }\n";
-    let output = fit(folder.path(), twice, &with(&["--json"]));
+    let output = fit(folder.path(), twice, &with(&["--out", "out"]));
+    let said = stderr(&output);
+    assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(2), true), "{said}");
+    for words in [
+        "mine.wgsl:1:10: `a`: twice: `a` and `b` coincide",
+        "1 of 2 parameters determined (rank 1)",
+        "--allow-undetermined",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let written = folder.path().join("out").read_dir().map_or(0, Iterator::count);
+    assert_eq!(written, 0, "something was written");
+    let output = fit(folder.path(), twice, &with(&["--json", "--allow-undetermined"]));
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let fit = first(&output);
     assert_eq!(fit["solver"]["rank"], 1, "{fit}");

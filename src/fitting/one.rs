@@ -63,6 +63,9 @@ pub(super) fn fit_one(
     let options = Options { starts: job.starts, ..Options::new(goal) };
     let finer = kept::finer(constraints, &job.demands, target, &hypothesis, measured)?;
     let found = obedient(&hypothesis, &samples, constraints, &finer, &options, &domain)?;
+    if !job.allow_undetermined {
+        FittingError::of_rank(&hypothesis, &found.fitted)?;
+    }
     let found = vanished::cleared(found, &hypothesis, &samples, &finer, &domain)?;
     let Obedient { fitted, coefficients, exact, kept } = found;
     let proof =
@@ -231,9 +234,12 @@ fn problems(fit: &Certified, limit: Option<f64>) -> Vec<String> {
     }
     for kept in fit.kept.iter().filter(|kept| !kept.is_kept()) {
         problems.push(format!(
-            "constraint `{}` is missed by {:.1e} at {}, more than rounding accounts for ({:.1e}); no constants were found that keep it \
+            "constraint `{}` is missed by {} at {}, more than rounding accounts for ({}); no constants were found that keep it \
              between the places that they are fitted to",
-            kept.held.name, kept.held.worst, kept.at, kept.held.tolerance
+            kept.held.name,
+            words::figure(kept.held.worst),
+            kept.at,
+            words::figure(kept.held.tolerance)
         ));
     }
     let error = fit.approximation.certificate.max_abs;
