@@ -51,7 +51,7 @@ fn line(count: usize, target: impl Fn(f64) -> f64) -> Samples {
     Samples { target: x.iter().map(|x| target(*x)).collect(), scale: vec![1.0; count], inputs: vec![x] }
 }
 
-const BENT: &str = "override a: f32 = 0.5; override b: f32 = 0.5;
+const BENT: &str = "override a: f32 = 0.5; override b: f32 = -0.4;
     fn f(x: f32) -> f32 { return x * (a + b * (1.0 - x)); }";
 
 /// At x = 0 the formula is 0 and errs by 1 whatever its parameters are: of all that err no more, the least squares are taken.

@@ -150,8 +150,7 @@ fn solver(fit: &Certified) -> Value {
         "gap": gap.filter(|gap| gap.is_finite()),
         "bound": fitted.bound,
         "value": fitted.value,
-        "max": fitted.max,
-        "rms": fitted.rms,
+        "weighted": fit.weighted.map(|w| json!({"max": w.max, "rms": w.rms, "points": w.points})),
         "rank": fitted.rank,
         "undetermined": fitted.undetermined,
         "evaluations": fitted.evaluations,
@@ -236,7 +235,8 @@ fn facts(fit: &Certified, weight: Option<&str>) -> Vec<(String, String)> {
     let fitted = &fit.fitted;
     let minimised = words::minimised(fit.goal) + &words::weighted(weight, fit.goal);
     let mut rows = vec![("Minimised".to_string(), minimised)];
-    rows.extend(weight.map(|weight| ("Weighted error".into(), words::weighted_error(weight, fitted))));
+    let error = weight.zip(fit.weighted.as_ref());
+    rows.extend(error.map(|(weight, error)| ("Weighted error".into(), words::weighted_error(weight, error))));
     rows.push(("Ended as".into(), words::end(fitted)));
     rows.push(("Optimality".into(), words::optimality(fitted, weight.is_some())));
     let parameters = fitted.undetermined.iter().chain(&fit.notes);

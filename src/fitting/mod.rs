@@ -18,13 +18,13 @@ mod words;
 pub use demands::Demand;
 pub use document::{document, files};
 pub use kept::Kept;
-pub use one::{Certified, Proof};
+pub use one::{Certified, Proof, Weighted};
 pub use perceptual::Perceptual;
 pub use summary::summary;
 
 use crate::effects::target::{Target, TargetError, TargetSpec};
 use crate::emit::code::{CodeError, Language};
-use crate::fit::{FitError, Fitted, Goal, Hypothesis, Place, Precision};
+use crate::fit::{FitError, Fitted, Goal, Hypothesis, Place, Precision, Termination};
 use crate::report::ReportError;
 
 /// What to fit, and how.
@@ -124,9 +124,10 @@ pub enum FittingError {
 }
 
 impl FittingError {
-    /// Refuses a search's end at which some of the parameters are not determined. One that is no minimum is told of as such.
+    /// Refuses a search's end at which some of the parameters are not determined. One that is no halt is told of as such.
     fn of_rank(hypothesis: &Hypothesis, fitted: &Fitted) -> Result<(), FittingError> {
-        if fitted.undetermined.is_empty() || !fitted.termination.is_converged() {
+        let halted = fitted.termination.is_converged() || fitted.termination == Termination::Saddle;
+        if fitted.undetermined.is_empty() || !halted {
             return Ok(());
         }
         let first = hypothesis.parameters().iter().find(|p| fitted.names_undetermined(&p.name));

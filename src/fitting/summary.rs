@@ -39,8 +39,8 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     ));
     let weight = words::weighted(job.weight.as_deref(), fit.goal);
     line(format!("  minimised    {}{weight}", words::minimised(fit.goal)));
-    if let Some(weight) = &job.weight {
-        line(format!("  weighted     {}", words::weighted_error(weight, &fit.fitted)));
+    if let (Some(weight), Some(error)) = (&job.weight, &fit.weighted) {
+        line(format!("  weighted     {}", words::weighted_error(weight, error)));
     }
     let converged = if fit.fitted.termination.is_converged() { "" } else { "NOT CONVERGED: " };
     line(format!("  ended        {converged}{}", words::end(&fit.fitted)));

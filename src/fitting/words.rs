@@ -1,6 +1,7 @@
 //! What a search did, in words.
 
 use super::Kept;
+use super::one::Weighted;
 use super::weight::PERCEPTUAL;
 use crate::data::Use;
 use crate::effects::target::Target;
@@ -31,15 +32,16 @@ pub(super) fn weighted(weight: Option<&str>, goal: Goal) -> String {
     }
 }
 
-/// The errors that a weighted fit made small, on its samples: what was minimised is one of them.
-pub(super) fn weighted_error(weight: &str, fitted: &Fitted) -> String {
+/// A fit's weighted error.
+pub(super) fn weighted_error(weight: &str, error: &Weighted) -> String {
     let digits = crate::emit::header::short;
     let of = if weight.trim() == PERCEPTUAL {
-        "of the lightness' difference, in units of that of a furnace's white that errs by 1, over the cosines of the view"
+        "weight times error: to first order the difference in lightness, 1 being that of a furnace's white that errs by 1"
     } else {
-        "of weight times error"
+        "weight times error"
     };
-    format!("max {}, rms {} {of}, on the samples fitted to", digits(fitted.max), digits(fitted.rms))
+    let Weighted { max, rms, points } = *error;
+    format!("rms {}, max {} of {of}; at {points} points, evenly spread", digits(rms), digits(max))
 }
 
 /// What a goal minimises.
