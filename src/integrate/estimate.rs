@@ -42,6 +42,21 @@ impl Estimate {
     }
 }
 
+/// Eight values of an integrand at once; implementations mark `at` as `#[inline(always)]`.
+pub trait Integrand {
+    /// The values.
+    fn at(&self, x: &F8) -> F8;
+}
+
+struct Function<'a, F>(&'a F);
+
+impl<F: Fn(&F8) -> F8> Integrand for Function<'_, F> {
+    #[inline(always)]
+    fn at(&self, x: &F8) -> F8 {
+        self.0(x)
+    }
+}
+
 /// Gauss nodes per panel, in blocks of eight lanes.
 #[derive(Clone, Debug)]
 pub struct PanelRule {
@@ -69,6 +84,13 @@ impl PanelRule {
     /// Integral of `f` over [a, b].
     #[inline(always)]
     pub fn panel(&self, a: f64, b: f64, f: &impl Fn(&F8) -> F8) -> f64 {
+        self.panel_of(a, b, &Function(f))
+    }
+
+    /// Integral of an integrand over [a, b]: [`PanelRule::panel`] where the integrand must be compiled for the instructions of its
+    /// caller, which a closure outside of the caller's body is not.
+    #[inline(always)]
+    pub fn panel_of(&self, a: f64, b: f64, integrand: &impl Integrand) -> f64 {
         let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
         let mut total = 0.0;
         for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
@@ -76,7 +98,7 @@ impl PanelRule {
             for i in 0..LANES {
                 x[i] = middle + half * nodes[i];
             }
-            let mut y = f(&x);
+            let mut y = integrand.at(&x);
             for i in 0..LANES {
                 y[i] *= weights[i];
             }
