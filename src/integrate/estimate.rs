@@ -23,7 +23,7 @@ impl Estimate {
     }
 
     /// [`Estimate::from_pair`] where twice the nodes do not square the error, because a singularity lies near: the bound falls with
-    /// the power 1.5 of the difference. The factor 20 is empirical (`tests/integrate_lobes.rs`).
+    /// the power 1.5 of the difference. The factor 20 is empirical (`tests/integrate/lobes.rs`).
     pub fn from_slow_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
         let difference = (fine - coarse).abs();
         let error = difference * (20.0 * (difference / scale).sqrt()).min(1.0) + ROUNDING * scale;
@@ -34,7 +34,7 @@ impl Estimate {
     ///
     /// The finer rule has twice the nodes, so where the rules converge geometrically its error is about the square of
     /// the coarse one's (relative to `scale`, the size of the integrand's terms). The factor 30 is empirical: with it the
-    /// bound held in 19 992 of 20 000 random points (`tests/integrate_error_bound.rs`).
+    /// bound held in 19 992 of 20 000 random points (`tests/integrate/error_bound.rs`).
     pub fn from_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
         let difference = (fine - coarse).abs();
         let error = difference * (30.0 * difference / scale).min(1.0) + ROUNDING * scale;
