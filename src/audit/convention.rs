@@ -45,12 +45,15 @@ pub struct Pins {
     pub column: Option<Column>,
     /// Of a function: what the names of its arguments tell.
     pub roles: Option<Vec<Option<Input>>>,
+    /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
+    /// [`sampled_inverse`](super::sampled_inverse) does.
+    pub inverse: bool,
 }
 
 impl Pins {
     /// Whether nothing but the column is given.
     pub fn is_free(&self) -> bool {
-        Pins { column: None, ..self.clone() } == Pins::default()
+        Pins { column: None, inverse: false, ..self.clone() } == Pins::default()
     }
 
     /// Refuses what cannot be meant for a table of this many axes and channels.
@@ -106,7 +109,7 @@ impl Pins {
             (Some(given), _) => {
                 given.get(axis).copied().filter(|(s, _)| s.input() == input).into_iter().collect()
             }
-            (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten()),
+            (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten(), self.inverse),
             (None, None) => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
         };
         let sitings: Vec<Siting> = match &self.sitings {
@@ -131,12 +134,12 @@ impl Pins {
 }
 
 /// What an argument may be given for an input: nobody passes the root of a cosine, and one that is named for a cosine is one.
-fn argument(input: Input, role: Option<Input>) -> Vec<(Scale, bool)> {
+fn argument(input: Input, role: Option<Input>, inverse: bool) -> Vec<(Scale, bool)> {
     match (input, role) {
         (_, Some(role)) if role != input => Vec::new(),
         (Input::Mu, Some(_)) => vec![(Scale::Mu, false)],
         (Input::Mu, None) => vec![(Scale::Mu, false), (Scale::Mu, true), (Scale::Theta, false)],
-        (Input::Ior, Some(_)) => vec![(Scale::Ior, false)],
+        (Input::Ior, Some(_)) => vec![(if inverse { Scale::Eta } else { Scale::Ior }, false)],
         _ => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
     }
 }
