@@ -145,7 +145,7 @@ fn an_index_may_be_given_the_other_way_round() {
       let c = sqrt(max(0.0, 1.0 - eta * eta * (1.0 - mu * mu)));
       let s = (eta * mu - c) / (eta * mu + c);
       let p = (mu - eta * c) / (mu + eta * c);
-      return select(-1.0, 0.5 * (s * s + p * p), eta <= 1.0) + 0.0 * alpha;
+      return select(-1.0 - eta * mu, 0.5 * (s * s + p * p), eta <= 1.0) + 0.0 * alpha;
     }";
     let function = read_functions(text.as_bytes(), "g.wgsl", None, Some("fresnel")).unwrap().remove(0);
     let glass = of("ggx-glass");

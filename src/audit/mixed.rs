@@ -10,7 +10,7 @@ use super::sample::{Candidate, Sample};
 use super::truth::{Lobe, Truth};
 use super::{AuditError, FITS};
 
-/// A candidate must fit this many times better with two lobes than the best does with one.
+/// The root mean square must be this many times less with two lobes than that of the best with one is.
 const BETTER: f64 = 4.0;
 
 /// Least share of the texels that each of the lobes explains and the other does not.
@@ -37,7 +37,7 @@ pub struct Mixed {
 }
 
 /// The reading under which a table that fits nothing is of two lobes, read as the larger part's, with its parts; none if it is not so.
-/// `tried` are readings, and `best` is the best rank with one lobe.
+/// `tried` are readings, and `best` is the root mean square of the best with one lobe.
 pub(super) fn mixed(
     truth: &dyn Truth,
     [some, all]: [&Sample; 2],
@@ -62,7 +62,7 @@ pub(super) fn mixed(
     let [own, second] = both.map(|lobe| judge(truth, all, &candidate.axes, lobe));
     let parts = Parts::new(all, &candidate.fitted.columns, [own?, second?]);
     let misfit = parts.misfit();
-    if misfit.rank() * BETTER > best || misfit.rms > FITS * parts.spread() {
+    if misfit.rms * BETTER > best || misfit.rms > FITS * parts.spread() {
         return Ok(None);
     }
     let sides = [parts.of(0, misfit.rms), parts.of(1, misfit.rms)];

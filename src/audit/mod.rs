@@ -69,10 +69,10 @@ pub const CLEAR: f64 = 2.0;
 /// Conventions that are told of.
 const TOLD: usize = 10;
 
-/// Places along every axis: in the sieve, in the first exact round, in the last, and where the best is judged (2 axes or fewer, and 3, of
-/// which an exact value takes so long that the quick truth takes a round of its own before).
+/// Places along every axis: in the sieve, in a round by the quick truth, in the first exact one, in the last, and where the best is judged
+/// (2 axes or fewer, and 3).
 const SIEVE: [usize; 2] = [10, 6];
-const QUICK_ROUND: usize = 12;
+const QUICK_ROUND: [usize; 2] = [24, 12];
 const ROUND: [usize; 2] = [24, 9];
 const LAST: [usize; 2] = [4096, 16];
 const WHOLE: [usize; 2] = [4096, 64];
@@ -80,6 +80,9 @@ const WHOLE: [usize; 2] = [4096, 64];
 /// Most texels of a table of three axes that are all judged: every one is an integral of its own. A larger one is judged at 64 places along
 /// each axis, and passes no limit.
 pub const JUDGED_TEXELS: usize = 1 << 19;
+
+/// Conventions after the quick round.
+const QUICK_KEPT: [usize; 2] = [80, 12];
 
 /// Conventions after the first exact round.
 const ROUND_KEPT: [usize; 2] = [40, 12];
@@ -122,7 +125,9 @@ pub fn audit(
     let (found, sieved) = candidates(truth, &table, &live, tried, progress)?;
     progress("errors under the best convention");
     let mut done = finish(truth, &table, &live, pins, &found, None)?;
-    if done.fit != Fit::Whole && table.source == Source::Table {
+    let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
+    let odd = done.fit != Fit::Whole || done.channels.iter().any(part);
+    if odd && table.source == Source::Table {
         progress("whether it is of two lobes");
         if let Some((found, parts)) = of_two_lobes(truth, &table, &live, pins, [found, sieved])? {
             done = finish(truth, &table, &live, pins, &found, Some(parts))?;
@@ -193,9 +198,9 @@ fn of_two_lobes(
     [mut found, sieved]: [Vec<Candidate>; 2],
 ) -> Result<Option<(Vec<Candidate>, Mixed)>, AuditError> {
     let class = usize::from(table.size.len() == 3);
-    let some = Sample::new(table, live, [ROUND[0], QUICK_ROUND][class], false);
+    let some = Sample::new(table, live, QUICK_ROUND[class], false);
     let all = Sample::new(table, live, whole(&table.size), false);
-    let best = found[0].fitted.rank;
+    let best = found[0].fitted.misfits.iter().flatten().map(|m| m.rms).fold(0.0, f64::max);
     let Some((candidate, parts)) = mixed::mixed(truth, [&some, &all], pins, &sieved, best)? else {
         return Ok(None);
     };
@@ -219,12 +224,8 @@ fn candidates(
     progress("conventions on a few texels");
     let sieved = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), pins)?;
     progress("the best conventions on more texels");
-    let found = if class == 1 {
-        let more = Sample::new(table, live, QUICK_ROUND, false);
-        judge::requick(truth, &more, pins, sieved.clone(), ROUND_KEPT[class])?
-    } else {
-        sieved.clone()
-    };
+    let more = Sample::new(table, live, QUICK_ROUND[class], false);
+    let found = judge::requick(truth, &more, pins, sieved.clone(), QUICK_KEPT[class])?;
     let more = Sample::new(table, live, ROUND[class], false);
     let found = judge::rejudge(truth, &more, pins, found, ROUND_KEPT[class])?;
     let mut clamped = Vec::new();

@@ -213,8 +213,9 @@ fn furnace(audit: &Audit) -> Option<String> {
     let f = audit.furnace.as_ref().filter(|_| audit.mixed.is_none())?;
     if f.dark > 0 {
         return Some(format!(
-            "No white furnace can be compensated with it: its E is 0 or less at {} texels, the first at {}.",
+            "No white furnace can be compensated with it: its E is 0 or less at {} {}, the first at {}.",
             f.dark,
+            if audit.source == Source::Table { "texels" } else { "points" },
             place(&f.at)
         ));
     }
