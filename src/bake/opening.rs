@@ -51,7 +51,7 @@ pub(super) fn opening(smith: Smith, alpha: AlphaMap, parts: &[Part]) -> Vec<Stri
     out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, mu the cosine between normal".into());
     out.push("and view.".into());
     let holds = |text: &&str| parts.iter().flat_map(|p| p.code.values()).any(|code| code.contains(*text));
-    let told = NOTES.iter().filter(|(of, _)| of.iter().any(|text| holds(text)));
+    let told = NOTES.iter().filter(|(of, _)| of.iter().any(&holds));
     out.extend(told.flat_map(|(_, lines)| lines.iter().map(ToString::to_string)));
     out.push("Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;".into());
     out.push("sin, cos, log2 4; log 5.".into());
