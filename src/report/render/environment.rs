@@ -6,10 +6,9 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::directions::{cone, cosine};
+use super::directions::cone;
 use super::{dot, normalise, plus, scaled, tangents};
 use crate::math::ops;
-use crate::math::sobol::Sobol;
 use crate::optics::ggx::Vec3;
 
 /// A round light at infinity: the same radiance within an angle about a direction.
@@ -96,30 +95,4 @@ impl Environment {
         }
         light
     }
-}
-
-/// Directions for a place's share of the sky, and for each lamp.
-const SKY: u32 = 128;
-const LAMP: u32 = 32;
-
-/// Radiance of a white Lambertian surface with the normal `normal`, the mean of the incident light weighted by the cosine: quadrature by
-/// Sobol points over the sky and over each lamp, to about 1e-3 relative.
-pub fn diffuse_light(environment: &Environment, normal: Vec3) -> [f64; 3] {
-    let points = Sobol::new([1, 2, 3]);
-    let [a, b] = tangents(normal);
-    let at = |i: u32| (points.coordinate(i, 0), points.coordinate(i, 1));
-    let sky = Environment { lamps: Vec::new(), ..environment.clone() };
-    let mut light = [0.0; 3];
-    for (u, v) in (0..SKY).map(at) {
-        let local = cosine(u, v);
-        let direction = plus(plus(scaled(a, local[0]), scaled(b, local[1])), scaled(normal, local[2]));
-        light = plus(light, scaled(sky.radiance(direction), 1.0 / f64::from(SKY)));
-    }
-    for lamp in &environment.lamps {
-        let solid = 2.0 * (1.0 - lamp.cosine()) / f64::from(LAMP);
-        for (u, v) in (0..LAMP).map(at) {
-            light = plus(light, scaled(lamp.radiance, solid * dot(lamp.draw(u, v), normal).max(0.0)));
-        }
-    }
-    light
 }

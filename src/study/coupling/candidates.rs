@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::coupling::hypotheses;
+use crate::effects::coupling::{OWN_SPECULAR, OwnSpecular, hypotheses};
 use crate::effects::surface::{Base, Coupling, Factor, Lobe, Material};
 use crate::effects::target::TargetSpec;
 use crate::effects::{Entry, Quantity};
@@ -18,7 +18,7 @@ pub(super) const REFERENCE: usize = 0;
 pub(super) const RECIPROCAL: usize = 1;
 
 /// What is published, references first.
-const PUBLISHED: [Coupling; 10] = [
+const PUBLISHED: [Coupling; 11] = [
     Coupling::OneMinusOwnSpecular,
     Coupling::Kelemen,
     Coupling::None,
@@ -27,6 +27,7 @@ const PUBLISHED: [Coupling; 10] = [
     Coupling::FresnelProduct,
     Coupling::HalfVector,
     Coupling::AshikhminShirley,
+    Coupling::Dassault,
     Coupling::SchlickRoughness,
     Coupling::Pesce,
 ];
@@ -35,7 +36,7 @@ const PUBLISHED: [Coupling; 10] = [
 pub(super) const F0: [f64; 2] = [0.02, 0.2];
 
 /// Starting points of a fit: the constants in the files are good ones.
-const STARTS: usize = 2;
+pub(super) const STARTS: usize = 2;
 
 /// A coupling that is to be compared.
 #[derive(Clone, Debug)]
@@ -133,6 +134,22 @@ impl Candidate {
         material
     }
 
+    /// Whether few rows of pictures must have it: the references, what engines do most, and the most accurate of ours.
+    pub fn telling(&self, candidates: &[Candidate]) -> bool {
+        match &self.coupling {
+            Coupling::OneMinusOwnSpecular
+            | Coupling::Kelemen
+            | Coupling::None
+            | Coupling::OneMinusFresnel
+            | Coupling::Pesce => true,
+            Coupling::Symmetrised(_) => true,
+            Coupling::Factor(factor) => candidates.iter().any(
+                |c| matches!(&c.coupling, Coupling::Symmetrised(both) if both.name() == factor.name()),
+            ),
+            _ => false,
+        }
+    }
+
     /// Whether its factor depends on the light's direction.
     pub fn directional(&self) -> bool {
         matches!(
@@ -140,6 +157,7 @@ impl Candidate {
             Coupling::FresnelProduct
                 | Coupling::HalfVector
                 | Coupling::AshikhminShirley
+                | Coupling::Dassault
                 | Coupling::Kelemen
                 | Coupling::Interreflected
                 | Coupling::Symmetrised(_)
@@ -174,6 +192,17 @@ fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Fac
     let fits = fit(&job)?.fits;
     let first = fits.first().ok_or_else(|| StudyError::Unfitted { name: name.into() })?;
     Ok(Factor::fitted(name, &first.hypothesis, &first.coefficients)?)
+}
+
+/// Couplings of published fits to their own lobe, as [`OwnSpecular`] has them.
+pub(super) fn published_fits(lobe: Lobe) -> Result<Vec<Coupling>, StudyError> {
+    let Some(specular) = specular(lobe) else { return Ok(Vec::new()) };
+    let of = OWN_SPECULAR.iter().filter(|own| own.specular == specular);
+    of.map(|OwnSpecular { entry, .. }| {
+        let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
+        Ok(Coupling::Factor(Factor::fitted(entry.name(), &hypothesis, &[])?))
+    })
+    .collect()
 }
 
 /// What multiplies the lobe, as the quantity names it; none for lobes that the quantity does not have.
