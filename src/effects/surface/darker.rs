@@ -43,23 +43,23 @@ pub fn dark_table(smith: Smith, f0: f64, grid: &Grid) -> Result<Vec<DarkRow>, Su
     for coupling in couplings {
         let mut before: Option<Vec<Estimate>> = None;
         for rho in ALBEDOS {
-            let at = |(i, (alpha, mu)): (usize, &(f64, f64))| -> Result<(Estimate, Option<f64>), SurfaceError> {
-                let base = Some(Base { albedo: [rho; 3], coupling: coupling.clone() });
-                let (alpha, fresnel, lobe) = (*alpha, Fresnel::Schlick([f0; 3]), Lobe::Compensated);
-                let material = Material { smith, alpha, fresnel, lobe, base };
-                let surface = Surface::with(&material, albedos[i / grid.mu.len()].clone())?;
-                let found = Rules::new(alpha, *mu).albedo(&surface)?;
-                let left = surface.side(*mu).left[0];
-                Ok((found.total()[0], (rho > 0.0).then(|| found.base[0].value / (rho * left))))
-            };
+            let at =
+                |(i, (alpha, mu)): (usize, &(f64, f64))| -> Result<(Estimate, Option<f64>), SurfaceError> {
+                    let base = Some(Base { albedo: [rho; 3], coupling: coupling.clone() });
+                    let (alpha, fresnel, lobe) = (*alpha, Fresnel::Schlick([f0; 3]), Lobe::Compensated);
+                    let material = Material { smith, alpha, fresnel, lobe, base };
+                    let surface = Surface::with(&material, albedos[i / grid.mu.len()].clone())?;
+                    let found = Rules::new(alpha, *mu).albedo(&surface)?;
+                    let left = surface.side(*mu).left[0];
+                    Ok((found.total()[0], (rho > 0.0).then(|| found.base[0].value / (rho * left))))
+                };
             let found: Vec<Result<_, SurfaceError>> = views.par_iter().enumerate().map(at).collect();
             let found: Vec<(Estimate, Option<f64>)> = found.into_iter().collect::<Result<_, _>>()?;
             let total: Vec<Estimate> = found.iter().map(|x| x.0).collect();
             let shares: Option<f64> = found.iter().map(|x| x.1).sum();
             // Both are known to their bounds only.
-            let lighter = |(now, before): (&Estimate, &Estimate)| {
-                now.value + now.error >= before.value - before.error
-            };
+            let lighter =
+                |(now, before): (&Estimate, &Estimate)| now.value + now.error >= before.value - before.error;
             rows.push(DarkRow {
                 coupling: coupling.name().into(),
                 rho,

@@ -45,19 +45,11 @@ pub(super) fn section(rows: &[ColourRow], views: &[ViewRow]) -> Result<Section, 
 }
 
 /// `value` gives what is drawn and its standard error.
-fn chart(
-    title: String,
-    unit: &str,
-    rows: &[&ColourRow],
-    value: impl Fn(&ColourRow) -> (f64, f64),
-) -> Curves {
+fn chart(title: String, unit: &str, rows: &[&ColourRow], value: impl Fn(&ColourRow) -> (f64, f64)) -> Curves {
     let models = distinct(rows.iter().map(|row| &row.model));
     let series = models.iter().enumerate().flat_map(|(i, model)| {
-        let of_model: Vec<(f64, (f64, f64))> = rows
-            .iter()
-            .filter(|row| row.model == **model)
-            .map(|row| (row.roughness, value(row)))
-            .collect();
+        let of_model: Vec<(f64, (f64, f64))> =
+            rows.iter().filter(|row| row.model == **model).map(|row| (row.roughness, value(row))).collect();
         let style = match model.as_str() {
             WALK_SCHLICK => Style::Measured,
             WALK_EXACT => Style::Marked(i),

@@ -63,8 +63,12 @@ fn table(rows: &[BounceRow]) -> TextTable {
 
 fn chart(row: &BounceRow) -> Curves {
     let bins = row.lights.len() as f64;
-    let series =
-        |name: &str, points: Vec<(f64, f64)>, style: Style| Series { name: name.into(), points, style, end: None };
+    let series = |name: &str, points: Vec<(f64, f64)>, style: Style| Series {
+        name: name.into(),
+        points,
+        style,
+        end: None,
+    };
     let model = |name: &str, of: usize, style: Style| {
         series(name, row.densities.iter().map(|at| (at[0], at[of])).collect(), style)
     };

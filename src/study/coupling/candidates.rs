@@ -143,9 +143,9 @@ impl Candidate {
             | Coupling::OneMinusFresnel
             | Coupling::Pesce => true,
             Coupling::Symmetrised(_) => true,
-            Coupling::Factor(factor) => candidates.iter().any(
-                |c| matches!(&c.coupling, Coupling::Symmetrised(both) if both.name() == factor.name()),
-            ),
+            Coupling::Factor(factor) => candidates
+                .iter()
+                .any(|c| matches!(&c.coupling, Coupling::Symmetrised(both) if both.name() == factor.name())),
             _ => false,
         }
     }

@@ -72,7 +72,8 @@ fn meanings(compared: &[Compared], surfaces: &SurfaceRows) -> Vec<Meaning> {
         name: name.to_string(),
         meaning: meaning.to_string(),
     };
-    let mut all: Vec<Meaning> = Lobe::ALL.iter().map(|lobe| told(true, lobe.name(), lobe.meaning())).collect();
+    let mut all: Vec<Meaning> =
+        Lobe::ALL.iter().map(|lobe| told(true, lobe.name(), lobe.meaning())).collect();
     all.extend(Coupling::ALL.iter().map(|c| told(false, &c.name(), &c.meaning())));
     let has = |end: &str| {
         surfaces.reciprocity.iter().filter_map(|row| row.coupling.as_ref()).any(|name| name.ends_with(end))
@@ -88,9 +89,18 @@ fn meanings(compared: &[Compared], surfaces: &SurfaceRows) -> Vec<Meaning> {
                        Gems, Tauray";
         all.push(told(false, "coupling_..._karis, ...", meaning));
     }
-    all.push(told(false, "7 operations", "(1 − f0)(1 − ((1 − roughness)(1 − n·v)²)²), a formula without constants"));
-    all.push(told(false, "..., perceptual", "the constants are fitted for what is seen (fit --weight perceptual)"));
-    let both = "made reciprocal: the factor f at the light times that at the view over its average, f(l) f(v)/f_avg";
+    all.push(told(
+        false,
+        "7 operations",
+        "(1 − f0)(1 − ((1 − roughness)(1 − n·v)²)²), a formula without constants",
+    ));
+    all.push(told(
+        false,
+        "..., perceptual",
+        "the constants are fitted for what is seen (fit --weight perceptual)",
+    ));
+    let both =
+        "made reciprocal: the factor f at the light times that at the view over its average, f(l) f(v)/f_avg";
     all.push(told(false, "..., reciprocal", both));
     all
 }

@@ -3,7 +3,8 @@
 use super::super::{figures, words};
 use crate::report::numbers::{bound, brief, place};
 use crate::report::{
-    Block, Cells, CouplingStudy, FurnaceStrip, FurnaceStripRow, Gallery, ReportError, Section, Shade, TextTable, check, disc,
+    Block, Cells, CouplingStudy, FurnaceStrip, FurnaceStripRow, Gallery, ReportError, Section, Shade,
+    TextTable, check, disc,
 };
 
 /// Departure that gets the deepest colours.
@@ -53,7 +54,8 @@ fn gallery(strip: &FurnaceStrip) -> Result<Gallery, ReportError> {
     }
     let columns: Vec<usize> =
         (0..strip.roughness.len()).filter(|&i| strip.drawn.contains(&strip.roughness[i])).collect();
-    let spheres = |row: &FurnaceStripRow| columns.iter().filter_map(|&i| row.albedo.get(i)).map(cell).collect();
+    let spheres =
+        |row: &FurnaceStripRow| columns.iter().filter_map(|&i| row.albedo.get(i)).map(cell).collect();
     let values = strip.rows.iter().map(spheres).collect();
     Ok(Gallery {
         title: title(strip),
