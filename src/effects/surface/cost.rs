@@ -109,7 +109,10 @@ fn factor(lobe: Lobe, coupling: &Coupling) -> String {
 fn extra(coupling: Option<&Coupling>) -> Result<u32, SurfaceError> {
     match coupling {
         Some(Coupling::Factor(factor)) => operations_of(factor),
-        Some(Coupling::Symmetrised(factor)) => Ok(2 * operations_of(factor)?),
+        // with a max of each cosine where the formula is not made for all of them
+        Some(Coupling::Symmetrised(factor)) => {
+            Ok(2 * (operations_of(factor)? + u32::from(factor.least_mu() > 0.0)))
+        }
         _ => Ok(0),
     }
 }

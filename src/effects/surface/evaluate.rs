@@ -232,7 +232,9 @@ impl Surface {
             Coupling::SchlickRoughness => diffuse::schlick_roughness(self.f0[i], roughness, mu),
             Coupling::Pesce => diffuse::pesce(self.f0[i], reflectance[i], roughness),
             Coupling::OneMinusOwnSpecular => left[i],
-            Coupling::Factor(factor) | Coupling::Symmetrised(factor) => {
+            Coupling::Factor(factor) => factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] }),
+            Coupling::Symmetrised(factor) => {
+                let mu = mu.max(factor.least_mu());
                 factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] })
             }
             Coupling::FresnelProduct

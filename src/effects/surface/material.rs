@@ -103,7 +103,7 @@ pub enum Coupling {
     /// A formula of (roughness, alpha, mu, f0), at v.
     Factor(Factor),
     /// Such a formula made reciprocal, f(l) f(v)/f_avg: as the average of f(l) is f_avg, it sends back f(v) of a white base as the formula
-    /// does, with the same error in the furnace. f_avg is a constant of the material.
+    /// does, with the same error in the furnace. f_avg is a constant of the material. Below [`Factor::least_mu`] f is taken there.
     Symmetrised(Factor),
 }
 
@@ -212,13 +212,14 @@ pub struct FactorAt {
 pub struct Factor {
     name: String,
     ops: Option<u32>,
+    least_mu: f64,
     formula: Arc<dyn Fn(&FactorAt) -> f64 + Send + Sync>,
 }
 
 impl Factor {
     /// A formula under a name, of unknown cost.
     pub fn new(name: &str, formula: impl Fn(&FactorAt) -> f64 + Send + Sync + 'static) -> Factor {
-        Factor { name: name.to_string(), ops: None, formula: Arc::new(formula) }
+        Factor { name: name.to_string(), ops: None, least_mu: 0.0, formula: Arc::new(formula) }
     }
 
     /// A fitted hypothesis of any of the inputs roughness, alpha, mu and f0, evaluated in f64.
@@ -251,6 +252,17 @@ impl Factor {
             tape.at(&inputs, &coefficients)
         });
         Ok(Factor { ops, ..factor })
+    }
+
+    /// The same, made for cosines from `least_mu`: [`Coupling::Symmetrised`], which needs it at every light, takes it there below. A rational
+    /// formula may have a pole where it was not fitted.
+    pub fn above(self, least_mu: f64) -> Factor {
+        Factor { least_mu, ..self }
+    }
+
+    /// The least cosine that it is made for.
+    pub fn least_mu(&self) -> f64 {
+        self.least_mu
     }
 
     /// Its name.

@@ -1,12 +1,15 @@
 //! Furnace and reciprocity of a surface, measured on the function that a renderer would call.
 
+use std::f64::consts::PI;
 use std::sync::OnceLock;
 
+use super::albedos::FIRST_PANEL;
 use super::{Facet, Parts, Surface, SurfaceError};
 use crate::integrate::Estimate;
 use crate::integrate::reflection::Effort;
 use crate::integrate::reflection::hemisphere::{Hemisphere, Ring};
-use crate::math::ops;
+use crate::math::gauss::Gauss;
+use crate::math::{ops, panels};
 use crate::optics::ggx::Vec3;
 
 /// Error bound that a furnace measurement must reach.
@@ -31,7 +34,7 @@ impl Albedo {
     }
 }
 
-/// Most of [`TOLERANCE`] that the specular part may take; the base, which is smoother, has what is left.
+/// Most of [`TOLERANCE`] that the specular part may take; the base has what is left.
 const SPECULAR: f64 = 0.8 * TOLERANCE;
 
 /// The rules of one view, each finer than the one before: made once and used for every material of that alpha.
@@ -40,12 +43,16 @@ pub struct Rules {
     alpha: f64,
     mu: f64,
     rules: [OnceLock<Hemisphere>; 3],
+    cosines: [OnceLock<Vec<(f64, f64)>>; 3],
 }
+
+/// Nodes of each panel over the cosine, rule by rule.
+const NODES: [usize; 3] = [8, 16, 32];
 
 impl Rules {
     /// Rules for surfaces of alpha seen at mu in (0, 1].
     pub fn new(alpha: f64, mu: f64) -> Rules {
-        Rules { alpha, mu, rules: [const { OnceLock::new() }; 3] }
+        Rules { alpha, mu, rules: [const { OnceLock::new() }; 3], cosines: [const { OnceLock::new() }; 3] }
     }
 
     fn rule(&self, i: usize) -> &Hemisphere {
@@ -65,15 +72,38 @@ impl Rules {
     /// # Errors
     /// As [`Rules::albedo`].
     pub fn albedo_over(&self, specular: [Estimate; 3], surface: &Surface) -> Result<Albedo, SurfaceError> {
-        Ok(Albedo { specular, base: self.base(surface)? })
+        let taken = specular.iter().fold(0.0, |worst: f64, x| worst.max(x.error));
+        Ok(Albedo { specular, base: self.base(surface, TOLERANCE - taken)? })
     }
 
-    /// The base of [`Rules::albedo`].
+    /// The base of [`Rules::albedo`]: over cosines where it knows these alone, over the hemisphere where it knows the facet.
     ///
     /// # Errors
     /// As [`Rules::albedo`].
-    pub fn base(&self, surface: &Surface) -> Result<[Estimate; 3], SurfaceError> {
-        self.settled(TOLERANCE - SPECULAR, |rule| base(surface, rule))
+    pub fn base(&self, surface: &Surface, tolerance: f64) -> Result<[Estimate; 3], SurfaceError> {
+        if surface.knows_facets() {
+            self.settled(tolerance, |i| base(surface, self.rule(i)))
+        } else {
+            self.settled(tolerance, |i| base_over_cosines(surface, self.mu, self.cosines(i)))
+        }
+    }
+
+    /// Cosines with their weights 2 pi mu dmu: a Gauss rule on each of the panels that the albedos have, which are graded to grazing.
+    fn cosines(&self, i: usize) -> &[(f64, f64)] {
+        self.cosines[i].get_or_init(|| {
+            let rule = Gauss::new(NODES[i]);
+            let cuts = panels::from_zero(1.0, FIRST_PANEL * self.alpha);
+            let panel = |cut: &[f64]| {
+                let (half, middle) = (0.5 * (cut[1] - cut[0]), 0.5 * (cut[0] + cut[1]));
+                let nodes = rule.nodes.iter().zip(&rule.weights);
+                let place = |(x, w): (&f64, &f64)| {
+                    let mu = middle + half * x;
+                    (mu, 2.0 * PI * half * w * mu)
+                };
+                nodes.map(place).collect::<Vec<_>>()
+            };
+            cuts.windows(2).flat_map(panel).collect()
+        })
     }
 
     /// The specular part of [`Rules::albedo`].
@@ -81,18 +111,18 @@ impl Rules {
     /// # Errors
     /// As [`Rules::albedo`].
     pub fn specular(&self, surface: &Surface) -> Result<[Estimate; 3], SurfaceError> {
-        self.settled(SPECULAR, |rule| specular(surface, rule))
+        self.settled(SPECULAR, |i| specular(surface, self.rule(i)))
     }
 
     /// An integral by finer and finer rules, until its bound is within the tolerance.
     fn settled(
         &self,
         tolerance: f64,
-        integral: impl Fn(&Hemisphere) -> [f64; 3],
+        integral: impl Fn(usize) -> [f64; 3],
     ) -> Result<[Estimate; 3], SurfaceError> {
         let (alpha, mu) = (self.alpha, self.mu);
         let finite = |i: usize| {
-            let values = integral(self.rule(i));
+            let values = integral(i);
             let all = values.iter().all(|x| x.is_finite());
             if all { Ok(values) } else { Err(SurfaceError::NotFinite { what: "furnace", alpha, mu }) }
         };
@@ -130,20 +160,27 @@ fn specular(surface: &Surface, hemisphere: &Hemisphere) -> [f64; 3] {
     })
 }
 
-/// The base; one value a ring where it knows the cosines alone.
+/// A base that knows the facet.
 fn base(surface: &Surface, hemisphere: &Hemisphere) -> [f64; 3] {
     let view = surface.side(hemisphere.view[2]);
     over_rings(hemisphere, |ring| {
         let light = surface.side(ring.cosine);
-        let at = |direction| surface.base(&light, &view, &Facet::between(direction, hemisphere.view));
-        match ring.lights.first() {
-            Some((direction, _)) if !surface.knows_facets() => {
-                let angle: f64 = ring.lights.iter().map(|(_, weight)| weight).sum();
-                at(*direction).map(|f| angle * f)
-            }
-            _ => over_lights(ring, at),
-        }
+        over_lights(ring, |direction| {
+            surface.base(&light, &view, &Facet::between(direction, hemisphere.view))
+        })
     })
+}
+
+/// A base that knows the cosines alone, any azimuth stands for all.
+fn base_over_cosines(surface: &Surface, mu: f64, cosines: &[(f64, f64)]) -> [f64; 3] {
+    let at = |mu: f64| [((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt(), 0.0, mu];
+    let view = surface.side(mu);
+    let mut total = [0.0; 3];
+    for (light, weight) in cosines {
+        let value = surface.base(&surface.side(*light), &view, &Facet::between(at(*light), at(mu)));
+        total = [0, 1, 2].map(|i| total[i] + weight * value[i]);
+    }
+    total
 }
 
 /// Sum over the rings of cosine times f(ring).

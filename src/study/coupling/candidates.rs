@@ -35,6 +35,9 @@ const PUBLISHED: [Coupling; 11] = [
 /// Reflectances that fits are made for: those of dielectrics with an index of refraction from 1.33 to 2.6, which are lit.
 pub(super) const F0: [f64; 2] = [0.02, 0.2];
 
+/// Cosines that fits are made for.
+pub(super) const MU: [f64; 2] = [0.01, 1.0];
+
 /// Starting points of a fit: the constants in the files are good ones.
 pub(super) const STARTS: usize = 2;
 
@@ -81,7 +84,7 @@ impl Planned {
     pub fn recipe(&self) -> String {
         match self {
             Planned::Published(coupling) => coupling.name().to_string(),
-            Planned::Fit(entry, kind) => format!("{kind:?} over f0 {F0:?}: {}", entry.source),
+            Planned::Fit(entry, kind) => format!("{kind:?} over f0 {F0:?}, mu {MU:?}: {}", entry.source),
         }
     }
 }
@@ -177,7 +180,7 @@ fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Fac
             used_as: Some(Use::Coupling),
             smith: Smith::Correlated,
             alpha_map: AlphaMap::RoughnessSquared,
-            domain: BTreeMap::from([("f0".to_string(), F0)]),
+            domain: BTreeMap::from([("f0".to_string(), F0), ("mu".to_string(), MU)]),
             words: BTreeMap::from([("specular".to_string(), specular.to_string())]),
         },
         goals: vec![if perceptual { Goal::Rms } else { Goal::Max }],
@@ -191,7 +194,7 @@ fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Fac
     };
     let fits = fit(&job)?.fits;
     let first = fits.first().ok_or_else(|| StudyError::Unfitted { name: name.into() })?;
-    Ok(Factor::fitted(name, &first.hypothesis, &first.coefficients)?)
+    Ok(Factor::fitted(name, &first.hypothesis, &first.coefficients)?.above(MU[0]))
 }
 
 /// Couplings of published fits to their own lobe, as [`OwnSpecular`] has them.

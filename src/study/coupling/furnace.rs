@@ -9,7 +9,7 @@ use super::Compared;
 use super::candidates::Candidate;
 use super::parameters::Furnace;
 use crate::data::{AlphaMap, Smith};
-use crate::effects::surface::measure::Rules;
+use crate::effects::surface::measure::{Rules, TOLERANCE};
 use crate::effects::surface::{Albedos, Lobe, Surface};
 use crate::report::{FurnaceStrip, FurnaceStripRow};
 use crate::study::StudyError;
@@ -72,7 +72,7 @@ fn column(
     };
     let albedo = |(&mu, rules): (&f64, &Rules)| {
         if candidate.directional() {
-            Ok(surface.specular_albedo(mu)[0] + rules.base(&surface)?[0].value)
+            Ok(surface.specular_albedo(mu)[0] + rules.base(&surface, TOLERANCE)?[0].value)
         } else {
             Ok(view_alone(mu))
         }

@@ -99,8 +99,8 @@ fn meanings(compared: &[Compared], surfaces: &SurfaceRows) -> Vec<Meaning> {
         "..., perceptual",
         "the constants are fitted for what is seen (fit --weight perceptual)",
     ));
-    let both =
-        "made reciprocal: the factor f at the light times that at the view over its average, f(l) f(v)/f_avg";
+    let both = "made reciprocal: the factor f at the light times that at the view over its average, f(l) f(v)/f_avg; f of a cosine below those that \
+                it was fitted for, from 0.01, is f there";
     all.push(told(false, "..., reciprocal", both));
     all
 }
