@@ -158,6 +158,11 @@ impl Surface {
         Side { mu, column, left, stretched, boost, factor: self.factor(mu, &left) }
     }
 
+    /// What this surface knows of a direction of which another one, of the same lobe, knows `common`: the same but for its own factor.
+    pub fn own_side(&self, common: &Side) -> Side {
+        Side { factor: self.factor(common.mu, &common.left), ..*common }
+    }
+
     /// The BRDF between two directions above the horizon, each with its [`Side`].
     pub fn between(&self, light: &Side, view: &Side, to_light: Vec3, to_view: Vec3) -> Parts {
         let facet = Facet::between(to_light, to_view);

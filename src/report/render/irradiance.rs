@@ -44,7 +44,6 @@ fn share(lamp: &Lamp, normal: Vec3) -> f64 {
 /// lights at h. Panels end where the light or the ring changes its law; there both go with half powers of the distance, which the
 /// substitution h = low + (high - low) t^2 (3 - 2t) makes smooth.
 fn sky(environment: &Environment, normal: Vec3) -> [f64; 3] {
-    let bare = Environment { lamps: Vec::new(), ..environment.clone() };
     let rim = ((1.0 - normal[1]) * (1.0 + normal[1])).max(0.0).sqrt();
     let mut cuts = vec![-1.0, -environment.haze, 0.0, environment.haze, -rim, rim, 1.0];
     cuts.retain(|cut| (-1.0..=1.0).contains(cut));
@@ -59,7 +58,7 @@ fn sky(environment: &Environment, normal: Vec3) -> [f64; 3] {
             let part = 0.5 * weight * width * 6.0 * t * (1.0 - t) * ring(height, normal[1]) / PI;
             // any direction of that height
             let flat = ((1.0 - height) * (1.0 + height)).sqrt();
-            light = plus(light, scaled(bare.radiance([flat, height, 0.0]), part));
+            light = plus(light, scaled(environment.sky([flat, height, 0.0]), part));
         }
     }
     light

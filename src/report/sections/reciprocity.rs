@@ -114,7 +114,7 @@ fn kept(row: &ReciprocityRow) -> bool {
 
 fn place(row: &ReciprocityRow) -> String {
     if kept(row) {
-        return "rounding".into();
+        return if row.reciprocity > 0.0 { "rounding" } else { "–" }.into();
     }
     let ExchangeAt { alpha, mu_l, mu_v, .. } = row.at;
     format!("α\u{a0}{}, μ\u{a0}{}\u{a0}↔\u{a0}{}", brief(alpha, 2), brief(mu_l, 2), brief(mu_v, 2))

@@ -120,10 +120,10 @@ struct Surfaces(Vec<Surface>);
 
 impl Surfaces {
     /// The direction that a light comes from as a surface knows it: the same for all but those whose factor is their own there too.
-    fn light<'a>(surface: &Surface, mu: f64, common: &'a Side, own: &'a mut Side) -> &'a Side {
+    fn light<'a>(surface: &Surface, common: &'a Side, own: &'a mut Side) -> &'a Side {
         match surface.material().base {
             Some(Base { coupling: Coupling::Symmetrised(_), .. }) => {
-                *own = surface.side(mu);
+                *own = surface.own_side(common);
                 own
             }
             _ => common,
@@ -143,7 +143,7 @@ impl Materials for Surfaces {
             let specular = self.0[0].specular(&side, &views[0], &facet);
             for ((sum, surface), own) in sums.iter_mut().zip(&self.0).zip(&views) {
                 let mut apart = side;
-                let from = Self::light(surface, light[2], &side, &mut apart);
+                let from = Self::light(surface, &side, &mut apart);
                 let base = surface.base(from, own, &facet);
                 *sum = [0, 1, 2].map(|c| sum[c] + (specular[c] + base[c]) * weight[c]);
             }

@@ -71,7 +71,7 @@ fn gallery(strip: &FurnaceStrip) -> Result<Gallery, ReportError> {
 }
 
 fn title(strip: &FurnaceStrip) -> String {
-    format!("furnace: specular lobe {}, f0 {}", strip.lobe, place(strip.f0))
+    format!("{}, f0 {}", strip.lobe, place(strip.f0))
 }
 
 /// The largest departures over roughness and mu, by reflectance.

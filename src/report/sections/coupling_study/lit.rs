@@ -75,7 +75,7 @@ fn gallery(strip: &LitStrip, rows: &[&LitRow], cells: Cells) -> Gallery {
     let side = rows.iter().flat_map(|r| &r.pictures).map(|p| p.width).next().unwrap_or_default();
     let what = if matches!(cells, Cells::Colours(_)) { "as shown" } else { "FLIP" };
     Gallery {
-        title: format!("{}: {what}", title(strip)),
+        title: format!("f0 {}: {what}", place(strip.f0)),
         column_name: "roughness".into(),
         columns: strip.roughness.iter().map(|&r| place(r)).collect(),
         rows: rows.iter().map(|r| labelled(strip, r)).collect(),
