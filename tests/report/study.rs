@@ -134,6 +134,7 @@ fn page_is_true(folder: &Path, results: &Value) {
         let row = measured.iter().find(|row| row["lobe"] == "normalised" && row["coupling"] == name);
         assert!(row.is_some_and(|row| number(&row["reciprocity"]) > 0.1), "{name}: {row:?}");
     }
+    assert!(measured.iter().all(|row| (0.0..=2.0).contains(&number(&row["reciprocity"]))));
 }
 
 /// A bake beside it leaves a study alone; `check` names one that is of another recipe, as the reduced one is.

@@ -243,7 +243,7 @@ pub fn pairs() -> Vec<Pair> {
 /// The largest departure from reciprocity over some pairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reciprocity {
-    /// |f(l, v) - f(v, l)| over their mean, of the worst channel: 0 if reciprocal, 2 if light goes one way only.
+    /// |f(l, v) - f(v, l)| over the mean of their sizes, of the worst channel: 0 if reciprocal, 2 if light goes one way only, the most.
     pub departure: f64,
     /// The worst channel.
     pub channel: usize,
@@ -281,8 +281,8 @@ fn largest(
                 let alpha = surface.material().alpha;
                 return Err(SurfaceError::NotFinite { what: "BRDF", alpha, mu: pair.mu_v });
             }
-            // where both are 0 nothing departs
-            let mean = 0.5 * (a + b).abs();
+            // where both are 0 nothing departs; a formula may be negative where it was not fitted
+            let mean = 0.5 * (a.abs() + b.abs());
             let departure = if mean > 0.0 { (a - b).abs() / mean } else { 0.0 };
             if worst.is_none_or(|worst| departure > worst.departure) {
                 worst = Some(Reciprocity { departure, channel, at: *pair });

@@ -127,7 +127,7 @@ pub struct Ranking {
 pub struct Ranked {
     /// Coupling.
     pub name: String,
-    /// Largest |f(l, v) - f(v, l)| of the base over their mean, over the roughnesses and reflectances of the ranking: rounding if it is
+    /// Largest |f(l, v) - f(v, l)| of the base over the mean of their sizes, over the roughnesses and reflectances of the ranking: rounding if it is
     /// reciprocal, 2 at most.
     pub reciprocity: f64,
     /// Whether the diffuse base needs the light's direction too.

@@ -42,7 +42,7 @@ pub(super) fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
         title: "Energy and reciprocity".into(),
         lead: "Whole materials as functions f(l, v), integrated over the hemisphere as they are drawn. Furnace: what a white \
                material sends back less 1, the largest over roughness and angle; minus loses light, plus makes it. Reciprocity: the \
-               largest |f(l, v) − f(v, l)| relative to their mean, between 0 and 2, measured for all: 1e−14 and less is rounding. A path \
+               largest |f(l, v) − f(v, l)| relative to the mean of their sizes, between 0 and 2, measured for all: 1e−14 and less is rounding. A path \
                tracer that connects paths from both ends needs that; a game that shades towards one eye does not."
             .into(),
         blocks,

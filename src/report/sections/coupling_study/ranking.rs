@@ -100,7 +100,7 @@ fn table(ranking: &Ranking) -> TextTable {
          them, as by lobefit fit --weight perceptual. To reciprocal: FLIP of the same pictures against Kelemen-Szirmay-Kalos, which is reciprocal \
          and exact in energy too; how far the two exact ones are apart is what choosing between them changes. Ops: operations of a channel that \
          the coupling adds to those of the lobe; texels: what lobe and coupling read. Reciprocity: the largest |f(l, v) − f(v, l)| of the base \
-         alone over their mean, as measured; 1e−14 and less is rounding. Ours in black: constants fitted for the largest error, or, where it says \
+         alone over the mean of their sizes, as measured; 1e−14 and less is rounding. Ours in black: constants fitted for the largest error, or, where it says \
          so, for the perceptual RMS.",
         list(&ranking.f0),
         bound(noise, 1)
