@@ -66,7 +66,8 @@ fn pictures(strip: &LitStrip) -> Result<Block, ReportError> {
     let maps = gallery(strip, &rows, Cells::Values { values, shade, unit: "FLIP".into() });
     let caption = format!(
         "Left: the spheres through the tone mapper of the measure, all at one exposure. Right, or below: HDR-FLIP of each pixel against the \
-         reference, the largest over all exposures at which the reference can be shown; {LIMIT} and above in the lightest colour.",
+         reference, the largest over all exposures at which the reference can be shown; {LIMIT} and above in the lightest colour.{}",
+        if rows.len() < strip.rows.len() { " A few of the couplings; all are in the table." } else { "" },
     );
     figures(&[shown, maps], &caption)
 }
