@@ -37,7 +37,9 @@ pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
-pub use findings::{CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Ranked, Ranking};
+pub use findings::{
+    CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
+};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

@@ -17,6 +17,10 @@ pub enum Style {
     Line(usize),
     /// A line with a mark at every point.
     Marked(usize),
+    /// Black marks without a line: what was measured.
+    Measured,
+    /// Error bars: points in pairs, the lower and the upper end of each bar.
+    Bars,
 }
 
 /// A named line.
@@ -67,7 +71,7 @@ pub struct Curves {
 impl Series {
     fn colour(&self) -> RGBColor {
         match self.style {
-            Style::Truth => INK,
+            Style::Truth | Style::Measured | Style::Bars => INK,
             Style::Line(i) | Style::Marked(i) => LINES[i % LINES.len()],
         }
     }
@@ -77,6 +81,7 @@ impl Series {
             Style::Truth => Key::Line(3.0),
             Style::Line(_) => Key::Line(1.6),
             Style::Marked(_) => Key::Marked,
+            Style::Measured | Style::Bars => Key::Disc,
         }
     }
 }
@@ -197,7 +202,8 @@ impl Curves {
 
     /// Rings, and the texts of rings and guides, kept off the lines.
     fn draw_notes(&self, canvas: &Canvas, plan: &Plan, guides: &[Segment]) -> Result<(), ReportError> {
-        let lines = self.series.iter().flat_map(|s| s.points.windows(2));
+        let drawn = self.series.iter().filter(|s| !matches!(s.style, Style::Measured | Style::Bars));
+        let lines = drawn.flat_map(|s| s.points.windows(2));
         let lines = lines.map(|w| (plan.pixel(w[0]), plan.pixel(w[1]))).chain(guides.iter().copied());
         let obstacles: Vec<Frame> = lines.flat_map(beads).collect();
         let rings: Vec<(f64, f64)> = self.annotations.iter().map(|a| plan.pixel((a.x, a.y))).collect();
@@ -239,9 +245,13 @@ impl Curves {
 
 fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportError> {
     let pixels: Vec<(f64, f64)> = s.points.iter().map(|&p| plan.pixel(p)).collect();
-    let width = if s.style == Style::Truth { 3.0 } else { 1.6 };
-    canvas.line(&pixels, s.colour(), width)?;
-    if !matches!(s.style, Style::Marked(_)) {
+    match s.style {
+        Style::Truth => canvas.line(&pixels, s.colour(), 3.0)?,
+        Style::Line(_) | Style::Marked(_) => canvas.line(&pixels, s.colour(), 1.6)?,
+        Style::Measured => {}
+        Style::Bars => return bars(canvas, &pixels, s.colour()),
+    }
+    if !matches!(s.style, Style::Marked(_) | Style::Measured) {
         return Ok(());
     }
     for (&pixel, &(_, y)) in pixels.iter().zip(&s.points) {
@@ -250,6 +260,17 @@ fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportErr
             canvas.polygon(&[(x - 4.0, foot - 7.0), (x + 4.0, foot - 7.0), (x, foot)], s.colour())?;
         } else {
             canvas.circle(pixel, 2.8, s.colour(), None)?;
+        }
+    }
+    Ok(())
+}
+
+/// Vertical bars with caps.
+fn bars(canvas: &Canvas, ends: &[(f64, f64)], colour: RGBColor) -> Result<(), ReportError> {
+    for (from, to) in ends.as_chunks::<2>().0.iter().map(|[from, to]| (*from, *to)) {
+        canvas.line(&[from, to], colour, 1.0)?;
+        for (x, y) in [from, to] {
+            canvas.line(&[(x - 4.0, y), (x + 4.0, y)], colour, 1.0)?;
         }
     }
     Ok(())
