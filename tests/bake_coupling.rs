@@ -123,7 +123,7 @@ fn factors_are_fitted_certified_and_emitted_in_every_language() {
     );
     let page = String::from_utf8_lossy(&baked.files["reports/diffuse-coupling.html"]).into_owned();
     for shown in
-        ["coupling_pesce", "coupling_gltf", "coupling_single_karis", "coupling_compensated_25", "1 − Fresnel"]
+        ["coupling_pesce", "coupling_gltf", "coupling_single_karis", "coupling_compensated_24", "1 − Fresnel"]
     {
         assert!(page.contains(shown), "{shown}");
     }
@@ -288,7 +288,7 @@ fn ours_beat_the_bars() {
         (Specular::Single, 7, 0.060),
         (Specular::Single, 30, 0.0068),
         (Specular::Compensated, 7, 0.061),
-        (Specular::Compensated, 33, 0.0068),
+        (Specular::Compensated, 32, 0.0068),
     ] {
         assert!(best(s, ops) < bar, "{} {ops}: {}", s.name(), best(s, ops));
     }

@@ -12,7 +12,7 @@ use crate::integrate::coupling::Specular;
 use crate::plan::Effect;
 use crate::report::{
     AnyF0Finding, ApproximationFinding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe,
-    CouplingPanel, EffectFinding, FitFinding, FurnaceRow, Ruler,
+    CouplingPanel, CouplingReciprocity, EffectFinding, FitFinding, FurnaceRow, Ruler,
 };
 use crate::scene::Scene;
 
@@ -84,6 +84,8 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
         name: fit.approximation.name.clone(),
         max: any.max,
         at: any.at.clone(),
+        places: any.places,
+        looked_at: any.f0.words(),
     };
     let f0 = spec.f0[0];
     let truth = map.factors(spec.specular, f0);
@@ -97,7 +99,8 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
         anywhere: lobe.measured().map(any).collect(),
         fits: fits.collect::<Result<_, _>>()?,
         furnace: furnace(lobe, &shown, context)?,
-        reciprocity: super::reciprocity::rows(lobe)?,
+        reciprocity: super::reciprocity::rows(lobe)?
+            .map(|(places, rows)| CouplingReciprocity { places, rows }),
     })
 }
 
