@@ -22,13 +22,19 @@ pub fn names() -> impl Iterator<Item = String> {
     let around = Specular::ALL.into_iter().flat_map(|specular| {
         [exact_name(specular), coupled_name(specular), coloured(&coupled_name(specular))]
     });
-    let reciprocal = [AVERAGE.into(), RECIPROCAL.into(), coloured(AVERAGE), coloured(RECIPROCAL)];
+    let reciprocal =
+        [AVERAGE.into(), EXCHANGED.into(), RECIPROCAL.into(), coloured(AVERAGE), coloured(RECIPROCAL)];
     around.chain(reciprocal)
 }
 
 /// The functions of a material whose directions can be exchanged. Its lobe must be such a one, which of ours the bare one alone is.
 const AVERAGE: &str = "diffuse_coupling_average_single";
 const RECIPROCAL: &str = "diffuse_coupled_reciprocal_single";
+const EXCHANGED: &str = "diffuse_coupling_reciprocal_single";
+
+const EXCHANGED_TEXT: &str = "\
+What the base below has for a factor whose directions can be exchanged: the factor of the light mu_l times that of the
+view mu, over their average.";
 
 /// The name of a function's variant for a reflectance per channel.
 fn coloured(name: &str) -> String {
@@ -52,8 +58,10 @@ const FLOOR: &str = "0.001";
 pub struct RuleError {
     /// Largest error of the average.
     pub average: f64,
-    /// Largest error, for it, of the light that a white base sends back.
+    /// Largest error, for it, of the light that a white base sends back, over the f0 of the certificate.
     pub energy: f64,
+    /// The same over all f0.
+    pub any_energy: f64,
 }
 
 /// The cosines at which the emitted average has its factor.
@@ -92,10 +100,10 @@ fn reciprocal_text(error: RuleError) -> String {
          diffuse base, the factor of the light mu_l times that of the view mu over their average (Kelemen and Szirmay-Kalos, \"A\n\
          microfacet based coupled specular-matte BRDF model with importance sampling\", 2001).\n\
          average is that of the function above. Energy: as the average of the light's factor is the average, the base sends back\n\
-         what the view's factor alone would, but for {} at most, measured like the average. Limits: as f0 goes to 1 the factor\n\
-         goes to the loss of the bare lobe; an average below {FLOOR} counts as {FLOOR}, which fades the base out and never\n\
-         brightens it.",
-        error.energy
+         what the view's factor alone would, within {} for the f0 of the certificate and {} for all f0 (measured). Limits: as\n\
+         f0 goes to 1 the factor goes to the loss of the bare lobe; an average below {FLOOR} counts as {FLOOR}, which fades the\n\
+         base out and never brightens it.",
+        error.energy, error.any_energy
     )
 }
 
@@ -181,17 +189,21 @@ pub fn reciprocal(language: Language, factor: &str, inputs: &[String], error: Ru
             &vector(language, 3),
         )
         + &finish(language, "averages", &CHANNELS.map(|i| call(language, AVERAGE, &constant, &[], i)));
-    let with_light: Vec<String> = std::iter::once("mu_l".to_string()).chain(inputs.iter().cloned()).collect();
+    let with_light: Vec<String> =
+        ["average", "mu_l"].map(String::from).into_iter().chain(inputs.iter().cloned()).collect();
+    let least = format!("{}(average, {})", function(language, "max"), expression(language, FLOOR));
+    let share = lines(EXCHANGED_TEXT)
+        + &head(language, EXCHANGED, &arguments(language, &[], &with_light, false), &number)
+        + &declare(language, &number, "light", &kept("mu_l", None))
+        + &declare(language, &number, "view", &kept("mu", None))
+        + &finish(language, "share", &[format!("light * view / {least}")]);
     let base = |i: Option<usize>| {
         let mean = i.map_or("average".into(), |i| part(language, "average", i));
-        let least = format!("{}({mean}, {})", function(language, "max"), expression(language, FLOOR));
-        times_inverse_pi(language, &format!("{} * {} / {least}", kept("mu_l", i), kept("mu", i)))
+        times_inverse_pi(language, &call(language, EXCHANGED, &with_light, &[("average", &mean)], i))
     };
     let material = |channels: &[Option<usize>], name: &str, text: &str| {
         let coloured = channels.len() == 3;
-        let mut all = arguments(language, &["lobe", "albedo"], &with_light, coloured);
-        let kind = vector(language, if coloured { 3 } else { 1 });
-        all.insert(2, argument(language, "average", &kind));
+        let all = arguments(language, &["lobe", "albedo"], &with_light, coloured);
         let bases: Vec<String> = channels.iter().map(|i| base(*i)).collect();
         format!(
             "{}{}{}",
@@ -202,7 +214,7 @@ pub fn reciprocal(language: Language, factor: &str, inputs: &[String], error: Ru
     };
     let one = material(&[None], RECIPROCAL, &reciprocal_text(error));
     let three = material(&CHANNELS, &coloured(RECIPROCAL), PER_CHANNEL);
-    [average, averages, one, three].join("\n")
+    [average, averages, share, one, three].join("\n")
 }
 
 /// The channels of a colour.
@@ -216,7 +228,9 @@ fn lines(text: &str) -> String {
 /// Colours, then the factor's arguments, f0 among them a colour where it is `coloured`.
 fn arguments(language: Language, colours: &[&str], inputs: &[String], coloured: bool) -> Vec<String> {
     let (colour, number) = (vector(language, 3), vector(language, 1));
-    let kind = |input: &String| if coloured && input == "f0" { &colour } else { &number };
+    let kind = |input: &String| {
+        if coloured && ["f0", "average"].contains(&input.as_str()) { &colour } else { &number }
+    };
     let colours = colours.iter().map(|name| argument(language, name, &colour));
     colours.chain(inputs.iter().map(|input| argument(language, input, kind(input)))).collect()
 }

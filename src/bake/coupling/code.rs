@@ -38,7 +38,7 @@ fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
         let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
         text += &format!("\n{}", coupling::coupled(language, specular, name, inputs));
         if specular == Specular::Single {
-            let error = rule::error(&lobe.spec.region, best)?;
+            let error = rule::error(&lobe.spec.region, lobe.spec.f0, best)?;
             text += &format!("\n{}", coupling::reciprocal(language, name, inputs, error));
         }
     }

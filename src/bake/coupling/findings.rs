@@ -90,13 +90,15 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
     let f0 = spec.f0[0];
     let truth = map.factors(spec.specular, f0);
     let fits = shown.iter().map(|one| fit_finding(lobe, one, (&map, &truth), &lines));
+    let (table, table_anywhere) = super::table::rival(lobe, context)?;
+    let formulas = lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation));
     Ok(CouplingLobe {
         specular: spec.specular.name().into(),
         multiplier: spec.specular.formula().into(),
         f0,
         truth: map.field("factor", false, truth.iter().copied()),
-        approximations: lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation)).collect(),
-        anywhere: lobe.measured().map(any).collect(),
+        approximations: formulas.chain([table]).collect(),
+        anywhere: lobe.measured().map(any).chain([table_anywhere]).collect(),
         fits: fits.collect::<Result<_, _>>()?,
         furnace: furnace(lobe, &shown, context)?,
         reciprocity: super::reciprocity::rows(lobe)?

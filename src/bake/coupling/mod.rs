@@ -5,6 +5,7 @@ mod findings;
 mod grid;
 mod reciprocity;
 mod rule;
+mod table;
 
 use super::context::Context;
 use super::part::{Part, canonical};
