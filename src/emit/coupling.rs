@@ -153,7 +153,15 @@ pub fn coupled(language: Language, specular: Specular, factor: &str, inputs: &[S
             specular.formula()
         ),
     };
-    let base = |i: Option<usize>| times_inverse_pi(language, &call(language, factor, inputs, &[], i));
+    let base = |i: Option<usize>| {
+        let value = call(language, factor, inputs, &[], i);
+        // The others are proven not to be negative for all f0.
+        let kept = match specular {
+            Specular::Single => not_negative(language, &value),
+            Specular::Normalised | Specular::Compensated => value,
+        };
+        times_inverse_pi(language, &kept)
+    };
     let function = |channels: &[Option<usize>], name: &str, text: &str| {
         let arguments = arguments(language, &["lobe", "albedo"], inputs, channels.len() == 3);
         let head = head(language, name, &arguments, &vector(language, 3));
@@ -170,8 +178,7 @@ pub fn reciprocal(language: Language, factor: &str, inputs: &[String], error: Ru
     let number = vector(language, 1);
     let constant: Vec<String> = inputs.iter().filter(|input| *input != "mu").cloned().collect();
     let kept = |mu: &str, i: Option<usize>| {
-        let value = call(language, factor, inputs, &[("mu", mu)], i);
-        format!("{}({value}, {})", function(language, "max"), expression(language, "0.0"))
+        not_negative(language, &call(language, factor, inputs, &[("mu", mu)], i))
     };
     let terms = RULE.iter().enumerate().map(|(i, (mu, weight))| {
         let term = format!("{} * {}", expression(language, weight), kept(&expression(language, mu), None));
@@ -253,6 +260,10 @@ fn call(
 
 fn function(language: Language, name: &str) -> String {
     expression(language, name)
+}
+
+fn not_negative(language: Language, value: &str) -> String {
+    format!("{}({value}, {})", function(language, "max"), expression(language, "0.0"))
 }
 
 fn times_inverse_pi(language: Language, value: &str) -> String {
