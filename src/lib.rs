@@ -2,7 +2,7 @@
 //! compresses them into tables and fits, measures every approximation against the truth, and emits what an
 //! engine needs together with its certificate and its cost.
 //!
-//! A module imports only from the floors below it (`tests/floors.rs` reads the imports and fails on an edge that
+//! A module imports only from the floors below it (`tests/house/floors.rs` reads the imports and fails on an edge that
 //! runs upward).
 //!
 //! | floor | module | purpose |

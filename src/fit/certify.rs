@@ -4,9 +4,13 @@ use half::f16;
 
 use super::tape::{Node, Op, Real};
 use super::{FitError, Tape};
+use crate::math::lanes;
 
 /// Points whose squares are summed before they join the total: bounds the rounding error of a sum of millions.
 const RUN: usize = 4096;
+
+/// 1 less some roundings.
+const BELOW: f64 = 1.0 - 1e-15;
 
 /// The arithmetic that a formula is measured in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -151,7 +155,7 @@ pub fn measure_in(
         errors.push(finite("scale", i, scale[i])? * value - finite("target", i, target[i])?);
     }
     let first = first.min(points);
-    Ok((summarise(&errors, target), summarise(&errors[..first], &target[..first])))
+    Ok(summarise(&errors, target, first))
 }
 
 /// The formula's values in an arithmetic.
@@ -237,27 +241,59 @@ fn first_not_finite<R: Real>(
     found
 }
 
-fn summarise(errors: &[f64], target: &[f64]) -> Measured {
-    let (mut max_abs, mut max_rel, mut worst) = (0.0, 0.0_f64, 0);
-    for (i, (error, target)) in errors.iter().zip(target).enumerate() {
-        if error.abs() > max_abs {
-            (max_abs, worst) = (error.abs(), i);
-        }
-        if target.abs() >= f64::from(f32::MIN_POSITIVE) {
-            max_rel = max_rel.max(error.abs() / target.abs());
+/// The errors of all points and of the `first` of them.
+fn summarise(errors: &[f64], target: &[f64], first: usize) -> (Measured, Measured) {
+    let mut sums = Sums::default();
+    sums.add(&errors[..first], &target[..first]);
+    let head = sums.measured();
+    sums.add(&errors[first..], &target[first..]);
+    (sums.measured(), head)
+}
+
+/// What is known of the errors so far.
+#[derive(Default)]
+struct Sums {
+    max_abs: f64,
+    max_rel: f64,
+    worst: usize,
+    squares: f64,
+    total: f64,
+    points: usize,
+}
+
+impl Sums {
+    fn add(&mut self, errors: &[f64], target: &[f64]) {
+        for (errors, target) in errors.chunks(RUN).zip(target.chunks(RUN)) {
+            self.largest(errors, target);
+            self.squares += lanes::total(errors, |e| e * e);
+            self.total += lanes::total(errors, |e| e);
+            self.points += errors.len();
         }
     }
-    let count = errors.len() as f64;
-    let total = |f: &dyn Fn(&f64) -> f64| -> f64 {
-        errors.chunks(RUN).map(|run| run.iter().map(f).sum::<f64>()).sum::<f64>() / count
-    };
-    Measured {
-        max_abs,
-        max_rel,
-        rms: total(&|e| e * e).sqrt(),
-        mean: total(&|e| *e),
-        worst,
-        points: errors.len(),
+
+    fn largest(&mut self, errors: &[f64], target: &[f64]) {
+        for (i, (error, target)) in errors.iter().zip(target).enumerate() {
+            let (error, target) = (error.abs(), target.abs());
+            if error > self.max_abs {
+                (self.max_abs, self.worst) = (error, self.points + i);
+            }
+            // The product spares a division wherever the ratio cannot be larger; its rounding is made good by the margin.
+            if error >= self.max_rel * target * BELOW && target >= f64::from(f32::MIN_POSITIVE) {
+                self.max_rel = self.max_rel.max(error / target);
+            }
+        }
+    }
+
+    fn measured(&self) -> Measured {
+        let count = self.points as f64;
+        Measured {
+            max_abs: self.max_abs,
+            max_rel: self.max_rel,
+            rms: (self.squares / count).sqrt(),
+            mean: self.total / count,
+            worst: self.worst,
+            points: self.points,
+        }
     }
 }
 

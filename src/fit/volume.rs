@@ -113,23 +113,44 @@ fn blend(values: &[f64], length: usize, (base, f): (usize, f64)) -> Vec<f64> {
 /// Moves every texel towards the balance of the extreme errors around it.
 fn relax(lattice: Lattice, errors: &[f64], texels: &mut [f64]) {
     let [columns, rows, _] = lattice.samples();
+    let planes: Vec<Vec<Ends>> =
+        errors.par_chunks(columns * rows).map(|plane| around_rows(lattice, plane)).collect();
     texels.par_chunks_mut(lattice.size[0] * lattice.size[1]).enumerate().for_each(|(slice, texels)| {
-        for row in 0..lattice.size[1] {
-            for column in 0..lattice.size[0] {
-                let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-                for k in lattice.support(2, slice) {
-                    for j in lattice.support(1, row) {
-                        for i in lattice.support(0, column) {
-                            let error = errors[(k * rows + j) * columns + i];
-                            low = low.min(error);
-                            high = high.max(error);
-                        }
-                    }
-                }
-                texels[row * lattice.size[0] + column] -= DAMPING * 0.5 * (low + high);
-            }
+        for (i, texel) in texels.iter_mut().enumerate() {
+            let Ends { low, high } = ends(planes[lattice.support(2, slice)].iter().map(|plane| plane[i]));
+            *texel -= DAMPING * 0.5 * (low + high);
         }
     });
+}
+
+/// The smallest and the largest of some errors.
+#[derive(Clone, Copy)]
+struct Ends {
+    low: f64,
+    high: f64,
+}
+
+fn ends(of: impl Iterator<Item = Ends>) -> Ends {
+    of.fold(Ends { low: f64::INFINITY, high: f64::NEG_INFINITY }, |all, one| Ends {
+        low: all.low.min(one.low),
+        high: all.high.max(one.high),
+    })
+}
+
+/// The extreme errors of one plane of samples around every texel of a slice: along columns first, then rows.
+fn around_rows(lattice: Lattice, plane: &[f64]) -> Vec<Ends> {
+    let ([width, height, _], columns) = (lattice.size, lattice.samples()[0]);
+    let spans: Vec<_> = (0..width).map(|column| lattice.support(0, column)).collect();
+    let around = |row: &[f64]| -> Vec<Ends> {
+        let one = |e: &f64| Ends { low: *e, high: *e };
+        spans.iter().map(|span| ends(row[span.clone()].iter().map(one))).collect()
+    };
+    let narrow: Vec<Vec<Ends>> = plane.chunks_exact(columns).map(around).collect();
+    let texel = |row, column: usize| ends(narrow[lattice.support(1, row)].iter().map(|line| line[column]));
+    (0..height)
+        .flat_map(|row| (0..width).map(move |column| (row, column)))
+        .map(|(r, c)| texel(r, c))
+        .collect()
 }
 
 #[cfg(test)]

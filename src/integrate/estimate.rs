@@ -23,7 +23,7 @@ impl Estimate {
     }
 
     /// [`Estimate::from_pair`] where twice the nodes do not square the error, because a singularity lies near: the bound falls with
-    /// the power 1.5 of the difference. The factor 20 is empirical (`tests/integrate_lobes.rs`).
+    /// the power 1.5 of the difference. The factor 20 is empirical (`tests/integrate/lobes.rs`).
     pub fn from_slow_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
         let difference = (fine - coarse).abs();
         let error = difference * (20.0 * (difference / scale).sqrt()).min(1.0) + ROUNDING * scale;
@@ -34,11 +34,26 @@ impl Estimate {
     ///
     /// The finer rule has twice the nodes, so where the rules converge geometrically its error is about the square of
     /// the coarse one's (relative to `scale`, the size of the integrand's terms). The factor 30 is empirical: with it the
-    /// bound held in 19 992 of 20 000 random points (`tests/integrate_error_bound.rs`).
+    /// bound held in 19 992 of 20 000 random points (`tests/integrate/error_bound.rs`).
     pub fn from_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
         let difference = (fine - coarse).abs();
         let error = difference * (30.0 * difference / scale).min(1.0) + ROUNDING * scale;
         Estimate { value: fine, error }
+    }
+}
+
+/// Eight values of an integrand at once; implementations mark `at` as `#[inline(always)]`.
+pub trait Integrand {
+    /// The values.
+    fn at(&self, x: &F8) -> F8;
+}
+
+struct Function<'a, F>(&'a F);
+
+impl<F: Fn(&F8) -> F8> Integrand for Function<'_, F> {
+    #[inline(always)]
+    fn at(&self, x: &F8) -> F8 {
+        self.0(x)
     }
 }
 
@@ -69,6 +84,13 @@ impl PanelRule {
     /// Integral of `f` over [a, b].
     #[inline(always)]
     pub fn panel(&self, a: f64, b: f64, f: &impl Fn(&F8) -> F8) -> f64 {
+        self.panel_of(a, b, &Function(f))
+    }
+
+    /// Integral of an integrand over [a, b]: [`PanelRule::panel`] where the integrand must be compiled for the instructions of its
+    /// caller, which a closure outside of the caller's body is not.
+    #[inline(always)]
+    pub fn panel_of(&self, a: f64, b: f64, integrand: &impl Integrand) -> f64 {
         let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));
         let mut total = 0.0;
         for (nodes, weights) in self.nodes.iter().zip(&self.weights) {
@@ -76,7 +98,7 @@ impl PanelRule {
             for i in 0..LANES {
                 x[i] = middle + half * nodes[i];
             }
-            let mut y = f(&x);
+            let mut y = integrand.at(&x);
             for i in 0..LANES {
                 y[i] *= weights[i];
             }

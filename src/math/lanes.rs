@@ -82,6 +82,19 @@ pub fn sum(x: &F8) -> f64 {
     ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]))
 }
 
+/// Sum of `f` over all values, in lanes.
+#[inline(always)]
+pub fn total(values: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+    let (blocks, rest) = values.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
+    for block in blocks {
+        for i in 0..LANES {
+            sums[i] += f(block[i]);
+        }
+    }
+    sum(&sums) + rest.iter().map(|x| f(*x)).sum::<f64>()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,4 +1,4 @@
-//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/rivals_coupling.rs` reproduces their
+//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/rivals_coupling.rs` reproduces their
 //! published comparison.
 
 use crate::effects::entry::{Entry, published};

@@ -9,7 +9,7 @@ use crate::data::Smith;
 use crate::integrate::reflection::{Effort, albedo, split};
 
 /// Largest error of a truth in a field, eight nodes a panel: measured 6.1e-8 over alpha and mu in [1e-4, 1], held by
-/// `tests/reflection_field.rs`. The texels of tables are made with sixteen and are better.
+/// `tests/effects/reflection_field.rs`. The texels of tables are made with sixteen and are better.
 pub const TRUTH_ERROR: f64 = 1e-7;
 
 /// Points of a field that one task computes: work is cut by index alone.

@@ -4,6 +4,8 @@
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn};
 use rayon::prelude::*;
 
+use crate::math::lanes::{self, LANES};
+
 /// Rows reduced together.
 const CHUNK: usize = 1024;
 
@@ -29,16 +31,19 @@ pub(super) fn reduce(jacobian: &[f64], residuals: &[f64], n: usize) -> Triangle 
         .enumerate()
         .map(|(chunk, residuals)| {
             let rows = &jacobian[chunk * CHUNK * n..(chunk * CHUNK + residuals.len()) * n];
-            let mut matrix = Vec::with_capacity(residuals.len() * width);
-            for (i, residual) in residuals.iter().enumerate() {
-                matrix.extend_from_slice(&rows[i * n..(i + 1) * n]);
-                matrix.push(*residual);
+            let mut columns = Vec::with_capacity(residuals.len() * width);
+            for j in 0..n {
+                columns.extend(rows.iter().skip(j).step_by(n));
             }
-            triangularise(matrix, width)
+            columns.extend_from_slice(residuals);
+            triangularise(columns, width)
         })
         .collect();
-    let stacked = triangularise(parts.concat(), width);
-    let at = |i: usize, j: usize| stacked.get(i * width + j).copied().unwrap_or(0.0);
+    let column =
+        |j| parts.iter().flat_map(move |part| part.chunks_exact(part.len() / width).nth(j)).flatten();
+    let stacked = triangularise((0..width).flat_map(column).copied().collect(), width);
+    let height = stacked.len() / width;
+    let at = |i: usize, j: usize| if i < height { stacked[j * height + i] } else { 0.0 };
     Triangle {
         r: DMatrix::from_fn(n, n, |i, j| if j >= i { at(i, j) } else { 0.0 }),
         q: DVector::from_fn(n, |i, _| at(i, n)),
@@ -46,33 +51,45 @@ pub(super) fn reduce(jacobian: &[f64], residuals: &[f64], n: usize) -> Triangle 
     }
 }
 
-/// The first `width` rows of the triangular factor of a matrix given row by row (Householder reflections).
+/// The triangular factor, `width` rows or fewer, of a matrix given column by column (Householder reflections).
 fn triangularise(mut a: Vec<f64>, width: usize) -> Vec<f64> {
     let rows = a.len() / width;
-    for k in 0..width.min(rows) {
-        let norm = (k..rows).map(|i| a[i * width + k] * a[i * width + k]).sum::<f64>().sqrt();
+    let height = width.min(rows);
+    for k in 0..height {
+        let (left, right) = a.split_at_mut((k + 1) * rows);
+        let v = &mut left[k * rows + k..];
+        let norm = dot(v, v).sqrt();
         if norm == 0.0 {
             continue;
         }
-        let pivot = a[k * width + k];
+        let pivot = v[0];
         let alpha = if pivot > 0.0 { -norm } else { norm };
         // v = x - alpha e_k; |v|^2 / 2 = norm (norm + |pivot|)
         let half = norm * (norm + pivot.abs());
-        let v: Vec<f64> = (k..rows).map(|i| a[i * width + k] - if i == k { alpha } else { 0.0 }).collect();
-        let mut dots = vec![0.0; width - k];
-        for (row, vi) in a[k * width..].chunks_exact(width).zip(&v) {
-            for (dot, x) in dots.iter_mut().zip(&row[k..]) {
-                *dot += vi * x;
+        v[0] -= alpha;
+        for column in right.chunks_exact_mut(rows) {
+            let x = &mut column[k..];
+            let along = dot(v, x) / half;
+            for (x, v) in x.iter_mut().zip(v.iter()) {
+                *x -= along * v;
             }
         }
-        for (row, vi) in a[k * width..].chunks_exact_mut(width).zip(&v) {
-            for (dot, x) in dots.iter().zip(&mut row[k..]) {
-                *x -= vi * dot / half;
-            }
+        v.fill(0.0);
+        v[0] = alpha;
+    }
+    a.chunks_exact(rows.max(1)).flat_map(|column| &column[..height]).copied().collect()
+}
+
+/// The scalar product, summed in lanes.
+fn dot(x: &[f64], y: &[f64]) -> f64 {
+    let ((x, x_rest), (y, y_rest)) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
+    let mut sums = [0.0; LANES];
+    for (x, y) in x.iter().zip(y) {
+        for i in 0..LANES {
+            sums[i] += x[i] * y[i];
         }
     }
-    a.truncate(rows.min(width) * width);
-    a
+    lanes::sum(&sums) + x_rest.iter().zip(y_rest).map(|(x, y)| x * y).sum::<f64>()
 }
 
 impl Triangle {

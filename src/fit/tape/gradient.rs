@@ -24,9 +24,12 @@ impl Tape {
                 Op::Input(_) | Op::Literal(_) => {}
                 Op::Parameter(p) => gradient[usize::from(p)] = *seed,
                 Op::Unary(code, a) => one(code, v(a), &values[node], seed, &mut before[a as usize]),
+                Op::Binary(BinaryOp::Add, a, b) => spread(before, seed, [a, b], |_| [1.0, 1.0]),
+                Op::Binary(BinaryOp::Subtract, a, b) => spread(before, seed, [a, b], |_| [1.0, -1.0]),
+                Op::Binary(BinaryOp::Multiply, a, b) => spread(before, seed, [a, b], |i| [v(b)[i], v(a)[i]]),
                 Op::Binary(code, a, b) => {
                     let partials = |i: usize| binary_partials(code, v(a)[i], v(b)[i], values[node][i]);
-                    spread(before, seed, [a, b], partials);
+                    spread_dear(before, seed, [a, b], partials);
                 }
                 Op::Fma(a, b, c) => spread(before, seed, [a, b, c], |i| [v(b)[i], v(a)[i], 1.0]),
                 Op::Select(c, a, b) => spread(before, seed, [a, b], |i| {
@@ -48,9 +51,27 @@ impl Tape {
     }
 }
 
-/// Adds seed times partial derivative to each operand.
+/// Adds seed times partial derivative to each operand; where either is 0 nothing is added, whatever the other is.
 #[inline(always)]
 fn spread<const N: usize>(
+    adjoints: &mut [Lanes<f64>],
+    seed: &Lanes<f64>,
+    operands: [u32; N],
+    partials: impl Fn(usize) -> [f64; N],
+) {
+    for (which, operand) in operands.into_iter().enumerate() {
+        let adjoint = &mut adjoints[operand as usize];
+        for i in 0..BLOCK {
+            let partial = partials(i)[which];
+            let product = seed[i] * partial;
+            adjoint[i] += if (seed[i] != 0.0) & (partial != 0.0) { product } else { 0.0 };
+        }
+    }
+}
+
+/// [`spread`] where the partial derivatives cost more than a branch.
+#[inline(always)]
+fn spread_dear<const N: usize>(
     adjoints: &mut [Lanes<f64>],
     seed: &Lanes<f64>,
     operands: [u32; N],
@@ -99,9 +120,7 @@ fn unary_partial(code: UnaryOp, x: f64, y: f64) -> f64 {
 #[inline(always)]
 fn binary_partials(code: BinaryOp, x: f64, y: f64, z: f64) -> [f64; 2] {
     match code {
-        BinaryOp::Add => [1.0, 1.0],
-        BinaryOp::Subtract => [1.0, -1.0],
-        BinaryOp::Multiply => [y, x],
+        BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply => unreachable!("spread without branches"),
         BinaryOp::Divide => [1.0 / y, -z / y],
         BinaryOp::Min => choice(y < x),
         BinaryOp::Max => choice(y > x),

@@ -1,0 +1,73 @@
+//! Same scene, same bytes, whatever the number of threads. What is baked here has every effect and every kind of job in little;
+//! the built-in scene is baked again, and compared with the committed files, in tests/emitted/committed.rs.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use lobefit::bake::{Selection, Silent, bake};
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use lobefit::store::Files;
+
+const SCENE: &str = r#"{"schema_version":1,"name":"all in little","formats":["exr","dds","npy","raw"],"materials":[
+{"name":"plastic","kind":"dielectric","ior":1.5,"roughness":[0.4,0.6],"wants":{
+ "table":{"size":[16,16],"serves":"split-sum"},"fit":{"max_ops":8,"average":true}}},
+{"name":"open","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"table":{"max_error":0.01}}},
+{"name":"brushed","kind":"metal","f0":0.9,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{"tables":[
+ {"size":[16,16,8]},{"layout":"azimuth","size":[12,8,6]},{"layout":"path-tracer"}]}},
+{"name":"frosted","kind":"glass","ior":[1.3,1.7],"roughness":[0.5,0.8],"wants":{"tables":[
+ {"size":[16,16,8]},{"layout":"path-tracer"}]}}]}"#;
+
+fn files(threads: usize) -> Files {
+    let scene = Scene::from_json(SCENE.as_bytes(), "scene.json").expect("a scene");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+    pool.install(|| bake(&scene, &plan(&scene), &[], Selection::default(), &Silent)).expect("a bake").files
+}
+
+/// The bake of one thread.
+fn one() -> &'static Files {
+    static ONE: OnceLock<Files> = OnceLock::new();
+    ONE.get_or_init(|| files(1))
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bytes() {
+    let one = one();
+    for effect in ["reflection", "anisotropy", "glass"] {
+        assert!(one.contains_key(&format!("reports/{effect}.html")), "{effect} is baked");
+    }
+    for threads in [2, 7] {
+        let other = files(threads);
+        assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+        for (name, bytes) in one {
+            assert!(bytes == &other[name], "{name} differs between 1 and {threads} threads");
+        }
+    }
+}
+
+/// The committed files of a folder: those of the built-in scene's bake.
+fn committed(folder: &str) -> Vec<(String, Vec<u8>)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let entries =
+        std::fs::read_dir(root).expect("committed files").map(|entry| entry.expect("an entry").path());
+    let files = entries.filter(|path| path.is_file());
+    files.map(|path| (path.display().to_string(), std::fs::read(&path).expect("a file"))).collect()
+}
+
+/// No date, host, user or path of the machine in anything that is written.
+#[test]
+fn nothing_of_the_machine_is_written() {
+    let here = env!("CARGO_MANIFEST_DIR");
+    let user = std::env::var("HOME").unwrap_or_default();
+    let mut all: Vec<(String, Vec<u8>)> =
+        ["tables", "fits", "reports"].into_iter().flat_map(committed).collect();
+    let manifest = Path::new(here).join("manifest.json");
+    all.push(("manifest.json".into(), std::fs::read(manifest).expect("a file")));
+    assert!(all.len() > 10);
+    all.extend(one().iter().map(|(name, bytes)| (name.clone(), bytes.clone())));
+    for (name, bytes) in &all {
+        let text = String::from_utf8_lossy(bytes);
+        assert!(!text.contains(here), "{name} holds the folder of the build");
+        assert!(user.len() < 4 || !text.contains(&format!("{user}/")), "{name} holds the home folder");
+    }
+}

@@ -1,0 +1,184 @@
+//! `lobefit bake` on a folder that holds a bake: other containers, a promise that is not kept, and effects one by one.
+
+use crate::common;
+use crate::volume_support;
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use common::{lobefit, stderr};
+use lobefit::store::Files;
+use tempfile::TempDir;
+use volume_support::{ANISO, baked, entry, manifest, small};
+
+const FORMATS: &str = r#""formats":["exr","dds","npy","raw"],"#;
+
+/// The full bake of the small scene, in memory.
+fn full() -> &'static Files {
+    static BAKED: OnceLock<Files> = OnceLock::new();
+    BAKED.get_or_init(|| baked(&small("")).files)
+}
+
+/// Runs a bake of a scene in a folder; its exit code, and standard error.
+fn bake(folder: &Path, scene: &str, options: &[&str]) -> (i32, String) {
+    let output = lobefit(folder, &[&["bake", "-", "--quiet"], options].concat(), scene.as_bytes());
+    assert!(output.stdout.is_empty());
+    (output.status.code().expect("a code"), stderr(&output))
+}
+
+/// Every file in a folder, by path.
+fn files(folder: &Path) -> Files {
+    let mut files = Files::new();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(next) = folders.pop() {
+        for entry in std::fs::read_dir(next).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else {
+                let name =
+                    path.strip_prefix(folder).expect("below").to_str().expect("a name").replace('\\', "/");
+                files.insert(name, std::fs::read(&path).expect("a file"));
+            }
+        }
+    }
+    files
+}
+
+/// The same names and the same bytes.
+fn same(found: &Files, expected: &Files) {
+    assert_eq!(found.keys().collect::<Vec<_>>(), expected.keys().collect::<Vec<_>>());
+    for (name, bytes) in expected {
+        assert!(&found[name] == bytes, "{name} differs");
+    }
+}
+
+/// A folder that holds the full bake of the small scene.
+fn folder() -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, bytes) in full() {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        std::fs::write(path, bytes).expect("written");
+    }
+    folder
+}
+
+#[test]
+fn containers_come_with_their_sidecars_and_go_with_a_bake_without_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(bake(folder.path(), &small(FORMATS), &[]), (0, String::new()));
+    let all = files(folder.path());
+    let told = manifest(&all);
+    let mut tables = Vec::new();
+    for table in told["tables"].as_array().expect("tables[]") {
+        let name = table["name"].as_str().expect("a name");
+        let extensions = ["exr", "dds", "dds.json", "npy", "npy.json", "raw", "raw.json"];
+        let expected = extensions.map(|extension| format!("tables/{name}.{extension}"));
+        assert_eq!(table["files"], serde_json::json!(expected));
+        assert_eq!(table["file"], serde_json::json!(expected[0]));
+        tables.extend(expected);
+    }
+    tables.sort();
+    let written: Vec<&String> = all.keys().filter(|name| name.starts_with("tables/")).collect();
+    assert_eq!(written, tables.iter().collect::<Vec<_>>(), "no more and no less");
+    for name in tables.iter().filter(|name| name.ends_with(".json")) {
+        let sidecar: serde_json::Value = serde_json::from_slice(&all[name]).expect("JSON");
+        let table = entry(&told, sidecar["name"].as_str().expect("a name"));
+        for field in ["quantity", "smith", "alpha_map", "axes", "channels", "decode", "format"] {
+            assert_eq!(sidecar[field], table[field], "{field} of {name}");
+        }
+        assert_eq!(sidecar["certificate"]["max_abs"], table["error"]["lookup"]["max"], "{name}");
+    }
+    // Effects one by one keep the others' containers.
+    assert_eq!(bake(folder.path(), &small(FORMATS), &["--only", "glass"]), (0, String::new()));
+    same(&files(folder.path()), &all);
+    std::fs::write(folder.path().join("tables/mine.raw"), "mine").expect("written");
+    assert_eq!(bake(folder.path(), &small(""), &[]), (0, String::new()));
+    assert_eq!(std::fs::read(folder.path().join("tables/mine.raw")).expect("still there"), b"mine");
+    std::fs::remove_file(folder.path().join("tables/mine.raw")).expect("removed");
+    same(&files(folder.path()), full());
+}
+
+#[test]
+fn a_limit_that_cannot_be_met_fails_with_the_table_and_the_field() {
+    for (material, table) in [
+        (r#""kind":"metal","f0":1,"anisotropy":[0.4,0.6]"#, "ggx-aniso-correlated-4x4x4"),
+        (r#""kind":"glass","ior":[1.4,1.6]"#, "ggx-glass-outside-correlated-4x4x4"),
+    ] {
+        let wants = r#"{"tables":[{"layout":"optimised","size":[8,8,4]},{"size":[4,4,4],"max_error":1e-6}]}"#;
+        let scene = format!(
+            r#"{{"schema_version":1,"materials":[{{"name":"m",{material},"roughness":[0.5,0.6],"wants":{wants}}}]}}"#
+        );
+        let folder = tempfile::tempdir().expect("a folder");
+        let (code, said) = bake(folder.path(), &scene, &[]);
+        assert_eq!(code, 1, "{said}");
+        assert!(said.contains(&format!("promise not kept: table {table}: lookup error ")), "{said}");
+        let field = "exceeds the max_error 0.000001 of m (materials[0].wants.tables[1].max_error)";
+        assert!(said.contains(field) && said.ends_with("nothing written\n"), "{said}");
+        assert!(files(folder.path()).is_empty());
+    }
+}
+
+#[test]
+fn one_effect_again_changes_nothing() {
+    let folder = folder();
+    for only in ["anisotropy", "glass", "glass,reflection"] {
+        assert_eq!(bake(folder.path(), &small(""), &["--only", only]), (0, String::new()), "{only}");
+        same(&files(folder.path()), full());
+    }
+}
+
+#[test]
+fn effects_one_by_one_make_the_full_bake() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(bake(folder.path(), &small(""), &["--only", "anisotropy"]), (0, String::new()));
+    let first = files(folder.path());
+    assert!(first.contains_key("reports/anisotropy.html") && !first.contains_key("reports/glass.html"));
+    let effects = manifest(&first)["effects"].as_array().expect("effects[]").len();
+    assert_eq!(effects, 1, "what is not baked is not told of");
+    assert!(first.keys().filter(|name| name.starts_with("tables/")).all(|name| name.contains("aniso")));
+    assert_eq!(bake(folder.path(), &small(""), &["--only", "glass"]), (0, String::new()));
+    assert_eq!(bake(folder.path(), &small(""), &["--only", "reflection"]), (0, String::new()));
+    same(&files(folder.path()), full());
+}
+
+#[test]
+fn the_bake_of_another_scene_is_not_mixed_in() {
+    let folder = folder();
+    let other = small("").replace("0.3,0.7", "0.3,0.75");
+    let (code, said) = bake(folder.path(), &other, &["--only", "anisotropy"]);
+    assert_eq!(code, 2, "{said}");
+    let found = manifest(full())["recipe"].as_str().expect("a recipe").to_string();
+    assert!(
+        said.starts_with(&format!("error: --only: .: the bake there has recipe {found}, this one ")),
+        "{said}"
+    );
+    assert!(
+        said.ends_with(
+            ": the scene, its hypotheses or the tool changed, so its other effects may not follow any more; bake \
+             without --only\n"
+        ),
+        "{said}"
+    );
+    same(&files(folder.path()), full());
+}
+
+#[test]
+fn a_bake_with_a_file_missing_is_not_completed() {
+    for (missing, only) in [
+        (format!("tables/{ANISO}.exr"), "glass"),
+        ("reports/glass.html".into(), "anisotropy"),
+        ("fits/lobefit.rs".into(), "anisotropy"),
+    ] {
+        let folder = folder();
+        std::fs::remove_file(folder.path().join(&missing)).expect("removed");
+        let before = files(folder.path());
+        let (code, said) = bake(folder.path(), &small(""), &["--only", only]);
+        let expected = format!(
+            "error: --only: .: the bake there lacks {missing}, which its manifest lists; bake without --only\n"
+        );
+        assert_eq!((code, said), (2, expected));
+        same(&files(folder.path()), &before);
+    }
+}

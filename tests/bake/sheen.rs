@@ -1,0 +1,217 @@
+//! The effect sheen, and fits of f0 A + B: from the scene to the bytes, and nothing of them where the scene does not ask.
+
+use std::sync::LazyLock;
+
+use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::data::{Smith, Use};
+use lobefit::effects::reflection::Fit;
+use lobefit::fit::Hypothesis;
+use lobefit::integrate::reflection::{TOLERANCE, reflection};
+use lobefit::integrate::sheen::albedo;
+use lobefit::plan::{EffectName, Plan, plan};
+use lobefit::scene::Scene;
+use serde_json::{Value, json};
+
+fn scene(material: &str) -> Scene {
+    let json =
+        format!(r#"{{"schema_version": 1, "name": "test", "materials": [{{"name": "m", {material}}}]}}"#);
+    Scene::from_json(json.as_bytes(), "test.json").expect("a scene")
+}
+
+fn baked(material: &str) -> Baked {
+    let scene = scene(material);
+    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+}
+
+fn manifest(baked: &Baked) -> Value {
+    serde_json::from_slice(&baked.files["manifest.json"]).expect("a manifest")
+}
+
+/// A smooth specular lobe, so that the sheen is all there is.
+const SATIN: &str =
+    r#""kind": "dielectric", "ior": 1.5, "roughness": 0, "sheen": {"roughness": [0.3, 1], "norms": ["max"]}"#;
+
+/// Its bake, for the tests that look at it.
+static SATIN_BAKED: LazyLock<Baked> = LazyLock::new(|| baked(SATIN));
+
+#[test]
+fn a_sheen_is_fitted_certified_and_emitted_in_every_language() {
+    let baked = &*SATIN_BAKED;
+    let manifest = manifest(baked);
+    let fits = manifest["fits"].as_array().expect("a list");
+    assert!(fits.len() >= 3 && fits.iter().all(|f| f["effect"] == "sheen"), "{fits:?}");
+    for fit in fits {
+        let words = ["quantity", "column", "use", "source"].map(|key| fit[key].as_str().expect("a word"));
+        assert_eq!(words, ["sheen-charlie", "E", "value", "fitted"]);
+        let domain = &fit["certificate"]["domain"];
+        assert_eq!((&domain["roughness"], &domain["mu"]), (&json!([0.3, 1.0]), &json!([0.01, 1.0])));
+    }
+    let name = "fn charlie_e_gauss(";
+    for include in manifest["includes"].as_array().expect("a list") {
+        let text = &baked.files[include["file"].as_str().expect("a file")];
+        assert!(String::from_utf8_lossy(text).contains(name.trim_start_matches("fn ")), "{include}");
+    }
+    let effect = &manifest["effects"][0];
+    assert_eq!(effect["effect"], "sheen");
+    assert!(
+        effect["because"][0].as_str().expect("words").contains("m: dielectric with a sheen layer"),
+        "{effect}"
+    );
+    assert!(
+        baked.files.contains_key("reports/sheen.html")
+            && !baked.files.contains_key("reports/reflection.html")
+    );
+    let page = String::from_utf8_lossy(&baked.files["reports/sheen.html"]).into_owned();
+    assert!(page.contains("charlie_e_threejs") && page.contains("charlie_e_gauss"), "beside the published");
+}
+
+/// The certificate bounds the error at points of a lattice, and a rival has its own.
+#[test]
+fn certificates_of_the_sheen_hold() {
+    let baked = &*SATIN_BAKED;
+    let error = |fit: &Fit, roughness: f32, mu: f32| {
+        let column = |name: &String| match name.as_str() {
+            "roughness" => vec![roughness],
+            "alpha" => vec![roughness * roughness],
+            _ => vec![mu],
+        };
+        let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(column).collect();
+        let value = fit.hypothesis.tape().evaluate(&inputs, &fit.coefficients()).expect("finite")[0];
+        (f64::from(value) - albedo(f64::from(roughness * roughness), f64::from(mu))).abs()
+    };
+    for fit in &baked.fits {
+        let mut worst = 0.0_f64;
+        for i in 0..=60 {
+            for j in 0..=60 {
+                let (r, mu) = (0.3 + 0.7 * i as f32 / 60.0, 0.01 + 0.99 * j as f32 / 60.0);
+                worst = worst.max(error(fit, r.min(1.0), mu.min(1.0)));
+            }
+        }
+        let stated = fit.approximation.certificate.max_abs;
+        let name = &fit.approximation.name;
+        assert!(worst <= stated * 1.0001 && worst > 0.5 * stated, "{name}: {worst} of {stated}");
+    }
+    let of = |name: &str| {
+        let fit = baked.fits.iter().find(|f| f.approximation.name == name).expect("the fit");
+        fit.approximation.certificate.max_abs
+    };
+    assert!(4.0 * of("charlie_e_gauss") < of("charlie_e_threejs"));
+}
+
+fn left_out(plan: &Plan) -> &str {
+    let sheen = plan.left_out.iter().find(|l| l.effect == EffectName::Sheen).expect("left out");
+    &sheen.reason
+}
+
+#[test]
+fn without_a_sheen_there_is_nothing_of_it() {
+    let without = plan(&scene(r#""kind": "metal", "f0": 1, "roughness": 0.5"#));
+    assert!(without.sheen.is_none());
+    assert_eq!(left_out(&without), "no material has a sheen layer");
+    let smooth = plan(&scene(r#""kind": "metal", "f0": 1, "roughness": 0.5, "sheen": {"roughness": 0.005}"#));
+    assert!(smooth.sheen.is_none());
+    assert_eq!(
+        left_out(&smooth),
+        "no sheen is rough: the sheen of `m` stays below alpha 0.0001, which is smooth"
+    );
+    // Default scenes have the hash that they had before there were sheens.
+    let plain = scene(r#""kind": "metal", "f0": 1, "roughness": 0.5"#);
+    let normal = serde_json::to_string(&plain).expect("JSON");
+    assert!(!normal.contains("sheen") && !normal.contains("blend"), "{normal}");
+}
+
+#[test]
+fn a_sheen_that_makes_no_sense_is_refused_with_its_field() {
+    for (sheen, expected) in [
+        (r#"{}"#, "missing field `roughness`"),
+        (r#"{"roughness": 1.5}"#, "sheen.roughness"),
+        (r#"{"roughness": [0.1, 1], "norms": []}"#, "norms: the list is empty"),
+        (r#"{"roughness": 1, "alpha": 1}"#, "alpha"),
+        (r#"0.5"#, "an object that describes a sheen layer"),
+    ] {
+        let json = format!(
+            r#"{{"schema_version": 1, "materials": [{{"name": "m", "kind": "metal", "f0": 1, "roughness": 1, "sheen": {sheen}}}]}}"#
+        );
+        let error = Scene::from_json(json.as_bytes(), "s.json").expect_err("refused").to_string();
+        assert!(error.contains(expected) && error.contains("materials[0]"), "{sheen}: {error}");
+    }
+}
+
+#[test]
+fn a_promise_on_the_sheen_is_kept_or_told() {
+    let with = |limit: &str| format!("{}, \"max_error\": {limit}}}", &SATIN[..SATIN.len() - 1]);
+    let kept = baked(&with("0.05"));
+    assert!(kept.broken.is_empty(), "{:?}", kept.broken);
+    let broken = baked(&with("1e-6")).broken;
+    assert!(
+        broken.len() == 1
+            && broken[0].starts_with("sheen: the best is ")
+            && broken[0].contains("materials[0].sheen.max_error"),
+        "{broken:?}"
+    );
+}
+
+const BLEND: &str =
+    r#""kind": "metal", "f0": 1, "roughness": [0.1, 1], "wants": {"fit": {"norms": ["max"], "blend": true}}"#;
+
+#[test]
+fn blends_are_fitted_for_every_f0() {
+    let baked = baked(BLEND);
+    let blends: Vec<&Fit> =
+        baked.fits.iter().filter(|f| f.approximation.used_as == Use::F0Blend && f.emitted).collect();
+    assert!(blends.len() >= 3, "{}", blends.len());
+    for fit in &blends {
+        let coefficients = fit.coefficients();
+        for (alpha, mu, f0) in
+            [(0.0625_f32, 0.1_f32, 0.04_f32), (0.25, 0.5, 0.3), (1.0, 0.9, 1.0), (0.49, 0.02, 0.0)]
+        {
+            let of = |name: &String| match name.as_str() {
+                "roughness" => vec![alpha.sqrt()],
+                "alpha" => vec![alpha],
+                "mu" => vec![mu],
+                _ => vec![f0],
+            };
+            let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(of).collect();
+            let value = f64::from(fit.hypothesis.tape().evaluate(&inputs, &coefficients).expect("finite")[0]);
+            let truth =
+                reflection(Smith::Correlated, f64::from(alpha), f64::from(mu), TOLERANCE).expect("a truth");
+            let error = (value - (f64::from(f0) * truth.a + truth.b)).abs();
+            let stated = fit.approximation.certificate.max_abs;
+            assert!(
+                error <= stated * 1.0001,
+                "{} at {alpha} {mu} {f0}: {error} of {stated}",
+                fit.approximation.name
+            );
+        }
+    }
+    let best = blends.iter().map(|f| f.approximation.certificate.max_abs).fold(f64::INFINITY, f64::min);
+    let rivals = baked.fits.iter().filter(|f| f.approximation.used_as == Use::F0Blend && !f.emitted);
+    let rival = rivals.map(|f| f.approximation.certificate.max_abs).fold(f64::INFINITY, f64::min);
+    assert!(best < 0.02 && 2.0 * best < rival, "{best} of ours, {rival} of others");
+    let manifest = manifest(&baked);
+    let entry = manifest["fits"].as_array().expect("a list").iter().find(|f| f["name"] == "ggx_blend_30");
+    let entry = entry.expect("the entry");
+    assert_eq!(entry["use"], "f0-blend");
+    assert_eq!(entry["inputs"], json!(["roughness", "alpha", "mu", "f0"]));
+    assert_eq!(entry["certificate"]["domain"]["f0"], json!([0.0, 1.0]));
+    let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+    assert!(text.contains("of f0 A + B, at the worst f0"), "the header says what error it is");
+    let parsed =
+        Hypothesis::parse(blends[0].hypothesis.file(), blends[0].hypothesis.source()).expect("parses");
+    assert_eq!(parsed.inputs().last().map(String::as_str), Some("f0"));
+}
+
+/// One job for all sheens: the hull of their ranges, every norm, the largest number of operations, each promise by itself.
+#[test]
+fn sheens_are_planned_together() {
+    let scene = Scene::from_json(include_bytes!("../../examples/cloth.json"), "cloth.json").expect("a scene");
+    let plan = plan(&scene);
+    let job = plan.sheen.as_ref().expect("a job");
+    assert_eq!((job.roughness, job.mu, job.max_ops), ([0.1, 1.0], [0.01, 1.0], None));
+    assert_eq!(job.norms.len(), 2);
+    assert_eq!((job.promises.len(), job.promises[0].max_error), (1, 0.06));
+    let effect = plan.effects.iter().find(|e| e.effect == EffectName::Sheen).expect("the effect");
+    assert_eq!(effect.because.len(), 2);
+    assert_eq!(effect.expected_error, Some(0.06));
+    assert!(plan.fit.as_ref().is_some_and(|fit| fit.blend));
+}

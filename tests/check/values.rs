@@ -1,0 +1,67 @@
+//! `lobefit check --values`: other texels pass within the tolerance as long as the table keeps its stated error. And
+//! `--against`.
+
+use crate::common;
+
+use std::path::Path;
+
+use common::{lobefit, stderr};
+
+/// A scene whose bake takes little: a small table of samples.
+const SCENE: &[u8] =
+    br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
+    "wants":{"table":{"size":[32,32],"layout":"plain","format":"f32"}}}]}"#;
+const TABLE: &str = "tables/ggx-dfg-correlated-32x32-f32-plain.exr";
+
+fn check(folder: &Path, options: &[&str]) -> (i32, String) {
+    let output = lobefit(folder, &[&["check", "-"], options].concat(), SCENE);
+    assert_eq!(stderr(&output), "");
+    (output.status.code().expect("a code"), String::from_utf8(output.stdout).expect("text"))
+}
+
+/// Flips the lowest bit of a byte of the last texel, which ends the file: 4 back is its lowest byte, 1 its highest.
+fn flip(path: &Path, from_end: usize) {
+    let mut bytes = std::fs::read(path).expect("an image");
+    let at = bytes.len() - from_end;
+    bytes[at] ^= 1;
+    std::fs::write(path, bytes).expect("written");
+}
+
+#[test]
+fn values_pass_within_the_tolerance_while_the_promise_is_kept() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(lobefit(folder.path(), &["bake", "-", "--quiet"], SCENE).status.code(), Some(0));
+    let table = folder.path().join(TABLE);
+    flip(&table, 4);
+    let (code, text) = check(folder.path(), &[]);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("max ulp 1; promise kept at the points tried"), "{text}");
+    assert!(text.contains("1 of 11 files in . differs or is missing\n"), "{text}");
+    assert_eq!(check(folder.path(), &["--values", "1e-6"]).0, 0);
+    assert_eq!(check(folder.path(), &["--values", "1e-12"]).0, 1);
+    flip(&table, 4);
+    assert_eq!(check(folder.path(), &[]).0, 0);
+    // The exponent's second bit: four times the value, or a quarter.
+    flip(&table, 1);
+    let (code, text) = check(folder.path(), &["--values", "10"]);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("promise broken: lookup error"), "{text}");
+    flip(&table, 1);
+    std::fs::write(folder.path().join("tables/mine.exr"), "mine").expect("written");
+    let (code, text) = check(folder.path(), &[]);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("11 files in . follow from their recipe, 1 extra\n"), "{text}");
+    let help = lobefit(folder.path(), &["check", "--help"], b"").stdout;
+    assert!(String::from_utf8_lossy(&help).contains("is never accepted, whatever --values says"));
+}
+
+#[test]
+fn a_folder_that_is_not_there_is_said_before_the_work() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("file"), "x").expect("written");
+    for against in ["none", "file", "file/below"] {
+        let output = lobefit(folder.path(), &["check", "-", "--against", against], SCENE);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+        assert_eq!(stderr(&output), format!("error: --against {against}: there is no such folder\n"));
+    }
+}

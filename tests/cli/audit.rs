@@ -1,0 +1,162 @@
+//! `lobefit audit` from the command line: exit codes, streams, files.
+
+use crate::common;
+
+use common::{lobefit, names, stderr};
+use lobefit::data::Smith;
+use lobefit::integrate::reflection::{Effort, split};
+use serde_json::Value;
+
+/// An array in C of E at end points of roughness and mu.
+fn array() -> String {
+    let at = |i: usize| i as f64 / 15.0;
+    let value = |i: usize| {
+        let r = at(i % 16).max(1e-4);
+        split(Smith::Correlated, r * r, at(i / 16).max(1e-4), &Effort::ladder()[1]).0
+    };
+    let rows: Vec<String> = (0..256).map(|i| format!("{:.6}f", value(i))).collect();
+    format!("static const float table_E[256] = {{\n{}\n}};\n", rows.join(",\n"))
+}
+
+#[test]
+fn a_table_is_read_judged_and_reported() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("tables.h"), array()).unwrap();
+    let all = ["audit", "tables.h", "--as", "ggx-reflection", "--size", "16x16", "--out", "report"];
+    let output = lobefit(folder.path(), &all, b"");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let verdict = String::from_utf8(output.stdout.clone()).unwrap();
+    assert!(verdict.contains("roughness (alpha = roughness^2) along x at end points"), "{verdict}");
+    assert!(verdict.contains("mu along y at end points"), "{verdict}");
+    assert!(output.stderr.is_empty(), "{}", stderr(&output));
+    assert_eq!(names(&folder.path().join("report")), ["tables.h.audit.html", "tables.h.audit.json"]);
+    let page = std::fs::read_to_string(folder.path().join("report/tables.h.audit.html")).unwrap();
+    assert!(page.contains("Conventions tried") && !page.contains(&*folder.path().to_string_lossy()));
+    let figures = std::fs::read(folder.path().join("report/tables.h.audit.json")).unwrap();
+    // The same bytes with one thread and with two, and on standard output.
+    for threads in ["1", "2"] {
+        let again = [
+            "audit",
+            "tables.h",
+            "--as",
+            "ggx-reflection",
+            "--size",
+            "16x16",
+            "--json",
+            "--threads",
+            threads,
+        ];
+        assert_eq!(lobefit(folder.path(), &again, b"").stdout, figures);
+    }
+    let found: Value = serde_json::from_slice(&figures).unwrap();
+    assert_eq!(found["fits"], "whole");
+    let command = "lobefit audit tables.h --as ggx-reflection --size 16x16";
+    assert_eq!(found["origin"]["command"], command, "the command makes it again");
+    assert_eq!(found["conventions"][0]["axes"][0]["coordinate"], "roughness");
+    assert_eq!(found["conventions"][0]["axes"][1]["registration"], "endpoint");
+    assert_eq!(found["channels"][0]["defects"][0]["kind"], "steps");
+}
+
+#[test]
+fn the_limit_and_a_wrong_guess_are_exit_1() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("tables.h"), array()).unwrap();
+    let with = |more: &[&str]| {
+        let all = [&["audit", "tables.h", "--as", "ggx-reflection:E", "--size", "16x16"], more].concat();
+        lobefit(folder.path(), &all, b"")
+    };
+    assert_eq!(with(&["--limit", "1e-5"]).status.code(), Some(0));
+    let over = with(&["--limit", "1e-7"]);
+    assert_eq!(over.status.code(), Some(1));
+    assert!(stderr(&over).contains("the limit 1e-7"), "{}", stderr(&over));
+    let wrong = with(&["--axes", "mu,gloss", "--quiet"]);
+    assert_eq!(wrong.status.code(), Some(1));
+    assert!(wrong.stdout.is_empty());
+    let told = String::from_utf8(with(&["--axes", "mu,gloss"]).stdout).unwrap();
+    assert!(told.contains("Without those options: tables.h"), "{told}");
+    assert_eq!(names(folder.path()), ["tables.h"]);
+}
+
+#[test]
+fn a_limit_is_for_the_plain_reading_and_says_how_to_declare_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |i: usize| i as f64 / 16.0;
+    let value = |i: usize| {
+        let r = at(i % 16).max(1e-4);
+        split(Smith::Correlated, r * r, at(i / 16).max(1e-4), &Effort::ladder()[1]).0
+    };
+    let rows: Vec<String> = (0..256).map(|i| format!("{:.6}", value(i))).collect();
+    std::fs::write(folder.path().join("t.js"), format!("const t = [{}];", rows.join(","))).unwrap();
+    let with = |more: &[&str]| {
+        let all =
+            [&["audit", "t.js", "--as", "ggx-reflection:E", "--size", "16x16", "--limit", "1e-4"], more]
+                .concat();
+        lobefit(folder.path(), &all, b"")
+    };
+    let plain = with(&["--json"]);
+    assert_eq!(plain.status.code(), Some(1), "{}", stderr(&plain));
+    assert!(stderr(&plain).contains("read plainly") && stderr(&plain).contains("--registration left,left"));
+    let found: Value = serde_json::from_slice(&plain.stdout).unwrap();
+    assert!(found["max_error"].as_f64().unwrap() < 1e-5 && found["plain"]["max"].as_f64().unwrap() > 0.02);
+    let meant = with(&["--registration", "left,left", "--json"]);
+    assert_eq!(meant.status.code(), Some(0), "{}", stderr(&meant));
+    let found: Value = serde_json::from_slice(&meant.stdout).unwrap();
+    let command =
+        "lobefit audit t.js --as ggx-reflection:E --registration left,left --size 16x16 --limit 0.0001";
+    assert_eq!(found["origin"]["command"], command);
+}
+
+#[test]
+fn shaders_are_audited() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "fn half(x: f32) -> f32 { return 0.5 * x; }\nfn pesce(alpha: f32, mu: f32) -> f32 { return 1.0 + 4.0 * half(alpha) * alpha * mu; }";
+    std::fs::write(folder.path().join("norm.wgsl"), text).unwrap();
+    let output = lobefit(folder.path(), &["audit", "norm.wgsl", "--as", "ggx-reflection", "--json"], b"");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["channels"][0]["holds"], "1/E (a normalisation)");
+    assert_eq!(found["conventions"][0]["axes"][0]["axis"], "alpha");
+}
+
+#[test]
+fn bad_usage_is_exit_2_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("tables.h"), array()).unwrap();
+    for (arguments, expected) in [
+        (&["no-such.exr", "--as", "ggx-reflection"][..], "no-such.exr"),
+        (&["tables.h"], "--as"),
+        (&["tables.h", "--as", "ggx-reflection:R"], "it may hold E, A, B"),
+        (&["tables.h", "--as", "nothing"], "no such quantity"),
+        (&["tables.h", "--as", "ggx-reflection", "--axes", "mu,height"], "no such coordinate"),
+        (&["tables.h", "--as", "ggx-reflection", "--axes", "mu", "--size", "16x16"], "2 axes"),
+        (&["tables.h", "--as", "ggx-reflection", "--registration", "middle"], "no such registration"),
+        (&["tables.h", "--as", "ggx-reflection", "--size", "16by16"], "as 64x64"),
+        (&["tables.h", "--as", "ggx-reflection", "--size", "4294967296x1"], "4294967296"),
+        (&["tables.h", "--as", "ggx-glass", "--size", "16x16"], "3 inputs"),
+        (&["tables.h", "--as", "ggx-reflection", "--limit", "NaN"], "finite number"),
+        (&["tables.h", "--as", "parallax", "--limit", "1"], "no such quantity"),
+        (&["tables.h", "--as", "ggx-reflection", "--set", "k=1"], "--set"),
+        (&["tables.wgsl", "--as", "ggx-reflection", "--size", "16x16"], "--size"),
+        (&["tables.h", "--as", "ggx-reflection", "--function", "f", "--symbol", "g"], "--symbol"),
+    ] {
+        let all = [&["audit", "--out", "report"], arguments].concat();
+        let output = lobefit(folder.path(), &all, b"");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "{arguments:?}: {}", stderr(&output));
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+        assert_eq!(names(folder.path()), ["tables.h"], "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_table_that_fits_nothing_is_told_of_and_only_a_limit_fails_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: Vec<String> = (0..256).map(|i| format!("0.{:03}", i * 7919 % 1000)).collect();
+    std::fs::write(folder.path().join("t.h"), format!("float t[16][16] = {{{}}};", rows.join(","))).unwrap();
+    let free = lobefit(folder.path(), &["audit", "t.h", "--as", "ggx-reflection"], b"");
+    assert_eq!(free.status.code(), Some(0), "{}", stderr(&free));
+    let limited = ["audit", "t.h", "--as", "ggx-reflection", "--limit", "10"];
+    assert_eq!(lobefit(folder.path(), &limited, b"").status.code(), Some(1));
+    let help = String::from_utf8(lobefit(folder.path(), &["audit", "--help"], b"").stdout).unwrap();
+    assert!(help.contains("the file is not what its own attribute `lobefit` says"), "{help}");
+}

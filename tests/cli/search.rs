@@ -1,0 +1,107 @@
+//! `lobefit fit --search` for formulas of f0: blends and coupling factors, made of two functions.
+
+use crate::common;
+
+use common::{lobefit, stderr};
+use serde_json::Value;
+
+/// The frontier of a search: operations, largest error, source.
+fn frontier(folder: &std::path::Path, options: &[&str]) -> (Value, Vec<(u64, f64)>) {
+    let all = [&["fit", "--search", "--json"][..], options].concat();
+    let output = lobefit(folder, &all, b"");
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""), "{options:?}");
+    let document: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let fits = document["fits"].as_array().expect("a list");
+    let figures = |fit: &Value| {
+        let ops = fit["cost"]["ops"].as_u64().expect("a number");
+        (ops, fit["certificate"]["max_abs"].as_f64().expect("a number"))
+    };
+    let figures: Vec<(u64, f64)> = fits.iter().map(figures).collect();
+    assert!(figures.windows(2).all(|w| w[0].0 < w[1].0 && w[0].1 > w[1].1), "{figures:?}");
+    (document, figures)
+}
+
+fn best(figures: &[(u64, f64)], ops: u64) -> f64 {
+    figures.iter().filter(|f| f.0 <= ops).map(|f| f.1).fold(f64::INFINITY, f64::min)
+}
+
+/// Largest errors at 9 and 12 operations of a search no wider than a test can wait for, with the command's own width they are smaller.
+#[test]
+fn a_blend_is_searched_as_two_functions() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--to", "ggx-reflection", "--use", "f0-blend", "--max-ops", "12", "--width", "4"];
+    let (document, figures) = frontier(folder.path(), &[&options[..], &["--out", "two"]].concat());
+    assert!(best(&figures, 9) < 0.12 && best(&figures, 12) < 0.09, "{figures:?}");
+    assert_eq!(document["anchor"], "1 at roughness = 0 for f0 = 1");
+    // What it costs is what is counted, for any number of threads; and a fit of the formula is no worse.
+    let (again, _) = frontier(folder.path(), &[&options[..], &["--threads", "1"]].concat());
+    assert_eq!(document["fits"], again["fits"]);
+    let last = document["fits"].as_array().expect("a list").last().expect("a form");
+    let file = format!("two/{}.wgsl", last["name"].as_str().expect("a name"));
+    let arguments = ["fit", &file, "--to", "ggx-reflection", "--use", "f0-blend", "--starts", "1", "--json"];
+    let output = lobefit(folder.path(), &arguments, b"");
+    let fit: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let (found, fitted) = (&last["certificate"]["max_abs"], &fit["fits"][0]["certificate"]["max_abs"]);
+    assert!(fitted.as_f64().expect("a number") <= 1.001 * found.as_f64().expect("a number"), "{fit}");
+    assert_eq!(fit["fits"][0]["cost"], last["cost"]);
+}
+
+#[test]
+fn coupling_factors_are_searched_for_every_specular() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = ["--to", "diffuse-coupling", "--max-ops", "10", "--width", "3"];
+    for (specular, ops, bar) in [("single", 10, 0.16), ("normalised", 8, 0.09), ("compensated", 10, 0.12)] {
+        let fix = format!("specular={specular}");
+        let (_, figures) = frontier(folder.path(), &[&options[..], &["--fix", &fix]].concat());
+        assert!(best(&figures, ops) < bar, "{specular}: {figures:?}");
+    }
+}
+
+#[test]
+fn what_formulas_of_f0_cannot_keep_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let blend = ["--to", "ggx-reflection", "--use", "f0-blend", "--max-ops", "6"];
+    for (more, words) in [
+        (["--exact", "alpha=0"], "fit a formula of the frontier with it"),
+        (["--domain", "f0=0.04..0.04"], "fit a formula of your own without f0"),
+    ] {
+        let output = lobefit(folder.path(), &[&["fit", "--search"][..], &blend, &more].concat(), b"");
+        let said = stderr(&output);
+        assert_eq!((output.status.code(), said.contains(words)), (Some(2), true), "{more:?}: {said}");
+    }
+}
+
+/// What was tried beforehand is told, or nothing is where the helpers are given; and the catalogue stands beside what is found.
+#[test]
+fn what_was_tried_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let average = ["--to", "ggx-average:E_avg", "--max-ops", "3"];
+    let (document, figures) = frontier(folder.path(), &average);
+    let tried = document["tried"].as_array().expect("a list");
+    let words: Vec<&str> = tried.iter().map(|t| t["what"].as_str().expect("text")).collect();
+    let expected = ["sqrt(roughness)", "exp2(-k roughness)", "exp2(form)", "sqrt(form)", "form squared"];
+    assert_eq!(words, expected);
+    assert!(tried.iter().all(|t| t["used"] == (t["gain"].as_f64().expect("a number") >= 0.03)), "{tried:?}");
+    let (document, bare) = frontier(folder.path(), &[&average[..], &["--helpers", "none"]].concat());
+    assert_eq!(document["tried"], serde_json::json!([]));
+    assert!(document["command"].as_str().expect("text").contains("--helpers none"), "{document}");
+    assert!(best(&figures, 3) <= best(&bare, 3) * 1.0001, "{figures:?} {bare:?}");
+    let coupling = ["--to", "diffuse-coupling", "--fix", "specular=normalised", "--helpers", "none"];
+    let (document, _) =
+        frontier(folder.path(), &[&coupling[..], &["--max-ops", "4", "--width", "2"]].concat());
+    let others = document["others"].as_array().expect("a list");
+    let published = |name: &str| others.iter().find(|o| o["name"] == name).map(|o| o["published"].clone());
+    assert_eq!(published("coupling_normalised_7"), Some(false.into()));
+    assert_eq!(published("coupling_normalised_ue5"), Some(true.into()));
+    assert_eq!(published("coupling_single_ue5"), None);
+    for (helpers, words) in [
+        ("reciprocal", "they have no range here"),
+        ("auto,root", "auto and none stand alone"),
+        ("cosine", "inverse-root"),
+    ] {
+        let arguments = [&["fit", "--search"][..], &average, &["--helpers", helpers]].concat();
+        let output = lobefit(folder.path(), &arguments, b"");
+        let said = stderr(&output);
+        assert_eq!((output.status.code(), said.contains(words)), (Some(2), true), "{helpers}: {said}");
+    }
+}

@@ -1,0 +1,269 @@
+//! The command line: exit codes, streams, help, what is never written.
+
+use crate::common;
+
+use std::process::{Command, Stdio};
+
+use common::{lobefit, names, stderr};
+use serde_json::Value;
+
+const VERBS: [&str; 7] = ["plan", "bake", "check", "eval", "audit", "cost", "schema"];
+
+#[test]
+fn wrong_usage_is_exit_2_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    for arguments in [
+        &[][..],
+        &["frobnicate"],
+        &["plan", "--frobnicate"],
+        &["plan", "a.json", "b.json"],
+        &["bake", "--threads", "0"],
+        &["bake", "--threads", "257"],
+        &["bake", "--threads", "99999999999999999999"],
+        &["bake", "--threads", "two"],
+        &["bake", "--only", "reflections"],
+        &["bake", "--only", ""],
+        &["check", "--values", "-1"],
+        &["check", "--values", "NaN"],
+        &["check", "--values", "inf"],
+        &["eval"],
+        &["eval", "ggx-reflection"],
+        &["eval", "no-such", "--points", "-"],
+        &["eval", "ggx-reflection", "--points", "-", "--smith", "Heitz"],
+        &["eval", "ggx-reflection", "--points", "-", "--tolerance", "0"],
+        &["eval", "ggx-reflection", "--points", "-", "--method", "guess"],
+        &["eval", "ggx-reflection", "--points", "-", "--samples", "16"],
+        &["eval", "ggx-reflection", "--points", "-", "--seed", "1"],
+        &["eval", "ggx-reflection", "--points", "-", "--method", "monte-carlo", "--samples", "0"],
+        &["eval", "ggx-reflection", "--points", "-", "--method", "monte-carlo", "--seed", "-1"],
+        &["eval", "ggx-reflection", "--points", "no-such.csv"],
+        &["plan", "no-such.json"],
+        &["plan", "."],
+        &["bake", "no-such.json"],
+        &["check", "no-such.json"],
+        &["cost", "no-such.json"],
+    ] {
+        let output = lobefit(folder.path(), arguments, b"alpha,mu\n");
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
+        assert!(output.stdout.is_empty(), "{arguments:?}");
+        assert!(!output.stderr.is_empty(), "{arguments:?}");
+        assert!(names(folder.path()).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn messages_name_the_option_and_what_it_takes() {
+    let folder = tempfile::tempdir().unwrap();
+    for (arguments, expected) in [
+        (&["bake", "--threads", "0"][..], "a whole number from 1 to 256"),
+        (&["bake", "--only", "reflections"], "the effects are reflection, anisotropy"),
+        (
+            &["eval", "no-such", "--points", "-"],
+            "the quantities are ggx-reflection, ggx-reflection-aniso, ggx-average, ggx-glass",
+        ),
+        (&["eval", "ggx-average", "--points", "-", "--seed", "1"], "--method monte-carlo"),
+        (&["plan", "no-such.json"], "error: no-such.json: cannot read: "),
+    ] {
+        let output = lobefit(folder.path(), arguments, b"alpha\n");
+        assert!(stderr(&output).contains(expected), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn every_verb_has_help_with_examples() {
+    let folder = tempfile::tempdir().unwrap();
+    for verb in VERBS {
+        let output = lobefit(folder.path(), &[verb, "--help"], b"");
+        assert_eq!(output.status.code(), Some(0));
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains(&format!("Examples:\n  lobefit {verb}")), "{text}");
+        assert!(output.stderr.is_empty());
+    }
+    assert_eq!(lobefit(folder.path(), &["--version"], b"").status.code(), Some(0));
+}
+
+#[test]
+fn plan_prints_the_keys_of_the_contract() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = lobefit(folder.path(), &["plan", "--json"], b"");
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty());
+    let plan: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let effect = &plan["effects"][0];
+    for key in ["effect", "because", "ranges", "approximation", "bytes", "expected_error", "seconds"] {
+        assert!(!effect[key].is_null(), "{key}");
+    }
+    let effects = plan["effects"].as_array().unwrap().iter().filter_map(|e| e["effect"].as_str());
+    assert_eq!(effects.collect::<Vec<_>>(), ["reflection", "anisotropy", "glass", "diffuse-coupling"]);
+    assert_eq!(effect["ranges"]["roughness"], serde_json::json!([0.02, 1.0]));
+    let left: Vec<&str> =
+        plan["left_out"].as_array().unwrap().iter().filter_map(|l| l["effect"].as_str()).collect();
+    assert_eq!(left, ["sheen", "clearcoat", "oren-nayar", "parallax", "occlusion"]);
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
+fn plan_reads_standard_input_and_says_when_there_is_nothing_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = lobefit(folder.path(), &["plan", "-"], include_bytes!("../../examples/mirrors.json"));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("nothing to bake") && text.contains("no material has a rough specular lobe"),
+        "{text}"
+    );
+}
+
+#[test]
+fn names_cannot_drive_the_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "{\"schema_version\":1,\"name\":\"\u{202e}evil\",\"materials\":[]}";
+    let output = lobefit(folder.path(), &["plan", "-"], scene.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.starts_with("scene \\u{202e}evil\n"), "{text}");
+}
+
+#[test]
+fn a_closed_standard_output_is_no_failure() {
+    for arguments in [&["schema"][..], &["plan"], &["plan", "--json"], &["--help"], &["bake", "--help"]] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let child = Command::new(env!("CARGO_BIN_EXE_lobefit"))
+            .args(arguments)
+            .stdout(writer)
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
+        assert!(output.stderr.is_empty(), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_output_is_exit_3() {
+    let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+    let child =
+        Command::new(env!("CARGO_BIN_EXE_lobefit")).arg("schema").stdout(full).stderr(Stdio::piped()).spawn();
+    let output = child.unwrap().wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(3));
+    assert!(stderr(&output).contains("standard output: cannot write"), "{}", stderr(&output));
+}
+
+#[test]
+fn an_output_that_cannot_be_written_is_exit_3_before_any_work() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("file"), "mine").unwrap();
+    std::fs::create_dir(folder.path().join("web")).unwrap();
+    std::fs::write(folder.path().join("web/manifest.json"), "{\"icons\":[]}").unwrap();
+    std::fs::create_dir(folder.path().join("odd")).unwrap();
+    std::fs::write(folder.path().join("odd/tables"), "mine").unwrap();
+    for (verb, out, expected) in [
+        ("bake", "file", "error: file: a file is in the way"),
+        ("bake", "file/below", "error: file"),
+        ("bake", "web", "not the manifest of a bake"),
+        ("bake", "odd", "tables: a file is in the way"),
+        ("cost", "file", "error: file: a file is in the way"),
+    ] {
+        let output = lobefit(folder.path(), &[verb, "--out", out], b"");
+        assert_eq!(output.status.code(), Some(3), "{verb} {out}: {}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "{verb} {out}: {}", stderr(&output));
+    }
+    assert_eq!(names(folder.path()), ["file", "odd", "web"]);
+    assert_eq!(std::fs::read_to_string(folder.path().join("file")).unwrap(), "mine");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_device_and_a_folder_of_the_system_are_no_output() {
+    let folder = tempfile::tempdir().unwrap();
+    for (out, expected) in [
+        ("/dev/null", "error: /dev/null: a link or device is in the way; move it"),
+        ("/dev/null/below", "error: /dev/null: a link or device is in the way; move it"),
+        ("/proc", "error: /proc: cannot create a file in this folder: "),
+    ] {
+        let output = lobefit(folder.path(), &["bake", "--out", out], b"");
+        assert_eq!(output.status.code(), Some(3), "{out}: {}", stderr(&output));
+        assert!(stderr(&output).starts_with(expected), "{out}: {}", stderr(&output));
+        assert!(!stderr(&output).contains(".tmp"), "{out}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn plan_says_what_is_not_limited_and_what_is_not_yet_known() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":0.5}]}"#;
+    let text = String::from_utf8(lobefit(folder.path(), &["plan", "-"], scene).stdout).unwrap();
+    for words in [
+        "; error within 0.001; at most 32768 bytes; ",
+        "; no limit on the error; 0 bytes; ",
+        "in all at most 32768 bytes",
+    ] {
+        assert!(text.contains(words), "`{words}` in {text}");
+    }
+}
+
+#[test]
+fn schema_is_one_json_document() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = lobefit(folder.path(), &["schema"], b"");
+    let schema: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(schema["title"], "Scene");
+}
+
+#[test]
+fn an_effect_that_is_not_called_for_or_not_there_is_refused_with_the_reason_of_the_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let mirrors: &[u8] = include_bytes!("../../examples/mirrors.json");
+    let rough: &[u8] =
+        br#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":0.5}]}"#;
+    for (scene, only, expected) in [
+        (rough, "glass", "error: --only glass: no material transmits light"),
+        (rough, "reflection,sheen", "error: --only sheen: no material has a sheen layer"),
+        (
+            rough,
+            "diffuse-coupling",
+            "error: --only diffuse-coupling: no material is a dielectric with a diffuse base",
+        ),
+        (rough, "diffuse-coupling", "`m` has no `base`"),
+        (mirrors, "reflection", "error: --only reflection: no material has a rough specular lobe"),
+    ] {
+        let output = lobefit(folder.path(), &["bake", "-", "--only", only], scene);
+        assert_eq!(output.status.code(), Some(2), "{only}: {}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "`{expected}` in {}", stderr(&output));
+        let plan: Value =
+            serde_json::from_slice(&lobefit(folder.path(), &["plan", "-", "--json"], scene).stdout).unwrap();
+        let refused = only.rsplit(',').next().unwrap();
+        let left_out = plan["left_out"].as_array().unwrap();
+        let reason = left_out.iter().find(|l| l["effect"] == refused).unwrap()["reason"].as_str().unwrap();
+        assert!(stderr(&output).contains(reason), "`{reason}` in {}", stderr(&output));
+        assert!(output.stdout.is_empty() && names(folder.path()).is_empty(), "{only}");
+    }
+    let help = String::from_utf8(lobefit(folder.path(), &["bake", "--help"], b"").stdout).unwrap();
+    assert!(help.contains("keep what an older bake"), "{help}");
+}
+
+#[test]
+fn the_only_effect_asked_for_by_name_is_the_whole_bake() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,0.6],
+        "wants":{"table":{"size":[4,4],"layout":"plain"}}}]}"#;
+    let bake = |options: &[&str]| {
+        let output = lobefit(folder.path(), &[&["bake", "-", "--json"], options].concat(), scene);
+        assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+        output.stdout
+    };
+    assert_eq!(bake(&["--only", "reflection", "--out", "one"]), bake(&["--out", "all"]));
+    for sub in ["", "tables", "fits", "reports"] {
+        let [one, all] = ["one", "all"].map(|out| folder.path().join(out).join(sub));
+        assert_eq!(names(&one), names(&all));
+        for name in names(&one).iter().filter(|name| one.join(name).is_file()) {
+            assert!(
+                std::fs::read(one.join(name)).unwrap() == std::fs::read(all.join(name)).unwrap(),
+                "{name}"
+            );
+        }
+    }
+}

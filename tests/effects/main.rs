@@ -1,0 +1,16 @@
+//! Effects: truths, tables, fits, whole materials, and what engines ship.
+
+#[path = "../rivals_support/mod.rs"]
+mod rivals_support;
+
+mod reflection_field;
+mod reflection_fits;
+mod reflection_table;
+mod rivals;
+mod rivals_coupling;
+mod surface_energy;
+mod surface_report;
+mod surface_tables;
+mod target;
+mod target_coupling;
+mod volume_table;

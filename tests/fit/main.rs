@@ -1,0 +1,25 @@
+//! The solver, the formula dialect, constraints, precision and search.
+
+#[path = "../code_support/mod.rs"]
+mod code_support;
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../fit_support/mod.rs"]
+mod fit_support;
+
+mod code;
+mod constraints;
+mod dialect;
+mod global;
+mod hypotheses;
+mod nist;
+mod perceptual;
+mod planted;
+mod poles;
+mod precision;
+mod rational;
+mod regular;
+mod saddles;
+mod search;
+mod solve;
+mod tape;

@@ -1,0 +1,9 @@
+//! Readers of foreign files.
+
+#[path = "../foreign_support/mod.rs"]
+mod foreign_support;
+
+mod images;
+mod mutations;
+mod shaders;
+mod text;

@@ -1,0 +1,4 @@
+//! The sources and the README themselves.
+
+mod floors;
+mod readme;

@@ -1,0 +1,11 @@
+//! The integrals against oracles.
+
+mod aniso_table;
+mod coupling;
+mod error_bound;
+mod glass_table;
+mod lobes;
+mod monte_carlo;
+mod oracles;
+mod sheen;
+mod walk;

@@ -1,0 +1,16 @@
+//! Figures, pages, pictures and studies.
+
+#[path = "../common/mod.rs"]
+mod common;
+#[path = "../flip_support/mod.rs"]
+mod flip_support;
+#[path = "../report_support/mod.rs"]
+mod report_support;
+
+mod figures;
+mod flip;
+mod input;
+mod page;
+mod render;
+mod selection;
+mod study;

@@ -1,0 +1,163 @@
+//! `lobefit report --study`: the same bytes for any number of threads, figures that follow from the truth, and a committed study that is of
+//! this version.
+
+use crate::common;
+
+use std::path::Path;
+
+use common::{lobefit, names, stderr};
+use lobefit::data::Smith;
+use lobefit::integrate::coupling::{Specular, Split, factor};
+use lobefit::integrate::reflection::reflection;
+use lobefit::math::ops;
+use lobefit::store;
+use lobefit::study::{Size, Study, stale};
+use serde_json::Value;
+
+const RESULTS: &str = "reports/studies/coupling/results.json";
+
+/// A scene whose bake takes no time: it calls for no effect.
+const SCENE: &[u8] = include_bytes!("../../examples/mirrors.json");
+
+fn run(folder: &Path, options: &[&str]) -> String {
+    let output = lobefit(folder, &[&["report", "--study", "coupling", "--reduced"], options].concat(), b"");
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn results(folder: &Path) -> Value {
+    serde_json::from_slice(&std::fs::read(folder.join(RESULTS)).expect("results")).expect("JSON")
+}
+
+fn row<'a>(rows: &'a Value, name: &str) -> &'a Value {
+    let found = rows.as_array().expect("rows").iter().find(|row| row["name"] == name);
+    found.unwrap_or_else(|| panic!("no row `{name}`"))
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().expect("a list").iter().map(number).collect()
+}
+
+#[test]
+fn the_reduced_study_is_the_same_for_any_threads_and_says_what_is_true() {
+    let (one, three) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
+    let said = run(one.path(), &["--threads", "1"]);
+    assert!(said.contains("2 files written, 0 unchanged"), "{said}");
+    let printed = run(three.path(), &["--threads", "3", "--json"]);
+    assert_eq!(names(one.path()), ["reports"]);
+    for file in Study::Coupling.files() {
+        let bytes = |folder: &Path| std::fs::read(folder.join(&file)).expect("a file");
+        assert_eq!(bytes(one.path()), bytes(three.path()), "{file}");
+    }
+    let results = results(one.path());
+    assert_eq!(serde_json::from_str::<Value>(&printed).expect("JSON"), results);
+    assert_eq!(results["origin"]["recipe"], Study::Coupling.recipe(Size::Reduced).expect("a recipe"));
+    furnace_is_the_truth(&results);
+    ranking_is_sane(&results);
+    checked(one.path());
+}
+
+/// The departure of a factor that is known in closed form: lobe + factor - 1 = factor - truth.
+fn furnace_is_the_truth(results: &Value) {
+    let mu = numbers(&results["parameters"]["furnace"]["mu"]);
+    for strip in results["furnace"].as_array().expect("strips") {
+        assert_eq!(strip["lobe"], "normalised");
+        let f0 = number(&strip["f0"]);
+        let pesce = numbers(&row(&strip["rows"], "Pesce 2019")["worst"]);
+        let exact = numbers(&row(&strip["rows"], "1 - own specular")["worst"]);
+        let kelemen = numbers(&row(&strip["rows"], "Kelemen-Szirmay-Kalos")["worst"]);
+        for (i, roughness) in numbers(&strip["roughness"]).into_iter().enumerate() {
+            let departure = |mu: f64| {
+                let lobe = reflection(Smith::Correlated, roughness * roughness, mu, 1e-8).expect("a lobe");
+                let truth = factor(&Split::of(&lobe), f0, Specular::Normalised).value;
+                let fresnel = f0 + (1.0 - f0) * ops::pow(1.0 - mu, 5.0);
+                (1.0 - fresnel) * (1.0 - roughness) + (1.0 - f0) * roughness - truth
+            };
+            let worst =
+                mu.iter().map(|m| departure(*m)).fold(0.0, |m: f64, d| if d.abs() > m.abs() { d } else { m });
+            assert!((worst - pesce[i]).abs() < 1e-5, "f0 {f0}, roughness {roughness}: {worst}, {}", pesce[i]);
+            assert!(exact[i].abs() < 1e-6 && kelemen[i].abs() < 2e-6, "{} {}", exact[i], kelemen[i]);
+        }
+    }
+}
+
+fn ranking_is_sane(results: &Value) {
+    let rows = &results["rankings"][0]["rows"];
+    let flips: Vec<f64> = rows.as_array().expect("rows").iter().map(|r| number(&r["flip"])).collect();
+    assert!(flips.windows(2).all(|w| w[0] <= w[1]), "{flips:?}");
+    let of = |name: &str, key: &str| number(&row(rows, name)[key]);
+    assert_eq!(of("1 - own specular", "flip"), 0.0);
+    assert_eq!(of("Kelemen-Szirmay-Kalos", "flip_reciprocal"), 0.0);
+    assert!(of("none", "flip") > of("Pesce 2019", "flip"));
+    // Each fit is the best at what it was fitted for.
+    let (max, seen) = ("coupling_normalised_7", "coupling_normalised_7, perceptual");
+    assert!(of(seen, "perceptual") < of(max, "perceptual"), "fitted for what is seen");
+    assert!(of(max, "furnace_max") < of(seen, "furnace_max"), "fitted for the largest error");
+    assert_eq!((row(rows, max)["ops"].clone(), row(rows, max)["ours"].clone()), (7.into(), true.into()));
+}
+
+/// A bake beside it leaves a study alone; `check` names one that is of another recipe, as the reduced one is.
+fn checked(folder: &Path) {
+    let before = std::fs::read(folder.join(RESULTS)).expect("results");
+    for _ in 0..2 {
+        let output = lobefit(folder, &["bake", "-", "--quiet"], SCENE);
+        assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    }
+    assert_eq!(std::fs::read(folder.join(RESULTS)).expect("results"), before);
+    let check = || {
+        let output = lobefit(folder, &["check", "-"], SCENE);
+        (output.status.code(), String::from_utf8(output.stdout).expect("text"))
+    };
+    let (code, text) = check();
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("results.json: not of the recipe"), "{text}");
+    assert!(text.contains("lobefit report --study coupling"), "{text}");
+    // As if the full study had been run.
+    let reduced = Study::Coupling.recipe(Size::Reduced).expect("a recipe");
+    let full = Study::Coupling.recipe(Size::Full).expect("a recipe");
+    for file in Study::Coupling.files() {
+        let text = std::fs::read_to_string(folder.join(&file)).expect("text");
+        std::fs::write(folder.join(&file), text.replace(&reduced, &full)).expect("written");
+    }
+    let (code, text) = check();
+    assert_eq!(code, Some(0), "{text}");
+    std::fs::write(folder.join("reports/studies/coupling/more.png"), b"x").expect("written");
+    std::fs::remove_file(folder.join(RESULTS)).expect("removed");
+    let (code, text) = check();
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("more.png: extra") && text.contains("results.json: missing"), "{text}");
+}
+
+#[test]
+fn the_committed_study_is_of_this_version() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let files = Study::Coupling.files();
+    let found = store::read_set(root, files.iter().map(String::as_str), 1 << 24).expect("readable");
+    assert_eq!(found.len(), files.len(), "{files:?}");
+    assert_eq!(stale(Study::Coupling, &found).expect("a recipe"), None);
+    let bytes: usize = found.values().map(Vec::len).sum();
+    assert!(bytes < 3 << 19, "{bytes} bytes");
+}
+
+#[test]
+fn wrong_use_is_refused_and_writes_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (options, said) in [
+        (&["report"][..], "--study <NAME>"),
+        (&["report", "--study", "rooms"], "no such study; the studies are coupling"),
+        (&["report", "--study", "coupling", "--threads", "0"], "1 to 256"),
+    ] {
+        let output = lobefit(folder.path(), options, b"");
+        assert_eq!(output.status.code(), Some(2), "{options:?}");
+        assert!(stderr(&output).contains(said), "{}", stderr(&output));
+    }
+    std::fs::write(folder.path().join("file"), b"x").expect("written");
+    let output =
+        lobefit(folder.path(), &["report", "--study", "coupling", "--reduced", "--out", "file"], b"");
+    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+    assert_eq!(names(folder.path()), ["file"]);
+}

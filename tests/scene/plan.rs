@@ -1,0 +1,219 @@
+//! Scenes to plans: merging, ranges, what is left out and why.
+
+use lobefit::integrate::coupling::Specular;
+use lobefit::plan::{EffectName, Plan, plan};
+use lobefit::scene::{Norm, Scene};
+
+fn scene(text: &str) -> Scene {
+    Scene::from_json(text.as_bytes(), "test").unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+/// A scene of metals, each given as name, roughness and wants.
+fn metals(materials: &[(&str, &str, &str)]) -> Scene {
+    let list: Vec<String> = materials
+        .iter()
+        .map(|(name, roughness, wants)| {
+            format!(r#"{{"name":"{name}","kind":"metal","f0":1,"roughness":{roughness},"wants":{wants}}}"#)
+        })
+        .collect();
+    scene(&format!(r#"{{"schema_version":1,"materials":[{}]}}"#, list.join(",")))
+}
+
+fn reason(plan: &Plan, effect: EffectName) -> &str {
+    &plan.left_out.iter().find(|l| l.effect == effect).expect("left out").reason
+}
+
+#[test]
+fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload() {
+    let scene = Scene::built_in().unwrap();
+    let plan = plan(&scene);
+    let names: Vec<&str> = plan.tables.iter().map(|t| t.name.as_str()).collect();
+    assert_eq!(names, ["ggx-dfg-correlated-32x32", "ggx-dfg-correlated-64x64-split-sum"]);
+    assert!(plan.tables.iter().all(|t| t.roughness == [0.02, 1.0]));
+    let fit = plan.fit.as_ref().unwrap();
+    assert_eq!((fit.roughness, fit.mu), ([0.02, 1.0], [0.01, 1.0]));
+    assert_eq!((fit.max_ops, fit.max_error, fit.average), (Some(20), Some(0.0105), true));
+    assert_eq!(fit.norms, [Norm::Max, Norm::Rms]);
+    assert_eq!(fit.promises.len(), 1);
+    assert_eq!(fit.promises[0].materials, ["rough metal", "rough dielectric"]);
+    let effects: Vec<EffectName> = plan.effects.iter().map(|e| e.effect).collect();
+    use EffectName::{Anisotropy, DiffuseCoupling, Glass, Reflection};
+    assert_eq!(effects, [Reflection, Anisotropy, Glass, DiffuseCoupling]);
+    let volumes: Vec<&str> =
+        plan.volumes.iter().flat_map(|job| &job.tables).map(|table| table.name.as_str()).collect();
+    assert_eq!(
+        volumes,
+        [
+            "ggx-aniso-correlated-64x64x32",
+            "path-tracer-reflection-separable-64x64x32",
+            "ggx-aniso-azimuth-correlated-64x16x16",
+            "ggx-glass-outside-correlated-128x128x32",
+            "ggx-glass-inside-correlated-128x128x32",
+            "path-tracer-glass-outside-separable-128x128x32",
+            "path-tracer-glass-inside-separable-128x128x32",
+        ]
+    );
+    assert_eq!(plan.effects[0].bytes, 32 * 32 * 2 + 64 * 64 * 2 * 2);
+    assert_eq!(plan.effects[0].because.len(), 2);
+    let [coupling] = &plan.couplings[..] else { panic!("{:?}", plan.couplings) };
+    assert_eq!(
+        (coupling.specular, coupling.roughness, coupling.mu),
+        (Specular::Normalised, [0.02, 1.0], [0.01, 1.0])
+    );
+    assert!(coupling.f0[0] == coupling.f0[1] && (coupling.f0[0] - 0.04).abs() < 1e-12, "{:?}", coupling.f0);
+    assert_eq!((coupling.max_ops, coupling.promises[0].max_error), (Some(19), 0.007));
+}
+
+#[test]
+fn every_effect_is_either_planned_or_left_out() {
+    for text in [r#"{"schema_version":1,"materials":[]}"#, include_str!("../../src/scene/default.json")] {
+        let plan = plan(&scene(text));
+        let mut names: Vec<EffectName> = plan.effects.iter().map(|e| e.effect).collect();
+        names.extend(plan.left_out.iter().map(|l| l.effect));
+        names.sort();
+        assert_eq!(names, EffectName::ALL);
+        assert!(plan.left_out.iter().all(|l| !l.reason.is_empty()));
+    }
+}
+
+#[test]
+fn a_scene_without_rough_speculars_plans_nothing_and_says_why() {
+    let empty = plan(&scene(r#"{"schema_version":1,"materials":[]}"#));
+    assert!(empty.is_empty() && empty.tables.is_empty() && empty.fit.is_none());
+    assert_eq!(reason(&empty, EffectName::Reflection), "the scene has no materials");
+    let smooth = plan(&scene(include_str!("../../examples/mirrors.json")));
+    assert!(smooth.is_empty() && smooth.tables.is_empty() && smooth.fit.is_none());
+    let one = plan(&metals(&[("m", "0", "{\"fit\":{}}")]));
+    let why = reason(&one, EffectName::Reflection);
+    assert!(why.ends_with(": `m` stays below alpha 0.0001, which is smooth"), "{why}");
+    let why = reason(&smooth, EffectName::Reflection);
+    assert!(why.contains("`mirror`, `window`") && why.contains("smooth"), "{why}");
+}
+
+#[test]
+fn a_fit_alone_plans_no_table_and_a_table_alone_no_fit() {
+    let fit = plan(&metals(&[("m", "0.5", r#"{"fit":{}}"#)]));
+    assert!(fit.tables.is_empty() && fit.fit.is_some());
+    assert_eq!(fit.effects[0].bytes, 0);
+    let table = plan(&metals(&[("m", "[0.1,0.5]", r#"{"table":{}}"#)]));
+    assert!(table.fit.is_none() && table.tables.len() == 1);
+}
+
+#[test]
+fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
+    let table = |e: &str| format!(r#"{{"table":{{"size":[16,8]{e}}}}}"#);
+    let plan = plan(&metals(&[
+        ("a", "[0.3,0.4]", &table(r#","max_error":0.1"#)),
+        ("b", "[0.1,0.2]", &table(r#","max_error":0.01"#)),
+        ("c", "0.9", &table("")),
+        ("smooth", "0", &table(r#","max_error":1e-9"#)),
+        (
+            "other",
+            "[0.5,0.7]",
+            r#"{"table":{"size":[16,8],"format":"f32","layout":"plain","serves":"split-sum"}}"#,
+        ),
+    ]));
+    assert_eq!(plan.tables.len(), 2);
+    let merged = &plan.tables[0];
+    assert_eq!((merged.columns, merged.rows), (Some(16), Some(8)));
+    assert_eq!(merged.roughness, [0.1, 0.9]);
+    assert_eq!(merged.max_error, Some(0.01));
+    assert_eq!(merged.materials, ["a", "b", "c"]);
+    assert_eq!(merged.limited_by(), "b (materials[1].wants.table.max_error)");
+    assert_eq!(plan.tables[1].name, "ggx-dfg-correlated-16x8-f32-plain-split-sum");
+    assert_eq!(plan.tables[1].max_error, None);
+}
+
+#[test]
+fn an_open_size_has_a_limit() {
+    let plan = plan(&metals(&[
+        ("a", "[0.1,1]", r#"{"table":{}}"#),
+        ("b", "[0.1,1]", r#"{"table":{"serves":"split-sum"}}"#),
+    ]));
+    assert_eq!(plan.tables[0].name, "ggx-dfg-correlated-auto");
+    assert_eq!((plan.tables[0].columns, plan.tables[0].rows), (None, None));
+    assert_eq!(plan.tables[0].max_error, Some(1e-3));
+    assert_eq!(plan.tables[1].max_error, Some(3e-3));
+    let bytes: Vec<_> = plan.effects[0].jobs.iter().map(|j| (j.bytes, j.bytes_at_most)).collect();
+    assert_eq!(bytes, [(128 * 128 * 2, true), (128 * 128 * 2 * 2, true)]);
+    assert!(plan.effects[0].bytes_at_most);
+}
+
+#[test]
+fn a_single_roughness_is_told_with_the_range_of_its_job() {
+    let because =
+        |roughness: &str| plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)])).effects[0].because[0].clone();
+    for (given, told) in [
+        ("0.5", "(roughness 0.5, widened to 0.495 to 0.505)"),
+        ("0.3", "(roughness 0.3, widened to 0.295 to 0.305)"),
+        ("1", "(roughness 1, widened to 0.99 to 1)"),
+        ("[0.5,0.502]", "(roughness 0.5 to 0.502, widened to 0.496 to 0.506)"),
+        ("[0.1,0.7]", "(roughness 0.1 to 0.7)"),
+    ] {
+        assert!(because(given).contains(told), "{}", because(given));
+    }
+}
+
+#[test]
+fn fits_merge_and_keep_each_promise() {
+    let plan = plan(&metals(&[
+        ("a", "[0.3,0.4]", r#"{"fit":{"max_ops":8,"max_error":0.05,"norms":["rms"]}}"#),
+        ("b", "[0.5,0.6]", r#"{"fit":{"max_ops":20,"max_error":0.0105,"norms":["max"],"average":true}}"#),
+        ("c", "0.35", r#"{"fit":{"max_ops":8,"max_error":0.05,"norms":["rms"],"hypotheses":["x.wgsl"]}}"#),
+    ]));
+    let fit = plan.fit.unwrap();
+    assert_eq!(fit.roughness, [0.3, 0.6]);
+    assert_eq!((fit.max_ops, fit.max_error, fit.average), (Some(20), Some(0.0105), true));
+    assert_eq!(fit.norms, [Norm::Max, Norm::Rms]);
+    assert_eq!(fit.hypotheses, ["x.wgsl"]);
+    let promises: Vec<_> =
+        fit.promises.iter().map(|p| (p.max_ops, p.max_error, p.materials.join(" "))).collect();
+    assert_eq!(promises, [(Some(8), 0.05, "a c".into()), (Some(20), 0.0105, "b".into())]);
+    let wanted: Vec<String> = fit.promises.iter().map(|p| p.wanted_by()).collect();
+    let both = "a (materials[0].wants.fit.max_error), c (materials[2].wants.fit.max_error)";
+    assert_eq!(wanted, [both, "b (materials[1].wants.fit.max_error)"]);
+    let unlimited = lobefit::plan::plan(&metals(&[
+        ("a", "0.5", r#"{"fit":{"max_ops":8}}"#),
+        ("b", "0.5", r#"{"fit":{}}"#),
+    ]));
+    assert_eq!(unlimited.fit.unwrap().max_ops, None);
+}
+
+#[test]
+fn ranges_begin_where_rough_begins_and_are_never_a_point() {
+    let range =
+        |roughness: &str| plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)])).fit.map(|f| f.roughness);
+    assert_eq!(range("[0,1]"), Some([0.01, 1.0]));
+    assert_eq!(range("[0.02,1]"), Some([0.02, 1.0]));
+    assert_eq!(range("0.0099"), None);
+    assert_eq!(range("[0,0.01]"), Some([0.01, 0.02]));
+    assert_eq!(range("1"), Some([0.99, 1.0]));
+    let [lo, hi] = range("0.5").unwrap();
+    assert!(lo < 0.5 && hi > 0.5 && (hi - lo - 0.01).abs() < 1e-12, "{lo} {hi}");
+}
+
+#[test]
+fn the_hash_is_of_the_meaning() {
+    let base = scene(
+        r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":0.5}]}"#,
+    );
+    let same = scene(
+        r#"{ "materials" : [ {"roughness":[5e-1,0.5],"wants":{"fit":{"norms":["rms","max"]},"table":{"format":"f16"}},
+            "kind":"dielectric","ior":1.50,"name":"\u006d"} ], "alpha":"roughness^2","schema_version":1,"probes":[]}"#,
+    );
+    let other = scene(
+        r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5000000000000002,"roughness":0.5}]}"#,
+    );
+    assert_eq!(base.hash().unwrap(), same.hash().unwrap());
+    assert_ne!(base.hash().unwrap(), other.hash().unwrap());
+    assert_eq!(base.hash().unwrap().len(), 64);
+}
+
+#[test]
+fn numbers_are_read_to_the_nearest_f64() {
+    // 17 digits beside a tie: a reader that is one ulp off would show.
+    let m = scene(
+        r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":[0.12345678901234566,1e-320,1.0],"roughness":1}]}"#,
+    );
+    assert_eq!(m.materials[0].f0, Some([0.12345678901234566, 1e-320, 1.0]));
+}

@@ -1,0 +1,287 @@
+//! Scenes of anisotropic materials and of glass to plans: defaults, names, merging, what is left out and why.
+
+use crate::common;
+
+use common::{lobefit, stderr};
+use lobefit::data::{AlphaMap, Container, Smith, TexelFormat};
+use lobefit::integrate::glass::Side;
+use lobefit::plan::{EffectName, Plan, VolumeJob, VolumeSpan, plan};
+use lobefit::scene::{Lobe, Scene, VolumeLayout};
+use serde_json::{Value, json};
+
+fn scene(text: &str) -> Scene {
+    Scene::from_json(text.as_bytes(), "test").unwrap_or_else(|e| panic!("{e}\n{text}"))
+}
+
+/// A scene with these materials, each given by its fields.
+fn of(materials: &[&str]) -> Scene {
+    let list: Vec<String> = materials.iter().map(|fields| format!("{{{fields}}}")).collect();
+    scene(&format!(r#"{{"schema_version":1,"materials":[{}]}}"#, list.join(",")))
+}
+
+/// An anisotropic metal with a comma before the rest of its fields.
+fn brushed(name: &str, rest: &str) -> String {
+    format!(r#""name":"{name}","kind":"metal","f0":1,"roughness":[0.2,0.6],"anisotropy":[0.3,0.5]{rest}"#)
+}
+
+fn glass(name: &str, rest: &str) -> String {
+    format!(r#""name":"{name}","kind":"glass","ior":[1.2,1.6],"roughness":[0.2,0.6]{rest}"#)
+}
+
+fn tables(list: &str) -> String {
+    format!(r#","wants":{{"tables":[{list}]}}"#)
+}
+
+fn table_names(job: &VolumeJob) -> Vec<&str> {
+    job.tables.iter().map(|t| t.name.as_str()).collect()
+}
+
+fn reason(plan: &Plan, effect: EffectName) -> &str {
+    &plan.left_out.iter().find(|l| l.effect == effect).expect("left out").reason
+}
+
+fn called_for(plan: &Plan) -> Vec<EffectName> {
+    plan.effects.iter().map(|e| e.effect).collect()
+}
+
+#[test]
+fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
+    let scene = of(&[&brushed("b", ""), &glass("g", "")]);
+    assert_eq!(scene.materials[0].lobe(), Lobe::Anisotropic);
+    assert_eq!((scene.materials[1].lobe(), scene.materials[1].f0), (Lobe::Glass, None));
+    let plan = plan(&scene);
+    assert_eq!(called_for(&plan), [EffectName::Anisotropy, EffectName::Glass]);
+    assert!(plan.tables.is_empty() && plan.fit.is_none() && !plan.is_empty());
+    let [brushed, glass] = &plan.volumes[..] else { panic!("{:?}", plan.volumes) };
+    assert_eq!(table_names(brushed), ["ggx-aniso-correlated-64x64x32"]);
+    assert_eq!((brushed.size, brushed.layout), ([64, 64, 32], VolumeLayout::Optimised));
+    assert_eq!((brushed.format, brushed.max_error), (TexelFormat::F16, Some(2e-3)));
+    assert_eq!((brushed.roughness, brushed.span), ([0.2, 0.6], VolumeSpan::Anisotropy([0.3, 0.5])));
+    let sides = ["outside", "inside"].map(|side| format!("ggx-glass-{side}-correlated-128x128x32"));
+    assert_eq!(table_names(glass), sides);
+    let sides: Vec<Option<Side>> = glass.tables.iter().map(|t| t.side).collect();
+    assert_eq!(sides, [Some(Side::Outside), Some(Side::Inside)]);
+    assert_eq!((glass.size, glass.span), ([128, 128, 32], VolumeSpan::Ior([1.2, 1.6])));
+    assert_eq!((glass.smith, glass.alpha_map), (Smith::Correlated, AlphaMap::RoughnessSquared));
+    let bytes: Vec<u64> = plan.effects.iter().map(|e| e.bytes).collect();
+    assert_eq!(bytes, [64 * 64 * 32 * 2, 2 * 128 * 128 * 32 * 2]);
+}
+
+#[test]
+fn names_say_what_tells_tables_apart() {
+    let all = r#"{"layout":"path-tracer"},{"format":"f32","size":[8,16,4]}"#;
+    let azimuth = format!(r#"{{"layout":"azimuth"}},{all}"#);
+    let plan = plan(&of(&[&brushed("b", &tables(&azimuth)), &glass("g", &tables(all))]));
+    let found: Vec<&str> = plan.volumes.iter().flat_map(table_names).collect();
+    assert_eq!(
+        found,
+        [
+            "ggx-aniso-azimuth-correlated-64x16x16",
+            "path-tracer-reflection-separable-64x64x32",
+            "ggx-aniso-correlated-8x16x4-f32",
+            "path-tracer-glass-outside-separable-128x128x32",
+            "path-tracer-glass-inside-separable-128x128x32",
+            "ggx-glass-outside-correlated-8x16x4-f32",
+            "ggx-glass-inside-correlated-8x16x4-f32",
+        ]
+    );
+    let limits: Vec<Option<f64>> = plan.volumes.iter().map(|job| job.max_error).collect();
+    assert_eq!(limits, [Some(1e-2), None, None, None, None]);
+}
+
+#[test]
+fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
+    let job = |table: &str| plan(&of(&[&brushed("b", &tables(table))])).volumes[0].clone();
+    let limit = job(r#"{"max_error":0.1}"#);
+    assert_eq!((limit.size, limit.max_error), ([64, 64, 32], Some(0.1)));
+    let size = job(r#"{"layout":"azimuth","size":[16,8,4]}"#);
+    assert_eq!((size.size, size.max_error), ([16, 8, 4], None));
+}
+
+#[test]
+fn the_path_tracers_tables_are_separable_and_alpha_is_roughness_whatever_the_scene_says() {
+    let table = tables(r#"{"layout":"path-tracer"},{}"#);
+    let text = format!(
+        r#"{{"schema_version":1,"smith":"correlated","alpha":"roughness^4","materials":[{{{}}},{{{}}}]}}"#,
+        brushed("b", &table),
+        glass("g", &table)
+    );
+    for jobs in plan(&scene(&text)).volumes.chunks(2) {
+        assert_eq!((jobs[0].smith, jobs[0].alpha_map), (Smith::Separable, AlphaMap::Roughness));
+        assert_eq!((jobs[1].smith, jobs[1].alpha_map), (Smith::Correlated, AlphaMap::RoughnessFourth));
+    }
+    // Rows begin at alpha = 4e-4 in each map.
+    let wide = brushed("b", &table).replace("[0.2,0.6]", "[0,1]");
+    let jobs = plan(&of(&[&wide])).volumes;
+    assert_eq!((jobs[0].roughness, jobs[1].roughness), ([4e-4, 1.0], [2e-2, 1.0]));
+}
+
+#[test]
+fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
+    let limit = |e: &str| tables(&format!(r#"{{"layout":"path-tracer"}},{{"max_error":{e}}}"#));
+    let wide = glass("c", &limit("0.05")).replace("[1.2,1.6]", "2").replace("[0.2,0.6]", "[0.5,0.9]");
+    let smooth = glass("smooth", &limit("1e-9")).replace("[0.2,0.6]", "0");
+    let plan = plan(&of(&[&glass("a", &limit("0.1")), &brushed("b", ""), &wide, &smooth]));
+    let names: Vec<Vec<&str>> = plan.volumes.iter().map(table_names).collect();
+    assert_eq!(names.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2, 1]);
+    let merged = &plan.volumes[1];
+    assert_eq!((merged.roughness, merged.span), ([0.2, 0.9], VolumeSpan::Ior([1.2, 2.0])));
+    assert_eq!(
+        (merged.max_error, &merged.materials[..]),
+        (Some(0.05), &["a".to_string(), "c".to_string()][..])
+    );
+    assert_eq!(merged.limited_by(), "c (materials[2].wants.tables[1].max_error)");
+    assert_eq!(plan.volumes[0].limited_by(), "");
+    assert_eq!(plan.effects[1].because.len(), 2);
+}
+
+#[test]
+fn spans_of_a_point_are_widened_inside_what_the_layout_reaches() {
+    let spans = |ior: &str, layout: &str| {
+        let table = tables(&format!(r#"{{"layout":"{layout}"}}"#));
+        plan(&of(&[&glass("g", &table).replace("[1.2,1.6]", ior)])).volumes[0].span.range()
+    };
+    assert_eq!(spans("1", "optimised"), [1.0, 1.01]);
+    assert_eq!(spans("3", "optimised"), [2.99, 3.0]);
+    assert_eq!(spans("2", "path-tracer"), [1.99, 2.0]);
+    let [lo, hi] = spans("2", "optimised");
+    assert!(lo < 2.0 && hi > 2.0 && (hi - lo - 0.01).abs() < 1e-12, "{lo} {hi}");
+    let one = plan(&of(&[&brushed("b", "").replace("[0.3,0.5]", "1")]));
+    assert_eq!(one.volumes[0].span, VolumeSpan::Anisotropy([0.99, 1.0]));
+    assert!(one.effects[0].because[0].contains("anisotropy 1, widened to 0.99 to 1)"), "{one:?}");
+}
+
+/// What a plan says of the rows is what its jobs do.
+#[test]
+fn the_reason_tells_where_rows_begin() {
+    let because = |roughness: &str, more: &str| {
+        let material = brushed("b", &tables(more)).replace("[0.2,0.6]", roughness);
+        plan(&of(&[&material])).effects[0].because[0].clone()
+    };
+    for (roughness, told) in [
+        ("0.3", "(roughness 0.3, widened to 0.295 to 0.305; "),
+        ("[0.2,0.6]", "(roughness 0.2 to 0.6; "),
+        ("[0,1]", "(roughness 0.01 to 1, in rows from 0.02 on, to which a lookup below clamps; "),
+        (
+            "[0.012,0.015]",
+            "(roughness 0.012 to 0.015, all below the rows, which begin at 0.02: every lookup clamps and none is judged; ",
+        ),
+    ] {
+        let because = because(roughness, "{}");
+        assert!(because.contains(told), "{because}");
+    }
+    let alone = because("[0,1]", r#"{"layout":"path-tracer"}"#);
+    assert!(alone.contains("(roughness 0.0001 to 1, in rows from 0.0004 on, "), "{alone}");
+    let below = of(&[&brushed("b", "").replace("[0.2,0.6]", "[0.012,0.015]"), &brushed("c", "")]);
+    let jobs = plan(&below).volumes;
+    assert_eq!(jobs[0].unjudged_by().expect("one"), "b (materials[0].wants.tables[0].max_error)");
+    assert_eq!(plan(&of(&[&brushed("c", "")])).volumes[0].unjudged_by(), None);
+}
+
+#[test]
+fn an_anisotropic_material_calls_for_reflection_only_with_a_table_or_fits_of_it() {
+    let with = |wants: &str| plan(&of(&[&brushed("b", &format!(r#","wants":{{{wants}}}"#))]));
+    let both = with(r#""table":{},"tables":[{}]"#);
+    assert_eq!(called_for(&both), [EffectName::Reflection, EffectName::Anisotropy]);
+    let fits = with(r#""fit":{}"#);
+    assert_eq!(called_for(&fits), [EffectName::Reflection]);
+    assert_eq!(
+        reason(&fits, EffectName::Anisotropy),
+        "no anisotropic material calls for it: `b` wants no table of it"
+    );
+    let volumes = with(r#""tables":[{}]"#);
+    assert_eq!(
+        reason(&volumes, EffectName::Reflection),
+        "no material wants a table or fits of a lobe that only reflects: `b` is anisotropic and wants tables of that"
+    );
+}
+
+#[test]
+fn an_anisotropy_of_zero_is_none() {
+    let plain = of(&[&brushed("b", "").replace(r#","anisotropy":[0.3,0.5]"#, "")]);
+    let zero = of(&[&brushed("b", "").replace("[0.3,0.5]", "0")]);
+    assert_eq!(plain, zero);
+    assert_eq!(zero.materials[0].lobe(), Lobe::Isotropic);
+    assert_eq!(called_for(&plan(&zero)), [EffectName::Reflection]);
+    assert_eq!(reason(&plan(&zero), EffectName::Anisotropy), "no material is anisotropic");
+}
+
+#[test]
+fn smooth_glass_and_smooth_anisotropic_materials_call_for_nothing_and_the_plan_says_why() {
+    let smooth = |fields: String| fields.replace("[0.2,0.6]", "[0,0.005]");
+    let plan = plan(&of(&[&smooth(glass("window", "")), &smooth(brushed("mirror", ""))]));
+    assert!(plan.is_empty() && plan.volumes.is_empty());
+    let stays = "stays below alpha 0.0001, which is smooth";
+    assert_eq!(reason(&plan, EffectName::Glass), format!("no glass is rough: `window` {stays}"));
+    let why = format!("no anisotropic material calls for it: `mirror` {stays}");
+    assert_eq!(reason(&plan, EffectName::Anisotropy), why);
+    let why =
+        "no material has a rough specular lobe: `window`, `mirror` stay below alpha 0.0001, which is smooth";
+    assert_eq!(reason(&plan, EffectName::Reflection), why);
+    let rough = lobefit::plan::plan(&of(&[&glass("a", ""), &glass("b", ""), &smooth(glass("c", ""))]));
+    assert_eq!(
+        reason(&rough, EffectName::Reflection),
+        format!(
+            "no material wants a table or fits of a lobe that only reflects: `a`, `b` transmit light; `c` {stays}"
+        )
+    );
+}
+
+#[test]
+fn formats_are_a_set_and_the_hash_of_a_scene_without_the_new_fields_stays() {
+    let with = |formats: &str| scene(&format!(r#"{{"schema_version":1,{formats}"materials":[]}}"#));
+    assert_eq!(with("").formats, [Container::Exr]);
+    let all = with(r#""formats":["raw","npy","dds","exr"],"#);
+    assert_eq!(all.formats, [Container::Exr, Container::Dds, Container::Npy, Container::Raw]);
+    assert_eq!(all.hash().unwrap(), with(r#""formats":["exr","dds","npy","raw"],"#).hash().unwrap());
+    assert_ne!(all.hash().unwrap(), with("").hash().unwrap());
+    assert_eq!(with(r#""formats":["exr"],"#).hash().unwrap(), with("").hash().unwrap());
+    assert_eq!(
+        with("").hash().unwrap(),
+        blake3::hash(
+            br#"{"name":"scene","smith":"correlated","alpha":"roughness^2","mu":[0.01,1.0],"materials":[]}"#
+        )
+        .to_hex()
+        .as_str()
+    );
+    let ior = |ior: &str| of(&[&glass("g", "").replace("[1.2,1.6]", ior)]).hash().unwrap();
+    assert_eq!(ior("1.5"), ior("[1.5,1.5]"));
+    assert_ne!(ior("1.5"), ior("[1.5,1.6]"));
+}
+
+#[test]
+fn the_json_of_a_plan_has_the_fields_of_the_contract() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene: &[u8] = include_bytes!("../../examples/brushed-metal.json");
+    let output = lobefit(folder.path(), &["plan", "-", "--json"], scene);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let plan: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let effect = &plan["effects"][0];
+    assert_eq!((&effect["effect"], plan["effects"].as_array().unwrap().len()), (&json!("anisotropy"), 1));
+    let because = effect["because"][0].as_str().unwrap();
+    let lobe =
+        "brushed aluminium: metal with a rough anisotropic lobe (roughness 0.15 to 1; anisotropy 0 to 1)";
+    assert!(because.starts_with(lobe), "{because}");
+    assert!(because.ends_with(" wants tables in the optimised and azimuth layouts"), "{because}");
+    assert_eq!(effect["ranges"]["anisotropy"], json!([0.0, 1.0]));
+    assert_eq!(effect["ranges"]["roughness"], json!([0.15, 1.0]));
+    assert_eq!(effect["ranges"]["phi"], json!([0.0, std::f64::consts::FRAC_PI_2]));
+    assert_eq!(effect["bytes"], json!(64 * 64 * 32 * 2 + 64 * 16 * 16 * 4 * 4));
+    assert_eq!(effect["expected_error"], json!(0.01));
+    assert!(effect["seconds"].as_f64().unwrap() > 0.0);
+    assert!(effect["approximation"].as_str().unwrap().contains("table 64x64x32 f16, optimised layout"));
+    let left = plan["left_out"].as_array().unwrap();
+    assert_eq!((left.len(), &left[0]["effect"]), (8, &json!("reflection")));
+}
+
+#[test]
+fn the_path_tracers_glass_has_no_limit_and_two_tables_of_each_layout() {
+    let plan = plan(&scene(include_str!("../../examples/frosted-glass.json")));
+    let effect = &plan.effects[0];
+    assert_eq!((effect.effect, effect.jobs.len(), effect.expected_error), (EffectName::Glass, 4, None));
+    assert_eq!(effect.ranges["ior"], [1.0, 2.0]);
+    assert_eq!(effect.bytes, 2 * 128 * 128 * 32 * (2 + 4));
+    let path_tracer = &effect.jobs[2].approximation;
+    assert!(path_tracer.contains("path-tracer layout (separable Smith, alpha = roughness)"), "{path_tracer}");
+    assert!(path_tracer.ends_with("of glass for rays from outside"), "{path_tracer}");
+}
