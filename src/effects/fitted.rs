@@ -186,7 +186,7 @@ fn keeping(
     {
         return Ok((free, safe));
     }
-    let bound = within(&[keeps.constraint(hypothesis)])?;
+    let bound = within(&keeps.constraints(hypothesis))?;
     match keeps.prove(hypothesis, &bound.coefficients)? {
         Kept::Proven(safe) => Ok((bound, safe)),
         Kept::Unproven(reason) => {

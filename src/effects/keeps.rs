@@ -1,7 +1,8 @@
-//! What a fit keeps wherever a shader may call it, which is farther than its certificate reaches: no pole, and no value below 0.
+//! What a fit keeps wherever a shader may call it, which is farther than its certificate reaches: no pole, no value below 0, and none
+//! far above 1.
 //!
-//! Both are proven by interval arithmetic on the coefficients as emitted. Where the best coefficients do not keep them, the search is
-//! made again with the values bound at a lattice of points.
+//! The first two are proven by interval arithmetic on the coefficients as emitted, the last is looked at on a lattice of points. Where
+//! the best coefficients do not keep them, the search is made again with the values bound there.
 
 use std::collections::BTreeMap;
 
@@ -41,6 +42,11 @@ const NODES: usize = 33;
 /// no picture shows it.
 const MARGIN: f64 = 1e-3;
 
+/// Largest value there that coefficients are searched within, and that is let pass: a factor's truth is at most 1, and errors within the
+/// domain are the certificate's to tell.
+const MOST: f64 = 1.02;
+const PASSED: f64 = 1.05;
+
 /// f0 of the bound values: between them formulas are affine in it, or 1 - f0 times such; at 1 they vanish.
 const BOUND_F0: [f64; 2] = [0.0, 0.9];
 
@@ -57,6 +63,9 @@ impl Keeps {
             Err(error @ FitError::Irregular { .. }) => return Ok(Kept::Unproven(error.to_string())),
             Err(error) => return Err(error),
         }
+        if let Some(told) = self.too_bright(hypothesis, coefficients)? {
+            return Ok(Kept::Unproven(told));
+        }
         Ok(match prove_range(hypothesis.tape(), &exact, &domain, 0.0, f64::INFINITY)? {
             RangeProof::Proven => Kept::Proven(safe),
             RangeProof::Violated { at, value } => Kept::Unproven(format!("it is {value:.2e} at {at}")),
@@ -64,24 +73,50 @@ impl Keeps {
         })
     }
 
-    /// The bound on its values at a lattice.
-    pub fn constraint(&self, hypothesis: &Hypothesis) -> Constraint {
+    /// A value of the lattice that is far above 1.
+    fn too_bright(&self, hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Option<String>, FitError> {
+        let places = self.lattice(hypothesis);
+        let column = |name: &String| places.iter().map(|p| self.input(name, *p)).collect();
+        let inputs: Vec<Vec<f32>> = hypothesis.inputs().iter().map(column).collect();
+        let values = hypothesis.tape().evaluate(&inputs, coefficients)?;
+        let found = values.iter().zip(&places).find(|(value, _)| f64::from(**value) > PASSED);
+        Ok(found.map(|(value, [roughness, mu, f0])| {
+            format!("it is {value} at roughness = {roughness}, mu = {mu}, f0 = {f0}")
+        }))
+    }
+
+    /// The bounds on its values at a lattice.
+    pub fn constraints(&self, hypothesis: &Hypothesis) -> [Constraint; 2] {
+        let places = self.lattice(hypothesis);
+        let column = |name: &String| places.iter().map(|p| f64::from(self.input(name, *p))).collect();
+        let points: Vec<Vec<f64>> = hypothesis.inputs().iter().map(column).collect();
+        let least = places.iter().map(|[.., f0]| MARGIN * (1.0 - f64::from(*f0))).collect();
+        let most = vec![MOST; places.len()];
+        let constraint = |name: &str, condition| Constraint { name: name.into(), condition };
+        [
+            constraint("no negative value", Condition::AtLeast { points: points.clone(), values: least }),
+            constraint("no value far above 1", Condition::AtMost { points, values: most }),
+        ]
+    }
+
+    /// Roughness, mu and f0 of the lattice.
+    fn lattice(&self, hypothesis: &Hypothesis) -> Vec<[f32; 3]> {
         let safe = self.safe(hypothesis);
-        let nodes = |name: &str| {
-            let [low, high] = safe.get(name).copied().unwrap_or_default();
-            chebyshev::nodes(low, high, NODES)
+        let range = |name: &str| safe.get(name).copied().unwrap_or_default();
+        let nodes = |[low, high]: [f64; 2]| chebyshev::nodes(low, high, NODES);
+        // Smooth lobes change fastest: most of the roughnesses are theirs.
+        let dense = |[low, high]: [f64; 2]| {
+            let squared = |t: f64| low + (high - low) * t * t;
+            chebyshev::nodes(0.0, 1.0, NODES).into_iter().map(squared).collect::<Vec<f64>>()
         };
-        let (roughness, mu) = (nodes("roughness"), nodes("mu"));
-        let mut places: Vec<[f32; 3]> = Vec::new();
+        let (roughness, mu) = (dense(range("roughness")), nodes(range("mu")));
+        let mut places = Vec::new();
         for f0 in BOUND_F0 {
             for r in &roughness {
                 places.extend(mu.iter().map(|m| [*r as f32, *m as f32, f0 as f32]));
             }
         }
-        let values = places.iter().map(|[.., f0]| MARGIN * (1.0 - f64::from(*f0))).collect();
-        let column = |name: &String| places.iter().map(|p| f64::from(self.input(name, *p))).collect();
-        let points = hypothesis.inputs().iter().map(column).collect();
-        Constraint { name: "no negative value".into(), condition: Condition::AtLeast { points, values } }
+        places
     }
 
     /// The box for a formula: roughness from 0, unless it is 0/0 of alpha and mu there, as a lobe's albedo is at a mirror's horizon.
