@@ -295,8 +295,8 @@ fn ours_beat_the_bars() {
     for (s, ops, bar) in [
         (Specular::Normalised, 7, 0.09),
         (Specular::Normalised, 8, 0.066),
-        (Specular::Normalised, 15, 0.013),
-        (Specular::Normalised, 19, 0.007),
+        (Specular::Normalised, 15, 0.014),
+        (Specular::Normalised, 19, 0.0075),
         (Specular::Single, 7, 0.0719),
         (Specular::Single, 30, 0.0075),
         (Specular::Compensated, 7, 0.0725),

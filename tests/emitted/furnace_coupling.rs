@@ -13,10 +13,9 @@
 #![allow(dead_code, reason = "the shared textbook has lobes that are not needed here")]
 
 use crate::emit_support;
+use crate::furnace_support::textbook;
 #[path = "../furnace_support/half.rs"]
 mod half;
-#[path = "../furnace_support/textbook.rs"]
-mod textbook;
 
 use std::fs;
 use std::path::Path;
