@@ -10,8 +10,6 @@
 //! A lobe multiplied by N instead of 1/E is off by its albedo times the furnace error of N, and the base by the error of its factor: together no more
 //! than the sum of both certificates, to which the error of the test's own rule is added.
 
-#![allow(dead_code, reason = "the shared textbook has lobes that are not needed here")]
-
 use crate::emit_support;
 use crate::furnace_support::textbook;
 #[path = "../furnace_support/half.rs"]
