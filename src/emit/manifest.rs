@@ -179,6 +179,9 @@ pub struct FitEntry {
     /// Largest error over all f0 in [0, 1], whatever the certificate's are; none of formulas that do not depend on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub any_f0: Option<AnyF0Entry>,
+    /// Where a coupling is proven to have no pole and no value below 0, by input.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub safe: Option<BTreeMap<String, [f64; 2]>>,
     /// Cost.
     pub cost: CostEntry,
     /// `fitted` or the publication.
@@ -192,6 +195,10 @@ pub struct AnyF0Entry {
     pub max_abs: f64,
     /// Where it is.
     pub at: Place,
+    /// Places of roughness and mu that were looked at.
+    pub places: u64,
+    /// Values of f0 there: `every f0` where the error is a parabola in it, or `17 values of f0`.
+    pub looked_at: String,
 }
 
 /// Cost of an evaluation.
@@ -329,6 +336,7 @@ impl FitEntry {
             certificate: approximation.certificate.clone(),
             specular: None,
             any_f0: None,
+            safe: None,
             cost: CostEntry::new(approximation),
             source: approximation.source.text().to_string(),
         })
@@ -336,9 +344,15 @@ impl FitEntry {
 }
 
 impl FitEntry {
-    /// The entry of a coupling under a lobe of this kind, with its error over all f0.
-    pub fn under(self, specular: &'static str, any_f0: AnyF0Entry) -> FitEntry {
-        FitEntry { specular: Some(specular), any_f0: Some(any_f0), ..self }
+    /// The entry of a coupling under a lobe of this kind, with its error over all f0 and where it is proven to have no pole and no
+    /// value below 0.
+    pub fn under(
+        self,
+        specular: &'static str,
+        any_f0: AnyF0Entry,
+        safe: Option<BTreeMap<String, [f64; 2]>>,
+    ) -> FitEntry {
+        FitEntry { specular: Some(specular), any_f0: Some(any_f0), safe, ..self }
     }
 }
 

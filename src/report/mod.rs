@@ -26,6 +26,7 @@ pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
     AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
+    CouplingReciprocity,
 };
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,

@@ -25,6 +25,7 @@ pub use audit::{
 };
 pub use coupling::{
     AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
+    CouplingReciprocity,
 };
 pub use coupling_study::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,

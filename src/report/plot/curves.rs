@@ -226,17 +226,21 @@ impl Curves {
         Ok(())
     }
 
-    /// Texts beside the last points, pushed apart where lines end together.
+    /// Texts beside the last points, pushed apart where lines end together, and then in the order in which the lines run on the whole.
     fn draw_ends(&self, canvas: &Canvas, plan: &Plan) -> Result<(), ReportError> {
-        let mut ends: Vec<(f64, &str)> = Vec::new();
+        let mut ends: Vec<(f64, &str, f64)> = Vec::new();
         for s in &self.series {
             if let (Some(text), Some(&last)) = (&s.end, s.points.last()) {
-                ends.push((plan.pixel(last).1, text));
+                let sum: f64 = s.points.iter().map(|p| plan.pixel(*p).1).sum();
+                ends.push((plan.pixel(last).1, text, sum / s.points.len() as f64));
             }
         }
-        ends.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let lowest = ends.iter().map(|e| e.0).fold(f64::NEG_INFINITY, f64::max);
+        let meet = ends.iter().all(|e| lowest - e.0 < LINE);
+        let height = |end: &(f64, &str, f64)| if meet { end.2 } else { end.0 };
+        ends.sort_by(|a, b| height(b).total_cmp(&height(a)));
         let heights = apart(&ends.iter().map(|e| e.0).collect::<Vec<_>>(), plan.frame);
-        for ((_, text), at) in ends.iter().zip(heights) {
+        for ((_, text, _), at) in ends.iter().zip(heights) {
             canvas.text(text, (plan.frame.right + 6.0, at), SMALL, Align::Left, INK)?;
         }
         Ok(())
@@ -276,10 +280,12 @@ fn bars(canvas: &Canvas, ends: &[(f64, f64)], colour: RGBColor) -> Result<(), Re
     Ok(())
 }
 
+/// Height of a line of text.
+const LINE: f64 = 12.0;
+
 /// Heights of texts, from the bottom up, at least a line apart and within the frame as long as there is room, each as near as that
 /// allows to the height it is wanted at.
 fn apart(wanted: &[f64], frame: Frame) -> Vec<f64> {
-    const LINE: f64 = 12.0;
     let mut heights: Vec<f64> = Vec::with_capacity(wanted.len());
     for &y in wanted {
         let below = heights.last().map_or(f64::INFINITY, |last| last - LINE);
