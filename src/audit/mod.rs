@@ -208,6 +208,9 @@ fn of_two_lobes(
     let pins = Pins { meanings: columns.or(pins.meanings.clone()), ..pins.clone() };
     let last = Sample::new(table, live, LAST[class], false);
     let again = judge::rejudge(truth, &last, &pins, vec![candidate], 1)?;
+    if again.is_empty() {
+        return Ok(None);
+    }
     found.retain(|c| !again.iter().any(|a| a.like(c)));
     Ok(Some(([again, found].concat(), parts)))
 }

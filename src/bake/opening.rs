@@ -16,8 +16,11 @@ const NOTES: [Note; 9] = [
         &["_saturating"],
         &["`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel."],
     ),
-    (&["_lookup"], &["`*_lookup` is E from a table; `*_compensate_*` take it."]),
-    (&["ior"], &["ior is the index of refraction, inside over outside, for rays from either side."]),
+    (&["_lookup("], &["`*_lookup` is E from a table; `*_compensate_*` take it."]),
+    (
+        &["ior: f32", "float ior"],
+        &["ior is the index of refraction, inside over outside, for rays from either side."],
+    ),
     (
         &["anisotropy"],
         &[

@@ -167,7 +167,7 @@ const ITERATIONS: u64 = 800;
 /// The best coefficients, if they keep what they must; else the best of those that do.
 ///
 /// The starting values of such formulas are a fit's: a search from there alone ends where one from eight starts does (measured at f0 =
-/// 0.04 and over 0.02 to 0.2, on the five longest) in a third of the time. Where it ends nowhere the others are tried.
+/// 0.04 and over 0.02 to 0.2, on the five longest) in a third of the time. Where it ends nowhere the others are tried; where those do not either, the formula is not for this domain.
 fn keeping(
     hypothesis: &Hypothesis,
     norm: Norm,
@@ -175,18 +175,16 @@ fn keeping(
     domain: &Domain,
     keeps: &Keeps,
 ) -> Result<(Searched, Safe), FitStageError> {
-    let usual = Options { iterations: ITERATIONS, ..Options::new(norm) };
-    let alone = Options { starts: 1, ..usual };
-    let within = |constraints: &[Constraint]| {
-        let from = |options| searched_within(hypothesis, norm, (samples, constraints), domain, options);
-        from(&alone).or_else(|_| from(&usual))
+    let usual = Options::new(norm);
+    let alone = Options { starts: 1, iterations: ITERATIONS, ..usual };
+    let within = |constraints: &[Constraint], options| {
+        searched_within(hypothesis, norm, (samples, constraints), domain, options)
     };
-    if let Ok(free) = within(&[])
-        && let Kept::Proven(safe) = keeps.prove(hypothesis, &free.coefficients)?
-    {
+    let free = within(&[], &alone).or_else(|_| within(&[], &usual))?;
+    if let Kept::Proven(safe) = keeps.prove(hypothesis, &free.coefficients)? {
         return Ok((free, safe));
     }
-    let bound = within(&keeps.constraints(hypothesis))?;
+    let bound = within(&keeps.constraints(hypothesis), &alone)?;
     match keeps.prove(hypothesis, &bound.coefficients)? {
         Kept::Proven(safe) => Ok((bound, safe)),
         Kept::Unproven(reason) => {

@@ -88,7 +88,7 @@ pub fn floor() -> f32 {
 fn average_text(error: RuleError) -> String {
     format!(
         "its mean over the lights of a white environment, twice the integral of factor mu dmu, by Gauss's rule of\n\
-         four nodes: at most {} from the integral, measured over the certificate's roughness and all f0. A constant of\n\
+         four nodes: at most {} from the integral at 33 x 33 places of the certificate's roughness and all f0. A constant of\n\
          the material.",
         error.average
     )

@@ -124,10 +124,10 @@ pub enum FittingError {
 }
 
 impl FittingError {
-    /// Refuses a search's end at which some of the parameters are not determined. One that is no halt is told of as such.
+    /// Refuses a formula of which some parameters are determined nowhere. An end that is no halt is told of as such.
     fn of_rank(hypothesis: &Hypothesis, fitted: &Fitted) -> Result<(), FittingError> {
         let halted = fitted.termination.is_converged() || fitted.termination == Termination::Saddle;
-        if fitted.undetermined.is_empty() || !halted {
+        if !fitted.undetermined_everywhere || !halted {
             return Ok(());
         }
         let first = hypothesis.parameters().iter().find(|p| fitted.names_undetermined(&p.name));

@@ -112,6 +112,12 @@ pub(super) fn fit_one(
         fit.notes = vanished::notes(&fit.hypothesis, &fit.coefficients, &fit.fitted);
     }
     fit.problems = problems(&fit, job.limit);
+    if !job.allow_undetermined && !fit.fitted.undetermined.is_empty() && !fit.fitted.undetermined_everywhere {
+        fit.problems.push(format!(
+            "the search ended where {}, though elsewhere every parameter is determined: give other starting values, or a simpler formula",
+            fit.fitted.undetermined.join(" and ")
+        ));
+    }
     Ok(fit)
 }
 

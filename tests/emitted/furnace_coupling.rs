@@ -311,7 +311,7 @@ fn the_committed_combinations_keep_their_certificates() {
     assert!(found.excess > 0.01, "{}", found.at);
 }
 
-/// Whatever a shader hands them, factors are neither below 0 nor above 1 by more than their errors: where that is promised, which is
+/// Whatever a shader hands them, factors are neither below 0 nor above 1.06 and their errors: where that is promised, which is
 /// beyond the domain.
 #[test]
 fn no_factor_is_negative_where_that_is_promised() {

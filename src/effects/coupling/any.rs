@@ -23,7 +23,7 @@ pub struct AnyF0 {
 /// What is known of the error between the values of f0 at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Between {
-    /// It is a polynomial of degree 2 at most, whose largest value is found exactly: that is a bound for all f0.
+    /// At the values looked at it is a parabola to rounding, whose largest value is taken exactly.
     Bounded,
     /// It is looked at for so many values of f0.
     Sampled(usize),

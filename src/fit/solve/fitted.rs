@@ -158,6 +158,9 @@ pub struct Fitted {
     pub rank: usize,
     /// What is wrong with the others, in words that name the parameters: "`c` does not matter", ...
     pub undetermined: Vec<String>,
+    /// Whether the formula determines no more of them at any start of the search: the formula's fault, and not that of where the search
+    /// ended.
+    pub undetermined_everywhere: bool,
     /// The stages of the search that led here, in order.
     pub stages: Vec<Stage>,
     /// How the constraints hold, in the order given.

@@ -74,16 +74,17 @@ pub fn optimise(
         let found = route(&objective, bounds.as_mut(), &declared, options)?;
         if options.goal == Goal::Max { ties::settled(&objective, bounds.as_ref(), found) } else { found }
     };
-    finish(hypothesis, &objective, bounds.as_ref(), options.goal, found)
+    finish(hypothesis, &objective, bounds.as_ref(), options, found)
 }
 
 fn finish(
     hypothesis: &Hypothesis,
     objective: &Objective,
     bounds: Option<&Bounds>,
-    goal: Goal,
+    options: &Options,
     found: Route,
 ) -> Result<Fitted, FitError> {
+    let goal = options.goal;
     let Route { coefficients, termination, stages, evaluations, gap, bound } = found;
     round_to_f32(&coefficients).map_err(|error| named(hypothesis, error))?;
     let linear = objective.linearise(&coefficients).map_err(|_| route::refused(objective, &coefficients))?;
@@ -105,6 +106,7 @@ fn finish(
     };
     let steps = rank::in_steps(hypothesis.tape());
     let (rank, undetermined) = (triangle.rank(), rank::undetermined(&triangle, &names, &steps));
+    let undetermined_everywhere = !undetermined.is_empty() && nowhere_full(hypothesis, objective, options);
     let evaluations = evaluations + 1;
     let constraints = bounds.map_or(Ok(Vec::new()), |bounds| {
         let held = bounds.held(&coefficients)?;
@@ -122,10 +124,24 @@ fn finish(
         bound,
         rank,
         undetermined,
+        undetermined_everywhere,
         stages,
         constraints,
     })
 }
+
+/// Whether the samples determine fewer parameters than there are at every start that can be evaluated.
+fn nowhere_full(hypothesis: &Hypothesis, objective: &Objective, options: &Options) -> bool {
+    let declared = hypothesis.starts();
+    let mut starts = starts::starts(&declared, options.starts.max(STARTS), options.spread);
+    starts.extend(starts::turned(hypothesis.tape(), &declared));
+    let full =
+        |start: &Vec<f64>| objective.linearise(start).is_ok_and(|l| l.triangle.rank() == declared.len());
+    !starts.iter().any(full)
+}
+
+/// Starts at which the rank is looked at, at least: where a product is 0 a parameter in it does nothing.
+const STARTS: usize = 4;
 
 /// Largest and root mean square residual of a formula at its starting coefficients; none where it is not finite or a divisor
 /// changes sign among the samples.

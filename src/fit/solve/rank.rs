@@ -54,7 +54,9 @@ pub(super) fn in_steps(tape: &Tape) -> Vec<bool> {
 /// The sentence of a parameter without an effect, or without a derivative.
 pub(super) fn idle(name: &str, in_steps: bool) -> String {
     if in_steps {
-        return format!("`{name}` moves the formula in steps, if at all: its derivative is 0 everywhere");
+        return format!(
+            "`{name}` moves the formula in steps, if at all: its derivative is 0 at every sample"
+        );
     }
     format!("`{name}` does not matter")
 }

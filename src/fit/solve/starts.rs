@@ -69,7 +69,8 @@ fn is_exponent(op: &Op, place: usize) -> bool {
 fn is_curved(op: &Op, place: usize) -> bool {
     match op {
         Op::Unary(code, _) => *code != UnaryOp::Negate,
-        Op::Binary(BinaryOp::Pow | BinaryOp::Min | BinaryOp::Max, ..) => place == 0,
+        Op::Binary(BinaryOp::Pow, ..) => place == 0,
+        Op::Binary(BinaryOp::Min | BinaryOp::Max, ..) => true,
         _ => false,
     }
 }

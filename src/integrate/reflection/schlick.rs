@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_instruction_set_gives_the_same_bits() {
+    fn the_form_for_this_processor_gives_the_bits_of_the_plain_one() {
         let effort = &Effort::ladder()[0];
         for smith in [Smith::Correlated, Smith::Separable] {
             for (alpha, mu) in [(1e-4, 1.0), (0.01, 1e-3), (0.2, 0.3), (1.0, 0.9)] {

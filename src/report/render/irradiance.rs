@@ -12,7 +12,7 @@ use crate::optics::ggx::Vec3;
 const NODES: usize = 24;
 
 /// Radiance of a white Lambertian surface with the normal `normal`, of unit length: the mean of the incident light weighted by the cosine,
-/// L = 1/pi int L(l) max(n.l, 0) dl. Lamps in closed form, the sky by Gauss rules over its height: to 1e-9 relative.
+/// L = 1/pi int L(l) max(n.l, 0) dl. Lamps in closed form, the sky by Gauss rules over its height: to 1e-7 relative.
 pub fn diffuse_light(environment: &Environment, normal: Vec3) -> [f64; 3] {
     let lamps = environment.lamps.iter().map(|lamp| scaled(lamp.radiance, share(lamp, normal)));
     lamps.fold(sky(environment, normal), plus)
