@@ -237,6 +237,21 @@ pub enum FitError {
         /// The inputs of a sample beyond the pole, as seen from the first: `alpha = 0, mu = 0.5`.
         at: String,
     },
+    /// A formula has no finite value where a constraint asks for one.
+    #[error(
+        "{function}: its value under constraint `{constraint}` is {} at {at}; narrow the domain, or take the constraint away",
+        value_words(*value)
+    )]
+    Constrained {
+        /// Function's name.
+        function: String,
+        /// The constraint's name.
+        constraint: String,
+        /// Its value: not a number, or infinite.
+        value: f64,
+        /// The inputs there: `alpha = 0, mu = 0.5`.
+        at: String,
+    },
     /// The power of a p-norm is out of range.
     #[error(
         "the power of a p-norm is {power}: it must lie in 2 .. {largest}; the limit of large powers is the goal max"

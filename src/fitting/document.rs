@@ -150,6 +150,7 @@ fn solver(fit: &Certified) -> Value {
         "gap": gap.filter(|gap| gap.is_finite()),
         "bound": fitted.bound,
         "value": fitted.value,
+        "weighted": fit.weighted.map(|w| json!({"max": w.max, "rms": w.rms, "points": w.points})),
         "rank": fitted.rank,
         "undetermined": fitted.undetermined,
         "evaluations": fitted.evaluations,
@@ -190,7 +191,7 @@ pub(super) fn of_target(target: &Target) -> Vec<(String, String)> {
     let domain: Vec<String> =
         domain.iter().map(|(name, [low, high])| format!("{name} {low} to {high}")).collect();
     rows.push(("Domain".into(), domain.join(", ")));
-    rows.push(("Truth".into(), format!("within {:e}", target.truth_error())));
+    rows.push(("Truth".into(), format!("within {}", words::figure(target.truth_error()))));
     rows
 }
 
@@ -215,7 +216,7 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
         .map(|language| Ok((language.title().to_string(), printed::function(*language, job, fitting, fit)?)));
     Ok(FitCard {
         name: fit.approximation.name.clone(),
-        facts: facts(fit, job.weight.is_some()),
+        facts: facts(fit, job.weight.as_deref()),
         ops: fit.approximation.cost.ops,
         coefficients: parameters.map(|(p, value)| (p.name.clone(), p.start, *value)).collect(),
         certificates: certificates.collect(),
@@ -230,13 +231,14 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
     })
 }
 
-fn facts(fit: &Certified, weighted: bool) -> Vec<(String, String)> {
+fn facts(fit: &Certified, weight: Option<&str>) -> Vec<(String, String)> {
     let fitted = &fit.fitted;
-    let mut rows = vec![
-        ("Minimised".to_string(), words::minimised(fit.goal)),
-        ("Ended as".into(), words::end(fitted)),
-        ("Optimality".into(), words::optimality(fitted, weighted)),
-    ];
+    let minimised = words::minimised(fit.goal) + &words::weighted(weight, fit.goal);
+    let mut rows = vec![("Minimised".to_string(), minimised)];
+    let error = weight.zip(fit.weighted.as_ref());
+    rows.extend(error.map(|(weight, error)| ("Weighted error".into(), words::weighted_error(weight, error))));
+    rows.push(("Ended as".into(), words::end(fitted)));
+    rows.push(("Optimality".into(), words::optimality(fitted, weight.is_some())));
     let parameters = fitted.undetermined.iter().chain(&fit.notes);
     rows.extend(parameters.map(|text| ("Parameters".to_string(), text.clone())));
     rows.push(match &fit.proof {

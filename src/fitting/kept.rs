@@ -180,10 +180,12 @@ fn violations(constraint: &Constraint, tape: &Tape, coefficients: &[f64]) -> Res
         let values = tape.evaluate(points, coefficients)?;
         match values.iter().position(|v| !v.is_finite()) {
             None => Ok(values),
-            Some(index) => {
-                let column = format!("{}: value under constraint `{}`", tape.function(), constraint.name);
-                Err(FitError::NotFinite { column, index, value: values[index] })
-            }
+            Some(index) => Err(FitError::Constrained {
+                function: tape.function().into(),
+                constraint: constraint.name.clone(),
+                value: values[index],
+                at: at(tape, points, index),
+            }),
         }
     };
     let pairs = |low: Vec<f64>, high: &[f64]| -> Vec<f64> {
@@ -227,6 +229,11 @@ fn place(tape: &Tape, constraint: &Constraint, index: usize) -> String {
         | Condition::AtMost { points, .. } => points,
         Condition::Rising { from, .. } => from,
     };
+    at(tape, points, index)
+}
+
+/// The inputs of a point: `alpha = 0.5, mu = 1`.
+fn at(tape: &Tape, points: &[Vec<f64>], index: usize) -> String {
     let columns = tape.inputs().iter().zip(points);
     let at = columns.filter_map(|(name, x)| x.get(index).map(|x| format!("{name} = {}", *x as f32)));
     at.collect::<Vec<_>>().join(", ")

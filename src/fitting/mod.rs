@@ -18,13 +18,13 @@ mod words;
 pub use demands::Demand;
 pub use document::{document, files};
 pub use kept::Kept;
-pub use one::{Certified, Proof};
+pub use one::{Certified, Proof, Weighted};
 pub use perceptual::Perceptual;
 pub use summary::summary;
 
 use crate::effects::target::{Target, TargetError, TargetSpec};
 use crate::emit::code::{CodeError, Language};
-use crate::fit::{FitError, Goal, Hypothesis, Precision};
+use crate::fit::{FitError, Fitted, Goal, Hypothesis, Place, Precision, Termination};
 use crate::report::ReportError;
 
 /// What to fit, and how.
@@ -44,6 +44,8 @@ pub struct Job {
     pub precisions: Vec<Precision>,
     /// Starting points of the search.
     pub starts: usize,
+    /// Whether parameters that coincide or do not matter are told, and no error.
+    pub allow_undetermined: bool,
     /// Largest error that is accepted.
     pub limit: Option<f64>,
     /// Languages to print the code in.
@@ -79,6 +81,24 @@ pub enum FittingError {
         /// What is not finite and where, and the pole that was not excluded if there is one.
         reason: String,
     },
+    /// Parameters that coincide or do not matter: no values of them can be told from others.
+    #[error(
+        "{place}: {name}: {}: {rank} of {parameters} parameters determined (rank {rank}). Take parameters out of the formula, or put \
+         numbers in their place, until {rank} {} left; or have them told and no more, with --allow-undetermined",
+        told.join("; "), if *rank == 1 { "is" } else { "are" }
+    )]
+    Undetermined {
+        /// Where the first of them is declared.
+        place: Box<Place>,
+        /// The fit.
+        name: String,
+        /// Which parameters, in sentences.
+        told: Vec<String>,
+        /// Combinations of parameters that are determined.
+        rank: usize,
+        /// Number of parameters.
+        parameters: usize,
+    },
     /// A weight that is no expression of the inputs, or has a value that is no weight.
     #[error("weight `{expression}`: {reason}")]
     Weight {
@@ -104,6 +124,24 @@ pub enum FittingError {
 }
 
 impl FittingError {
+    /// Refuses a search's end at which some of the parameters are not determined. One that is no halt is told of as such.
+    fn of_rank(hypothesis: &Hypothesis, fitted: &Fitted) -> Result<(), FittingError> {
+        let halted = fitted.termination.is_converged() || fitted.termination == Termination::Saddle;
+        if fitted.undetermined.is_empty() || !halted {
+            return Ok(());
+        }
+        let first = hypothesis.parameters().iter().find(|p| fitted.names_undetermined(&p.name));
+        let place =
+            first.map_or_else(|| hypothesis.place_of_function(), |p| hypothesis.place_of_parameter(&p.name));
+        Err(FittingError::Undetermined {
+            place: Box::new(place),
+            name: hypothesis.name().into(),
+            told: fitted.undetermined.clone(),
+            rank: fitted.rank,
+            parameters: hypothesis.parameters().len(),
+        })
+    }
+
     /// The measurement that failed, and the proof if it failed before.
     fn uncertified(hypothesis: &Hypothesis, proof: &Proof, error: &FitError) -> FittingError {
         let reason = match proof {
@@ -117,8 +155,8 @@ impl FittingError {
 /// Fits the formula for every goal and certifies each fit.
 ///
 /// # Errors
-/// Bad input: an unknown input, a bad domain, a formula that is not finite on its samples, constraints that contradict one another; a
-/// formula that is not finite where it is measured in the main arithmetic ([`FittingError::Uncertified`]). A search that does not converge, a pole that cannot be excluded, and an error above the limit are no errors here: they are told
+/// Bad input: an unknown input, a bad domain, a formula that is not finite on its samples, constraints that contradict one another,
+/// parameters that coincide or do not matter, unless allowed ([`FittingError::Undetermined`]); a formula that is not finite where it is measured in the main arithmetic ([`FittingError::Uncertified`]). A search that does not converge, a pole that cannot be excluded, and an error above the limit are no errors here: they are told
 /// in [`Certified::problems`].
 pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
     let target = Target::new(&job.spec, &job.hypothesis)?;

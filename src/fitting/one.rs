@@ -21,6 +21,17 @@ pub enum Proof {
     NotProven(FitError),
 }
 
+/// What the weighted errors of a fit come to, at points that are spread evenly over the domain whatever the norm is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weighted {
+    /// Largest magnitude of weight times error.
+    pub max: f64,
+    /// Root of the mean square of weight times error.
+    pub rms: f64,
+    /// Number of points.
+    pub points: usize,
+}
+
 /// A fit with everything that is known of it.
 #[derive(Clone, Debug)]
 pub struct Certified {
@@ -34,6 +45,8 @@ pub struct Certified {
     pub fitted: Fitted,
     /// Coefficients rounded to f32.
     pub coefficients: Vec<f32>,
+    /// Its weighted errors, where errors were weighted.
+    pub weighted: Option<Weighted>,
     /// How the constraints hold, in the order of the demands.
     pub kept: Vec<Kept>,
     /// Whether it is finite everywhere.
@@ -63,8 +76,12 @@ pub(super) fn fit_one(
     let options = Options { starts: job.starts, ..Options::new(goal) };
     let finer = kept::finer(constraints, &job.demands, target, &hypothesis, measured)?;
     let found = obedient(&hypothesis, &samples, constraints, &finer, &options, &domain)?;
+    if !job.allow_undetermined {
+        FittingError::of_rank(&hypothesis, &found.fitted)?;
+    }
     let found = vanished::cleared(found, &hypothesis, &samples, &finer, &domain)?;
     let Obedient { fitted, coefficients, exact, kept } = found;
+    let weighted = weight.map(|weight| weighted(&hypothesis, &exact, target, weight)).transpose()?;
     let proof =
         prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
     let certificates: Vec<(Precision, Result<Certificate, FitError>)> = job
@@ -84,6 +101,7 @@ pub(super) fn fit_one(
         goal,
         fitted,
         coefficients,
+        weighted,
         kept,
         proof,
         certificates,
@@ -173,6 +191,19 @@ fn samples(
     Ok(sampled.samples(hypothesis.name(), hypothesis.inputs(), weights.as_deref())?)
 }
 
+fn weighted(
+    hypothesis: &Hypothesis,
+    coefficients: &[f64],
+    target: &Target,
+    weight: &Weight,
+) -> Result<Weighted, FittingError> {
+    let samples = samples(hypothesis, Goal::Rms, target, Some(weight))?;
+    let values = hypothesis.tape().evaluate(&samples.inputs, coefficients)?;
+    let errors = values.iter().zip(&samples.scale).zip(&samples.target).map(|((v, s), t)| v * s - t);
+    let (max, sum) = errors.fold((0.0_f64, 0.0), |(max, sum), e| (max.max(e.abs()), sum + e * e));
+    Ok(Weighted { max, rms: (sum / samples.len() as f64).sqrt(), points: samples.len() })
+}
+
 pub(super) fn approximation(
     hypothesis: &Hypothesis,
     coefficients: &[f32],
@@ -231,9 +262,12 @@ fn problems(fit: &Certified, limit: Option<f64>) -> Vec<String> {
     }
     for kept in fit.kept.iter().filter(|kept| !kept.is_kept()) {
         problems.push(format!(
-            "constraint `{}` is missed by {:.1e} at {}, more than rounding accounts for ({:.1e}); no constants were found that keep it \
+            "constraint `{}` is missed by {} at {}, more than rounding accounts for ({}); no constants were found that keep it \
              between the places that they are fitted to",
-            kept.held.name, kept.held.worst, kept.at, kept.held.tolerance
+            kept.held.name,
+            words::figure(kept.held.worst),
+            kept.at,
+            words::figure(kept.held.tolerance)
         ));
     }
     let error = fit.approximation.certificate.max_abs;

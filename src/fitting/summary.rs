@@ -37,8 +37,11 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
         target.alpha_map.name(),
         words.concat()
     ));
-    let weight = job.weight.as_ref().map_or(String::new(), |weight| format!(", weighted by {weight}"));
+    let weight = words::weighted(job.weight.as_deref(), fit.goal);
     line(format!("  minimised    {}{weight}", words::minimised(fit.goal)));
+    if let (Some(weight), Some(error)) = (&job.weight, &fit.weighted) {
+        line(format!("  weighted     {}", words::weighted_error(weight, error)));
+    }
     let converged = if fit.fitted.termination.is_converged() { "" } else { "NOT CONVERGED: " };
     line(format!("  ended        {converged}{}", words::end(&fit.fitted)));
     line(format!("  optimality   {}", words::optimality(&fit.fitted, job.weight.is_some())));

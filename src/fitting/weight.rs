@@ -22,7 +22,7 @@ pub(super) struct Expression {
 }
 
 /// The word for [`Perceptual`] in the place of an expression.
-const PERCEPTUAL: &str = "perceptual";
+pub(super) const PERCEPTUAL: &str = "perceptual";
 
 /// The input that it weighs by.
 const MU: &str = "mu";

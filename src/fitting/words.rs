@@ -1,6 +1,8 @@
 //! What a search did, in words.
 
 use super::Kept;
+use super::one::Weighted;
+use super::weight::PERCEPTUAL;
 use crate::data::Use;
 use crate::effects::target::Target;
 use crate::fit::{Fitted, Gap, Goal, Method, Stage, Termination};
@@ -12,6 +14,34 @@ pub(super) fn goal(goal: Goal) -> String {
         Goal::Rms => "rms".into(),
         Goal::Power(p) => format!("p={p}"),
     }
+}
+
+/// Two digits of a small number.
+pub(super) fn figure(x: f64) -> String {
+    if x == 0.0 { "0".into() } else { format!("{x:.1e}") }
+}
+
+/// `, weighted by mu`, or nothing; of `perceptual` what its norm has to be for the word to hold.
+pub(super) fn weighted(weight: Option<&str>, goal: Goal) -> String {
+    match weight {
+        None => String::new(),
+        Some(weight) if weight.trim() == PERCEPTUAL && goal != Goal::Rms => format!(
+            ", weighted by {weight} (the difference seen, which is a mean square, is least with --norm rms)"
+        ),
+        Some(weight) => format!(", weighted by {weight}"),
+    }
+}
+
+/// A fit's weighted error.
+pub(super) fn weighted_error(weight: &str, error: &Weighted) -> String {
+    let digits = crate::emit::header::short;
+    let of = if weight.trim() == PERCEPTUAL {
+        "weight times error: to first order the difference in lightness, 1 being that of a furnace's white that errs by 1"
+    } else {
+        "weight times error"
+    };
+    let Weighted { max, rms, points } = *error;
+    format!("rms {}, max {} of {of}; at {points} points, evenly spread", digits(rms), digits(max))
 }
 
 /// What a goal minimises.
@@ -59,12 +89,12 @@ fn within(end: Termination, first_order: bool) -> String {
 fn termination(termination: Termination) -> String {
     match termination {
         Termination::Converged { cosine } => {
-            format!("a minimum: residuals and derivatives are orthogonal within a cosine of {cosine:.1e}")
+            format!("a minimum: residuals and derivatives are orthogonal within a cosine of {}", figure(cosine))
         }
         Termination::Minimax => {
             "a minimum: no change near these coefficients lowers the largest error".into()
         }
-        Termination::GlobalMinimax => "the global minimum, by proof".into(),
+        Termination::GlobalMinimax => "the global minimum, by proof to rounding (its bounds are computed in f64)".into(),
         Termination::Constrained => {
             "on the edge of what the constraints allow: no step within them gains anything to first order (whether a saddle is not \
              looked at)"
@@ -73,7 +103,7 @@ fn termination(termination: Termination) -> String {
         Termination::ZeroResidual => "the formula reproduces the truth".into(),
         Termination::NoParameters => "the formula has no free parameter: nothing was fitted".into(),
         Termination::RankDeficient { rank: 0 } => {
-            "a minimum, but no combination of the parameters is determined".into()
+            "nothing was found: the derivative by every parameter is 0 at every sample".into()
         }
         Termination::RankDeficient { rank: 1 } => {
             "a minimum, but only one combination of the parameters is determined".into()
@@ -97,7 +127,7 @@ pub(super) fn optimality(fitted: &Fitted, weighted: bool) -> String {
     if matches!(fitted.termination, Termination::NoParameters | Termination::TooFewSamples) {
         return "none: nothing was searched for".into();
     }
-    let part = |gap: f64| format!("{:.1e} of the error", gap);
+    let part = |gap: f64| format!("{} of the error", figure(gap));
     match (fitted.gap, fitted.bound) {
         (Gap::Global(gap), Some(bound)) => {
             let kept = if fitted.constraints.is_empty() { "" } else { "the constraints and " };
@@ -123,7 +153,7 @@ pub(super) fn optimality(fitted: &Fitted, weighted: bool) -> String {
 /// How a constraint holds.
 pub(super) fn constraint(kept: &Kept) -> String {
     let held = &kept.held;
-    let missed = || format!("by at most {:.1e} (rounding allows {:.1e})", held.worst, held.tolerance);
+    let missed = || format!("by at most {} (rounding allows {})", figure(held.worst), figure(held.tolerance));
     match (kept.proven, kept.is_kept()) {
         (true, _) => format!("{}: proven over the whole domain", held.name),
         (false, true) => format!("{}: held at {} points, missed {}", held.name, held.points, missed()),
@@ -133,11 +163,11 @@ pub(super) fn constraint(kept: &Kept) -> String {
 
 /// One stage of the search, within constraints or not.
 pub(super) fn stage(stage: &Stage, constrained: bool) -> [String; 4] {
-    let figure = |x: f64| crate::emit::header::short(x);
+    let digits = crate::emit::header::short;
     [
         stage.method.name().into(),
-        within(stage.end, constrained && stage.method == Method::Programs),
-        figure(stage.max),
-        figure(stage.rms),
+        within(stage.end, constrained && matches!(stage.method, Method::Programs | Method::Ties)),
+        digits(stage.max),
+        digits(stage.rms),
     ]
 }

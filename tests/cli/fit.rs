@@ -160,7 +160,7 @@ fn the_same_bytes_for_any_number_of_threads() {
             .collect::<Vec<_>>()
     };
     let one = run("1");
-    assert!(one == run("2") && one == run("3"), "files differ");
+    assert!(one == run("3"), "files differ");
 }
 
 #[test]
@@ -249,14 +249,14 @@ fn standard_input_is_read() {
 fn a_search_gives_a_frontier_of_hypotheses() {
     let folder = tempfile::tempdir().expect("a folder");
     let search = |threads: &str| {
-        let options = ["--max-ops", "5", "--width", "6", "--threads", threads, "--out", threads, "--json"];
+        let options = ["--max-ops", "4", "--width", "4", "--threads", threads, "--out", threads, "--json"];
         let all = [&["fit", "--search"][..], &NORMALISATION, &options].concat();
         let output = lobefit(folder.path(), &all, b"");
         assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
         output.stdout
     };
     let one = search("1");
-    assert!(one == search("2") && one == search("3"), "the frontier depends on threads");
+    assert!(one == search("3"), "the frontier depends on threads");
     let document: Value = serde_json::from_slice(&one).expect("JSON");
     assert_eq!(document["anchor"], "1 at roughness = 0");
     let fits = document["fits"].as_array().expect("a list");
@@ -337,12 +337,24 @@ fn constraints_that_contradict_one_another_are_named() {
     assert!(said.contains("alpha = 0"), "{said}");
 }
 
-/// A formula with one parameter too many: a fit, and which parameter is told.
+/// A formula with one parameter too many: refused with the rank and the names; or a fit, and which parameters are told.
 #[test]
-fn parameters_that_coincide_are_told() {
+fn parameters_that_coincide_are_refused_or_told() {
     let folder = tempfile::tempdir().expect("a folder");
     let twice = "override a: f32 = 1.0;\noverride b: f32 = 1.0;\nfn twice(alpha: f32, mu: f32) -> f32 { return 1.0 + (a + b) * alpha * alpha * mu; }\n";
-    let output = fit(folder.path(), twice, &with(&["--json"]));
+    let output = fit(folder.path(), twice, &with(&["--out", "out"]));
+    let said = stderr(&output);
+    assert_eq!((output.status.code(), output.stdout.is_empty()), (Some(2), true), "{said}");
+    for words in [
+        "mine.wgsl:1:10: `a`: twice: `a` and `b` coincide",
+        "1 of 2 parameters determined (rank 1)",
+        "--allow-undetermined",
+    ] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let written = folder.path().join("out").read_dir().map_or(0, Iterator::count);
+    assert_eq!(written, 0, "something was written");
+    let output = fit(folder.path(), twice, &with(&["--json", "--allow-undetermined"]));
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let fit = first(&output);
     assert_eq!(fit["solver"]["rank"], 1, "{fit}");
@@ -384,7 +396,7 @@ fn other_files_of_the_folder_are_left_alone() {
 #[test]
 fn a_search_without_an_anchor_has_a_constant_on_its_frontier() {
     let folder = tempfile::tempdir().expect("a folder");
-    let options = ["fit", "--search", "--to", "sheen-charlie", "--max-ops", "3", "--width", "4"];
+    let options = ["fit", "--search", "--to", "sheen-charlie", "--max-ops", "2", "--width", "2", "--helpers", "none"];
     let output = lobefit(folder.path(), &[&options[..], &["--out", "out", "--json"]].concat(), b"");
     assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
     let document = json(&output);

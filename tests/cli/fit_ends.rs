@@ -143,11 +143,70 @@ fn a_parameter_that_does_not_matter_is_told_of_once() {
     let folder = tempfile::tempdir().expect("a folder");
     let source = "override a: f32 = 0.5;\noverride b: f32 = 0.1;\noverride k: f32 = 0.0;\n\
         fn mine(alpha: f32, mu: f32) -> f32 { return a * alpha + b * mu + 0.0 * k; }\n";
-    let output = fit(folder.path(), source, &["--to", "ggx-reflection:E"]);
+    let output = fit(folder.path(), source, &["--to", "ggx-reflection:E", "--allow-undetermined"]);
     let text = stdout(&output);
     let told: Vec<&str> =
         text.lines().filter(|line| line.starts_with("  parameters") && line.contains("`k`")).collect();
     assert_eq!(told, ["  parameters   `k` does not matter"], "{text}");
+}
+
+/// A step has no derivative to follow: that is said of it, and not that what it stands at is a minimum.
+#[test]
+fn a_parameter_without_a_derivative_is_told_as_such() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "// fn mine(gamma)\noverride a: f32 = 1.0;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + alpha * mu + 1e-5 * floor(a); }\n";
+    let output = fit(folder.path(), source, &["--to", "ggx-reflection:E"]);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    for words in ["mine.wgsl:2:10", "`a` moves the formula in steps", "0 of 1 parameters determined (rank 0)"]
+    {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let normalisation = ["--to", "ggx-reflection:E", "--use", "normalisation", "--allow-undetermined"];
+    let text = stdout(&fit(folder.path(), source, &normalisation));
+    assert!(!text.contains("a minimum") && text.contains("derivative by every parameter is 0"), "{text}");
+    let renamed = source.replace("mu", "nv");
+    let said = stderr(&fit(folder.path(), &renamed, &["--to", "ggx-reflection:E"]));
+    assert!(said.contains("mine.wgsl:3:21: argument `nv` is not one of"), "{said}");
+}
+
+/// Which norm a weight is taken in is told where it is not the one of its name, and what was minimised is.
+#[test]
+fn a_perceptual_weight_tells_its_norm_and_its_error() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source =
+        "override a: f32 = 0.5;\nfn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + a * alpha * mu; }\n";
+    let options = ["--to", "ggx-reflection:E", "--use", "normalisation", "--weight", "perceptual"];
+    let told = |more: &[&str]| stdout(&fit(folder.path(), source, &[&options[..], more].concat()));
+    let (largest, square) = (told(&[]), told(&["--norm", "rms"]));
+    let hint = "is least with --norm rms";
+    assert!(
+        largest.contains("the largest error, weighted by perceptual") && largest.contains(hint),
+        "{largest}"
+    );
+    assert!(
+        square.contains("mean square error, weighted by perceptual") && !square.contains(hint),
+        "{square}"
+    );
+    let rms = |text: &str| -> f64 {
+        let line = text.lines().find(|line| line.starts_with("  weighted ")).expect("the weighted error");
+        let figure = line.split_once("rms ").and_then(|(_, rest)| rest.split(',').next());
+        figure.and_then(|figure| figure.parse().ok()).expect("a number")
+    };
+    assert!(rms(&square) > 0.0 && rms(&square) < rms(&largest), "{square} {largest}");
+}
+
+/// Exponents are declared positive and come out negative: their signs are tried.
+#[test]
+fn the_sign_of_an_exponent_is_found() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override c: f32 = 1.0;\noverride p: f32 = 1.0;\noverride q: f32 = 1.0;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + c * pow(alpha, p) * pow(mu, q); }\n";
+    let output = fit(folder.path(), source, &["--to", "sheen-charlie", "--json"]);
+    let document: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    let max = document["fits"][0]["certificate"]["max_abs"].as_f64().expect("a number");
+    assert!(max < 1.5, "{max}");
 }
 
 #[test]

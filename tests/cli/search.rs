@@ -57,6 +57,20 @@ fn coupling_factors_are_searched_for_every_specular() {
     }
 }
 
+/// Cloth has no shadowing form, and none is named.
+#[test]
+fn what_a_quantity_does_not_have_is_not_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let arguments =
+        ["fit", "--search", "--to", "sheen-charlie", "--max-ops", "1", "--width", "1", "--helpers", "none"];
+    let output = lobefit(folder.path(), &arguments, b"");
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        text.starts_with("sheen-charlie E as value, alpha = roughness^2") && !text.contains("smith"),
+        "{text}"
+    );
+}
+
 #[test]
 fn what_formulas_of_f0_cannot_keep_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");

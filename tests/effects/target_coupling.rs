@@ -66,6 +66,7 @@ fn a_p_norm_with_a_weight_of_f0_is_taken_over_all_f0() {
         demands: Vec::new(),
         precisions: vec![Precision::F32],
         starts: 4,
+        allow_undetermined: true,
         limit: None,
         languages: Vec::new(),
         command: String::new(),

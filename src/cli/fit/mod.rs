@@ -32,6 +32,7 @@ search starts; its arguments are inputs by name:
 Inputs: roughness and the alpha that follows from it, mu, ior, alpha_x, alpha_y, phi, f0, as the quantity has them.
 Uses: value (the column itself); normalisation (N with E N = 1, error |E N - 1|); f0-blend (f0 A + B, argument f0); coupling (the
 factor of diffuse-coupling).
+Parameters that coincide or do not matter are an error (exit code 2, with the rank), or told of with --allow-undetermined.
 Where the formula has a divisor, the fit is proven to keep its sign over the whole domain; without the proof the exit code is 1.
 
 With --search no formula is given: forms of the inputs (quotients of sums of powers) are searched for the most accurate one of every

@@ -27,7 +27,7 @@ pub(in crate::cli) struct Options {
     #[arg(required_unless_present = "search", conflicts_with = "search")]
     pub hypothesis: Option<PathBuf>,
     /// Search for formulas instead of fitting one
-    #[arg(long, requires = "max_ops", conflicts_with_all = ["norm", "weight", "range", "rising", "falling", "precision", "starts", "language"])]
+    #[arg(long, requires = "max_ops", conflicts_with_all = ["norm", "weight", "range", "rising", "falling", "precision", "starts", "allow_undetermined", "language"])]
     pub search: bool,
     /// Most operations of a formula (--search only), 1 to 64
     #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u32).range(1..=64))]
@@ -87,6 +87,9 @@ pub(in crate::cli) struct Options {
     /// Starting points of the search, 1 to 1024
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), default_value_t = STARTS)]
     pub starts: u16,
+    /// Accept parameters that coincide or do not matter, and tell which; without it they are an error
+    #[arg(long)]
+    pub allow_undetermined: bool,
     /// Largest error of the main certificate; above it the exit code is 1
     #[arg(long, value_name = "E", value_parser = positive)]
     pub limit: Option<f64>,
@@ -135,6 +138,7 @@ impl Options {
             demands: self.demands(),
             precisions: once(&self.precision),
             starts: usize::from(self.starts),
+            allow_undetermined: self.allow_undetermined,
             limit: self.limit,
             languages: if self.language.is_empty() { Language::ALL.to_vec() } else { once(&self.language) },
             command: self.command(),
@@ -239,6 +243,9 @@ impl Options {
         }
         if self.starts != STARTS {
             push("--starts ", self.starts.to_string());
+        }
+        if self.allow_undetermined {
+            push("--allow-undetermined", String::new());
         }
         self.limit.iter().for_each(|l| push("--limit ", l.to_string()));
         let languages: Vec<&str> = once(&self.language).iter().map(|l| l.name()).collect();

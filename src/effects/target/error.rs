@@ -1,6 +1,6 @@
 //! What can be wrong with a target.
 
-use crate::fit::FitError;
+use crate::fit::{FitError, Place};
 use crate::integrate::IntegrateError;
 
 /// A target that makes no sense, or whose truth cannot be had.
@@ -66,18 +66,18 @@ pub enum TargetError {
         reason: String,
     },
     /// The formula has no argument.
-    #[error("{file}: the function has no argument; name one or more of {known}")]
+    #[error("{place}: the function has no argument; name one or more of {known}")]
     NoInputs {
-        /// The formula's file.
-        file: String,
+        /// The formula's function.
+        place: Box<Place>,
         /// The inputs there are.
         known: String,
     },
     /// The formula asks for an input that the target does not have.
-    #[error("{file}: argument `{input}` is not one of {known}")]
+    #[error("{}:{}:{}: argument `{input}` is not one of {known}", place.file, place.line, place.column)]
     Argument {
-        /// The formula's file.
-        file: String,
+        /// Where it is declared.
+        place: Box<Place>,
         /// The argument.
         input: String,
         /// The inputs there are.

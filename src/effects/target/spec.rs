@@ -200,15 +200,16 @@ impl Target {
             );
             return Err(TargetError::Word { input: input.clone(), reason });
         }
-        let file = || formula.file().to_string();
         if formula.inputs().is_empty() {
-            return Err(TargetError::NoInputs { file: file(), known: listed });
+            let place = Box::new(formula.place_of_function());
+            return Err(TargetError::NoInputs { place, known: listed });
         }
         match formula.inputs().iter().find(|input| !known.contains(input)) {
             None => Ok(()),
             Some(input) => {
                 let known = format!("{listed}; rename it in the formula");
-                Err(TargetError::Argument { file: file(), input: input.clone(), known })
+                let place = Box::new(formula.place_of_argument(input));
+                Err(TargetError::Argument { place, input: input.clone(), known })
             }
         }
     }

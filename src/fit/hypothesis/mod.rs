@@ -10,6 +10,7 @@ mod branch;
 mod declare;
 mod expression;
 mod lower;
+mod places;
 mod size;
 mod specialise;
 mod syntax;

@@ -44,7 +44,7 @@ pub struct Progress {
     pub sweeps: usize,
     /// Cost whose forms have been built upon.
     pub ops: u32,
-    /// Highest cost.
+    /// Highest cost, of forms on the way too.
     pub max_ops: u32,
     /// Forms tried so far.
     pub forms: u64,
@@ -86,6 +86,12 @@ pub fn search(
     finish::best(found, &space.name, space.max_ops)
 }
 
+/// Operations beyond the budget that forms may have on their way, and the budget from which on they have none: good forms are often
+/// found by taking something away from a dearer one. Of the factors of the furnace, 13 operations reach 0.0218 without and 0.0198 with
+/// two more; from 16 on the search is wide enough, and slow.
+const BEYOND: u32 = 2;
+const WIDE: u32 = 16;
+
 /// The best forms of every cost.
 fn solved(
     space: &Space,
@@ -93,13 +99,18 @@ fn solved(
     progress: &dyn Fn(&Progress),
 ) -> Result<Vec<Found>, FitError> {
     let ranked = samples.ranked();
+    let reach = space.max_ops.max(WIDE.min(space.max_ops + BEYOND));
+    let wide = Space { max_ops: reach, ..space.clone() };
+    let levels = |ranked: &SearchSamples| {
+        let mut levels = beam::Beam::new(&wide, score::Data::new(&wide, ranked)).run(progress);
+        levels.truncate(1 + space.max_ops as usize);
+        levels
+    };
     let Some(link) = space.link else {
-        let beam = beam::Beam::new(space, score::Data::new(space, &ranked));
-        return finish::solved(space, samples, samples, beam.run(progress));
+        return finish::solved(space, samples, samples, levels(&ranked));
     };
     let (Some(ranked), Some(linked)) = (link.linked(&ranked), link.linked(samples)) else {
         return Ok(Vec::new());
     };
-    let beam = beam::Beam::new(space, score::Data::new(space, &ranked));
-    finish::solved(space, &linked, samples, beam.run(progress))
+    finish::solved(space, &linked, samples, levels(&ranked))
 }

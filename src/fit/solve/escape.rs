@@ -191,7 +191,7 @@ fn tangent(linear: &Linear) -> Vec<Vec<f64>> {
 }
 
 /// An orthonormal basis of what a matrix maps to less than this part of its largest singular value, columns times `scale`.
-fn kernel(matrix: &DMatrix<f64>, part: f64, scale: &[f64]) -> Vec<Vec<f64>> {
+pub(super) fn kernel(matrix: &DMatrix<f64>, part: f64, scale: &[f64]) -> Vec<Vec<f64>> {
     let svd = matrix.clone().svd(false, true);
     let top = svd.singular_values.iter().copied().fold(0.0, f64::max);
     let Some(v) = svd.v_t else { return Vec::new() };

@@ -75,16 +75,21 @@ impl Gap {
 }
 
 impl Fitted {
-    /// Whether [`Fitted::undetermined`] says of this parameter that it does not matter.
+    /// Whether [`Fitted::undetermined`] says of this parameter that it does not matter, or has no derivative.
     pub fn is_idle(&self, parameter: &str) -> bool {
-        self.undetermined.contains(&rank::idle(parameter))
+        [false, true].iter().any(|in_steps| self.undetermined.contains(&rank::idle(parameter, *in_steps)))
+    }
+
+    /// Whether [`Fitted::undetermined`] names this parameter.
+    pub fn names_undetermined(&self, parameter: &str) -> bool {
+        let quoted = format!("`{parameter}`");
+        self.undetermined.iter().any(|sentence| sentence.contains(&quoted))
     }
 
     /// Whether the coefficients are where no step within the constraints gains anything to first order: whether that is a minimum or
     /// a saddle is not looked at.
     pub fn is_first_order(&self) -> bool {
-        !self.constraints.is_empty()
-            && self.stages.last().is_some_and(|stage| stage.method == Method::Programs)
+        !self.constraints.is_empty() && self.stages.iter().any(|stage| stage.method == Method::Programs)
     }
 }
 
@@ -98,6 +103,8 @@ pub enum Method {
     Power(f64),
     /// Linear programs in a trust region, or quadratic ones where the goal is not the maximum and there are constraints.
     Programs,
+    /// Quadratic programs: of coefficients with one largest residual, those of the least mean square.
+    Ties,
     /// Differential correction: linear programs whose solution is the best of all coefficients.
     DifferentialCorrection,
 }
@@ -109,6 +116,7 @@ impl Method {
             Method::LeastSquares => "least squares",
             Method::Power(_) => "p-norm",
             Method::Programs => "sequential programs",
+            Method::Ties => "least squares among ties",
             Method::DifferentialCorrection => "differential correction",
         }
     }
@@ -146,7 +154,7 @@ pub struct Fitted {
     pub gap: Gap,
     /// No coefficients bring the largest residual on these samples below this, by proof; none where nothing is proven.
     pub bound: Option<f64>,
-    /// Combinations of parameters that the samples determine.
+    /// Combinations of parameters that the samples, and the constraints, determine.
     pub rank: usize,
     /// What is wrong with the others, in words that name the parameters: "`c` does not matter", ...
     pub undetermined: Vec<String>,

@@ -8,6 +8,7 @@ mod descent;
 mod escape;
 mod fitted;
 mod global;
+mod inside;
 mod levenberg;
 mod objective;
 mod options;
@@ -19,6 +20,7 @@ mod reduce;
 mod route;
 mod samples;
 mod starts;
+mod ties;
 
 pub use crate::data::Norm;
 pub use constraint::{Condition, Constraint};
@@ -69,7 +71,8 @@ pub fn optimise(
     } else if samples.len() < declared.len() {
         Route::unmoved(declared, Termination::TooFewSamples)
     } else {
-        route(&objective, bounds.as_mut(), &declared, options)?
+        let found = route(&objective, bounds.as_mut(), &declared, options)?;
+        if options.goal == Goal::Max { ties::settled(&objective, bounds.as_ref(), found) } else { found }
     };
     finish(hypothesis, &objective, bounds.as_ref(), options.goal, found)
 }
@@ -91,7 +94,17 @@ fn finish(
         Goal::Power(p) => PNorm(p).of(&linear.residuals),
     };
     let names: Vec<String> = hypothesis.parameters().iter().map(|p| p.name.clone()).collect();
-    let (rank, undetermined) = (linear.triangle.rank(), rank::undetermined(&linear.triangle, &names));
+    let triangle = match bounds {
+        // What only a constraint sees is determined by it.
+        Some(bounds) => {
+            let bounds =
+                bounds.linearise(&coefficients).map_err(|_| route::refused(objective, &coefficients))?;
+            program::joined(&linear, &bounds)
+        }
+        None => linear.triangle,
+    };
+    let steps = rank::in_steps(hypothesis.tape());
+    let (rank, undetermined) = (triangle.rank(), rank::undetermined(&triangle, &names, &steps));
     let evaluations = evaluations + 1;
     let constraints = bounds.map_or(Ok(Vec::new()), |bounds| {
         let held = bounds.held(&coefficients)?;

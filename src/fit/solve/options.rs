@@ -56,7 +56,8 @@ impl Goal {
 pub struct Options {
     /// What to minimise.
     pub goal: Goal,
-    /// Number of starting points, the declared one included.
+    /// Number of starting points, the declared one included. Where there are several, the declared one with signs of exponents and of
+    /// other parameters inside curved functions turned comes on top.
     pub starts: usize,
     /// Half width of the box of starting points: this part of each start's magnitude, or of 1 if that is larger.
     pub spread: f64,

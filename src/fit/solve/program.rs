@@ -241,7 +241,7 @@ impl Lines {
 }
 
 /// r + J d
-fn moved(linear: &Linear, step: &[f64]) -> Vec<f64> {
+pub(super) fn moved(linear: &Linear, step: &[f64]) -> Vec<f64> {
     let n = step.len();
     let row = |i: usize| &linear.jacobian[i * n..(i + 1) * n];
     let residuals = linear.residuals.iter().enumerate();
@@ -249,7 +249,7 @@ fn moved(linear: &Linear, step: &[f64]) -> Vec<f64> {
 }
 
 /// The triangle of the residuals' and the constraints' rows, both of equal weight however many they are.
-fn joined(linear: &Linear, bounds: &LinearBounds) -> Triangle {
+pub(super) fn joined(linear: &Linear, bounds: &LinearBounds) -> Triangle {
     let n = linear.triangle.r.ncols();
     let root = (linear.residuals.len() as f64 / bounds.values.len() as f64).sqrt();
     let mut jacobian: Vec<f64> = linear.triangle.r.transpose().iter().copied().collect();
@@ -261,7 +261,7 @@ fn joined(linear: &Linear, bounds: &LinearBounds) -> Triangle {
 
 /// d = basis z such that J basis has orthonormal columns, without the directions that J does not see: R = U S V^T
 /// (columns scaled to length 1) gives basis = D V S^-1.
-fn basis(triangle: &Triangle) -> DMatrix<f64> {
+pub(super) fn basis(triangle: &Triangle) -> DMatrix<f64> {
     let n = triangle.r.ncols();
     let norms = triangle.column_norms();
     let svd = triangle.scaled().svd(false, true);
@@ -275,7 +275,7 @@ fn basis(triangle: &Triangle) -> DMatrix<f64> {
 }
 
 /// The largest residual of each of `pieces` runs of samples, and the largest of all: rows spread over the samples.
-fn peaks(residuals: &[f64], pieces: usize) -> Vec<usize> {
+pub(super) fn peaks(residuals: &[f64], pieces: usize) -> Vec<usize> {
     let length = residuals.len().div_ceil(pieces.max(1)).max(1);
     let mut rows: Vec<usize> = Vec::new();
     for (piece, run) in residuals.chunks(length).enumerate() {

@@ -2,7 +2,10 @@
 
 use nalgebra::DMatrix;
 
+use super::inside::inside;
 use super::reduce::{RANK_TOLERANCE, Triangle};
+use crate::fit::Tape;
+use crate::fit::tape::{BinaryOp, Op, UnaryOp};
 
 /// A parameter takes part in an undetermined combination if more than this of its axis lies in the null space. Rounding leaves
 /// some 1e-8 (the square of it is compared) where a singular value is at its tolerance.
@@ -11,7 +14,8 @@ const PART: f64 = 1e-6;
 /// One sentence for each parameter that does not matter and each set of parameters that coincide; none if all are determined.
 ///
 /// Decided at the coefficients found: at a = 0, the b of a exp(b x) does not matter.
-pub(super) fn undetermined(triangle: &Triangle, names: &[String]) -> Vec<String> {
+/// `steps`: of [`in_steps`].
+pub(super) fn undetermined(triangle: &Triangle, names: &[String], steps: &[bool]) -> Vec<String> {
     let n = triangle.r.ncols();
     if n == 0 {
         return Vec::new();
@@ -33,19 +37,31 @@ pub(super) fn undetermined(triangle: &Triangle, names: &[String]) -> Vec<String>
             group.extend(linked);
         }
         group.sort_unstable();
-        sentences.push(sentence(&group, names));
+        sentences.push(sentence(&group, names, steps));
     }
     sentences
 }
 
-/// The sentence of a parameter without an effect.
-pub(super) fn idle(name: &str) -> String {
+/// Which parameters move the formula through operations whose derivative is 0 wherever it has one.
+pub(super) fn in_steps(tape: &Tape) -> Vec<bool> {
+    use BinaryOp::{Equal, Less, LessEqual};
+    let step = |op: &Op, _| {
+        matches!(op, Op::Unary(UnaryOp::Floor | UnaryOp::Sign, _) | Op::Binary(Less | LessEqual | Equal, ..))
+    };
+    inside(tape, step)
+}
+
+/// The sentence of a parameter without an effect, or without a derivative.
+pub(super) fn idle(name: &str, in_steps: bool) -> String {
+    if in_steps {
+        return format!("`{name}` moves the formula in steps, if at all: its derivative is 0 everywhere");
+    }
     format!("`{name}` does not matter")
 }
 
-fn sentence(group: &[usize], names: &[String]) -> String {
+fn sentence(group: &[usize], names: &[String], steps: &[bool]) -> String {
     if let [only] = group {
-        return idle(&names[*only]);
+        return idle(&names[*only], steps[*only]);
     }
     let quoted: Vec<String> = group.iter().map(|&i| format!("`{}`", names[i])).collect();
     match quoted.split_last() {

@@ -13,7 +13,7 @@ use super::objective::Objective;
 use super::options::{Goal, Options};
 use super::power::PNorm;
 use super::samples::digits;
-use super::starts::starts;
+use super::starts::{starts, turned};
 use crate::fit::FitError;
 
 /// Samples that the first search from each start sees; the best then see all.
@@ -93,7 +93,10 @@ fn proven(
 
 /// Least-squares searches from all starts: on a subset first, the best carried on; best first.
 fn searches(objective: &Objective, declared: &[f64], options: &Options) -> Result<Vec<Search>, FitError> {
-    let starts = starts(declared, options.starts, options.spread);
+    let mut starts = starts(declared, options.starts, options.spread);
+    if options.starts > 1 {
+        starts.extend(turned(objective.tape, declared));
+    }
     let coarse = objective.samples.subset(COARSE.max(8 * declared.len()));
     let rough = Objective::new(objective.tape, &coarse)?;
     let first = run(&rough, &starts, options.iterations)?;

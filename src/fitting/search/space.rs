@@ -158,7 +158,8 @@ pub(super) fn title(target: &Target) -> String {
         _ => format!("{} of {}", target.column, target.quantity.name),
     };
     let words: Vec<String> = target.words.iter().map(|(k, v)| format!(", {k} {v}")).collect();
-    format!("{what}{}, smith {}, alpha = {}.", words.concat(), target.smith.name(), target.alpha_map.name())
+    let smith = crate::fitting::words::smith(target);
+    format!("{what}{}{smith}, alpha = {}.", words.concat(), target.alpha_map.name())
 }
 
 /// The samples, one column per axis with a range.

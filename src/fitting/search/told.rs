@@ -9,9 +9,9 @@ use crate::data::Approximation;
 use crate::emit::header::{place, short};
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
 use crate::fit::Goal;
-use crate::fitting::FittingError;
 use crate::fitting::document::{TOOL, as_object, hash, of_target};
 use crate::fitting::one::approximation;
+use crate::fitting::{FittingError, words};
 use crate::report::{self, Dot, Origin, SearchPage, SearchRow};
 use crate::store::Files;
 
@@ -19,11 +19,11 @@ use crate::store::Files;
 pub fn summary(searched: &Searched) -> String {
     let target = &searched.target;
     let mut out = format!(
-        "{} {} as {}, smith {}, alpha = {}: {} forms on the frontier{}\n  {:>5}  {:>10}  {:>10}  worst at\n",
+        "{} {} as {}{}, alpha = {}: {} forms on the frontier{}\n  {:>5}  {:>10}  {:>10}  worst at\n",
         target.quantity.name,
         target.column,
         target.used_as.name(),
-        target.smith.name(),
+        words::smith(target),
         target.alpha_map.name(),
         searched.points.len(),
         if searched.anchor.is_empty() {

@@ -167,6 +167,7 @@ fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Fac
         demands: Vec::new(),
         precisions: vec![Precision::F32],
         starts: STARTS,
+        allow_undetermined: true,
         limit: None,
         languages: Vec::new(),
         command: String::new(),
