@@ -396,7 +396,8 @@ fn other_files_of_the_folder_are_left_alone() {
 #[test]
 fn a_search_without_an_anchor_has_a_constant_on_its_frontier() {
     let folder = tempfile::tempdir().expect("a folder");
-    let options = ["fit", "--search", "--to", "sheen-charlie", "--max-ops", "2", "--width", "2", "--helpers", "none"];
+    let options =
+        ["fit", "--search", "--to", "sheen-charlie", "--max-ops", "2", "--width", "2", "--helpers", "none"];
     let output = lobefit(folder.path(), &[&options[..], &["--out", "out", "--json"]].concat(), b"");
     assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
     let document = json(&output);
