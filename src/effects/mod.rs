@@ -8,6 +8,7 @@ mod deviation;
 mod entry;
 mod fitted;
 pub mod glass;
+pub mod parallax;
 mod quantity;
 pub mod reflection;
 pub mod sheen;

@@ -82,6 +82,10 @@ const SPECULAR: Input = Input {
     optional: false,
 };
 
+/// The lobe that a chain is prefiltered with; without it, the half-angle lobe weighted by the cosine.
+const KERNEL: Input =
+    Input { name: "kernel", values: Values::Words(&["ndf", "half", "half-cosine"]), optional: true };
+
 /// Every quantity of this version.
 pub static QUANTITIES: [Quantity; 7] = [
     Quantity { name: "ggx-reflection", inputs: &[ALPHA, MU], outputs: &["E", "A", "B", "loss", "error"] },
@@ -108,7 +112,7 @@ pub static QUANTITIES: [Quantity; 7] = [
     },
     Quantity {
         name: "parallax-alpha",
-        inputs: &[ALPHA, number("rho", footprint::RHO[0], footprint::RHO[1])],
+        inputs: &[ALPHA, number("rho", footprint::RHO[0], footprint::RHO[1]), KERNEL],
         outputs: &["alpha_adjusted", "tv", "saturated", "error"],
     },
 ];
@@ -206,7 +210,7 @@ impl Quantity {
                 vec![v.value, v.error]
             }
             "parallax-alpha" => {
-                let v = footprint::adjusted(Kernel::HalfCosine, x[0], x[1], tolerance)?;
+                let v = footprint::adjusted(kernel(x[2]), x[0], x[1], tolerance)?;
                 vec![v.alpha, v.tv, f64::from(u8::from(v.saturated)), v.error]
             }
             _ => {
@@ -260,6 +264,11 @@ fn given(x: f64) -> Option<f64> {
 /// The side of a word's index.
 fn side(index: f64) -> Side {
     if index == 0.0 { Side::Outside } else { Side::Inside }
+}
+
+/// The lobe of a word's index.
+fn kernel(index: f64) -> Kernel {
+    given(index).map_or(Kernel::default(), |index| Kernel::ALL[index as usize])
 }
 
 /// The specular lobe of a word's index.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::TargetError;
 use super::affine::affine_in;
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::{Quantity, Values};
+use crate::effects::{Input, Quantity, Values};
 use crate::fit::{Domain, FitError, Hypothesis};
 use crate::math::ops;
 
@@ -148,7 +148,7 @@ impl Target {
         };
         for input in spec.quantity.inputs {
             let given = match input.values {
-                Values::Words(words) => target.word(spec, input.name, words)?,
+                Values::Words(words) => target.word(spec, input, words)?,
                 Values::Numbers { min, max } => {
                     let wanted = spec.domain.contains_key(input.name) || takes(formula, input.name);
                     if input.optional && !wanted {
@@ -169,10 +169,14 @@ impl Target {
         Ok(target)
     }
 
-    fn word(&mut self, spec: &TargetSpec, input: &str, words: &[&str]) -> Result<Given, TargetError> {
+    fn word(&mut self, spec: &TargetSpec, input: &Input, words: &[&str]) -> Result<Given, TargetError> {
+        let (optional, input) = (input.optional, input.name);
         let refuse = |reason: String| TargetError::Word { input: input.into(), reason };
         let known = words.join(", ");
         let given = spec.words.get(input);
+        if optional && given.is_none() {
+            return Ok(Given::Constant(f64::NAN));
+        }
         let given = given.ok_or_else(|| {
             let [quantity, first] = [spec.quantity.name, words.first().copied().unwrap_or_default()];
             refuse(format!("{quantity} is asked for at one of {known}; say which, as --fix {input}={first}"))

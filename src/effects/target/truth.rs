@@ -154,12 +154,20 @@ impl Target {
         Ok(alpha.par_iter().map(|a| truth(f64::from(*a))).collect())
     }
 
+    /// The lobe that a chain is prefiltered with.
+    pub fn kernel(&self) -> Kernel {
+        let word = self.words.get("kernel");
+        let named = |kernel: &Kernel| word.is_some_and(|word| word == kernel.name());
+        Kernel::ALL.into_iter().find(named).unwrap_or_default()
+    }
+
     /// Best widths, and whether they are saturated.
     fn adjusted(&self, points: &Points) -> Result<Vec<(f64, bool)>, TargetError> {
         let [alpha, rho] = ["alpha", "rho"].map(|name| points.column(name).unwrap_or_default());
+        let kernel = self.kernel();
         let one = |(alpha, rho): (&f32, &f32)| {
             let inside = f64::from(*rho).clamp(footprint::RHO[0], footprint::RHO[1]);
-            footprint::best(Kernel::HalfCosine, f64::from(*alpha), inside)
+            footprint::best(kernel, f64::from(*alpha), inside)
         };
         let found: Vec<Result<_, IntegrateError>> = alpha.par_iter().zip(rho).map(one).collect();
         Ok(found.into_iter().collect::<Result<_, _>>()?)
