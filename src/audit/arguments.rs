@@ -14,6 +14,8 @@ pub(super) enum Feed {
     Axis(usize),
     /// One more than that: an index of refraction.
     Ior(usize),
+    /// Half of that: the inverse of an index of refraction, from 1/2 to 1.
+    Eta(usize),
     /// Its square: alpha beside a roughness.
     Square(usize),
     /// The sine of an angle whose cosine is the coordinate.
@@ -29,6 +31,7 @@ impl Feed {
             Feed::Value(x) => x,
             Feed::Axis(k) => coordinate(k),
             Feed::Ior(k) => 1.0 + coordinate(k),
+            Feed::Eta(k) => 0.5 * (1.0 + coordinate(k)),
             Feed::Square(k) => coordinate(k) * coordinate(k),
             Feed::Sine(k) => (1.0 - coordinate(k) * coordinate(k)).sqrt(),
             Feed::Blend => f0,
@@ -47,12 +50,13 @@ fn role_in(quantity: &Quantity, name: &str) -> Option<Input> {
     role(name).filter(|input| *input != Input::Ior || has_ior)
 }
 
-/// Names of the axes, and what every argument is given.
+/// Names of the axes, and what every argument is given: one that is named for an index, the index or, if it is `inverse`, 1/ior.
 pub(super) fn feeds(
     function: &ShaderFunction,
     quantity: &Quantity,
     set: &[(String, f64)],
     scales: &[Scale],
+    inverse: bool,
 ) -> Result<(Vec<String>, Vec<Feed>), AuditError> {
     let (arguments, inputs) = (&function.inputs, inputs_of(quantity));
     let role = |name: &str| role_in(quantity, name);
@@ -85,11 +89,13 @@ pub(super) fn feeds(
         });
     }
     for (axis, (i, name)) in axes.iter_mut().enumerate() {
-        let told = scales.get(axis).map(|s| s.input());
-        let ior =
-            told.or(role(name)) == Some(Input::Ior) && scales.get(axis).is_none_or(|s| *s == Scale::Ior);
+        let named = (role(name) == Some(Input::Ior)).then_some(if inverse { Scale::Eta } else { Scale::Ior });
         if feeds[*i].is_none() {
-            feeds[*i] = Some(if ior { Feed::Ior(axis) } else { Feed::Axis(axis) });
+            feeds[*i] = Some(match scales.get(axis).copied().or(named) {
+                Some(Scale::Ior) => Feed::Ior(axis),
+                Some(Scale::Eta) => Feed::Eta(axis),
+                _ => Feed::Axis(axis),
+            });
         }
         if let (Some(square), Some(Input::Alpha)) = (squared, role(name)) {
             feeds[square] = Some(Feed::Square(axis));

@@ -11,6 +11,8 @@ pub enum Input {
     Mu,
     /// Index of refraction, inside over outside.
     Ior,
+    /// Squared cosine of the view's azimuth from the alpha_x axis: of tables that say so, no axis of which it runs along.
+    Azimuth,
     /// Anisotropy a: aspect = sqrt(1 - 0.9 a), alpha_x = alpha/aspect, alpha_y = alpha aspect.
     Anisotropy,
 }
@@ -23,6 +25,7 @@ impl Input {
             Input::Mu => "mu",
             Input::Ior => "ior",
             Input::Anisotropy => "anisotropy",
+            Input::Azimuth => "cos2_phi",
         }
     }
 
@@ -38,8 +41,11 @@ impl Input {
                 Scale::F0,
                 Scale::RootF0,
                 Scale::FourthRootF0,
+                Scale::IorInverse,
+                Scale::IorInverseTwo,
             ],
             Input::Anisotropy => &[Scale::Anisotropy, Scale::AnisotropySquared, Scale::Aspect],
+            Input::Azimuth => &[],
         }
     }
 }
@@ -67,6 +73,8 @@ pub enum Scale {
     MuSquared,
     /// The index itself, from 1 to 2: an argument of a function that is named for it.
     Ior,
+    /// The index the other way round, eta = 1/ior, from 1/2 to 1 as ior falls from 2: an argument of a function that is named for an index.
+    Eta,
     /// ior = 1 + x.
     IorUnit,
     /// ior = 1 + 1.5 x.
@@ -79,6 +87,10 @@ pub enum Scale {
     RootF0,
     /// The same with F0 = x^4.
     FourthRootF0,
+    /// ior = 1/x, infinite at 0.
+    IorInverse,
+    /// ior = 2/(1 + x).
+    IorInverseTwo,
     /// anisotropy = x.
     Anisotropy,
     /// anisotropy = sqrt(x).
@@ -88,7 +100,7 @@ pub enum Scale {
 }
 
 /// Every scale, for options.
-pub const SCALES: [Scale; 19] = [
+pub const SCALES: [Scale; 22] = [
     Scale::Alpha,
     Scale::Roughness,
     Scale::RoughnessFourth,
@@ -99,12 +111,15 @@ pub const SCALES: [Scale; 19] = [
     Scale::RootOfOneMinusMu,
     Scale::MuSquared,
     Scale::Ior,
+    Scale::Eta,
     Scale::IorUnit,
     Scale::IorOneAndHalf,
     Scale::IorTwo,
     Scale::F0,
     Scale::RootF0,
     Scale::FourthRootF0,
+    Scale::IorInverse,
+    Scale::IorInverseTwo,
     Scale::Anisotropy,
     Scale::AnisotropySquared,
     Scale::Aspect,
@@ -136,12 +151,15 @@ impl Scale {
             Scale::RootOfOneMinusMu => "sqrt(1-mu)",
             Scale::MuSquared => "mu^2",
             Scale::Ior => "ior",
+            Scale::Eta => "eta",
             Scale::IorUnit => "ior-1",
             Scale::IorOneAndHalf => "(ior-1)/1.5",
             Scale::IorTwo => "(ior-1)/2",
             Scale::F0 => "F0",
             Scale::RootF0 => "sqrt(F0)",
             Scale::FourthRootF0 => "F0^(1/4)",
+            Scale::IorInverse => "1/ior",
+            Scale::IorInverseTwo => "2/ior-1",
             Scale::Anisotropy => "anisotropy",
             Scale::AnisotropySquared => "anisotropy^2",
             Scale::Aspect => "aspect",
@@ -154,6 +172,7 @@ impl Scale {
             Scale::Roughness => "alpha = roughness^2",
             Scale::Theta => "mu = cos(x pi/2)",
             Scale::F0 | Scale::RootF0 | Scale::FourthRootF0 => "F0 of normal incidence",
+            Scale::Eta => "eta = 1/ior",
             Scale::Aspect => "aspect = sqrt(1 - 0.9 anisotropy)",
             _ => "",
         }
@@ -176,6 +195,8 @@ impl Scale {
             Scale::F0 => ior_of(x.sqrt()),
             Scale::RootF0 => ior_of(x),
             Scale::FourthRootF0 => ior_of(x * x),
+            Scale::IorInverse => 1.0 / x,
+            Scale::Eta | Scale::IorInverseTwo => 2.0 / (1.0 + x),
             Scale::Aspect => ((1.0 - x * x) / 0.9).clamp(0.0, 1.0),
         }
     }
@@ -347,8 +368,11 @@ mod tests {
     #[test]
     fn scales_cover_their_inputs() {
         for scale in SCALES {
-            // No axis of a table runs over an index itself.
-            assert!(scale == Scale::Ior || scale.input().scales().contains(&scale), "{scale:?}");
+            // No axis of a table runs over an index itself, nor over its inverse from 1/2.
+            assert!(
+                matches!(scale, Scale::Ior | Scale::Eta) || scale.input().scales().contains(&scale),
+                "{scale:?}"
+            );
         }
         assert!((Scale::FourthRootF0.input_at(0.04_f64.sqrt().sqrt()) - 1.5).abs() < 1e-12);
         assert_eq!(Scale::Theta.input_at(1.0), 0.0);

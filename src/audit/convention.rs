@@ -45,12 +45,15 @@ pub struct Pins {
     pub column: Option<Column>,
     /// Of a function: what the names of its arguments tell.
     pub roles: Option<Vec<Option<Input>>>,
+    /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
+    /// [`sampled_inverse`](super::sampled_inverse) does.
+    pub inverse: bool,
 }
 
 impl Pins {
     /// Whether nothing but the column is given.
     pub fn is_free(&self) -> bool {
-        Pins { column: None, ..self.clone() } == Pins::default()
+        Pins { column: None, inverse: false, ..self.clone() } == Pins::default()
     }
 
     /// Refuses what cannot be meant for a table of this many axes and channels.
@@ -106,7 +109,7 @@ impl Pins {
             (Some(given), _) => {
                 given.get(axis).copied().filter(|(s, _)| s.input() == input).into_iter().collect()
             }
-            (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten()),
+            (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten(), self.inverse),
             (None, None) => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
         };
         let sitings: Vec<Siting> = match &self.sitings {
@@ -131,12 +134,12 @@ impl Pins {
 }
 
 /// What an argument may be given for an input: nobody passes the root of a cosine, and one that is named for a cosine is one.
-fn argument(input: Input, role: Option<Input>) -> Vec<(Scale, bool)> {
+fn argument(input: Input, role: Option<Input>, inverse: bool) -> Vec<(Scale, bool)> {
     match (input, role) {
         (_, Some(role)) if role != input => Vec::new(),
         (Input::Mu, Some(_)) => vec![(Scale::Mu, false)],
         (Input::Mu, None) => vec![(Scale::Mu, false), (Scale::Mu, true), (Scale::Theta, false)],
-        (Input::Ior, Some(_)) => vec![(Scale::Ior, false)],
+        (Input::Ior, Some(_)) => vec![(if inverse { Scale::Eta } else { Scale::Ior }, false)],
         _ => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
     }
 }
@@ -168,6 +171,20 @@ impl Misfit {
         }
         let least: f64 = squares[..kept].iter().sum();
         Misfit { rms: (all / n as f64).sqrt(), trimmed: (least / kept.max(1) as f64).sqrt(), max }
+    }
+
+    /// A bound of the rank of errors with these squares, from below: none of those that the trimmed figure leaves out is above the largest.
+    pub(super) fn least_rank(squares: impl Iterator<Item = f64>) -> f64 {
+        let (mut n, mut sum, mut most) = (0, 0.0, 0.0_f64);
+        for square in squares {
+            (n, sum, most) = (n + 1, sum + square, most.max(square));
+        }
+        let kept = n * KEPT_FIFTHS / 5;
+        // A part in 1e9 of the sum covers its rounding, which takes another order here than in the figure.
+        let least = (sum * (1.0 - 1e-9) - (n - kept) as f64 * most).max(0.0);
+        let (rms, trimmed) =
+            ((sum * (1.0 - 1e-9) / n.max(1) as f64).sqrt(), (least / kept.max(1) as f64).sqrt());
+        ((trimmed + 1e-9) * (rms + 1e-9)).sqrt()
     }
 
     /// What conventions are ranked by: the geometric mean of both root mean squares. A table of which a part is stale fits its true convention in

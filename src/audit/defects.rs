@@ -2,6 +2,7 @@
 
 use super::column::Column;
 use super::errors::Residuals;
+use super::mixed::Mixed;
 use super::shipped::{flat, place};
 use crate::foreign::Step;
 
@@ -21,6 +22,8 @@ pub enum Defect {
         /// Size of the table.
         size: Vec<usize>,
     },
+    /// A part of the table is of the other shadowing form.
+    OtherLobe(Mixed),
     /// All values are too high or too low.
     Bias {
         /// Mean error.

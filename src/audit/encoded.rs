@@ -29,8 +29,8 @@ pub(super) fn srgb(
     };
     let linear =
         Shipped { channels: table.channels.iter().map(channel).collect(), step: Step::None, ..table.clone() };
-    let found = candidates(truth, &linear, live, pins, &|_| ())?;
-    let linear = finish(truth, &linear, live, pins, &found)?;
+    let (found, _) = candidates(truth, &linear, live, pins, &|_| ())?;
+    let linear = finish(truth, &linear, live, pins, &found, None)?;
     Ok((linear.fit == Fit::Whole).then(|| {
         format!(
             "But with its values decoded from sRGB, {} Its values were encoded for display: store them as they are, or sample it as an \

@@ -5,6 +5,7 @@ use super::convention::{Convention, Misfit};
 use super::defects::Defect;
 use super::errors::TexelErrors;
 use super::lookup::LookupErrors;
+use super::mixed::Mixed;
 use super::plain::Plain;
 use super::shipped::Source;
 use crate::data::Place;
@@ -98,6 +99,8 @@ pub struct Audit {
     pub channels: Vec<ChannelAudit>,
     /// The furnace, where the channels make an albedo.
     pub furnace: Option<Furnace>,
+    /// The parts of a table that was made with two shadowing forms; the best convention is that of the larger part.
+    pub mixed: Option<Mixed>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
     /// All of it in a paragraph.
@@ -105,6 +108,18 @@ pub struct Audit {
 }
 
 impl Audit {
+    /// Of two audits of the same function, whose arguments were given other things, the one that fits better, with the conventions of both.
+    pub fn beside(self, other: Audit) -> Audit {
+        let (mut best, rest) =
+            if other.tried[0].rank < self.tried[0].rank { (other, self) } else { (self, other) };
+        best.tried.extend(rest.tried);
+        best.tried.sort_by(|a, b| a.rank.total_cmp(&b.rank));
+        best.tried.truncate(super::TOLD);
+        best.margin = super::margin(&best.tried.iter().map(|t| t.rank).collect::<Vec<_>>());
+        best.verdict = super::verdict::paragraph(&best);
+        best
+    }
+
     /// The best convention.
     pub fn best(&self) -> &Convention {
         &self.tried[0].convention

@@ -28,7 +28,30 @@ pub fn sampled(
     set: &[(String, f64)],
     axes: &[Scale],
 ) -> Result<Shipped, AuditError> {
-    let (names, feeds) = feeds(function, quantity, set, axes)?;
+    of_feeds(function, feeds(function, quantity, set, axes, false)?)
+}
+
+/// The same with the argument that is named for an index of refraction running over 1/ior from 1/2 to 1, for
+/// [`Pins::inverse`](super::Pins::inverse); none of a function that has no such argument.
+///
+/// # Errors
+/// As of [`sampled`].
+pub fn sampled_inverse(
+    function: &ShaderFunction,
+    quantity: &Quantity,
+    set: &[(String, f64)],
+) -> Result<Option<Shipped>, AuditError> {
+    let (names, feeds) = feeds(function, quantity, set, &[], true)?;
+    if !feeds.iter().any(|feed| matches!(feed, Feed::Eta(_))) {
+        return Ok(None);
+    }
+    of_feeds(function, (names, feeds)).map(Some)
+}
+
+fn of_feeds(
+    function: &ShaderFunction,
+    (names, feeds): (Vec<String>, Vec<Feed>),
+) -> Result<Shipped, AuditError> {
     let n = PLACES[names.len() - 1];
     let size = vec![n; names.len()];
     let places: Vec<Vec<usize>> = (0..size.iter().product()).map(|i| place(i, &size)).collect();

@@ -30,6 +30,16 @@ pub(super) fn judge(
     judged_by(truth, sample, axes, &|at| truth.exact(lobe, at))
 }
 
+/// The quick truth under a reading.
+pub(super) fn quickly(
+    truth: &dyn Truth,
+    sample: &Sample,
+    axes: &[AxisReading],
+    lobe: usize,
+) -> Result<Judgement, AuditError> {
+    judged_by(truth, sample, axes, &|at| truth.quick(lobe, at))
+}
+
 /// Values at every combination of inputs.
 type Truths<'a> = dyn Fn(&[&[f64]]) -> Result<Values, AuditError> + 'a;
 
@@ -94,7 +104,7 @@ pub(super) fn requick(
     most: usize,
 ) -> Result<Vec<Candidate>, AuditError> {
     let one = |c: Candidate| -> Result<Option<Candidate>, AuditError> {
-        let judgement = judged_by(truth, sample, &c.axes, &|at| Ok(truth.quick(c.lobe, at)))?;
+        let judgement = quickly(truth, sample, &c.axes, c.lobe)?;
         let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), pins, truth.columns());
         Ok(fitted.map(|fitted| Candidate { fitted, ..c }))
     };

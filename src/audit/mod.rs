@@ -19,6 +19,7 @@ mod found;
 mod function;
 mod judge;
 mod lookup;
+mod mixed;
 mod page;
 mod plain;
 mod sample;
@@ -35,12 +36,14 @@ pub use defects::Defect;
 pub use error::AuditError;
 pub use errors::TexelErrors;
 pub use found::{Audit, ChannelAudit, Fit, Furnace, Tried};
-pub use function::sampled;
+pub use function::{sampled, sampled_inverse};
 pub use lookup::LookupErrors;
+pub use mixed::Mixed;
 pub use page::findings;
 pub use plain::Plain;
 pub use shipped::{MOST_TEXELS, Shipped, ShippedChannel, Source};
 pub use truth::Lobe;
+pub use verdict::limit_judged;
 
 use crate::data::{Place, Smith};
 use crate::effects::Quantity;
@@ -66,20 +69,26 @@ pub const CLEAR: f64 = 2.0;
 /// Conventions that are told of.
 const TOLD: usize = 10;
 
-/// Places along every axis: in the sieve, in the first exact round, in the last, and where the best is judged (2 axes or fewer, and 3, of
-/// which an exact value takes so long that the quick truth takes a round of its own before).
+/// Places along every axis: in the sieve, in a round by the quick truth, in the first exact one, in the last, and where the best is judged
+/// (2 axes or fewer, and 3).
 const SIEVE: [usize; 2] = [10, 6];
-const QUICK_ROUND: usize = 12;
+const QUICK_ROUND: [usize; 2] = [24, 12];
 const ROUND: [usize; 2] = [24, 9];
 const LAST: [usize; 2] = [4096, 16];
 const WHOLE: [usize; 2] = [4096, 64];
 
-/// Most texels of a table of three axes that are all judged: every one is an integral of its own. A larger one is judged at the places of
-/// the last round, and passes no limit.
-pub const JUDGED_TEXELS: usize = 1 << 18;
+/// Most texels of a table of three axes that are all judged: every one is an integral of its own. A larger one is judged at 64 places along
+/// each axis, and passes no limit.
+pub const JUDGED_TEXELS: usize = 1 << 19;
+
+/// Conventions after the quick round.
+const QUICK_KEPT: [usize; 2] = [80, 12];
 
 /// Conventions after the first exact round.
 const ROUND_KEPT: [usize; 2] = [40, 12];
+
+/// Conventions that rank this many times worse than the best go into the last round with the figures of the one before.
+const FAR: [f64; 2] = [f64::INFINITY, 4.0];
 
 /// Quantities that are audited, and the number of their inputs.
 pub const AUDITED: [(&str, usize); 5] = [
@@ -113,9 +122,17 @@ pub fn audit(
     let roles = table.axes.iter().map(role).collect();
     let sampled = Pins { sitings: Some(vec![Siting::Centre]), roles: Some(roles), ..pins.clone() };
     let tried = if table.source == Source::Function { &sampled } else { pins };
-    let found = candidates(truth, &table, &live, tried, progress)?;
+    let (found, sieved) = candidates(truth, &table, &live, tried, progress)?;
     progress("errors under the best convention");
-    let mut done = finish(truth, &table, &live, pins, &found)?;
+    let mut done = finish(truth, &table, &live, pins, &found, None)?;
+    let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
+    let odd = done.fit != Fit::Whole || done.channels.iter().any(part);
+    if odd && table.source == Source::Table {
+        progress("whether it is of two lobes");
+        if let Some((found, parts)) = of_two_lobes(truth, &table, &live, pins, [found, sieved])? {
+            done = finish(truth, &table, &live, pins, &found, Some(parts))?;
+        }
+    }
     if let Some(told) = encoded::srgb(truth, &table, &live, tried, &done)? {
         done.verdict = format!("{} {told}", done.verdict);
     }
@@ -126,10 +143,10 @@ pub fn audit(
 fn truth_of(table: &Shipped, quantity: &Quantity, pins: &Pins) -> Result<Box<dyn Truth>, AuditError> {
     let smiths: Vec<Smith> = pins.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
     Ok(match quantity.name {
-        "ggx-reflection" => Box::new(truth::reflection(&smiths)),
+        "ggx-reflection" => Box::new(truth::reflection(&smiths)?),
         "ggx-average" => Box::new(truth::average(&smiths)?),
         "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
-        "sheen-charlie" => Box::new(truth::sheen()),
+        "sheen-charlie" => Box::new(truth::sheen()?),
         "ggx-glass" => {
             let sides = pins.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
             let lobe = |smith: &Smith| {
@@ -172,24 +189,43 @@ fn check_axes(table: &Shipped, truth: &dyn Truth) -> Result<(), AuditError> {
     })
 }
 
-/// The conventions that fit best, no two of them alike but for clamps.
+/// The conventions with that first which tells the two parts of a table apart, if it is of two; `found` and what the sieve let through.
+fn of_two_lobes(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    pins: &Pins,
+    [mut found, sieved]: [Vec<Candidate>; 2],
+) -> Result<Option<(Vec<Candidate>, Mixed)>, AuditError> {
+    let class = usize::from(table.size.len() == 3);
+    let some = Sample::new(table, live, QUICK_ROUND[class], false);
+    let all = Sample::new(table, live, whole(&table.size), false);
+    let best = found[0].fitted.misfits.iter().flatten().map(|m| m.rms).fold(0.0, f64::max);
+    let Some((candidate, parts)) = mixed::mixed(truth, [&some, &all], pins, &sieved, best)? else {
+        return Ok(None);
+    };
+    let columns: Option<Vec<Column>> = candidate.fitted.columns.iter().copied().collect();
+    let pins = Pins { meanings: columns.or(pins.meanings.clone()), ..pins.clone() };
+    let last = Sample::new(table, live, LAST[class], false);
+    let again = judge::rejudge(truth, &last, &pins, vec![candidate], 1)?;
+    found.retain(|c| !again.iter().any(|a| a.like(c)));
+    Ok(Some(([again, found].concat(), parts)))
+}
+
+/// The conventions that fit best, no two of them alike but for clamps, and what the sieve let through.
 fn candidates(
     truth: &dyn Truth,
     table: &Shipped,
     live: &[usize],
     pins: &Pins,
     progress: &dyn Fn(&str),
-) -> Result<Vec<Candidate>, AuditError> {
+) -> Result<(Vec<Candidate>, Vec<Candidate>), AuditError> {
     let class = usize::from(table.size.len() == 3);
     progress("conventions on a few texels");
-    let found = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), pins);
+    let sieved = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), pins)?;
     progress("the best conventions on more texels");
-    let found = if class == 1 {
-        let more = Sample::new(table, live, QUICK_ROUND, false);
-        judge::requick(truth, &more, pins, found, ROUND_KEPT[class])?
-    } else {
-        found
-    };
+    let more = Sample::new(table, live, QUICK_ROUND[class], false);
+    let found = judge::requick(truth, &more, pins, sieved.clone(), QUICK_KEPT[class])?;
     let more = Sample::new(table, live, ROUND[class], false);
     let found = judge::rejudge(truth, &more, pins, found, ROUND_KEPT[class])?;
     let mut clamped = Vec::new();
@@ -197,8 +233,12 @@ fn candidates(
         let floored = k < CLAMPED[class] && table.source == Source::Table;
         clamped.push(if floored { judge::with_floors(truth, &more, pins, &candidate)? } else { candidate });
     }
-    let whole = Sample::new(table, live, LAST[class], false);
-    let told = judge::rejudge(truth, &whole, pins, clamped, TOLD)?;
+    let last = Sample::new(table, live, LAST[class], false);
+    let far = FAR[class] * clamped.iter().map(|c| c.fitted.rank).fold(f64::INFINITY, f64::min);
+    let (near, far): (Vec<Candidate>, Vec<Candidate>) =
+        clamped.into_iter().partition(|c| c.fitted.rank <= far);
+    let near = judge::rejudge(truth, &last, pins, near, TOLD)?;
+    let told = screen::best([near, far].concat(), TOLD);
     let mut distinct: Vec<Candidate> = Vec::new();
     for candidate in told {
         if !distinct.iter().any(|d| d.like(&candidate)) {
@@ -212,7 +252,13 @@ fn candidates(
             reading: "any convention that was tried".into(),
         });
     }
-    Ok(distinct)
+    Ok((distinct, sieved))
+}
+
+/// Places along every axis at which the best convention is judged: all, but of a table of three axes that is too large for that.
+fn whole(size: &[usize]) -> usize {
+    let large = size.len() == 3 && size.iter().product::<usize>() > JUDGED_TEXELS;
+    if large { WHOLE[1] } else { usize::MAX }
 }
 
 fn finish(
@@ -221,10 +267,10 @@ fn finish(
     live: &[usize],
     pins: &Pins,
     found: &[Candidate],
+    mixed: Option<Mixed>,
 ) -> Result<Audit, AuditError> {
     let class = usize::from(table.size.len() == 3);
-    let all = class == 0 || table.size.iter().product::<usize>() <= JUDGED_TEXELS;
-    let sample = Sample::new(table, live, if all { usize::MAX } else { WHOLE[class] }, false);
+    let sample = Sample::new(table, live, whole(&table.size), false);
     let (places, shown) = sample.thinned(WHOLE[class]);
     let best = &found[0];
     let convention = best.convention(truth, live, table.channels.len());
@@ -246,16 +292,17 @@ fn finish(
         let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
         let step = grain(table.step, &channel.values);
         let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
-        let defects = match table.source {
-            Source::Table => defects::defects(&residuals, step, alpha),
-            Source::Function => defects::of_function(&residuals),
+        let defects = match (table.source, &mixed) {
+            (_, Some(parts)) => vec![Defect::OtherLobe(parts.clone())],
+            (Source::Table, None) => defects::defects(&residuals, step, alpha),
+            (Source::Function, None) => defects::of_function(&residuals),
         };
         let errors = residuals.figures(at);
         channels.push(ChannelAudit {
             name: channel.name.clone(),
             column: Some(column),
             constant: None,
-            fit: fit(table.source, &residuals, &errors, &defects),
+            fit: if mixed.is_some() { Fit::Part } else { fit(table.source, &residuals, &errors, &defects) },
             truth: shown.iter().map(|i| residuals.truth(*i)).collect(),
             map: shown.iter().map(|i| residuals.errors[*i]).collect(),
             errors: Some(errors),
@@ -279,11 +326,12 @@ fn finish(
         places,
         fit: judged.map(|c| c.fit).fold(Fit::Whole, Fit::max),
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
-        margin: margin(found),
+        margin: mixed.as_ref().map_or(margin(&ranks(found)), |m| apart(found, m)),
         pinned: !pins.is_free(),
         excused: pins.meanings.is_some() || pins.column.is_some(),
         channels,
         furnace,
+        mixed,
         truth_error: truth.bound(),
         verdict: String::new(),
     };
@@ -292,9 +340,18 @@ fn finish(
 }
 
 /// Rank of the first that differs over that of the best: E at normal incidence is the same for both forms of Smith.
-fn margin(found: &[Candidate]) -> f64 {
-    let times = found.iter().map(|c| c.fitted.rank / found[0].fitted.rank);
+fn margin(ranks: &[f64]) -> f64 {
+    let times = ranks.iter().map(|rank| rank / ranks[0]);
     times.skip(1).find(|t| t - 1.0 >= 1e-6).unwrap_or(f64::INFINITY)
+}
+
+/// Rank of the best with one lobe over that of both together.
+fn apart(found: &[Candidate], mixed: &Mixed) -> f64 {
+    ranks(found).into_iter().fold(f64::INFINITY, f64::min) / mixed.rank
+}
+
+fn ranks(found: &[Candidate]) -> Vec<f64> {
+    found.iter().map(|c| c.fitted.rank).collect()
 }
 
 fn unjudged(name: &str) -> ChannelAudit {

@@ -126,6 +126,7 @@ fn kind(defect: &Defect) -> &'static str {
         Defect::Noise { .. } => "noise",
         Defect::Steps { .. } => "steps",
         Defect::MissingLoss { .. } => "missing-loss",
+        Defect::OtherLobe(_) => "other-lobe",
     }
 }
 

@@ -2,6 +2,7 @@
 //! rising ones, a roughness for a roughness and an average for an average. A table that is right only under another reading is
 //! wrong as it will be used, unless the user says that it is meant so.
 
+use super::AuditError;
 use super::arguments::is_gloss;
 use super::axis::{AxisReading, Input, Scale};
 use super::column::Column;
@@ -12,9 +13,8 @@ use super::sample::{Candidate, Sample};
 use super::shipped::{Shipped, Source};
 use super::truth::Truth;
 use super::verdict::along;
-use super::{AuditError, JUDGED_TEXELS};
 
-/// Places along each of three axes at which a plain reading is judged of a table with more than [`JUDGED_TEXELS`]: every one is an integral of
+/// Places along each of three axes at which a plain reading is judged of a table with more than [`super::JUDGED_TEXELS`]: every one is an integral of
 /// its own.
 const PLACES: usize = 16;
 
@@ -110,9 +110,8 @@ fn worst(
     lobe: usize,
     read: &Convention,
 ) -> Result<(f64, usize), AuditError> {
-    let all = table.size.len() < 3 || table.size.iter().product::<usize>() <= JUDGED_TEXELS;
-    let most = if all { usize::MAX } else { PLACES };
-    let sample = Sample::new(table, live, most, false);
+    let whole = super::whole(&table.size);
+    let sample = Sample::new(table, live, if whole == usize::MAX { whole } else { PLACES }, false);
     let judgement = judge(truth, &sample, &read.axes, lobe)?;
     let mut worst: Option<f64> = None;
     for (place, k) in live.iter().enumerate() {

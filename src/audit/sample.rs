@@ -153,9 +153,25 @@ pub(super) fn fit_columns(
         Misfit::of(&errors)
     };
     let best = |k: usize, channel: &Vec<f64>| {
+        // The first of the columns that fit best; those of which two sums tell that they do not are passed over.
         let least = |tried: &[Column]| {
-            let fits = tried.iter().map(|c| (*c, misfit(channel, *c)));
-            fits.min_by(|a, b| a.1.rank().total_cmp(&b.1.rank()))
+            let mut best: Option<(Column, Misfit)> = None;
+            for column in tried {
+                let square = |i: &usize| {
+                    let error = channel[*i] - column.value(base[*i]);
+                    error * error
+                };
+                let bound = Misfit::least_rank(texels.iter().map(square));
+                let known = best.map_or(f64::INFINITY, |b| b.1.rank());
+                if bound > known {
+                    continue;
+                }
+                let found = misfit(channel, *column);
+                if best.is_none_or(|b| found.rank().total_cmp(&b.1.rank()).is_lt()) {
+                    best = Some((*column, found));
+                }
+            }
+            best
         };
         match (&pins.meanings, pins.column) {
             (Some(given), _) => least(&given[k..=k]),

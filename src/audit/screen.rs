@@ -3,7 +3,8 @@
 
 use rayon::prelude::*;
 
-use super::axis::{AxisReading, Scale, Siting};
+use super::AuditError;
+use super::axis::{AxisReading, Input, Scale, Siting};
 use super::convention::Pins;
 use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
 use super::truth::Truth;
@@ -11,13 +12,16 @@ use super::truth::Truth;
 /// Conventions that a sieve lets through.
 const KEPT: usize = 300;
 
-/// Choices of coordinates, of three axes, that are tried with every registration: of each order of axes and lobe.
+/// Choices of coordinates, of three axes, that are tried with every registration: of each order of axes and lobe, and the best of all of
+/// those together. Where the texels lie shifts an axis by half a texel, which on a short axis is as much as another power of its coordinate
+/// is, so that with the usual registrations the right powers may come late.
 const COORDINATES: usize = 6;
+const COORDINATES_OF_ALL: usize = 120;
 
 /// The most promising conventions, the best first.
-pub(super) fn screen(truth: &dyn Truth, sample: &Sample, pins: &Pins) -> Vec<Candidate> {
+pub(super) fn screen(truth: &dyn Truth, sample: &Sample, pins: &Pins) -> Result<Vec<Candidate>, AuditError> {
     let axes = sample.size.len();
-    let mut found = Vec::new();
+    let (mut found, mut rough) = (Vec::new(), Vec::new());
     for assigned in permutations(axes) {
         let readings: Vec<Vec<AxisReading>> =
             (0..axes).map(|k| pins.readings(assigned[k], truth.inputs()[k])).collect();
@@ -26,11 +30,43 @@ pub(super) fn screen(truth: &dyn Truth, sample: &Sample, pins: &Pins) -> Vec<Can
         }
         for lobe in pins.lobes(truth) {
             let task = Task { truth, sample, pins, assigned: &assigned, lobe };
-            found.extend(if axes < 3 { task.product(&readings) } else { task.narrowed(&readings) });
-            found = best(found, KEPT);
+            if axes < 3 {
+                found = best([found, task.product(&readings)?].concat(), KEPT);
+            } else {
+                rough.push(task.coordinates(&readings)?);
+            }
         }
     }
-    found
+    if axes < 3 { Ok(found) } else { sited(truth, sample, pins, rough) }
+}
+
+/// The best choices of coordinates with every registration: `rough` has those of each order of axes and lobe, the best first.
+fn sited(
+    truth: &dyn Truth,
+    sample: &Sample,
+    pins: &Pins,
+    rough: Vec<Vec<Candidate>>,
+) -> Result<Vec<Candidate>, AuditError> {
+    let of_group = |list: Vec<Candidate>| list.into_iter().enumerate();
+    let mut all: Vec<(usize, Candidate)> = rough.into_iter().flat_map(of_group).collect();
+    all.sort_by(|a, b| a.1.fitted.rank.total_cmp(&b.1.fitted.rank));
+    let chosen = all.into_iter().enumerate();
+    let chosen =
+        chosen.filter(|(i, (k, _))| *i < COORDINATES_OF_ALL || *k < COORDINATES).map(|(_, (_, c))| c);
+    let mut found = Vec::new();
+    for Candidate { axes, lobe, .. } in chosen {
+        let along = |input: &Input| axes.iter().position(|a| a.scale.input() == *input).unwrap_or(0);
+        let assigned: Vec<usize> = truth.inputs().iter().map(along).collect();
+        let readings = |(axis, input): (&usize, &Input)| -> Vec<AxisReading> {
+            let own = (axes[*axis].scale, axes[*axis].reversed);
+            let all = pins.readings(*axis, *input);
+            all.into_iter().filter(|r| (r.scale, r.reversed) == own).collect()
+        };
+        let readings: Vec<Vec<AxisReading>> = assigned.iter().zip(truth.inputs()).map(readings).collect();
+        let task = Task { truth, sample, pins, assigned: &assigned, lobe };
+        found = best([found, best(task.product(&readings)?, KEPT / 10)].concat(), KEPT);
+    }
+    Ok(found)
 }
 
 /// The best of a list, by rank; of equals the first stays first.
@@ -60,7 +96,7 @@ struct Task<'a> {
 
 impl Task<'_> {
     /// Every combination of readings, from one tensor of truths over the nodes of all of them.
-    fn product(&self, readings: &[Vec<AxisReading>]) -> Vec<Candidate> {
+    fn product(&self, readings: &[Vec<AxisReading>]) -> Result<Vec<Candidate>, AuditError> {
         let dims = self.sample.dims();
         let nodes: Vec<Vec<f64>> = readings
             .iter()
@@ -68,7 +104,7 @@ impl Task<'_> {
             .map(|(list, axis)| list.iter().flat_map(|r| self.sample.nodes(*axis, r)).collect())
             .collect();
         let at: Vec<&[f64]> = nodes.iter().map(Vec::as_slice).collect();
-        let values = self.truth.quick(self.lobe, &at);
+        let values = self.truth.quick(self.lobe, &at)?;
         let lengths: Vec<usize> = nodes.iter().map(Vec::len).collect();
         let steps = steps(&lengths, self.assigned);
         let combinations: usize = readings.iter().map(Vec::len).product();
@@ -87,34 +123,24 @@ impl Task<'_> {
             Some(Candidate { axes, lobe: self.lobe, fitted })
         };
         let all: Vec<Option<Candidate>> = (0..combinations).into_par_iter().map(one).collect();
-        best(all.into_iter().flatten().collect(), KEPT)
+        Ok(best(all.into_iter().flatten().collect(), KEPT))
     }
 
-    /// The product of the usual registrations, then that of all for the coordinates that did best.
-    fn narrowed(&self, readings: &[Vec<AxisReading>]) -> Vec<Candidate> {
+    /// The choices of coordinates, each with the usual registrations that suit it best; the best first.
+    fn coordinates(&self, readings: &[Vec<AxisReading>]) -> Result<Vec<Candidate>, AuditError> {
         let usual = |list: &Vec<AxisReading>| -> Vec<AxisReading> {
             let two = list.iter().filter(|r| matches!(r.siting, Siting::Centre | Siting::Endpoint));
             let two: Vec<AxisReading> = two.copied().collect();
             if two.is_empty() { list.clone() } else { two }
         };
-        let first = self.product(&readings.iter().map(usual).collect::<Vec<_>>());
-        let coordinates =
+        let own =
             |c: &Candidate| c.axes.iter().map(|a| (a.scale, a.reversed)).collect::<Vec<(Scale, bool)>>();
-        let mut chosen: Vec<Vec<(Scale, bool)>> = Vec::new();
-        for candidate in &first {
-            let own = coordinates(candidate);
-            if chosen.len() < COORDINATES && !chosen.contains(&own) {
-                chosen.push(own);
+        let mut chosen: Vec<Candidate> = Vec::new();
+        for candidate in self.product(&readings.iter().map(usual).collect::<Vec<_>>())? {
+            if chosen.len() < COORDINATES_OF_ALL && chosen.iter().all(|c| own(c) != own(&candidate)) {
+                chosen.push(candidate);
             }
         }
-        let mut found = Vec::new();
-        for own in chosen {
-            let of = |(list, axis): (&Vec<AxisReading>, &usize)| -> Vec<AxisReading> {
-                list.iter().filter(|r| (r.scale, r.reversed) == own[*axis]).copied().collect()
-            };
-            let sited: Vec<Vec<AxisReading>> = readings.iter().zip(self.assigned).map(of).collect();
-            found.extend(best(self.product(&sited), KEPT / 10));
-        }
-        best(found, KEPT / 10)
+        Ok(chosen)
     }
 }

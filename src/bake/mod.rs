@@ -8,13 +8,14 @@ mod coupling;
 mod includes;
 mod kept;
 mod names;
+mod opening;
 mod part;
 mod recipe;
 mod reflection;
 mod sheen;
 mod volume;
 
-use crate::data::{AlphaMap, Smith, TableError};
+use crate::data::TableError;
 use crate::effects::reflection::{Counter, Dropped, Fit, FitStageError};
 use crate::effects::surface::SurfaceError;
 use crate::effects::volume::{LookupError, VolumeError};
@@ -171,7 +172,8 @@ pub fn bake(
     }
     parts.sort_by_key(|part| part.effect);
     let origin = origin(scene, &context);
-    baked.files = part::assemble(plan, &parts, &opening(scene.smith, scene.alpha), origin, &context)?;
+    baked.files =
+        part::assemble(plan, &parts, &opening::opening(scene.smith, scene.alpha, &parts), origin, &context)?;
     baked.truths = context.counter.total();
     baked.broken = context.broken;
     Ok(baked)
@@ -184,25 +186,4 @@ fn origin(scene: &Scene, context: &Context) -> Origin {
         tool: env!("CARGO_PKG_VERSION").into(),
         command: context.recipe.command.clone(),
     }
-}
-
-/// What the include files say first of all.
-fn opening(smith: Smith, alpha: AlphaMap) -> Vec<String> {
-    let smith = format!("GGX lobe, smith: {}; alpha = {}", smith.name(), alpha.name());
-    [
-        "",
-        &smith,
-        "(`path_tracer_*` have a form and a map of their own, which their heads tell.)",
-        "Inputs: alpha is the GGX width, roughness the parameter it is made from, mu the cosine between normal and",
-        "view, f0 the reflectance at normal incidence. `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.",
-        "`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel. `*_lookup` is E from a table, for",
-        "`ggx_compensate_*`. ior is the index of refraction, inside over outside, for rays from either side; anisotropy a in [0, 1]",
-        "makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the squared cosine of the view's azimuth",
-        "from the alpha_x axis.",
-        "`coupling_*` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.",
-        "Operations: add, mul, fma, min, max, compare, select 1; rcp, sqrt, exp2 4; division rcp + mul; exp 5, pow 9;",
-        "sin, cos, log2 4; log 5.",
-    ]
-    .map(String::from)
-    .to_vec()
 }

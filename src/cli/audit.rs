@@ -1,5 +1,6 @@
 //! `lobefit audit`: somebody else's table or shader function against the truth.
 
+mod judged;
 mod origin;
 mod refusal;
 mod stated;
@@ -19,7 +20,7 @@ use crate::effects::Quantity;
 use crate::foreign::{self, Hints, RawFormat};
 use crate::integrate::glass::Side;
 use crate::report::{self, AuditFindings};
-use crate::store::{self, Files, Folder};
+use crate::store::{self, Files, Folder, StoreError};
 use words::{Size, axis, column, raw_format, setting, side, siting, size, wanted};
 
 pub(super) const EXAMPLES: &str = "\
@@ -30,14 +31,17 @@ Examples:
   lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx
   lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
 
-What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, ior-1, F0, ...;
+What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
+F0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 
 Exit code 1: with --limit, over it, not all judged, or no convention fits; without it, no convention fits that options (--axes, --registration,
---smith, --side, --meaning) leave open, or the file is not what its own attribute `lobefit` says. Else it only tells, and the exit code is 0. A file with that attribute is
-judged where it claims something, and passes no --limit if its axes cover more. --limit holds for the table as it is best read
-and as it will be read: texels off their centres or end points, axes that fall, powers of roughness and E at normal incidence for an
-average are over it unless options say that they are meant.";
+--smith, --side, --meaning) leave open, or the file is not what its own attribute `lobefit` says. Else it only tells, and the exit code is 0.
+
+--limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
+and of a file with that attribute at lookups, at texels and between them: where it claims something, and it passes no --limit if its axes cover
+more. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall, powers of
+roughness and E at normal incidence for an average are over it unless options say that they are meant.";
 
 /// Options of `audit`.
 #[derive(Args)]
@@ -83,7 +87,7 @@ pub(super) struct Options {
     /// Value of an argument that is no input
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
-    /// Largest error at a texel that is accepted
+    /// Largest error that is accepted: at a texel, at a function's points, at a lookup of a file that says how it is looked up
     #[arg(long, value_name = "E", value_parser = not_negative)]
     pub limit: Option<f64>,
     /// Folder for NAME.audit.html and NAME.audit.json
@@ -102,6 +106,8 @@ pub(super) struct Options {
 /// What was read of the file.
 struct Read {
     shipped: Shipped,
+    /// A function with its index of refraction given as 1/ior, where it has one and nobody says how it is given.
+    inverse: Option<Shipped>,
     /// What the file is, in words.
     holds: String,
     /// What it says of itself, or nothing.
@@ -110,8 +116,8 @@ struct Read {
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     other_kind(options)?;
-    let bytes = store::read(&options.file, foreign::limits::BYTES)?;
-    let Read { mut shipped, holds, note } =
+    let bytes = read(options)?;
+    let Read { mut shipped, inverse, holds, note } =
         if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
     // A folder that cannot be written is told of before the work.
     let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
@@ -121,7 +127,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         // What it says of its size is known to agree with the file.
         shipped = Shipped { size: said.size.clone(), axes: Shipped::axes_of(said.size.len()), ..shipped };
     }
-    if let Some(said) = said.as_ref().filter(|said| said.holds()) {
+    // A file that is known to be of another form or registration than it says is told of in those words, and not as a table of which nothing is known.
+    if let Some(said) = said.as_ref().filter(|said| said.holds() || said.instead.is_some()) {
         drop(progress);
         let found = audit::declared_findings(
             said,
@@ -130,20 +137,26 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
             &holds,
             options.limit,
         );
+        let found = AuditFindings { verdict: stated::with_limit(found.verdict, options.limit), ..found };
         return publish(options, folder, &found, &refusal::of_stated(said, options.limit));
     }
-    let mut done = options.threads.install(|| work(options, &shipped, &progress))?;
+    let (own, quantity) = (pins(options)?, options.wanted.0);
+    let judge = |pins: &Pins| {
+        options.threads.install(|| Ok(judged::judged(&shipped, inverse.as_ref(), quantity, pins, &progress)?))
+    };
+    let mut done = judge(&own)?;
     if let Some(said) = &said {
         done.verdict = format!("{} Without its statement: {}", said.verdict, done.verdict);
     }
     if options_fit_nothing(&done) {
         progress.stage("the same without the options");
-        let free = Pins { column: options.wanted.1, ..Pins::default() };
-        let free =
-            options.threads.install(|| Ok(audit::audit(&shipped, options.wanted.0, &free, &|_| ())?))?;
+        let free = judge(&Pins { column: options.wanted.1, ..Pins::default() })?;
         done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
     }
     drop(progress);
+    if let Some(limit) = options.limit {
+        done.verdict = format!("{} {}", done.verdict, audit::limit_judged(&done, limit));
+    }
     let origin = origin::origin(options, &bytes);
     let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
     let found = AuditFindings { passed: found.passed && said.is_none(), ..found };
@@ -152,6 +165,19 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         None => refusal::refusal(&done, options.limit),
     };
     publish(options, folder, &found, &refused)
+}
+
+/// The file's bytes.
+fn read(options: &Options) -> Result<Vec<u8>, CliError> {
+    match store::read(&options.file, foreign::limits::BYTES) {
+        Err(StoreError::TooLarge { path, limit }) => Err(CliError::Usage(format!(
+            "{}: larger than {limit} bytes ({} MiB), the most that is read: a table of 1024 x 1024 texels of four singles takes a quarter of \
+             that; give it at the size at which it is shipped, its largest level alone, or its slices one by one",
+            path.display(),
+            limit >> 20
+        ))),
+        other => Ok(other?),
+    }
 }
 
 /// Writes and prints what was found; `refused` is said where it does not pass.
@@ -179,11 +205,6 @@ fn publish(
         say(refused);
     }
     Ok(Outcome::Failed)
-}
-
-fn work(options: &Options, shipped: &Shipped, progress: &Spinner) -> Result<Audit, CliError> {
-    let pins = pins(options)?;
-    Ok(audit::audit(shipped, options.wanted.0, &pins, &|stage| progress.stage(stage))?)
 }
 
 fn options_fit_nothing(done: &Audit) -> bool {
@@ -241,20 +262,25 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let mut refused = None;
     for function in &functions {
         match audit::sampled(function, options.wanted.0, &options.set, &scales) {
-            Ok(sampled) => found.push(sampled),
+            Ok(sampled) => found.push((sampled, function)),
             Err(error) => refused = refused.or(Some(error)),
         }
     }
-    let names: Vec<&str> = found.iter().map(|f| f.what.as_str()).collect();
+    let names: Vec<&str> = found.iter().map(|f| f.0.what.as_str()).collect();
     let names = names.join("`, `");
     match (found.len(), refused) {
         (0, Some(error)) => Err(error.into()),
         (0, None) => Err(CliError::Usage(format!("{file}: holds no function"))),
         (1, _) => {
-            let function = found.swap_remove(0);
+            let (function, source) = found.swap_remove(0);
             let holds = format!("shader, function {} of {}", function.what, function.axes.join(", "));
-            let shipped = Shipped { what: format!("{} ({})", function.what, file_name(options)), ..function };
-            Ok(Read { shipped, holds, note: String::new() })
+            let what = format!("{} ({})", function.what, file_name(options));
+            let inverse = match scales.is_empty() {
+                true => audit::sampled_inverse(source, options.wanted.0, &options.set)?,
+                false => None,
+            };
+            let inverse = inverse.map(|inverse| Shipped { what: what.clone(), ..inverse });
+            Ok(Read { shipped: Shipped { what, ..function }, inverse, holds, note: String::new() })
         }
         _ => Err(CliError::Usage(format!(
             "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"
@@ -267,7 +293,7 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints(options))?;
     let table = chosen(options, &tables)?;
     let shipped = Shipped { what: named(options, &table.name), ..Shipped::from(table) };
-    Ok(Read { shipped, holds: table.what.clone(), note: table.note.clone() })
+    Ok(Read { shipped, inverse: None, holds: table.what.clone(), note: table.note.clone() })
 }
 
 /// Inputs of the quantity.
@@ -321,6 +347,7 @@ fn pins(options: &Options) -> Result<Pins, CliError> {
         meanings: Some(meanings).filter(|m| !m.is_empty()),
         column: options.wanted.1,
         roles: None,
+        inverse: false,
     })
 }
 

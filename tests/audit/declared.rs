@@ -4,10 +4,13 @@ use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::audit::{AuditError, Column, Declared, Shipped, declared};
+use lobefit::data::Smith;
 use lobefit::effects::Quantity;
 use lobefit::foreign::{ForeignTable, Hints, read_table};
+use lobefit::integrate::reflection::{self, Effort};
 
 const DFG: &[u8] = include_bytes!("../../tables/ggx-dfg-correlated-32x32.exr");
+const AZIMUTH: &[u8] = include_bytes!("../../tables/ggx-aniso-azimuth-correlated-64x16x16.exr");
 const SPLIT: &[u8] = include_bytes!("../../tables/ggx-dfg-correlated-64x64-split-sum.exr");
 
 fn read(bytes: &[u8]) -> ForeignTable {
@@ -44,6 +47,71 @@ fn a_table_is_what_it_says() {
     assert_eq!(columns, [Column::E, Column::B, Column::A]);
     assert!(split.holds(), "{} claims {}", split.worst(), split.claimed);
     assert_eq!(run(SPLIT, Some(Column::B)).held.len(), 1);
+}
+
+#[test]
+fn a_table_of_the_azimuth_is_what_it_says() {
+    let quantity = Quantity::find("ggx-reflection-aniso").unwrap();
+    let table = read(AZIMUTH);
+    let run = |note: &str| declared(&Shipped::from(&table), quantity, None, note);
+    let found = run(&table.note).unwrap();
+    eprintln!("{}", found.verdict);
+    assert!(found.holds() && found.size == [64, 16, 16], "{}", found.verdict);
+    assert!(
+        found.worst() > 0.3 * found.claimed && found.worst() <= 1.05 * found.claimed,
+        "{}",
+        found.worst()
+    );
+    let names: Vec<&str> = found.places.iter().map(|p| p.0).collect();
+    assert_eq!(names, ["mu", "alpha", "anisotropy", "cos2_phi"]);
+    assert!(found.verdict.contains("cos2_phi 0 to 1"), "{}", found.verdict);
+    assert!(found.passes(Some(0.005)) && !found.passes(Some(0.001)));
+    // The azimuth turned by a quarter, and another power of t.
+    let turned = table.note.replace(
+        "t = log2(cos2_phi / q + (1 - cos2_phi) * q)",
+        "t = log2(cos2_phi * q + (1 - cos2_phi) / q)",
+    );
+    for lie in [turned, table.note.replace("t * (c1 + t", "t * (c1 - t")] {
+        assert!(lie != table.note);
+        let found = run(&lie).unwrap();
+        assert!(!found.holds() && found.worst() > 0.02, "{}", found.verdict);
+    }
+    let odd = |from: &str, to: &str| run(&table.note.replace(from, to)).unwrap_err().to_string();
+    assert!(odd("(t = 0 at anisotropy 0)", "(t at anisotropy 0)").contains("is no exception"));
+    assert!(odd("(t = 0 at anisotropy 0)", "").contains("gives NaN"));
+}
+
+#[test]
+fn a_part_of_the_other_form_is_told() {
+    let table = read(DFG);
+    let mut shipped = Shipped::from(&table);
+    let [columns, rows] = [shipped.size[0], shipped.size[1]];
+    // The lower half anew by the statement's own axes, of the other form.
+    for y in rows / 2..rows {
+        for x in 0..columns {
+            let roughness = table_input(&table.note, "rows", y as f64 / (rows - 1) as f64);
+            let u = x as f64 / (columns - 1) as f64;
+            let (alpha, u2) = (roughness * roughness, u * u);
+            let mu = (alpha * u2 / (1.0 + alpha - u2)).clamp(0.0, 1.0);
+            let loss = reflection::loss(Smith::Separable, alpha, mu, &Effort::ladder()[1].outer);
+            shipped.channels[0].values[y * columns + x] = loss;
+        }
+    }
+    let quantity = Quantity::find("ggx-reflection").unwrap();
+    let found = declared(&shipped, quantity, None, &table.note).unwrap();
+    eprintln!("{}", found.verdict);
+    let instead = found.instead.as_deref().unwrap_or("nothing");
+    assert!(!found.holds() && instead.starts_with("separable Smith at"), "{instead}");
+    assert!(instead.contains("a part of the table was made with the other form"), "{instead}");
+}
+
+/// The input at a coordinate of an axis, from its line's range.
+fn table_input(note: &str, axis: &str, u: f64) -> f64 {
+    let line = note.lines().find(|l| l.starts_with(axis)).unwrap();
+    let ends = line.split_once(" in [").unwrap().1.split_once(']').unwrap().0;
+    let (low, high) = ends.split_once(", ").unwrap();
+    let [low, high] = [low, high].map(|t| t.parse::<f64>().unwrap());
+    low + u * (high - low)
 }
 
 #[test]
@@ -110,7 +178,9 @@ fn the_command_line_reads_it_unless_told_otherwise() {
     assert!(code == Some(1) && err.contains("the limit 1e-4"), "{err}");
     let (code, out, err) = with("lie.exr", &[]);
     assert!(
-        code == Some(1) && out.contains("Without its statement") && err.contains("not what it says"),
+        code == Some(1)
+            && out.contains("be so with height-correlated Smith")
+            && err.contains("not what it says"),
         "{out} {err}"
     );
     let (code, out, err) = with("huge.exr", &["--limit", "1000"]);
@@ -182,7 +252,7 @@ fn statements_that_would_take_for_ever_or_lead_nowhere_are_refused() {
         (decode(&format!("E = 1 - loss{}", many(100_000))), "more than 16 definitions"),
         (decode("E = sqrt(0 - 1 - loss)"), "gives NaN"),
         (decode("E = 1 / (loss - loss)"), "gives inf"),
-        (decode("E = t * 0, t = 1"), "names what is not there"),
+        (decode("E = s * 0, t = 1"), "names what is not there"),
         (domain("alpha [0.25, 0.25]"), "is no range"),
         (domain("alpha [0.5, 0.25]"), "is no range"),
         (domain("alpha [2, 3]"), "no range of alpha"),

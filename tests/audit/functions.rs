@@ -1,7 +1,7 @@
 //! Published fits as shader functions: what their arguments mean, which lobe they were fitted to, and how far off they are, from values alone.
 //! The figures are of shared tables of published fits on another grid, so they agree to a few per cent.
 
-use lobefit::audit::{Audit, AuditError, Column, Fit, Pins, Scale, Source, audit, sampled};
+use lobefit::audit::{Audit, AuditError, Column, Fit, Pins, Scale, Source, audit, sampled, sampled_inverse};
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
 use lobefit::foreign::read_functions;
@@ -73,7 +73,11 @@ fn a_blend_over_f0_is_taken_apart() {
     near(e.rms, 0.108, 0.1);
     // A sixth of the spread is no fit of anything, and that is said.
     assert_eq!(found.fit, Fit::None);
-    assert!(found.verdict.contains("fits no convention"), "{}", found.verdict);
+    assert!(
+        found.verdict.contains("no approximation of ggx-reflection under any reading"),
+        "{}",
+        found.verdict
+    );
     assert!(found.channels[0].name.contains("F0 = 0"), "{}", found.channels[0].name);
 }
 
@@ -135,6 +139,35 @@ fn an_index_of_refraction_runs_from_1_to_2() {
 }
 
 #[test]
+fn an_index_may_be_given_the_other_way_round() {
+    // Fresnel's reflectance of a smooth interface by eta = 1/ior; it has no value for a ray from inside.
+    let text = "fn fresnel(eta: f32, alpha: f32, mu: f32) -> f32 {
+      let c = sqrt(max(0.0, 1.0 - eta * eta * (1.0 - mu * mu)));
+      let s = (eta * mu - c) / (eta * mu + c);
+      let p = (mu - eta * c) / (mu + eta * c);
+      return select(-1.0 - eta * mu, 0.5 * (s * s + p * p), eta <= 1.0) + 0.0 * alpha;
+    }";
+    let function = read_functions(text.as_bytes(), "g.wgsl", None, Some("fresnel")).unwrap().remove(0);
+    let glass = of("ggx-glass");
+    let inverse = sampled_inverse(&function, glass, &[]).unwrap().expect("eta is an index");
+    assert!(inverse.channels[0].values.iter().all(|v| *v >= 0.0), "eta is at most 1");
+    let pins = Pins { column: Some(Column::R), ..Pins::default() };
+    let run =
+        |shipped: &_, inverse| audit(shipped, glass, &Pins { inverse, ..pins.clone() }, &|_| ()).unwrap();
+    let plain = run(&sampled(&function, glass, &[], &[]).unwrap(), false);
+    let (own, other) = (run(&inverse, true), plain.tried[0].rank);
+    assert_eq!(scales(&own)[0], (Scale::Eta, false));
+    assert_eq!(own.best().lobe.side.map(|s| s.name()), Some("outside"));
+    let best = plain.beside(own);
+    assert!(scales(&best)[0] == (Scale::Eta, false) && best.tried[0].rank < 0.5 * other, "{}", best.verdict);
+    assert!(best.verdict.contains("the argument eta given eta (eta = 1/ior)"), "{}", best.verdict);
+    assert!(best.tried.iter().any(|t| t.convention.axes[0].scale == Scale::Ior) || best.margin.is_finite());
+    // A quantity without an index has no such argument.
+    let function = read_functions(FITS.as_bytes(), "fits.wgsl", None, Some("pesce")).unwrap().remove(0);
+    assert_eq!(sampled_inverse(&function, of("ggx-reflection"), &[]), Ok(None));
+}
+
+#[test]
 fn roughness_with_its_alpha_and_directions_are_arguments() {
     let text = "
       fn both(roughness: f32, alpha: f32, mu: f32) -> f32 { return 1.0 - 0.4 * alpha * mu + 0.1 * (roughness * roughness - alpha); }
@@ -185,7 +218,11 @@ fn a_fit_that_this_tool_wrote_has_its_certificate() {
 fn what_is_no_fit_is_told() {
     let found = run("nothing");
     assert_eq!(found.fit, Fit::None);
-    assert!(found.verdict.contains("fits no convention"), "{}", found.verdict);
+    assert!(
+        found.verdict.contains("no approximation of ggx-reflection under any reading"),
+        "{}",
+        found.verdict
+    );
     let read = |name: &str| read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
     let quantity = Quantity::find("ggx-reflection").unwrap();
     let bad = sampled(&read("infinite"), of("ggx-reflection"), &[], &[]).unwrap();

@@ -105,28 +105,85 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     assert!(!found.passes(Some(0.5)));
 }
 
-#[test]
-fn the_anisotropic_table_of_the_sources_is_read_as_it_is() {
-    let size = [16, 16, 8];
+/// The sources' table of these sizes over mu, alpha and the square root of the anisotropy, nodes i/n.
+fn of_the_sources(size: [usize; 3]) -> Vec<f64> {
     let at = |i: usize, n: usize| i as f64 / n as f64;
     let mu: Vec<f64> = (0..size[0]).map(|i| at(i, size[0]).clamp(1e-4, 0.9999)).collect();
     let alphas: Vec<f64> = (0..size[1]).map(|i| at(i, size[1]).clamp(1e-4, 1.0)).collect();
     let aspects: Vec<f64> = (0..size[2]).map(|i| (1.0 - 0.9 * at(i, size[2]).sqrt()).sqrt()).collect();
     let grid = Grid { columns: Columns::Fixed(&mu), alphas: &alphas, aspects: &aspects, floor: 1e-4 };
-    let e = tabulate(Smith::Separable, &grid, 1e-7).unwrap().e;
-    let found = run(&shipped("reflect", &size, e), "ggx-reflection-aniso", &Pins::default());
-    assert_eq!(
-        axes(&found),
-        [
-            (Scale::Mu, Siting::Left, false),
-            (Scale::Alpha, Siting::Left, false),
-            (Scale::AnisotropySquared, Siting::Left, false),
-        ]
+    tabulate(Smith::Separable, &grid, 1e-7).unwrap().e
+}
+
+/// Their coordinates.
+const SOURCES: [(Scale, Siting, bool); 3] = [
+    (Scale::Mu, Siting::Left, false),
+    (Scale::Alpha, Siting::Left, false),
+    (Scale::AnisotropySquared, Siting::Left, false),
+];
+
+#[test]
+fn the_anisotropic_table_of_the_sources_is_read_as_it_is() {
+    let found = run(
+        &shipped("reflect", &[16, 16, 8], of_the_sources([16, 16, 8])),
+        "ggx-reflection-aniso",
+        &Pins::default(),
     );
+    assert_eq!(axes(&found), SOURCES);
     assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
     assert_eq!(found.fit, Fit::Whole);
     let plain = found.plain.as_ref().map(|p| p.texels);
     assert_eq!(plain, Some([2048; 2]), "the plain reading is judged at every texel too");
+}
+
+#[test]
+fn unequal_sizes_and_every_order_of_axes_are_read() {
+    let size = [20, 12, 8];
+    let e = of_the_sources(size);
+    for (order, smith) in [
+        ([0, 1, 2], None),
+        ([0, 2, 1], Some(Smith::Separable)),
+        ([1, 0, 2], Some(Smith::Separable)),
+        ([1, 2, 0], Some(Smith::Separable)),
+        ([2, 0, 1], Some(Smith::Separable)),
+        ([2, 1, 0], Some(Smith::Separable)),
+    ] {
+        let sides = order.map(|k| size[k]);
+        let value = |i: usize| {
+            let along = [i % sides[0], i / sides[0] % sides[1], i / (sides[0] * sides[1])];
+            let mut own = [0; 3];
+            order.iter().zip(along).for_each(|(k, at)| own[*k] = at);
+            e[(own[2] * size[1] + own[1]) * size[0] + own[0]]
+        };
+        let table = shipped("reflect", &sides, (0..e.len()).map(value).collect());
+        let found = run(&table, "ggx-reflection-aniso", &Pins { smith, ..Pins::default() });
+        assert_eq!(axes(&found), order.map(|k| SOURCES[k]), "{order:?}");
+        assert_eq!((found.best().lobe.smith, found.fit), (Some(Smith::Separable), Fit::Whole), "{order:?}");
+        assert!(found.margin > 5.0 && found.worst() < 1e-4, "{order:?}: {}", found.worst());
+    }
+}
+
+#[test]
+fn an_axis_of_the_inverse_index_is_told() {
+    // Adobe's tables have 1/ior along half of an axis; here all of it, from 1/2 to 1.
+    let kernel = Kernel::new(Smith::Correlated, 1e-7).unwrap();
+    let at = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
+    let size = [10, 12, 14];
+    let iors: Vec<f64> = (0..size[0]).map(|i| 2.0 / (1.0 + at(i, size[0]))).collect();
+    let mut values = Vec::new();
+    for z in 0..size[2] {
+        for y in 0..size[1] {
+            let mut out = vec![Energies::default(); size[0]];
+            let alpha = at(y, size[1]);
+            kernel.energies(alpha * alpha, at(z, size[2]), &iors, &mut out).unwrap();
+            values.extend(out.iter().map(|e| e.r[0]));
+        }
+    }
+    let pins = Pins { side: Some(Side::Outside), ..Pins::default() };
+    let found = run(&shipped("R", &size, values), "ggx-glass", &pins);
+    let wanted = [Scale::IorInverseTwo, Scale::Roughness, Scale::Mu].map(|s| (s, Siting::Centre, false));
+    assert_eq!(axes(&found), wanted);
+    assert_eq!((found.best().columns.clone(), found.fit), (vec![Some(Column::R)], Fit::Whole));
 }
 
 #[test]
@@ -150,12 +207,16 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
 
 #[test]
 fn texels_that_are_not_sampled_are_told_and_pass_no_limit() {
-    let size = [5200, 8, 8];
-    let values = (0..5200 * 64).map(|i| 1.0 - 0.3 * ((i / 5200 % 8) as f64 / 8.0)).collect();
+    let size = [8200, 8, 8];
+    let values = (0..8200 * 64).map(|i| 1.0 - 0.3 * ((i / 8200 % 8) as f64 / 8.0)).collect();
     let mut found = run(&shipped("large", &size, values), "ggx-reflection-aniso", &Pins::default());
     let errors = found.channels[0].errors.as_ref().unwrap();
-    assert_eq!(errors.unsampled, 5200 * 64 - 64 * 64);
-    assert!(found.verdict.contains("328704 not sampled"), "{}", found.verdict);
+    assert_eq!(errors.unsampled, 8200 * 64 - 64 * 64);
+    assert!(
+        found.verdict.contains("520704 were not looked at") && found.verdict.contains("64 of 8200 along x"),
+        "{}",
+        found.verdict
+    );
     found.fit = Fit::Whole;
     assert!(!found.passes(Some(f64::MAX)));
 }

@@ -115,7 +115,7 @@ fn rows_one_texel_off_are_found() {
             .any(|d| matches!(d, Defect::Noise { rms, .. } if (rms - 1.15e-3).abs() < 2e-4))
     );
     assert!(found.verdict.contains("one texel above the centres"), "{}", found.verdict);
-    assert!(found.verdict.contains("one texel too far"), "{}", found.verdict);
+    assert!(found.verdict.contains("that of texel i + 1"), "{}", found.verdict);
 }
 
 #[test]
@@ -154,7 +154,9 @@ fn a_limit_holds_for_the_table_as_it_will_be_read() {
 #[test]
 fn end_points_one_texel_off_are_found() {
     let at = |i: usize| i as f64 / 31.0;
-    for (siting, shift, word) in [(Siting::EndHigh, 1.0, "too far"), (Siting::EndLow, -1.0, "too near")] {
+    for (siting, shift, word) in
+        [(Siting::EndHigh, 1.0, "that of texel i + 1"), (Siting::EndLow, -1.0, "that of texel i - 1")]
+    {
         let shifted = |i: usize| ((i as f64 + shift) / 31.0).clamp(0.0, 1.0);
         let value = |x: usize, y: usize| both(Smith::Correlated, shifted(y) * shifted(y), at(x).max(1e-4)).0;
         let found = reflection_of(&table([32, 32], &[("0", &value)]));
@@ -359,6 +361,39 @@ fn a_clamped_and_a_stale_part_are_found() {
             .iter()
             .any(|d| matches!(d, Defect::Clamped { value, truth, .. } if *value == 1.8 && *truth > 2.5))
     );
+}
+
+#[test]
+fn a_part_of_the_other_shadowing_form_is_told() {
+    let at = |i: usize| (i as f64 + 0.5) / 32.0;
+    // Rows from `first` on are of the other form: half of the table, and more than half.
+    for (own, other, first) in
+        [(Smith::Correlated, Smith::Separable, 16), (Smith::Separable, Smith::Correlated, 20)]
+    {
+        let value =
+            |x: usize, y: usize| half(both(if y < first { own } else { other }, at(y) * at(y), at(x)).0);
+        let found = reflection_of(&table([32, 32], &[("R", &value)]));
+        assert_eq!(found.fit, Fit::Part);
+        assert_eq!(
+            axes(&found),
+            [(Scale::Mu, Siting::Centre, false), (Scale::Roughness, Siting::Centre, false)]
+        );
+        let parts = found.mixed.as_ref().expect("two parts");
+        let [most, fewer, all] = parts.texels;
+        assert!(most >= fewer && fewer > 60 && all == 1024, "{parts:?}");
+        assert!(parts.max < 3e-4 && found.margin > 4.0, "{parts:?} {}", found.margin);
+        let rows = if found.best().lobe.smith == Some(own) { [first, 31] } else { [0, first - 1] };
+        assert!(parts.range[1][0] >= rows[0] && parts.range[1][1] == rows[1], "{parts:?}");
+        for told in ["height-correlated Smith", "separable Smith", "made in two parts", "(all at "] {
+            assert!(found.verdict.contains(told), "{told}: {}", found.verdict);
+        }
+        assert!(!found.passes(Some(1.0)) && found.passes(None));
+    }
+    // A part that is of neither form is no such part.
+    let damaged = |x: usize, y: usize| {
+        both(Smith::Correlated, at(y) * at(y), at(x)).0 - if y < 16 { 0.05 * at(x) } else { 0.0 }
+    };
+    assert_eq!(reflection_of(&table([32, 32], &[("R", &damaged)])).mixed, None);
 }
 
 #[test]

@@ -119,9 +119,64 @@ fn shaders_are_audited() {
 }
 
 #[test]
+fn where_a_limit_is_judged_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("tables.h"), array()).unwrap();
+    let text = "fn e(alpha: f32, mu: f32) -> f32 { return sin(20.0 * alpha) * cos(13.0 * mu); }";
+    std::fs::write(folder.path().join("e.wgsl"), text).unwrap();
+    let with = |file: &str, more: &[&str]| {
+        let all = [&["audit", file, "--as", "ggx-reflection:E"], more].concat();
+        let output = lobefit(folder.path(), &all, b"");
+        (output.status.code(), String::from_utf8(output.stdout.clone()).unwrap(), stderr(&output))
+    };
+    let (code, out, _) = with("tables.h", &["--size", "16x16", "--limit", "1e-5"]);
+    assert!(
+        code == Some(0) && out.contains("is judged at the texels, which keep it; lookups between"),
+        "{out}"
+    );
+    let (code, out, err) = with("tables.h", &["--size", "16x16", "--limit", "1e-7"]);
+    assert!(code == Some(1) && out.contains("at the texels, not at lookups between them"), "{out}");
+    assert!(err.contains("the largest error at a texel is"), "{err}");
+    // A function is told of as one, and no options are spoken of that were not given.
+    let (code, out, err) = with("e.wgsl", &["--limit", "0.01"]);
+    assert!(code == Some(1) && out.contains("judged at those points of the arguments"), "{out}");
+    assert!(out.contains("fit its constants") && !out.contains("texel") && !out.contains("table"), "{out}");
+    assert!(err.contains("follows no reading of its arguments") && !err.contains("options"), "{err}");
+}
+
+#[test]
+fn an_index_is_tried_both_ways() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "fn r(eta: f32, alpha: f32, mu: f32) -> f32 {
+      let c = sqrt(1.0 - eta * eta * (1.0 - mu * mu));
+      let s = (eta * mu - c) / (eta * mu + c);
+      return s * s * (1.0 - 0.1 * alpha);
+    }";
+    std::fs::write(folder.path().join("r.wgsl"), text).unwrap();
+    let output = lobefit(folder.path(), &["audit", "r.wgsl", "--as", "ggx-glass:R"], b"");
+    let out = String::from_utf8(output.stdout.clone()).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(out.contains("eta given eta (eta = 1/ior)"), "{out}");
+    assert!(
+        out.contains("Given ior for its index it cannot be judged") && out.contains("not a finite number"),
+        "{out}"
+    );
+}
+
+#[test]
 fn bad_usage_is_exit_2_and_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("tables.h"), array()).unwrap();
+    let huge = std::fs::File::create(folder.path().join("huge.exr")).unwrap();
+    huge.set_len((64 << 20) + 1).unwrap();
+    let huge = lobefit(folder.path(), &["audit", "huge.exr", "--as", "ggx-reflection"], b"");
+    assert!(huge.status.code() == Some(2), "{}", stderr(&huge));
+    assert!(
+        stderr(&huge).contains("(64 MiB)") && stderr(&huge).contains("largest level alone"),
+        "{}",
+        stderr(&huge)
+    );
+    std::fs::remove_file(folder.path().join("huge.exr")).unwrap();
     for (arguments, expected) in [
         (&["no-such.exr", "--as", "ggx-reflection"][..], "no-such.exr"),
         (&["tables.h"], "--as"),

@@ -290,4 +290,36 @@ fn arrays_of_numpy_state_what_is_not_read() {
         let message = refused(&npy(&text, &data), "t.npy");
         assert!(message.contains(part), "{message}");
     }
+    // A size that contradicts the array's own is refused; its own, slices one below the other and a flat list are not.
+    let sized = |shape: &str, size: &[usize]| {
+        let hints = Hints { size: Some(size.to_vec()), ..Hints::default() };
+        read_table(&npy(&dictionary("<f8", "False", shape), &data), "t.npy", &hints)
+    };
+    for (shape, size) in
+        [("(4, 8)", &[8, 4][..]), ("(4, 8)", &[8, 2, 2]), ("(32,)", &[4, 8]), ("(8, 4)", &[4, 8])]
+    {
+        let table = sized(shape, size).unwrap().remove(0);
+        assert_eq!((table.size.as_slice(), table.channels[0].values[9]), (size, value(9, 0)));
+    }
+    for (shape, size) in [("(4, 8)", &[4, 8][..]), ("(4, 8)", &[16, 2]), ("(4, 8)", &[4, 4, 2])] {
+        let message = sized(shape, size).unwrap_err().to_string();
+        assert!(
+            message.starts_with("t.npy: 32 values, which the array's own shape (4, 8) lays out"),
+            "{message}"
+        );
+        assert!(message.contains("8 x 4 texels (x first): --size"), "{message}");
+    }
+}
+
+#[test]
+fn an_image_that_is_cut_short_tells_where_and_what_was_read() {
+    let bytes = exr_of_parts(&[("a", &["R"])]);
+    let length = bytes.len();
+    for (kept, told) in
+        [(length - 5, "its 6 x 4 texels of 1 channels"), (60, "the header and the list"), (5, "the header")]
+    {
+        let message = refused(&bytes[..kept], "t.exr");
+        assert!(message.contains(&format!("the file ends after {kept} bytes")), "{message}");
+        assert!(message.contains(told) && message.contains(&format!("byte {kept}: ")), "{message}");
+    }
 }

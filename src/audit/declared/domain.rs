@@ -6,8 +6,8 @@ use crate::audit::axis::Input;
 use crate::audit::truth::Truth;
 use crate::audit::verdict::number;
 
-/// Places along the inputs: of two, and of three in the truth's order.
-const PLACES: [usize; 2] = [64, 14];
+/// Places along the inputs: of two, of three and of four.
+const PLACES: [usize; 3] = [64, 14, 11];
 
 /// Cosine below which the certificates of this tool claim nothing, though axes of mu begin at 0: no table is held to more.
 const GRAZING: f64 = 0.001;
@@ -28,12 +28,15 @@ pub(super) struct Domain {
 impl Domain {
     /// Errors: an input of which the statement gives no range, or one that is empty or a single value where the truth is had.
     pub fn new(truth: &dyn Truth, said: &Statement) -> Result<Domain, String> {
-        let count = PLACES[usize::from(truth.inputs().len() == 3)];
+        let count = PLACES[truth.inputs().len().clamp(2, 4) - 2];
         let mut out = Domain { places: Vec::new(), beyond: Vec::new(), cut: Vec::new() };
         for input in truth.inputs() {
             let name = input.name();
-            let claimed = said.range(name).ok_or_else(|| format!("its line `domain` has no {name}"))?;
             let [low, high] = truth.range(*input);
+            // A table of the azimuth is of all of them.
+            let all = (*input == Input::Azimuth).then_some([low, high]);
+            let claimed = said.range(name).or(all);
+            let claimed = claimed.ok_or_else(|| format!("its line `domain` has no {name}"))?;
             let [from, to] = claimed.map(|x| x.clamp(low, high));
             out.places.push((name, places(*input, [from, to], count)?));
             out.cut.extend(outside(name, claimed, [low, high]));

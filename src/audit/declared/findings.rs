@@ -1,6 +1,7 @@
 //! The same for the report.
 
 use super::{Declared, Held};
+use crate::audit::shipped::place;
 use crate::audit::verdict::number;
 use crate::report::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditErrors, AuditFindings, AuditHeld, Field,
@@ -93,10 +94,7 @@ fn maps(found: &Declared, held: &Held) -> Vec<Field> {
     let count = slices.min(SLICES);
     let shown = (0..count).map(|k| k * (slices - 1) / (count - 1).max(1));
     let field = |k: usize| Field {
-        name: match found.places.get(2) {
-            Some((z, zs)) => format!("error, {z} {}", number(zs[k])),
-            None => format!("error of {}", held.column.name()),
-        },
+        name: slice(found, held, k),
         unit: String::new(),
         signed: true,
         x: Ruler { name: (*x).into(), values: xs.clone() },
@@ -104,6 +102,20 @@ fn maps(found: &Declared, held: &Held) -> Vec<Field> {
         values: held.errors[k * plane..][..plane].iter().map(|e| *e as f32).collect(),
     };
     shown.map(field).collect()
+}
+
+/// Name of a slice: its places along the inputs after the second.
+fn slice(found: &Declared, held: &Held, k: usize) -> String {
+    let after = found.places.iter().skip(2);
+    let sizes: Vec<usize> = after.clone().map(|p| p.1.len()).collect();
+    let at = place(k, &sizes);
+    let told: Vec<String> =
+        after.zip(at).map(|((name, list), i)| format!("{name} {}", number(list[i]))).collect();
+    if told.is_empty() {
+        format!("error of {}", held.column.name())
+    } else {
+        format!("error, {}", told.join(", "))
+    }
 }
 
 /// Along the second input (mu of two inputs, alpha of three), for some places of the first.

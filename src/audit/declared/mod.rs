@@ -13,15 +13,19 @@ use super::axis::Siting;
 use super::column::Column;
 use super::lookup::fetch;
 use super::shipped::Shipped;
-use super::truth::{Truth, Values};
+use super::truth::{Truth, Values, azimuth};
 use super::{AuditError, FITS};
 use crate::data::{Place, Smith};
 use crate::effects::Quantity;
 use domain::Domain;
+use formula::Formula;
 use statement::{Axis, Statement};
 
 /// How much larger than claimed an error may be: it is looked for at other places than the file's maker did.
 const SLACK: f64 = 1.2;
+
+/// The quantity of which tables may depend on the azimuth of the view.
+const AZIMUTHAL: &str = "ggx-reflection-aniso";
 
 /// Error of a column as the statement says that it is looked up.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,7 +131,11 @@ pub fn declared(
     let said = Statement::parse(statement).map_err(odd)?;
     let shipped = agreed(table, quantity, &said)?;
     let pins = super::Pins { side: said.side, ..super::Pins::default() };
-    let truth = super::truth_of(&shipped, quantity, &pins)?;
+    let truth: Box<dyn Truth> = match said.azimuth {
+        true if quantity.name == AZIMUTHAL => Box::new(azimuth(&[Smith::Correlated, Smith::Separable])),
+        true => return Err(odd(format!("{} does not depend on the azimuth of the view", quantity.name))),
+        false => super::truth_of(&shipped, quantity, &pins)?,
+    };
     let truth = truth.as_ref();
     let Domain { places, beyond, cut } = Domain::new(truth, &said).map_err(odd)?;
     let lobe =
@@ -253,15 +261,16 @@ impl Look<'_> {
             let channel = self.table.channels.iter().find(|c| c.name == name)?;
             Some(fetch(&channel.values, &self.table.size, &at))
         };
-        let mut out: Vec<(&str, f64)> = Vec::new();
-        for (name, formula) in &self.said.decode {
-            // A channel may bear the name of what it decodes to: `E = E`.
-            let before = |n: &str| out.iter().find(|(o, _)| *o == n).map(|(_, x)| *x);
-            let value = formula.value(&|n| before(n).or_else(|| texel(n)).or_else(|| known(n)));
-            let value = value.ok_or_else(|| format!("its `decode` of {name} names what is not there"))?;
-            out.push((name, value));
-        }
-        Ok(out.into_iter().map(|o| o.1).collect())
+        let excepted = |name: &str| {
+            let here = self.said.exceptions.iter().find(|e| e.name == name && input(&e.at.0) == Some(e.at.1));
+            here.map(|e| e.value)
+        };
+        // A channel may bear the name of what it decodes to: `E = E`.
+        let made = made(&self.said.decode, &excepted, &|n| texel(n).or_else(|| known(n)));
+        let value = |(name, value): (&(String, Formula), Option<f64>)| {
+            value.ok_or_else(|| format!("its `decode` of {} names what is not there", name.0))
+        };
+        self.said.decode.iter().zip(made).map(value).collect()
     }
 
     /// The roughness of an alpha: the alpha maps are powers, which rise on [0, 1], so that halving finds it to the last digits.
@@ -279,22 +288,60 @@ impl Look<'_> {
     }
 }
 
-/// u of an axis; what its names stand for may use others of them, each of which is made once.
+/// u of an axis.
 fn coordinate(axis: &Axis, known: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
-    let (wanted, _) = axis.coordinate.first()?;
-    let mut made: Vec<(&str, f64)> = Vec::new();
-    let mut before = usize::MAX;
-    while before != made.len() {
-        before = made.len();
-        for (name, formula) in &axis.coordinate {
-            let of = |n: &str| made.iter().find(|m| m.0 == n).map(|m| m.1).or_else(|| known(n));
-            let new = made.iter().all(|m| m.0 != name);
-            if let Some(value) = formula.value(&of).filter(|_| new) {
-                made.push((name, value));
-            }
+    made(&axis.coordinate, &|_| None, known).first().copied().flatten()
+}
+
+/// Values of definitions, in their order, each of which may use others of them, besides what is `known`; what is `excepted` has that value
+/// whatever its formula. Each is made once; none where a name has no value.
+fn made(
+    definitions: &[(String, Formula)],
+    excepted: &dyn Fn(&str) -> Option<f64>,
+    known: &dyn Fn(&str) -> Option<f64>,
+) -> Vec<Option<f64>> {
+    let mut values: Vec<Option<f64>> = vec![None; definitions.len()];
+    loop {
+        let open: Vec<usize> = (0..values.len()).filter(|k| values[*k].is_none()).collect();
+        for k in &open {
+            let (name, formula) = &definitions[*k];
+            let other =
+                |n: &str| definitions.iter().zip(&values).find(|(d, _)| d.0 == n).and_then(|(_, x)| *x);
+            values[*k] = excepted(name).or_else(|| formula.value(&|n| other(n).or_else(|| known(n))));
+        }
+        if open.iter().all(|k| values[*k].is_none()) {
+            return values;
         }
     }
-    made.iter().find(|m| m.0 == wanted).map(|m| m.1)
+}
+
+/// Least share of the points that two lobes together explain, where each explains a part of a table that neither explains.
+const EXPLAINED: f64 = 0.9;
+
+/// Least share of the points that the other lobe alone explains.
+const OTHER_ALONE: f64 = 0.05;
+
+/// Of a table of two lobes, how many points are as good as claimed under the other one, in words.
+fn parts(
+    look: &Look,
+    truth: &dyn Truth,
+    bases: [&Values; 2],
+    sitings: &[Siting],
+    limit: f64,
+) -> Option<String> {
+    let [own, other] = bases.map(|base| look.errors(truth, base, sitings).ok());
+    let (own, other) = (own?, other?);
+    let all = own.first()?.errors.len();
+    let good = |held: &[Held], i: usize| held.iter().all(|h| h.errors[i].abs() <= limit);
+    let count = |fits: &dyn Fn(usize) -> bool| (0..all).filter(|i| fits(*i)).count();
+    let either = count(&|i| good(&own, i) || good(&other, i));
+    let (alone, here) = (count(&|i| !good(&own, i) && good(&other, i)), count(&|i| good(&own, i)));
+    let told = either as f64 >= EXPLAINED * all as f64 && alone as f64 >= OTHER_ALONE * all as f64;
+    told.then(|| {
+        format!(
+            "{alone} of {all} points, and is so at {here}: a part of the table was made with the other form"
+        )
+    })
 }
 
 /// The registration, of one axis or of all, or the shadowing form under which the table is as good as it claims.
@@ -312,8 +359,13 @@ fn instead(
     let said: Vec<Siting> = look.said.axes.iter().map(|a| a.siting).collect();
     let at: Vec<&[f64]> = look.places.iter().map(|p| p.1.as_slice()).collect();
     for lobe in (0..truth.lobes().len()).filter(|l| *l != own) {
-        if fits(&truth.exact(lobe, &at)?, &said) {
-            return Ok(Some(truth.lobes()[lobe].words()));
+        let other = truth.exact(lobe, &at)?;
+        let words = truth.lobes()[lobe].words();
+        if fits(&other, &said) {
+            return Ok(Some(words));
+        }
+        if let Some(counts) = parts(look, truth, [base, &other], &said, limit) {
+            return Ok(Some(format!("{words} at {counts}")));
         }
     }
     for siting in super::SITINGS {

@@ -22,6 +22,17 @@ pub(super) struct Axis {
     pub coordinate: Vec<(String, Formula)>,
 }
 
+/// `(t = 0 at anisotropy 0)`.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Exception {
+    /// What has the value.
+    pub name: String,
+    /// The value.
+    pub value: f64,
+    /// Where: at this input's value.
+    pub at: (String, f64),
+}
+
 /// What the file says.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Statement {
@@ -31,8 +42,12 @@ pub(super) struct Statement {
     /// alpha of a roughness.
     pub alpha: Formula,
     pub axes: Vec<Axis>,
-    /// Columns from the channels, in the order in which they are to be had.
+    /// Columns from the channels, and what the names in them stand for.
     pub decode: Vec<(String, Formula)>,
+    /// Where one of those has a value that its formula does not give.
+    pub exceptions: Vec<Exception>,
+    /// Whether it depends on the azimuth of the view as well, as `cos2_phi`.
+    pub azimuth: bool,
     /// Largest error that the file claims.
     pub claimed: f64,
     /// Ranges of the inputs in which it claims that.
@@ -44,9 +59,6 @@ impl Statement {
     ///
     /// Errors: the line that is missing, or cannot be understood.
     pub fn parse(text: &str) -> Result<Statement, String> {
-        if text.contains("cos2_phi") {
-            return Err("it depends on the azimuth of the view as well".into());
-        }
         let line = |start: &str| {
             let found = text.lines().map(str::trim).find_map(|l| l.strip_prefix(start));
             found.ok_or_else(|| format!("it has no line `{start}...`"))
@@ -64,6 +76,7 @@ impl Statement {
             .filter_map(|what| line(&format!("{what}: ")).ok())
             .map(axis)
             .collect::<Result<_, String>>()?;
+        let (decode, exceptions) = excepted(line("decode: ")?)?;
         let claim = line("error (")?;
         let claimed = claim.split_once("max ").and_then(|(_, rest)| rest.split(',').next()?.parse().ok());
         Ok(Statement {
@@ -72,7 +85,9 @@ impl Statement {
             side,
             alpha: Formula::parse(alpha.unwrap_or("roughness"))?,
             axes: if axes.is_empty() { return Err("it names no axes".into()) } else { axes },
-            decode: definitions(line("decode: ")?)?,
+            decode: definitions(decode)?,
+            exceptions,
+            azimuth: text.contains("cos2_phi"),
             claimed: claimed
                 .filter(|x: &f64| x.is_finite())
                 .ok_or("its line `error` states no largest error")?,
@@ -107,7 +122,20 @@ fn axis(text: &str) -> Result<Axis, String> {
 /// Most definitions of a line: tables call for six.
 const DEFINITIONS: usize = 16;
 
-/// `a = formula, b = formula`; what stands in brackets after a formula, as `(t = 0 at ...)`, cannot be read.
+/// Definitions, and the exception in brackets that may follow them.
+fn excepted(text: &str) -> Result<(&str, Vec<Exception>), String> {
+    let Some((rest, told)) = text.rsplit_once(" (").filter(|(_, told)| told.contains(" at ")) else {
+        return Ok((text, Vec::new()));
+    };
+    let odd = || format!("`({told}` is no exception");
+    let (what, place) = told.strip_suffix(')').and_then(|t| t.split_once(" at ")).ok_or_else(odd)?;
+    let (name, value) = what.split_once(" = ").ok_or_else(odd)?;
+    let (input, at) = place.split_once(' ').ok_or_else(odd)?;
+    let number = |t: &str| t.parse::<f64>().ok().filter(|x| x.is_finite()).ok_or_else(odd);
+    Ok((rest, vec![Exception { name: name.into(), value: number(value)?, at: (input.into(), number(at)?) }]))
+}
+
+/// `a = formula, b = formula`.
 fn definitions(text: &str) -> Result<Vec<(String, Formula)>, String> {
     let one = |part: &str| {
         let (name, formula) = part.split_once(" = ").ok_or_else(|| format!("`{part}` is no definition"))?;

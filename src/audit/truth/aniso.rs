@@ -1,7 +1,7 @@
 //! The anisotropic lobe over mu, alpha and anisotropy: E as the mean over the azimuth of the view.
 
 use super::solid::{Knots, Solid};
-use super::{Lobe, Truth, Values};
+use super::{Lobe, Once, Truth, Values, once, place_of};
 use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
@@ -23,6 +23,9 @@ struct Aniso {
     solid: Solid,
 }
 
+/// The values at the knots, of either form.
+static KEPT: [Once<Values>; 2] = [Once::new(), Once::new()];
+
 /// `ggx-reflection-aniso`: E.
 pub(crate) fn aniso(smiths: &[Smith]) -> Result<impl Truth + use<>, AuditError> {
     let square = |range, count| Knots { coordinate: f64::sqrt, input: |u| u * u, range, count };
@@ -34,7 +37,8 @@ pub(crate) fn aniso(smiths: &[Smith]) -> Result<impl Truth + use<>, AuditError> 
     let at = knots.map(|k| k.inputs());
     let mut values = Vec::new();
     for smith in smiths {
-        values.push(means(*smith, [&at[0], &at[1], &at[2]], QUICK)?);
+        let made = || means(*smith, [&at[0], &at[1], &at[2]], QUICK);
+        values.push(once(&KEPT[place_of(*smith)], made)?);
     }
     let lobes = smiths.iter().map(|s| Lobe { smith: Some(*s), side: None }).collect();
     Ok(Aniso { lobes, solid: Solid { knots, values } })
@@ -73,8 +77,8 @@ impl Truth for Aniso {
         if input == Input::Mu { [FLOOR, 1.0] } else { [0.0, 1.0] }
     }
 
-    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Values {
-        self.solid.at(lobe, at)
+    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        Ok(self.solid.at(lobe, at))
     }
 
     fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {

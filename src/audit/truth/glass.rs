@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::solid::{Knots, Solid};
-use super::{Lobe, Truth, Values};
+use super::{Lobe, Once, Truth, Values, once, place_of};
 use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
@@ -34,6 +34,9 @@ struct Glass {
     solid: Solid,
 }
 
+/// The values at the knots, of either form from either side.
+static KEPT: [Once<[Values; 2]>; 2] = [Once::new(), Once::new()];
+
 /// `ggx-glass`: R and T.
 pub(crate) fn glass(lobes: Vec<Lobe>) -> Result<impl Truth + use<>, AuditError> {
     let knots = [
@@ -42,21 +45,22 @@ pub(crate) fn glass(lobes: Vec<Lobe>) -> Result<impl Truth + use<>, AuditError> 
         Knots { coordinate: f64::sqrt, input: |u| u * u, range: [1e-3, 1.0], count: 40 },
     ];
     let at = knots.map(|k| k.inputs());
-    let mut values: Vec<Values> = vec![Values::new(); lobes.len()];
-    for smith in [Smith::Correlated, Smith::Separable] {
-        if !lobes.iter().any(|l| l.smith == Some(smith)) {
-            continue;
-        }
-        let both = energies(smith, [&at[0], &at[1], &at[2]], QUICK)?;
-        for (lobe, values) in lobes.iter().zip(&mut values).filter(|(l, _)| l.smith == Some(smith)) {
-            *values = of_side(&both, lobe.side);
-        }
+    let mut values = Vec::new();
+    for Lobe { smith, side } in &lobes {
+        let smith = smith.unwrap_or_default();
+        let both = || energies(smith, [&at[0], &at[1], &at[2]], QUICK);
+        let sides = || both().map(|both| SIDES.map(|side| of_side(&both, Some(side))));
+        values.push(&once(&KEPT[place_of(smith)], sides)?[place_among(*side)]);
     }
     Ok(Glass { lobes, solid: Solid { knots, values } })
 }
 
+fn place_among(side: Option<Side>) -> usize {
+    usize::from(side == Some(Side::Inside))
+}
+
 fn of_side(both: &[Energies], side: Option<Side>) -> Values {
-    let k = usize::from(side == Some(Side::Inside));
+    let k = place_among(side);
     both.iter().map(|e| [e.r[k], e.t[k]]).collect()
 }
 
@@ -125,8 +129,8 @@ impl Truth for Glass {
         (low..=high).contains(&x) && !gap
     }
 
-    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Values {
-        self.solid.at(lobe, at)
+    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        Ok(self.solid.at(lobe, at))
     }
 
     fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
@@ -150,7 +154,7 @@ mod tests {
         let (iors, alphas, mus) = ([1.2, 1.5], [0.0, 5e-4, 0.09, 0.7], [0.2, 0.83]);
         for (lobe, side) in SIDES.into_iter().enumerate() {
             let exact = truth.exact(lobe, &[&iors, &alphas, &mus]).unwrap();
-            let quick = truth.quick(lobe, &[&iors, &alphas, &mus]);
+            let quick = truth.quick(lobe, &[&iors, &alphas, &mus]).unwrap();
             for (i, value) in exact.iter().enumerate() {
                 let (ior, alpha, mu) = (iors[i % 2], alphas[i / 2 % 4], mus[i / 8]);
                 let truth = glass::glass(Smith::Separable, alpha, mu, ior, side, 1e-7).unwrap();

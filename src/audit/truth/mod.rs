@@ -2,6 +2,7 @@
 
 mod aniso;
 mod average;
+mod azimuth;
 mod glass;
 mod plane;
 mod sheen;
@@ -9,6 +10,7 @@ mod solid;
 
 pub(super) use aniso::aniso;
 pub(super) use average::average;
+pub(super) use azimuth::azimuth;
 pub(super) use glass::glass;
 pub(super) use plane::reflection;
 pub(super) use sheen::sheen;
@@ -43,6 +45,26 @@ impl Lobe {
     }
 }
 
+/// What is integrated once for all audits of a process.
+type Once<T> = std::sync::OnceLock<T>;
+
+/// What `made` makes, unless it was made before. It is not made under a lock: a thread that waits for others in it may be given another audit.
+fn once<T>(
+    kept: &'static Once<T>,
+    made: impl FnOnce() -> Result<T, AuditError>,
+) -> Result<&'static T, AuditError> {
+    if let Some(kept) = kept.get() {
+        return Ok(kept);
+    }
+    let made = made()?;
+    Ok(kept.get_or_init(|| made))
+}
+
+/// Place of a shadowing form among what is kept of each.
+fn place_of(smith: Smith) -> usize {
+    usize::from(smith == Smith::Separable)
+}
+
 /// Two base values (see [`Column`]) at every combination of the inputs given, the first input fastest.
 pub(super) type Values = Vec<[f64; 2]>;
 
@@ -64,7 +86,9 @@ pub(super) trait Truth: Sync {
         (low..=high).contains(&x)
     }
     /// Values within about 1e-3, for trying many conventions; inputs are moved into the range.
-    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Values;
+    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        self.exact(lobe, at)
+    }
     /// Values within [`Truth::bound`]; inputs lie in the range.
     fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError>;
     /// Largest error of an exact value.

@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::{Lobe, Truth, Values};
+use super::{Lobe, Once, Truth, Values, once, place_of};
 use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
@@ -25,20 +25,24 @@ pub(super) struct Plane {
     lobes: Vec<Lobe>,
     /// ln of the nodes, and for each lobe the values, alpha fastest.
     nodes: Vec<f64>,
-    values: Vec<Values>,
+    values: Vec<&'static Values>,
 }
 
+/// The interpolants' values of either form.
+static KEPT: [Once<Values>; 2] = [Once::new(), Once::new()];
+
 /// `ggx-reflection`: E and B.
-pub(crate) fn reflection(smiths: &[Smith]) -> impl Truth + use<> {
+pub(crate) fn reflection(smiths: &[Smith]) -> Result<impl Truth + use<>, AuditError> {
     let nodes = chebyshev::nodes(ops::log(LEAST), 0.0, NODES);
     let at: Vec<f64> = nodes.iter().map(|x| ops::exp(*x).clamp(LEAST, 1.0)).collect();
     let table = |smith: Smith| -> Values {
         let rows = at.par_iter().map(|mu| at.iter().map(|alpha| point(smith, *alpha, *mu)).collect());
         rows.collect::<Vec<Values>>().into_iter().flatten().collect()
     };
-    let values = smiths.iter().map(|s| table(*s)).collect();
+    let kept = |smith: &Smith| once(&KEPT[place_of(*smith)], || Ok(table(*smith)));
+    let values = smiths.iter().map(kept).collect::<Result<_, _>>()?;
     let lobes = smiths.iter().map(|s| Lobe { smith: Some(*s), side: None }).collect();
-    Plane { lobes, nodes, values }
+    Ok(Plane { lobes, nodes, values })
 }
 
 /// E and B of a point; an alpha that is not integrated is a mirror to 1e-8.
@@ -57,7 +61,7 @@ impl Plane {
     fn interpolated(&self, lobe: usize, alphas: &[f64], mus: &[f64]) -> Values {
         let weights = |x: &f64| chebyshev::weights(&self.nodes, ops::log(x.clamp(LEAST, 1.0)));
         let across: Vec<Vec<f64>> = alphas.par_iter().map(weights).collect();
-        let values = &self.values[lobe];
+        let values = self.values[lobe];
         let row = |mu: &f64| -> Values {
             let down = weights(mu);
             let mut line = vec![[0.0; 2]; NODES];
@@ -103,8 +107,8 @@ impl Truth for Plane {
         [0.0, 1.0]
     }
 
-    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Values {
-        self.interpolated(lobe, at[0], at[1])
+    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        Ok(self.interpolated(lobe, at[0], at[1]))
     }
 
     fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
@@ -131,7 +135,7 @@ mod tests {
     #[test]
     fn the_interpolant_keeps_its_bound() {
         let smiths = [Smith::Correlated, Smith::Separable];
-        let truth = reflection(&smiths);
+        let truth = reflection(&smiths).unwrap();
         let spread = |n: usize, step: f64| -> Vec<f64> {
             (0..n).map(|i| ops::exp(-13.7 * ((0.11 + step * i as f64) % 1.0))).collect()
         };

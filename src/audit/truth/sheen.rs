@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::solid::{Knots, along};
-use super::{Lobe, Truth, Values};
+use super::{Lobe, Once, Truth, Values, once};
 use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
@@ -20,8 +20,11 @@ struct Sheen {
     lobes: Vec<Lobe>,
     /// Knots of alpha and of mu, and the values at them, alpha fastest.
     knots: [Knots; 2],
-    values: Values,
+    values: &'static Values,
 }
+
+/// The values at the knots.
+static KEPT: Once<Values> = Once::new();
 
 /// E at every combination.
 fn integrated(alphas: &[f64], mus: &[f64]) -> Values {
@@ -32,13 +35,13 @@ fn integrated(alphas: &[f64], mus: &[f64]) -> Values {
 }
 
 /// `sheen-charlie`: E.
-pub(crate) fn sheen() -> impl Truth {
+pub(crate) fn sheen() -> Result<impl Truth, AuditError> {
     let knots = [
         Knots { coordinate: ops::log, input: ops::exp, range: [LEAST_ALPHA, 1.0], count: 96 },
         Knots { coordinate: f64::sqrt, input: |u| u * u, range: [0.0, 1.0], count: 128 },
     ];
-    let values = integrated(&knots[0].inputs(), &knots[1].inputs());
-    Sheen { lobes: vec![Lobe { smith: None, side: None }], knots, values }
+    let values = once(&KEPT, || Ok(integrated(&knots[0].inputs(), &knots[1].inputs())))?;
+    Ok(Sheen { lobes: vec![Lobe { smith: None, side: None }], knots, values })
 }
 
 impl Truth for Sheen {
@@ -62,9 +65,9 @@ impl Truth for Sheen {
         if input == Input::Alpha { [LEAST_ALPHA, 1.0] } else { [0.0, 1.0] }
     }
 
-    fn quick(&self, _: usize, at: &[&[f64]]) -> Values {
-        let rows = along(&self.knots[1], at[1], self.knots[0].count, &self.values);
-        along(&self.knots[0], at[0], 1, &rows)
+    fn quick(&self, _: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        let rows = along(&self.knots[1], at[1], self.knots[0].count, self.values);
+        Ok(along(&self.knots[0], at[0], 1, &rows))
     }
 
     fn exact(&self, _: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
@@ -82,9 +85,10 @@ mod tests {
 
     #[test]
     fn quick_values_are_near() {
-        let truth = sheen();
+        let truth = sheen().unwrap();
         let (alphas, mus) = ([1.3e-4, 0.004, 0.07, 0.31, 0.98], [0.0, 0.0007, 0.033, 0.41, 0.97]);
-        let (quick, exact) = (truth.quick(0, &[&alphas, &mus]), truth.exact(0, &[&alphas, &mus]).unwrap());
+        let (quick, exact) =
+            (truth.quick(0, &[&alphas, &mus]).unwrap(), truth.exact(0, &[&alphas, &mus]).unwrap());
         for (q, e) in quick.iter().zip(&exact) {
             assert!((q[0] - e[0]).abs() < 2e-3 * e[0].max(1.0), "{q:?} {e:?}");
         }

@@ -1,16 +1,21 @@
 //! What to change.
 
+use super::defect::extent;
 use super::words::listed;
 use crate::audit::axis::{Input, Siting};
 use crate::audit::shipped::Source;
-use crate::audit::{Audit, Column, Defect, Fit};
+use crate::audit::{Audit, Column, Defect, Fit, Mixed};
 
 /// The steps that mend it; none where there is nothing to mend.
 pub(super) fn advice(audit: &Audit) -> Option<String> {
     if audit.fit == Fit::None {
-        return Some("Do not ship it as this quantity: make it again, or name what it holds.".into());
+        let told = match audit.source {
+            Source::Table => "make it again, or audit it as what it holds",
+            Source::Function => "fit its constants to this quantity, or audit it as what it computes",
+        };
+        return Some(format!("Do not ship it as this quantity: {told}."));
     }
-    let mut steps = Vec::new();
+    let mut steps: Vec<String> = audit.mixed.iter().map(|parts| one_lobe(audit, parts)).collect();
     if audit.source == Source::Table {
         steps.extend(registrations(audit));
     }
@@ -32,6 +37,16 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
     }
     steps.dedup();
     (!steps.is_empty()).then(|| format!("To mend it: {}.", steps.join("; ")))
+}
+
+/// What to do about a table of two lobes.
+fn one_lobe(audit: &Audit, parts: &Mixed) -> String {
+    let which = match extent(&audit.axes, &parts.range, &parts.size) {
+        ranges if ranges.is_empty() => "those texels".to_string(),
+        ranges => format!("the texels at {ranges}"),
+    };
+    let (larger, smaller) = (audit.best().lobe.words(), parts.lobe.words());
+    format!("if the shader has {larger}, make {which} again with that; if it has {smaller}, all the others")
 }
 
 fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
@@ -78,20 +93,22 @@ fn registration(axis: &str, siting: Siting, reversed: bool) -> Option<String> {
         Siting::EndLow if reversed => Siting::EndHigh,
         other => other,
     };
-    let again = format!("compute the texels along {axis} at (i + 1/2)/n");
+    let (centres, ends) = ("texel i at (i + 1/2)/n", "texel i at i/(n - 1)");
+    let after = "it holds the value of the place after its own, that of texel i + 1";
+    let before = "it holds the value of the place before its own, that of texel i - 1";
     Some(match siting {
         Siting::Centre => return None,
-        Siting::Endpoint => format!("sample {axis} at (u (n - 1) + 1/2)/n"),
-        Siting::Left => format!("{again}, or sample at u + 1/(2n)"),
-        Siting::Right => format!("{again}, or sample at u - 1/(2n)"),
-        Siting::OneHigh => format!("{again}: they are one texel too far"),
-        Siting::OneLow => format!("{again}: they are one texel too near"),
-        Siting::EndHigh => {
-            format!("compute the texels along {axis} at i/(n - 1): they are one texel too far")
+        Siting::Endpoint => format!("along {axis}, sample at (u (n - 1) + 1/2)/n for a coordinate u"),
+        Siting::Left => {
+            format!("along {axis}, compute {centres}, or sample at u + 1/(2n) for a coordinate u")
         }
-        Siting::EndLow => {
-            format!("compute the texels along {axis} at i/(n - 1): they are one texel too near")
+        Siting::Right => {
+            format!("along {axis}, compute {centres}, or sample at u - 1/(2n) for a coordinate u")
         }
+        Siting::OneHigh => format!("along {axis}, compute {centres}: now {after}"),
+        Siting::OneLow => format!("along {axis}, compute {centres}: now {before}"),
+        Siting::EndHigh => format!("along {axis}, compute {ends}: now {after}"),
+        Siting::EndLow => format!("along {axis}, compute {ends}: now {before}"),
     })
 }
 

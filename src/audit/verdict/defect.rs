@@ -7,21 +7,22 @@ use crate::audit::Defect;
 pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
     match defect {
         Defect::Part { texels: [off, all], over, mean, range, size } => {
-            let along = |((name, r), n): ((&String, &[usize; 2]), &usize)| {
-                let whole = r[0] == 0 && r[1] + 1 == *n;
-                (!whole).then(|| match r[0] == r[1] {
-                    true => format!("{name} = {}", r[0]),
-                    false => format!("{name} = {} to {}", r[0], r[1]),
-                })
-            };
-            let ranges: Vec<String> = axes.iter().zip(range).zip(size).filter_map(along).collect();
-            let place =
-                if ranges.is_empty() { String::new() } else { format!(", all at {}", ranges.join(", ")) };
+            let ranges = extent(axes, range, size);
+            let place = if ranges.is_empty() { String::new() } else { format!(", all at {ranges}") };
             format!(
                 "{off} of {all} texels are off by more than {}, on average {} {}{place}; the others are not.",
                 number(*over),
                 number(mean.abs()),
                 way(*mean)
+            )
+        }
+        Defect::OtherLobe(parts) => {
+            let [_, smaller, all] = parts.texels;
+            let (lobe, ranges) = (parts.lobe.words(), extent(axes, &parts.range, &parts.size));
+            let place = if ranges.is_empty() { String::new() } else { format!(", all at {ranges},") };
+            format!(
+                "{smaller} of {all} texels{place} are of {lobe}, off by at most {} of it.",
+                number(parts.max)
             )
         }
         Defect::Bias { mean } => {
@@ -53,6 +54,18 @@ pub(in crate::audit) fn sentence(defect: &Defect, axes: &[String]) -> String {
             number(worst[1])
         ),
     }
+}
+
+/// Where texels lie: `y = 16 to 31`; nothing said of an axis along which they lie everywhere.
+pub(super) fn extent(axes: &[String], range: &[[usize; 2]], size: &[usize]) -> String {
+    let along = |((name, r), n): ((&String, &[usize; 2]), &usize)| {
+        let whole = r[0] == 0 && r[1] + 1 == *n;
+        (!whole).then(|| match r[0] == r[1] {
+            true => format!("{name} = {}", r[0]),
+            false => format!("{name} = {} to {}", r[0], r[1]),
+        })
+    };
+    axes.iter().zip(range).zip(size).filter_map(along).collect::<Vec<_>>().join(", ")
 }
 
 fn way(mean: f64) -> &'static str {

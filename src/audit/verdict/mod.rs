@@ -2,15 +2,17 @@
 
 mod advice;
 mod defect;
+mod limit;
 mod words;
 
 pub(super) use defect::sentence;
+pub use limit::limit_judged;
 pub(super) use words::{along, long, number, place};
 
 use super::axis::Siting;
 use super::convention::Convention;
 use super::shipped::Source;
-use super::{Audit, CLEAR, ChannelAudit, Fit};
+use super::{Audit, CLEAR, ChannelAudit, Fit, Mixed};
 use words::{axes, percent, reading, readings_differ};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
@@ -21,7 +23,7 @@ pub(super) fn paragraph(audit: &Audit) -> String {
     let mut out = vec![opening(audit), doubt(audit)];
     for channel in audit.channels.iter().filter(|c| c.column.is_some()) {
         out.extend(errors(audit, channel));
-        if audit.fit != Fit::None {
+        if audit.fit != Fit::None && audit.mixed.is_none() {
             out.extend(channel.defects.iter().map(|d| sentence(d, &audit.axes)));
         }
     }
@@ -38,6 +40,15 @@ pub(super) fn paragraph(audit: &Audit) -> String {
 pub(super) fn opening(audit: &Audit) -> String {
     let given = if audit.pinned { " of those that the options leave open" } else { "" };
     let (name, reading) = (&audit.what, reading(audit));
+    if let Some(parts) = &audit.mixed {
+        return format!(
+            "{name} fits no convention{given} as a whole: {} Both parts are {reading}.",
+            halves(audit, parts)
+        );
+    }
+    if audit.source == Source::Function {
+        return of_function(audit, &reading);
+    }
     match audit.fit {
         Fit::Whole => format!("{name} is best read as {reading}."),
         Fit::Part => format!(
@@ -49,10 +60,48 @@ pub(super) fn opening(audit: &Audit) -> String {
     }
 }
 
+/// The two parts of a table.
+fn halves(audit: &Audit, parts: &Mixed) -> String {
+    let [larger, smaller, all] = parts.texels;
+    let place = match defect::extent(&audit.axes, &parts.range, &parts.size) {
+        ranges if ranges.is_empty() => String::new(),
+        ranges => format!(" (all at {ranges})"),
+    };
+    let same = match all - larger - smaller {
+        0 => String::new(),
+        n => format!("; the other {n} are the same in both"),
+    };
+    format!(
+        "it was made in two parts. Of its {all} texels {larger} are of {}, and {smaller}{place} are of {}{same}.",
+        audit.best().lobe.words(),
+        parts.lobe.words()
+    )
+}
+
+/// What a function is best read as.
+fn of_function(audit: &Audit, reading: &str) -> String {
+    let given = if audit.pinned { " that the options leave open" } else { "" };
+    let (name, quantity) = (&audit.what, audit.quantity);
+    match audit.fit {
+        Fit::Whole => format!("{name} is best read as {reading}."),
+        Fit::Part => format!("{name} follows {reading}, but not everywhere."),
+        Fit::None => format!(
+            "{name} is no approximation of {quantity} under any reading of its arguments{given}. The nearest, which it does not follow, is {reading}."
+        ),
+    }
+}
+
 fn doubt(audit: &Audit) -> String {
     if audit.fit == Fit::None {
         return String::new();
     }
+    if audit.mixed.is_some() {
+        return format!(
+            "Of one lobe throughout, the best convention fits {} times worse.",
+            number(audit.margin)
+        );
+    }
+    let next = if audit.source == Source::Table { "convention" } else { "reading" };
     let first = &audit.tried[0];
     let apart = |t: &&super::Tried| (t.rank / first.rank - 1.0).abs() >= SAME;
     let other = |convention: &Convention| readings_differ(audit, &first.convention, convention);
@@ -62,12 +111,12 @@ fn doubt(audit: &Audit) -> String {
         let (times, other) = (number(audit.margin), other(&second.convention));
         out += &match audit.margin {
             m if m >= CLEAR => {
-                format!("This is in no doubt: the next convention ({other}) fits {times} times worse.")
+                format!("This is in no doubt: the next {next} ({other}) fits {times} times worse.")
             }
             m if m >= 1.2 => {
-                format!("This is likely: the next convention ({other}) fits {times} times worse.")
+                format!("This is likely: the next {next} ({other}) fits {times} times worse.")
             }
-            _ => format!("This is open: another convention ({other}) fits nearly as well."),
+            _ => format!("This is open: another {next} ({other}) fits nearly as well."),
         };
     }
     out.trim_end().into()
@@ -78,19 +127,29 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     let column = channel.column?.name();
     let part = if e.texels[0] < e.texels[1] {
         let beyond = e.texels[1] - e.texels[0] - e.unsampled;
+        let points = if audit.source == Source::Table { "texels" } else { "points" };
         let told = [
-            (beyond, "where the truth is not to be had"),
-            (e.unsampled, "not sampled: the table is too large to judge each texel"),
+            (beyond, "lie where the truth is not had".to_string()),
+            (
+                e.unsampled,
+                format!(
+                    "were not looked at, for the table is too large to judge each texel: {}",
+                    judged_at(audit)
+                ),
+            ),
         ];
         let told: Vec<String> =
             told.iter().filter(|(n, _)| *n > 0).map(|(n, why)| format!("{n} {why}")).collect();
-        format!(" ({} of {} texels judged; {})", e.texels[0], e.texels[1], told.join(", "))
+        format!(" ({} of {} {points} judged; {})", e.texels[0], e.texels[1], told.join(", "))
     } else {
         String::new()
     };
-    let scope = match audit.source {
-        Source::Table => "At its texels".to_string(),
-        Source::Function => format!("Over {} evenly spaced points", e.texels[0]),
+    let scope = match (audit.source, &audit.mixed) {
+        (Source::Table, None) => "At its texels".to_string(),
+        (Source::Table, Some(_)) => {
+            format!("Held against {} throughout, at its texels", audit.best().lobe.words())
+        }
+        (Source::Function, _) => format!("Over {} evenly spaced points", e.texels[0]),
     };
     if e.max <= 2.0 * audit.truth_error {
         return Some(format!(
@@ -115,9 +174,17 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     ))
 }
 
+/// Which texels of a large table are judged.
+fn judged_at(audit: &Audit) -> String {
+    let along =
+        |((name, at), n): ((&String, &Vec<usize>), &usize)| format!("{} of {n} along {name}", at.len());
+    let all: Vec<String> = audit.axes.iter().zip(&audit.places).zip(&audit.size).map(along).collect();
+    format!("judged are {}, evenly spaced, both ends among them", all.join(", "))
+}
+
 /// What a reader makes of it who is told nothing.
 fn untold(audit: &Audit) -> Option<String> {
-    let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None)?;
+    let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None && audit.mixed.is_none())?;
     let other = readings_differ(audit, audit.best(), &plain.convention);
     let scope = match (audit.source, plain.texels) {
         (Source::Function, _) => String::new(),
@@ -143,11 +210,12 @@ fn idle(audit: &Audit) -> Option<String> {
 }
 
 fn furnace(audit: &Audit) -> Option<String> {
-    let f = audit.furnace.as_ref()?;
+    let f = audit.furnace.as_ref().filter(|_| audit.mixed.is_none())?;
     if f.dark > 0 {
         return Some(format!(
-            "No white furnace can be compensated with it: its E is 0 or less at {} texels, the first at {}.",
+            "No white furnace can be compensated with it: its E is 0 or less at {} {}, the first at {}.",
             f.dark,
+            if audit.source == Source::Table { "texels" } else { "points" },
             place(&f.at)
         ));
     }
@@ -164,7 +232,7 @@ fn furnace(audit: &Audit) -> Option<String> {
 
 /// What a shader gets between texels.
 fn lookups(audit: &Audit) -> Option<String> {
-    if audit.fit == Fit::None {
+    if audit.fit == Fit::None || audit.mixed.is_some() {
         return None;
     }
     let channel = audit.channels.iter().find(|c| c.lookup.is_some())?;

@@ -19,7 +19,8 @@ pub(super) fn reading(audit: &Audit) -> String {
             _ => format!("{} = {}", c.name, column.words()),
         })
         .collect();
-    let lobe = best.lobe.words();
+    // Of a table of two lobes they are told before.
+    let lobe = if audit.mixed.is_some() { String::new() } else { best.lobe.words() };
     let lobe = if lobe.is_empty() { String::new() } else { format!(", of {lobe}") };
     format!("{}, {}{lobe}, with {}", audit.quantity, holds.join(", "), super::axes_of(audit))
 }

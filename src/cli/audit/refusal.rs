@@ -1,18 +1,26 @@
 //! Why the exit code is 1.
 
-use crate::audit::{Audit, Declared, Fit};
+use crate::audit::{Audit, Declared, Fit, Source};
 
 /// The message: which of the figures is over the limit, and what the reader is told to do about it.
 pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
+    let function = done.source == Source::Function;
     let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {
-        return "audit failed: it fits no convention that the options leave open".into();
+        let given = if done.pinned { " that the options leave open" } else { "" };
+        return match (function, &done.mixed) {
+            (_, Some(_)) => "audit failed: a part of the table is of another shadowing form".into(),
+            (true, None) => format!("audit failed: it follows no reading of its arguments{given}"),
+            (false, None) => format!("audit failed: it fits no convention{given}"),
+        };
     };
+    let places = if function { "at the points judged" } else { "at a texel" };
     if done.worst() > limit {
-        return format!("audit failed: the largest error is {:.3e}, the limit {limit:e}", done.worst());
+        let worst = done.worst();
+        return format!("audit failed: the largest error {places} is {worst:.3e}, the limit {limit:e}");
     }
     match &done.plain {
         Some(plain) if plain.max > limit => format!(
-            "audit failed: read plainly the largest error is {:.3e}, the limit {limit:e}; it is {:.3e} only with {}, which nobody takes without \
+            "audit failed: read plainly the largest error {places} is {:.3e}, the limit {limit:e}; it is {:.3e} only with {}, which nobody takes without \
              being told: make it again, or if it is meant so give {}",
             plain.max,
             done.worst(),
@@ -33,7 +41,7 @@ pub(super) fn of_stated(said: &Declared, limit: Option<f64>) -> String {
             said.beyond.join(" and ")
         ),
         Some(limit) => format!(
-            "audit failed: looked up as the file says, the largest error is {worst:.3e}, the limit {limit:e}"
+            "audit failed: looked up as the file says, at texels and between them, the largest error is {worst:.3e}, the limit {limit:e}"
         ),
         None if said.keeps() => {
             format!(

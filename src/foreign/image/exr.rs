@@ -1,6 +1,7 @@
 //! OpenEXR images: flat layers of half, single and integer channels of any names, the largest resolution level.
 
-use std::io::Cursor;
+use std::cell::Cell;
+use std::io::{Cursor, Read, Seek, SeekFrom};
 
 use ::exr::error::Error;
 use ::exr::image::{AnyChannels, Layer};
@@ -19,16 +20,32 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
 }
 
 fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
-    let damaged = |e: Error| match e {
+    let reached = Cell::new(0);
+    let watched = || Watched { bytes: Cursor::new(source.bytes), reached: &reached };
+    let damaged = |e: Error, what: &str| match e {
         Error::NotSupported(what) => source.unsupported(
             0,
             format!("an EXR file with {what}"),
             "save it uncompressed or with ZIP, as flat scan lines",
         ),
-        e => source.malformed(0, format!("{e}: the file is cut short or damaged")),
+        e => {
+            let (length, at) = (source.bytes.len(), reached.get());
+            let message = if at < length as u64 {
+                format!(
+                    "{e}: read so far of the {length} bytes of the file, {what} being read: it is damaged"
+                )
+            } else {
+                format!(
+                    "{e}: the file ends after {length} bytes, {what} being read: it is cut short or damaged"
+                )
+            };
+            source.malformed(at, message)
+        }
     };
-    let meta = MetaData::read_from_buffered(Cursor::new(source.bytes), false).map_err(damaged)?;
+    let header = MetaData::read_from_buffered(watched(), false);
+    let meta = header.map_err(|e| damaged(e, "the header and the list of where its texels begin"))?;
     check(source, &meta.headers)?;
+    let texels = texels(&meta.headers);
     let image = reader()
         .no_deep_data()
         .largest_resolution_level()
@@ -36,13 +53,42 @@ fn decode(source: Source, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignErr
         .all_layers()
         .all_attributes()
         .non_parallel()
-        .from_buffered(Cursor::new(source.bytes))
-        .map_err(damaged)?;
+        .from_buffered(watched())
+        .map_err(|e| damaged(e, &texels))?;
     let mut images: Vec<Image> = image.layer_data.iter().map(|layer| flat(source.file, layer)).collect();
     if let Some(asked) = &hints.layer {
         images = named(source.file, images, asked)?;
     }
     images.into_iter().map(|image| image.table(hints)).collect()
+}
+
+/// What the texels are, for messages.
+fn texels(headers: &[Header]) -> String {
+    let of = |h: &Header| {
+        format!("{} x {} texels of {} channels", h.layer_size.0, h.layer_size.1, h.channels.list.len())
+    };
+    format!("its {}", headers.iter().map(of).collect::<Vec<_>>().join(" and "))
+}
+
+/// Bytes that are read, with how far.
+struct Watched<'a> {
+    bytes: Cursor<&'a [u8]>,
+    /// End of what was read last.
+    reached: &'a Cell<u64>,
+}
+
+impl Read for Watched<'_> {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.bytes.read(into)?;
+        self.reached.set(self.bytes.position());
+        Ok(count)
+    }
+}
+
+impl Seek for Watched<'_> {
+    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
+        self.bytes.seek(to)
+    }
 }
 
 /// Refuses sizes beyond the limits, and what a table is not made of, before texels are read.

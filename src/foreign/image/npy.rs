@@ -36,6 +36,7 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
         [length] => (Some((vec![*length], 1)), None),
         shape => grouped(shape, false).map_err(|message| source.malformed(PREFIX, message))?,
     };
+    contradicted(source, &shape, size.as_ref(), hints)?;
     let list = Values {
         name: String::new(),
         kind: format!("NPY, {}", format.name()),
@@ -47,6 +48,35 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
         step: format.step(),
     };
     Ok(vec![shape::table(file, list, hints)?])
+}
+
+/// Refuses a size that contradicts the array's own: a list may be laid out, and rows may be slices one below the other.
+fn contradicted(
+    source: Source,
+    shape: &[usize],
+    own: Option<&(Vec<usize>, usize)>,
+    hints: &Hints,
+) -> Result<(), ForeignError> {
+    let (Some(asked), Some((own, channels))) = (&hints.size, own) else { return Ok(()) };
+    let long = |size: &[usize]| size.iter().copied().filter(|n| *n != 1).collect::<Vec<usize>>();
+    let stacked = match (&long(own)[..], &long(asked)[..]) {
+        ([x, rows], [x_asked, y, z]) => x == x_asked && y.checked_mul(*z) == Some(*rows),
+        (own, asked) => own.len() < 2 || own == asked,
+    };
+    if stacked {
+        return Ok(());
+    }
+    let tuple: Vec<String> = shape.iter().map(usize::to_string).collect();
+    let message = format!(
+        "the array's own shape ({}) lays out as {} texels{} (x first): --size {} contradicts it; leave --size out, or save \
+         the array in the shape that is meant",
+        tuple.join(", "),
+        shape::words(own),
+        if *channels == 1 { String::new() } else { format!(" of {channels} channels") },
+        asked.iter().map(usize::to_string).collect::<Vec<_>>().join("x"),
+    );
+    let found = shape.iter().product();
+    Err(ForeignError::Size { file: source.file.into(), name: String::new(), found, message })
 }
 
 /// Where the numbers begin, and the dictionary.

@@ -1,0 +1,154 @@
+//! A table of which a part was made with the other shadowing form: stale since the code around it changed. No single convention fits it, and
+//! those that do best are compromises; the right one is that under which each texel is of one lobe or of the other.
+
+use rayon::prelude::*;
+
+use super::column::Column;
+use super::convention::{Misfit, Pins};
+use super::judge::{Judgement, judge, quickly};
+use super::sample::{Candidate, Sample};
+use super::truth::{Lobe, Truth};
+use super::{AuditError, FITS};
+
+/// The root mean square must be this many times less with two lobes than that of the best with one is.
+const BETTER: f64 = 4.0;
+
+/// Least share of the texels that each of the lobes explains and the other does not.
+const LEAST_SHARE: f64 = 0.05;
+
+/// A texel tells lobes apart where their errors differ by this many times the misfit of both together.
+const APART: f64 = 6.0;
+
+/// The two parts of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mixed {
+    /// Lobe of the smaller part.
+    pub lobe: Lobe,
+    /// Texels that are of the larger part's lobe only, of the smaller part's only, and in all; the rest is the same in both.
+    pub texels: [usize; 3],
+    /// First and last index of the smaller part along every axis.
+    pub range: Vec<[usize; 2]>,
+    /// Size of the table.
+    pub size: Vec<usize>,
+    /// Largest error at the smaller part's texels under its own lobe.
+    pub max: f64,
+    /// Rank of both together.
+    pub rank: f64,
+}
+
+/// The reading under which a table that fits nothing is of two lobes, read as the larger part's, with its parts; none if it is not so.
+/// `tried` are readings, and `best` is the root mean square of the best with one lobe.
+pub(super) fn mixed(
+    truth: &dyn Truth,
+    [some, all]: [&Sample; 2],
+    pins: &Pins,
+    tried: &[Candidate],
+    best: f64,
+) -> Result<Option<(Candidate, Mixed)>, AuditError> {
+    let lobes = pins.lobes(truth);
+    let pairs = tried.iter().flat_map(|candidate| {
+        let own = candidate.lobe;
+        let others = lobes.iter().copied().filter(move |l| *l != own && same_side(truth, *l, own));
+        others.map(move |other| (candidate, [own, other]))
+    });
+    let pairs: Vec<(&Candidate, [usize; 2])> = pairs.collect();
+    let rank = |(candidate, both): &(&Candidate, [usize; 2])| -> Result<f64, AuditError> {
+        let [own, second] = both.map(|lobe| quickly(truth, some, &candidate.axes, lobe));
+        Ok(Parts::new(some, &candidate.fitted.columns, [own?, second?]).misfit().rank())
+    };
+    let ranks: Vec<f64> = pairs.par_iter().map(rank).collect::<Result<_, _>>()?;
+    let first = (0..ranks.len()).min_by(|a, b| ranks[*a].total_cmp(&ranks[*b]));
+    let Some((candidate, both)) = first.map(|k| pairs[k]) else { return Ok(None) };
+    let [own, second] = both.map(|lobe| judge(truth, all, &candidate.axes, lobe));
+    let parts = Parts::new(all, &candidate.fitted.columns, [own?, second?]);
+    let misfit = parts.misfit();
+    if misfit.rms * BETTER > best || misfit.rms > FITS * parts.spread() {
+        return Ok(None);
+    }
+    let sides = [parts.of(0, misfit.rms), parts.of(1, misfit.rms)];
+    let least = LEAST_SHARE * parts.texels.len() as f64;
+    if sides.iter().any(|side| (side.len() as f64) < least) {
+        return Ok(None);
+    }
+    let smaller = usize::from(sides[1].len() <= sides[0].len());
+    let counts = [sides[1 - smaller].len(), sides[smaller].len(), parts.texels.len()];
+    let max = sides[smaller].iter().map(|i| parts.error(smaller, *i)).fold(0.0, f64::max);
+    let mixed = Mixed {
+        lobe: truth.lobes()[both[smaller]],
+        texels: counts,
+        range: range(all, &sides[smaller]),
+        size: all.size.clone(),
+        max,
+        rank: misfit.rank(),
+    };
+    Ok(Some((Candidate { lobe: both[1 - smaller], ..candidate.clone() }, mixed)))
+}
+
+fn same_side(truth: &dyn Truth, a: usize, b: usize) -> bool {
+    truth.lobes()[a].side == truth.lobes()[b].side
+}
+
+/// First and last index along every axis.
+fn range(sample: &Sample, texels: &[usize]) -> Vec<[usize; 2]> {
+    let dims = sample.dims();
+    let mut range = vec![[usize::MAX, 0]; dims.len()];
+    for i in texels {
+        let places = super::shipped::place(*i, &dims);
+        for ((range, k), at) in range.iter_mut().zip(places).zip(&sample.at) {
+            *range = [range[0].min(at[k]), range[1].max(at[k])];
+        }
+    }
+    range
+}
+
+/// Errors under two lobes.
+struct Parts {
+    /// Texels that are judged.
+    texels: Vec<usize>,
+    /// Largest magnitude of all channels, under either lobe, at every texel of the sample.
+    errors: [Vec<f64>; 2],
+    /// Largest difference of truths, of any channel.
+    spread: f64,
+}
+
+impl Parts {
+    fn new(sample: &Sample, columns: &[Option<Column>], judgements: [Judgement; 2]) -> Parts {
+        let texels: Vec<usize> =
+            (0..judgements[0].judged.len()).filter(|i| judgements[0].judged[*i]).collect();
+        let mut errors = [vec![0.0_f64; judgements[0].base.len()], vec![0.0; judgements[0].base.len()]];
+        let mut spread = 0.0_f64;
+        for (channel, column) in sample.values.iter().zip(columns) {
+            let Some(column) = column else { continue };
+            for (errors, judgement) in errors.iter_mut().zip(&judgements) {
+                let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+                for i in &texels {
+                    let truth = column.value(judgement.base[*i]);
+                    errors[*i] = errors[*i].max((channel[*i] - truth).abs());
+                    (low, high) = (low.min(truth), high.max(truth));
+                }
+                spread = spread.max(high - low);
+            }
+        }
+        Parts { texels, errors, spread }
+    }
+
+    fn spread(&self) -> f64 {
+        self.spread
+    }
+
+    fn error(&self, lobe: usize, i: usize) -> f64 {
+        self.errors[lobe][i]
+    }
+
+    /// Of the lobe that suits each texel.
+    fn misfit(&self) -> Misfit {
+        let least = |i: &usize| self.error(0, *i).min(self.error(1, *i));
+        Misfit::of(&self.texels.iter().map(least).collect::<Vec<f64>>())
+    }
+
+    /// Texels that are of one lobe and not of the other.
+    fn of(&self, lobe: usize, rms: f64) -> Vec<usize> {
+        let apart = |i: &&usize| self.error(1 - lobe, **i) - self.error(lobe, **i) > (APART * rms).max(1e-9);
+        self.texels.iter().filter(apart).copied().collect()
+    }
+}
