@@ -5,6 +5,9 @@ use crate::effects::entry::{Entry, own, published};
 /// Width of a fetch by (alpha, rho), with free parameters, by rising cost.
 pub const HYPOTHESES: [Entry; 1] = own!["parallax_1"];
 
+/// Levels to add for a width, of a logarithmic chain.
+pub(super) const BIAS: [Entry; 1] = own!["parallax_bias_log"];
+
 /// What engines ship: measured and reported, not emitted.
 pub const RIVALS: [Entry; 5] = published![
     "parallax_none" by "no correction",
@@ -16,10 +19,10 @@ pub const RIVALS: [Entry; 5] = published![
 
 /// Names of the functions of the catalogue: those of the files.
 pub fn catalogue_names() -> impl Iterator<Item = String> {
-    HYPOTHESES.iter().chain(&RIVALS).map(|entry| entry.name().to_string())
+    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS).map(|entry| entry.name().to_string())
 }
 
 /// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.
 pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
-    HYPOTHESES.iter().chain(&RIVALS).map(|entry| entry.source)
+    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS).map(|entry| entry.source)
 }

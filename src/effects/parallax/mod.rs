@@ -1,7 +1,10 @@
 //! The effect `parallax`: a prefiltered cubemap looked up where a ray meets the proxy of a room. Quantity `parallax-alpha`.
 
 mod catalogue;
+mod chain;
 mod grid;
+mod source;
+mod variation;
 
 use std::collections::BTreeMap;
 
@@ -12,7 +15,9 @@ use super::target::TargetSpec;
 use crate::data::{AlphaMap, Norm, Smith, Use};
 use crate::optics::kernel::Kernel;
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
+pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use grid::{Cell, Grid, Spread};
+pub use variation::{Variation, variations};
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,5 +60,22 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         norms: &spec.norms,
         max_ops: spec.max_ops,
     };
-    fitted::fit_all(&wanted, counter)
+    let mut set = fitted::fit_all(&wanted, counter)?;
+    for fit in set.fits.iter_mut().filter(|fit| fit.emitted) {
+        fit.hypothesis = fit.hypothesis.renamed(&named(spec.kernel, fit.hypothesis.name()));
+        fit.approximation.name = fit.hypothesis.name().to_string();
+    }
+    Ok(set)
 }
+
+/// The name of a function for chains of a kernel: that of the usual one is not told, any other follows the effect's.
+pub fn named(kernel: Kernel, name: &str) -> String {
+    if kernel == Kernel::default() {
+        return name.into();
+    }
+    let rest = name.strip_prefix(PREFIX).unwrap_or(name);
+    format!("{PREFIX}{}_{rest}", kernel.name().replace('-', "_"))
+}
+
+/// How the functions of this effect begin.
+pub const PREFIX: &str = "parallax_";
