@@ -116,14 +116,11 @@ impl MipChain {
             MipChain::Mapped { map: MipMap::Linear, .. } => part,
             // the roots of the quadratics, without their cancellation at 0
             MipChain::Mapped { map: MipMap::Steep, .. } => part / (1.0 + (1.0 - part).sqrt()),
-            MipChain::Mapped { map: MipMap::Steeper, .. } => {
-                2.0 * part / (1.7 + (2.89 - 2.8 * part).sqrt())
-            }
+            MipChain::Mapped { map: MipMap::Steeper, .. } => 2.0 * part / (1.7 + (2.89 - 2.8 * part).sqrt()),
             MipChain::Mapped { map: MipMap::Log, .. } => ops::exp2((level - self.widest()) / LOG_SCALE),
             MipChain::Given(levels) => {
-                let step = |(i, pair): (usize, &[f64])| {
-                    (pair[1] - pair[0]) * (level - i as f64).clamp(0.0, 1.0)
-                };
+                let step =
+                    |(i, pair): (usize, &[f64])| (pair[1] - pair[0]) * (level - i as f64).clamp(0.0, 1.0);
                 levels[0] + levels.windows(2).enumerate().map(step).sum::<f64>()
             }
         }

@@ -14,7 +14,8 @@ mod work;
 
 pub use effect::{Effect, EffectName, JobSummary, LeftOut};
 pub use job::{
-    CouplingJob, FitJob, FitPromise, JUDGED_MU, Limit, ParallaxJob, SheenJob, TableJob, VolumeJob, VolumeSpan, VolumeTable,
+    CouplingJob, FitJob, FitPromise, JUDGED_MU, Limit, ParallaxJob, SheenJob, TableJob, VolumeJob,
+    VolumeSpan, VolumeTable,
 };
 
 use serde::Serialize;

@@ -122,7 +122,11 @@ impl TryFrom<MipsFile> for MipChain {
             (None, None, Some(List(levels))) => {
                 let levels: Vec<f64> = levels.into_iter().map(|level| level.0).collect();
                 if levels.len() < limits::LEVELS_MIN {
-                    return Err(format!("levels: {} where at least {} are called for", levels.len(), limits::LEVELS_MIN));
+                    return Err(format!(
+                        "levels: {} where at least {} are called for",
+                        levels.len(),
+                        limits::LEVELS_MIN
+                    ));
                 }
                 if let Some(i) = levels.windows(2).position(|pair| pair[1] - pair[0] < NARROWEST_STEP) {
                     let [low, high] = [levels[i], levels[i + 1]];

@@ -12,7 +12,8 @@ use lobefit::optics::kernel::Kernel;
 fn grid() -> &'static Grid {
     static GRID: OnceLock<Grid> = OnceLock::new();
     GRID.get_or_init(|| {
-        Grid::new(Kernel::HalfCosine, [0.1, 1.0], [1.0 / 16.0, 8.0], [19, 29]).expect("a grid")
+        Grid::new(Kernel::HalfCosine, AlphaMap::RoughnessSquared, [0.1, 1.0], [1.0 / 16.0, 8.0], [19, 29])
+            .expect("a grid")
     })
 }
 

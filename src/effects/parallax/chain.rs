@@ -85,8 +85,12 @@ pub fn of_chain(
     let of_level = level_error(&level, chain)?;
     let there_and_back = round_trip(&level, &inverse, chain)?;
     let of_adjusted = adjusted_error(&adjusted, &fit.coefficients(), chain, map, grid)?;
-    let function = |hypothesis, coefficients, gives, error| {
-        LevelFunction { hypothesis, coefficients, gives, chain: chain.clone(), error }
+    let function = |hypothesis, coefficients, gives, error| LevelFunction {
+        hypothesis,
+        coefficients,
+        gives,
+        chain: chain.clone(),
+        error,
     };
     Ok(vec![
         function(level, Vec::new(), Gives::Level, of_level),
@@ -156,9 +160,7 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
     let cells: Vec<&Cell> = grid.cells.iter().filter(|cell| !cell.saturated).collect();
     let target: Vec<f64> = cells
         .iter()
-        .map(|cell| {
-            LOG_SCALE * ops::log2(roughness_of(map, cell.best) / roughness_of(map, cell.alpha))
-        })
+        .map(|cell| LOG_SCALE * ops::log2(roughness_of(map, cell.best) / roughness_of(map, cell.alpha)))
         .collect();
     let inputs = [|cell: &Cell| cell.alpha, |cell: &Cell| cell.rho];
     let columns = inputs.map(|input| cells.iter().map(|cell| f64::from(input(cell) as f32)).collect());

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::data::AlphaMap;
 use crate::effects::reflection::FitStageError;
 use crate::fit::{FitError, Hypothesis};
 use crate::integrate::IntegrateError;
@@ -12,7 +13,7 @@ use crate::optics::kernel::Kernel;
 /// One pair of a roughness and a ratio of distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Square root of alpha.
+    /// What alpha is made from.
     pub roughness: f64,
     /// GGX width.
     pub alpha: f64,
@@ -55,6 +56,7 @@ impl Grid {
     /// A cell outside of the domain of `parallax-alpha`.
     pub fn new(
         kernel: Kernel,
+        alpha_map: AlphaMap,
         roughness: [f64; 2],
         rho: [f64; 2],
         count: [usize; 2],
@@ -64,7 +66,7 @@ impl Grid {
         let one = |i: usize| {
             let roughness = lerp(roughness, part(i / count[1], count[0]));
             let rho = ops::exp2(lerp(rho.map(ops::log2), part(i % count[1], count[1])));
-            let alpha = roughness * roughness;
+            let alpha = alpha_map.alpha(roughness);
             let (best, saturated) = footprint::best(kernel, alpha, rho)?;
             let least = measures(kernel, alpha, rho, best)?;
             Ok(Cell { roughness, alpha, rho, best, saturated, least })
