@@ -3,7 +3,7 @@
 use crate::effects::entry::{Entry, own, published};
 
 /// Width of a fetch by (alpha, rho), with free parameters, by rising cost.
-pub const HYPOTHESES: [Entry; 1] = own!["parallax_1"];
+pub const HYPOTHESES: [Entry; 3] = own!["parallax_1", "parallax_cubic", "parallax_power"];
 
 /// Levels to add for a width, of a logarithmic chain.
 pub(super) const BIAS: [Entry; 1] = own!["parallax_bias_log"];
