@@ -56,13 +56,14 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
-    let (baked, differences) = options.threads.install(|| {
+    let (baked, differences, bad) = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let strays = strays(&options.against, &baked)?;
         let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
         let mut differences = compare(&baked, &found, &strays, options.values, &progress);
+        let bad = differences.len();
         differences.extend(studies(&options.against)?);
-        Ok((baked, differences))
+        Ok((baked, differences, bad))
     })?;
     drop(progress);
     if options.json {
@@ -71,7 +72,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         for difference in &differences {
             print(format!("{difference}\n").as_bytes())?;
         }
-        print(closing(&baked, &differences, options).as_bytes())?;
+        let (files, studies) = differences.split_at(bad);
+        print(closing(&baked, files, studies.len(), options).as_bytes())?;
     }
     Ok(if differences.is_empty() { Outcome::Done } else { Outcome::Failed })
 }
@@ -123,16 +125,20 @@ fn shown(options: &Options) -> String {
     visible(&options.against.display().to_string())
 }
 
-fn closing(baked: &Baked, differences: &[Difference], options: &Options) -> String {
+/// What was found, of the files of the bake and of the studies beside it.
+fn closing(baked: &Baked, differences: &[Difference], stale: usize, options: &Options) -> String {
     let (folder, files) = (shown(options), baked.files.len());
     let extra = differences.iter().filter(|d| d.kind == bake::Kind::Extra).count();
-    match (differences.len() - extra, extra) {
-        (0, 0) => format!("{files} files in {folder} follow from their recipe\n"),
-        (0, extra) => format!("{files} files in {folder} follow from their recipe, {extra} extra\n"),
-        (bad, extra) => {
-            let verb = if bad == 1 { "differs or is missing" } else { "differ or are missing" };
-            let more = if extra == 0 { String::new() } else { format!(", {extra} extra") };
-            format!("{bad} of {files} files in {folder} {verb}{more}\n")
-        }
-    }
+    let more = if extra == 0 { String::new() } else { format!(", {extra} extra") };
+    let studies = match stale {
+        0 => String::new(),
+        1 => "; 1 study is not that of this version".into(),
+        stale => format!("; {stale} studies are not those of this version"),
+    };
+    let found = match differences.len() - extra {
+        0 => format!("{files} files in {folder} follow from their recipe"),
+        1 => format!("1 of {files} files in {folder} differs or is missing"),
+        bad => format!("{bad} of {files} files in {folder} differ or are missing"),
+    };
+    format!("{found}{more}{studies}\n")
 }

@@ -95,6 +95,8 @@ impl CliError {
             CliError::Output(_) => 3,
             CliError::Store(error) if error.is_write() => 3,
             CliError::Fitting(error) if matches!(**error, FittingError::Uncertified { .. }) => 1,
+            // A study has no input: what it does not reach is a promise of ours.
+            CliError::Study(_) => 1,
             _ => 2,
         }
     }

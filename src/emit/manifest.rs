@@ -190,6 +190,9 @@ pub struct FitEntry {
     /// Total variation between the footprint wanted and the one fetched; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub total_variation: Option<VariationEntry>,
+    /// Where a coupling is proven to have no pole and no value below 0, by input.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub safe: Option<BTreeMap<String, [f64; 2]>>,
     /// Cost.
     pub cost: CostEntry,
     /// `fitted` or the publication.
@@ -203,6 +206,10 @@ pub struct AnyF0Entry {
     pub max_abs: f64,
     /// Where it is.
     pub at: Place,
+    /// Places of roughness and mu that were looked at.
+    pub places: u64,
+    /// Values of f0 there: `every f0` where the error is a parabola in it, or `17 values of f0`.
+    pub looked_at: String,
 }
 
 /// Total variation over the cells of a grid whose fetches are not saturated, of a fit and of the best width in every cell.
@@ -398,6 +405,7 @@ impl FitEntry {
             any_f0: None,
             kernel: None,
             total_variation: None,
+            safe: None,
             cost: CostEntry::new(approximation),
             source: approximation.source.text().to_string(),
         })
@@ -405,9 +413,15 @@ impl FitEntry {
 }
 
 impl FitEntry {
-    /// The entry of a coupling under a lobe of this kind, with its error over all f0.
-    pub fn under(self, specular: &'static str, any_f0: AnyF0Entry) -> FitEntry {
-        FitEntry { specular: Some(specular), any_f0: Some(any_f0), ..self }
+    /// The entry of a coupling under a lobe of this kind, with its error over all f0 and where it is proven to have no pole and no
+    /// value below 0.
+    pub fn under(
+        self,
+        specular: &'static str,
+        any_f0: AnyF0Entry,
+        safe: Option<BTreeMap<String, [f64; 2]>>,
+    ) -> FitEntry {
+        FitEntry { specular: Some(specular), any_f0: Some(any_f0), safe, ..self }
     }
 
     /// The entry of a width to fetch from a chain of this kernel.

@@ -37,7 +37,7 @@ impl Default for Perceptual {
 }
 
 impl Perceptual {
-    /// The weight, from the light of [`Environment::afternoon`] (some 20 ms).
+    /// The weight, from the light of [`Environment::afternoon`].
     pub fn new() -> Perceptual {
         let environment = Environment::afternoon();
         let light = |mu: f64, azimuth: usize| {

@@ -78,7 +78,7 @@ pub(super) fn end(fitted: &Fitted) -> String {
 fn within(end: Termination, first_order: bool) -> String {
     match end {
         Termination::Minimax | Termination::Converged { .. } if first_order => {
-            "no step within the constraints gains anything to first order (whether a saddle is not looked at)"
+            "no step within the constraints gains anything to first order, and searches from beside it end no lower"
                 .into()
         }
         end => termination(end),
@@ -96,8 +96,8 @@ fn termination(termination: Termination) -> String {
         }
         Termination::GlobalMinimax => "the global minimum, by proof to rounding (its bounds are computed in f64)".into(),
         Termination::Constrained => {
-            "on the edge of what the constraints allow: no step within them gains anything to first order (whether a saddle is not \
-             looked at)"
+            "on the edge of what the constraints allow: no step within them gains anything to first order, and searches from beside it \
+             end no lower"
                 .into()
         }
         Termination::ZeroResidual => "the formula reproduces the truth".into(),

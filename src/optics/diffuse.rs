@@ -38,6 +38,17 @@ pub fn pesce(f0: f64, f: f64, roughness: f64) -> f64 {
     (1.0 - f) + ((1.0 - f0) - (1.0 - f)) * roughness
 }
 
+/// The base of the Enterprise PBR Shading Model (Dassault Systemes), reciprocal: left(l) left(v)/(1 - average) with a fit of what its lobe
+/// leaves, left(mu) = 1 - mix(F(mu), F_avg, 1 - (1 - alpha)^5), Schlick's F, F_avg = 0.04762 + 0.95238 f0 and
+/// average = f0 - (0.33263 alpha + 0.072359)(1 - f0) f0. Written with 1 - f0 cancelled, so that f0 = 1 has its limit 0.
+#[inline(always)]
+pub fn dassault(f0: f64, alpha: f64, mu_l: f64, mu_v: f64) -> f64 {
+    let smooth = schlick_weight(1.0 - alpha);
+    // left(mu)/(1 - f0)
+    let left = |mu: f64| (1.0 - schlick_weight(1.0 - mu)) * smooth + 0.95238 * (1.0 - smooth);
+    (1.0 - f0) * (left(mu_l) * left(mu_v)) / (1.0 + (0.33263 * alpha + 0.072359) * f0)
+}
+
 /// What a specular lobe leaves on the way in and on the way out, reciprocal: left(l) left(v)/left_avg (Kelemen and Szirmay-Kalos 2001,
 /// with 1 - E for `left`), left = 1 less the albedo of the specular lobe as it is drawn and left_avg its cosine-weighted average. The
 /// average over l is left_avg, so that exactly left(v) comes back from a white base. 0 at left_avg = 0.

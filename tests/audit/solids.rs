@@ -137,17 +137,12 @@ fn the_anisotropic_table_of_the_sources_is_read_as_it_is() {
 }
 
 #[test]
-fn unequal_sizes_and_every_order_of_axes_are_read() {
+fn unequal_sizes_and_other_orders_of_axes_are_read() {
     let size = [20, 12, 8];
     let e = of_the_sources(size);
-    for (order, smith) in [
-        ([0, 1, 2], None),
-        ([0, 2, 1], Some(Smith::Separable)),
-        ([1, 0, 2], Some(Smith::Separable)),
-        ([1, 2, 0], Some(Smith::Separable)),
-        ([2, 0, 1], Some(Smith::Separable)),
-        ([2, 1, 0], Some(Smith::Separable)),
-    ] {
+    for (order, smith) in
+        [([0, 1, 2], None), ([1, 2, 0], Some(Smith::Separable)), ([2, 1, 0], Some(Smith::Separable))]
+    {
         let sides = order.map(|k| size[k]);
         let value = |i: usize| {
             let along = [i % sides[0], i / sides[0] % sides[1], i / (sides[0] * sides[1])];

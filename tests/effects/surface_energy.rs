@@ -1,17 +1,20 @@
 //! A whole material in a furnace, and with its directions exchanged.
 
-use std::sync::Arc;
+use std::f64::consts::PI;
+use std::sync::{Arc, Mutex};
 
 use lobefit::data::Smith;
-use lobefit::effects::surface::measure::{self, Rules};
+use lobefit::effects::surface::measure::{self, Rules, TOLERANCE};
 use lobefit::effects::surface::{
-    Albedos, Base, Coupling, Factor, Fresnel, Lobe, Material, Surface, SurfaceError,
+    Albedos, Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material, Surface, SurfaceError,
 };
 use lobefit::fit::Hypothesis;
 use lobefit::integrate::coupling::{self, Specular};
 use lobefit::integrate::reflection;
+use lobefit::math::gauss::Gauss;
+use lobefit::math::ops;
 use lobefit::math::sobol::Sobol;
-use lobefit::optics::fresnel;
+use lobefit::optics::{fresnel, ggx};
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 
@@ -43,6 +46,98 @@ fn albedos_between_the_nodes_are_the_integrals() {
             }
         }
     }
+}
+
+/// Albedo with exact Fresnel by another road: over the facet's normal h instead of the light, int D(h) F(v.h) G2(v, l) (v.h)/mu_v dh with
+/// tan^2 of its angle = alpha^2 u/(1 - u), so that D cos dh is du dphi/(2 pi); lights below the horizon are cut off where they begin, at
+/// v.h = mu_v/(2 cos). `nodes` a side.
+fn by_facets(alpha: f64, mu: f64, ior: f64, nodes: usize) -> f64 {
+    let rule = Gauss::new(nodes);
+    let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
+    // smooth at both ends
+    let eased = |t: f64| (t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t));
+    let facets = |u: f64| {
+        let tangent = alpha * (u / (1.0 - u)).sqrt();
+        let h = 1.0 / (1.0 + tangent * tangent).sqrt();
+        // v.h = mu h + sine h tangent cos(phi) above both 0 and mu/(2 h)
+        let c = (mu / (2.0 * h) - mu * h) / (sine * h * tangent);
+        if c >= 1.0 {
+            return 0.0;
+        }
+        let end = if c <= -1.0 { PI } else { ops::acos(c) };
+        rule.integrate(0.0, 1.0, |t| {
+            let (part, slope) = eased(t);
+            let vh = mu * h + sine * h * tangent * ops::cos(end * part);
+            let light = 2.0 * vh * h - mu;
+            if vh <= 0.0 || light <= 0.0 {
+                return 0.0;
+            }
+            let shadowing = 1.0 / (1.0 + ggx::lambda(alpha, mu) + ggx::lambda(alpha, light));
+            end * slope / PI * fresnel::dielectric(ior, vh) * shadowing * vh / (mu * h)
+        })
+    };
+    // the angle at which lights behind the view's plane begin to fall below the horizon cuts the range of u
+    let limit = |cosine_half: f64| {
+        let tangent = ((1.0 - cosine_half) * (1.0 + cosine_half)).sqrt() / cosine_half;
+        let x = tangent * tangent / (alpha * alpha);
+        x / (1.0 + x)
+    };
+    // all lights are above while the facet leans less than half the elevation of the view, none where it leans more than 90 degrees less
+    // half of it
+    let angle = ops::acos(mu);
+    let cuts = [
+        0.0,
+        limit(ops::cos((0.5 * PI - angle) / 2.0)),
+        limit(ops::cos((0.5 * PI + angle) / 2.0).max(1e-300)),
+    ];
+    let panel = |low: f64, high: f64| {
+        rule.integrate(0.0, 1.0, |t| {
+            let (part, slope) = eased(t);
+            (high - low) * slope * facets(low + (high - low) * part)
+        })
+    };
+    panel(cuts[0], cuts[1]) + panel(cuts[1], cuts[2])
+}
+
+/// The albedo with exact Fresnel over the index of refraction, to the 1e-7 that are promised, against that other road.
+#[test]
+fn albedos_with_exact_fresnel_are_the_integrals() {
+    for ior in [1.1, 1.33, 1.5, 2.0, 3.0] {
+        for alpha in [0.1, 0.3, 1.0] {
+            let albedos = Albedos::new(Smith::Correlated, alpha, Some(ior)).unwrap();
+            for mu in [0.05, 0.2, 0.45, 0.8, 0.99] {
+                let [coarse, fine] = [120, 200].map(|nodes| by_facets(alpha, mu, ior, nodes));
+                assert!((coarse - fine).abs() < 2e-8, "ior {ior}, alpha {alpha}, mu {mu}: {coarse} {fine}");
+                let found = albedos.at(mu).exact;
+                assert!((found - fine).abs() < 1e-7, "ior {ior}, alpha {alpha}, mu {mu}: {found} {fine}");
+            }
+        }
+    }
+}
+
+/// A value that is not a number at one direction of the first rule alone is named, and not taken for a rule that has settled.
+#[test]
+fn a_rule_that_meets_nan_is_refused() {
+    let met = Arc::new(Mutex::new(Vec::new()));
+    let albedos = Arc::new(Albedos::new(Smith::Correlated, 0.4, None).unwrap());
+    let surface = |factor| {
+        let material = Material::white(0.4, 0.04, Lobe::Single, Coupling::Symmetrised(factor));
+        Surface::with(&material, albedos.clone()).unwrap()
+    };
+    let seen = met.clone();
+    let good = surface(Factor::new("good", move |at: &FactorAt| {
+        seen.lock().unwrap().push(at.mu);
+        1.0 - at.f0
+    }));
+    met.lock().unwrap().clear();
+    Rules::new(0.4, 0.7).base(&good, TOLERANCE).unwrap();
+    // The view, then a light of the first rule; later rules have other lights.
+    let light = met.lock().unwrap().iter().copied().find(|mu| *mu != 0.7).unwrap();
+    assert_eq!(met.lock().unwrap().iter().filter(|mu| **mu == light).count(), 1, "in one rule alone");
+    let bad =
+        surface(Factor::new("bad", move |at: &FactorAt| if at.mu == light { f64::NAN } else { 1.0 - at.f0 }));
+    let error = Rules::new(0.4, 0.7).base(&bad, TOLERANCE).unwrap_err();
+    assert!(matches!(error, SurfaceError::NotFinite { what: "furnace", .. }), "{error}");
 }
 
 /// The albedo of every lobe by quadrature of f(l, v) is the closed form from E and A; a white base under the exact factors closes it to 1.

@@ -50,7 +50,10 @@ fn every_row_is_told() {
         _ => None,
     });
     let text = text.unwrap();
-    assert!(text.contains("Kelemen") && text.contains("furnace 0 up to f0 0.2, reciprocity 0"), "{text}");
+    assert!(text.contains("Kelemen") && text.contains("furnace 0 up to f0 0.2, reciprocity "), "{text}");
+    let reciprocity = text.rsplit(' ').next().unwrap().trim_end_matches('.');
+    let measured: f64 = reciprocity.replace('−', "-").parse().unwrap();
+    assert!(measured < 1e-14, "what was measured, not what was declared: {text}");
     let origin = Origin { scene: "s".into(), recipe: "r".into(), tool: "t".into(), command: "c".into() };
     let page = html(&Page { title: "t".into(), origin, lead: "l".into(), sections }).unwrap();
     assert!(page.contains("Kelemen-Szirmay-Kalos") && page.contains("random walk, exact Fresnel"));

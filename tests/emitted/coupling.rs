@@ -41,14 +41,20 @@ fn manifest(baked: &Baked) -> Value {
     serde_json::from_slice(&baked.files["manifest.json"]).expect("a manifest")
 }
 
-/// One dielectric for each kind of lobe, over a range of f0.
-static ALL: LazyLock<Baked> = LazyLock::new(|| {
-    let one = |s: Specular| {
-        let base = format!(r#"{{"specular": "{}", "norms": ["max"]}}"#, s.name());
-        dielectric(s.name(), "[0.02, 0.1, 0.2]", &base)
-    };
-    baked(&scene(&Specular::ALL.map(one).join(",")))
-});
+/// One dielectric for each kind of lobe: the bake that the furnace looks at too.
+fn all() -> &'static Baked {
+    &crate::furnace_coupling::BAKED
+}
+
+/// Its factors.
+fn factors() -> impl Iterator<Item = &'static Fit> {
+    all().fits.iter().filter(|f| f.emitted && f.approximation.used_as == Use::Coupling)
+}
+
+/// f0 of the certificate.
+fn f0_of(fit: &Fit) -> [f32; 2] {
+    fit.approximation.certificate.domain["f0"].map(|x| x as f32)
+}
 
 /// A fit at one point.
 fn value(fit: &Fit, roughness: f32, mu: f32, f0: f32) -> f64 {
@@ -67,12 +73,15 @@ const SIDE: u8 = 30;
 
 /// Roughness and mu of the lattice with the integrals there.
 static LATTICE: LazyLock<Vec<([f32; 2], Split)>> = LazyLock::new(|| {
-    let at = |i: u8, low: f32| (low + (1.0 - low) * f32::from(i) / f32::from(SIDE)).min(1.0);
+    let at = |i: u8, low: f32| {
+        let t = f32::from(i) / f32::from(SIDE);
+        (low + (1.0 - low) * t * t).min(1.0)
+    };
     let split = |r: f32, mu: f32| {
         let lobe = reflection(Smith::Correlated, f64::from(r * r), f64::from(mu), TOLERANCE);
         Split::of(&lobe.expect("in the domain"))
     };
-    let point = |i: u8, j: u8| ([at(i, 0.1), at(j, 0.01)], split(at(i, 0.1), at(j, 0.01)));
+    let point = |i: u8, j: u8| ([at(i, 0.01), at(j, 0.01)], split(at(i, 0.01), at(j, 0.01)));
     (0..=SIDE).flat_map(|i| (0..=SIDE).map(move |j| point(i, j))).collect()
 });
 
@@ -84,8 +93,7 @@ fn specular(fit: &Fit) -> Specular {
 
 #[test]
 fn factors_are_fitted_certified_and_emitted_in_every_language() {
-    let baked = &*ALL;
-    let manifest = manifest(baked);
+    let (baked, manifest) = (all(), manifest(all()));
     let fits = manifest["fits"].as_array().expect("a list");
     for s in Specular::ALL {
         let of: Vec<&Value> = fits.iter().filter(|f| f["specular"] == s.name()).collect();
@@ -97,11 +105,15 @@ fn factors_are_fitted_certified_and_emitted_in_every_language() {
             let domain = &fit["certificate"]["domain"];
             assert_eq!(
                 [&domain["roughness"], &domain["mu"], &domain["f0"]],
-                [&json!([0.1, 1.0]), &json!([0.01, 1.0]), &json!([0.02, 0.2])]
+                [
+                    &json!([0.01, 1.0]),
+                    &json!([0.01, 1.0]),
+                    &json!(if s == Specular::Normalised { [0.04, 0.04] } else { [0.02, 0.08] })
+                ]
             );
             let [here, any] = [&fit["certificate"]["max_abs"], &fit["any_f0"]["max_abs"]]
                 .map(|x| x.as_f64().expect("a number"));
-            assert!(any > 0.9 * here, "{fit}");
+            assert!(any >= here && fit["any_f0"]["looked_at"] == "every f0", "{fit}");
         }
         for include in manifest["includes"].as_array().expect("a list") {
             let text =
@@ -116,15 +128,21 @@ fn factors_are_fitted_certified_and_emitted_in_every_language() {
         }
     }
     assert_eq!(manifest["includes"].as_array().map(Vec::len), Some(6));
-    let effect = &manifest["effects"][0];
-    assert_eq!(
-        (&effect["effect"], effect["because"].as_array().map(Vec::len)),
-        (&json!("diffuse-coupling"), Some(3))
-    );
+    let effects = manifest["effects"].as_array().expect("a list");
+    let effect = effects.iter().find(|e| e["effect"] == "diffuse-coupling").expect("the effect");
+    assert_eq!(effect["because"].as_array().map(Vec::len), Some(3));
+    let left_out = manifest["fits_left_out"].as_array().into_iter().flatten();
+    let of_bases: Vec<&Value> = left_out.filter(|l| l["effect"] == "diffuse-coupling").collect();
+    assert!(of_bases.is_empty(), "{of_bases:?}");
     let page = String::from_utf8_lossy(&baked.files["reports/diffuse-coupling.html"]).into_owned();
-    for shown in
-        ["coupling_pesce", "coupling_gltf", "coupling_single_karis", "coupling_compensated_25", "1 − Fresnel"]
-    {
+    for shown in [
+        "coupling_pesce",
+        "coupling_gltf",
+        "coupling_single_karis",
+        "coupling_compensated_24",
+        "coupling_table_64x64",
+        "1 − Fresnel",
+    ] {
         assert!(page.contains(shown), "{shown}");
     }
 }
@@ -132,18 +150,18 @@ fn factors_are_fitted_certified_and_emitted_in_every_language() {
 /// Certificates bound the error on a lattice and are reached somewhere near; so are the bounds over all f0.
 #[test]
 fn certificates_of_the_factors_hold() {
-    for fit in ALL.fits.iter().filter(|f| f.emitted) {
+    for fit in factors() {
         let (specular, name) = (specular(fit), &fit.approximation.name);
         let (mut worst, mut anywhere) = (0.0_f64, 0.0_f64);
         for ([r, mu], split) in LATTICE.iter() {
             let error =
                 |f0: f32| (value(fit, *r, *mu, f0) - factor(split, f64::from(f0), specular).value).abs();
-            worst = [0.02, 0.1, 0.2].map(error).into_iter().fold(worst, f64::max);
-            anywhere = [0.0, 0.5, 1.0].map(error).into_iter().fold(anywhere, f64::max);
+            worst = f0_of(fit).map(error).into_iter().fold(worst, f64::max);
+            anywhere = [0.0, 0.25, 0.5, 0.75, 1.0].map(error).into_iter().fold(anywhere, f64::max);
         }
         let stated = fit.approximation.certificate.max_abs;
         assert!(worst <= stated * 1.0001 && worst > 0.5 * stated, "{name}: {worst} of {stated}");
-        let manifest = manifest(&ALL);
+        let manifest = manifest(all());
         let entry = manifest["fits"]
             .as_array()
             .expect("a list")
@@ -151,7 +169,7 @@ fn certificates_of_the_factors_hold() {
             .find(|f| f["name"] == *name)
             .expect("the entry");
         let any = entry["any_f0"]["max_abs"].as_f64().expect("a number");
-        assert!(anywhere <= 1.1 * any && anywhere > 0.5 * any, "{name}: {anywhere} of {any}");
+        assert!(anywhere <= 1.01 * any && anywhere > 0.5 * any, "{name}: {anywhere} of {any}");
     }
 }
 
@@ -160,12 +178,12 @@ fn certificates_of_the_factors_hold() {
 #[test]
 fn limits_and_monotony_of_the_emitted_factors() {
     let mut exact = 0;
-    for fit in ALL.fits.iter().filter(|f| f.emitted) {
+    for fit in factors() {
         let (kind, name) = (specular(fit), &fit.approximation.name);
         let doc = fit.hypothesis.doc().join(" ");
         let stated = fit.approximation.certificate.max_abs;
         for i in 0..=20_u8 {
-            let r = 0.1 + 0.9 * f32::from(i) / 20.0;
+            let r = 0.01 + 0.99 * f32::from(i) / 20.0;
             for j in 0..=20_u8 {
                 let mu = (0.01 + 0.99 * f32::from(j) / 20.0).min(1.0);
                 if kind != Specular::Single {
@@ -173,16 +191,16 @@ fn limits_and_monotony_of_the_emitted_factors() {
                     assert!(none.abs() <= 1e-6, "{name}: {none} left at f0 = 1, roughness {r}, mu {mu}");
                 }
                 let over: Vec<f64> =
-                    (0..=8_u8).map(|k| value(fit, r, mu, 0.02 + 0.18 * f32::from(k) / 8.0)).collect();
+                    (0..=8_u8).map(|k| value(fit, r, mu, 0.02 + 0.06 * f32::from(k) / 8.0)).collect();
                 assert!(
                     over.windows(2).all(|w| w[1] <= w[0] + 1e-6),
                     "{name} rises with f0 at roughness {r}, mu {mu}: {over:?}"
                 );
-                assert!(over.iter().all(|f| (-stated..=1.0 + stated).contains(f)), "{name}: {over:?}");
+                assert!(over.iter().all(|f| (0.0..=1.0 + stated).contains(f)), "{name}: {over:?}");
             }
             if doc.contains("At mu = 1 the factor is 1 - f0") {
                 exact += 1;
-                for f0 in [0.02_f32, 0.2] {
+                for f0 in [0.02_f32, 0.08] {
                     assert!(
                         (value(fit, r, 1.0, f0) - f64::from(1.0 - f0)).abs() < 1e-6,
                         "{name} at {r} {f0}"
@@ -195,7 +213,7 @@ fn limits_and_monotony_of_the_emitted_factors() {
 }
 
 fn include(language: Language) -> String {
-    String::from_utf8(ALL.files[&format!("fits/lobefit.{}", language.extension())].clone()).expect("text")
+    String::from_utf8(all().files[&format!("fits/lobefit.{}", language.extension())].clone()).expect("text")
 }
 
 /// Factors under every kind of lobe, the exact ones and the materials: compilers take the files without a word.
@@ -266,34 +284,28 @@ fn emitted_factors_of_e_and_b_are_exact() {
     }
 }
 
-/// Ours beat the published comparison's bars at f0 = 0.04: 0.102 with 7 operations and 0.019 with 15 under a normalised lobe, 0.070 and
-/// 0.016 (with 39) under a bare one.
+/// Ours beat the published comparison's bars: 0.102 with 7 operations and 0.019 with 15 under a normalised lobe, 0.072 and 0.016 (with
+/// 39) at f0 = 0.02 under a bare one; and a factor of seven operations is not below 0 for it, which costs it a fifth of its accuracy.
 #[test]
 fn ours_beat_the_bars() {
-    let wide = |s: Specular| {
-        let base = format!(r#"{{"specular": "{}", "norms": ["max"]}}"#, s.name());
-        dielectric(s.name(), "0.04", &base).replace("[0.1, 1]", "[0.02, 1]")
-    };
-    let baked = baked(&scene(&Specular::ALL.map(wide).join(",")));
     let best = |s: Specular, ops: u32| {
-        let of =
-            baked.fits.iter().filter(|f| f.emitted && specular(f) == s && f.approximation.cost.ops <= ops);
+        let of = factors().filter(|f| specular(f) == s && f.approximation.cost.ops <= ops);
         of.map(|f| f.approximation.certificate.max_abs).fold(f64::INFINITY, f64::min)
     };
     for (s, ops, bar) in [
-        (Specular::Normalised, 7, 0.072),
-        (Specular::Normalised, 8, 0.065),
-        (Specular::Normalised, 15, 0.013),
-        (Specular::Normalised, 19, 0.007),
-        (Specular::Single, 7, 0.060),
-        (Specular::Single, 30, 0.0068),
-        (Specular::Compensated, 7, 0.061),
-        (Specular::Compensated, 33, 0.0068),
+        (Specular::Normalised, 7, 0.09),
+        (Specular::Normalised, 8, 0.066),
+        (Specular::Normalised, 15, 0.014),
+        (Specular::Normalised, 19, 0.0075),
+        (Specular::Single, 7, 0.0719),
+        (Specular::Single, 30, 0.0075),
+        (Specular::Compensated, 7, 0.0725),
+        (Specular::Compensated, 32, 0.0075),
     ] {
         assert!(best(s, ops) < bar, "{} {ops}: {}", s.name(), best(s, ops));
     }
-    let published = baked.fits.iter().filter(|f| !f.emitted && f.approximation.used_as == Use::Coupling);
-    assert!(published.count() >= 8);
+    let of_others = |f: &&Fit| !f.emitted && f.approximation.used_as == Use::Coupling;
+    assert!(all().fits.iter().filter(of_others).count() >= 8);
 }
 
 fn left_out(plan: &Plan) -> &str {

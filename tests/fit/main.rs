@@ -22,4 +22,5 @@ mod regular;
 mod saddles;
 mod search;
 mod solve;
+mod starts;
 mod tape;

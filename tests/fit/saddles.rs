@@ -4,7 +4,7 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{Fitted, Goal, Options, Samples, Termination, optimise};
+use lobefit::fit::{Condition, Constraint, Fitted, Goal, Options, Samples, Termination, optimise};
 
 fn curve(n: usize, f: impl Fn(f64) -> f64) -> Samples {
     let x: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
@@ -117,4 +117,23 @@ fn least_squares_keep_the_better_coefficients_too() {
         let named = stopped.stages[0].end;
         assert_eq!(named, Termination::Saddle, "{goal}: {stopped:?}");
     }
+}
+
+/// At a = b = 0 under a ceiling: the derivatives by both vanish, and a b > 0 lowers the mean square within the ceiling.
+#[test]
+fn saddles_within_constraints_are_left() {
+    let formula = "override a: f32 = 0.0; override b: f32 = 0.0; override c: f32 = 1.0;
+        fn f(x: f32) -> f32 { return x * (c + a * b * (1.0 - x)); }";
+    let samples = curve(101, |x| x);
+    let condition = Condition::AtMost { points: samples.inputs.clone(), values: vec![0.5; 101] };
+    let ceiling = [Constraint { name: "ceiling".into(), condition }];
+    let from = |saddles: usize| {
+        let options = Options { starts: 1, saddles, ..Options::new(Goal::Rms) };
+        optimise(&parse(formula), &samples, &ceiling, &options).expect("a fit")
+    };
+    let fitted = from(6);
+    // With a = b = 0 it is 0.29; with c = 1/2 and a b = 1/2 the ceiling is reached.
+    assert!(fitted.rms < 0.226 && fitted.termination.is_converged(), "{fitted:?}");
+    assert!(fitted.constraints.iter().all(|held| held.worst <= held.tolerance), "{fitted:?}");
+    assert_eq!(from(0).termination, Termination::Saddle);
 }

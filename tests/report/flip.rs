@@ -5,7 +5,7 @@ use crate::flip_support;
 use flip_support::{NAMES, SIZE, pair};
 use lobefit::math::ops;
 use lobefit::report::Image;
-use lobefit::report::flip::{FlipError, PIXELS_PER_DEGREE, hdr, ldr, sensitivity};
+use lobefit::report::flip::{FlipError, PIXELS_PER_DEGREE, Reference, hdr, ldr, sensitivity};
 use serde_json::Value;
 
 const ORACLE: &str = include_str!("../oracle/flip/flip-evaluator-1.7.json");
@@ -78,6 +78,47 @@ fn a_small_step_of_grey_costs_what_the_sensitivity_says() {
         assert!((unit / expected - 1.0).abs() < 1e-3, "{level}: {unit}, {expected}");
     }
     assert!((sensitivity(0.0) - 903.3).abs() < 0.1 && (sensitivity(1.0) - 38.67).abs() < 0.01);
+}
+
+/// Light at the ends of f64: exposures are finite, a picture differs from itself by nothing and from another by something, and as much as the same
+/// pictures do where no number is subnormal.
+#[test]
+fn the_faintest_and_the_brightest_light_can_be_compared() {
+    let scaled = |picture: &Image, by: f64| Image {
+        pixels: picture.pixels.iter().map(|p| p.map(|x| x * by)).collect(),
+        ..picture.clone()
+    };
+    let [a, b] = images("lamp");
+    // Powers of two, so that no digit is lost; the median is below its least in the first two.
+    let faint = ops::exp2(-1000.0);
+    for by in [faint * ops::exp2(-40.0), faint, ops::exp2(980.0)] {
+        let [reference, test] = [&a, &b].map(|picture| scaled(picture, by));
+        let (map, exposures) = hdr(&reference, &test, PIXELS_PER_DEGREE).expect("a map");
+        assert!(exposures.start.is_finite() && exposures.stop.is_finite(), "{exposures:?}");
+        assert!(map.values.iter().all(|v| (0.0..=1.0).contains(v)), "{by:e}");
+        assert!(map.mean() > 0.01, "{by:e}: {}", map.mean());
+        let (same, _) = hdr(&reference, &reference, PIXELS_PER_DEGREE).expect("a map");
+        assert!(same.values.iter().all(|&v| v == 0.0), "{by:e}");
+    }
+    let mean = |by: f64| {
+        let [reference, test] = [&a, &b].map(|picture| scaled(picture, by));
+        hdr(&reference, &test, PIXELS_PER_DEGREE).expect("a map").0.mean()
+    };
+    assert!((mean(ops::exp2(980.0)) - mean(1.0)).abs() < 1e-9, "exposure takes the scale away");
+    assert!((mean(faint * ops::exp2(-40.0)) - mean(faint)).abs() < 1e-9, "subnormal or not");
+    let said = hdr(&scaled(&a, 1e300), &b, PIXELS_PER_DEGREE).expect_err("refused").to_string();
+    assert!(said.contains("a number from 0 to 1e300 is called for"), "{said}");
+}
+
+/// A reference that is prepared once gives the maps that it gives each time.
+#[test]
+fn a_prepared_reference_gives_the_same_map() {
+    let [reference, test] = images("dark-half");
+    let prepared = Reference::new(&reference, PIXELS_PER_DEGREE).expect("a reference");
+    let (map, exposures) = hdr(&reference, &test, PIXELS_PER_DEGREE).expect("a map");
+    assert_eq!((prepared.against(&test).expect("a map"), prepared.exposures), (map, exposures));
+    let other = Image::of(4, 2, |_, _| [0.5; 3]);
+    assert!(matches!(prepared.against(&other), Err(FlipError::Sizes { .. })));
 }
 
 #[test]

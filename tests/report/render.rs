@@ -1,9 +1,10 @@
 //! The renderer of the studies: spheres whose radiance is known.
 
-use std::f64::consts::FRAC_1_PI;
+use std::f64::consts::{FRAC_1_PI, TAU};
 
 use lobefit::data::Smith;
 use lobefit::integrate::reflection::reflection;
+use lobefit::math::ops;
 use lobefit::optics::ggx::{self, Vec3};
 use lobefit::report::Image;
 use lobefit::report::render::{Environment, Halves, Materials, Settings, diffuse_light, inside, spheres};
@@ -91,6 +92,85 @@ fn a_white_sphere_shows_the_light_that_falls_on_it() {
     for n in [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-0.6, 0.0, 0.8]] {
         let furnace = diffuse_light(&Environment::furnace(), n);
         assert!(furnace.iter().all(|x| (x - 1.0).abs() < 1e-12), "{furnace:?}");
+    }
+}
+
+/// 1/pi int L max(n.l, 0) dl by sums over even cells: of sky and ground over height and azimuth of the directions, of each lamp over angle and
+/// azimuth about its own axis.
+fn by_cells(environment: &Environment, normal: Vec3) -> [f64; 3] {
+    let bare = Environment { lamps: Vec::new(), ..environment.clone() };
+    let mut light = [0.0; 3];
+    let mut add = |radiance: [f64; 3], direction: Vec3, angle: f64| {
+        let cosine: f64 = (0..3).map(|i| direction[i] * normal[i]).sum();
+        for c in 0..3 {
+            light[c] += radiance[c] * cosine.max(0.0) * angle * FRAC_1_PI;
+        }
+    };
+    let steps = 2400;
+    let about = |k: usize| ops::sincos(TAU * (k as f64 + 0.5) / 400.0);
+    for i in 0..steps {
+        let height = -1.0 + 2.0 * (i as f64 + 0.5) / steps as f64;
+        let flat = (1.0 - height * height).sqrt();
+        for k in 0..400 {
+            let (sin, cos) = about(k);
+            let direction = [flat * cos, height, flat * sin];
+            add(bare.radiance(direction), direction, 2.0 / steps as f64 * TAU / 400.0);
+        }
+    }
+    for lamp in &environment.lamps {
+        let length = lamp.towards.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let axis = lamp.towards.map(|x| x / length);
+        // any two directions at right angles to it
+        let side = {
+            let [x, _, z] = axis;
+            let l = (x * x + z * z).sqrt();
+            [z / l, 0.0, -x / l]
+        };
+        let up = [
+            axis[1] * side[2] - axis[2] * side[1],
+            axis[2] * side[0] - axis[0] * side[2],
+            axis[0] * side[1] - axis[1] * side[0],
+        ];
+        let depth = 1.0 - ops::cos(lamp.degrees.to_radians());
+        for i in 0..400 {
+            let cosine = 1.0 - depth * (f64::from(i) + 0.5) / 400.0;
+            let sine = (1.0 - cosine * cosine).sqrt();
+            for k in 0..400 {
+                let (sin, cos) = about(k);
+                let direction = [0, 1, 2].map(|c| cosine * axis[c] + sine * (cos * side[c] + sin * up[c]));
+                add(lamp.radiance, direction, depth / 400.0 * TAU / 400.0);
+            }
+        }
+    }
+    light
+}
+
+/// The light of a Lambertian surface in closed form against sums: where all lamps are seen, where one sets, where all are behind it.
+#[test]
+fn the_light_of_a_place_is_its_integral() {
+    let mut broad = Environment::afternoon();
+    broad.lamps[1].degrees = 80.0;
+    for environment in [Environment::afternoon(), broad] {
+        let axis = environment.lamps[1].towards;
+        // almost at right angles to the cloud, which then is cut by the horizon
+        let across = [axis[1] + 0.05, -axis[0], 0.02];
+        for n in [
+            [0.0, 1.0, 0.0],
+            [0.0, -1.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [-0.6, 0.0, 0.8],
+            [0.3, -0.5, 0.2],
+            across,
+            axis,
+        ] {
+            let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let n = n.map(|x| x / length);
+            let (found, expected) = (diffuse_light(&environment, n), by_cells(&environment, n));
+            for c in 0..3 {
+                let off = found[c] / expected[c] - 1.0;
+                assert!(off.abs() < 1e-4, "normal {n:?}, channel {c}: {} {}", found[c], expected[c]);
+            }
+        }
     }
 }
 

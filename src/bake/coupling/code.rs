@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Lobe;
+use super::{Lobe, rule};
 use crate::bake::BakeError;
 use crate::effects::coupling::AnyF0;
 use crate::effects::reflection::Fit;
@@ -38,7 +38,8 @@ fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
         let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
         text += &format!("\n{}", coupling::coupled(language, specular, name, inputs));
         if specular == Specular::Single {
-            text += &format!("\n{}", coupling::reciprocal(language, name, inputs));
+            let error = rule::error(&lobe.spec.region, lobe.spec.f0, best)?;
+            text += &format!("\n{}", coupling::reciprocal(language, name, inputs, error));
         }
     }
     Ok(text)
@@ -63,6 +64,20 @@ fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
         "of the factor: of the furnace, the lobe exact and the base white",
         &a.certificate,
     ));
-    lines.push(format!("over f0 in [0, 1]: max {} at {}", header::short(any.max), header::place(&any.at)));
+    lines.push(format!(
+        "over f0 in [0, 1]: max {}, the largest found at {} places of roughness and mu for {}",
+        any.max,
+        any.places,
+        any.f0.words()
+    ));
+    lines.push(format!("  worst at {}", header::place(&any.at)));
+    if let Some(safe) = &fit.safe {
+        let ranges: Vec<String> =
+            safe.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
+        lines.push(format!(
+            "proven, rounding included: no pole and no value below 0 for {}",
+            ranges.join(", ")
+        ));
+    }
     lines
 }

@@ -12,7 +12,7 @@ use crate::integrate::coupling::Specular;
 use crate::plan::Effect;
 use crate::report::{
     AnyF0Finding, ApproximationFinding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe,
-    CouplingPanel, EffectFinding, FitFinding, FurnaceRow, Ruler,
+    CouplingPanel, CouplingReciprocity, EffectFinding, FitFinding, FurnaceRow, Ruler,
 };
 use crate::scene::Scene;
 
@@ -84,20 +84,25 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
         name: fit.approximation.name.clone(),
         max: any.max,
         at: any.at.clone(),
+        places: any.places,
+        looked_at: any.f0.words(),
     };
     let f0 = spec.f0[0];
     let truth = map.factors(spec.specular, f0);
     let fits = shown.iter().map(|one| fit_finding(lobe, one, (&map, &truth), &lines));
+    let (table, table_anywhere) = super::table::rival(lobe, context)?;
+    let formulas = lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation));
     Ok(CouplingLobe {
         specular: spec.specular.name().into(),
         multiplier: spec.specular.formula().into(),
         f0,
         truth: map.field("factor", false, truth.iter().copied()),
-        approximations: lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation)).collect(),
-        anywhere: lobe.measured().map(any).collect(),
+        approximations: formulas.chain([table]).collect(),
+        anywhere: lobe.measured().map(any).chain([table_anywhere]).collect(),
         fits: fits.collect::<Result<_, _>>()?,
         furnace: furnace(lobe, &shown, context)?,
-        reciprocity: super::reciprocity::rows(lobe)?,
+        reciprocity: super::reciprocity::rows(lobe)?
+            .map(|(places, rows)| CouplingReciprocity { places, rows }),
     })
 }
 

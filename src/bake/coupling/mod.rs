@@ -4,6 +4,8 @@ mod code;
 mod findings;
 mod grid;
 mod reciprocity;
+mod rule;
+mod table;
 
 use super::context::Context;
 use super::part::{Part, canonical};
@@ -103,8 +105,13 @@ impl Lobe {
     fn enter(&self, scene: &Scene, entries: &mut Entries) -> Result<(), BakeError> {
         for (fit, any) in self.measured().filter(|(fit, _)| fit.emitted) {
             if let Some(entry) = FitEntry::new(EFFECT, scene.alpha.name(), &fit.approximation) {
-                let any = AnyF0Entry { max_abs: any.max, at: any.at.clone() };
-                entries.fits.push(canonical(&entry.under(self.spec.specular.name(), any))?);
+                let any = AnyF0Entry {
+                    max_abs: any.max,
+                    at: any.at.clone(),
+                    places: any.places,
+                    looked_at: any.f0.words(),
+                };
+                entries.fits.push(canonical(&entry.under(self.spec.specular.name(), any, fit.safe.clone()))?);
             }
         }
         for dropped in &self.dropped {

@@ -2,21 +2,23 @@
 
 use super::Lobe;
 use crate::bake::BakeError;
-use crate::bake::reflection::chosen;
+use crate::bake::reflection::{chosen, grazing};
 use crate::data::AlphaMap;
+use crate::effects::reflection::Region;
 use crate::effects::surface::table::{Grid, ReciprocityRow, rows_of};
 use crate::effects::surface::{Coupling, Factor, Lobe as Drawn};
 use crate::integrate::coupling::Specular;
 
-/// Roughness and cosines: a few, since every material is integrated over the hemisphere as it is drawn. The study has them all.
+/// Roughness and cosines, as far as they lie in the region: a few, since every material is integrated over the hemisphere as it is drawn.
+/// The study has them all.
 const ROUGHNESS: [f64; 4] = [0.2, 0.4, 0.7, 1.0];
 const COSINES: [f64; 4] = [0.1, 0.3, 0.6, 1.0];
 
-/// The rows of a lobe; none where alpha is not roughness^2, which the materials take it for.
-pub fn rows(lobe: &Lobe) -> Result<Vec<ReciprocityRow>, BakeError> {
+/// The rows of a lobe, and where they were measured; none where alpha is not roughness^2, which the materials take it for.
+pub fn rows(lobe: &Lobe) -> Result<Option<(Grid, Vec<ReciprocityRow>)>, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
     if region.alpha_map != AlphaMap::RoughnessSquared {
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let drawn = match spec.specular {
         Specular::Single => Drawn::Single,
@@ -37,6 +39,14 @@ pub fn rows(lobe: &Lobe) -> Result<Vec<ReciprocityRow>, BakeError> {
     }
     let mut f0 = vec![spec.f0[0], spec.f0[1]];
     f0.dedup();
-    let grid = Grid { roughness: chosen(region, &ROUGHNESS).values, mu: COSINES.to_vec(), f0 };
-    Ok(rows_of(spec.smith, &[drawn], &couplings, &grid)?)
+    let grid = Grid { roughness: chosen(region, &ROUGHNESS).values, mu: cosines(region), f0 };
+    let rows = rows_of(spec.smith, &[drawn], &couplings, &grid)?;
+    Ok(Some((grid, rows)))
+}
+
+/// The cosines that lie in the region, or as many of a range that holds too few.
+fn cosines(region: &Region) -> Vec<f64> {
+    let [low, high] = region.mu;
+    let inside: Vec<f64> = COSINES.into_iter().filter(|mu| (low..=high).contains(mu)).collect();
+    if inside.len() < 2 { grazing(region, COSINES.len()).values } else { inside }
 }

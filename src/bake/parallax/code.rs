@@ -78,24 +78,27 @@ fn total(where_: &str, spread: &Spread, least: &Spread) -> String {
 /// The header of a function of levels.
 fn level_lines(lobe: &Lobe, one: &LevelFunction) -> Vec<String> {
     let (chain, widest) = (one.chain.text(), one.chain.widest());
-    let what = match one.gives {
+    let by = lobe.best().map_or("", |fit| &fit.approximation.name);
+    let mut lines = match one.gives {
         Gives::Level => {
-            format!("Level of a roughness: {chain}. Domain: roughness [0, 1], else the nearer end.")
+            vec![format!("Level of a roughness: {chain}. Domain: roughness [0, 1], else the nearer end.")]
         }
         Gives::Roughness => {
-            format!("Roughness of a level: {chain}. Domain: mip [0, {widest}], else the nearer end.")
+            vec![format!("Roughness of a level: {chain}. Domain: mip [0, {widest}], else the nearer end.")]
         }
-        Gives::Adjusted => format!(
-            "Level to fetch for a lobe of level mip, seen from rho times the probe's distance: {chain}. At rho = 1 it is mip."
-        ),
-        Gives::Bias => one.hypothesis.doc().join(" "),
+        Gives::Adjusted => vec![
+            format!(
+                "Level to fetch for a lobe of level mip, seen from rho times the probe's distance: {chain}."
+            ),
+            format!("The width is that of {by}; at rho = 1 the level is mip."),
+        ],
+        Gives::Bias => one.hypothesis.doc().to_vec(),
     };
     let error = match one.gives {
         Gives::Level => "of the map, in levels",
         Gives::Roughness => "of the level there and back, in levels",
         Gives::Adjusted | Gives::Bias => "in levels, against the best width where that is below 1",
     };
-    let mut lines = vec![what];
     if matches!(one.gives, Gives::Adjusted | Gives::Bias) {
         let [roughness, rho] = [lobe.job.roughness, lobe.job.rho];
         lines.push(format!(

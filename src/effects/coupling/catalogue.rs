@@ -15,19 +15,14 @@ const NORMALISED: [Entry; 8] = own![
     "coupling_normalised_19",
 ];
 
-const SINGLE: [Entry; 5] = own![
-    "coupling_single_7",
-    "coupling_single_16",
-    "coupling_single_22",
-    "coupling_single_30",
-    "coupling_single_34"
-];
+const SINGLE: [Entry; 4] =
+    own!["coupling_single_7", "coupling_single_16", "coupling_single_22", "coupling_single_30",];
 
 const COMPENSATED: [Entry; 4] = own![
     "coupling_compensated_7",
-    "coupling_compensated_18",
-    "coupling_compensated_25",
-    "coupling_compensated_33",
+    "coupling_compensated_17",
+    "coupling_compensated_24",
+    "coupling_compensated_32",
 ];
 
 /// The factor of a white base under a lobe of this kind, with free parameters, by rising cost.

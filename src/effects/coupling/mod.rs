@@ -8,15 +8,18 @@ mod rivals;
 
 use std::collections::BTreeMap;
 
-use super::Quantity;
 use super::fitted::{self, Wanted};
 use super::reflection::{Counter, FitSet, FitStageError, Region};
 use super::target::TargetSpec;
+use super::{Keeps, Quantity};
 use crate::data::{AlphaMap, Norm, Smith, Use};
 use crate::integrate::coupling::Specular;
-pub use any::{AnyF0, anywhere};
+pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
 pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS, light_ops};
+
+/// Largest f0 for which a factor under a bare lobe is proven not to be negative: beyond any dielectric's.
+const SINGLE_F0: f64 = 0.9;
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,6 +53,13 @@ impl CouplingSpec {
             words: BTreeMap::from([("specular".to_string(), self.specular.name().to_string())]),
         }
     }
+
+    /// What its fits keep wherever a shader may call them: no less than no light for the base. Under a bare lobe the truth goes to the
+    /// loss 1 - E as f0 goes to 1, which vanishes at a mirror: there no fit can be told from 0.
+    fn keeps(&self) -> Keeps {
+        let f0 = if self.specular == Specular::Single { SINGLE_F0 } else { 1.0 };
+        Keeps { roughness: self.region.roughness, alpha_map: self.region.alpha_map, f0 }
+    }
 }
 
 /// Fits of the factor, and the published ones beside them; of formulas that take roughness, where the map to alpha is theirs.
@@ -64,6 +74,7 @@ pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStag
         rivals: rivals(spec.specular).filter(|rival| squared || !rival.takes("roughness")).collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
+        keeps: Some(spec.keeps()),
     };
     let mut set = fitted::fit_all(&wanted, counter)?;
     for fit in &mut set.fits {

@@ -103,7 +103,7 @@ fn level_error(level: &Hypothesis, chain: &MipChain) -> Result<LevelError, FitEr
     let inputs: Vec<f32> = (0..=STEPS).map(|i| i as f32 / STEPS as f32).collect();
     let found = level.tape().evaluate(std::slice::from_ref(&inputs), &[])?;
     let off = inputs.iter().zip(&found).map(|(r, f)| f64::from(*f) - chain.level(f64::from(*r)));
-    Ok(worst(off, |i| [("roughness".to_string(), f64::from(inputs[i]))].into_iter().collect()))
+    Ok(worst(off, |i| [("roughness".to_string(), shortest(inputs[i]))].into_iter().collect()))
 }
 
 fn round_trip(level: &Hypothesis, inverse: &Hypothesis, chain: &MipChain) -> Result<LevelError, FitError> {
@@ -112,7 +112,7 @@ fn round_trip(level: &Hypothesis, inverse: &Hypothesis, chain: &MipChain) -> Res
     let there = inverse.tape().evaluate(std::slice::from_ref(&mips), &[])?;
     let back = level.tape().evaluate(&[there], &[])?;
     let off = mips.iter().zip(&back).map(|(m, b)| f64::from(*b) - f64::from(*m));
-    Ok(worst(off, |i| [("mip".to_string(), f64::from(mips[i]))].into_iter().collect()))
+    Ok(worst(off, |i| [("mip".to_string(), shortest(mips[i]))].into_iter().collect()))
 }
 
 /// Cells that a chain holds and that one fetch can serve.
@@ -136,7 +136,7 @@ fn adjusted_error(
         .iter()
         .zip(&found)
         .map(|(cell, found)| f64::from(*found) - chain.level(roughness_of(map, cell.best)));
-    let at = |i: usize| [("mip", mips[i]), ("rho", rho[i])].map(|(name, x)| (name.to_string(), f64::from(x)));
+    let at = |i: usize| [("mip", mips[i]), ("rho", rho[i])].map(|(name, x)| (name.to_string(), shortest(x)));
     Ok(worst(off, |i| at(i).into_iter().collect()))
 }
 
@@ -171,7 +171,9 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
         samples.inputs.iter().map(|column| column.iter().map(|x| *x as f32).collect()).collect();
     let values = found.hypothesis.tape().evaluate(&single, &found.coefficients)?;
     let off = values.iter().zip(&target).map(|(value, target)| f64::from(*value) - target);
-    let at = |i: usize| [("alpha", cells[i].alpha), ("rho", cells[i].rho)].map(|(n, x)| (n.to_string(), x));
+    let at = |i: usize| {
+        [("alpha", cells[i].alpha), ("rho", cells[i].rho)].map(|(n, x)| (n.to_string(), shortest(x as f32)))
+    };
     let error = worst(off, |i| at(i).into_iter().collect());
     let hypothesis = found.hypothesis.renamed(&named(grid.kernel, found.hypothesis.name()));
     let (coefficients, gives, chain) = (found.coefficients, Gives::Bias, chain.clone());
@@ -186,6 +188,11 @@ fn domain(grid: &Grid) -> Result<Domain, FitError> {
     };
     let ((a0, a1), (r0, r1)) = (hull(|cell| cell.alpha), hull(|cell| cell.rho));
     Domain::new(&[("alpha", a0, a1), ("rho", r0, r1)])
+}
+
+/// An f32 in the shortest decimal that reads back to it.
+fn shortest(x: f32) -> f64 {
+    x.to_string().parse().unwrap_or(f64::from(x))
 }
 
 fn worst(off: impl Iterator<Item = f64>, place: impl Fn(usize) -> Place) -> LevelError {

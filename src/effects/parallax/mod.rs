@@ -59,6 +59,7 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         rivals: RIVALS.iter().filter(|rival| squared || !rival.takes("roughness")).collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
+        keeps: None,
     };
     let mut set = fitted::fit_all(&wanted, counter)?;
     for fit in set.fits.iter_mut().filter(|fit| fit.emitted) {

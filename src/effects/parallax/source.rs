@@ -25,7 +25,10 @@ pub fn level(name: &str, chain: &MipChain) -> String {
         MipChain::Given(levels) => {
             let step = |pair: &[f64]| {
                 let inverse = number(1.0 / (pair[1] - pair[0]));
-                format!("saturate((roughness - {}) * {inverse})", number(pair[0]))
+                match pair[0] {
+                    0.0 => format!("saturate(roughness * {inverse})"),
+                    from => format!("saturate((roughness - {}) * {inverse})", number(from)),
+                }
             };
             format!("    return {};", levels.windows(2).map(step).collect::<Vec<_>>().join("\n        + "))
         }
@@ -53,7 +56,9 @@ pub fn roughness(name: &str, chain: &MipChain) -> String {
                 format!("{} * saturate({below})", number(pair[1] - pair[0]))
             };
             let steps: Vec<String> = levels.windows(2).enumerate().map(step).collect();
-            format!("    return {}\n        + {};", number(levels[0]), steps.join("\n        + "))
+            let first =
+                if levels[0] == 0.0 { String::new() } else { format!("{}\n        + ", number(levels[0])) };
+            format!("    return {first}{};", steps.join("\n        + "))
         }
     };
     format!("fn {name}(mip: f32) -> f32 {{\n{body}\n}}\n")

@@ -18,7 +18,7 @@ pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS, catalogue_names, ca
 pub use decode::lookup_ops;
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Dropped, Fit, FitSet, FitSpec, FitStageError, fit_all};
-pub(in crate::effects) use fits::{formula, kept, searched};
+pub(in crate::effects) use fits::{Searched, formula, kept, searched, searched_within};
 pub use lookup::{Lookup, Split};
 pub use measure::{Errors, Judged, error_map, measure};
 pub use points::{PointSet, certification};

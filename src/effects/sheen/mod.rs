@@ -44,6 +44,7 @@ pub fn fit_all(spec: &SheenSpec, counter: &Counter) -> Result<FitSet, FitStageEr
         rivals: RIVALS.iter().filter(|_| squared).collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
+        keeps: None,
     };
     fitted::fit_all(&spec, counter)
 }

@@ -17,7 +17,7 @@ pub const ALPHA: [f64; 2] = [1e-4, 1.0];
 pub const IOR: [f64; 2] = [1.0001, 4.0];
 
 /// The panels over the cosine begin at this part of alpha: below it E departs from E(0) by less than 1e-7 alpha.
-const FIRST_PANEL: f64 = 1e-6;
+pub(super) const FIRST_PANEL: f64 = 1e-6;
 
 /// Directional albedos over mu in [0, 1] of one lobe, to 1e-7 (the loss: relative, for mu >= 1e-5 alpha), and their averages.
 #[derive(Clone, Debug)]

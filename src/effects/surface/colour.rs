@@ -9,7 +9,7 @@ use crate::integrate::walk::{CHANNELS, Walked, Walks, walk};
 use crate::optics::fresnel;
 
 /// A metal by its complex index of refraction in red, green and blue; k = 0 is a dielectric, of which only the reflected part is followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Metal {
     /// Its name.
     pub name: &'static str,

@@ -10,13 +10,20 @@ use crate::fit::{FitError, Hypothesis};
 
 /// Arguments of every formula. `specular` is D V F, `diffuse` rho/pi, `fresnel` F(v.h); a and b are texels of A and B at l and v, `series`
 /// the colour of the second lobe, `second` that over pi times the average loss, `scale` one over what a coupling divides by.
-const ARGUMENTS: &str = "specular: f32, diffuse: f32, f0: f32, fresnel: f32, roughness: f32, mu_l: f32, mu_v: f32, a_l: f32, b_l: f32, \
+const ARGUMENTS: &str = "specular: f32, diffuse: f32, f0: f32, fresnel: f32, roughness: f32, alpha: f32, mu_l: f32, mu_v: f32, a_l: f32, b_l: f32, \
                          a_v: f32, b_v: f32, series: f32, second: f32, scale: f32";
 
-const HELPERS: [(&str, &str); 2] = [
+const HELPERS: [(&str, &str); 3] = [
     (
         "half_power",
         "fn half_power(mu: f32) -> f32 { let x = 1.0 - 0.5 * mu; let y = x * x; return 1.0 - y * y * x; }\n",
+    ),
+    (
+        "dassault",
+        "fn left_of(mu: f32, smooth_part: f32) -> f32 { let x = 1.0 - mu; let y = x * x; \
+         return (1.0 - y * y * x) * smooth_part + 0.95238 * (1.0 - smooth_part); }\n\
+         fn dassault(alpha: f32, mu_l: f32, mu_v: f32, f0: f32) -> f32 { let x = 1.0 - alpha; let y = x * x; let s = y * y * x; \
+         return (1.0 - f0) * left_of(mu_l, s) * left_of(mu_v, s) / (1.0 + (0.33263 * alpha + 0.072359) * f0); }\n",
     ),
     ("weight", "fn weight(mu: f32) -> f32 { let x = 1.0 - mu; let y = x * x; return y * y * x; }\n"),
 ];
@@ -37,15 +44,19 @@ pub fn cost(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Cost, SurfaceErro
 /// # Errors
 /// A formula that does not parse, a defect of this program.
 pub fn formula(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Hypothesis, SurfaceError> {
+    let parsed: Result<Hypothesis, FitError> = Hypothesis::parse("shade.wgsl", &source(lobe, coupling));
+    parsed.map_err(|e| SurfaceError::Formula(Box::new(e)))
+}
+
+/// The text of [`formula`].
+pub(super) fn source(lobe: Lobe, coupling: Option<&Coupling>) -> String {
     let base =
         coupling.map_or(String::new(), |coupling| format!(" + diffuse * ({})", factor(lobe, coupling)));
     let value = format!("{}{base}", boosted(lobe));
     // the dialect refuses functions that nothing calls
     let called: String =
         HELPERS.iter().filter(|(name, _)| value.contains(name)).map(|(_, text)| *text).collect();
-    let source = format!("{called}fn shade({ARGUMENTS}) -> f32 {{ return {value}; }}\n");
-    let parsed: Result<Hypothesis, FitError> = Hypothesis::parse("shade.wgsl", &source);
-    parsed.map_err(|e| SurfaceError::Formula(Box::new(e)))
+    format!("{called}fn shade({ARGUMENTS}) -> f32 {{ return {value}; }}\n")
 }
 
 /// The specular part.
@@ -81,6 +92,7 @@ fn factor(lobe: Lobe, coupling: &Coupling) -> String {
         Coupling::FresnelProduct => "(1.0 - f0) * 1.05 * (1.0 - weight(mu_l)) * (1.0 - weight(mu_v))".into(),
         Coupling::HalfVector => "1.0 - fresnel".into(),
         Coupling::AshikhminShirley => "(1.0 - f0) * 1.2173913 * half_power(mu_l) * half_power(mu_v)".into(),
+        Coupling::Dassault => "dassault(alpha, mu_l, mu_v, f0)".into(),
         Coupling::SchlickRoughness => "1.0 - (f0 + (max(1.0 - roughness, f0) - f0) * weight(mu_v))".into(),
         // mix(1 - F, 1 - f0, roughness) with Schlick's F, multiplied out
         Coupling::Pesce => "(1.0 - f0) * (1.0 - weight(mu_v) * (1.0 - roughness))".into(),
@@ -97,7 +109,10 @@ fn factor(lobe: Lobe, coupling: &Coupling) -> String {
 fn extra(coupling: Option<&Coupling>) -> Result<u32, SurfaceError> {
     match coupling {
         Some(Coupling::Factor(factor)) => operations_of(factor),
-        Some(Coupling::Symmetrised(factor)) => Ok(2 * operations_of(factor)?),
+        // with a max of each cosine where the formula is not made for all of them
+        Some(Coupling::Symmetrised(factor)) => {
+            Ok(2 * (operations_of(factor)? + u32::from(factor.least_mu() > 0.0)))
+        }
         _ => Ok(0),
     }
 }

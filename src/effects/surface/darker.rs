@@ -9,6 +9,7 @@ use super::measure::Rules;
 use super::table::Grid;
 use super::{Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::Smith;
+use crate::integrate::Estimate;
 
 /// Albedos of the base that are compared.
 pub const ALBEDOS: [f64; 6] = [0.0, 0.2, 0.5, 0.8, 0.95, 1.0];
@@ -27,7 +28,7 @@ pub struct DarkRow {
     /// Mean over the grid of the base's part over rho times what the lobe leaves: 1 for a plain factor; none for a black base.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,
-    /// Whether nowhere on the grid the material got darker as its base got lighter.
+    /// Whether nowhere on the grid the material got darker, beyond what is known of it, as its base got lighter.
     pub monotone: bool,
 }
 
@@ -40,30 +41,34 @@ pub fn dark_table(smith: Smith, f0: f64, grid: &Grid) -> Result<Vec<DarkRow>, Su
     let (views, albedos) = (grid.views(), grid.albedos(smith)?);
     let mut rows: Vec<DarkRow> = Vec::new();
     for coupling in couplings {
-        let mut before = vec![f64::NEG_INFINITY; views.len()];
+        let mut before: Option<Vec<Estimate>> = None;
         for rho in ALBEDOS {
-            let at = |(i, (alpha, mu)): (usize, &(f64, f64))| -> Result<[f64; 2], SurfaceError> {
-                let base = Some(Base { albedo: [rho; 3], coupling: coupling.clone() });
-                let (alpha, fresnel, lobe) = (*alpha, Fresnel::Schlick([f0; 3]), Lobe::Compensated);
-                let material = Material { smith, alpha, fresnel, lobe, base };
-                let surface = Surface::with(&material, albedos[i / grid.mu.len()].clone())?;
-                let found = Rules::new(alpha, *mu).albedo(&surface)?;
-                let left = surface.side(*mu).left[0];
-                Ok([found.total()[0].value, found.base[0].value / (rho * left)])
-            };
-            let found: Vec<Result<[f64; 2], SurfaceError>> = views.par_iter().enumerate().map(at).collect();
-            let found: Vec<[f64; 2]> = found.into_iter().collect::<Result<_, _>>()?;
-            let total: Vec<f64> = found.iter().map(|x| x[0]).collect();
-            let shares: f64 = found.iter().map(|x| x[1]).sum();
+            let at =
+                |(i, (alpha, mu)): (usize, &(f64, f64))| -> Result<(Estimate, Option<f64>), SurfaceError> {
+                    let base = Some(Base { albedo: [rho; 3], coupling: coupling.clone() });
+                    let (alpha, fresnel, lobe) = (*alpha, Fresnel::Schlick([f0; 3]), Lobe::Compensated);
+                    let material = Material { smith, alpha, fresnel, lobe, base };
+                    let surface = Surface::with(&material, albedos[i / grid.mu.len()].clone())?;
+                    let found = Rules::new(alpha, *mu).albedo(&surface)?;
+                    let left = surface.side(*mu).left[0];
+                    Ok((found.total()[0], (rho > 0.0).then(|| found.base[0].value / (rho * left))))
+                };
+            let found: Vec<Result<_, SurfaceError>> = views.par_iter().enumerate().map(at).collect();
+            let found: Vec<(Estimate, Option<f64>)> = found.into_iter().collect::<Result<_, _>>()?;
+            let total: Vec<Estimate> = found.iter().map(|x| x.0).collect();
+            let shares: Option<f64> = found.iter().map(|x| x.1).sum();
+            // Both are known to their bounds only.
+            let lighter =
+                |(now, before): (&Estimate, &Estimate)| now.value + now.error >= before.value - before.error;
             rows.push(DarkRow {
                 coupling: coupling.name().into(),
                 rho,
-                least: total.iter().copied().fold(f64::INFINITY, f64::min),
-                most: total.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-                share: (rho > 0.0).then(|| shares / found.len() as f64),
-                monotone: total.iter().zip(&before).all(|(now, before)| now >= before),
+                least: total.iter().map(|x| x.value).fold(f64::INFINITY, f64::min),
+                most: total.iter().map(|x| x.value).fold(f64::NEG_INFINITY, f64::max),
+                share: shares.map(|shares| shares / found.len() as f64),
+                monotone: before.is_none_or(|before| total.iter().zip(&before).all(lighter)),
             });
-            before = total;
+            before = Some(total);
         }
     }
     Ok(rows)

@@ -17,6 +17,8 @@ pub struct Surface {
     albedos: Arc<Albedos>,
     /// Reflectance at normal incidence.
     f0: [f64; 3],
+    /// Whether all channels have the same f0 and albedo, and so the same of everything.
+    grey: bool,
     /// Colour of the second lobe, and what it absorbs; 0 and 1 without one.
     series: [f64; 3],
     absorbed: [f64; 3],
@@ -48,6 +50,30 @@ pub struct Parts {
     pub specular: [f64; 3],
     /// Diffuse base.
     pub base: [f64; 3],
+}
+
+/// The facet that mirrors one direction into the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// Its normal, the half vector.
+    pub half: Vec3,
+    /// Cosine between the normal and either direction.
+    pub cosine: f64,
+    /// 1 - cosine.
+    pub complement: f64,
+}
+
+impl Facet {
+    /// The facet between two directions of unit length, not opposite to one another.
+    pub fn between(a: Vec3, b: Vec3) -> Facet {
+        let sum = [0, 1, 2].map(|i| a[i] + b[i]);
+        let difference = [0, 1, 2].map(|i| a[i] - b[i]);
+        // |a + b| = 2 cos and |a - b| = 2 sin of the angle to the half vector: no cancellation at either end.
+        let length = dot(sum, sum).sqrt();
+        let cosine = (0.5 * length).min(1.0);
+        let complement = 0.25 * dot(difference, difference) / (1.0 + cosine);
+        Facet { half: sum.map(|x| x / length), cosine, complement }
+    }
 }
 
 impl Surface {
@@ -84,8 +110,10 @@ impl Surface {
         };
         let (series, absorbed) = (of(multiscatter::series, 0.0), of(multiscatter::absorbed, 1.0));
         let (material, none) = (material.clone(), [0.0; 3]);
+        let same = |x: &[f64; 3]| x.iter().all(|y| *y == x[0]);
+        let grey = same(&f0) && material.base.as_ref().is_none_or(|base| same(&base.albedo));
         let mut surface =
-            Surface { material, albedos, f0, series, absorbed, left_avg: none, factor_avg: none };
+            Surface { material, albedos, f0, grey, series, absorbed, left_avg: none, factor_avg: none };
         surface.left_avg = surface.albedos.average_of(|_, column| surface.left(column));
         if let Some(Base { coupling: Coupling::Symmetrised(_), .. }) = surface.material.base {
             surface.factor_avg = surface.albedos.average_of(|mu, _| surface.factor(mu, &none));
@@ -130,22 +158,35 @@ impl Surface {
         Side { mu, column, left, stretched, boost, factor: self.factor(mu, &left) }
     }
 
+    /// What this surface knows of a direction of which another one, of the same lobe, knows `common`: the same but for its own factor.
+    pub fn own_side(&self, common: &Side) -> Side {
+        Side { factor: self.factor(common.mu, &common.left), ..*common }
+    }
+
     /// The BRDF between two directions above the horizon, each with its [`Side`].
     pub fn between(&self, light: &Side, view: &Side, to_light: Vec3, to_view: Vec3) -> Parts {
-        let sum = [0, 1, 2].map(|i| to_light[i] + to_view[i]);
-        let difference = [0, 1, 2].map(|i| to_light[i] - to_view[i]);
-        // |l + v| = 2 cos and |l - v| = 2 sin of the angle between view and half vector: no cancellation at either end.
-        let length = dot(sum, sum).sqrt();
-        let cosine = (0.5 * length).min(1.0);
-        let complement = 0.25 * dot(difference, difference) / (1.0 + cosine);
-        let half = sum.map(|x| x / length);
-        let lobe = ggx::distribution(self.material.alpha, half)
+        let facet = Facet::between(to_light, to_view);
+        Parts { specular: self.specular(light, view, &facet), base: self.base(light, view, &facet) }
+    }
+
+    /// The specular part, the same for every base.
+    pub fn specular(&self, light: &Side, view: &Side, facet: &Facet) -> [f64; 3] {
+        let lobe = ggx::distribution(self.material.alpha, facet.half)
             * ggx::visibility(self.material.smith, view.mu, view.stretched, light.mu, light.stretched);
-        let reflectance = self.reflectance(cosine, complement);
+        let reflectance = self.reflectance(facet.cosine, facet.complement);
         let second =
             multiscatter::kulla_conty(light.column.loss, view.column.loss, self.albedos.average.loss);
-        let specular = [0, 1, 2].map(|i| lobe * reflectance[i] * view.boost[i] + second * self.series[i]);
-        Parts { specular, base: self.base(light, view, &reflectance) }
+        self.channels(|i| lobe * reflectance[i] * view.boost[i] + second * self.series[i])
+    }
+
+    /// A value for each channel; of a grey surface it is computed once.
+    fn channels(&self, f: impl Fn(usize) -> f64) -> [f64; 3] {
+        if self.grey { [f(0); 3] } else { [0, 1, 2].map(f) }
+    }
+
+    /// Whether the base depends on more than the two cosines.
+    pub fn knows_facets(&self) -> bool {
+        matches!(&self.material.base, Some(Base { coupling: Coupling::HalfVector, .. }))
     }
 
     /// Albedo of the specular lobe as it is drawn, by channel: 1 - left.
@@ -161,7 +202,7 @@ impl Surface {
     /// Reflectance of a facet at a cosine and its complement 1 - cosine.
     fn reflectance(&self, cosine: f64, complement: f64) -> [f64; 3] {
         match self.material.fresnel {
-            Fresnel::Schlick(f0) => f0.map(|f0| fresnel::schlick(f0, complement)),
+            Fresnel::Schlick(f0) => self.channels(|i| fresnel::schlick(f0[i], complement)),
             Fresnel::Dielectric(ior) => [fresnel::dielectric(ior, cosine); 3],
         }
     }
@@ -169,7 +210,7 @@ impl Surface {
     /// 1 less the albedo of the specular lobe as it is drawn. With k = E less the albedo of the bare lobe (g A with Schlick's Fresnel):
     /// single loss + k; normalised k/E; compensated k + loss (1 - f0 (1 - k/E)); Kulla-Conty k + loss (1 - series).
     fn left(&self, at: &Column) -> [f64; 3] {
-        [0, 1, 2].map(|i| {
+        self.channels(|i| {
             let kept = match self.material.fresnel {
                 Fresnel::Schlick(f0) => (1.0 - f0[i]) * (at.e - at.b),
                 Fresnel::Dielectric(_) => at.e - at.exact,
@@ -189,28 +230,33 @@ impl Surface {
         let alpha = self.material.alpha;
         let roughness = alpha.sqrt();
         let reflectance = self.reflectance(mu, 1.0 - mu);
-        [0, 1, 2].map(|i| match &base.coupling {
+        self.channels(|i| match &base.coupling {
             Coupling::None => 1.0,
             Coupling::OneMinusF0 => 1.0 - self.f0[i],
             Coupling::OneMinusFresnel => 1.0 - reflectance[i],
             Coupling::SchlickRoughness => diffuse::schlick_roughness(self.f0[i], roughness, mu),
             Coupling::Pesce => diffuse::pesce(self.f0[i], reflectance[i], roughness),
             Coupling::OneMinusOwnSpecular => left[i],
-            Coupling::Factor(factor) | Coupling::Symmetrised(factor) => {
+            Coupling::Factor(factor) => factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] }),
+            Coupling::Symmetrised(factor) => {
+                let mu = mu.max(factor.least_mu());
                 factor.at(&FactorAt { roughness, alpha, mu, f0: self.f0[i] })
             }
             Coupling::FresnelProduct
             | Coupling::HalfVector
             | Coupling::AshikhminShirley
+            | Coupling::Dassault
             | Coupling::Kelemen
             | Coupling::Interreflected => 0.0,
         })
     }
 
-    /// The base; `reflectance` is that of the facet between the two directions.
-    fn base(&self, light: &Side, view: &Side, reflectance: &[f64; 3]) -> [f64; 3] {
+    /// The base. Only a coupling that [`Surface::knows_facets`] depends on the facet.
+    pub fn base(&self, light: &Side, view: &Side, facet: &Facet) -> [f64; 3] {
         let Some(base) = &self.material.base else { return [0.0; 3] };
-        [0, 1, 2].map(|i| {
+        let reflectance =
+            if self.knows_facets() { self.reflectance(facet.cosine, facet.complement) } else { [0.0; 3] };
+        self.channels(|i| {
             let (f0, rho) = (self.f0[i], base.albedo[i]);
             let factor = match &base.coupling {
                 Coupling::FresnelProduct => diffuse::fresnel_product(f0, light.mu, view.mu),
@@ -223,7 +269,14 @@ impl Surface {
                 Coupling::Symmetrised(_) => {
                     diffuse::kelemen(light.factor[i], view.factor[i], self.factor_avg[i])
                 }
-                _ => view.factor[i],
+                Coupling::Dassault => diffuse::dassault(f0, self.material.alpha, light.mu, view.mu),
+                Coupling::None
+                | Coupling::OneMinusF0
+                | Coupling::OneMinusFresnel
+                | Coupling::SchlickRoughness
+                | Coupling::Pesce
+                | Coupling::OneMinusOwnSpecular
+                | Coupling::Factor(_) => view.factor[i],
             };
             rho * FRAC_1_PI * factor
         })

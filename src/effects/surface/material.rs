@@ -46,11 +46,27 @@ impl Lobe {
             Lobe::Normalised => "normalised",
             Lobe::Compensated => "compensated",
             Lobe::KullaConty => "kulla-conty",
-            Lobe::KullaContyOnce => "kulla-conty, F once",
+            Lobe::KullaContyOnce => "kulla-conty, from the first",
         }
     }
 
-    /// Whether f(l, v) = f(v, l).
+    /// What becomes of the lobe in a formula that a reader of tables can follow.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Lobe::Single => "D G F/(4 n·l n·v) as it is: loses the light that facets send to one another",
+            Lobe::Normalised => "divided by E(v), the albedo of the single lobe with F = 1 (Pesce 2019)",
+            Lobe::Compensated => "times 1 + f0 (1/E(v) − 1) (Fdez-Agüera 2019; Turquin 2019)",
+            Lobe::KullaConty => {
+                "a second lobe is added (Kulla and Conty 2017), coloured by all reflections from the second on, \
+                 F_avg² E_avg/(1 − F_avg (1 − E_avg))"
+            }
+            Lobe::KullaContyOnce => {
+                "the same coloured by all reflections from the first on, F_avg E_avg/(1 − F_avg (1 − E_avg)), as some engines write it"
+            }
+        }
+    }
+
+    /// Whether f(l, v) = f(v, l) by its formula.
     pub fn is_reciprocal(self) -> bool {
         matches!(self, Lobe::Single | Lobe::KullaConty | Lobe::KullaContyOnce)
     }
@@ -71,6 +87,8 @@ pub enum Coupling {
     HalfVector,
     /// Ashikhmin and Shirley 2000.
     AshikhminShirley,
+    /// The product of what the lobe of the Enterprise PBR Shading Model leaves at l and at v, by its own fit (Dassault Systemes).
+    Dassault,
     /// 1 less Schlick's Fresnel with a roughness term.
     SchlickRoughness,
     /// mix(1 - F(n.v), 1 - f0, roughness) (Pesce 2019).
@@ -85,19 +103,20 @@ pub enum Coupling {
     /// A formula of (roughness, alpha, mu, f0), at v.
     Factor(Factor),
     /// Such a formula made reciprocal, f(l) f(v)/f_avg: as the average of f(l) is f_avg, it sends back f(v) of a white base as the formula
-    /// does, with the same error in the furnace. f_avg is a constant of the material.
+    /// does, with the same error in the furnace. f_avg is a constant of the material. Below [`Factor::least_mu`] f is taken there.
     Symmetrised(Factor),
 }
 
 impl Coupling {
     /// All but formulas.
-    pub const ALL: [Coupling; 11] = [
+    pub const ALL: [Coupling; 12] = [
         Coupling::None,
         Coupling::OneMinusF0,
         Coupling::OneMinusFresnel,
         Coupling::FresnelProduct,
         Coupling::HalfVector,
         Coupling::AshikhminShirley,
+        Coupling::Dassault,
         Coupling::SchlickRoughness,
         Coupling::Pesce,
         Coupling::OneMinusOwnSpecular,
@@ -114,18 +133,55 @@ impl Coupling {
             Coupling::FresnelProduct => "21/20 (1 - F(l))(1 - F(v))",
             Coupling::HalfVector => "1 - F(v.h)",
             Coupling::AshikhminShirley => "Ashikhmin-Shirley",
+            Coupling::Dassault => "Dassault",
             Coupling::SchlickRoughness => "1 - Schlick-roughness",
             Coupling::Pesce => "Pesce 2019",
             Coupling::OneMinusOwnSpecular => "1 - own specular",
             Coupling::Kelemen => "Kelemen-Szirmay-Kalos",
-            Coupling::Interreflected => "Kelemen, interreflected",
+            Coupling::Interreflected => "Kelemen, with the base's albedo",
             Coupling::Factor(factor) => &factor.name,
-            Coupling::Symmetrised(factor) => return Cow::Owned(format!("{}, symmetrised", factor.name)),
+            Coupling::Symmetrised(factor) => return Cow::Owned(format!("{}, reciprocal", factor.name)),
         };
         Cow::Borrowed(name)
     }
 
-    /// Whether f(l, v) = f(v, l).
+    /// The factor of the base in a formula that a reader of tables can follow.
+    pub fn meaning(&self) -> Cow<'_, str> {
+        let text = match self {
+            Coupling::None => "1",
+            Coupling::OneMinusF0 => "1 − f0",
+            Coupling::OneMinusFresnel => "1 − F(n·v), Schlick’s Fresnel at the view",
+            Coupling::FresnelProduct => "21/20 (1 − F(n·l))(1 − F(n·v))/(1 − f0)",
+            Coupling::HalfVector => "1 − F(v·h), Fresnel of the facet, as in appendix B of glTF",
+            Coupling::AshikhminShirley => {
+                "28/23 (1 − f0)(1 − (1 − n·l/2)⁵)(1 − (1 − n·v/2)⁵) (Ashikhmin and Shirley 2000)"
+            }
+            Coupling::Dassault => {
+                "(1 − E(l))(1 − E(v))/(1 − E_avg) by the fits of the Enterprise PBR Shading Model (Dassault Systèmes)"
+            }
+            Coupling::SchlickRoughness => {
+                "1 − f0 − (max(1 − roughness, f0) − f0)(1 − n·v)⁵, Schlick’s Fresnel with a roughness term"
+            }
+            Coupling::Pesce => "mix(1 − F(n·v), 1 − f0, roughness) (Pesce 2019)",
+            Coupling::OneMinusOwnSpecular => {
+                "1 less the albedo of the lobe above, as it is drawn, at the view: exact in energy"
+            }
+            Coupling::Kelemen => {
+                "left(l) left(v)/left_avg, left = 1 less the albedo of the lobe above, as it is drawn (Kelemen and Szirmay-Kalos 2001): \
+                 exact in energy and reciprocal"
+            }
+            Coupling::Interreflected => {
+                "left(l) left(v)/(1 − ρ (1 − left_avg)): the same with the light that goes back and forth between lobe and a base of albedo ρ"
+            }
+            Coupling::Factor(_) => "a formula of roughness, n·v and f0",
+            Coupling::Symmetrised(factor) => {
+                return Cow::Owned(format!("f(l) f(v)/f_avg with the formula f = {}", factor.name));
+            }
+        };
+        Cow::Borrowed(text)
+    }
+
+    /// Whether f(l, v) = f(v, l) by its formula.
     pub fn is_reciprocal(&self) -> bool {
         !matches!(
             self,
@@ -156,13 +212,14 @@ pub struct FactorAt {
 pub struct Factor {
     name: String,
     ops: Option<u32>,
+    least_mu: f64,
     formula: Arc<dyn Fn(&FactorAt) -> f64 + Send + Sync>,
 }
 
 impl Factor {
     /// A formula under a name, of unknown cost.
     pub fn new(name: &str, formula: impl Fn(&FactorAt) -> f64 + Send + Sync + 'static) -> Factor {
-        Factor { name: name.to_string(), ops: None, formula: Arc::new(formula) }
+        Factor { name: name.to_string(), ops: None, least_mu: 0.0, formula: Arc::new(formula) }
     }
 
     /// A fitted hypothesis of any of the inputs roughness, alpha, mu and f0, evaluated in f64.
@@ -195,6 +252,17 @@ impl Factor {
             tape.at(&inputs, &coefficients)
         });
         Ok(Factor { ops, ..factor })
+    }
+
+    /// The same, made for cosines from `least_mu`: [`Coupling::Symmetrised`], which needs it at every light, takes it there below. A rational
+    /// formula may have a pole where it was not fitted.
+    pub fn above(self, least_mu: f64) -> Factor {
+        Factor { least_mu, ..self }
+    }
+
+    /// The least cosine that it is made for.
+    pub fn least_mu(&self) -> f64 {
+        self.least_mu
     }
 
     /// Its name.

@@ -1,10 +1,15 @@
 //! Furnace and reciprocity of a surface, measured on the function that a renderer would call.
 
-use super::{Surface, SurfaceError};
+use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+use super::albedos::FIRST_PANEL;
+use super::{Facet, Parts, Surface, SurfaceError};
 use crate::integrate::Estimate;
 use crate::integrate::reflection::Effort;
-use crate::integrate::reflection::hemisphere::Hemisphere;
-use crate::math::ops;
+use crate::integrate::reflection::hemisphere::{Hemisphere, Ring};
+use crate::math::gauss::Gauss;
+use crate::math::{ops, panels};
 use crate::optics::ggx::Vec3;
 
 /// Error bound that a furnace measurement must reach.
@@ -29,19 +34,29 @@ impl Albedo {
     }
 }
 
+/// Most of [`TOLERANCE`] that the specular part may take; the base has what is left.
+const SPECULAR: f64 = 0.8 * TOLERANCE;
+
 /// The rules of one view, each finer than the one before: made once and used for every material of that alpha.
 #[derive(Clone, Debug)]
 pub struct Rules {
     alpha: f64,
     mu: f64,
-    rules: Vec<Hemisphere>,
+    rules: [OnceLock<Hemisphere>; 3],
+    cosines: [OnceLock<Vec<(f64, f64)>>; 3],
 }
+
+/// Nodes of each panel over the cosine, rule by rule.
+const NODES: [usize; 3] = [8, 16, 32];
 
 impl Rules {
     /// Rules for surfaces of alpha seen at mu in (0, 1].
     pub fn new(alpha: f64, mu: f64) -> Rules {
-        let rules = Effort::ladder()[..3].iter().map(|effort| Hemisphere::new(alpha, mu, effort)).collect();
-        Rules { alpha, mu, rules }
+        Rules { alpha, mu, rules: [const { OnceLock::new() }; 3], cosines: [const { OnceLock::new() }; 3] }
+    }
+
+    fn rule(&self, i: usize) -> &Hemisphere {
+        self.rules[i].get_or_init(|| Hemisphere::new(self.alpha, self.mu, &Effort::ladder()[i]))
     }
 
     /// int f(l, v) n.l dl over the hemisphere of lights, to [`TOLERANCE`].
@@ -49,23 +64,80 @@ impl Rules {
     /// # Errors
     /// A rule that does not settle; a value that is not finite.
     pub fn albedo(&self, surface: &Surface) -> Result<Albedo, SurfaceError> {
+        self.albedo_over(self.specular(surface)?, surface)
+    }
+
+    /// [`Rules::albedo`] of a surface whose specular part is known: surfaces that differ in their base alone share it.
+    ///
+    /// # Errors
+    /// As [`Rules::albedo`].
+    pub fn albedo_over(&self, specular: [Estimate; 3], surface: &Surface) -> Result<Albedo, SurfaceError> {
+        let taken = specular.iter().fold(0.0, |worst: f64, x| worst.max(x.error));
+        Ok(Albedo { specular, base: self.base(surface, TOLERANCE - taken)? })
+    }
+
+    /// The base of [`Rules::albedo`]: over cosines where it knows these alone, over the hemisphere where it knows the facet.
+    ///
+    /// # Errors
+    /// As [`Rules::albedo`].
+    pub fn base(&self, surface: &Surface, tolerance: f64) -> Result<[Estimate; 3], SurfaceError> {
+        if surface.knows_facets() {
+            self.settled(tolerance, |i| base(surface, self.rule(i)))
+        } else {
+            self.settled(tolerance, |i| base_over_cosines(surface, self.mu, self.cosines(i)))
+        }
+    }
+
+    /// Cosines with their weights 2 pi mu dmu: a Gauss rule on each of the panels that the albedos have, which are graded to grazing.
+    fn cosines(&self, i: usize) -> &[(f64, f64)] {
+        self.cosines[i].get_or_init(|| {
+            let rule = Gauss::new(NODES[i]);
+            let cuts = panels::from_zero(1.0, FIRST_PANEL * self.alpha);
+            let panel = |cut: &[f64]| {
+                let (half, middle) = (0.5 * (cut[1] - cut[0]), 0.5 * (cut[0] + cut[1]));
+                let nodes = rule.nodes.iter().zip(&rule.weights);
+                let place = |(x, w): (&f64, &f64)| {
+                    let mu = middle + half * x;
+                    (mu, 2.0 * PI * half * w * mu)
+                };
+                nodes.map(place).collect::<Vec<_>>()
+            };
+            cuts.windows(2).flat_map(panel).collect()
+        })
+    }
+
+    /// The specular part of [`Rules::albedo`].
+    ///
+    /// # Errors
+    /// As [`Rules::albedo`].
+    pub fn specular(&self, surface: &Surface) -> Result<[Estimate; 3], SurfaceError> {
+        self.settled(SPECULAR, |i| specular(surface, self.rule(i)))
+    }
+
+    /// An integral by finer and finer rules, until its bound is within the tolerance.
+    fn settled(
+        &self,
+        tolerance: f64,
+        integral: impl Fn(usize) -> [f64; 3],
+    ) -> Result<[Estimate; 3], SurfaceError> {
         let (alpha, mu) = (self.alpha, self.mu);
-        let mut coarse = integral(surface, &self.rules[0]);
+        let finite = |i: usize| {
+            let values = integral(i);
+            let all = values.iter().all(|x| x.is_finite());
+            if all { Ok(values) } else { Err(SurfaceError::NotFinite { what: "furnace", alpha, mu }) }
+        };
+        let mut coarse = finite(0)?;
         let mut reached = f64::INFINITY;
-        for rule in &self.rules[1..] {
-            let fine = integral(surface, rule);
-            if !fine.iter().all(|x| x.is_finite()) {
-                return Err(SurfaceError::NotFinite { what: "furnace", alpha, mu });
-            }
-            let pair = |i: usize| Estimate::from_slow_pair(coarse[i], fine[i], 1.0);
-            let albedo = Albedo { specular: [0, 1, 2].map(pair), base: [3, 4, 5].map(pair) };
-            reached = albedo.total().iter().fold(0.0, |worst, x| x.error.max(worst));
-            if reached <= TOLERANCE {
-                return Ok(albedo);
+        for i in 1..self.rules.len() {
+            let fine = finite(i)?;
+            let found = [0, 1, 2].map(|c| Estimate::from_slow_pair(coarse[c], fine[c], 1.0));
+            reached = found.iter().fold(0.0, |worst, x| x.error.max(worst));
+            if reached <= tolerance {
+                return Ok(found);
             }
             coarse = fine;
         }
-        Err(SurfaceError::Tolerance { alpha, mu, reached, tolerance: TOLERANCE })
+        Err(SurfaceError::Tolerance { alpha, mu, reached, tolerance })
     }
 }
 
@@ -78,22 +150,55 @@ pub fn albedo(surface: &Surface, mu: f64) -> Result<Albedo, SurfaceError> {
     Rules::new(surface.material().alpha, mu).albedo(surface)
 }
 
-fn integral(surface: &Surface, hemisphere: &Hemisphere) -> [f64; 6] {
+fn specular(surface: &Surface, hemisphere: &Hemisphere) -> [f64; 3] {
     let view = surface.side(hemisphere.view[2]);
-    let mut total = [0.0; 6];
-    for ring in &hemisphere.rings {
+    over_rings(hemisphere, |ring| {
         let light = surface.side(ring.cosine);
-        let mut sum = [0.0; 6];
-        for (direction, weight) in &ring.lights {
-            let parts = surface.between(&light, &view, *direction, hemisphere.view);
-            for i in 0..3 {
-                sum[i] += weight * parts.specular[i];
-                sum[i + 3] += weight * parts.base[i];
-            }
-        }
-        for i in 0..6 {
-            total[i] += ring.cosine * sum[i];
-        }
+        over_lights(ring, |direction| {
+            surface.specular(&light, &view, &Facet::between(direction, hemisphere.view))
+        })
+    })
+}
+
+/// A base that knows the facet.
+fn base(surface: &Surface, hemisphere: &Hemisphere) -> [f64; 3] {
+    let view = surface.side(hemisphere.view[2]);
+    over_rings(hemisphere, |ring| {
+        let light = surface.side(ring.cosine);
+        over_lights(ring, |direction| {
+            surface.base(&light, &view, &Facet::between(direction, hemisphere.view))
+        })
+    })
+}
+
+/// A base that knows the cosines alone, any azimuth stands for all.
+fn base_over_cosines(surface: &Surface, mu: f64, cosines: &[(f64, f64)]) -> [f64; 3] {
+    let at = |mu: f64| [((1.0 - mu) * (1.0 + mu)).max(0.0).sqrt(), 0.0, mu];
+    let view = surface.side(mu);
+    let mut total = [0.0; 3];
+    for (light, weight) in cosines {
+        let value = surface.base(&surface.side(*light), &view, &Facet::between(at(*light), at(mu)));
+        total = [0, 1, 2].map(|i| total[i] + weight * value[i]);
+    }
+    total
+}
+
+/// Sum over the rings of cosine times f(ring).
+fn over_rings(hemisphere: &Hemisphere, f: impl Fn(&Ring) -> [f64; 3]) -> [f64; 3] {
+    let mut total = [0.0; 3];
+    for ring in &hemisphere.rings {
+        let sum = f(ring);
+        total = [0, 1, 2].map(|i| total[i] + ring.cosine * sum[i]);
+    }
+    total
+}
+
+/// Sum over the lights of a ring of weight times f(direction).
+fn over_lights(ring: &Ring, f: impl Fn(Vec3) -> [f64; 3]) -> [f64; 3] {
+    let mut total = [0.0; 3];
+    for (direction, weight) in &ring.lights {
+        let value = f(*direction);
+        total = [0, 1, 2].map(|i| total[i] + weight * value[i]);
     }
     total
 }
@@ -119,10 +224,10 @@ impl Pair {
 }
 
 /// Cosines of the pairs: from almost grazing to almost normal.
-const COSINES: [f64; 12] = [1e-3, 5e-3, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95, 1.0];
+pub(super) const COSINES: [f64; 12] = [1e-3, 5e-3, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95, 1.0];
 
 /// Azimuths of the pairs in degrees.
-const AZIMUTHS: [f64; 6] = [0.0, 45.0, 90.0, 135.0, 170.0, 180.0];
+pub(super) const AZIMUTHS: [f64; 6] = [0.0, 45.0, 90.0, 135.0, 170.0, 180.0];
 
 /// All unordered pairs of 12 cosines from 1e-3 to 1, at six azimuths each.
 pub fn pairs() -> Vec<Pair> {
@@ -138,8 +243,10 @@ pub fn pairs() -> Vec<Pair> {
 /// The largest departure from reciprocity over some pairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reciprocity {
-    /// |f(l, v) - f(v, l)| over their mean, of the worst channel: 0 if reciprocal, 2 if light goes one way only.
+    /// |f(l, v) - f(v, l)| over the mean of their sizes, of the worst channel: 0 if reciprocal, 2 if light goes one way only, the most.
     pub departure: f64,
+    /// The worst channel.
+    pub channel: usize,
     /// Where.
     pub at: Pair,
 }
@@ -149,20 +256,36 @@ pub struct Reciprocity {
 /// # Errors
 /// A value that is not finite.
 pub fn reciprocity(surface: &Surface, pairs: &[Pair]) -> Result<Option<Reciprocity>, SurfaceError> {
+    largest(surface, pairs, |parts| [0, 1, 2].map(|i| parts.specular[i] + parts.base[i]))
+}
+
+/// The same of the base alone, which counts 0 without one.
+///
+/// # Errors
+/// As [`reciprocity`].
+pub fn base_reciprocity(surface: &Surface, pairs: &[Pair]) -> Result<Option<Reciprocity>, SurfaceError> {
+    largest(surface, pairs, |parts| parts.base)
+}
+
+fn largest(
+    surface: &Surface,
+    pairs: &[Pair],
+    part: impl Fn(Parts) -> [f64; 3],
+) -> Result<Option<Reciprocity>, SurfaceError> {
     let mut worst: Option<Reciprocity> = None;
     for pair in pairs {
         let [l, v] = pair.directions();
-        let (there, back) = (surface.evaluate(l, v), surface.evaluate(v, l));
-        for (a, b) in there.iter().zip(&back) {
+        let (there, back) = (part(surface.parts(l, v)), part(surface.parts(v, l)));
+        for (channel, (a, b)) in there.iter().zip(&back).enumerate() {
             if !(a.is_finite() && b.is_finite()) {
                 let alpha = surface.material().alpha;
                 return Err(SurfaceError::NotFinite { what: "BRDF", alpha, mu: pair.mu_v });
             }
-            // where both are 0 nothing departs
-            let mean = 0.5 * (a + b).abs();
+            // where both are 0 nothing departs; a formula may be negative where it was not fitted
+            let mean = 0.5 * (a.abs() + b.abs());
             let departure = if mean > 0.0 { (a - b).abs() / mean } else { 0.0 };
             if worst.is_none_or(|worst| departure > worst.departure) {
-                worst = Some(Reciprocity { departure, at: *pair });
+                worst = Some(Reciprocity { departure, channel, at: *pair });
             }
         }
     }

@@ -2,12 +2,13 @@
 
 use serde::Serialize;
 
-use super::colour::{ColourRow, DIELECTRIC, METALS, colour_table};
-use super::darker::{DarkRow, dark_table};
+use super::colour::{ColourRow, DIELECTRIC, METALS, Metal, colour_table};
+use super::darker::{ALBEDOS, DarkRow, dark_table};
 use super::interface::{IORS, SchlickRow, schlick_table};
+use super::measure::{AZIMUTHS, COSINES};
 use super::opinion::{BounceRow, ViewRow, bounce_table, view_table};
-use super::table::{Grid, ReciprocityRow, reciprocity_table};
-use super::{Coupling, Factor, SurfaceError};
+use super::table::{Grid, ReciprocityRow, rows_with};
+use super::{Coupling, Factor, Lobe, SurfaceError};
 use crate::data::Smith;
 use crate::fit::Hypothesis;
 use crate::integrate::walk::Walks;
@@ -27,13 +28,49 @@ const BOUNCE_VIEWS: [(f64, f64); 4] = [(0.5, 0.3), (0.8, 0.3), (1.0, 0.3), (1.0,
 const VIEW_ROUGHNESS: [f64; 2] = [0.6, 1.0];
 const VIEW_COSINES: [f64; 8] = [0.05, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
 
+/// What every measurement takes for granted: with [`Wanted`] and the formulas of [`super::fingerprint`] all that its rows follow from.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Fixed {
+    metals: [Metal; 2],
+    dielectric: Metal,
+    iors: [f64; 6],
+    dark_f0: f64,
+    dark_albedos: [f64; 6],
+    bounce_views: [(f64, f64); 4],
+    view_roughness: [f64; 2],
+    view_cosines: [f64; 8],
+    exchanged_cosines: [f64; 12],
+    exchanged_azimuths: [f64; 6],
+    seven: &'static str,
+}
+
+impl Default for Fixed {
+    fn default() -> Fixed {
+        Fixed {
+            metals: METALS,
+            dielectric: DIELECTRIC,
+            iors: IORS,
+            dark_f0: DARK_F0,
+            dark_albedos: ALBEDOS,
+            bounce_views: BOUNCE_VIEWS,
+            view_roughness: VIEW_ROUGHNESS,
+            view_cosines: VIEW_COSINES,
+            exchanged_cosines: COSINES,
+            exchanged_azimuths: AZIMUTHS,
+            seven: SEVEN,
+        }
+    }
+}
+
 /// What is measured, and how finely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wanted {
     /// Form of the shadowing of furnace, reciprocity and Fresnel rows; the walk is correlated by nature.
     pub smith: Smith,
-    /// Couplings; formulas may be among them.
+    /// Couplings under every lobe; formulas may be among them.
     pub couplings: Vec<Coupling>,
+    /// Couplings that are made for one lobe each.
+    pub own: Vec<(Lobe, Coupling)>,
     /// Where.
     pub grid: Grid,
     /// Paths of each walk.
@@ -52,7 +89,7 @@ impl Wanted {
         let factor = Factor::fitted("7 operations", &hypothesis, &[])?;
         let formulas = [Coupling::Factor(factor.clone()), Coupling::Symmetrised(factor)];
         let couplings = Coupling::ALL.into_iter().chain(formulas).collect();
-        Ok(Wanted { smith: Smith::Correlated, couplings, grid: Grid::full(), walks })
+        Ok(Wanted { smith: Smith::Correlated, couplings, own: Vec::new(), grid: Grid::full(), walks })
     }
 
     /// The same over few points with few paths, for tests.
@@ -89,10 +126,10 @@ impl SurfaceRows {
     /// # Errors
     /// As of the tables.
     pub fn measure(wanted: &Wanted) -> Result<SurfaceRows, SurfaceError> {
-        let Wanted { smith, couplings, grid, walks } = wanted;
+        let Wanted { smith, couplings, own, grid, walks } = wanted;
         Ok(SurfaceRows {
             grid: grid.clone(),
-            reciprocity: reciprocity_table(*smith, couplings, grid)?,
+            reciprocity: rows_with(*smith, &Lobe::ALL, couplings, own, grid)?,
             schlick: schlick_table(*smith, &IORS, &grid.roughness)?,
             darker: dark_table(*smith, DARK_F0, grid)?,
             colour: colour_table(&METALS, &grid.roughness, *walks)?,

@@ -9,6 +9,7 @@ use super::cost::cost;
 use super::measure::{self, Pair, Rules};
 use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::{AlphaMap, Smith};
+use crate::integrate::Estimate;
 
 /// Where surfaces are measured.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -91,7 +92,7 @@ pub struct ReciprocityRow {
     pub reciprocal: bool,
     /// Furnace of a white base by f0; of the lobe alone only at f0 = 1, where all light must come back.
     pub furnace: Vec<FurnaceRow>,
-    /// Largest |f(l, v) - f(v, l)| over their mean.
+    /// Largest |f(l, v) - f(v, l)| over the mean of their sizes, 2 at most.
     pub reciprocity: f64,
     /// Where.
     pub at: ExchangeAt,
@@ -107,6 +108,9 @@ impl ReciprocityRow {
         self.furnace.iter().reduce(|a, b| if b.worst.abs() > a.worst.abs() { b } else { a })
     }
 }
+
+/// A lobe with what couples its base; none: alone.
+type Entry<'a> = (Lobe, Option<&'a Coupling>);
 
 /// Measures every lobe alone and over every one of `couplings`, a white base under Schlick's Fresnel.
 ///
@@ -130,12 +134,27 @@ pub fn rows_of(
     couplings: &[Coupling],
     grid: &Grid,
 ) -> Result<Vec<ReciprocityRow>, SurfaceError> {
+    rows_with(smith, lobes, couplings, &[], grid)
+}
+
+/// The same with couplings that are made for one lobe each, after the others of that lobe.
+///
+/// # Errors
+/// As [`reciprocity_table`].
+pub fn rows_with(
+    smith: Smith,
+    lobes: &[Lobe],
+    couplings: &[Coupling],
+    own: &[(Lobe, Coupling)],
+    grid: &Grid,
+) -> Result<Vec<ReciprocityRow>, SurfaceError> {
     let albedos = grid.albedos(smith)?;
-    let entries: Vec<(Lobe, Option<&Coupling>)> = lobes
-        .iter()
-        .copied()
-        .flat_map(|lobe| std::iter::once(None).chain(couplings.iter().map(Some)).map(move |c| (lobe, c)))
-        .collect();
+    let of = |lobe: Lobe| {
+        let made_for = own.iter().filter(move |(l, _)| *l == lobe).map(|(_, coupling)| coupling);
+        let over = couplings.iter().chain(made_for).map(Some);
+        std::iter::once(None).chain(over).map(move |coupling| (lobe, coupling))
+    };
+    let entries: Vec<Entry> = lobes.iter().copied().flat_map(of).collect();
     let furnaces = furnaces(grid, &albedos, &entries)?;
     let pairs = measure::pairs();
     let rows: Vec<Result<ReciprocityRow, SurfaceError>> = entries
@@ -159,15 +178,15 @@ pub fn rows_of(
     rows.into_iter().collect()
 }
 
-/// A white material, or a white metal.
+/// A white material, or a white metal, of an f0 for each channel.
 fn surface(
     albedos: &Arc<Albedos>,
-    f0: f64,
+    f0: [f64; 3],
     lobe: Lobe,
     coupling: Option<&Coupling>,
 ) -> Result<Surface, SurfaceError> {
     let base = coupling.map(|coupling| Base { albedo: [1.0; 3], coupling: coupling.clone() });
-    let (smith, alpha, fresnel) = (albedos.smith, albedos.alpha, Fresnel::Schlick([f0; 3]));
+    let (smith, alpha, fresnel) = (albedos.smith, albedos.alpha, Fresnel::Schlick(f0));
     Surface::with(&Material { smith, alpha, fresnel, lobe, base }, albedos.clone())
 }
 
@@ -176,38 +195,65 @@ fn f0_of(grid: &Grid, coupling: Option<&Coupling>) -> Vec<f64> {
     if coupling.is_some() { grid.f0.clone() } else { vec![1.0] }
 }
 
+/// Reflectances, one to a channel; the last is repeated where there are fewer.
+fn by_channel(f0: &[f64]) -> impl Iterator<Item = [f64; 3]> {
+    f0.chunks(3).map(|part| [0, 1, 2].map(|i| part[i.min(part.len() - 1)]))
+}
+
+/// Departures from 1 of every entry at one view, by f0. Entries of one lobe share its specular part.
+fn departures(
+    grid: &Grid,
+    albedos: &Arc<Albedos>,
+    entries: &[Entry],
+    rules: &Rules,
+) -> Result<Vec<Vec<f64>>, SurfaceError> {
+    let mut shared: Vec<(Lobe, [f64; 3], [Estimate; 3])> = Vec::new();
+    let mut all = Vec::with_capacity(entries.len());
+    for (lobe, coupling) in entries {
+        let wanted = f0_of(grid, *coupling);
+        let mut found = Vec::with_capacity(wanted.len());
+        for f0 in by_channel(&wanted) {
+            let surface = surface(albedos, f0, *lobe, *coupling)?;
+            let specular = match shared.iter().find(|(l, f, _)| l == lobe && *f == f0) {
+                Some((_, _, specular)) => *specular,
+                None => {
+                    let specular = rules.specular(&surface)?;
+                    shared.push((*lobe, f0, specular));
+                    specular
+                }
+            };
+            found.extend(rules.albedo_over(specular, &surface)?.total().map(|albedo| albedo.value - 1.0));
+        }
+        found.truncate(wanted.len());
+        all.push(found);
+    }
+    Ok(all)
+}
+
 /// The furnace rows of every entry: views in parallel, each with its own rules, gathered in order.
 fn furnaces(
     grid: &Grid,
     albedos: &[Arc<Albedos>],
-    entries: &[(Lobe, Option<&Coupling>)],
+    entries: &[Entry],
 ) -> Result<Vec<Vec<FurnaceRow>>, SurfaceError> {
     let views = grid.views();
     // [view][entry][f0]
-    let departures: Vec<Result<Vec<Vec<f64>>, SurfaceError>> = views
+    let found: Vec<Result<Vec<Vec<f64>>, SurfaceError>> = views
         .par_iter()
         .enumerate()
         .map(|(i, (alpha, mu))| {
-            let (rules, albedos) = (Rules::new(*alpha, *mu), &albedos[i / grid.mu.len()]);
-            let of_entry = |(lobe, coupling): &(Lobe, Option<&Coupling>)| {
-                let total = |f0: f64| {
-                    let surface = surface(albedos, f0, *lobe, *coupling)?;
-                    Ok(rules.albedo(&surface)?.total()[0].value - 1.0)
-                };
-                f0_of(grid, *coupling).into_iter().map(total).collect()
-            };
-            entries.iter().map(of_entry).collect()
+            departures(grid, &albedos[i / grid.mu.len()], entries, &Rules::new(*alpha, *mu))
         })
         .collect();
-    let departures: Vec<Vec<Vec<f64>>> = departures.into_iter().collect::<Result<_, _>>()?;
+    let found: Vec<Vec<Vec<f64>>> = found.into_iter().collect::<Result<_, _>>()?;
     let row = |entry: usize, k: usize, f0: f64| {
-        let all: Vec<f64> = departures.iter().map(|view| view[entry][k]).collect();
+        let all: Vec<f64> = found.iter().map(|view| view[entry][k]).collect();
         let worst = (0..all.len()).fold(0, |w, i| if all[i].abs() > all[w].abs() { i } else { w });
         let square: f64 = all.iter().map(|x| x * x).sum();
         let (alpha, mu) = views[worst];
         FurnaceRow { f0, worst: all[worst], rms: (square / all.len() as f64).sqrt(), alpha, mu }
     };
-    let of_entry = |(i, (_, coupling)): (usize, &(Lobe, Option<&Coupling>))| {
+    let of_entry = |(i, (_, coupling)): (usize, &Entry)| {
         f0_of(grid, *coupling).into_iter().enumerate().map(|(k, f0)| row(i, k, f0)).collect()
     };
     Ok(entries.iter().enumerate().map(of_entry).collect())
@@ -223,12 +269,12 @@ fn exchange(
 ) -> Result<(f64, ExchangeAt), SurfaceError> {
     let mut worst: Option<(f64, ExchangeAt)> = None;
     for albedos in albedos {
-        for f0 in &grid.f0 {
-            let surface = surface(albedos, *f0, lobe, coupling)?;
+        for f0 in by_channel(&grid.f0) {
+            let surface = surface(albedos, f0, lobe, coupling)?;
             let Some(found) = measure::reciprocity(&surface, pairs)? else { continue };
             if worst.is_none_or(|(departure, _)| found.departure > departure) {
                 let Pair { mu_l, mu_v, azimuth } = found.at;
-                let at = ExchangeAt { alpha: albedos.alpha, f0: *f0, mu_l, mu_v, azimuth };
+                let at = ExchangeAt { alpha: albedos.alpha, f0: f0[found.channel], mu_l, mu_v, azimuth };
                 worst = Some((found.departure, at));
             }
         }

@@ -32,7 +32,7 @@ const TOLERANCE: f64 = 1e-6;
 
 /// Points where a truth costs about a microsecond, some ten of them, a hundred, about a millisecond, and more.
 const CHEAP: Effort = Effort { lattice: 96 * 96, log2: 20 };
-const SPLIT: Effort = Effort { lattice: 96 * 96, log2: 18 };
+const SPLIT: Effort = Effort { lattice: 96 * 96, log2: 17 };
 const SPLIT_CURVED: Effort = Effort { lattice: 48 * 48, log2: 15 };
 const MODERATE: Effort = Effort { lattice: 64 * 64, log2: 15 };
 const SOUGHT: Effort = Effort { lattice: 40 * 40, log2: 12 };

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::bounds::{Bounds, violation};
 use super::descent::{Descent, Problem};
+use super::escape::{LOWER, beside};
 use super::fitted::{Gap, Held, Method, Stage, Termination};
 use super::levenberg::Search;
 use super::objective::{Objective, Refused};
@@ -38,19 +39,24 @@ pub(super) fn constrained(
     let mut starts: Vec<&[f64]> =
         searches.iter().take(finalists).map(|s| s.coefficients.as_slice()).collect();
     starts.push(declared);
-    let outcomes: Vec<Result<Outcome, Refused>> =
-        starts.par_iter().map(|start| settle(objective, bounds, start, options)).collect();
     let mut evaluations: u64 = searches.iter().map(|s| s.evaluations).sum();
-    let mut best: Option<Outcome> = None;
-    for outcome in outcomes {
-        // A start that is refused by a constraint's points is one fewer.
-        let Ok(outcome) = outcome else { continue };
-        evaluations += outcome.evaluations;
-        if best.as_ref().is_none_or(|b| outcome.rank() < b.rank()) {
-            best = Some(outcome);
+    let best = settled(objective, bounds, &starts, options, &mut evaluations);
+    let Some(mut best) = best else { return Err(refused(objective, declared)) };
+    let mut saddle = best.over == 0.0 && best.descent.optimal;
+    for _ in 0..=options.saddles {
+        if !saddle {
+            break;
         }
+        let points = beside(objective, Some(bounds), &best.descent.coefficients, options.goal);
+        let points: Vec<&[f64]> = points.iter().take(finalists).map(Vec::as_slice).collect();
+        let lowest = settled(objective, bounds, &points, options, &mut evaluations);
+        let below = best.descent.value * (1.0 - LOWER);
+        match lowest.filter(|lowest| lowest.over == 0.0 && lowest.descent.value < below) {
+            Some(lowest) => best = lowest,
+            None => saddle = false,
+        }
+        saddle &= best.descent.optimal;
     }
-    let Some(best) = best else { return Err(refused(objective, declared)) };
     let held = bounds.held(&best.descent.coefficients)?;
     if let Some(worst) = worst(&held) {
         return Err(bounds.unsatisfiable(worst, &held[worst]));
@@ -58,6 +64,7 @@ pub(super) fn constrained(
     let descent = best.descent;
     let termination = match () {
         () if is_zero(objective, descent.rms) => Termination::ZeroResidual,
+        () if saddle => Termination::Saddle,
         () if descent.optimal && descent.bounded => Termination::Constrained,
         () if descent.optimal && options.goal == Goal::Max => Termination::Minimax,
         () if descent.optimal => Termination::Converged { cosine: best.cosine },
@@ -68,6 +75,28 @@ pub(super) fn constrained(
     let gap = if options.goal == Goal::Max { Gap::Local(descent.gap) } else { Gap::Unknown };
     let (coefficients, stages) = (descent.coefficients, vec![last]);
     Ok(Route { coefficients, termination, stages, evaluations, gap, bound: None })
+}
+
+/// The best of the ends from some starts; none if all are refused.
+fn settled(
+    objective: &Objective,
+    bounds: &Bounds,
+    starts: &[&[f64]],
+    options: &Options,
+    evaluations: &mut u64,
+) -> Option<Outcome> {
+    let outcomes: Vec<Result<Outcome, Refused>> =
+        starts.par_iter().map(|start| settle(objective, bounds, start, options)).collect();
+    let mut best: Option<Outcome> = None;
+    for outcome in outcomes {
+        // A start that is refused by a constraint's points is one fewer.
+        let Ok(outcome) = outcome else { continue };
+        *evaluations += outcome.evaluations;
+        if best.as_ref().is_none_or(|b| outcome.rank() < b.rank()) {
+            best = Some(outcome);
+        }
+    }
+    best
 }
 
 /// The constraint that is furthest beyond its tolerance, if one is.

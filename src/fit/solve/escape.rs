@@ -5,9 +5,10 @@
 use nalgebra::{DMatrix, SymmetricEigen};
 use rayon::prelude::*;
 
+use super::bounds::{Bounds, LinearBounds};
 use super::levenberg::{End, Search, search};
 use super::objective::{Linear, Objective, largest};
-use super::options::Options;
+use super::options::{Goal, Options};
 use super::power::PNorm;
 use super::reduce::{RANK_TOLERANCE, reduce};
 use super::starts::starts;
@@ -177,14 +178,20 @@ fn null(linear: &Linear) -> Vec<Vec<f64>> {
     kernel(&linear.triangle.scaled(), RANK_TOLERANCE, &scale)
 }
 
-/// Directions along which the residuals that hold a minimax do not change to first order.
-fn tangent(linear: &Linear) -> Vec<Vec<f64>> {
+/// Directions along which what holds an end does not change to first order: the residuals that hold a minimax, and the constraints that
+/// are no more than touched.
+fn tangent(linear: &Linear, held: Option<&LinearBounds>, goal: Goal) -> Vec<Vec<f64>> {
     let n = linear.triangle.r.ncols();
     let top = largest(&linear.residuals);
-    let active: Vec<usize> =
-        (0..linear.residuals.len()).filter(|&i| linear.residuals[i].abs() >= ACTIVE * top).collect();
-    let rows: Vec<f64> = active.iter().flat_map(|i| &linear.jacobian[i * n..(i + 1) * n]).copied().collect();
-    let triangle = reduce(&rows, &vec![0.0; active.len()], n);
+    let holds = |i: &usize| goal == Goal::Max && linear.residuals[*i].abs() >= ACTIVE * top;
+    let active = (0..linear.residuals.len()).filter(holds);
+    let mut rows: Vec<f64> = active.flat_map(|i| &linear.jacobian[i * n..(i + 1) * n]).copied().collect();
+    if let Some(held) = held {
+        let touched = |i: &usize| held.equal[*i] || held.values[*i] <= (1.0 - ACTIVE) * top;
+        let active = (0..held.values.len()).filter(touched);
+        rows.extend(active.flat_map(|i| &held.jacobian[i * n..(i + 1) * n]).copied());
+    }
+    let triangle = reduce(&rows, &vec![0.0; rows.len() / n], n);
     let norms = triangle.column_norms();
     let scale: Vec<f64> = norms.iter().map(|norm| if *norm > 0.0 { 1.0 / norm } else { 1.0 }).collect();
     kernel(&triangle.scaled(), INDEPENDENT, &scale)
@@ -219,14 +226,22 @@ fn unseen(p: &[f64], units: &[f64], directions: &[Vec<f64>]) -> Vec<Vec<f64>> {
     mixes[1..].iter().enumerate().map(moved).collect()
 }
 
-/// Points about the end of a descent of the largest residual, in the space that the first order does not hold it in, those with the
-/// smallest residuals first; none where as many residuals hold it as there are parameters to move.
-pub(super) fn beside(objective: &Objective, p: &[f64]) -> Vec<Vec<f64>> {
+/// Points about the end of a descent, in the space that neither the largest residuals, where they are what is minimised, nor the
+/// constraints hold it in to first order, those with the smallest value first; none where as many hold it as there are parameters to
+/// move.
+pub(super) fn beside(objective: &Objective, bounds: Option<&Bounds>, p: &[f64], goal: Goal) -> Vec<Vec<f64>> {
     let Ok(linear) = objective.linearise(p) else { return Vec::new() };
+    let Ok(held) = bounds.map(|bounds| bounds.linearise(p)).transpose() else { return Vec::new() };
     let units = units(p, &linear);
-    let value = |point: &Vec<f64>| objective.residuals(point).map_or(f64::INFINITY, |r| largest(&r));
+    let size = |residuals: &[f64]| match goal {
+        Goal::Max => largest(residuals),
+        Goal::Rms => PNorm::SQUARE.of(residuals),
+        Goal::Power(p) => PNorm(p).of(residuals),
+    };
+    let value = |point: &Vec<f64>| objective.residuals(point).map_or(f64::INFINITY, |r| size(&r));
+    let directions = tangent(&linear, held.as_ref(), goal);
     let mut points: Vec<(f64, Vec<f64>)> =
-        unseen(p, &units, &tangent(&linear)).into_iter().map(|point| (value(&point), point)).collect();
+        unseen(p, &units, &directions).into_iter().map(|point| (value(&point), point)).collect();
     points.retain(|(value, _)| value.is_finite());
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points.into_iter().map(|(_, point)| point).collect()

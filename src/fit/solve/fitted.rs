@@ -16,8 +16,8 @@ pub enum Termination {
     Minimax,
     /// Minimax: no coefficients whatsoever are better by more than the gap, by proof.
     GlobalMinimax,
-    /// On the edge of what the constraints allow: the programs found no step within them that gains anything to first order. Whether
-    /// it is a minimum or a saddle is not looked at.
+    /// On the edge of what the constraints allow: the programs found no step within them that gains anything to first order, and
+    /// searches from beside it ended no lower. Its second derivatives are not looked at.
     Constrained,
     /// The formula reproduces the targets.
     ZeroResidual,
@@ -86,8 +86,8 @@ impl Fitted {
         self.undetermined.iter().any(|sentence| sentence.contains(&quoted))
     }
 
-    /// Whether the coefficients are where no step within the constraints gains anything to first order: whether that is a minimum or
-    /// a saddle is not looked at.
+    /// Whether the coefficients are where no step within the constraints gains anything to first order and searches from beside it end
+    /// no lower: the second derivatives are not looked at.
     pub fn is_first_order(&self) -> bool {
         !self.constraints.is_empty() && self.stages.iter().any(|stage| stage.method == Method::Programs)
     }

@@ -7,7 +7,7 @@ use argmin::core::{
     Error, Executor, IterState, KV, Problem, Solver, State, TerminationReason, TerminationStatus,
 };
 
-use super::objective::{Objective, Refused, largest, rms};
+use super::objective::{Linear, Objective, Refused, largest, rms};
 use super::power::{Model, PNorm};
 use super::route::is_zero;
 use crate::fit::FitError;
@@ -26,6 +26,12 @@ const TRIALS: usize = 40;
 
 /// Trials at what may be a minimum already: only its last digits are left to gain.
 const LAST_TRIALS: usize = 6;
+
+/// Undamped steps at the end of a search.
+const POLISHES: usize = 3;
+
+/// Rounding of a norm.
+const ROUNDING: f64 = 1e-14;
 
 type LeastSquaresState = IterState<Vec<f64>, (), (), (), (), f64>;
 
@@ -87,7 +93,7 @@ pub(super) fn search(
         Ok(linear) => linear,
         Err(refused) => return Ok(Err(refused)),
     };
-    let cosine = norm.model(&linear).triangle.orthogonality();
+    let (coefficients, linear, cosine) = polished(objective, norm, coefficients, linear);
     let end = if is_zero(objective, rms(&linear.residuals)) {
         End::Zero
     } else if cosine <= NEARLY_ORTHOGONAL {
@@ -103,6 +109,30 @@ pub(super) fn search(
     let residuals = &linear.residuals;
     let (value, rms, max) = (norm.of(residuals), rms(residuals), largest(residuals));
     Ok(Ok(Search { coefficients, value, rms, max, end, rank, norms, evaluations }))
+}
+
+/// Undamped steps from a halt beside a minimum, as long as each makes the residuals more orthogonal: there the norm is flat to rounding, so
+/// that its differences no longer tell which way is down, and the gradient still does.
+fn polished(objective: &Objective, norm: PNorm, start: Vec<f64>, linear: Linear) -> (Vec<f64>, Linear, f64) {
+    let mut best = (start, linear);
+    let mut model = norm.model(&best.1).triangle;
+    let mut cosine = model.orthogonality();
+    for _ in 0..POLISHES {
+        if cosine > NEARLY_ORTHOGONAL || cosine <= ORTHOGONAL {
+            break;
+        }
+        let Some(step) = model.step(&model.column_norms(), 0.0) else { break };
+        let next: Vec<f64> = best.0.iter().zip(&step).map(|(p, d)| p + d).collect();
+        let Ok(linear) = objective.linearise(&next) else { break };
+        let triangle = norm.model(&linear).triangle;
+        let flat = norm.of(&linear.residuals) <= norm.of(&best.1.residuals) * (1.0 + ROUNDING);
+        if !flat || triangle.orthogonality() >= cosine {
+            break;
+        }
+        (best, model) = ((next, linear), triangle);
+        cosine = model.orthogonality();
+    }
+    (best.0, best.1, cosine)
 }
 
 /// Levenberg-Marquardt with Nielsen's damping and Moré's scaling (columns of the largest length seen).

@@ -303,8 +303,11 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
 fn off_saddles(objective: &Objective, from: Descent, options: &Options) -> (Descent, u64, bool) {
     let (mut at, mut evaluations, iterations) = (from, 0, options.iterations);
     for _ in 0..=options.saddles {
-        let points =
-            if at.optimal && at.max > 0.0 { beside(objective, &at.coefficients) } else { Vec::new() };
+        let points = if at.optimal && at.max > 0.0 {
+            beside(objective, None, &at.coefficients, Goal::Max)
+        } else {
+            Vec::new()
+        };
         let descents: Vec<Descent> = points
             .par_iter()
             .take(FINALISTS)

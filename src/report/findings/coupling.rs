@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow, LeftOut, Origin};
 use crate::data::Place;
-use crate::effects::surface::table::ReciprocityRow;
+use crate::effects::surface::table::{Grid, ReciprocityRow};
 use crate::report::Field;
 
 /// What a bake found out about the coupling of diffuse bases.
@@ -64,8 +64,17 @@ pub struct CouplingLobe {
     /// Lobe and white base in a white environment.
     pub furnace: CouplingFurnace,
     /// The lobe over published couplings and the best fit, as functions of two directions; none where that was not measured.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub reciprocity: Vec<ReciprocityRow>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reciprocity: Option<CouplingReciprocity>,
+}
+
+/// Materials as functions of two directions.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CouplingReciprocity {
+    /// Where they were measured.
+    pub places: Grid,
+    /// The lobe alone, and over each coupling.
+    pub rows: Vec<ReciprocityRow>,
 }
 
 /// The error of a factor over all f0.
@@ -77,6 +86,10 @@ pub struct AnyF0Finding {
     pub max: f64,
     /// Where it is.
     pub at: Place,
+    /// Places of roughness and mu that were looked at.
+    pub places: u64,
+    /// Values of f0 there: every f0, or how many.
+    pub looked_at: String,
 }
 
 /// Spheres in a white environment: a panel for each f0, rows of factors, columns of roughness.

@@ -20,8 +20,21 @@ pub struct CouplingStudy {
     pub lit: Vec<LitStrip>,
     /// The couplings of each specular lobe, the least visible difference first.
     pub rankings: Vec<Ranking>,
+    /// What the names of lobes and couplings mean.
+    pub meanings: Vec<Meaning>,
     /// Reciprocity, colour, Fresnel and bases below white.
     pub surfaces: SurfaceRows,
+}
+
+/// A name with its formula.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Meaning {
+    /// Whether it is a specular lobe; else what couples a base to one.
+    pub lobe: bool,
+    /// The name.
+    pub name: String,
+    /// The formula.
+    pub meaning: String,
 }
 
 /// Spheres in the furnace: one specular lobe and reflectance, a row for each coupling.
@@ -33,6 +46,9 @@ pub struct FurnaceStrip {
     pub f0: f64,
     /// Roughness of each column.
     pub roughness: Vec<f64>,
+    /// Those of them that have a column of spheres.
+    #[serde(skip)]
+    pub drawn: Vec<f64>,
     /// The rows.
     pub rows: Vec<FurnaceStripRow>,
     /// Cosines at which `albedo` is given, increasing.
@@ -87,7 +103,7 @@ pub struct LitRow {
     pub flip_reciprocal: Vec<f64>,
     /// Half the difference between the two halves' `flip`: its standard error, by roughness.
     pub error: Vec<f64>,
-    /// The spheres as shown, linear RGB in [0, 1].
+    /// The spheres as shown, linear RGB in [0, 1]; none of a row without pictures.
     #[serde(skip)]
     pub pictures: Vec<Image>,
     /// HDR-FLIP of each pixel, by roughness.
@@ -100,17 +116,20 @@ pub struct LitRow {
 pub struct Ranking {
     /// Specular lobe.
     pub lobe: String,
+    /// Reflectances that it is made over.
+    pub f0: Vec<f64>,
     /// The couplings, by rising `flip`.
     pub rows: Vec<Ranked>,
 }
 
-/// A coupling by three measures over the same roughnesses and reflectances.
+/// A coupling by three measures over the same reflectances.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Ranked {
     /// Coupling.
     pub name: String,
-    /// Whether f(l, v) = f(v, l).
-    pub reciprocal: bool,
+    /// Largest |f(l, v) - f(v, l)| of the base over the mean of their sizes, over the roughnesses and reflectances of the ranking: rounding if it is
+    /// reciprocal, 2 at most.
+    pub reciprocity: f64,
     /// Whether the diffuse base needs the light's direction too.
     pub directional: bool,
     /// Whether its constants were fitted here.
@@ -121,11 +140,11 @@ pub struct Ranked {
     pub fetches: u32,
     /// Mean HDR-FLIP under the environment.
     pub flip: f64,
-    /// Its standard error.
+    /// Its standard error, that of the spheres on average: all are lit from the same directions, so that their errors do not average out.
     pub flip_error: f64,
     /// Mean HDR-FLIP against the reciprocal reference.
     pub flip_reciprocal: f64,
-    /// Largest departure from white in the furnace.
+    /// Largest departure from white in the furnace, over all of its roughnesses.
     pub furnace_max: f64,
     /// Root mean square departure under the weight of `fit --weight perceptual`.
     pub perceptual: f64,

@@ -100,16 +100,20 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).abs() + (da * da + db * db).sqrt()
 }
 
-/// The difference in colour of two blurred pixels of YCxCz, in [0, 1] (2020, section 4.1).
-pub(super) fn difference(reference: [f64; 3], test: [f64; 3]) -> f64 {
-    let shown = |pixel| perceived(rgb(pixel).map(|x| x.clamp(0.0, 1.0)));
-    let d = ops::pow(distance(shown(reference), shown(test)), COMPRESSION);
-    let cut = CUT * largest();
-    if d < cut { BELOW_CUT / cut * d } else { BELOW_CUT + (d - cut) / (largest() - cut) * (1.0 - BELOW_CUT) }
+/// The perceived colour of a blurred pixel of YCxCz.
+pub(super) fn seen(pixel: [f64; 3]) -> [f64; 3] {
+    perceived(rgb(pixel).map(|x| x.clamp(0.0, 1.0)))
 }
 
-/// The compressed distance of green and blue.
-fn largest() -> f64 {
+/// The difference in colour of two pixels as [`seen`], in [0, 1], where [`largest`] is given (2020, section 4.1).
+pub(super) fn difference(reference: [f64; 3], test: [f64; 3], largest: f64) -> f64 {
+    let d = ops::pow(distance(reference, test), COMPRESSION);
+    let cut = CUT * largest;
+    if d < cut { BELOW_CUT / cut * d } else { BELOW_CUT + (d - cut) / (largest - cut) * (1.0 - BELOW_CUT) }
+}
+
+/// The compressed distance of green and blue, the largest there is.
+pub(super) fn largest() -> f64 {
     ops::pow(distance(perceived([0.0, 1.0, 0.0]), perceived([0.0, 0.0, 1.0])), COMPRESSION)
 }
 

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::ErrorMap;
-use super::colour::{difference, opponent};
+use super::colour::{difference, largest, opponent, seen};
 use super::filter::{Filters, Plane};
 use crate::math::ops;
 use crate::report::image::Image;
@@ -12,33 +12,38 @@ use crate::report::image::Image;
 pub(super) fn map(reference: &Image, test: &Image, filters: &Filters) -> ErrorMap {
     let (width, height) = (reference.width, reference.height);
     let [reference, test] = [reference, test].map(|image| Seen::new(image, filters));
-    let pixels = 0..width * height;
-    let values = pixels.into_par_iter().map(|i| {
-        let colour = difference(reference.colour(i), test.colour(i));
-        ops::pow(colour, 1.0 - feature(&reference, &test, i))
-    });
-    ErrorMap { width, height, values: values.collect() }
+    ErrorMap { width, height, values: reference.difference(&test) }
 }
 
 /// A picture as the eye gets it.
-struct Seen {
-    blurred: [Plane; 3],
+pub(super) struct Seen {
+    /// Perceived colour of the blurred picture.
+    blurred: Vec<[f64; 3]>,
     features: [Plane; 2],
 }
 
 impl Seen {
-    fn new(image: &Image, filters: &Filters) -> Seen {
+    pub fn new(image: &Image, filters: &Filters) -> Seen {
         let opponents: Vec<[f64; 3]> = image.pixels.iter().map(|&p| opponent(p)).collect();
         let planes = [0, 1, 2].map(|channel| opponents.iter().map(|p| p[channel]).collect::<Plane>());
         let luminance = planes[0].iter().map(|y| (y + 16.0) / 116.0).collect();
+        let blurred = filters.blurred(&planes, image.width);
+        let colour = |i: usize| seen([0, 1, 2].map(|channel| blurred[channel][i]));
         Seen {
             features: filters.features(&luminance, image.width),
-            blurred: filters.blurred(&planes, image.width),
+            blurred: (0..image.pixels.len()).into_par_iter().map(colour).collect(),
         }
     }
 
-    fn colour(&self, i: usize) -> [f64; 3] {
-        [0, 1, 2].map(|channel| self.blurred[channel][i])
+    /// The difference of each pixel from another picture of the same size.
+    pub fn difference(&self, test: &Seen) -> Vec<f64> {
+        let largest = largest();
+        let pixels = 0..self.blurred.len();
+        let values = pixels.into_par_iter().map(|i| {
+            let colour = difference(self.blurred[i], test.blurred[i], largest);
+            ops::pow(colour, 1.0 - feature(self, test, i))
+        });
+        values.collect()
     }
 }
 

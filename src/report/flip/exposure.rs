@@ -1,7 +1,8 @@
 //! HDR-FLIP: the largest LDR-FLIP over the exposures at which the reference can be shown.
 
+use super::difference::Seen;
 use super::filter::Filters;
-use super::{ErrorMap, FlipError, check, difference};
+use super::{ErrorMap, FlipError, light, resolution};
 use crate::math::ops;
 use crate::report::image::{Image, luminance};
 
@@ -14,6 +15,9 @@ const BRIGHT: f64 = 0.85;
 
 /// Least median that is taken for one, 2^-23: below, a reference that is black in half of its pixels would have no last exposure.
 const LEAST_MEDIAN: f64 = 1.0 / 8_388_608.0;
+
+/// Most light of a channel of a picture of high dynamic range: a factor of 1e8 below the end of f64, which a luminance must not reach.
+const LIGHT: (f64, &str) = (1e300, "a number from 0 to 1e300");
 
 /// The exposures of a comparison, in stops (powers of two).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,8 +45,9 @@ impl Exposures {
         // The upper of the two in the middle, as the authors' program takes it.
         let median = light[half];
         let bright = shown_as(BRIGHT);
-        let start = ops::log2(bright / brightest);
-        let stop = ops::log2(bright / median.max(LEAST_MEDIAN));
+        // Logarithms apart: the quotient by a subnormal number overflows.
+        let stops = |light: f64| ops::log2(bright) - ops::log2(light);
+        let (start, stop) = (stops(brightest), stops(median.max(LEAST_MEDIAN)));
         Ok(Exposures { start, stop, count: ((stop - start).ceil() as usize).max(2) })
     }
 
@@ -53,33 +58,70 @@ impl Exposures {
     }
 }
 
-/// HDR-FLIP of two pictures of radiance, every channel 0 or above, with the exposures of [`Exposures::of`] the reference.
+/// HDR-FLIP of two pictures of radiance, every channel in [0, 1e300], with the exposures of [`Exposures::of`] the reference.
 ///
 /// # Errors
-/// Pictures of different sizes, a channel that is negative or not finite, a black reference, a resolution that is none.
+/// Pictures of different sizes, a channel that is negative, above 1e300 or not a number, a black reference, a resolution that is none.
 pub fn hdr(
     reference: &Image,
     test: &Image,
     pixels_per_degree: f64,
 ) -> Result<(ErrorMap, Exposures), FlipError> {
-    check(reference, test, pixels_per_degree, (f64::MAX, "a finite number, 0 or above,"))?;
-    let (filters, exposures) = (Filters::new(pixels_per_degree), Exposures::of(reference)?);
-    let mut worst = ErrorMap {
-        width: reference.width,
-        height: reference.height,
-        values: vec![0.0; reference.pixels.len()],
-    };
-    for stops in exposures.all() {
-        let map = difference::map(&shown(reference, stops), &shown(test, stops), &filters);
-        worst.values.iter_mut().zip(&map.values).for_each(|(w, v)| *w = w.max(*v));
-    }
-    Ok((worst, exposures))
+    let reference = Reference::new(reference, pixels_per_degree)?;
+    Ok((reference.against(test)?, reference.exposures))
 }
 
-/// A picture at an exposure, in stops, through the tone mapper: every channel in [0, 1].
+/// A reference as the eye sees it at every exposure, made once and compared with many pictures by [`hdr`]'s measure.
+pub struct Reference {
+    /// Its exposures.
+    pub exposures: Exposures,
+    filters: Filters,
+    size: (usize, usize),
+    /// It at each exposure, in stops.
+    seen: Vec<(f64, Seen)>,
+}
+
+impl Reference {
+    /// A reference whose channels lie in [0, 1e300].
+    ///
+    /// # Errors
+    /// As [`hdr`], of the reference.
+    pub fn new(reference: &Image, pixels_per_degree: f64) -> Result<Reference, FlipError> {
+        resolution(pixels_per_degree)?;
+        light("reference", reference, LIGHT)?;
+        let (filters, exposures) = (Filters::new(pixels_per_degree), Exposures::of(reference)?);
+        let at = |stops: f64| (stops, Seen::new(&shown(reference, stops), &filters));
+        let seen = exposures.all().map(at).collect();
+        Ok(Reference { exposures, size: (reference.width, reference.height), seen, filters })
+    }
+
+    /// The largest difference of each pixel over the exposures.
+    ///
+    /// # Errors
+    /// As [`hdr`], of the picture compared.
+    pub fn against(&self, test: &Image) -> Result<ErrorMap, FlipError> {
+        let (reference, size) = (self.size, (test.width, test.height));
+        if reference != size {
+            return Err(FlipError::Sizes { reference, test: size });
+        }
+        light("test", test, LIGHT)?;
+        let (width, height) = size;
+        let mut worst = ErrorMap { width, height, values: vec![0.0; width * height] };
+        for (stops, reference) in &self.seen {
+            let values = reference.difference(&Seen::new(&shown(test, *stops), &self.filters));
+            worst.values.iter_mut().zip(&values).for_each(|(w, v)| *w = w.max(*v));
+        }
+        Ok(worst)
+    }
+}
+
+/// A picture at an exposure, in stops, through the tone mapper: every channel in [0, 1]. The exposure is of 1080 at most, either
+/// way, as all of [`Exposures::of`] are.
 pub fn shown(image: &Image, stops: f64) -> Image {
-    let gain = ops::exp2(stops);
-    let pixels = image.pixels.iter().map(|p| p.map(|x| mapped(gain * x))).collect();
+    // In two steps where 2^stops is no normal number.
+    let (first, second) = if stops.abs() < 1000.0 { (stops, 0.0) } else { (stops / 2.0, stops / 2.0) };
+    let gains = [ops::exp2(first), ops::exp2(second)];
+    let pixels = image.pixels.iter().map(|p| p.map(|x| mapped(gains[0] * x * gains[1]))).collect();
     Image { width: image.width, height: image.height, pixels }
 }
 

@@ -109,9 +109,13 @@ fn balanced(kernel: Kernel) -> Kernel {
 fn both(plane: &Plane, width: usize, along: &Kernel, across: &Kernel) -> Plane {
     let height = plane.len() / width;
     let mut rows = vec![0.0; plane.len()];
+    let reach = along.len() / 2;
     rows.par_chunks_mut(width).zip(plane.par_chunks(width)).for_each(|(out, line)| {
-        for (x, value) in out.iter_mut().enumerate() {
-            *value = taps(along, x, width).map(|(w, i)| w * line[i]).sum();
+        let beside = |value: f64| std::iter::repeat_n(value, reach);
+        let padded: Vec<f64> =
+            beside(line[0]).chain(line.iter().copied()).chain(beside(line[width - 1])).collect();
+        for (k, w) in along.iter().enumerate() {
+            out.iter_mut().zip(&padded[k..]).for_each(|(o, r)| *o += w * r);
         }
     });
     let mut columns = vec![0.0; plane.len()];

@@ -11,7 +11,7 @@ mod exposure;
 mod filter;
 
 pub use colour::sensitivity;
-pub use exposure::{Exposures, hdr, shown};
+pub use exposure::{Exposures, Reference, hdr, shown};
 
 use super::image::Image;
 
@@ -91,35 +91,32 @@ pub enum FlipError {
 /// # Errors
 /// Pictures of different sizes, a channel outside [0, 1], a resolution that is none.
 pub fn ldr(reference: &Image, test: &Image, pixels_per_degree: f64) -> Result<ErrorMap, FlipError> {
-    check(reference, test, pixels_per_degree, (1.0, "a number from 0 to 1"))?;
-    let filters = filter::Filters::new(pixels_per_degree);
-    Ok(difference::map(reference, test, &filters))
-}
-
-/// Both pictures have the same size, and light in every channel.
-fn check(
-    reference: &Image,
-    test: &Image,
-    resolution: f64,
-    (limit, limits): (f64, &'static str),
-) -> Result<(), FlipError> {
-    if !(1.0..=1000.0).contains(&resolution) {
-        return Err(FlipError::Resolution { value: resolution });
-    }
+    resolution(pixels_per_degree)?;
     let sizes = [reference, test].map(|i| (i.width, i.height));
     if sizes[0] != sizes[1] {
         return Err(FlipError::Sizes { reference: sizes[0], test: sizes[1] });
     }
-    for (which, image) in [("reference", reference), ("test", test)] {
-        let (width, height, found) = (image.width, image.height, image.pixels.len());
-        if found == 0 || found != width * height {
-            return Err(FlipError::Shape { which, width, height, found });
-        }
-        for (i, pixel) in image.pixels.iter().enumerate() {
-            if let Some(&value) = pixel.iter().find(|x| !(**x >= 0.0 && **x <= limit)) {
-                let (column, row) = (i % width, i / width);
-                return Err(FlipError::Pixel { which, column, row, value, limits });
-            }
+    light("reference", reference, (1.0, "a number from 0 to 1"))?;
+    light("test", test, (1.0, "a number from 0 to 1"))?;
+    let filters = filter::Filters::new(pixels_per_degree);
+    Ok(difference::map(reference, test, &filters))
+}
+
+/// A number of pixels per degree that the filters can be made for.
+fn resolution(value: f64) -> Result<(), FlipError> {
+    if (1.0..=1000.0).contains(&value) { Ok(()) } else { Err(FlipError::Resolution { value }) }
+}
+
+/// As many pixels as the size says, with light up to a limit in every channel.
+fn light(which: &'static str, image: &Image, (limit, limits): (f64, &'static str)) -> Result<(), FlipError> {
+    let (width, height, found) = (image.width, image.height, image.pixels.len());
+    if found == 0 || found != width * height {
+        return Err(FlipError::Shape { which, width, height, found });
+    }
+    for (i, pixel) in image.pixels.iter().enumerate() {
+        if let Some(&value) = pixel.iter().find(|x| !(**x >= 0.0 && **x <= limit)) {
+            let (column, row) = (i % width, i / width);
+            return Err(FlipError::Pixel { which, column, row, value, limits });
         }
     }
     Ok(())

@@ -17,6 +17,10 @@ pub enum Style {
     Line(usize),
     /// A line with a mark at every point.
     Marked(usize),
+    /// Black marks without a line: what was measured.
+    Measured,
+    /// Error bars: points in pairs, the lower and the upper end of each bar.
+    Bars,
 }
 
 /// A named line.
@@ -67,7 +71,7 @@ pub struct Curves {
 impl Series {
     fn colour(&self) -> RGBColor {
         match self.style {
-            Style::Truth => INK,
+            Style::Truth | Style::Measured | Style::Bars => INK,
             Style::Line(i) | Style::Marked(i) => LINES[i % LINES.len()],
         }
     }
@@ -77,6 +81,7 @@ impl Series {
             Style::Truth => Key::Line(3.0),
             Style::Line(_) => Key::Line(1.6),
             Style::Marked(_) => Key::Marked,
+            Style::Measured | Style::Bars => Key::Disc,
         }
     }
 }
@@ -197,7 +202,8 @@ impl Curves {
 
     /// Rings, and the texts of rings and guides, kept off the lines.
     fn draw_notes(&self, canvas: &Canvas, plan: &Plan, guides: &[Segment]) -> Result<(), ReportError> {
-        let lines = self.series.iter().flat_map(|s| s.points.windows(2));
+        let drawn = self.series.iter().filter(|s| !matches!(s.style, Style::Measured | Style::Bars));
+        let lines = drawn.flat_map(|s| s.points.windows(2));
         let lines = lines.map(|w| (plan.pixel(w[0]), plan.pixel(w[1]))).chain(guides.iter().copied());
         let obstacles: Vec<Frame> = lines.flat_map(beads).collect();
         let rings: Vec<(f64, f64)> = self.annotations.iter().map(|a| plan.pixel((a.x, a.y))).collect();
@@ -220,17 +226,21 @@ impl Curves {
         Ok(())
     }
 
-    /// Texts beside the last points, pushed apart where lines end together.
+    /// Texts beside the last points, pushed apart where lines end together, and then in the order in which the lines run on the whole.
     fn draw_ends(&self, canvas: &Canvas, plan: &Plan) -> Result<(), ReportError> {
-        let mut ends: Vec<(f64, &str)> = Vec::new();
+        let mut ends: Vec<(f64, &str, f64)> = Vec::new();
         for s in &self.series {
             if let (Some(text), Some(&last)) = (&s.end, s.points.last()) {
-                ends.push((plan.pixel(last).1, text));
+                let sum: f64 = s.points.iter().map(|p| plan.pixel(*p).1).sum();
+                ends.push((plan.pixel(last).1, text, sum / s.points.len() as f64));
             }
         }
-        ends.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let lowest = ends.iter().map(|e| e.0).fold(f64::NEG_INFINITY, f64::max);
+        let meet = ends.iter().all(|e| lowest - e.0 < LINE);
+        let height = |end: &(f64, &str, f64)| if meet { end.2 } else { end.0 };
+        ends.sort_by(|a, b| height(b).total_cmp(&height(a)));
         let heights = apart(&ends.iter().map(|e| e.0).collect::<Vec<_>>(), plan.frame);
-        for ((_, text), at) in ends.iter().zip(heights) {
+        for ((_, text, _), at) in ends.iter().zip(heights) {
             canvas.text(text, (plan.frame.right + 6.0, at), SMALL, Align::Left, INK)?;
         }
         Ok(())
@@ -239,9 +249,13 @@ impl Curves {
 
 fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportError> {
     let pixels: Vec<(f64, f64)> = s.points.iter().map(|&p| plan.pixel(p)).collect();
-    let width = if s.style == Style::Truth { 3.0 } else { 1.6 };
-    canvas.line(&pixels, s.colour(), width)?;
-    if !matches!(s.style, Style::Marked(_)) {
+    match s.style {
+        Style::Truth => canvas.line(&pixels, s.colour(), 3.0)?,
+        Style::Line(_) | Style::Marked(_) => canvas.line(&pixels, s.colour(), 1.6)?,
+        Style::Measured => {}
+        Style::Bars => return bars(canvas, &pixels, s.colour()),
+    }
+    if !matches!(s.style, Style::Marked(_) | Style::Measured) {
         return Ok(());
     }
     for (&pixel, &(_, y)) in pixels.iter().zip(&s.points) {
@@ -255,10 +269,23 @@ fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportErr
     Ok(())
 }
 
+/// Vertical bars with caps.
+fn bars(canvas: &Canvas, ends: &[(f64, f64)], colour: RGBColor) -> Result<(), ReportError> {
+    for (from, to) in ends.as_chunks::<2>().0.iter().map(|[from, to]| (*from, *to)) {
+        canvas.line(&[from, to], colour, 1.0)?;
+        for (x, y) in [from, to] {
+            canvas.line(&[(x - 4.0, y), (x + 4.0, y)], colour, 1.0)?;
+        }
+    }
+    Ok(())
+}
+
+/// Height of a line of text.
+const LINE: f64 = 12.0;
+
 /// Heights of texts, from the bottom up, at least a line apart and within the frame as long as there is room, each as near as that
 /// allows to the height it is wanted at.
 fn apart(wanted: &[f64], frame: Frame) -> Vec<f64> {
-    const LINE: f64 = 12.0;
     let mut heights: Vec<f64> = Vec::with_capacity(wanted.len());
     for &y in wanted {
         let below = heights.last().map_or(f64::INFINITY, |last| last - LINE);

@@ -6,10 +6,9 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::directions::{cone, cosine};
+use super::directions::cone;
 use super::{dot, normalise, plus, scaled, tangents};
 use crate::math::ops;
-use crate::math::sobol::Sobol;
 use crate::optics::ggx::Vec3;
 
 /// A round light at infinity: the same radiance within an angle about a direction.
@@ -28,19 +27,34 @@ impl Lamp {
     pub(super) fn cosine(&self) -> f64 {
         ops::cos(self.degrees * PI / 180.0)
     }
+}
 
-    /// Density of a direction drawn evenly from it: 1 over its solid angle, 0 outside.
-    pub(super) fn density(&self, direction: Vec3) -> f64 {
-        let edge = self.cosine();
-        if dot(normalise(self.towards), direction) < edge { 0.0 } else { 1.0 / (2.0 * PI * (1.0 - edge)) }
+/// A lamp with what its directions are drawn by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Aimed {
+    axis: Vec3,
+    edge: f64,
+    radiance: [f64; 3],
+}
+
+impl Aimed {
+    pub fn new(lamp: &Lamp) -> Aimed {
+        Aimed { axis: normalise(lamp.towards), edge: lamp.cosine(), radiance: lamp.radiance }
+    }
+
+    /// Its radiance from a direction and the density of one drawn evenly from it, 1 over its solid angle; 0 outside.
+    pub fn seen(&self, direction: Vec3) -> ([f64; 3], f64) {
+        if dot(self.axis, direction) < self.edge {
+            return ([0.0; 3], 0.0);
+        }
+        (self.radiance, 1.0 / (2.0 * PI * (1.0 - self.edge)))
     }
 
     /// A direction drawn evenly from two numbers in [0, 1).
-    pub(super) fn draw(&self, u: f64, v: f64) -> Vec3 {
-        let axis = normalise(self.towards);
-        let [a, b] = tangents(axis);
-        let local = cone(self.cosine(), u, v);
-        plus(plus(scaled(a, local[0]), scaled(b, local[1])), scaled(axis, local[2]))
+    pub fn draw(&self, u: f64, v: f64) -> Vec3 {
+        let [a, b] = tangents(self.axis);
+        let local = cone(self.edge, u, v);
+        plus(plus(scaled(a, local[0]), scaled(b, local[1])), scaled(self.axis, local[2]))
     }
 }
 
@@ -83,43 +97,19 @@ impl Environment {
 
     /// Radiance from a direction of unit length.
     pub fn radiance(&self, direction: Vec3) -> [f64; 3] {
+        let lamps = self.lamps.iter().map(|lamp| Aimed::new(lamp).seen(direction).0);
+        lamps.fold(self.sky(direction), plus)
+    }
+
+    /// The same without the lamps.
+    pub(super) fn sky(&self, direction: Vec3) -> [f64; 3] {
         let height = direction[1];
         let rise = height.max(0.0).sqrt();
         let t = ((height / self.haze + 1.0) / 2.0).clamp(0.0, 1.0);
         let above = t * t * (3.0 - 2.0 * t);
-        let mut light = [0, 1, 2].map(|c| {
+        [0, 1, 2].map(|c| {
             let sky = self.horizon[c] + (self.zenith[c] - self.horizon[c]) * rise;
             self.ground[c] + (sky - self.ground[c]) * above
-        });
-        for lamp in self.lamps.iter().filter(|lamp| lamp.density(direction) > 0.0) {
-            light = plus(light, lamp.radiance);
-        }
-        light
+        })
     }
-}
-
-/// Directions for a place's share of the sky, and for each lamp.
-const SKY: u32 = 128;
-const LAMP: u32 = 32;
-
-/// Radiance of a white Lambertian surface with the normal `normal`, the mean of the incident light weighted by the cosine: quadrature by
-/// Sobol points over the sky and over each lamp, to about 1e-3 relative.
-pub fn diffuse_light(environment: &Environment, normal: Vec3) -> [f64; 3] {
-    let points = Sobol::new([1, 2, 3]);
-    let [a, b] = tangents(normal);
-    let at = |i: u32| (points.coordinate(i, 0), points.coordinate(i, 1));
-    let sky = Environment { lamps: Vec::new(), ..environment.clone() };
-    let mut light = [0.0; 3];
-    for (u, v) in (0..SKY).map(at) {
-        let local = cosine(u, v);
-        let direction = plus(plus(scaled(a, local[0]), scaled(b, local[1])), scaled(normal, local[2]));
-        light = plus(light, scaled(sky.radiance(direction), 1.0 / f64::from(SKY)));
-    }
-    for lamp in &environment.lamps {
-        let solid = 2.0 * (1.0 - lamp.cosine()) / f64::from(LAMP);
-        for (u, v) in (0..LAMP).map(at) {
-            light = plus(light, scaled(lamp.radiance, solid * dot(lamp.draw(u, v), normal).max(0.0)));
-        }
-    }
-    light
 }

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::directions::cosine;
+use super::environment::Aimed;
 use super::sphere::{Pixel, Place, pixel};
 use super::{Environment, Materials, normalise, plus, scaled};
 use crate::math::sobol::Sobol;
@@ -60,7 +61,8 @@ pub fn spheres(
     settings: &Settings,
 ) -> Vec<Halves> {
     let side = settings.side;
-    let sampler = Sampler { environment, alpha, settings };
+    let lamps = environment.lamps.iter().map(Aimed::new).collect();
+    let sampler = Sampler { environment, lamps, alpha, settings };
     let rows: Vec<Vec<[Vec<[f64; 3]>; 2]>> = (0..side)
         .into_par_iter()
         .map(|row| {
@@ -99,6 +101,7 @@ fn mixed(mut x: u32) -> u32 {
 /// What draws directions and weighs them.
 struct Sampler<'a> {
     environment: &'a Environment,
+    lamps: Vec<Aimed>,
     alpha: f64,
     settings: &'a Settings,
 }
@@ -135,7 +138,7 @@ impl Sampler<'_> {
             let normal = ggx::visible_normal([self.alpha; 2], place.view, u, v);
             drawn.push(ggx::mirror(place.view, normal).0);
         }
-        for (k, lamp) in self.environment.lamps.iter().enumerate() {
+        for (k, lamp) in self.lamps.iter().enumerate() {
             let points = points(2 + k as u32);
             drawn.extend((0..lamp_samples).map(|i| {
                 let (u, v) = pair(&points, i);
@@ -149,9 +152,12 @@ impl Sampler<'_> {
 
     fn weight(&self, place: &Place, light: Vec3, [samples, lamp_samples]: [f64; 2]) -> [f64; 3] {
         let direction = place.outward(light);
-        let lamps: f64 = self.environment.lamps.iter().map(|lamp| lamp.density(direction)).sum();
+        let (mut radiance, mut lamps) = (self.environment.sky(direction), 0.0);
+        for (light, density) in self.lamps.iter().map(|lamp| lamp.seen(direction)) {
+            (radiance, lamps) = (plus(radiance, light), lamps + density);
+        }
         let density = samples * (light[2] / PI + self.lobe_density(place.view, light)) + lamp_samples * lamps;
-        scaled(self.environment.radiance(direction), light[2] / density)
+        scaled(radiance, light[2] / density)
     }
 
     /// Density of a direction drawn by mirroring the view about a visible normal: G1(v) D(h)/(4 mu).

@@ -7,10 +7,12 @@
 
 mod directions;
 mod environment;
+mod irradiance;
 mod lit;
 mod sphere;
 
-pub use environment::{Environment, Lamp, diffuse_light};
+pub use environment::{Environment, Lamp};
+pub use irradiance::diffuse_light;
 pub use lit::{Halves, Settings, inside, spheres};
 
 use crate::optics::ggx::Vec3;

@@ -1,5 +1,6 @@
 //! The colour of rough metals, by every lobe and by the random walk.
 
+use super::walks::SHOWN;
 use super::{figures, words};
 use crate::effects::surface::colour::{ColourRow, WALK_EXACT, WALK_SCHLICK};
 use crate::effects::surface::opinion::ViewRow;
@@ -21,11 +22,13 @@ pub(super) fn section(rows: &[ColourRow], views: &[ViewRow]) -> Result<Section, 
     let mut charts = Vec::new();
     for metal in &metals {
         let of_metal: Vec<&ColourRow> = rows.iter().filter(|row| row.metal == **metal).collect();
-        charts.push(chart(format!("{metal}: saturation"), "1 − min/max", &of_metal, |row| row.saturation));
-        charts.push(chart(format!("{metal}: green albedo"), "albedo", &of_metal, |row| row.albedo[GREEN]));
+        let saturation = |row: &ColourRow| (row.saturation, row.saturation_error);
+        charts.push(chart(format!("{metal}: saturation"), "1 − min/max", &of_metal, saturation));
+        let green = |row: &ColourRow| (row.albedo[GREEN], row.standard_error[GREEN]);
+        charts.push(chart(format!("{metal}: green albedo"), "albedo", &of_metal, green));
     }
-    let caption = "What a convex body sends back on average in an environment of radiance 1. The heavy line is the random walk; its standard \
-                   errors are in the table and narrower than the line.";
+    let caption = "What a convex body sends back on average in an environment of radiance 1. Marks: the random walks, with bars of two standard \
+                   errors either way, which are shorter than the marks where they are not seen.";
     let mut blocks = vec![figures(&charts, caption)?];
     blocks.extend(metals.iter().map(|metal| Block::Table(table(metal, rows))));
     blocks.extend(of_views(views)?);
@@ -41,13 +44,18 @@ pub(super) fn section(rows: &[ColourRow], views: &[ViewRow]) -> Result<Section, 
     })
 }
 
-fn chart(title: String, unit: &str, rows: &[&ColourRow], value: impl Fn(&ColourRow) -> f64) -> Curves {
+/// `value` gives what is drawn and its standard error.
+fn chart(title: String, unit: &str, rows: &[&ColourRow], value: impl Fn(&ColourRow) -> (f64, f64)) -> Curves {
     let models = distinct(rows.iter().map(|row| &row.model));
-    let series = models.iter().enumerate().map(|(i, model)| {
-        let of_model = rows.iter().filter(|row| row.model == **model);
-        let style = if *model == WALK_SCHLICK { Style::Truth } else { Style::Line(i) };
-        let points = of_model.map(|row| (row.roughness, value(row))).collect();
-        Series { name: model.to_string(), points, style, end: None }
+    let series = models.iter().enumerate().flat_map(|(i, model)| {
+        let of_model: Vec<(f64, (f64, f64))> =
+            rows.iter().filter(|row| row.model == **model).map(|row| (row.roughness, value(row))).collect();
+        let style = match model.as_str() {
+            WALK_SCHLICK => Style::Measured,
+            WALK_EXACT => Style::Marked(i),
+            _ => Style::Line(i),
+        };
+        with_bars(model, of_model, style)
     });
     Curves {
         title,
@@ -59,6 +67,18 @@ fn chart(title: String, unit: &str, rows: &[&ColourRow], value: impl Fn(&ColourR
         y_limits: None,
         size: (400.0, 260.0),
     }
+}
+
+/// A line of (x, (value, standard error)), over its error bars where something was sampled.
+fn with_bars(name: &str, values: Vec<(f64, (f64, f64))>, style: Style) -> Vec<Series> {
+    let points = values.iter().map(|(x, (y, _))| (*x, *y)).collect();
+    let series = |name: &str, points, style| Series { name: name.into(), points, style, end: None };
+    let line = series(name, points, style);
+    if values.iter().all(|(_, (_, error))| *error == 0.0) {
+        return vec![line];
+    }
+    let ends = values.iter().flat_map(|(x, (y, error))| [(*x, y - SHOWN * error), (*x, y + SHOWN * error)]);
+    vec![series("", ends.collect(), Style::Bars), line]
 }
 
 /// Saturation by roughness, a row per model.
@@ -112,8 +132,8 @@ fn of_views(rows: &[ViewRow]) -> Result<Option<Block>, ReportError> {
     let charts: Vec<Curves> =
         places.iter().map(|(metal, roughness)| view_chart(metal, *roughness, rows)).collect();
     let caption = format!(
-        "Green albedo over the cosine of the view. The heavy line is the random walk, standard error at most {}.",
-        bound(error, 1)
+        "Green albedo over the cosine of the view. Discs: the random walk, with bars of two standard errors either way, {} at most.",
+        bound(SHOWN * error, 1)
     );
     figures(&charts, &caption).map(Some)
 }
@@ -128,17 +148,13 @@ fn view_chart(metal: &str, roughness: f64, rows: &[ViewRow]) -> Curves {
         style: Style::Line(i),
         end: None,
     });
-    let walk = Series {
-        name: WALK_SCHLICK.into(),
-        points: here.iter().map(|row| (row.mu, row.walk[GREEN])).collect(),
-        style: Style::Truth,
-        end: None,
-    };
+    let walked = here.iter().map(|row| (row.mu, (row.walk[GREEN], row.standard_error[GREEN]))).collect();
+    let walk = with_bars(WALK_SCHLICK, walked, Style::Measured);
     Curves {
         title: format!("{metal}, roughness {}: green albedo", brief(roughness, 3)),
         x: (words::axis("mu"), Spread::Linear),
         y: ("albedo".into(), Spread::Linear),
-        series: series.chain([walk]).collect(),
+        series: series.chain(walk).collect(),
         annotations: Vec::new(),
         guides: Vec::new(),
         y_limits: None,

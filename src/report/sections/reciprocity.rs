@@ -2,11 +2,14 @@
 
 use super::words;
 use crate::effects::surface::table::{ExchangeAt, FurnaceRow, ReciprocityRow};
-use crate::report::numbers::{brief, significant};
+use crate::report::numbers::{bound, brief, significant};
 use crate::report::{Block, ReportError, Section, TextTable, check};
 
 /// A furnace departure below this is the error of the measurement.
 const CLOSED: f64 = 1e-5;
+
+/// A departure from reciprocity below this is rounding: three products and a quotient of f64, of sums that cancel by less than ten.
+const ROUNDING: f64 = 1e-14;
 
 /// Largest f0 of a dielectric that the picks are made for: an index of refraction of 2.6.
 const DIELECTRIC: f64 = 0.2;
@@ -39,8 +42,8 @@ pub(super) fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
         title: "Energy and reciprocity".into(),
         lead: "Whole materials as functions f(l, v), integrated over the hemisphere as they are drawn. Furnace: what a white \
                material sends back less 1, the largest over roughness and angle; minus loses light, plus makes it. Reciprocity: the \
-               largest |f(l, v) − f(v, l)| relative to their mean, between 0 and 2. A path tracer that connects paths from both ends \
-               needs 0; a game that shades towards one eye does not."
+               largest |f(l, v) − f(v, l)| relative to the mean of their sizes, between 0 and 2, measured for all: 1e−14 and less is rounding. A path \
+               tracer that connects paths from both ends needs that; a game that shades towards one eye does not."
             .into(),
         blocks,
     })
@@ -88,8 +91,9 @@ fn couplings(rows: &[&ReciprocityRow]) -> TextTable {
     let mut table = words::table(
         &[],
         rows.iter().map(row).collect(),
-        "Lobe and base together. Columns of f0: furnace, two digits, 0 if closed to the error of the measurement. Reciprocity: 0 is exact but for \
-         rounding; where: the two cosines that are exchanged.",
+        "Lobe and base together. Columns of f0: furnace, two digits, 0 if closed to the error of the measurement. Where: the two cosines that are \
+         exchanged. Names ending in “reciprocal”: the factor at the light times that at the view over its average. Own specular: the albedo of \
+         the lobe above, as it is drawn.",
     );
     table.columns = columns;
     table
@@ -100,12 +104,17 @@ fn departure(x: f64) -> String {
 }
 
 fn exchange(row: &ReciprocityRow) -> String {
-    if row.reciprocal { "0".into() } else { words::max(row.reciprocity) }
+    bound(row.reciprocity, if kept(row) { 1 } else { 3 })
+}
+
+/// Whether the two directions can be exchanged, but for rounding, as it was measured.
+fn kept(row: &ReciprocityRow) -> bool {
+    row.reciprocity < ROUNDING
 }
 
 fn place(row: &ReciprocityRow) -> String {
-    if row.reciprocal {
-        return "–".into();
+    if kept(row) {
+        return if row.reciprocity > 0.0 { "rounding" } else { "–" }.into();
     }
     let ExchangeAt { alpha, mu_l, mu_v, .. } = row.at;
     format!("α\u{a0}{}, μ\u{a0}{}\u{a0}↔\u{a0}{}", brief(alpha, 2), brief(mu_l, 2), brief(mu_v, 2))
@@ -123,7 +132,7 @@ fn picks(rows: &[&ReciprocityRow]) -> impl Iterator<Item = String> {
         rows.iter().filter(|row| keep(row)).min_by_key(|row| least_lost(row)).copied()
     };
     let closed = |row: &ReciprocityRow| worst(row) < CLOSED;
-    let path_tracer = cheapest(&|row| row.reciprocal && closed(row));
+    let path_tracer = cheapest(&|row| kept(row) && closed(row));
     let game = cheapest(&|row| closed(row));
     let free = rows
         .iter()

@@ -87,7 +87,8 @@ fn darker(rows: &[DarkRow]) -> Result<Section, ReportError> {
         id: "darker".into(),
         title: "Bases below white".into(),
         lead: "The factor is made for a white base, which it leaves what the lobe does not take; a darker base absorbs its share of that, \
-               and nothing is ever above 1. Only the interreflected form knows that a dark base also absorbs what the lobe sends back to it."
+               and nothing is ever above 1. Only the form with the base’s albedo follows the light that goes back and forth between lobe and base, and knows \
+               that a dark base also absorbs what the lobe sends back to it."
             .into(),
         blocks: vec![Block::Table(table)],
     })

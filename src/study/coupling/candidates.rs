@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::coupling::hypotheses;
+use crate::effects::coupling::{OWN_SPECULAR, OwnSpecular, hypotheses};
 use crate::effects::surface::{Base, Coupling, Factor, Lobe, Material};
 use crate::effects::target::TargetSpec;
 use crate::effects::{Entry, Quantity};
@@ -18,7 +18,7 @@ pub(super) const REFERENCE: usize = 0;
 pub(super) const RECIPROCAL: usize = 1;
 
 /// What is published, references first.
-const PUBLISHED: [Coupling; 10] = [
+const PUBLISHED: [Coupling; 11] = [
     Coupling::OneMinusOwnSpecular,
     Coupling::Kelemen,
     Coupling::None,
@@ -27,6 +27,7 @@ const PUBLISHED: [Coupling; 10] = [
     Coupling::FresnelProduct,
     Coupling::HalfVector,
     Coupling::AshikhminShirley,
+    Coupling::Dassault,
     Coupling::SchlickRoughness,
     Coupling::Pesce,
 ];
@@ -34,8 +35,11 @@ const PUBLISHED: [Coupling; 10] = [
 /// Reflectances that fits are made for: those of dielectrics with an index of refraction from 1.33 to 2.6, which are lit.
 pub(super) const F0: [f64; 2] = [0.02, 0.2];
 
+/// Cosines that fits are made for.
+pub(super) const MU: [f64; 2] = [0.01, 1.0];
+
 /// Starting points of a fit: the constants in the files are good ones.
-const STARTS: usize = 2;
+pub(super) const STARTS: usize = 2;
 
 /// A coupling that is to be compared.
 #[derive(Clone, Debug)]
@@ -80,7 +84,7 @@ impl Planned {
     pub fn recipe(&self) -> String {
         match self {
             Planned::Published(coupling) => coupling.name().to_string(),
-            Planned::Fit(entry, kind) => format!("{kind:?} over f0 {F0:?}: {}", entry.source),
+            Planned::Fit(entry, kind) => format!("{kind:?} over f0 {F0:?}, mu {MU:?}: {}", entry.source),
         }
     }
 }
@@ -133,6 +137,22 @@ impl Candidate {
         material
     }
 
+    /// Whether few rows of pictures must have it: the references, what engines do most, and the most accurate of ours.
+    pub fn telling(&self, candidates: &[Candidate]) -> bool {
+        match &self.coupling {
+            Coupling::OneMinusOwnSpecular
+            | Coupling::Kelemen
+            | Coupling::None
+            | Coupling::OneMinusFresnel
+            | Coupling::Pesce => true,
+            Coupling::Symmetrised(_) => true,
+            Coupling::Factor(factor) => candidates
+                .iter()
+                .any(|c| matches!(&c.coupling, Coupling::Symmetrised(both) if both.name() == factor.name())),
+            _ => false,
+        }
+    }
+
     /// Whether its factor depends on the light's direction.
     pub fn directional(&self) -> bool {
         matches!(
@@ -140,6 +160,7 @@ impl Candidate {
             Coupling::FresnelProduct
                 | Coupling::HalfVector
                 | Coupling::AshikhminShirley
+                | Coupling::Dassault
                 | Coupling::Kelemen
                 | Coupling::Interreflected
                 | Coupling::Symmetrised(_)
@@ -159,7 +180,7 @@ fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Fac
             used_as: Some(Use::Coupling),
             smith: Smith::Correlated,
             alpha_map: AlphaMap::RoughnessSquared,
-            domain: BTreeMap::from([("f0".to_string(), F0)]),
+            domain: BTreeMap::from([("f0".to_string(), F0), ("mu".to_string(), MU)]),
             words: BTreeMap::from([("specular".to_string(), specular.to_string())]),
         },
         goals: vec![if perceptual { Goal::Rms } else { Goal::Max }],
@@ -174,7 +195,18 @@ fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Fac
     };
     let fits = fit(&job)?.fits;
     let first = fits.first().ok_or_else(|| StudyError::Unfitted { name: name.into() })?;
-    Ok(Factor::fitted(name, &first.hypothesis, &first.coefficients)?)
+    Ok(Factor::fitted(name, &first.hypothesis, &first.coefficients)?.above(MU[0]))
+}
+
+/// Couplings of published fits to their own lobe, as [`OwnSpecular`] has them.
+pub(super) fn published_fits(lobe: Lobe) -> Result<Vec<Coupling>, StudyError> {
+    let Some(specular) = specular(lobe) else { return Ok(Vec::new()) };
+    let of = OWN_SPECULAR.iter().filter(|own| own.specular == specular);
+    of.map(|OwnSpecular { entry, .. }| {
+        let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
+        Ok(Coupling::Factor(Factor::fitted(entry.name(), &hypothesis, &[])?))
+    })
+    .collect()
 }
 
 /// What multiplies the lobe, as the quantity names it; none for lobes that the quantity does not have.

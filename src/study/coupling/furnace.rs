@@ -9,7 +9,7 @@ use super::Compared;
 use super::candidates::Candidate;
 use super::parameters::Furnace;
 use crate::data::{AlphaMap, Smith};
-use crate::effects::surface::measure::Rules;
+use crate::effects::surface::measure::{Rules, TOLERANCE};
 use crate::effects::surface::{Albedos, Lobe, Surface};
 use crate::report::{FurnaceStrip, FurnaceStripRow};
 use crate::study::StudyError;
@@ -18,7 +18,7 @@ use crate::study::StudyError;
 pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<FurnaceStrip>, StudyError> {
     let under = || compared.iter().flat_map(|c| furnace.f0.iter().map(move |&f0| (c, f0)));
     let mut strips: Vec<FurnaceStrip> =
-        under().map(|(c, f0)| empty(furnace, c, f0, shown(c.lobe, f0, compared[0].lobe))).collect();
+        under().map(|(c, f0)| empty(furnace, c, f0, shown(c.lobe, f0, compared[0].lobe, furnace))).collect();
     for &roughness in &furnace.roughness {
         let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
         let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
@@ -38,10 +38,9 @@ pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<Fur
     Ok(strips)
 }
 
-/// Whether the page shows the spheres: those under the first lobe, but at f0 = 1, where only a lobe that loses light shows anything,
-/// those under that one.
-fn shown(lobe: Lobe, f0: f64, first: Lobe) -> bool {
-    if f0 < 1.0 { lobe == first } else { lobe == Lobe::Single }
+/// Whether the page shows the spheres: all under the first lobe, those of one dielectric and of f0 = 1 under the others.
+fn shown(lobe: Lobe, f0: f64, first: Lobe, furnace: &Furnace) -> bool {
+    lobe == first || f0 == furnace.shown_f0 || f0 == 1.0
 }
 
 fn empty(furnace: &Furnace, compared: &Compared, f0: f64, shown: bool) -> FurnaceStrip {
@@ -51,13 +50,15 @@ fn empty(furnace: &Furnace, compared: &Compared, f0: f64, shown: bool) -> Furnac
         lobe: compared.lobe.name().into(),
         f0,
         roughness: furnace.roughness.clone(),
+        drawn: furnace.drawn.clone(),
         rows: compared.candidates.iter().map(row).collect(),
         mu: furnace.mu.clone(),
         shown,
     }
 }
 
-/// Albedos over mu. Those of a coupling that knows the view alone follow from the lobe's; the others are integrated.
+/// Albedos over mu: the lobe's, which is known, and the base's, which follows where the coupling knows the view alone and is integrated where
+/// not.
 fn column(
     candidate: &Candidate,
     (roughness, f0, lobe): (f64, f64, Lobe),
@@ -71,7 +72,7 @@ fn column(
     };
     let albedo = |(&mu, rules): (&f64, &Rules)| {
         if candidate.directional() {
-            Ok(rules.albedo(&surface)?.total()[0].value)
+            Ok(surface.specular_albedo(mu)[0] + rules.base(&surface, TOLERANCE)?[0].value)
         } else {
             Ok(view_alone(mu))
         }

@@ -8,10 +8,10 @@ use super::Compared;
 use super::candidates::{Candidate, RECIPROCAL, REFERENCE};
 use super::parameters::Lit;
 use crate::data::{AlphaMap, Smith};
-use crate::effects::surface::{Albedos, Base, Coupling, Side, Surface};
+use crate::effects::surface::{Albedos, Base, Coupling, Facet, Side, Surface};
 use crate::optics::ggx::Vec3;
 use crate::report::flip::{self, ErrorMap};
-use crate::report::render::{Halves, Materials, inside, spheres};
+use crate::report::render::{Materials, inside, spheres};
 use crate::report::{Image, LitRow, LitStrip};
 use crate::study::StudyError;
 
@@ -19,7 +19,7 @@ use crate::study::StudyError;
 pub(super) fn strips(lit: &Lit, compared: &[Compared]) -> Result<Vec<LitStrip>, StudyError> {
     let under = || compared.iter().flat_map(|c| lit.f0.iter().map(move |&f0| (c, f0)));
     let mut strips: Vec<LitStrip> =
-        under().map(|(c, f0)| empty(lit, c, f0, c.lobe == compared[0].lobe && f0 == lit.shown_f0)).collect();
+        under().map(|(c, f0)| empty(lit, c, f0, lit.shown_of(c.lobe, f0).is_some())).collect();
     for &roughness in &lit.roughness {
         let alpha = AlphaMap::RoughnessSquared.alpha(roughness);
         let albedos = Arc::new(Albedos::new(Smith::Correlated, alpha, None)?);
@@ -63,44 +63,46 @@ fn column(
     };
     let surfaces = Surfaces(candidates.iter().map(surface).collect::<Result<_, _>>()?);
     let shown = spheres(&lit.environment, albedos.alpha, &surfaces, &lit.settings);
-    let reference = Pictures::new(&shown[REFERENCE]);
-    let reciprocal = Pictures::new(&shown[RECIPROCAL]);
+    let prepare = |picture: &Image| flip::Reference::new(picture, lit.pixels_per_degree);
+    let reference = prepare(&shown[REFERENCE].mean())?;
+    let halves = [prepare(&shown[REFERENCE].0[0])?, prepare(&shown[REFERENCE].0[1])?];
+    let reciprocal = prepare(&shown[RECIPROCAL].mean())?;
     let sphere = inside(&lit.settings);
     let mean = |map: &ErrorMap| {
         let on: Vec<f64> =
             map.values.iter().zip(&sphere).filter(|(_, inside)| **inside).map(|(v, _)| *v).collect();
         crate::math::sum::mean(&on)
     };
-    let flip = |a: &Image, b: &Image| flip::hdr(a, b, lit.pixels_per_degree);
     let measured: Vec<Result<Measured, StudyError>> = shown
         .par_iter()
-        .map(|halves| {
-            let own = Pictures::new(halves);
-            let (map, _) = flip(&reference.whole, &own.whole)?;
-            let by_half = [0, 1].map(|i| flip(&reference.halves[i], &own.halves[i]));
-            let [first, second] = by_half.map(|half| half.map(|(map, _)| mean(&map)));
+        .map(|own| {
+            let whole = own.mean();
+            let map = reference.against(&whole)?;
+            let by_half = [0, 1].map(|i| halves[i].against(&own.0[i]));
+            let [first, second] = by_half.map(|half| half.map(|map| mean(&map)));
             Ok(Measured {
                 flip: mean(&map),
-                reciprocal: mean(&flip(&reciprocal.whole, &own.whole)?.0),
+                reciprocal: mean(&reciprocal.against(&whole)?),
                 error: (first? - second?).abs() / 2.0,
-                picture: flip::shown(&own.whole, lit.stops),
+                picture: flip::shown(&whole, lit.stops),
                 map: map.values,
             })
         })
         .collect();
-    for (row, measured) in strip.rows.iter_mut().zip(measured) {
+    let few = lit.shown_of(*lobe, strip.f0).is_some_and(|shown| shown.few);
+    for ((row, measured), candidate) in strip.rows.iter_mut().zip(measured).zip(candidates) {
         let measured = measured?;
         row.flip.push(measured.flip);
         row.flip_reciprocal.push(measured.reciprocal);
         row.error.push(measured.error);
-        if strip.shown {
+        if strip.shown && (!few || candidate.telling(candidates)) {
             row.pictures.push(measured.picture);
             row.maps.push(measured.map);
         }
     }
     let [error, light] = shown[REFERENCE].noise();
     strip.noise.push((error / light).sqrt());
-    strip.flip_of_noise.push(mean(&flip(&reference.halves[0], &reference.halves[1])?.0));
+    strip.flip_of_noise.push(mean(&halves[0].against(&shown[REFERENCE].0[1])?));
     Ok(())
 }
 
@@ -113,27 +115,15 @@ struct Measured {
     map: Vec<f64>,
 }
 
-/// A picture with its halves.
-struct Pictures {
-    whole: Image,
-    halves: [Image; 2],
-}
-
-impl Pictures {
-    fn new(shown: &Halves) -> Pictures {
-        Pictures { whole: shown.mean(), halves: shown.0.clone() }
-    }
-}
-
-/// Materials that differ in their coupling alone.
+/// Materials that differ in their coupling alone: they share the specular part.
 struct Surfaces(Vec<Surface>);
 
 impl Surfaces {
     /// The direction that a light comes from as a surface knows it: the same for all but those whose factor is their own there too.
-    fn light<'a>(surface: &Surface, mu: f64, common: &'a Side, own: &'a mut Side) -> &'a Side {
+    fn light<'a>(surface: &Surface, common: &'a Side, own: &'a mut Side) -> &'a Side {
         match surface.material().base {
             Some(Base { coupling: Coupling::Symmetrised(_), .. }) => {
-                *own = surface.side(mu);
+                *own = surface.own_side(common);
                 own
             }
             _ => common,
@@ -149,12 +139,13 @@ impl Materials for Surfaces {
     fn shade(&self, view: Vec3, lights: &[(Vec3, [f64; 3])], sums: &mut [[f64; 3]]) {
         let views: Vec<Side> = self.0.iter().map(|s| s.side(view[2])).collect();
         for &(light, weight) in lights {
-            let side = self.0[0].side(light[2]);
+            let (side, facet) = (self.0[0].side(light[2]), Facet::between(light, view));
+            let specular = self.0[0].specular(&side, &views[0], &facet);
             for ((sum, surface), own) in sums.iter_mut().zip(&self.0).zip(&views) {
                 let mut apart = side;
-                let parts =
-                    surface.between(Self::light(surface, light[2], &side, &mut apart), own, light, view);
-                *sum = [0, 1, 2].map(|c| sum[c] + (parts.specular[c] + parts.base[c]) * weight[c]);
+                let from = Self::light(surface, &side, &mut apart);
+                let base = surface.base(from, own, &facet);
+                *sum = [0, 1, 2].map(|c| sum[c] + (specular[c] + base[c]) * weight[c]);
             }
         }
     }

@@ -8,8 +8,8 @@ mod ranking;
 
 use super::{Size, StudyError};
 use crate::bake::{Progress, TOOL};
-use crate::effects::surface::{Lobe, SurfaceRows, Wanted};
-use crate::report::{CouplingStudy, File, Origin, coupling_study_page};
+use crate::effects::surface::{Coupling, Lobe, SurfaceRows, Wanted};
+use crate::report::{CouplingStudy, File, Meaning, Origin, coupling_study_page};
 use candidates::Candidate;
 use parameters::Parameters;
 
@@ -41,8 +41,9 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
     progress.stage("lit spheres");
     let lit = lit::strips(&parameters.lit, &compared)?;
     progress.stage("reciprocity and random walks");
-    let surfaces = SurfaceRows::measure(&wanted(size)?)?;
-    let rankings = ranking::rankings(&compared, &furnace, &lit)?;
+    let surfaces = SurfaceRows::measure(&Wanted { own: own(&compared)?, ..wanted(size)? })?;
+    let rankings = ranking::rankings(&compared, &furnace, &lit, &parameters.lit)?;
+    let meanings = meanings(&compared, &surfaces);
     let origin = Origin {
         scene: String::new(),
         recipe: recipe(size)?,
@@ -50,7 +51,58 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
         command: command(size),
     };
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(coupling_study_page(&CouplingStudy { origin, parameters, furnace, lit, rankings, surfaces })?)
+    let study = CouplingStudy { origin, parameters, furnace, lit, rankings, meanings, surfaces };
+    Ok(coupling_study_page(&study)?)
+}
+
+/// Couplings that are made for one lobe: ours with their constants, and published fits.
+fn own(compared: &[Compared]) -> Result<Vec<(Lobe, Coupling)>, StudyError> {
+    let mut own = Vec::new();
+    for Compared { lobe, candidates } in compared {
+        let ours = candidates.iter().filter(|c| c.ours).map(|c| c.coupling.clone());
+        own.extend(ours.chain(candidates::published_fits(*lobe)?).map(|coupling| (*lobe, coupling)));
+    }
+    Ok(own)
+}
+
+/// What the names of lobes and couplings mean; of forms of ours and of published fits once.
+fn meanings(compared: &[Compared], surfaces: &SurfaceRows) -> Vec<Meaning> {
+    let told = |lobe: bool, name: &str, meaning: &str| Meaning {
+        lobe,
+        name: name.to_string(),
+        meaning: meaning.to_string(),
+    };
+    let mut all: Vec<Meaning> =
+        Lobe::ALL.iter().map(|lobe| told(true, lobe.name(), lobe.meaning())).collect();
+    all.extend(Coupling::ALL.iter().map(|c| told(false, &c.name(), &c.meaning())));
+    let has = |end: &str| {
+        surfaces.reciprocity.iter().filter_map(|row| row.coupling.as_ref()).any(|name| name.ends_with(end))
+    };
+    let lobes = compared.iter().filter_map(|c| c.candidates.iter().find(|c| c.ours)).map(Candidate::name);
+    if let Some(name) = lobes.min() {
+        let meaning = "a form of ours (fits/hypotheses) of roughness, n·v and f0 with constants fitted for f0 from 0.02 to 0.2; the last \
+                       number counts its operations";
+        all.push(told(false, &format!("{name}, ..."), meaning));
+    }
+    if has("_karis") {
+        let meaning = "1 less the albedo of a lobe by a published fit of f0 A + B: of Karis, MaterialX, Unreal Engine 5, Ray Tracing \
+                       Gems, Tauray";
+        all.push(told(false, "coupling_..._karis, ...", meaning));
+    }
+    all.push(told(
+        false,
+        "7 operations",
+        "(1 − f0)(1 − ((1 − roughness)(1 − n·v)²)²), a formula without constants",
+    ));
+    all.push(told(
+        false,
+        "..., perceptual",
+        "the constants are fitted for what is seen (fit --weight perceptual)",
+    ));
+    let both = "made reciprocal: the factor f at the light times that at the view over its average, f(l) f(v)/f_avg; f of a cosine below those that \
+                it was fitted for, from 0.01, is f there";
+    all.push(told(false, "..., reciprocal", both));
+    all
 }
 
 /// What is measured of whole materials.

@@ -2,16 +2,17 @@
 
 use serde::Serialize;
 
-use super::candidates::Planned;
+use super::candidates::{Planned, STARTS};
 use super::wanted;
-use crate::effects::surface::Lobe;
+use crate::effects::coupling::OWN_SPECULAR;
 use crate::effects::surface::table::Grid;
+use crate::effects::surface::{Fingerprint, Fixed, Lobe, fingerprint};
 use crate::report::flip::PIXELS_PER_DEGREE;
 use crate::report::render::{Environment, Settings};
 use crate::study::{Size, StudyError};
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
-const METHOD: u32 = 1;
+const METHOD: u32 = 2;
 
 /// Everything that the recipe covers beside the tool's version.
 #[derive(Clone, Debug, Serialize)]
@@ -19,6 +20,8 @@ pub(super) struct Parameters {
     method: u32,
     /// Specular lobes; the pictures of the first are shown.
     pub lobes: Vec<UnderLobe>,
+    /// Starting points of each fit.
+    starts: usize,
     pub furnace: Furnace,
     pub lit: Lit,
     surfaces: Measured,
@@ -28,6 +31,11 @@ pub(super) struct Parameters {
 #[derive(Clone, Debug, Serialize)]
 struct Measured {
     couplings: Vec<String>,
+    /// Formulas and values of the lobes and couplings that are part of the program.
+    formulas: Vec<Fingerprint>,
+    /// Published fits, with their source.
+    published: Vec<&'static str>,
+    fixed: Fixed,
     grid: Grid,
     /// Paths of each random walk, and what they begin from.
     paths: u64,
@@ -48,7 +56,11 @@ pub(super) struct UnderLobe {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Furnace {
     pub roughness: Vec<f64>,
+    /// Those of them that have a column of spheres.
+    pub drawn: Vec<f64>,
     pub f0: Vec<f64>,
+    /// The dielectric whose spheres are shown under every lobe.
+    pub shown_f0: f64,
     /// Cosines of the view, increasing.
     pub mu: Vec<f64>,
 }
@@ -58,8 +70,10 @@ pub(super) struct Furnace {
 pub(super) struct Lit {
     pub roughness: Vec<f64>,
     pub f0: Vec<f64>,
-    /// Reflectance whose pictures are shown.
-    pub shown_f0: f64,
+    /// Reflectances that the couplings are ranked over.
+    pub ranked_f0: Vec<f64>,
+    /// What is shown.
+    pub shown: Vec<Shown>,
     /// Albedo of the base.
     pub albedo: [f64; 3],
     pub environment: Environment,
@@ -67,6 +81,23 @@ pub(super) struct Lit {
     /// Exposure of the pictures, in stops.
     pub stops: f64,
     pub pixels_per_degree: f64,
+}
+
+/// A lobe and a reflectance whose pictures are shown.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct Shown {
+    #[serde(serialize_with = "name")]
+    pub lobe: Lobe,
+    pub f0: f64,
+    /// Whether only of a few couplings.
+    pub few: bool,
+}
+
+impl Lit {
+    /// What is shown of a lobe and a reflectance.
+    pub fn shown_of(&self, lobe: Lobe, f0: f64) -> Option<Shown> {
+        self.shown.iter().copied().find(|shown| shown.lobe == lobe && shown.f0 == f0)
+    }
 }
 
 impl Parameters {
@@ -86,15 +117,27 @@ impl Parameters {
         Ok(Parameters {
             method: METHOD,
             lobes: lobes.iter().map(|&lobe| UnderLobe { lobe, planned: Planned::of(lobe, size) }).collect(),
+            starts: STARTS,
             furnace: Furnace {
-                roughness: if full { even(0.1, 0.9, 9) } else { vec![0.3, 0.8] },
+                roughness: if full {
+                    [vec![0.02, 0.05], even(0.1, 1.0, 10)].concat()
+                } else {
+                    vec![0.3, 0.8, 1.0]
+                },
+                drawn: if full { even(0.1, 0.9, 9) } else { vec![0.3, 0.8] },
                 f0: if full { vec![0.02, 0.04, 0.2, 1.0] } else { vec![0.04, 1.0] },
+                shown_f0: 0.04,
                 mu: even_squared(if full { 24 } else { 8 }),
             },
             lit: Lit {
                 roughness: if full { vec![0.1, 0.3, 0.5, 0.7, 0.9] } else { vec![0.3, 0.8] },
-                f0: if full { vec![0.02, 0.04, 0.2] } else { vec![0.04] },
-                shown_f0: 0.04,
+                f0: if full { vec![0.02, 0.04, 0.2, 1.0] } else { vec![0.04] },
+                ranked_f0: if full { vec![0.02, 0.04, 0.2] } else { vec![0.04] },
+                shown: vec![
+                    Shown { lobe: Lobe::Normalised, f0: 0.04, few: false },
+                    Shown { lobe: Lobe::Compensated, f0: 0.04, few: true },
+                    Shown { lobe: Lobe::Single, f0: 1.0, few: true },
+                ],
                 albedo: [0.8; 3],
                 environment: Environment::afternoon(),
                 settings,
@@ -103,6 +146,9 @@ impl Parameters {
             },
             surfaces: Measured {
                 couplings: wanted.couplings.iter().map(|c| c.name().to_string()).collect(),
+                formulas: fingerprint(&wanted.couplings)?,
+                published: OWN_SPECULAR.iter().map(|own| own.entry.source).collect(),
+                fixed: Fixed::default(),
                 grid: wanted.grid,
                 paths: wanted.walks.paths,
                 seed: wanted.walks.seed,

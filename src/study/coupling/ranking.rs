@@ -1,25 +1,35 @@
 //! The couplings of a lobe, by what is seen of them.
 
+use std::sync::Arc;
+
 use super::Compared;
 use super::candidates::Candidate;
-use crate::effects::surface::{Lobe, cost};
+use super::parameters::Lit;
+use crate::data::{AlphaMap, Smith};
+use crate::effects::surface::measure::{self, Pair};
+use crate::effects::surface::{Albedos, Lobe, Material, Surface, cost};
 use crate::fitting::Perceptual;
 use crate::math::sum::mean;
 use crate::report::{FurnaceStrip, LitRow, LitStrip, Ranked, Ranking};
 use crate::study::StudyError;
 
-/// One ranking for each lobe, over the reflectances that are lit.
+/// One ranking for each lobe, over the reflectances of dielectrics, for which the fits are made.
 pub(super) fn rankings(
     compared: &[Compared],
     furnace: &[FurnaceStrip],
     lit: &[LitStrip],
+    parameters: &Lit,
 ) -> Result<Vec<Ranking>, StudyError> {
     let weight = Perceptual::new();
+    let exchange = Exchange::of(parameters)?;
+    let f0 = &parameters.ranked_f0;
+    let furnace: Vec<&FurnaceStrip> = furnace.iter().filter(|s| f0.contains(&s.f0)).collect();
+    let lit: Vec<&LitStrip> = lit.iter().filter(|s| f0.contains(&s.f0)).collect();
     let one = |Compared { lobe, candidates }: &Compared| {
-        let ranked = |c: &Candidate| ranked(c, *lobe, (furnace, lit), &weight);
+        let ranked = |c: &Candidate| ranked(c, *lobe, (&furnace, &lit), &weight, &exchange);
         let mut rows = candidates.iter().map(ranked).collect::<Result<Vec<Ranked>, StudyError>>()?;
         rows.sort_by(|a, b| a.flip.total_cmp(&b.flip));
-        Ok(Ranking { lobe: lobe.name().into(), rows })
+        Ok(Ranking { lobe: lobe.name().into(), f0: f0.clone(), rows })
     };
     compared.iter().map(one).collect()
 }
@@ -27,9 +37,11 @@ pub(super) fn rankings(
 fn ranked(
     candidate: &Candidate,
     lobe: Lobe,
-    (furnace, lit): (&[FurnaceStrip], &[LitStrip]),
+    (furnace, lit): (&[&FurnaceStrip], &[&LitStrip]),
     weight: &Perceptual,
+    exchange: &Exchange,
 ) -> Result<Ranked, StudyError> {
+    let reciprocity = exchange.base(candidate, lobe)?;
     let whole = cost(lobe, Some(&candidate.coupling))?;
     let ops = whole.ops.saturating_sub(cost(lobe, None)?.ops);
     let (name, lobe) = (candidate.name().into_owned(), lobe.name());
@@ -38,23 +50,53 @@ fn ranked(
     let over =
         |of: fn(&LitRow) -> &Vec<f64>| lit_rows.iter().flat_map(|r| of(r)).copied().collect::<Vec<f64>>();
     let errors = over(|r| &r.error);
-    let seen = |f0: f64| lit.iter().any(|s| s.f0 == f0);
-    let strips = furnace.iter().filter(|s| s.lobe == lobe && seen(s.f0));
+    let strips = furnace.iter().copied().filter(|s| s.lobe == lobe);
     let departures = Departures::of(&name, strips, weight);
     Ok(Ranked {
         name,
-        reciprocal: candidate.coupling.is_reciprocal(),
+        reciprocity,
         directional: candidate.directional(),
         ours: candidate.ours,
         ops,
         fetches: whole.fetches,
         flip: mean(&over(|r| &r.flip)),
-        // Of a mean of independent figures.
-        flip_error: errors.iter().map(|e| e * e).sum::<f64>().sqrt() / errors.len().max(1) as f64,
+        // All spheres are lit from the same directions: the errors do not average out.
+        flip_error: mean(&errors),
         flip_reciprocal: mean(&over(|r| &r.flip_reciprocal)),
         furnace_max: departures.largest,
         perceptual: departures.weighted,
     })
+}
+
+/// Where the two directions of a base are exchanged.
+struct Exchange {
+    albedos: Vec<Arc<Albedos>>,
+    f0: Vec<f64>,
+    pairs: Vec<Pair>,
+}
+
+impl Exchange {
+    fn of(lit: &Lit) -> Result<Exchange, StudyError> {
+        let alphas = lit.roughness.iter().map(|r| AlphaMap::RoughnessSquared.alpha(*r));
+        let albedos = alphas.map(|alpha| Ok(Arc::new(Albedos::new(Smith::Correlated, alpha, None)?)));
+        let albedos = albedos.collect::<Result<_, StudyError>>()?;
+        Ok(Exchange { albedos, f0: lit.ranked_f0.clone(), pairs: measure::pairs() })
+    }
+
+    /// The largest departure from reciprocity of a base.
+    fn base(&self, candidate: &Candidate, lobe: Lobe) -> Result<f64, StudyError> {
+        let mut worst: f64 = 0.0;
+        for albedos in &self.albedos {
+            for f0 in &self.f0 {
+                let material = candidate.material(albedos.alpha.sqrt(), *f0, lobe, [1.0; 3]);
+                let material = Material { alpha: albedos.alpha, ..material };
+                let surface = Surface::with(&material, albedos.clone())?;
+                let found = measure::base_reciprocity(&surface, &self.pairs)?;
+                worst = found.map_or(worst, |found| worst.max(found.departure));
+            }
+        }
+        Ok(worst)
+    }
 }
 
 /// Departures from white over roughness, mu and reflectance.

@@ -31,6 +31,7 @@ pub fn blends(
         rivals: BLEND_RIVALS.iter().filter(comparable).collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
+        keeps: None,
     };
     fitted::fit_all(&wanted, counter)
 }

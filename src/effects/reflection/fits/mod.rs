@@ -7,12 +7,13 @@ mod run;
 mod saturate;
 
 pub(in crate::effects) use certified::formula;
-pub(in crate::effects) use one::searched;
+pub(in crate::effects) use one::{Searched, searched, searched_within};
 pub use run::fit_all;
 pub(in crate::effects) use run::kept;
 
 use super::{PointSet, Region};
 use crate::data::{Approximation, Form, Norm, Smith};
+use crate::effects::Safe;
 use crate::effects::target::TargetError;
 use crate::fit::{FitError, Hypothesis, Termination};
 use crate::integrate::IntegrateError;
@@ -49,6 +50,8 @@ pub struct Fit {
     pub emitted: bool,
     /// The function that a saturating form calls.
     pub wraps: Option<String>,
+    /// Where it is proven to have no pole and no negative value, if that was asked for.
+    pub safe: Option<Safe>,
 }
 
 /// A hypothesis without a fit: one of the catalogue whose search did not converge in this region or into which a pole moves, or
@@ -109,6 +112,18 @@ pub enum FitStageError {
         coefficient: String,
         /// Its value.
         value: f64,
+    },
+    /// Coefficients that do not keep what they must, with or without being bound to it.
+    #[error(
+        "{hypothesis}, norm {norm}: no coefficients without poles and negative values were found: {reason}"
+    )]
+    Unkept {
+        /// File of the hypothesis.
+        hypothesis: String,
+        /// Norm that was minimised.
+        norm: &'static str,
+        /// What was found instead.
+        reason: String,
     },
     /// The hypothesis has no argument.
     #[error("{hypothesis}: the function has no argument; name one or more of {known}")]

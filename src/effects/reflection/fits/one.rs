@@ -7,7 +7,8 @@ use crate::effects::Entry;
 use crate::effects::reflection::Region;
 use crate::effects::reflection::samples::Data;
 use crate::fit::{
-    Domain, FitError, Hypothesis, Options, Samples, Termination, optimise, prove_regular, round_to_f32,
+    Constraint, Domain, FitError, Hypothesis, Options, Samples, Termination, optimise, prove_regular,
+    round_to_f32,
 };
 
 /// The box of inputs, alpha following from roughness.
@@ -35,7 +36,18 @@ pub(in crate::effects) fn searched(
     samples: &Samples,
     domain: &Domain,
 ) -> Result<Searched, FitStageError> {
-    let fitted = optimise(hypothesis, samples, &[], &Options::new(norm));
+    searched_within(hypothesis, norm, (samples, &[]), domain, &Options::new(norm))
+}
+
+/// The same within constraints.
+pub(in crate::effects) fn searched_within(
+    hypothesis: &Hypothesis,
+    norm: Norm,
+    (samples, constraints): (&Samples, &[Constraint]),
+    domain: &Domain,
+    options: &Options,
+) -> Result<Searched, FitStageError> {
+    let fitted = optimise(hypothesis, samples, constraints, options);
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let fitted = fitted.map_err(|error| {
         prove_regular(hypothesis.tape(), &hypothesis.starts(), domain).err().unwrap_or(error)
@@ -64,7 +76,14 @@ pub fn fit_one(
     let Searched { hypothesis, coefficients, termination } = found;
     let form = formula(&hypothesis, &coefficients, norm.name());
     let approximation = certified(spec, &hypothesis, form, Source::Fitted, data)?;
-    Ok(Fit { approximation, hypothesis, termination: Some(termination), emitted: true, wraps: None })
+    Ok(Fit {
+        approximation,
+        hypothesis,
+        termination: Some(termination),
+        emitted: true,
+        wraps: None,
+        safe: None,
+    })
 }
 
 /// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1].
@@ -104,5 +123,12 @@ pub fn published(
     let form = formula(&hypothesis, &[], "published");
     let approximation = certified(spec, &hypothesis, form, source, data)?;
     let affordable = spec.max_ops.is_none_or(|most| approximation.cost.ops <= most);
-    Ok(Fit { approximation, hypothesis, termination: None, emitted: emitted && affordable, wraps: None })
+    Ok(Fit {
+        approximation,
+        hypothesis,
+        termination: None,
+        emitted: emitted && affordable,
+        wraps: None,
+        safe: None,
+    })
 }

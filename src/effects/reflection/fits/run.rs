@@ -121,6 +121,7 @@ pub(in crate::effects) fn kept(
             Err(
                 error @ (FitStageError::NotConverged { .. }
                 | FitStageError::RunAway { .. }
+                | FitStageError::Unkept { .. }
                 | FitStageError::Fit(FitError::Irregular { .. })),
             ) => dropped.push(Dropped {
                 hypothesis: hypothesis.name().to_string(),

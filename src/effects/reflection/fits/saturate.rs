@@ -33,5 +33,6 @@ pub fn saturate(spec: &FitSpec, fit: &Fit, data: &FitData) -> Result<Fit, FitSta
         termination: fit.termination,
         emitted: true,
         wraps: Some(fit.hypothesis.name().to_string()),
+        safe: None,
     })
 }

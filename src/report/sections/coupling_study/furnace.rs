@@ -3,35 +3,42 @@
 use super::super::{figures, words};
 use crate::report::numbers::{bound, brief, place};
 use crate::report::{
-    Block, Cells, CouplingStudy, FurnaceStrip, Gallery, ReportError, Section, Shade, TextTable, check, disc,
+    Block, Cells, CouplingStudy, FurnaceStrip, FurnaceStripRow, Gallery, ReportError, Section, Shade,
+    TextTable, check, disc,
 };
 
 /// Departure that gets the deepest colours.
 const LIMIT: f64 = 0.1;
 
 /// Pixels along a side of a cell, and along the radius of its sphere.
-const SIDE: usize = 56;
-const RADIUS: f64 = 25.0;
+const SIDE: usize = 48;
+const RADIUS: f64 = 21.5;
 
 /// Side of a cell in pixels of the page: two pictures of nine columns stand side by side.
 const CELL: f64 = 36.0;
 
 pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     check::filled("study", "furnace", study.furnace.len())?;
-    let shown: Vec<Gallery> =
-        study.furnace.iter().filter(|s| s.shown).map(gallery).collect::<Result<_, _>>()?;
-    let caption = format!(
-        "White spheres in light of radiance 1 from everywhere, their departure from it amplified {} times: grey is exact, the deepest blue a \
-         loss of {LIMIT} or more, the deepest red a gain of {LIMIT} or more.",
-        brief(1.0 / LIMIT, 2)
-    );
-    let mut blocks = vec![figures(&shown, &caption)?];
-    blocks.extend(study.rankings.iter().map(|r| Block::Table(summary(study, &r.lobe))));
+    let mut blocks = Vec::new();
+    for ranking in &study.rankings {
+        let lobe = &ranking.lobe;
+        let shown = study.furnace.iter().filter(|s| s.shown && s.lobe == *lobe);
+        let shown: Vec<Gallery> = shown.map(gallery).collect::<Result<_, _>>()?;
+        let caption = format!(
+            "All spheres here are under the lobe {lobe}. Their departure from the light is amplified {} times: grey is exact, the deepest blue \
+             a loss of {LIMIT} or more, the deepest red a gain of {LIMIT} or more.",
+            brief(1.0 / LIMIT, 2)
+        );
+        blocks.push(Block::Heading { text: format!("White spheres under a lobe: {lobe}") });
+        blocks.push(figures(&shown, &caption)?);
+        blocks.push(Block::Table(summary(study, lobe)));
+    }
     Ok(Section {
         id: "furnace".into(),
         title: "In the furnace".into(),
-        lead: "Specular lobe plus coupled white base: whatever comes in must go out, so the right picture is an empty one. At f0 = 1 the \
-               facets let nothing through and the base must vanish; what is blue there was lost by the lobe itself."
+        lead: "Specular lobe plus coupled white base in light of radiance 1 from everywhere: whatever comes in must go out, so the right \
+               picture is an empty one. At f0 = 1 the facets let nothing through: under a lobe that keeps all light the base must vanish; \
+               the single lobe loses some, and what is blue there the base did not give back."
             .into(),
         blocks,
     })
@@ -45,11 +52,15 @@ fn gallery(strip: &FurnaceStrip) -> Result<Gallery, ReportError> {
             check::size("furnace", &row.name, albedo.len(), strip.mu.len())?;
         }
     }
-    let values = strip.rows.iter().map(|row| row.albedo.iter().map(cell).collect()).collect();
+    let columns: Vec<usize> =
+        (0..strip.roughness.len()).filter(|&i| strip.drawn.contains(&strip.roughness[i])).collect();
+    let spheres =
+        |row: &FurnaceStripRow| columns.iter().filter_map(|&i| row.albedo.get(i)).map(cell).collect();
+    let values = strip.rows.iter().map(spheres).collect();
     Ok(Gallery {
         title: title(strip),
         column_name: "roughness".into(),
-        columns: strip.roughness.iter().map(|&r| place(r)).collect(),
+        columns: columns.iter().map(|&i| place(strip.roughness[i])).collect(),
         rows: strip.rows.iter().map(|r| r.name.clone()).collect(),
         side: SIDE,
         cell: CELL,
@@ -60,7 +71,7 @@ fn gallery(strip: &FurnaceStrip) -> Result<Gallery, ReportError> {
 }
 
 fn title(strip: &FurnaceStrip) -> String {
-    format!("furnace: specular lobe {}, f0 {}", strip.lobe, place(strip.f0))
+    format!("{}, f0 {}", strip.lobe, place(strip.f0))
 }
 
 /// The largest departures over roughness and mu, by reflectance.
@@ -77,9 +88,17 @@ fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
         let name = strips[0].rows[i].name.clone();
         std::iter::once(name).chain(strips.iter().map(|s| cell(s, i))).collect()
     };
-    let caption = "Departure of the albedo from 1 with the largest magnitude over roughness and μ, with its sign, rounded away from zero; \
-                   by roughness in results.json.";
-    let mut table = words::table(&[], (0..rows).map(row).collect(), caption);
+    let ends = |values: &[f64]| match (values.first(), values.last()) {
+        (Some(low), Some(high)) => format!("{} to {}", place(*low), place(*high)),
+        _ => "–".into(),
+    };
+    let (roughness, mu) =
+        strips.first().map_or((String::new(), String::new()), |s| (ends(&s.roughness), ends(&s.mu)));
+    let caption = format!(
+        "Departure of the albedo from 1 with the largest magnitude over roughness {roughness} (more than is drawn) and μ {mu}, with its sign, \
+         rounded away from zero; by roughness in results.json."
+    );
+    let mut table = words::table(&[], (0..rows).map(row).collect(), &caption);
     table.columns = columns;
     table
 }

@@ -5,11 +5,12 @@ mod furnace;
 mod lit;
 mod ranking;
 
-use crate::report::{CouplingStudy, Page, ReportError};
+use super::words;
+use crate::report::{Block, CouplingStudy, Page, ReportError, Section, check};
 
-/// The page: the ranking, the pictures, the furnace.
+/// The page: the ranking, what the names mean, the pictures, the furnace.
 pub(super) fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
-    let mut sections = vec![ranking::section(study)?];
+    let mut sections = vec![ranking::section(study)?, names(study)?];
     sections.push(lit::section(study)?);
     sections.push(furnace::section(study)?);
     sections.extend(super::surfaces::sections(&study.surfaces)?);
@@ -20,5 +21,27 @@ pub(super) fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
                sees of that under a sky, a sun and a bright cloud. Figures in full digits: results.json, in this folder."
             .into(),
         sections,
+    })
+}
+
+/// What the names of lobes and couplings mean.
+fn names(study: &CouplingStudy) -> Result<Section, ReportError> {
+    check::filled("study", "meanings", study.meanings.len())?;
+    let table = |lobe: bool, columns: [(&str, bool); 2], caption: &str| {
+        let told = study.meanings.iter().filter(|m| m.lobe == lobe);
+        let rows = told.map(|m| vec![m.name.clone(), m.meaning.clone()]).collect();
+        Block::Table(words::table(&columns, rows, caption))
+    };
+    Ok(Section {
+        id: "names".into(),
+        title: "What is compared".into(),
+        lead: "A specular lobe over a diffuse base of albedo ρ: f(l, v) = lobe + ρ/π factor. l and v are the directions of light and view, n the \
+               normal, h the half vector, F Fresnel’s reflectance (Schlick’s), f0 that at normal incidence; E is the albedo of the single lobe \
+               with F = 1, “avg” the average over the hemisphere weighted with the cosine."
+            .into(),
+        blocks: vec![
+            table(true, [("lobe", false), ("what it is", false)], "Specular lobes."),
+            table(false, [("coupling", false), ("factor of the base", false)], "Couplings of the base."),
+        ],
     })
 }

@@ -2,7 +2,7 @@
 
 use super::super::{figures, words};
 use crate::math::ops;
-use crate::report::numbers::significant;
+use crate::report::numbers::{bound, place, significant};
 use crate::report::{
     Block, CouplingStudy, Dot, Ranked, Ranking, ReportError, Scatter, Section, Spread, TextTable, check,
 };
@@ -11,8 +11,9 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     check::filled("study", "rankings", study.rankings.len())?;
     let charts: Vec<Scatter> = study.rankings.iter().map(chart).collect();
     let caption = "Largest departure from white in the furnace against the mean HDR-FLIP under the environment; both logarithmic. What \
-                   lies above the trend errs much where nobody looks, what lies below it errs little where everybody does. The exact \
-                   couplings of energy have no departure and are not drawn.";
+                   lies above the trend errs much where nobody looks, what lies below it errs little where everybody does. The two couplings \
+                   that are exact in energy have no departure and are not drawn. Names ending in “perceptual”: constants fitted for what is \
+                   seen; in “reciprocal”: made reciprocal.";
     let mut blocks = vec![figures(&charts, caption)?];
     for ranking in &study.rankings {
         blocks.push(Block::Heading { text: format!("Specular lobe: {}", ranking.lobe) });
@@ -23,12 +24,19 @@ pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     Ok(Section {
         id: "ranking".into(),
         title: "What is seen, and what is lost".into(),
-        lead: "The reference is the coupling that takes exactly what the lobe, as it is drawn, leaves towards the viewer. FLIP: 0 no visible \
-               difference, 1 the largest there is; the mean is over the pixels of all spheres of a lobe, each sphere compared at the \
-               exposures at which it can be shown."
-            .into(),
+        lead: format!(
+            "The reference is “1 - own specular”: 1 less the albedo of the lobe, as it is drawn, at the view, exactly what is left for the base \
+             (all names: “What is compared”, below). FLIP measures how different two pictures look to somebody who flips between them: 0 no \
+             visible difference, 1 the largest there is; the mean is over the pixels of all spheres of a lobe at f0 {}, each sphere compared \
+             at the exposures at which it can be shown (HDR-FLIP).",
+            list(study.rankings.first().map_or(&[], |r| r.f0.as_slice()))
+        ),
         blocks,
     })
+}
+
+fn list(values: &[f64]) -> String {
+    values.iter().map(|&f0| place(f0)).collect::<Vec<_>>().join(", ")
 }
 
 fn chart(ranking: &Ranking) -> Scatter {
@@ -49,7 +57,7 @@ fn chart(ranking: &Ranking) -> Scatter {
     }
 }
 
-/// Departures below this are the rounding of a furnace that is white by construction.
+/// Departures below this are the error of a furnace that is white by construction.
 const NOTHING: f64 = 1e-6;
 
 fn table(ranking: &Ranking) -> TextTable {
@@ -64,7 +72,7 @@ fn table(ranking: &Ranking) -> TextTable {
         ("to reciprocal", true),
         ("ops", true),
         ("texels", true),
-        ("reciprocal", false),
+        ("reciprocity", true),
     ];
     let by_flip = ranks(ranking, |r| r.flip);
     let by_max = ranks(ranking, |r| r.furnace_max);
@@ -82,17 +90,20 @@ fn table(ranking: &Ranking) -> TextTable {
             measured(r.flip_reciprocal),
             r.ops.to_string(),
             r.fetches.to_string(),
-            if r.reciprocal { "yes".into() } else { "no".into() },
+            words::max(r.reciprocity),
         ]
     };
     let noise = ranking.rows.iter().fold(0.0, |m: f64, r| m.max(r.flip_error));
     let caption = format!(
-        "Standard error of a mean FLIP: {} at most. Furnace max: largest |albedo − 1| of a white base over roughness, μ and f0, as in the tables of the fits. Perceptual RMS: the \
-                   same departures weighted as by lobefit fit --weight perceptual. To reciprocal: FLIP of the same pictures against the \
-                   reciprocal coupling that is exact in energy; how far the two exact ones are apart is what choosing between them changes. \
-                   Ops: operations of a channel that the coupling adds to those of the lobe; texels: what lobe and coupling read. Ours in black: \
-                   constants fitted for the largest error, or, where it says so, for the perceptual RMS. Reciprocal: of the base alone.",
-        significant(noise, 1)
+        "Over f0 {}. Standard error of a mean FLIP: {} at most. Furnace max: largest |albedo − 1| of a white base over the roughnesses and μ of the \
+         tables of the furnace, below. Perceptual RMS: the root of the mean square of the same departures, weighted over μ by what is seen of \
+         them, as by lobefit fit --weight perceptual. To reciprocal: FLIP of the same pictures against Kelemen-Szirmay-Kalos, which is reciprocal \
+         and exact in energy too; how far the two exact ones are apart is what choosing between them changes. Ops: operations of a channel that \
+         the coupling adds to those of the lobe; texels: what lobe and coupling read. Reciprocity: the largest |f(l, v) − f(v, l)| of the base \
+         alone over the mean of their sizes, as measured; 1e−14 and less is rounding. Ours in black: constants fitted for the largest error, or, where it says \
+         so, for the perceptual RMS.",
+        list(&ranking.f0),
+        bound(noise, 1)
     );
     let mut table = words::table(&columns, ranking.rows.iter().enumerate().map(row).collect(), &caption);
     table.muted = ranking.rows.iter().map(|r| !r.ours).collect();
@@ -108,14 +119,15 @@ fn ranks(ranking: &Ranking, by: impl Fn(&Ranked) -> f64) -> Vec<usize> {
 
 /// Where the orders differ, in words.
 fn disagreement(ranking: &Ranking) -> String {
-    let rows: Vec<&Ranked> =
-        ranking.rows.iter().filter(|r| r.flip > 0.0 && r.furnace_max > NOTHING).collect();
+    let compared = |r: &&Ranked| r.flip > 0.0 && r.furnace_max > NOTHING && r.flip <= r.flip_reciprocal;
+    let rows: Vec<&Ranked> = ranking.rows.iter().filter(compared).collect();
     let pairs = rows.len() * rows.len().saturating_sub(1) / 2;
     let by_max = reversed(&rows, |r| r.furnace_max);
     let by_weight = reversed(&rows, |r| r.perceptual);
     let counted = format!(
-        "Of {pairs} pairs of inexact couplings (without those that are nearer to the reciprocal reference), the largest departure orders {} \
-         otherwise than FLIP does, the perceptual RMS {}",
+        "Of the {pairs} pairs of the {} inexact couplings that are not nearer to Kelemen-Szirmay-Kalos than to the reference, the largest \
+         departure orders {} otherwise than FLIP does, the perceptual RMS {}",
+        rows.len(),
         by_max.len(),
         by_weight.len(),
     );

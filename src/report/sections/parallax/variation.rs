@@ -2,8 +2,8 @@
 
 use super::super::{figures, words};
 use crate::report::{
-    Block, Dot, HeatMap, ParallaxLobe, ReportError, Scatter, Section, Spread, VariationFinding, VariationRow,
-    check,
+    Block, Dot, HeatMap, ParallaxLobe, ReportError, Scatter, Section, Shade, Spread, VariationFinding,
+    VariationRow, check, numbers,
 };
 
 const COLUMNS: [(&str, bool); 8] = [
@@ -87,16 +87,25 @@ fn row(v: &VariationFinding) -> Vec<String> {
     out
 }
 
-/// The map of the least total variation.
+/// The maps of the least total variation: all of it, and on a scale of the cells that one fetch can serve.
 fn least(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
     let field = words::labelled(&lobe.least);
-    let map = HeatMap {
-        marks: lobe.saturated.clone(),
-        size: (420.0, 300.0),
-        ..HeatMap::of("total variation of the best width", &field)
+    let open = |v: &VariationFinding| {
+        [&v.nearer, &v.farther].into_iter().flatten().map(|row| row.max).reduce(f64::max)
     };
+    let served = lobe.variations.last().and_then(open).filter(|max| *max > 0.0);
+    let map = |title: &str| HeatMap {
+        marks: lobe.saturated.clone(),
+        size: (360.0, 280.0),
+        ..HeatMap::of(title, &field)
+    };
+    let mut maps = vec![map("total variation of the best width")];
+    maps.extend(served.map(|max| HeatMap {
+        shade: Shade::Magnitude { min: 0.0, max: numbers::round_up(max, 1), spread: Spread::Linear },
+        ..map("the same, up to the largest not saturated")
+    }));
     figures(
-        &[map],
+        &maps,
         "What the best single fetch leaves. Rings: saturated, α′ = 1; beyond, a wider lobe is asked for than there is, and no choice of \
          α′ helps.",
     )

@@ -12,12 +12,13 @@ override b4: f32 = 2.7393408;
 override b5: f32 = 27.387514;
 
 /// Coupling factor of a white diffuse base under a GGX lobe that is multiplied by 1 + f0 (1/E - 1): what that leaves (Schlick's Fresnel).
-/// Twenty-five operations: forms of E - 1 and of the share B/E.
-fn coupling_compensated_25(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
+/// Twenty-four operations: forms of E - 1 and of the share B/E.
+fn coupling_compensated_24(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
     let inverse = 1.0 / (mu + k * alpha);
     let layer = inverse * (c2 + c3 * roughness + c4 * inverse);
     let gain = alpha * (c0 + mu * (c1 + layer));
     let share = 1.0 / (b0 + mu * (b1 + mu * (b2 + b3 * mu)) + alpha * (b4 + b5 * roughness));
-    let left = (1.0 - f0) * (1.0 - share);
-    return left - (1.0 - f0) * gain * (1.0 - left);
+    let through = 1.0 - f0;
+    let left = 1.0 - share;
+    return through * (left - gain * (1.0 - through * left));
 }

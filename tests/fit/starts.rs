@@ -1,7 +1,7 @@
 //! Starts whose signs are not those declared, and ties among the best.
 #![allow(clippy::disallowed_methods)]
 
-mod fit_support;
+use crate::fit_support;
 
 use fit_support::parse;
 use lobefit::fit::{Condition, Constraint, Goal, Options, Samples, optimise};
