@@ -178,7 +178,13 @@ mod tests {
     #[test]
     fn the_built_in_scene_is_estimated_within_a_factor_of_one_and_a_half() {
         let plan = crate::plan::plan(&Scene::built_in().expect("the built-in scene"));
-        let measured = [("reflection", 9.2), ("anisotropy", 6.3), ("glass", 6.1), ("diffuse-coupling", 6.9)];
+        let measured = [
+            ("reflection", 9.2),
+            ("anisotropy", 6.3),
+            ("glass", 6.1),
+            ("diffuse-coupling", 6.9),
+            ("parallax", 0.9),
+        ];
         let within = |estimate: f64, measured: f64| (measured / 1.5..measured * 1.5).contains(&estimate);
         assert_eq!(plan.effects.len(), measured.len());
         for (effect, (name, seconds)) in plan.effects.iter().zip(measured) {

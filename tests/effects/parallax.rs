@@ -103,3 +103,18 @@ fn certified(fit: &lobefit::effects::reflection::Fit) -> Certified {
     let (cost, certificate) = (&fit.approximation.cost, &fit.approximation.certificate);
     Certified { ops: cost.ops, max: certificate.max_abs, rms: certificate.rms }
 }
+
+/// Corrections compose: a fetch of a fetch is that of the product of the ratios. The rational form has that exactly.
+#[test]
+fn the_rational_form_is_a_flow() {
+    let hypothesis = Hypothesis::parse(HYPOTHESES[0].file, HYPOTHESES[0].source).expect("parses");
+    let width = |alpha: f64, rho: f64| {
+        hypothesis.tape().evaluate(&[vec![alpha], vec![rho]], &[1.0]).expect("finite")[0]
+    };
+    for alpha in [1e-4, 0.01, 0.2, 0.6, 1.0] {
+        for (first, second) in [(0.3, 0.2), (0.5, 1.6), (0.1, 9.0), (0.9, 1.05)] {
+            let (twice, once) = (width(width(alpha, first), second), width(alpha, first * second));
+            assert!((twice - once).abs() <= 1e-12 * once, "{alpha} {first} {second}: {twice} {once}");
+        }
+    }
+}
