@@ -76,7 +76,7 @@ pub(super) fn effect(scene: &Scene, jobs: &[ParallaxJob]) -> Option<Effect> {
     }
     let because = looked_up(scene).map(|(_, probe, range)| because(scene, probe, range)).collect();
     let summaries = jobs.iter().map(summary).collect();
-    Some(Effect::new(EffectName::Parallax, because, summaries, work::REPORT_S))
+    Some(Effect::new(EffectName::Parallax, because, summaries, work::PARALLAX_REPORT_S))
 }
 
 fn because(scene: &Scene, probe: &Probe, range: [f64; 2]) -> String {

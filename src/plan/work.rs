@@ -40,8 +40,8 @@ const SHEEN_FIT_S: f64 = 0.15;
 const COUPLING_TRUTH_S: f64 = 3.3;
 const COUPLING_FIT_S: f64 = 0.2;
 /// Seconds of the truths of the fits of a lookup and of their grid, and of one of the fits with its total variation there.
-const PARALLAX_TRUTH_S: f64 = 1.2;
-const PARALLAX_FIT_S: f64 = 0.1;
+const PARALLAX_TRUTH_S: f64 = 0.35;
+const PARALLAX_FIT_S: f64 = 0.02;
 
 /// Seconds of a sampled texel of the azimuth mean of an anisotropic lobe: integrated for 1e-6 on Chebyshev nodes, interpolated,
 /// encoded. This and the next five from bakes of the path tracer's and of the default sizes beside one of 8x8x4.
@@ -63,6 +63,8 @@ const JUDGED_GLASS_S: f64 = 0.3;
 pub(super) const REPORT_S: f64 = 0.7;
 /// The same of each of the effects whose tables have three axes.
 const VOLUME_REPORT_S: f64 = 0.3;
+/// The same of lookups.
+pub(super) const PARALLAX_REPORT_S: f64 = 0.2;
 /// Seconds of the study of what ignoring the azimuth costs.
 const AZIMUTH_STUDY_S: f64 = 2.5;
 

@@ -61,11 +61,17 @@ impl Grid {
         rho: [f64; 2],
         count: [usize; 2],
     ) -> Result<Grid, IntegrateError> {
-        let part = |i: usize, n: usize| i as f64 / (n.max(2) - 1) as f64;
         let lerp = |[low, high]: [f64; 2], t: f64| low + (high - low) * t;
+        // the ends are those given, not what their logarithms round to
+        let at = |range: [f64; 2], i: usize, n: usize, between: &dyn Fn([f64; 2], f64) -> f64| match i {
+            0 => range[0],
+            last if last + 1 == n => range[1],
+            _ => between(range, i as f64 / (n - 1) as f64).clamp(range[0], range[1]),
+        };
         let one = |i: usize| {
-            let roughness = lerp(roughness, part(i / count[1], count[0]));
-            let rho = ops::exp2(lerp(rho.map(ops::log2), part(i % count[1], count[1])));
+            let roughness = at(roughness, i / count[1], count[0], &lerp);
+            let geometric = |range: [f64; 2], t: f64| ops::exp2(lerp(range.map(ops::log2), t));
+            let rho = at(rho, i % count[1], count[1], &geometric);
             let alpha = alpha_map.alpha(roughness);
             let (best, saturated) = footprint::best(kernel, alpha, rho)?;
             let least = measures(kernel, alpha, rho, best)?;
