@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::Use;
 use lobefit::integrate::footprint::{adjusted, measures};
+use lobefit::math::ops;
 use lobefit::optics::kernel::Kernel;
 use lobefit::plan::{EffectName, Plan, plan};
 use lobefit::scene::Scene;
@@ -85,7 +86,7 @@ fn certificates_of_widths_hold() {
         let mut worst = 0.0_f64;
         for i in 0..=12 {
             for j in 0..=14 {
-                let (r, rho) = (0.1 + 0.075 * i as f32, 0.0625 * 2_f32.powf(0.5 * j as f32));
+                let (r, rho) = (0.1 + 0.075 * i as f32, (0.0625 * ops::exp2(0.5 * f64::from(j))) as f32);
                 let (r, alpha) = (r.min(1.0), r.min(1.0) * r.min(1.0));
                 let truth =
                     adjusted(Kernel::HalfCosine, f64::from(alpha), f64::from(rho), 1e-6).expect("a truth");
@@ -164,25 +165,28 @@ fn a_promise_on_the_total_variation_is_kept_or_told() {
 /// The whole domain of the quantity, and next to nothing of it, with every map of roughness.
 #[test]
 fn ranges_may_be_as_wide_as_the_quantity_and_as_narrow_as_a_point() {
-    for map in ["roughness", "roughness^2", "roughness^4"] {
-        for probe in [
+    for (map, probe) in [
+        (
+            "roughness^2",
             r#"{"name": "p", "roughness": [0, 1], "rho": [1e-6, 1e3], "norms": ["max"], "mips": {"map": "log", "count": 16}}"#,
-            r#"{"name": "p", "kernel": "half", "roughness": 0.5, "rho": 1e3, "norms": ["rms"]}"#,
-            r#"{"name": "p", "kernel": "ndf", "roughness": 1, "rho": 1e-6, "norms": ["rms"]}"#,
-        ] {
-            let json =
-                format!(r#"{{"schema_version": 1, "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#);
-            let Ok(scene) = Scene::from_json(json.as_bytes(), "test.json") else {
-                assert!(
-                    probe.contains("\"rho\": 1e3"),
-                    "{map}: {probe}: only a thousand times as far is saturated"
-                );
-                continue;
-            };
-            let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent);
-            let baked = baked.unwrap_or_else(|e| panic!("{map}: {probe}: {e}"));
-            let emitted = baked.fits.iter().filter(|fit| fit.emitted);
-            assert!(emitted.map(|fit| fit.approximation.certificate.max_rel).all(f64::is_finite));
-        }
+        ),
+        ("roughness", r#"{"name": "p", "kernel": "half", "roughness": 0.5, "rho": 1, "norms": ["rms"]}"#),
+        ("roughness^4", r#"{"name": "p", "kernel": "ndf", "roughness": 1, "rho": 1e-6, "norms": ["rms"]}"#),
+    ] {
+        let json =
+            format!(r#"{{"schema_version": 1, "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#);
+        let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
+        let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent);
+        let baked = baked.unwrap_or_else(|e| panic!("{map}: {probe}: {e}"));
+        let emitted: Vec<f64> = baked
+            .fits
+            .iter()
+            .filter(|fit| fit.emitted)
+            .map(|fit| fit.approximation.certificate.max_rel)
+            .collect();
+        assert!(
+            emitted.len() >= 2 && emitted.iter().all(|error| *error < 0.06),
+            "{map}: {probe}: {emitted:?}"
+        );
     }
 }

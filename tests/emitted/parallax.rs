@@ -12,6 +12,7 @@ use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{MipChain, MipMap};
 use lobefit::emit::code::Language;
 use lobefit::fit::Hypothesis;
+use lobefit::math::ops;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use serde_json::Value;
@@ -66,7 +67,7 @@ const INPUTS: [&str; 4] = ["roughness", "alpha", "rho", "mip"];
 /// Points inside every domain and far outside of it: rays, mirrors' walls, levels that no chain has.
 static POINTS: LazyLock<Vec<[f32; 4]>> = LazyLock::new(|| {
     let roughness = (0..=40).map(|i| i as f32 / 40.0).chain([0.001, 0.03]);
-    let rho = (-20..=10).map(|i| (0.5 * f64::from(i) * std::f64::consts::LN_10).exp() as f32 * 1e-2);
+    let rho = (-20..=10).map(|i| ops::exp(0.5 * f64::from(i) * std::f64::consts::LN_10) as f32 * 1e-2);
     let rho: Vec<f32> = rho.chain([0.0, 1e-6, 0.0625, 0.5, 1.0, 2.0, 8.0, 1e3, 1e30]).collect();
     roughness
         .flat_map(|r| rho.iter().enumerate().map(move |(i, rho)| [r, r * r, *rho, r * 9.0 - (i % 2) as f32]))
@@ -164,8 +165,16 @@ fn widths_stay_in_their_range_far_outside_of_their_domain() {
             assert!(rho != 1.0 || off <= allowed * f64::from(alpha), "{name} at {point:?}: {width}");
         }
         for alpha in [1e-6_f32, 0.01, 0.1, 0.3, 0.6, 1.0] {
-            let rising: Vec<[f32; 4]> =
-                (0..=600).map(|i| [alpha.sqrt(), alpha, 10_f32.powf(-6.0 + 0.015 * i as f32), 0.0]).collect();
+            let rising: Vec<[f32; 4]> = (0..=600)
+                .map(|i| {
+                    [
+                        alpha.sqrt(),
+                        alpha,
+                        ops::exp((-6.0 + 0.015 * f64::from(i)) * std::f64::consts::LN_10) as f32,
+                        0.0,
+                    ]
+                })
+                .collect();
             let widths = one.values(&rising);
             let falls = widths.windows(2).position(|pair| pair[1] < pair[0] * (1.0 - 1e-5));
             assert!(falls.is_none(), "{name}: falls at {:?}", falls.map(|i| rising[i]));
@@ -222,7 +231,9 @@ fn the_bias_of_a_logarithmic_chain_adjusts_its_level() {
             [mip, bias].map(|one| one.entry["max_mips"].as_f64().expect("a number")).iter().sum::<f64>();
         assert!(allowed < 0.2, "{allowed}");
         let points: Vec<[f32; 4]> = (2..=19)
-            .flat_map(|i| (0..=12).map(move |j| (i as f32 * 0.05, 0.0625 * 2_f32.powf(0.5 * j as f32))))
+            .flat_map(|i| {
+                (0..=12).map(move |j| (i as f32 * 0.05, (0.0625 * ops::exp2(0.5 * f64::from(j))) as f32))
+            })
             .map(|(r, rho)| [r, r * r, rho, chain.level(f64::from(r)) as f32])
             .filter(|[_, alpha, rho, _]| *rho < 0.95 * (1.0 + alpha) / (2.0 * alpha))
             .collect();

@@ -66,6 +66,9 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         fit.hypothesis = fit.hypothesis.renamed(&named(spec.kernel, fit.hypothesis.name()));
         fit.approximation.name = fit.hypothesis.name().to_string();
     }
+    for dropped in &mut set.dropped {
+        dropped.hypothesis = named(spec.kernel, &dropped.hypothesis);
+    }
     Ok(set)
 }
 

@@ -62,9 +62,9 @@ pub fn measures(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> Result<Me
 pub(super) fn variation(kernel: Kernel, target: &Lobe, rho: f64, fetch: &Lobe, narrowest: f64) -> f64 {
     let slope = |radius: f64| target.slope(radius / rho) - fetch.slope(radius);
     let energy = |radius: f64| target.encircled(radius / rho) - fetch.encircled(radius);
-    let (mut total, mut last) = (0.0, 0.0);
+    let (mut total, mut last) = (0.0_f64, 0.0_f64);
     let mut to = |extreme: f64| {
-        total += (extreme - last as f64).abs();
+        total += (extreme - last).abs();
         last = extreme;
     };
     let nodes = radii(kernel, narrowest, rho.max(1.0), STEP);
