@@ -9,6 +9,7 @@ mod includes;
 mod kept;
 mod names;
 mod opening;
+mod parallax;
 mod part;
 mod recipe;
 mod reflection;
@@ -164,6 +165,9 @@ pub fn bake(
                 let job = plan.sheen.as_ref();
                 let job = job.ok_or_else(|| BakeError::Internal("a sheen without a job".into()))?;
                 parts.push(sheen::part(scene, job, effect, &mut baked, &mut context)?);
+            }
+            EffectName::Parallax => {
+                parts.push(parallax::part(scene, &plan.parallaxes, effect, &mut baked, &mut context)?);
             }
             other => {
                 return Err(BakeError::Internal(format!("no bake of the effect {}", other.name())));

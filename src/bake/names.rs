@@ -2,8 +2,8 @@
 //! Refused before anything is integrated.
 
 use super::{BakeError, UserHypothesis};
-use crate::effects::catalogue_names;
 use crate::effects::reflection::FitStageError;
+use crate::effects::{catalogue_names, parallax};
 use crate::emit::code::Language;
 use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
 use crate::emit::{code, compensation, coupling};
@@ -12,8 +12,9 @@ use crate::fit::Hypothesis;
 /// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
 const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];
 
-/// How the functions of tables, and what they share, begin.
-const TABLES: [&str; 5] = ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_", C_HELPER_PREFIX];
+/// How the functions of tables, what they share, and those of lookups begin.
+const TABLES: [&str; 6] =
+    ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_", C_HELPER_PREFIX, parallax::PREFIX];
 
 /// Parses the user's hypotheses and refuses a name that is taken.
 pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {

@@ -8,7 +8,7 @@ use crate::plan::EffectName;
 type Note = (&'static [&'static str], &'static [&'static str]);
 
 /// The notes, in their order.
-const NOTES: [Note; 9] = [
+const NOTES: [Note; 10] = [
     (&["path_tracer_"], &["(`path_tracer_*` have a form and a map of their own, which their heads tell.)"]),
     (&["f0"], &["f0 is the reflectance at normal incidence."]),
     (&["ggx_norm_"], &["`ggx_norm_*` is N with E N = 1: multiply the specular lobe by it."]),
@@ -38,6 +38,13 @@ const NOTES: [Note; 9] = [
         &["charlie_"],
         &["`charlie_*` is E, the albedo of the sheen lobe, by which the layers below it are dimmed."],
     ),
+    (
+        &["parallax_"],
+        &[
+            "`parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its head names and no other; rho is the",
+            "distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.",
+        ],
+    ),
 ];
 
 /// The lines, of the parts that a bake has.
@@ -45,11 +52,15 @@ pub(super) fn opening(smith: Smith, alpha: AlphaMap, parts: &[Part]) -> Vec<Stri
     let names: Vec<&str> = parts.iter().map(|p| p.effect.name()).collect();
     let mut out = vec![String::new(), format!("Effects: {}", names.join(", "))];
     let sheen = |part: &&Part| part.effect == EffectName::Sheen;
-    if parts.iter().any(|part| !sheen(&part)) {
+    let smith_less = |part: &Part| matches!(part.effect, EffectName::Sheen | EffectName::Parallax);
+    if parts.iter().any(|part| !smith_less(part)) {
         out.push(format!("GGX lobe, smith: {}; alpha = {}", smith.name(), alpha.name()));
     }
     if parts.iter().any(|part| sheen(&part)) {
         out.push(format!("Charlie sheen lobe; alpha = {}", alpha.name()));
+    }
+    if parts.iter().any(|part| part.effect == EffectName::Parallax) {
+        out.push(format!("Prefiltered probes; alpha = {}", alpha.name()));
     }
     out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, mu the cosine between normal".into());
     out.push("and view.".into());

@@ -29,6 +29,8 @@ Quantities (input columns: appended columns):
   ggx-glass             alpha, mu, ior, side (outside or inside): R, T, E, loss, error
   sheen-charlie         alpha, mu: E, error (E exceeds 1 at grazing where alpha is below 0.2; it has no Smith form)
   diffuse-coupling      alpha, mu, f0, specular (single, normalised or compensated): factor, error
+  parallax-alpha        alpha, rho (distance of the shading point over that of the probe), kernel (ndf, half or half-cosine; half-cosine
+                        without it): alpha_adjusted, tv, saturated (0 or 1), error
 alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass, [1e-6, 1] for sheen);
 mu is in [0, 1] (from 1e-6 for glass), ior in [1, 4], f0 in [0, 1]; Monte Carlo takes no zeros (but mu of sheen). Other
 columns are kept as they are. `error` bounds the distance of every value from the truth; with Monte Carlo it is four

@@ -9,6 +9,7 @@ mod cost;
 mod decode;
 mod layout;
 mod lobe;
+mod mips;
 mod norm;
 mod table;
 
@@ -20,5 +21,6 @@ pub use cost::Cost;
 pub use decode::Decode;
 pub use layout::{Layout, Serves, VolumeLayout};
 pub use lobe::{AlphaMap, Smith};
+pub use mips::{LOG_SCALE, MipChain, MipMap};
 pub use norm::Norm;
 pub use table::{Channel, Table, TableError, TexelFormat};

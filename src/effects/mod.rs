@@ -9,6 +9,7 @@ mod entry;
 mod fitted;
 pub mod glass;
 mod keeps;
+pub mod parallax;
 mod quantity;
 pub mod reflection;
 pub mod sheen;

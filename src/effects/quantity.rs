@@ -4,7 +4,8 @@ use crate::data::Smith;
 use crate::integrate::coupling::Specular;
 use crate::integrate::glass::Side;
 use crate::integrate::monte_carlo::{self, Run};
-use crate::integrate::{IntegrateError, aniso, coupling, glass, reflection, sheen};
+use crate::integrate::{IntegrateError, aniso, coupling, footprint, glass, reflection, sheen};
+use crate::optics::kernel::Kernel;
 
 /// What an input may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,8 +82,12 @@ const SPECULAR: Input = Input {
     optional: false,
 };
 
+/// The lobe that a chain is prefiltered with; without it, the half-angle lobe weighted by the cosine.
+const KERNEL: Input =
+    Input { name: "kernel", values: Values::Words(&["ndf", "half", "half-cosine"]), optional: true };
+
 /// Every quantity of this version.
-pub static QUANTITIES: [Quantity; 6] = [
+pub static QUANTITIES: [Quantity; 7] = [
     Quantity { name: "ggx-reflection", inputs: &[ALPHA, MU], outputs: &["E", "A", "B", "loss", "error"] },
     Quantity {
         name: "ggx-reflection-aniso",
@@ -105,6 +110,11 @@ pub static QUANTITIES: [Quantity; 6] = [
         inputs: &[ALPHA, MU, number("f0", 0.0, 1.0), SPECULAR],
         outputs: &["factor", "error"],
     },
+    Quantity {
+        name: "parallax-alpha",
+        inputs: &[ALPHA, number("rho", footprint::RHO[0], footprint::RHO[1]), KERNEL],
+        outputs: &["alpha_adjusted", "tv", "saturated", "error"],
+    },
 ];
 
 impl Quantity {
@@ -123,6 +133,11 @@ impl Quantity {
         &QUANTITIES[5]
     }
 
+    /// `parallax-alpha`.
+    pub fn parallax_alpha() -> &'static Quantity {
+        &QUANTITIES[6]
+    }
+
     /// The quantity of a name.
     pub fn find(name: &str) -> Option<&'static Quantity> {
         QUANTITIES.iter().find(|q| q.name == name)
@@ -135,13 +150,14 @@ impl Quantity {
             "ggx-glass" => glass::TOLERANCE,
             "sheen-charlie" => sheen::TOLERANCE,
             "diffuse-coupling" => coupling::TOLERANCE,
+            "parallax-alpha" => footprint::TOLERANCE,
             _ => reflection::TOLERANCE,
         }
     }
 
-    /// Whether it has a Smith form: the visibility of a sheen has none.
+    /// Whether it has a Smith form: the visibility of a sheen has none, nor have footprints on a wall.
     pub fn has_smith(&self) -> bool {
-        self.name != "sheen-charlie"
+        !matches!(self.name, "sheen-charlie" | "parallax-alpha")
     }
 
     /// The smallest alpha above 0 at which there is a truth; at 0 itself, a mirror, there may be one all the same.
@@ -150,6 +166,7 @@ impl Quantity {
             "ggx-glass" => glass::ALPHA[0],
             "ggx-reflection-aniso" => aniso::ALPHA[0],
             "sheen-charlie" => sheen::SMALLEST_ALPHA,
+            "parallax-alpha" => footprint::SMALLEST_ALPHA,
             _ => reflection::SMALLEST_ALPHA,
         }
     }
@@ -192,6 +209,10 @@ impl Quantity {
                 let v = coupling::coupling(smith, x[0], x[1], x[2], specular(x[3]), tolerance)?;
                 vec![v.value, v.error]
             }
+            "parallax-alpha" => {
+                let v = footprint::adjusted(kernel(x[2]), x[0], x[1], tolerance)?;
+                vec![v.alpha, v.tv, f64::from(u8::from(v.saturated)), v.error]
+            }
             _ => {
                 let v = reflection::average(smith, x[0], tolerance)?;
                 vec![v.e_avg, v.loss_avg, v.error]
@@ -219,6 +240,13 @@ impl Quantity {
             "diffuse-coupling" => {
                 vec![monte_carlo::coupling(smith, x[0], x[1], x[2], specular(x[3]), run)?]
             }
+            "parallax-alpha" => {
+                return Err(IntegrateError::Option {
+                    option: "method",
+                    value: "monte-carlo".into(),
+                    must: "is not to be had of parallax-alpha, a minimum and not an integral: leave it out",
+                });
+            }
             _ => {
                 let (e, loss) = monte_carlo::average(smith, x[0], run)?;
                 vec![e, loss]
@@ -238,6 +266,11 @@ fn side(index: f64) -> Side {
     if index == 0.0 { Side::Outside } else { Side::Inside }
 }
 
+/// The lobe of a word's index.
+fn kernel(index: f64) -> Kernel {
+    given(index).map_or(Kernel::default(), |index| Kernel::ALL[index as usize])
+}
+
 /// The specular lobe of a word's index.
 fn specular(index: f64) -> Specular {
     match index as usize {
@@ -255,5 +288,6 @@ mod tests {
     fn quantities_are_where_they_are_looked_for() {
         assert_eq!(Quantity::ggx_reflection().name, "ggx-reflection");
         assert_eq!(Quantity::sheen_charlie().name, "sheen-charlie");
+        assert_eq!(Quantity::parallax_alpha().name, "parallax-alpha");
     }
 }

@@ -41,6 +41,9 @@ pub struct Entries {
     pub fits: Vec<Value>,
     /// Hypotheses of the catalogue without a reliable fit in this scene: [`FitLeftOut`].
     pub fits_left_out: Vec<Value>,
+    /// Functions of the levels of prefiltered chains: [`MipEntry`].
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub mips: Vec<Value>,
     /// Pages and their data: [`Report`].
     pub reports: Vec<Value>,
 }
@@ -51,15 +54,17 @@ impl Entries {
         self.tables.extend_from_slice(&other.tables);
         self.fits.extend_from_slice(&other.fits);
         self.fits_left_out.extend_from_slice(&other.fits_left_out);
+        self.mips.extend_from_slice(&other.mips);
         self.reports.extend_from_slice(&other.reports);
     }
 
     /// The lists with their names, to be filtered alike.
-    pub fn lists(&mut self) -> [(&'static str, &mut Vec<Value>); 4] {
+    pub fn lists(&mut self) -> [(&'static str, &mut Vec<Value>); 5] {
         [
             ("tables", &mut self.tables),
             ("fits", &mut self.fits),
             ("fits_left_out", &mut self.fits_left_out),
+            ("mips", &mut self.mips),
             ("reports", &mut self.reports),
         ]
     }
@@ -179,6 +184,12 @@ pub struct FitEntry {
     /// Largest error over all f0 in [0, 1], whatever the certificate's are; none of formulas that do not depend on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub any_f0: Option<AnyF0Entry>,
+    /// The lobe that a chain is prefiltered with; none of other quantities.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kernel: Option<&'static str>,
+    /// Total variation between the footprint wanted and the one fetched; none of other quantities.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub total_variation: Option<VariationEntry>,
     /// Where a coupling is proven to have no pole and no value below 0, by input.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safe: Option<BTreeMap<String, [f64; 2]>>,
@@ -199,6 +210,62 @@ pub struct AnyF0Entry {
     pub places: u64,
     /// Values of f0 there: `every f0` where the error is a parabola in it, or `17 values of f0`.
     pub looked_at: String,
+}
+
+/// Total variation over the cells of a grid whose fetches are not saturated, of a fit and of the best width in every cell.
+#[derive(Clone, Debug, Serialize)]
+pub struct VariationEntry {
+    /// Where the shading point is nearer than the probe, rho < 1; none without such cells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nearer: Option<SpreadEntry>,
+    /// Where it is farther, rho > 1; none without such cells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub farther: Option<SpreadEntry>,
+}
+
+/// Total variation over some cells.
+#[derive(Clone, Debug, Serialize)]
+pub struct SpreadEntry {
+    /// Mean.
+    pub mean: f64,
+    /// Largest.
+    pub max: f64,
+    /// Where that is.
+    pub at: Place,
+    /// The mean that the best widths leave.
+    pub least_mean: f64,
+    /// The largest that they leave.
+    pub least_max: f64,
+    /// Number of cells.
+    pub cells: usize,
+}
+
+/// A function of the levels of a prefiltered chain.
+#[derive(Clone, Debug, Serialize)]
+pub struct MipEntry {
+    /// Effect that called for it.
+    pub effect: &'static str,
+    /// Function in the emitted code.
+    pub function: String,
+    /// What it gives: `mip`, `roughness`, `adjusted-mip`, `mip-bias`.
+    pub gives: &'static str,
+    /// Argument names in order, of `mip`, `rho`, `roughness`, `alpha`.
+    pub inputs: Vec<String>,
+    /// The chain, in words.
+    pub chain: String,
+    /// Roughness to alpha.
+    pub alpha_map: &'static str,
+    /// The lobe that the chain is prefiltered with; none of functions that do not depend on it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kernel: Option<&'static str>,
+    /// Coefficients by parameter.
+    pub coefficients: BTreeMap<String, f32>,
+    /// Largest error in levels, of `roughness` there and back.
+    pub max_mips: f64,
+    /// Where it is.
+    pub at: Place,
+    /// Operations.
+    pub ops: u32,
 }
 
 /// Cost of an evaluation.
@@ -336,6 +403,8 @@ impl FitEntry {
             certificate: approximation.certificate.clone(),
             specular: None,
             any_f0: None,
+            kernel: None,
+            total_variation: None,
             safe: None,
             cost: CostEntry::new(approximation),
             source: approximation.source.text().to_string(),
@@ -353,6 +422,11 @@ impl FitEntry {
         safe: Option<BTreeMap<String, [f64; 2]>>,
     ) -> FitEntry {
         FitEntry { specular: Some(specular), any_f0: Some(any_f0), safe, ..self }
+    }
+
+    /// The entry of a width to fetch from a chain of this kernel.
+    pub fn fetching(self, kernel: &'static str, total_variation: VariationEntry) -> FitEntry {
+        FitEntry { kernel: Some(kernel), total_variation: Some(total_variation), ..self }
     }
 }
 

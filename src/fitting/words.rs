@@ -65,7 +65,7 @@ pub(super) fn metric(used_as: Use) -> &'static str {
         Use::Normalisation => "furnace error |E N - 1|",
         Use::F0Blend => "error of f0 A + B, for the worst f0",
         Use::Coupling => "error of the coupling factor",
-        Use::Parallax => "error of the adjusted roughness",
+        Use::Parallax => "relative error of the adjusted alpha",
     }
 }
 

@@ -4,6 +4,7 @@ pub mod aniso;
 pub mod coupling;
 mod error;
 mod estimate;
+pub mod footprint;
 pub mod glass;
 pub mod monte_carlo;
 mod path;

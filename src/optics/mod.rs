@@ -3,5 +3,6 @@
 pub mod diffuse;
 pub mod fresnel;
 pub mod ggx;
+pub mod kernel;
 pub mod multiscatter;
 pub mod sheen;

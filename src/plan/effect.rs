@@ -81,7 +81,7 @@ pub struct JobSummary {
 pub struct Effect {
     /// Its name.
     pub effect: EffectName,
-    /// The materials that call for it, and why: one sentence each.
+    /// The materials or probes that call for it, and why: one sentence each.
     pub because: Vec<String>,
     /// Hull of the jobs' domains, by input.
     pub ranges: BTreeMap<&'static str, [f64; 2]>,

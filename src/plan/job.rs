@@ -1,9 +1,10 @@
 //! The jobs of a plan: plain values that name everything the work needs.
 
 use super::effect::EffectName;
-use crate::data::{AlphaMap, Smith, TexelFormat};
+use crate::data::{AlphaMap, MipChain, Smith, TexelFormat};
 use crate::integrate::coupling::Specular;
 use crate::integrate::glass::Side;
+use crate::optics::kernel::Kernel;
 use crate::scene::{Layout, Norm, Serves, VolumeLayout};
 
 /// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no second
@@ -150,7 +151,7 @@ impl VolumeJob {
 /// A limit on an error, and where the scene sets it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// Name of the material.
+    /// Name of the material or probe.
     pub material: String,
     /// The field, as `materials[0].wants.fit.max_error`; of a table whose size is not given it may be a default.
     pub field: String,
@@ -162,12 +163,13 @@ fn listed<'a>(limits: impl Iterator<Item = &'a Limit>) -> String {
     limits.map(|l| format!("{} ({})", l.material, l.field)).collect::<Vec<_>>().join(", ")
 }
 
-/// A limit that a material sets: one emitted normalisation, or fit of the sheen or of a coupling, of at most `max_ops` operations within `max_error`.
+/// A limit that a material or a probe sets: one emitted normalisation, or fit of the sheen, of a coupling or of a lookup, of at most `max_ops` operations within `max_error`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitPromise {
     /// Most operations; `None`: any.
     pub max_ops: Option<u32>,
-    /// Largest furnace error |E N - 1|; of the sheen, largest error of E; of a coupling, largest error of the factor.
+    /// Largest furnace error |E N - 1|; of the sheen, largest error of E; of a coupling, largest error of the factor; of a lookup, largest
+    /// total variation.
     pub max_error: f64,
     /// Names of the materials that ask for it.
     pub materials: Vec<String>,
@@ -256,6 +258,30 @@ pub struct CouplingJob {
     /// The strictest error of the promises, for summaries; what must hold are the `promises`.
     pub max_error: Option<f64>,
     /// What must hold of the emitted fits, each by itself: `max_error` is of the factor here.
+    pub promises: Vec<FitPromise>,
+    /// Errors to minimise, in the order max, rms.
+    pub norms: Vec<Norm>,
+}
+
+/// The fits of the width of a fetch from chains that are prefiltered with one kind of lobe: one job for all probes of the scene that have
+/// that, merged as [`FitJob`] is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParallaxJob {
+    /// The lobe.
+    pub kernel: Kernel,
+    /// How roughness becomes alpha.
+    pub alpha_map: AlphaMap,
+    /// Roughness domain, at least `ROUGHNESS_WIDTH_MIN` wide.
+    pub roughness: [f64; 2],
+    /// Domain of the ratio of distances, its ends at least 1 % apart.
+    pub rho: [f64; 2],
+    /// The different chains of levels, in the order of the probes.
+    pub chains: Vec<MipChain>,
+    /// Most operations of an emitted fit; `None`: any.
+    pub max_ops: Option<u32>,
+    /// The strictest error of the promises, for summaries; what must hold are the `promises`.
+    pub max_error: Option<f64>,
+    /// What must hold of the emitted fits, each by itself: `max_error` is of the total variation here, where a fetch is not saturated.
     pub promises: Vec<FitPromise>,
     /// Errors to minimise, in the order max, rms.
     pub norms: Vec<Norm>,

@@ -15,9 +15,9 @@ pub(super) fn reason(effect: EffectName, scene: &Scene) -> String {
         EffectName::Anisotropy => return no_anisotropy(scene),
         EffectName::Glass => return no_glass(scene),
         EffectName::Sheen => return no_sheen(scene),
+        EffectName::Parallax => return no_parallax(scene),
         EffectName::Clearcoat => "has a clear coat",
         EffectName::OrenNayar => "has a rough diffuse base",
-        EffectName::Parallax => "calls for it: the scene has no probe",
         EffectName::Occlusion => "has an occlusion map",
     };
     format!("no material {lacks}")
@@ -78,6 +78,16 @@ fn no_sheen(scene: &Scene) -> String {
     }
     let of = if sheens.len() == 1 { "the sheen of" } else { "the sheens of" };
     format!("no sheen is rough: {of} {}", stay_smooth(&sheens))
+}
+
+fn no_parallax(scene: &Scene) -> String {
+    let Some(first) = scene.probes.first() else { return "the scene has no probe".into() };
+    let more = scene.probes.len() - 1;
+    let (of, stay) = match more {
+        0 => (format!("`{}`", first.name), "stays"),
+        _ => (format!("`{}` and {more} more", first.name), "stay"),
+    };
+    format!("no probe is looked up with a rough lobe: {of} {stay} below alpha 0.0001, which is smooth")
 }
 
 fn no_coupling(scene: &Scene) -> String {

@@ -6,6 +6,7 @@ mod effect;
 mod job;
 mod left_out;
 mod merge;
+mod parallax;
 mod reflection;
 mod sheen;
 mod volumes;
@@ -13,7 +14,8 @@ mod work;
 
 pub use effect::{Effect, EffectName, JobSummary, LeftOut};
 pub use job::{
-    CouplingJob, FitJob, FitPromise, JUDGED_MU, Limit, SheenJob, TableJob, VolumeJob, VolumeSpan, VolumeTable,
+    CouplingJob, FitJob, FitPromise, JUDGED_MU, Limit, ParallaxJob, SheenJob, TableJob, VolumeJob,
+    VolumeSpan, VolumeTable,
 };
 
 use serde::Serialize;
@@ -47,6 +49,10 @@ pub struct Plan {
     /// [`Specular::ALL`](crate::integrate::coupling::Specular::ALL).
     #[serde(skip)]
     pub couplings: Vec<CouplingJob>,
+    /// The fits of the probes' lookups, one job for each kind of lobe that a chain is prefiltered with, in the order of
+    /// [`Kernel::ALL`](crate::optics::kernel::Kernel::ALL).
+    #[serde(skip)]
+    pub parallaxes: Vec<ParallaxJob>,
 }
 
 /// Plans a validated scene.
@@ -56,6 +62,7 @@ pub fn plan(scene: &Scene) -> Plan {
     let volumes = volumes::volumes(scene);
     let sheen = sheen::job(scene);
     let couplings = coupling::jobs(scene);
+    let parallaxes = parallax::jobs(scene);
     let effects: Vec<Effect> = EffectName::ALL
         .into_iter()
         .filter_map(|name| match name {
@@ -63,6 +70,7 @@ pub fn plan(scene: &Scene) -> Plan {
             EffectName::Anisotropy | EffectName::Glass => volumes::effect(scene, &volumes, name),
             EffectName::DiffuseCoupling => coupling::effect(scene, &couplings),
             EffectName::Sheen => sheen.as_ref().map(|job| sheen::effect(scene, job)),
+            EffectName::Parallax => parallax::effect(scene, &parallaxes),
             _ => None,
         })
         .collect();
@@ -72,7 +80,7 @@ pub fn plan(scene: &Scene) -> Plan {
         .map(|name| LeftOut { effect: name, reason: left_out::reason(name, scene) })
         .collect();
     let (schema_version, scene) = (1, scene.name.clone());
-    Plan { schema_version, scene, effects, left_out, tables, fit, volumes, sheen, couplings }
+    Plan { schema_version, scene, effects, left_out, tables, fit, volumes, sheen, couplings, parallaxes }
 }
 
 impl Plan {

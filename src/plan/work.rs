@@ -3,10 +3,10 @@
 //! An estimate for people who wait, not a promise: counts are those of the jobs' main loops; times are CPU seconds of a
 //! release build on one core, from bakes of scenes that differ in one job, and vary by half with the load beside them.
 
-use super::job::{CouplingJob, FitJob, SheenJob, TableJob, VolumeJob, VolumeSpan};
+use super::job::{CouplingJob, FitJob, ParallaxJob, SheenJob, TableJob, VolumeJob, VolumeSpan};
 use crate::data::{Layout, Serves, VolumeLayout};
 use crate::effects::reflection::{AVERAGES, BLENDS, NORMALISATIONS, RIVALS, SEEDS};
-use crate::effects::{coupling, sheen};
+use crate::effects::{coupling, parallax, sheen};
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -39,6 +39,9 @@ const SHEEN_FIT_S: f64 = 0.15;
 /// Seconds of the truths of the fits of a coupling and of their pictures, and of one of the fits.
 const COUPLING_TRUTH_S: f64 = 3.3;
 const COUPLING_FIT_S: f64 = 0.2;
+/// Seconds of the truths of the fits of a lookup and of their grid, and of one of the fits with its total variation there.
+const PARALLAX_TRUTH_S: f64 = 0.35;
+const PARALLAX_FIT_S: f64 = 0.02;
 
 /// Seconds of a sampled texel of the azimuth mean of an anisotropic lobe: integrated for 1e-6 on Chebyshev nodes, interpolated,
 /// encoded. This and the next five from bakes of the path tracer's and of the default sizes beside one of 8x8x4.
@@ -60,6 +63,8 @@ const JUDGED_GLASS_S: f64 = 0.3;
 pub(super) const REPORT_S: f64 = 0.7;
 /// The same of each of the effects whose tables have three axes.
 const VOLUME_REPORT_S: f64 = 0.3;
+/// The same of lookups.
+pub(super) const PARALLAX_REPORT_S: f64 = 0.2;
 /// Seconds of the study of what ignoring the azimuth costs.
 const AZIMUTH_STUDY_S: f64 = 2.5;
 
@@ -149,6 +154,12 @@ pub(super) fn coupling_seconds(job: &CouplingJob) -> f64 {
     COUPLING_TRUTH_S + fits as f64 * COUPLING_FIT_S
 }
 
+/// Seconds of the fits of lookups on one core.
+pub(super) fn parallax_seconds(job: &ParallaxJob) -> f64 {
+    let fits = parallax::HYPOTHESES.len() * job.norms.len() + parallax::RIVALS.len();
+    PARALLAX_TRUTH_S + fits as f64 * PARALLAX_FIT_S
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,7 +180,13 @@ mod tests {
     #[test]
     fn the_built_in_scene_is_estimated_within_a_factor_of_one_and_a_half() {
         let plan = crate::plan::plan(&Scene::built_in().expect("the built-in scene"));
-        let measured = [("reflection", 9.2), ("anisotropy", 6.3), ("glass", 6.1), ("diffuse-coupling", 6.9)];
+        let measured = [
+            ("reflection", 9.2),
+            ("anisotropy", 6.3),
+            ("glass", 6.1),
+            ("diffuse-coupling", 6.9),
+            ("parallax", 0.9),
+        ];
         let within = |estimate: f64, measured: f64| (measured / 1.5..measured * 1.5).contains(&estimate);
         assert_eq!(plan.effects.len(), measured.len());
         for (effect, (name, seconds)) in plan.effects.iter().zip(measured) {

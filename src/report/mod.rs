@@ -39,6 +39,9 @@ pub use findings::{
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
 pub use findings::{
+    ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
+};
+pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
 pub use image::{Image, luminance};
@@ -95,6 +98,20 @@ pub fn coupling_page(findings: &CouplingFindings) -> Result<Vec<File>, ReportErr
     let effect = &findings.effect.effect;
     let figures = json::document(&format!("{effect}.json"), findings)?;
     let text = html(&sections::of_coupling(findings)?)?;
+    Ok(vec![
+        file(&format!("reports/{effect}.html"), text.into_bytes()),
+        file(&format!("reports/{effect}.json"), figures),
+    ])
+}
+
+/// The same of lookups of prefiltered probes.
+///
+/// # Errors
+/// As [`page`].
+pub fn parallax_page(findings: &ParallaxFindings) -> Result<Vec<File>, ReportError> {
+    let effect = &findings.effect.effect;
+    let figures = json::document(&format!("{effect}.json"), findings)?;
+    let text = html(&sections::of_parallax(findings)?)?;
     Ok(vec![
         file(&format!("reports/{effect}.html"), text.into_bytes()),
         file(&format!("reports/{effect}.json"), figures),

@@ -10,6 +10,7 @@ use super::limits;
 use super::material::{Lobe, Material};
 use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
+use super::probe::Probe;
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word};
 use crate::data::{AlphaMap, Container, Smith};
@@ -36,6 +37,10 @@ pub struct Scene {
     pub formats: Vec<Container>,
     /// Materials in the order of the file.
     pub materials: Vec<Material>,
+    /// Probes in the order of the file.
+    // Absent where there is none: the hash of a scene without it is that of the versions before it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub probes: Vec<Probe>,
 }
 
 /// A scene: the materials that a renderer has, and what it wants of them.
@@ -65,10 +70,9 @@ struct SceneFile {
     formats: Maybe<List<Word<Container>, 4>>,
     /// The materials.
     materials: List<Material, { limits::MATERIALS }>,
-    /// Probes that capture the scene's light. No effect of this version reads them: leave the list empty.
+    /// Probes that capture the scene's light; default none.
     #[serde(default)]
-    #[allow(dead_code, reason = "reading it is the check")]
-    probes: Maybe<List<Probe, 0>>,
+    probes: Maybe<List<Probe, { limits::PROBES }>>,
 }
 
 fn exr_alone(formats: &[Container]) -> bool {
@@ -90,27 +94,6 @@ fn formats(given: Option<List<Word<Container>, 4>>) -> Result<Vec<Container>, St
     Ok(formats.into_iter().collect())
 }
 
-/// A probe: none is known yet, so none is accepted.
-struct Probe;
-
-impl<'de> Deserialize<'de> for Probe {
-    fn deserialize<D: serde::Deserializer<'de>>(_: D) -> Result<Self, D::Error> {
-        Err(serde::de::Error::custom("no effect of this version reads probes; leave the list empty"))
-    }
-}
-
-impl JsonSchema for Probe {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Probe".into()
-    }
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> Schema {
-        Schema::from(false)
-    }
-}
-
 impl Scene {
     /// Reads a scene; `file` is its name in messages.
     pub fn from_json(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
@@ -130,6 +113,7 @@ impl Scene {
             mu: parsed.mu.0.map_or(DEFAULT_MU, |s| s.0),
             formats,
             materials: parsed.materials.0,
+            probes: parsed.probes.0.map_or_else(Vec::new, |l| l.0),
         };
         scene.check().map_err(whole)?;
         Ok(scene)
@@ -167,18 +151,33 @@ impl Scene {
         }
         self.check_names()?;
         self.check_texels()?;
+        self.check_probes()?;
         self.check_hypotheses()
     }
 
     fn check_names(&self) -> Result<(), (String, String)> {
-        let mut seen = BTreeMap::new();
-        for (i, material) in self.materials.iter().enumerate() {
-            if let Some(first) = seen.insert(material.name.as_str(), i) {
-                let message = format!("`{}` is already the name of materials[{first}]", material.name);
-                return Err((format!("materials[{i}].name"), message));
+        let materials: Vec<&str> = self.materials.iter().map(|m| m.name.as_str()).collect();
+        let probes: Vec<&str> = self.probes.iter().map(|p| p.name.as_str()).collect();
+        for (list, names) in [("materials", materials), ("probes", probes)] {
+            let mut seen = BTreeMap::new();
+            for (i, name) in names.into_iter().enumerate() {
+                if let Some(first) = seen.insert(name, i) {
+                    let message = format!("`{name}` is already the name of {list}[{first}]");
+                    return Err((format!("{list}[{i}].name"), message));
+                }
             }
         }
         Ok(())
+    }
+
+    /// A probe whose every fetch is saturated has nothing to fit.
+    fn check_probes(&self) -> Result<(), (String, String)> {
+        let saturated = self.probes.iter().position(|probe| probe.is_saturated(self.alpha));
+        saturated.map_or(Ok(()), |i| {
+            let message = "every fetch is saturated there: the widest lobe is too narrow for the smallest ratio at the smallest \
+                           roughness; begin at a smaller one of them";
+            Err((format!("probes[{i}].rho"), message.into()))
+        })
     }
 
     /// Holds the texels of all different tables together to the limits, before anything is allocated.

@@ -32,6 +32,12 @@ pub const CELLS: u64 = 1 << 24;
 pub const TEXEL_BYTES: u64 = 512 << 20;
 /// Most hypothesis files of a scene, counted once per material that names them.
 pub const HYPOTHESES: usize = 256;
+/// Most probes of a scene.
+pub const PROBES: usize = 4096;
+/// Fewest levels of a prefiltered chain: roughness 0 and 1.
+pub const LEVELS_MIN: usize = 2;
+/// Most levels of a prefiltered chain: a cube of 32768 texels a side has as many.
+pub const LEVELS_MAX: usize = 16;
 /// Most operations that a fit may be allowed.
 pub const FIT_OPS: u32 = 1000;
 /// Most worker threads.

@@ -115,7 +115,8 @@ impl Material {
     }
 }
 
-fn rough_part([lo, hi]: [f64; 2], map: AlphaMap) -> Option<[f64; 2]> {
+/// The part of a roughness range whose lobe is rough.
+pub(super) fn rough_part([lo, hi]: [f64; 2], map: AlphaMap) -> Option<[f64; 2]> {
     (map.alpha(hi) >= SMOOTH_ALPHA).then(|| [lo.max(smallest_rough(map)), hi])
 }
 

@@ -7,6 +7,7 @@ mod volume_support;
 
 mod deterministic;
 mod only;
+mod parallax;
 mod regions;
 mod scenes;
 mod sheen;

@@ -111,9 +111,41 @@ fn not_a_scene() -> Vec<Case> {
         case(top("\"mu\":[0.5,0.4]"), "mu: the range [0.5, 0.4] is upside down"),
         case(top("\"mu\":[0.5]"), "mu: 1 number where 2 are called for"),
         case(top("\"mu\":[0.1,0.5,1]"), "mu: more than 2 numbers"),
+        case(top("\"probes\":[{\"name\":\"p\",\"kind\":\"box\"}]"), "probes[0].kind: unknown field `kind`"),
+        case(top("\"probes\":[{}]"), "probes[0]: missing field `name`"),
         case(
-            top("\"probes\":[{\"name\":\"p\",\"kind\":\"box\"}]"),
-            "probes[0]: no effect of this version reads probes",
+            top("\"probes\":[{\"name\":\"p\"},{\"name\":\"p\"}]"),
+            "probes[1].name: `p` is already the name of probes[0]",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"kernel\":\"ggx\"}]"),
+            "probes[0].kernel: unknown variant `ggx`",
+        ),
+        case(top("\"probes\":[{\"name\":\"p\",\"rho\":0}]"), "probes[0].rho: 0 is outside [0.000001, 1000]"),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"rho\":[2,1]}]"),
+            "probes[0].rho: the range [2, 1] is upside down",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"roughness\":1,\"rho\":[2,4]}]"),
+            "probes[0].rho: every fetch is saturated there",
+        ),
+        case(top("\"probes\":[{\"name\":\"p\",\"norms\":[]}]"), "probes[0]: norms: the list is empty"),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"mips\":{\"map\":\"linear\"}}]"),
+            "probes[0].mips: give `map` with `count`, or `levels` alone",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"mips\":{\"map\":\"log\",\"count\":2}}]"),
+            "probes[0].mips: count: a logarithmic chain",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"mips\":{\"map\":\"linear\",\"count\":17}}]"),
+            "probes[0].mips.count: 17 is outside [2, 16]",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"mips\":{\"levels\":[0,0.5,0.5]}}]"),
+            "probes[0].mips: levels: 0.5 does not follow 0.5 by 0.0001 or more",
         ),
         case(top("\"probes\":{}"), "probes: invalid type: map"),
         case("{\"schema_version\":1,\"materials\":{}}", "materials: invalid type: map"),

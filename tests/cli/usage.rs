@@ -94,11 +94,14 @@ fn plan_prints_the_keys_of_the_contract() {
         assert!(!effect[key].is_null(), "{key}");
     }
     let effects = plan["effects"].as_array().unwrap().iter().filter_map(|e| e["effect"].as_str());
-    assert_eq!(effects.collect::<Vec<_>>(), ["reflection", "anisotropy", "glass", "diffuse-coupling"]);
+    assert_eq!(
+        effects.collect::<Vec<_>>(),
+        ["reflection", "anisotropy", "glass", "diffuse-coupling", "parallax"]
+    );
     assert_eq!(effect["ranges"]["roughness"], serde_json::json!([0.02, 1.0]));
     let left: Vec<&str> =
         plan["left_out"].as_array().unwrap().iter().filter_map(|l| l["effect"].as_str()).collect();
-    assert_eq!(left, ["sheen", "clearcoat", "oren-nayar", "parallax", "occlusion"]);
+    assert_eq!(left, ["sheen", "clearcoat", "oren-nayar", "occlusion"]);
     assert!(names(folder.path()).is_empty());
 }
 

@@ -3,6 +3,7 @@
 #[path = "../rivals_support/mod.rs"]
 mod rivals_support;
 
+mod parallax;
 mod reflection_field;
 mod reflection_fits;
 mod reflection_table;

@@ -21,5 +21,6 @@ mod gpu_shaders;
 mod gpu_volume;
 mod gpu_wgsl;
 mod languages;
+mod parallax;
 mod tools;
 mod volume;

@@ -11,6 +11,7 @@ use emit_support::languages::{self, Called, FAMILY, compile, file};
 use emit_support::programs::{READ_EXR, compile_library, python, run};
 use emit_support::{Looked, Points, baked, baked_tables, emitted, manifest, other_tables, say, text};
 use lobefit::data::Serves;
+use lobefit::effects::parallax::PREFIX;
 use lobefit::effects::reflection::Fit;
 use lobefit::emit::code::Language;
 use lobefit::emit::compensation::NAMES;
@@ -43,7 +44,7 @@ fn naga_validates_the_whole_wgsl_file_and_finds_the_functions_of_the_manifest() 
 }
 
 /// The functions of a WGSL file by name, each with its whole text.
-fn functions(source: &str) -> BTreeMap<&str, &str> {
+pub fn functions(source: &str) -> BTreeMap<&str, &str> {
     let mut functions = BTreeMap::new();
     for (start, _) in source.match_indices("fn ").filter(|(i, _)| *i == 0 || source[..*i].ends_with('\n')) {
         let text = &source[start..];
@@ -55,7 +56,7 @@ fn functions(source: &str) -> BTreeMap<&str, &str> {
 }
 
 /// A function as a module of its own: the functions of the file that it calls, and theirs, before it.
-fn module(name: &str, functions: &BTreeMap<&str, &str>) -> String {
+pub fn module(name: &str, functions: &BTreeMap<&str, &str>) -> String {
     let text = functions.get(name).unwrap_or_else(|| panic!("no {name}"));
     let called = functions.keys().filter(|other| **other != name && text.contains(&format!("{other}(")));
     // A name may end in another: only a call begins where no name goes on.
@@ -78,7 +79,7 @@ fn the_wgsl_functions_read_back_have_the_bits_that_were_certified() {
         same_bits(name, &points, &points.values(fit, inputs), &found);
     }
     // What the manifest does not list as fits are the tables' reading functions, which are outside the dialect, the compensations, and
-    // what puts a base under a lobe.
+    // what puts a base under a lobe, and the lookups of probes.
     let manifest = manifest();
     let tables = manifest["tables"].as_array().expect("tables[]").iter();
     let identifiers: Vec<String> =
@@ -87,7 +88,7 @@ fn the_wgsl_functions_read_back_have_the_bits_that_were_certified() {
     let around: Vec<String> = coupling::names().collect();
     let listed = |name: &str| {
         let known = all.iter().any(|(_, known, _)| known == name);
-        known || NAMES.contains(&name) || around.iter().any(|known| known == name)
+        known || name.starts_with(PREFIX) || NAMES.contains(&name) || around.iter().any(|known| known == name)
     };
     let others: Vec<&&str> = functions.keys().filter(|name| !listed(name) && !reading(name)).collect();
     assert!(others.is_empty(), "{others:?}");

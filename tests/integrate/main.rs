@@ -3,6 +3,7 @@
 mod aniso_table;
 mod coupling;
 mod error_bound;
+mod footprint;
 mod glass_table;
 mod lobes;
 mod monte_carlo;

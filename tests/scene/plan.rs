@@ -37,8 +37,8 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
     assert_eq!(fit.promises.len(), 1);
     assert_eq!(fit.promises[0].materials, ["rough metal", "rough dielectric"]);
     let effects: Vec<EffectName> = plan.effects.iter().map(|e| e.effect).collect();
-    use EffectName::{Anisotropy, DiffuseCoupling, Glass, Reflection};
-    assert_eq!(effects, [Reflection, Anisotropy, Glass, DiffuseCoupling]);
+    use EffectName::{Anisotropy, DiffuseCoupling, Glass, Parallax, Reflection};
+    assert_eq!(effects, [Reflection, Anisotropy, Glass, DiffuseCoupling, Parallax]);
     let volumes: Vec<&str> =
         plan.volumes.iter().flat_map(|job| &job.tables).map(|table| table.name.as_str()).collect();
     assert_eq!(

@@ -326,7 +326,7 @@ fn to(text: &str) -> Result<To, String> {
 }
 
 fn used_as(text: &str) -> Result<Use, String> {
-    let uses = [Use::Value, Use::Normalisation, Use::F0Blend, Use::Coupling];
+    let uses = [Use::Value, Use::Normalisation, Use::F0Blend, Use::Coupling, Use::Parallax];
     uses.into_iter()
         .find(|u| u.name() == text)
         .ok_or_else(|| format!("the uses are {}", uses.map(Use::name).join(", ")))

@@ -61,6 +61,18 @@ impl Points {
         self
     }
 
+    /// The points that are kept, in order.
+    pub(super) fn kept(self, keep: &[bool]) -> Points {
+        let of = |column: Vec<f32>| {
+            column.into_iter().zip(keep).filter(|(_, keep)| **keep).map(|(x, _)| x).collect()
+        };
+        let uniform = keep[..self.uniform].iter().filter(|keep| **keep).count();
+        Points {
+            columns: self.columns.into_iter().map(|(name, column)| (name, of(column))).collect(),
+            uniform,
+        }
+    }
+
     fn of_set(set: PointSet) -> Points {
         let uniform = set.uniform;
         let columns = [(ROUGHNESS, set.roughness), ("mu", set.mu), ("alpha", set.alpha)];
@@ -85,9 +97,8 @@ pub(super) fn even(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Po
         return Points::of_set(uniform(&region, n));
     }
     let nodes = |axis: &Span| -> Vec<f64> {
-        let [low, high] = axis.range;
         let n = if axis.is_spanned() { n } else { 1 };
-        (0..n).map(|i| low + (high - low) * (i as f64 + 0.5) / n as f64).collect()
+        (0..n).map(|i| axis.at((i as f64 + 0.5) / n as f64)).collect()
     };
     Points::of(axes, alpha, &product(&axes.iter().map(nodes).collect::<Vec<_>>()))
 }
@@ -119,7 +130,7 @@ pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -
     let count = 1_usize << effort.log2;
     let sequence = Recurrence::new(axes.len());
     let place = |i: usize| -> Vec<f64> {
-        axes.iter().enumerate().map(|(k, axis)| lerp(axis.range, sequence.coordinate(i, k))).collect()
+        axes.iter().enumerate().map(|(k, axis)| axis.at(sequence.coordinate(i, k))).collect()
     };
     let mut places: Vec<Vec<f64>> = (0..count).map(place).collect();
     let uniform = places.len();
@@ -159,8 +170,11 @@ fn per_axis(axes: &[Span], effort: Effort) -> usize {
 }
 
 fn ends_and_between(axis: &Span, n: usize) -> Vec<f64> {
-    let [low, high] = axis.range;
-    if axis.is_spanned() { chebyshev::nodes(low, high, n.max(2)) } else { vec![low] }
+    if !axis.is_spanned() {
+        return vec![axis.range[0]];
+    }
+    let [low, high] = axis.coordinates();
+    chebyshev::nodes(low, high, n.max(2)).into_iter().map(|x| axis.value(x)).collect()
 }
 
 /// All combinations, the last axis fastest.

@@ -74,7 +74,7 @@ impl Target {
     /// A truth that cannot be integrated.
     pub fn even(&self) -> Result<Sampled, TargetError> {
         let points = points::even(&self.axes, self.map(), self.effort());
-        self.spread(&points, Choice::Even)
+        self.spread(points, Choice::Even)
     }
 
     /// Samples for the largest error: a lattice with the edges, and the layer mu ~ alpha.
@@ -83,7 +83,7 @@ impl Target {
     /// As [`Target::even`].
     pub fn edged(&self) -> Result<Sampled, TargetError> {
         let points = points::with_edges(&self.axes, self.map(), self.effort());
-        self.spread(&points, Choice::Edged)
+        self.spread(points, Choice::Edged)
     }
 
     /// Points to certify at, none of them a sample but for some on the faces of the box; the first `uniform` are for means.
@@ -92,7 +92,7 @@ impl Target {
     /// As [`Target::even`].
     pub fn measured(&self) -> Result<Sampled, TargetError> {
         let points = points::measured(&self.axes, self.map(), self.effort());
-        let truth = self.truth(&points)?;
+        let (points, truth) = self.open(points)?;
         let Some(span) = &self.f0 else { return Ok(self.used(points, &truth, &[None])) };
         let mean: Vec<Option<f64>> =
             f0::values(span, self.affine, Choice::MeasuredMean).into_iter().map(Some).collect();
@@ -118,11 +118,23 @@ impl Target {
         })
     }
 
-    fn spread(&self, points: &Points, choice: Choice) -> Result<Sampled, TargetError> {
-        let truth = self.truth(points)?;
+    fn spread(&self, points: Points, choice: Choice) -> Result<Sampled, TargetError> {
+        let (points, truth) = self.open(points)?;
         let f0 = self.f0.as_ref().map(|span| f0::values(span, self.affine, choice));
         let f0 = f0.map_or(vec![None], |values| values.into_iter().map(Some).collect());
-        Ok(self.used(points.clone(), &truth, &f0))
+        Ok(self.used(points, &truth, &f0))
+    }
+
+    /// The points with their truth; without those where a fetch is saturated, of which no formula is to blame.
+    fn open(&self, points: Points) -> Result<(Points, Truth), TargetError> {
+        let truth = self.truth(&points)?;
+        let Truth::Adjusted(widths) = &truth else { return Ok((points, truth)) };
+        let open: Vec<bool> = widths.iter().map(|(_, saturated)| !saturated).collect();
+        if !open.contains(&true) {
+            return Err(self.all_saturated());
+        }
+        let kept = Truth::Adjusted(widths.iter().copied().filter(|(_, saturated)| !saturated).collect());
+        Ok((points.kept(&open), kept))
     }
 
     /// The use of the truth at every point, for each f0 in turn.
@@ -136,6 +148,7 @@ impl Target {
             let ones = vec![1.0; values.len()];
             let (scale, target) = match self.used_as {
                 Use::Normalisation => (values, ones),
+                Use::Parallax => (values.into_iter().map(|width| 1.0 / width).collect(), ones),
                 _ => (ones, values),
             };
             let sampled = Sampled { points, scale, target };
@@ -148,6 +161,7 @@ impl Target {
     fn values(&self, truth: &Truth, f0: f64) -> Vec<f64> {
         let (e, b) = match truth {
             Truth::Column(values) => return values.clone(),
+            Truth::Adjusted(widths) => return widths.iter().map(|(width, _)| *width).collect(),
             Truth::Split(e, b) => (e, b),
         };
         let specular = self.words.get("specular").map(String::as_str);
@@ -184,6 +198,7 @@ fn head(points: &Points, truth: &Truth) -> (Points, Truth) {
     let truth = match truth {
         Truth::Column(values) => Truth::Column(values[..n].to_vec()),
         Truth::Split(e, b) => Truth::Split(e[..n].to_vec(), b[..n].to_vec()),
+        Truth::Adjusted(widths) => Truth::Adjusted(widths[..n].to_vec()),
     };
     (Points { columns, uniform: n }, truth)
 }

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use super::TargetError;
 use super::affine::affine_in;
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::{Quantity, Values};
+use crate::effects::{Input, Quantity, Values};
 use crate::fit::{Domain, FitError, Hypothesis};
+use crate::math::ops;
 
 /// What to approximate, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,9 +77,13 @@ pub struct Target {
 /// The name of the input that alpha is made from.
 pub(super) const ROUGHNESS: &str = "roughness";
 
+/// A ratio of distances.
+const RHO: &str = "rho";
+
 impl Span {
     /// The range of an input where none is asked for, inside the range of the quantity's own: that of the published comparisons,
-    /// roughness 0.02 to 1 and mu 0.01 to 1; widths of an anisotropic lobe from 0.02, ior to 2, an azimuth over its quarter.
+    /// roughness 0.02 to 1 and mu 0.01 to 1; widths of an anisotropic lobe from 0.02, ior to 2, an azimuth over its quarter,
+    /// ratios of distances 1/16 to 8.
     pub fn usual(name: &str, defined: [f64; 2]) -> Span {
         let wanted = match name {
             ROUGHNESS => [0.02, 1.0],
@@ -86,10 +91,33 @@ impl Span {
             "alpha_x" | "alpha_y" => [0.02, 1.0],
             "ior" => [1.0, 2.0],
             "phi" => [0.0, std::f64::consts::FRAC_PI_2],
+            RHO => [1.0 / 16.0, 8.0],
             _ => [0.0, 1.0],
         };
         let range = [wanted[0].max(defined[0]), wanted[1].min(defined[1])];
         Span { name: name.into(), range }
+    }
+
+    /// The ends in the coordinate that points are even in: the logarithm of a ratio, any other value itself.
+    pub(super) fn coordinates(&self) -> [f64; 2] {
+        if self.name == RHO { self.range.map(ops::log) } else { self.range }
+    }
+
+    /// The value of a coordinate; the ends are exact.
+    pub(super) fn value(&self, coordinate: f64) -> f64 {
+        let [low, high] = self.coordinates();
+        match coordinate {
+            x if x == low => self.range[0],
+            x if x == high => self.range[1],
+            x if self.name == RHO => ops::exp(x),
+            x => x,
+        }
+    }
+
+    /// The value at a part of the way from the lower end to the upper one.
+    pub(super) fn at(&self, part: f64) -> f64 {
+        let [low, high] = self.coordinates();
+        self.value(low + (high - low) * part)
     }
 
     /// Whether there is more than one value.
@@ -120,7 +148,7 @@ impl Target {
         };
         for input in spec.quantity.inputs {
             let given = match input.values {
-                Values::Words(words) => target.word(spec, input.name, words)?,
+                Values::Words(words) => target.word(spec, input, words)?,
                 Values::Numbers { min, max } => {
                     let wanted = spec.domain.contains_key(input.name) || takes(formula, input.name);
                     if input.optional && !wanted {
@@ -141,10 +169,14 @@ impl Target {
         Ok(target)
     }
 
-    fn word(&mut self, spec: &TargetSpec, input: &str, words: &[&str]) -> Result<Given, TargetError> {
+    fn word(&mut self, spec: &TargetSpec, input: &Input, words: &[&str]) -> Result<Given, TargetError> {
+        let (optional, input) = (input.optional, input.name);
         let refuse = |reason: String| TargetError::Word { input: input.into(), reason };
         let known = words.join(", ");
         let given = spec.words.get(input);
+        if optional && given.is_none() {
+            return Ok(Given::Constant(f64::NAN));
+        }
         let given = given.ok_or_else(|| {
             let [quantity, first] = [spec.quantity.name, words.first().copied().unwrap_or_default()];
             refuse(format!("{quantity} is asked for at one of {known}; say which, as --fix {input}={first}"))
@@ -178,6 +210,13 @@ impl Target {
                 Ok(Given::Axis(self.axes.len() - 1))
             }
         }
+    }
+
+    /// The error of a domain where every fetch is saturated.
+    pub(super) fn all_saturated(&self) -> TargetError {
+        let [low, high] = self.axes.iter().find(|axis| axis.name == RHO).map_or([1.0; 2], |axis| axis.range);
+        let reason = "every fetch is saturated there: the widest lobe is too narrow; begin at a smaller ratio, or at a smaller alpha";
+        TargetError::Range { input: RHO.into(), low, high, reason: reason.into() }
     }
 
     /// Every range and word asked for is of an input, and every argument of the formula is one.
@@ -278,6 +317,7 @@ fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use,
     let name = spec.quantity.name;
     let usual = match name {
         "diffuse-coupling" => Use::Coupling,
+        "parallax-alpha" if column == "alpha_adjusted" => Use::Parallax,
         "ggx-reflection" if column == "E" && takes(formula, "f0") => Use::F0Blend,
         _ => Use::Value,
     };
@@ -304,7 +344,9 @@ fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use,
                 "a normalisation N makes E N = 1 of an albedo E, all that leaves a surface, which {name}:{column} is not; {remedy}"
             ))
         }
-        Use::Parallax => refuse("no quantity of this version is used so"),
+        Use::Parallax if name != "parallax-alpha" || column != "alpha_adjusted" => {
+            refuse("the width of a fetch is a value of parallax-alpha; give --to parallax-alpha")
+        }
         _ => Ok(used_as),
     }
 }

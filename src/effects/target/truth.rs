@@ -8,7 +8,8 @@ use super::{Target, TargetError};
 use crate::data::Use;
 use crate::effects::reflection::{Counter, Field, PointSet, Region, TRUTH_ERROR, average_truth};
 use crate::effects::{Method, Quantity, Values};
-use crate::integrate::{IntegrateError, sheen};
+use crate::integrate::{IntegrateError, footprint, sheen};
+use crate::optics::kernel::Kernel;
 
 /// The truth at points, before its use.
 pub(super) enum Truth {
@@ -16,6 +17,8 @@ pub(super) enum Truth {
     Column(Vec<f64>),
     /// E and B of `ggx-reflection`.
     Split(Vec<f64>, Vec<f64>),
+    /// The best width of a fetch, and whether it is saturated.
+    Adjusted(Vec<(f64, bool)>),
 }
 
 /// Smallest alpha and mu of the fast rules ([`Field`]).
@@ -27,11 +30,12 @@ const ROUNDING: f64 = 1e-6;
 /// Tolerance of quantities whose promise is finer than a fit has use for.
 const TOLERANCE: f64 = 1e-6;
 
-/// Points where a truth costs about a microsecond, some ten of them, about a millisecond, and more.
+/// Points where a truth costs about a microsecond, some ten of them, a hundred, about a millisecond, and more.
 const CHEAP: Effort = Effort { lattice: 96 * 96, log2: 20 };
 const SPLIT: Effort = Effort { lattice: 96 * 96, log2: 17 };
 const SPLIT_CURVED: Effort = Effort { lattice: 48 * 48, log2: 15 };
 const MODERATE: Effort = Effort { lattice: 64 * 64, log2: 15 };
+const SOUGHT: Effort = Effort { lattice: 40 * 40, log2: 12 };
 const DEAR: Effort = Effort { lattice: 1500, log2: 11 };
 const INTERPOLATED: Effort = Effort { lattice: 257, log2: 16 };
 
@@ -46,6 +50,8 @@ enum Way {
     Average,
     /// The rule for the albedo of sheen.
     Sheen,
+    /// The best width of a fetch.
+    Footprint,
     /// [`Quantity::evaluate`].
     Evaluate,
 }
@@ -62,6 +68,7 @@ impl Target {
             ("ggx-reflection", "A" | "B") if fast => Way::Split,
             ("ggx-average", "E_avg") => Way::Average,
             ("sheen-charlie", _) => Way::Sheen,
+            ("parallax-alpha", "alpha_adjusted") => Way::Footprint,
             _ => Way::Evaluate,
         }
     }
@@ -73,6 +80,7 @@ impl Target {
             (Way::Split, _) => SPLIT_CURVED,
             (Way::Average, _) => INTERPOLATED,
             (Way::Sheen, _) | (Way::Evaluate, "ggx-reflection") => MODERATE,
+            (Way::Footprint, _) => SOUGHT,
             (Way::Evaluate, _) => DEAR,
         }
     }
@@ -87,6 +95,7 @@ impl Target {
         match self.way() {
             Way::Evaluate => tolerance(self.quantity),
             Way::Albedo | Way::Split | Way::Average | Way::Sheen => TRUTH_ERROR,
+            Way::Footprint => footprint::TOLERANCE,
         }
     }
 
@@ -104,6 +113,7 @@ impl Target {
             }
             Way::Average => Truth::Column(self.averages(points)?),
             Way::Sheen => Truth::Column(sheen_albedo(points)),
+            Way::Footprint => Truth::Adjusted(self.adjusted(points)?),
             Way::Evaluate => Truth::Column(self.evaluated(points)?),
         })
     }
@@ -142,6 +152,25 @@ impl Target {
             return self.evaluated(points);
         }
         Ok(alpha.par_iter().map(|a| truth(f64::from(*a))).collect())
+    }
+
+    /// The lobe that a chain is prefiltered with.
+    pub fn kernel(&self) -> Kernel {
+        let word = self.words.get("kernel");
+        let named = |kernel: &Kernel| word.is_some_and(|word| word == kernel.name());
+        Kernel::ALL.into_iter().find(named).unwrap_or_default()
+    }
+
+    /// Best widths, and whether they are saturated.
+    fn adjusted(&self, points: &Points) -> Result<Vec<(f64, bool)>, TargetError> {
+        let [alpha, rho] = ["alpha", "rho"].map(|name| points.column(name).unwrap_or_default());
+        let kernel = self.kernel();
+        let one = |(alpha, rho): (&f32, &f32)| {
+            let inside = f64::from(*rho).clamp(footprint::RHO[0], footprint::RHO[1]);
+            footprint::best(kernel, f64::from(*alpha), inside)
+        };
+        let found: Vec<Result<_, IntegrateError>> = alpha.par_iter().zip(rho).map(one).collect();
+        Ok(found.into_iter().collect::<Result<_, _>>()?)
     }
 
     /// The column by [`Quantity::evaluate`], point by point.

@@ -8,6 +8,7 @@ mod coupling_study;
 mod furnace;
 mod index;
 mod own;
+mod parallax;
 mod search;
 mod table;
 mod volume;
@@ -33,6 +34,9 @@ pub use coupling_study::{
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
+pub use parallax::{
+    ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
+};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};

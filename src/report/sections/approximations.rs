@@ -85,7 +85,7 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
     let first = group[0];
     let (used_as, metric) = (first.used_as, words::metric(first.used_as));
     let smith = match first.quantity.as_str() {
-        "sheen-charlie" => String::new(),
+        "sheen-charlie" | "parallax-alpha" => String::new(),
         _ => format!(", {} Smith", first.smith.name()),
     };
     let title = format!("{} as {}{smith}", first.quantity, used_as.name());

@@ -11,6 +11,7 @@ mod furnace;
 mod index;
 mod metals;
 mod own;
+mod parallax;
 mod reciprocity;
 mod search;
 mod selection;
@@ -25,7 +26,7 @@ mod words;
 
 use super::{
     AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, Index, Page,
-    ReportError, SearchPage, Section, Timings, VolumeFindings,
+    ParallaxFindings, ReportError, SearchPage, Section, Timings, VolumeFindings,
 };
 use crate::effects::surface::SurfaceRows;
 
@@ -66,6 +67,11 @@ pub(crate) fn of_volumes(findings: &VolumeFindings) -> Result<Page, ReportError>
 /// The page of the coupling of diffuse bases.
 pub(crate) fn of_coupling(findings: &CouplingFindings) -> Result<Page, ReportError> {
     coupling::page(findings)
+}
+
+/// The page of lookups of prefiltered probes.
+pub(crate) fn of_parallax(findings: &ParallaxFindings) -> Result<Page, ReportError> {
+    parallax::page(findings)
 }
 
 /// The overview of a bake.

@@ -1,0 +1,165 @@
+//! What the bake of lookups found out, for their page.
+
+use super::Lobe;
+use super::entries::place;
+use crate::bake::context::Context;
+use crate::bake::reflection::left_out;
+use crate::bake::{BakeError, origin};
+use crate::effects::parallax::{Cell, LevelFunction, Spread, Variation};
+use crate::effects::reflection::{Fit, FitStageError};
+use crate::emit::code::{self, Language};
+use crate::plan::Effect;
+use crate::report::{
+    ApproximationFinding, ChainFinding, EffectFinding, Field, ParallaxCurve, ParallaxFindings, ParallaxLobe,
+    ParallaxMap, Ruler, VariationFinding, VariationRow,
+};
+use crate::scene::Scene;
+
+/// Published formulas that have maps and curves.
+const SHOWN: [&str; 2] = ["parallax_frostbite", "parallax_scaled"];
+
+/// Rows of the grid that have curves: every fourth or so of nineteen.
+const CURVES: [usize; 5] = [0, 4, 8, 12, 18];
+
+/// The name of the best widths where formulas stand.
+const BEST: &str = "best width";
+
+/// The findings of the effect.
+pub(super) fn findings(
+    scene: &Scene,
+    lobes: &[Lobe],
+    called: &Effect,
+    context: &Context,
+) -> Result<ParallaxFindings, BakeError> {
+    Ok(ParallaxFindings {
+        origin: origin(scene, context),
+        effect: effect(called, lobes),
+        left_out: lobes.iter().flat_map(|lobe| left_out(&lobe.dropped)).collect(),
+        lobes: lobes.iter().map(of_lobe).collect::<Result<_, _>>()?,
+    })
+}
+
+fn of_lobe(lobe: &Lobe) -> Result<ParallaxLobe, BakeError> {
+    let shown = shown(lobe);
+    let widths =
+        |fit: &Fit| lobe.grid.widths(&fit.hypothesis, &fit.coefficients()).map_err(FitStageError::from);
+    let widths = shown.iter().map(|fit| widths(fit)).collect::<Result<Vec<_>, _>>()?;
+    let named: Vec<(&Fit, &[f64])> = shown.iter().copied().zip(widths.iter().map(Vec::as_slice)).collect();
+    let mut variations: Vec<VariationFinding> = lobe.measured().map(|(fit, v)| of_fit(fit, v)).collect();
+    variations.push(VariationFinding {
+        name: BEST.into(),
+        published: false,
+        ops: None,
+        nearer: lobe.least.nearer.map(row),
+        farther: lobe.least.farther.map(row),
+    });
+    let saturated = lobe.grid.cells.iter().filter(|cell| cell.saturated);
+    Ok(ParallaxLobe {
+        kernel: lobe.job.kernel.name().into(),
+        formula: lobe.job.kernel.formula().into(),
+        approximations: lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation)).collect(),
+        variations,
+        saturated: saturated.map(|cell| (cell.roughness, cell.rho)).collect(),
+        least: field(lobe, "total variation", false, |_, cell| cell.least.tv),
+        maps: named.iter().map(|(fit, widths)| map(lobe, fit, widths)).collect::<Result<_, _>>()?,
+        curves: CURVES.into_iter().map(|r| curve(lobe, r, &named)).collect(),
+        chains: lobe.functions.iter().map(chain).collect(),
+    })
+}
+
+/// Published formulas that people know, and the best of ours.
+fn shown<'a>(lobe: &'a Lobe) -> Vec<&'a Fit> {
+    let rival = |name: &&str| lobe.fits.iter().find(|fit| fit.approximation.name == **name);
+    let rivals: Vec<&Fit> = SHOWN.iter().filter_map(rival).collect();
+    let cheapest = lobe.fits.iter().filter(|fit| fit.emitted).min_by_key(|fit| fit.approximation.cost.ops);
+    let best = lobe.best().filter(|best| {
+        cheapest.is_none_or(|cheapest| cheapest.approximation.name != best.approximation.name)
+    });
+    rivals.into_iter().chain(cheapest).chain(best).collect()
+}
+
+fn of_fit(fit: &Fit, variation: &Variation) -> VariationFinding {
+    VariationFinding {
+        name: fit.approximation.name.clone(),
+        published: !fit.emitted,
+        ops: Some(fit.approximation.cost.ops),
+        nearer: variation.nearer.map(row),
+        farther: variation.farther.map(row),
+    }
+}
+
+fn row(spread: Spread) -> VariationRow {
+    VariationRow { mean: spread.mean, max: spread.max, at: place(&spread) }
+}
+
+/// A field over the grid, roughness along x and rho along y.
+fn field(lobe: &Lobe, name: &str, signed: bool, value: impl Fn(usize, &Cell) -> f64) -> Field {
+    let (cells, columns) = (&lobe.grid.cells, super::GRID[0]);
+    let rows = super::GRID[1];
+    let at = |k: usize| (k % columns) * rows + k / columns;
+    Field {
+        name: name.into(),
+        unit: String::new(),
+        signed,
+        x: Ruler {
+            name: "roughness".into(),
+            values: (0..columns).map(|i| cells[i * rows].roughness).collect(),
+        },
+        y: Ruler { name: "rho".into(), values: cells[..rows].iter().map(|cell| cell.rho).collect() },
+        values: (0..cells.len()).map(at).map(|i| value(i, &cells[i]) as f32).collect(),
+    }
+}
+
+fn map(lobe: &Lobe, fit: &Fit, widths: &[f64]) -> Result<ParallaxMap, BakeError> {
+    let error = |i: usize, cell: &Cell| if cell.saturated { 0.0 } else { widths[i] / cell.best - 1.0 };
+    let formula = match fit.emitted {
+        true => code::print(Language::Wgsl, &fit.hypothesis, &fit.coefficients(), &[])?.text,
+        false => String::new(),
+    };
+    Ok(ParallaxMap {
+        name: fit.approximation.name.clone(),
+        formula: formula.trim_end().to_string(),
+        error: field(lobe, "relative error", true, error),
+    })
+}
+
+fn curve(lobe: &Lobe, row: usize, named: &[(&Fit, &[f64])]) -> ParallaxCurve {
+    let range = row * super::GRID[1]..(row + 1) * super::GRID[1];
+    let cells = &lobe.grid.cells[range.clone()];
+    ParallaxCurve {
+        roughness: cells[0].roughness,
+        rho: cells.iter().map(|cell| cell.rho).collect(),
+        best: cells.iter().map(|cell| cell.best).collect(),
+        fits: named
+            .iter()
+            .map(|(fit, widths)| (fit.approximation.name.clone(), widths[range.clone()].to_vec()))
+            .collect(),
+    }
+}
+
+fn chain(function: &LevelFunction) -> ChainFinding {
+    ChainFinding {
+        function: function.hypothesis.name().to_string(),
+        chain: function.chain.text(),
+        gives: function.gives.name().into(),
+        ops: function.hypothesis.tape().cost_ops(),
+        max: function.error.max,
+        at: function.error.at.clone(),
+    }
+}
+
+fn effect(called: &Effect, lobes: &[Lobe]) -> EffectFinding {
+    EffectFinding {
+        effect: called.effect.name().into(),
+        because: called.because.clone(),
+        ranges: called.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
+        approximation: called.approximation.clone(),
+        expected_error: called.expected_error,
+        measured_error: lobes
+            .iter()
+            .filter_map(|lobe| lobe.least_variation(None))
+            .map(|(_, max)| max)
+            .reduce(f64::max),
+        metric: "largest total variation of the best fit, where a fetch is not saturated".into(),
+    }
+}

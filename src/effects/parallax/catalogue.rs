@@ -1,0 +1,28 @@
+//! The hypotheses of this effect and the published formulas that they compete with.
+
+use crate::effects::entry::{Entry, own, published};
+
+/// Width of a fetch by (alpha, rho), with free parameters, by rising cost.
+pub const HYPOTHESES: [Entry; 3] = own!["parallax_1", "parallax_cubic", "parallax_power"];
+
+/// Levels to add for a width, of a logarithmic chain.
+pub(super) const BIAS: [Entry; 1] = own!["parallax_bias_log"];
+
+/// What engines ship: measured and reported, not emitted.
+pub const RIVALS: [Entry; 5] = published![
+    "parallax_none" by "no correction",
+    "parallax_frostbite" by "Lagarde and de Rousiers 2014, listing 25",
+    "parallax_frostbite_text" by "Lagarde and de Rousiers 2014, section 4.9",
+    "parallax_scaled" by "footprint ratio times alpha",
+    "parallax_godot" by "Godot, pull request 106292",
+];
+
+/// Names of the functions of the catalogue: those of the files.
+pub fn catalogue_names() -> impl Iterator<Item = String> {
+    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS).map(|entry| entry.name().to_string())
+}
+
+/// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.
+pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
+    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS).map(|entry| entry.source)
+}

@@ -1,0 +1,140 @@
+//! The best width.
+
+use argmin::core::{CostFunction, Executor, State};
+use argmin::solver::brent::BrentOpt;
+
+use super::measures::variation;
+use super::{QUANTITY, check, radii};
+use crate::integrate::IntegrateError;
+use crate::math::ops;
+use crate::optics::kernel::Kernel;
+
+/// Steps of ln R: exp(-pi^2/h) is 2e-11 and 1e-14.
+const STEPS: [f64; 2] = [0.4, 0.3];
+
+/// ln alpha' is sought this far on either side of a closed form, and farther where the distance still falls; and this far above 0, where
+/// a width is saturated.
+const REACH: f64 = 0.3;
+
+/// Widenings of the interval: the closed form is nowhere off by a factor of 10.
+const WIDENINGS: usize = 8;
+
+/// Widths above 1 that count as 1, in the logarithm: what rounding leaves at alpha = rho = 1.
+const SATURATED: f64 = 1e-6;
+
+/// Relative and absolute tolerance of ln alpha'; a minimum of a smooth function is not known better.
+const SOUGHT: f64 = 1e-10;
+
+/// How far from its minimum the distance differs by no more than its rounding.
+const FLAT: f64 = 1e-8;
+
+/// Iterations of Brent's method; a dozen are usual.
+const ITERATIONS: u64 = 100;
+
+/// `parallax-alpha` at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Adjusted {
+    /// The best width, at most 1.
+    pub alpha: f64,
+    /// Total variation between target and fetch, (1/2) int |W_t - W_c| over the wall, in [0, 1].
+    pub tv: f64,
+    /// Whether a wider lobe than any would be better.
+    pub saturated: bool,
+    /// Bound on the error of `alpha` and `tv`.
+    pub error: f64,
+}
+
+/// `parallax-alpha` at alpha in {0} or [1e-6, 1] and rho in [1e-6, 1e3], to an absolute `tolerance`.
+///
+/// # Errors
+/// An input outside its domain; a tolerance that is not reached.
+pub fn adjusted(kernel: Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result<Adjusted, IntegrateError> {
+    check(alpha, rho)?;
+    if alpha == 0.0 {
+        return Ok(Adjusted { alpha: 0.0, tv: 0.0, saturated: false, error: 0.0 });
+    }
+    let [coarse, fine] = STEPS;
+    let (rough, (exact, saturated)) =
+        (search(kernel, alpha, rho, coarse)?.0, search(kernel, alpha, rho, fine)?);
+    // tv changes by at most the relative change of alpha'
+    let error = 2.0 * (rough / exact - 1.0).abs() + FLAT;
+    if error > tolerance {
+        let place = format!("alpha = {alpha}, rho = {rho}");
+        return Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached: error, tolerance });
+    }
+    let tv = variation(kernel, &kernel.lobe(alpha), rho, &kernel.lobe(exact), exact.min(alpha * rho));
+    Ok(Adjusted { alpha: exact, tv, saturated, error })
+}
+
+/// The best width and whether it is saturated, by the coarser rule alone: for many points.
+///
+/// # Errors
+/// As [`adjusted`].
+pub fn best(kernel: Kernel, alpha: f64, rho: f64) -> Result<(f64, bool), IntegrateError> {
+    check(alpha, rho)?;
+    if alpha == 0.0 { Ok((0.0, false)) } else { search(kernel, alpha, rho, STEPS[0]) }
+}
+
+/// The squared distance of two encircled energies over the wall, by ln alpha'.
+#[derive(Clone)]
+struct Distance {
+    kernel: Kernel,
+    /// Wall radii, each with the energy that the target holds within.
+    target: Vec<(f64, f64)>,
+}
+
+impl Distance {
+    fn at(&self, ln_alpha: f64) -> f64 {
+        let lobe = self.kernel.lobe(ops::exp(ln_alpha));
+        self.target.iter().map(|(radius, energy)| lobe.encircled(*radius) - energy).map(|d| d * d).sum()
+    }
+}
+
+impl CostFunction for Distance {
+    type Param = f64;
+    type Output = f64;
+
+    fn cost(&self, ln_alpha: &f64) -> Result<f64, argmin::core::Error> {
+        Ok(self.at(*ln_alpha))
+    }
+}
+
+fn search(kernel: Kernel, alpha: f64, rho: f64, step: f64) -> Result<(f64, bool), IntegrateError> {
+    let not_finite =
+        || IntegrateError::NotFinite { quantity: QUANTITY, place: format!("alpha = {alpha}, rho = {rho}") };
+    let guess = rho * alpha / (1.0 + alpha - rho * alpha).max(rho * alpha);
+    let lobe = kernel.lobe(alpha);
+    let target = radii(kernel, guess.min(alpha * rho), rho.max(1.0), step)
+        .map(|r| (r, lobe.encircled(r / rho)))
+        .collect();
+    let distance = Distance { kernel, target };
+    let middle = ops::log(guess);
+    let [low, high] = bracket(&distance, middle);
+    let solver = BrentOpt::new(low, high).set_tolerance(SOUGHT, SOUGHT);
+    let outcome = Executor::new(distance, solver)
+        .configure(|state| state.max_iters(ITERATIONS))
+        .ctrlc(false)
+        .timer(false)
+        .run()
+        .map_err(|_| not_finite())?;
+    let found = outcome.state.get_best_param().copied().filter(|x| x.is_finite()).ok_or_else(not_finite)?;
+    Ok(if found > SATURATED { (1.0, true) } else { (ops::exp(found).min(1.0), false) })
+}
+
+/// An interval of ln alpha' about `middle` with a minimum inside, or at its upper end where that is saturated.
+fn bracket(distance: &Distance, middle: f64) -> [f64; 2] {
+    let (mut low, mut high) = (middle - REACH, (middle + REACH).min(REACH));
+    for _ in 0..WIDENINGS {
+        if distance.at(low) >= distance.at(low + 0.5 * REACH) {
+            break;
+        }
+        low -= REACH;
+    }
+    for _ in 0..WIDENINGS {
+        if high >= REACH || distance.at(high) >= distance.at(high - 0.5 * REACH) {
+            break;
+        }
+        high = (high + REACH).min(REACH);
+    }
+    [low, high]
+}

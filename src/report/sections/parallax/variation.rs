@@ -1,0 +1,112 @@
+//! What a fetch of each formula's width is off by on the wall.
+
+use super::super::{figures, words};
+use crate::report::{
+    Block, Dot, HeatMap, ParallaxLobe, ReportError, Scatter, Section, Shade, Spread, VariationFinding,
+    VariationRow, check, numbers,
+};
+
+const COLUMNS: [(&str, bool); 8] = [
+    ("name", false),
+    ("ops", true),
+    ("ρ < 1: mean", true),
+    ("max", true),
+    ("where", false),
+    ("ρ > 1: mean", true),
+    ("max", true),
+    ("where", false),
+];
+
+pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
+    check::filled("total variation", "variations", lobe.variations.len())?;
+    let mut blocks = Vec::new();
+    let near = |v: &VariationFinding| v.nearer.as_ref().map(|row| row.mean);
+    let far = |v: &VariationFinding| v.farther.as_ref().map(|row| row.mean);
+    let charts: Vec<Scatter> = [
+        scatter(lobe, "nearer than the probe, ρ < 1", near),
+        scatter(lobe, "farther, ρ > 1, not saturated", far),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    if !charts.is_empty() {
+        let caption = "Mean total variation over the cells against operations per evaluation; lower is nearer to the wanted footprint, \
+                       published formulas are grey. No formula of α′ can lie below the best width, whose figures stand in the last row \
+                       of the table.";
+        blocks.push(figures(&charts, caption)?);
+    }
+    let mut table = words::table(&COLUMNS, lobe.variations.iter().map(row).collect(), CAPTION);
+    table.muted = lobe.variations.iter().map(|v| v.published).collect();
+    blocks.push(Block::Table(table));
+    blocks.push(least(lobe)?);
+    Ok(Section {
+        id: "variation".into(),
+        title: "What a fetch is off by on the wall".into(),
+        lead: format!(
+            "The chain is prefiltered with the {} lobe, {}; a formula for one lobe is not one for another. Total variation is half of \
+             the absolute difference between the energy per wall area that the shading point asks for and the one that is \
+             fetched: 0 where they agree, 1 where they do not overlap. It bounds the error of radiance in units of the \
+             scene's range.",
+            lobe.kernel, lobe.formula
+        ),
+        blocks,
+    })
+}
+
+const CAPTION: &str = "Total variation over an even grid of roughness and ln ρ, without the cells where even the widest lobe is too \
+                       narrow. Maxima are rounded up. Published formulas are set back in grey.";
+
+fn scatter(
+    lobe: &ParallaxLobe,
+    title: &str,
+    value: impl Fn(&VariationFinding) -> Option<f64>,
+) -> Option<Scatter> {
+    let dot = |v: &VariationFinding| {
+        let (ops, y) = (v.ops?, value(v).filter(|y| *y > 0.0)?);
+        Some(Dot { name: v.name.clone(), x: f64::from(ops), y, published: v.published, table: false })
+    };
+    let dots: Vec<Dot> = lobe.variations.iter().filter_map(dot).collect();
+    words::worth_a_chart(&dots).then(|| Scatter {
+        title: title.into(),
+        x: ("operations (square-root scale)".into(), Spread::Root),
+        y: ("mean total variation".into(), Spread::Log),
+        dots,
+        size: (560.0, 300.0),
+    })
+}
+
+fn row(v: &VariationFinding) -> Vec<String> {
+    let cells = |row: &Option<VariationRow>| match row {
+        Some(row) => [words::mean(row.mean), words::max(row.max), words::place(&row.at)],
+        None => ["–", "–", "–"].map(String::from),
+    };
+    let ops = v.ops.map_or_else(|| "–".into(), |ops| ops.to_string());
+    let mut out = vec![v.name.clone(), ops];
+    out.extend(cells(&v.nearer));
+    out.extend(cells(&v.farther));
+    out
+}
+
+/// The maps of the least total variation: all of it, and on a scale of the cells that one fetch can serve.
+fn least(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
+    let field = words::labelled(&lobe.least);
+    let open = |v: &VariationFinding| {
+        [&v.nearer, &v.farther].into_iter().flatten().map(|row| row.max).reduce(f64::max)
+    };
+    let served = lobe.variations.last().and_then(open).filter(|max| *max > 0.0);
+    let map = |title: &str| HeatMap {
+        marks: lobe.saturated.clone(),
+        size: (360.0, 280.0),
+        ..HeatMap::of(title, &field)
+    };
+    let mut maps = vec![map("total variation of the best width")];
+    maps.extend(served.map(|max| HeatMap {
+        shade: Shade::Magnitude { min: 0.0, max: numbers::round_up(max, 1), spread: Spread::Linear },
+        ..map("the same, up to the largest not saturated")
+    }));
+    figures(
+        &maps,
+        "What the best single fetch leaves. Rings: saturated, α′ = 1; beyond, a wider lobe is asked for than there is, and no choice of \
+         α′ helps.",
+    )
+}

@@ -1,0 +1,163 @@
+//! A probe: a prefiltered cubemap of a room, and what is wanted of its lookups.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::limits;
+use super::material::rough_part;
+use super::name::Name;
+use super::number::{ErrorLimit, In, Levels, Ops, Ratio, Span, Unit, Whole};
+use super::value::{List, Maybe, Text, Word, from_file};
+use super::wants::norms;
+use crate::data::{AlphaMap, MipChain, MipMap, Norm};
+use crate::integrate::footprint;
+use crate::optics::kernel::Kernel;
+
+/// Roughness where the scene gives none: below it a fetch is as sharp as the texels.
+const ROUGHNESS: [f64; 2] = [0.1, 1.0];
+
+/// Ratios of distances where the scene gives none: from close to a wall to half a room behind the probe.
+const RHO: [f64; 2] = [1.0 / 16.0, 8.0];
+
+/// A probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Probe {
+    /// Name without control characters; escape it where it is printed.
+    pub name: String,
+    /// The lobe that its chain is prefiltered with.
+    pub kernel: Kernel,
+    /// Roughness range of what looks it up, in [0, 1], lo <= hi.
+    pub roughness: [f64; 2],
+    /// Distance of the shading point over that of the probe, from what they see; lo <= hi in [1e-6, 1e3].
+    pub rho: [f64; 2],
+    /// Its chain of levels; `None`: fetches are by alpha.
+    pub mips: Option<MipChain>,
+    /// Most operations of a fit; `None`: any.
+    pub max_ops: Option<u32>,
+    /// Total variation that at least one emitted fit must keep wherever a fetch is not saturated.
+    pub max_error: Option<f64>,
+    /// Errors to minimise, each once, in the order max, rms.
+    pub norms: Vec<Norm>,
+}
+
+impl Probe {
+    /// The part of its roughness range whose lobe is rough; `None` where all of it is smooth.
+    pub fn rough_range(&self, map: AlphaMap) -> Option<[f64; 2]> {
+        rough_part(self.roughness, map)
+    }
+
+    /// Whether every fetch is saturated, as the one of the smallest ratio at the smallest width is: the best width grows with both.
+    pub(super) fn is_saturated(&self, map: AlphaMap) -> bool {
+        let narrowest = self.rough_range(map).map(|[lo, _]| map.alpha(lo));
+        narrowest.is_some_and(|alpha| footprint::best(self.kernel, alpha, self.rho[0]).is_ok_and(|b| b.1))
+    }
+}
+
+/// A probe: a prefiltered cubemap that is looked up where a ray meets the proxy of a room. It calls for fits of the width alpha' of the
+/// lobe to fetch, by the width alpha seen from the shading point and the ratio rho of its distance to the probe's.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "Probe")]
+#[serde(deny_unknown_fields, expecting = "an object that describes a probe")]
+struct ProbeFile {
+    /// Name; unique among the probes.
+    name: Text<Name>,
+    /// The lobe that its levels are prefiltered with: `ndf` D(theta), `half` D(theta/2), `half-cosine` D(theta/2) cos(theta), which is
+    /// what engines bake and the default.
+    #[serde(default)]
+    kernel: Maybe<Word<Kernel>>,
+    /// Roughness of what looks it up: a number, or the range [lo, hi]; default [0.1, 1]. Where alpha is below 0.0001 it calls for
+    /// nothing.
+    #[serde(default)]
+    roughness: Maybe<Span<Unit, true>>,
+    /// Distance of the shading point over that of the probe, from the point of the proxy that both see: a number, or the range
+    /// [lo, hi]; default [0.0625, 8]. Where even the widest lobe is too narrow nothing is promised.
+    #[serde(default)]
+    rho: Maybe<Span<Ratio, true>>,
+    /// Its chain of levels, for functions of the level; default none.
+    #[serde(default)]
+    mips: Maybe<MipChain>,
+    /// Most operations that an emitted fit may take; default: any number.
+    #[serde(default)]
+    max_ops: Maybe<Whole<Ops>>,
+    /// Largest total variation between the footprint that is wanted and the one that is fetched that at least one emitted fit within
+    /// `max_ops` must keep, on a grid over `roughness` and `rho` without its saturated cells, else the bake fails; default: no
+    /// limit. It bounds the error of radiance in units of the scene's range. The best width itself leaves up to 0.034
+    /// (half-cosine).
+    #[serde(default)]
+    max_error: Maybe<In<ErrorLimit>>,
+    /// Errors to minimise, one fit each; default both.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    norms: Maybe<List<Word<Norm>, 2>>,
+}
+
+/// A chain of prefiltered levels: a published `map` with its `count`, or the roughness of each of its `levels`.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "Mips", extend("minProperties" = 1))]
+#[serde(deny_unknown_fields, expecting = "an object with `map` and `count`, or with `levels`")]
+struct MipsFile {
+    /// Roughness r to level: `linear` r, `r(2-r)`, `r(1.7-0.7r)`, all times `count` - 1; `log` `count` - 2 + 1.2 log2 r.
+    #[serde(default)]
+    map: Maybe<Word<MipMap>>,
+    /// Number of levels, with `map`; at least 3 for `log`.
+    #[serde(default)]
+    count: Maybe<Whole<Levels>>,
+    /// Roughness of every level, strictly increasing; between levels it is interpolated.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 2, "uniqueItems" = true))]
+    levels: Maybe<List<In<Unit>, { limits::LEVELS_MAX }>>,
+}
+
+impl TryFrom<MipsFile> for MipChain {
+    type Error = String;
+
+    fn try_from(file: MipsFile) -> Result<Self, String> {
+        match (file.map.0, file.count.0, file.levels.0) {
+            (Some(map), Some(count), None) => {
+                if map.0 == MipMap::Log && count.0 < 3 {
+                    return Err("count: a logarithmic chain has roughness 1 in its last level but one; give 3 or more".into());
+                }
+                Ok(MipChain::Mapped { map: map.0, count: count.0 })
+            }
+            (None, None, Some(List(levels))) => {
+                let levels: Vec<f64> = levels.into_iter().map(|level| level.0).collect();
+                if levels.len() < limits::LEVELS_MIN {
+                    return Err(format!(
+                        "levels: {} where at least {} are called for",
+                        levels.len(),
+                        limits::LEVELS_MIN
+                    ));
+                }
+                if let Some(i) = levels.windows(2).position(|pair| pair[1] - pair[0] < NARROWEST_STEP) {
+                    let [low, high] = [levels[i], levels[i + 1]];
+                    return Err(format!("levels: {high} does not follow {low} by {NARROWEST_STEP} or more"));
+                }
+                Ok(MipChain::Given(levels))
+            }
+            _ => Err("give `map` with `count`, or `levels` alone".into()),
+        }
+    }
+}
+
+/// Least step between the roughness of levels: their functions divide by it, in f32.
+const NARROWEST_STEP: f64 = 1e-4;
+
+impl TryFrom<ProbeFile> for Probe {
+    type Error = String;
+
+    fn try_from(file: ProbeFile) -> Result<Self, String> {
+        Ok(Probe {
+            name: file.name.0,
+            kernel: file.kernel.0.map_or_else(Kernel::default, |w| w.0),
+            roughness: file.roughness.0.map_or(ROUGHNESS, |s| s.0),
+            rho: file.rho.0.map_or(RHO, |s| s.0),
+            mips: file.mips.0,
+            max_ops: file.max_ops.0.map(|w| w.0),
+            max_error: file.max_error.0.map(|e| e.0),
+            norms: norms(file.norms.0)?,
+        })
+    }
+}
+
+from_file!(MipChain, MipsFile);
+from_file!(Probe, ProbeFile);

@@ -1,0 +1,120 @@
+//! The published figures of the width of a fetch: mean and largest total variation over nineteen roughnesses and twenty-nine ratios.
+
+use std::sync::OnceLock;
+
+use lobefit::data::{AlphaMap, Norm};
+use lobefit::effects::Entry;
+use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, ParallaxSpec, RIVALS, Spread, fit_all};
+use lobefit::effects::reflection::Counter;
+use lobefit::fit::Hypothesis;
+use lobefit::optics::kernel::Kernel;
+
+fn grid() -> &'static Grid {
+    static GRID: OnceLock<Grid> = OnceLock::new();
+    GRID.get_or_init(|| {
+        Grid::new(Kernel::HalfCosine, AlphaMap::RoughnessSquared, [0.1, 1.0], [1.0 / 16.0, 8.0], [19, 29])
+            .expect("a grid")
+    })
+}
+
+/// Cells nearer to the wall than the probe.
+fn near(cell: &Cell) -> bool {
+    cell.rho < 0.999
+}
+
+/// Cells farther than the probe that one fetch can serve.
+fn far(cell: &Cell) -> bool {
+    cell.rho > 1.001 && !cell.saturated
+}
+
+fn spread(entry: &Entry, coefficients: &[f32], wanted: fn(&Cell) -> bool) -> Spread {
+    let hypothesis = Hypothesis::parse(entry.file, entry.source).expect("parses");
+    let widths = grid().widths(&hypothesis, coefficients).expect("widths");
+    grid().spread(&widths, wanted).expect("measured").expect("cells")
+}
+
+fn close(found: f64, printed: f64, unit: f64) -> bool {
+    (found - printed).abs() <= unit.max(0.02 * printed)
+}
+
+#[test]
+fn published_formulas_have_the_errors_that_were_measured_of_them() {
+    for (name, near_mean, near_max, far_mean, far_max) in [
+        ("parallax_none", 0.584, 0.904, 0.394, 0.789),
+        ("parallax_frostbite", 0.367, 0.882, 0.394, 0.789),
+        ("parallax_scaled", 0.098, 0.323, 0.052, 0.172),
+    ] {
+        let entry = RIVALS.iter().find(|entry| entry.name() == name).expect("in the catalogue");
+        let (near, far) = (spread(entry, &[], near), spread(entry, &[], far));
+        println!("{name}: {near:?} {far:?}");
+        assert!(close(near.mean, near_mean, 1e-3) && close(near.max, near_max, 1e-3), "{name}: {near:?}");
+        assert!(close(far.mean, far_mean, 1e-3) && close(far.max, far_max, 1e-3), "{name}: {far:?}");
+    }
+}
+
+#[test]
+fn the_rational_form_keeps_its_bars_and_the_optimum_lies_below_it() {
+    let entry = &HYPOTHESES[0];
+    assert_eq!(entry.name(), "parallax_1");
+    let (near_one, far_one) = (spread(entry, &[1.0], near), spread(entry, &[1.0], far));
+    println!("k = 1: {near_one:?} {far_one:?}");
+    assert!(near_one.mean <= 0.0185 && near_one.max <= 0.045, "{near_one:?}");
+    assert!(close(far_one.mean, 0.0143, 1e-4) && close(far_one.max, 0.038, 1e-3), "{far_one:?}");
+    let best: Vec<f64> = grid().cells.iter().map(|cell| cell.best).collect();
+    let least = grid().spread(&best, near).expect("measured").expect("cells");
+    println!("optimum: {least:?}");
+    assert!(close(least.mean, 0.0144, 1e-4) && close(least.max, 0.034, 1e-3), "{least:?}");
+}
+
+#[test]
+fn fits_are_no_worse_than_the_constants_that_were_rounded() {
+    let spec = ParallaxSpec {
+        kernel: Kernel::HalfCosine,
+        alpha_map: AlphaMap::RoughnessSquared,
+        roughness: [0.1, 1.0],
+        rho: [1.0 / 16.0, 8.0],
+        max_ops: None,
+        norms: vec![Norm::Max, Norm::Rms],
+    };
+    let set = fit_all(&spec, &Counter::default()).expect("fits");
+    assert!(set.dropped.is_empty(), "{:?}", set.dropped);
+    for fit in &set.fits {
+        let widths = grid().widths(&fit.hypothesis, &fit.coefficients()).expect("widths");
+        let [near, far] = [near, far]
+            .map(|w: fn(&Cell) -> bool| grid().spread(&widths, w).expect("measured").expect("cells"));
+        let Certified { ops, max, rms } = certified(fit);
+        println!(
+            "{}: {ops} operations, relative {max} rms {rms}; TV near {near:?}, far {far:?}",
+            fit.approximation.name
+        );
+        if fit.emitted {
+            assert!(near.mean <= 0.0185 && near.max <= 0.045, "{}: {near:?}", fit.approximation.name);
+        }
+    }
+}
+
+struct Certified {
+    ops: u32,
+    max: f64,
+    rms: f64,
+}
+
+fn certified(fit: &lobefit::effects::reflection::Fit) -> Certified {
+    let (cost, certificate) = (&fit.approximation.cost, &fit.approximation.certificate);
+    Certified { ops: cost.ops, max: certificate.max_abs, rms: certificate.rms }
+}
+
+/// Corrections compose: a fetch of a fetch is that of the product of the ratios. The rational form has that exactly.
+#[test]
+fn the_rational_form_is_a_flow() {
+    let hypothesis = Hypothesis::parse(HYPOTHESES[0].file, HYPOTHESES[0].source).expect("parses");
+    let width = |alpha: f64, rho: f64| {
+        hypothesis.tape().evaluate(&[vec![alpha], vec![rho]], &[1.0]).expect("finite")[0]
+    };
+    for alpha in [1e-4, 0.01, 0.2, 0.6, 1.0] {
+        for (first, second) in [(0.3, 0.2), (0.5, 1.6), (0.1, 9.0), (0.9, 1.05)] {
+            let (twice, once) = (width(width(alpha, first), second), width(alpha, first * second));
+            assert!((twice - once).abs() <= 1e-12 * once, "{alpha} {first} {second}: {twice} {once}");
+        }
+    }
+}
