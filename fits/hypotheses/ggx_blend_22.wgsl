@@ -1,15 +1,15 @@
-override c0: f32 = -0.053625036;
-override c1: f32 = 0.22299115;
-override c2: f32 = 0.56464154;
-override c3: f32 = -2.063955;
-override c4: f32 = -0.34289363;
-override k: f32 = 0.90229094;
-override b0: f32 = 1.037233;
-override b1: f32 = 3.609843;
-override b2: f32 = 13.0514965;
-override b3: f32 = 92.86271;
-override b4: f32 = 6.7139354;
-override b5: f32 = 25.39046;
+override c0: f32 = -0.053348113;
+override c1: f32 = 0.12209176;
+override c2: f32 = 0.53835654;
+override c3: f32 = -1.8050746;
+override c4: f32 = -0.30309626;
+override k: f32 = 0.8192325;
+override b0: f32 = 1.0058358;
+override b1: f32 = 4.3033752;
+override b2: f32 = 8.352239;
+override b3: f32 = 98.46126;
+override b4: f32 = 7.7466063;
+override b5: f32 = 19.980886;
 
 /// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
 /// Twenty-two operations: one reciprocal resolves the layer mu ~ alpha of E, another is the share.

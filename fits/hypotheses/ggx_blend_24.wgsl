@@ -1,17 +1,17 @@
-override c0: f32 = -0.048169248;
-override c1: f32 = 0.2452336;
-override c2: f32 = 0.11324242;
-override c3: f32 = -2.5186424;
-override c4: f32 = 0.9388694;
-override c5: f32 = -0.29561856;
-override k: f32 = 0.8183304;
-override b0: f32 = 0.97267175;
-override b1: f32 = 14.45944;
-override b2: f32 = 5.4326935;
-override b3: f32 = -174.21481;
-override b4: f32 = 496.063;
-override b5: f32 = -0.6903101;
-override b6: f32 = 146.72676;
+override c0: f32 = -0.048194993;
+override c1: f32 = 0.24270988;
+override c2: f32 = 0.11496927;
+override c3: f32 = -2.5126054;
+override c4: f32 = 0.9358658;
+override c5: f32 = -0.29552788;
+override k: f32 = 0.8174756;
+override b0: f32 = 0.96966666;
+override b1: f32 = 14.7737665;
+override b2: f32 = 5.0539956;
+override b3: f32 = -177.51997;
+override b4: f32 = 490.40482;
+override b5: f32 = 5.9830136;
+override b6: f32 = 124.61042;
 
 /// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
 /// Twenty-four operations: one reciprocal resolves the layer mu ~ alpha of E, another is the share.

@@ -1,19 +1,19 @@
-override c0: f32 = -0.0055563073;
-override c1: f32 = -0.4128085;
-override c2: f32 = 0.23585445;
-override c3: f32 = -3.514061;
-override d0: f32 = 0.0516986;
-override d1: f32 = -0.94971377;
-override d2: f32 = 6.240244;
-override d3: f32 = 4.5119896;
-override d4: f32 = -5.5824285;
-override a0: f32 = 0.98045325;
-override a1: f32 = -1.3225057;
-override b0: f32 = 9.851658;
-override b1: f32 = 16.71482;
-override b2: f32 = 2.3434818;
-override b3: f32 = -13.060948;
-override b4: f32 = 21.760462;
+override c0: f32 = -0.007343374;
+override c1: f32 = -0.31065887;
+override c2: f32 = 0.08431918;
+override c3: f32 = -3.6067865;
+override d0: f32 = 0.08543152;
+override d1: f32 = -1.2711985;
+override d2: f32 = 6.8216066;
+override d3: f32 = 4.5032744;
+override d4: f32 = -5.551791;
+override a0: f32 = 0.9855121;
+override a1: f32 = -1.3173946;
+override b0: f32 = 9.926668;
+override b1: f32 = 13.597809;
+override b2: f32 = 2.3654914;
+override b3: f32 = -9.869474;
+override b4: f32 = 21.655561;
 
 /// Reflection of a Schlick Fresnel lobe, f0 A + B: E = A + B and the share B/E are two forms, and f0 blends between E and B.
 /// Twenty-five operations: two quotients with one division.

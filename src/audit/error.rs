@@ -6,6 +6,20 @@ use crate::integrate::IntegrateError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum AuditError {
+    /// A function whose value is no number.
+    #[error(
+        "{function}: its {component} is {value} at {at}; mend the function, or give the argument another value or range"
+    )]
+    Undefined {
+        /// The function.
+        function: String,
+        /// Which scalar of its result.
+        component: String,
+        /// The value.
+        value: f64,
+        /// Its arguments.
+        at: String,
+    },
     /// A value that is no number.
     #[error("{what}: channel `{channel}`, texel {texel:?}: {value} is not a finite number; mend the file")]
     NotFinite {

@@ -4,6 +4,7 @@
 mod coupling;
 
 use crate::bake::Progress;
+use crate::effects::reflection::FitStageError;
 use crate::effects::surface::SurfaceError;
 use crate::fit::FitError;
 use crate::fitting::FittingError;
@@ -72,7 +73,10 @@ pub enum StudyError {
     /// A formula of the catalogue that does not parse.
     #[error(transparent)]
     Formula(#[from] FitError),
-    /// A formula of the catalogue could not be fitted.
+    /// The catalogue could not be fitted.
+    #[error(transparent)]
+    Catalogue(#[from] FitStageError),
+    /// A formula of the catalogue could not be fitted for what is seen.
     #[error(transparent)]
     Fitting(#[from] FittingError),
     /// A fit that returned nothing.

@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::coupling::{OWN_SPECULAR, OwnSpecular, hypotheses};
+use crate::data::{AlphaMap, Norm, Smith, Use};
+use crate::effects::coupling::{CouplingSpec, OWN_SPECULAR, OwnSpecular, fit_all, hypotheses};
+use crate::effects::reflection::{Counter, Fit, Region};
 use crate::effects::surface::{Base, Coupling, Factor, Lobe, Material};
 use crate::effects::target::TargetSpec;
 use crate::effects::{Entry, Quantity};
@@ -34,6 +35,9 @@ const PUBLISHED: [Coupling; 11] = [
 
 /// Reflectances that fits are made for: those of dielectrics with an index of refraction from 1.33 to 2.6, which are lit.
 pub(super) const F0: [f64; 2] = [0.02, 0.2];
+
+/// Roughness that fits are made for.
+const ROUGHNESS: [f64; 2] = [0.02, 1.0];
 
 /// Cosines that fits are made for.
 pub(super) const MU: [f64; 2] = [0.01, 1.0];
@@ -91,6 +95,8 @@ impl Planned {
 
 /// The couplings themselves; forms of ours are fitted for the lobe, once for each measure.
 pub(super) fn made(planned: &[Planned], lobe: Lobe) -> Result<Vec<Candidate>, StudyError> {
+    let fits = planned.iter().any(|one| matches!(one, Planned::Fit(..)));
+    let emitted = if fits { emitted(lobe)? } else { Vec::new() };
     let mut factors: Vec<Factor> = Vec::new();
     let mut made = Vec::new();
     for one in planned {
@@ -101,7 +107,7 @@ pub(super) fn made(planned: &[Planned], lobe: Lobe) -> Result<Vec<Candidate>, St
                 let name = format!("{}{}", entry.name(), if perceptual { ", perceptual" } else { "" });
                 let factor = match factors.iter().find(|factor| factor.name() == name) {
                     Some(factor) => factor.clone(),
-                    None => fitted(entry, &name, perceptual, lobe)?,
+                    None => fitted(entry, &name, perceptual, lobe, &emitted)?,
                 };
                 factors.push(factor.clone());
                 if *kind == Kind::Symmetrised {
@@ -168,8 +174,32 @@ impl Candidate {
     }
 }
 
-/// A form of ours with its constants.
-fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Factor, StudyError> {
+/// Forms of ours for the largest error, as a bake emits them: kept from poles and from below 0 wherever a shader may call them.
+fn emitted(lobe: Lobe) -> Result<Vec<Fit>, StudyError> {
+    let spec = CouplingSpec {
+        specular: specular(lobe).unwrap_or_default(),
+        smith: Smith::Correlated,
+        region: Region { roughness: ROUGHNESS, mu: MU, alpha_map: AlphaMap::RoughnessSquared },
+        f0: F0,
+        max_ops: None,
+        norms: vec![Norm::Max],
+    };
+    Ok(fit_all(&spec, &Counter::default())?.fits)
+}
+
+/// A form of ours with its constants: those that a bake emits, or the ones that lose least of what is seen.
+fn fitted(
+    entry: &Entry,
+    name: &str,
+    perceptual: bool,
+    lobe: Lobe,
+    emitted: &[Fit],
+) -> Result<Factor, StudyError> {
+    if !perceptual {
+        let fit = emitted.iter().find(|fit| fit.approximation.name == name);
+        let fit = fit.ok_or_else(|| StudyError::Unfitted { name: name.into() })?;
+        return Ok(Factor::fitted(name, &fit.hypothesis, &fit.coefficients())?.above(MU[0]));
+    }
     let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
     let specular = specular(lobe).map_or("single", Specular::name);
     let job = Job {
@@ -183,8 +213,8 @@ fn fitted(entry: &Entry, name: &str, perceptual: bool, lobe: Lobe) -> Result<Fac
             domain: BTreeMap::from([("f0".to_string(), F0), ("mu".to_string(), MU)]),
             words: BTreeMap::from([("specular".to_string(), specular.to_string())]),
         },
-        goals: vec![if perceptual { Goal::Rms } else { Goal::Max }],
-        weight: perceptual.then(|| "perceptual".to_string()),
+        goals: vec![Goal::Rms],
+        weight: Some("perceptual".to_string()),
         demands: Vec::new(),
         precisions: vec![Precision::F32],
         starts: STARTS,

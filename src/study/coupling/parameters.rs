@@ -12,7 +12,7 @@ use crate::report::render::{Environment, Settings};
 use crate::study::{Size, StudyError};
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
-const METHOD: u32 = 2;
+const METHOD: u32 = 3;
 
 /// Everything that the recipe covers beside the tool's version.
 #[derive(Clone, Debug, Serialize)]
