@@ -7,9 +7,7 @@ use crate::integrate::IntegrateError;
 #[non_exhaustive]
 pub enum AuditError {
     /// A function whose value is no number.
-    #[error(
-        "{function}: its {component} is {value} at {at}; mend the function, or give the argument another value or range"
-    )]
+    #[error("{function}: its {component} is {value}, not a finite number, at {at}; mend the function")]
     Undefined {
         /// The function.
         function: String,

@@ -71,19 +71,6 @@ fn of_feeds(
             })?;
             let values: Vec<f64> = values.into_iter().map(f64::from).collect();
             let component = component(function, k);
-            if let Some(i) = values.iter().position(|value| !value.is_finite()) {
-                let at = tape
-                    .inputs()
-                    .iter()
-                    .zip(&columns)
-                    .map(|(name, column)| format!("{name} = {}", column[i]));
-                return Err(AuditError::Undefined {
-                    function: function.name.clone(),
-                    component,
-                    value: values[i],
-                    at: at.collect::<Vec<_>>().join(", "),
-                });
-            }
             let name = if blended { format!("{component} {words}") } else { component };
             // A grey result is one channel, not three.
             if !channels.iter().any(|c| c.values == values) {

@@ -86,12 +86,7 @@ impl Shipped {
                 });
             }
             if let Some(i) = channel.values.iter().position(|v| !v.is_finite()) {
-                return Err(AuditError::NotFinite {
-                    what: self.what.clone(),
-                    channel: channel.name.clone(),
-                    texel: place(i, &self.size),
-                    value: channel.values[i],
-                });
+                return Err(self.not_finite(channel, i));
             }
         }
         let size: Vec<usize> = self.size.iter().copied().filter(|n| *n > 1).collect();
@@ -101,6 +96,25 @@ impl Shipped {
         let long = |(name, n): (&String, &usize)| (*n > 1).then(|| name.clone());
         let axes = self.axes.iter().zip(&self.size).filter_map(long).collect();
         Ok(Shipped { size, axes, ..self.clone() })
+    }
+
+    /// The error of a value that is no number: of a function by the arguments, of a table by the texel.
+    fn not_finite(&self, channel: &ShippedChannel, i: usize) -> AuditError {
+        let (texel, value) = (place(i, &self.size), channel.values[i]);
+        if self.source != Source::Function {
+            return AuditError::NotFinite {
+                what: self.what.clone(),
+                channel: channel.name.clone(),
+                texel,
+                value,
+            };
+        }
+        let part = |(axis, (at, n)): (&String, (&usize, &usize))| {
+            format!("{axis} {} of the way through its range", (*at as f64 + 0.5) / *n as f64)
+        };
+        let at: Vec<String> = self.axes.iter().zip(texel.iter().zip(&self.size)).map(part).collect();
+        let (function, component) = (self.what.clone(), channel.name.clone());
+        AuditError::Undefined { function, component, value, at: at.join(", ") }
     }
 
     /// Channels that vary, by their place; all of them where a meaning is `given` for each.
