@@ -8,6 +8,7 @@ mod kept;
 mod one;
 mod perceptual;
 mod pictures;
+mod poles;
 mod printed;
 pub mod search;
 mod summary;

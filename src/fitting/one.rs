@@ -2,6 +2,7 @@
 
 use super::certificates::certificate;
 use super::kept::{self, Kept};
+use super::poles::{Searched, Task, kept_out};
 use super::vanished::{self, Obedient};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
@@ -76,6 +77,15 @@ pub(super) fn fit_one(
     let options = Options { starts: job.starts, ..Options::new(goal) };
     let finer = kept::finer(constraints, &job.demands, target, &hypothesis, measured)?;
     let found = obedient(&hypothesis, &samples, constraints, &finer, &options, &domain)?;
+    let task = Task {
+        hypothesis: &hypothesis,
+        samples: &samples,
+        constraints,
+        demands: &job.demands,
+        options: &options,
+        domain: &domain,
+    };
+    let Searched { found, finer } = kept_out(&task, Searched { found, finer }, target, measured)?;
     if !job.allow_undetermined {
         FittingError::of_rank(&hypothesis, &found.fitted)?;
     }
@@ -125,7 +135,7 @@ pub(super) fn fit_one(
 const ROUNDS: usize = 6;
 
 /// Searches, looks where the finer constraints are broken, and searches again with these places added.
-fn obedient(
+pub(super) fn obedient(
     hypothesis: &Hypothesis,
     samples: &Samples,
     constraints: &[Constraint],

@@ -323,3 +323,20 @@ fn refusals_say_what_to_give_instead() {
     );
     assert!(told.contains("narrow the domain to where it is defined"), "{told}");
 }
+
+/// Least squares sees nothing of a pole between its samples: the values are bound, which keeps it out.
+#[test]
+fn a_pole_between_samples_is_kept_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = "override a: f32 = 1.0;\noverride b: f32 = 1.0;\noverride p: f32 = 1.0;\n\
+        fn mine(alpha: f32, mu: f32) -> f32 { return (a * alpha * mu + b * mu) / (mu + p * alpha); }\n";
+    let options = ["--to", "ggx-reflection:E", "--weight", "mu", "--norm", "p=8", "--norm", "rms", "--json"];
+    let output = fit(folder.path(), source, &options);
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""), "{}", stdout(&output));
+    let document: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    for fitted in document["fits"].as_array().expect("a list") {
+        let max = fitted["certificate"]["max_abs"].as_f64().expect("a number");
+        assert!(max < 2.0, "{fitted}");
+        assert_eq!(fitted["problems"].as_array().map(Vec::len), Some(0), "{fitted}");
+    }
+}

@@ -15,7 +15,7 @@ fn domain() -> Domain {
 
 /// Every hypothesis's operations, by the project's model. Rivals as published: A and B both computed where E is
 /// their sum; roughness and alpha given.
-const COSTS: [(&str, u32); 96] = [
+const COSTS: [(&str, u32); 105] = [
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
     ("ggx_norm_i11", 11),
@@ -112,6 +112,15 @@ const COSTS: [(&str, u32); 96] = [
     ("published/ggx_eavg_dassault", 4),
     ("published/ggx_norm_lazarov", 6),
     ("published/ggx_norm_urp", 1),
+    ("parallax_1", 9),
+    ("parallax_cubic", 13),
+    ("parallax_power", 27),
+    ("parallax_bias_log", 15),
+    ("published/parallax_none", 0),
+    ("published/parallax_scaled", 2),
+    ("published/parallax_frostbite", 7),
+    ("published/parallax_frostbite_text", 6),
+    ("published/parallax_godot", 11),
 ];
 
 #[test]
@@ -132,8 +141,10 @@ fn every_file_is_listed_and_named_after_its_function() {
     for name in &listed {
         let hypothesis = hypothesis(name);
         assert_eq!(name.rsplit('/').next().unwrap(), hypothesis.name());
-        // Of a published coupling one line can say all: who, what, of which argument.
-        let least = if name.starts_with("published/coupling_") { 1 } else { 2 };
+        // Of a published coupling or width one line can say all: who, what, of which argument.
+        let short =
+            ["published/coupling_", "published/parallax_"].iter().any(|start| name.starts_with(start));
+        let least = if short { 1 } else { 2 };
         assert!(hypothesis.doc().len() >= least, "{name}: says too little");
         assert_eq!(hypothesis.parameters().is_empty(), name.starts_with("published/"), "{name}");
     }
@@ -156,9 +167,16 @@ fn no_hypothesis_has_a_pole_in_the_domain() {
     let cloth = Domain::new(&[("roughness", 0.1, 1.0), ("mu", 0.01, 1.0)])
         .and_then(|d| d.with_derived("alpha", "roughness", 2))
         .unwrap();
+    let wall = Domain::new(&[("roughness", 0.1, 1.0), ("rho", 0.0625, 8.0)])
+        .and_then(|d| d.with_derived("alpha", "roughness", 2))
+        .unwrap();
     for (name, _) in COSTS {
         let hypothesis = hypothesis(name);
-        let domain = if name.contains("charlie") { cloth.clone() } else { domain() };
+        let domain = match () {
+            () if name.contains("charlie") => cloth.clone(),
+            () if name.contains("parallax") => wall.clone(),
+            () => domain(),
+        };
         prove_regular(hypothesis.tape(), &hypothesis.starts(), &domain).unwrap_or_else(|e| panic!("{e}"));
     }
 }

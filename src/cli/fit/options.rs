@@ -72,7 +72,7 @@ pub(in crate::cli) struct Options {
     /// The formula never rises as this input rises
     #[arg(long, value_name = "INPUT")]
     pub falling: Vec<String>,
-    /// Divisors keep their sign in the domain: always proven, with or without this option
+    /// Divisors keep their sign in the domain: always asked for and proven, with or without this option
     #[arg(long)]
     pub positive_denominator: bool,
     /// Arithmetic of a certificate: f32, f32-fma, f16, f16-fma; the first is the main one
