@@ -209,6 +209,9 @@ fn idle(audit: &Audit) -> Option<String> {
     (!told.is_empty()).then(|| told.join(" "))
 }
 
+/// Departures from white below this are not worth a sentence: in per cent, and in three digits, they would be next to nothing.
+const UNSEEN: f64 = 1e-5;
+
 fn furnace(audit: &Audit) -> Option<String> {
     let f = audit.furnace.as_ref().filter(|_| audit.mixed.is_none())?;
     if f.dark > 0 {
@@ -219,7 +222,8 @@ fn furnace(audit: &Audit) -> Option<String> {
             place(&f.at)
         ));
     }
-    if f.range[1] - f.range[0] <= (4.0 * audit.truth_error).max(2e-7) {
+    let seen = f.range[0].abs().max(f.range[1].abs());
+    if f.range[1] - f.range[0] <= (4.0 * audit.truth_error).max(2e-7) || seen < UNSEEN {
         return None;
     }
     Some(format!(
