@@ -56,6 +56,19 @@ pub struct Baked {
     pub volumes: Vec<BakedVolume>,
 }
 
+impl Baked {
+    /// Adds the fits of one of an effect's jobs. A published formula is measured for each of them; one entry is enough where names are
+    /// asked for.
+    fn take(&mut self, fits: Vec<Fit>, dropped: Vec<Dropped>) {
+        for fit in fits {
+            if !self.fits.iter().any(|known| known.approximation.name == fit.approximation.name) {
+                self.fits.push(fit);
+            }
+        }
+        self.dropped.extend(dropped);
+    }
+}
+
 /// Why a bake made nothing.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]

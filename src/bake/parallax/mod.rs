@@ -65,15 +65,7 @@ pub fn part(
     }
     let code = code::section(&lobes)?;
     for lobe in lobes {
-        // A published formula is measured for every kernel; one entry is enough where names are asked for.
-        let known =
-            |fit: &Fit, all: &[Fit]| all.iter().any(|f| f.approximation.name == fit.approximation.name);
-        for fit in lobe.fits {
-            if !known(&fit, &baked.fits) {
-                baked.fits.push(fit);
-            }
-        }
-        baked.dropped.extend(lobe.dropped);
+        baked.take(lobe.fits, lobe.dropped);
     }
     Ok(Part { effect: effect.effect, finding: findings.effect, entries, code, files })
 }
