@@ -12,6 +12,7 @@ mod keeps;
 pub mod parallax;
 mod quantity;
 pub mod reflection;
+pub mod room;
 pub mod sheen;
 pub mod surface;
 pub mod target;

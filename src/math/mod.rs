@@ -1,4 +1,4 @@
-//! Floor 0: scalar operations, quadrature rules, deterministic sums and low-discrepancy points.
+//! Floor 0: scalar operations, quadrature rules, deterministic sums, low-discrepancy points and vectors in space.
 
 pub mod chebyshev;
 pub mod gauss;
@@ -9,3 +9,4 @@ pub mod piecewise;
 pub mod recurrence;
 pub mod sobol;
 pub mod sum;
+pub mod vector;

@@ -3,9 +3,7 @@
 
 use crate::data::Smith;
 use crate::math::ops;
-
-/// A direction or a microfacet normal, of unit length.
-pub type Vec3 = [f64; 3];
+pub use crate::math::vector::Vec3;
 
 /// sqrt(mu^2 + alpha^2 (1 - mu^2)): the length of the stretched direction. For mu in [0, 1] it lies in
 /// [min(alpha, 1), max(alpha, 1)].

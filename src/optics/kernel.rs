@@ -14,6 +14,7 @@ use crate::math::gauss::Gauss;
 use crate::math::ops;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 /// Which lobe.
@@ -78,6 +79,9 @@ pub struct Lobe {
 /// Widths whose square lies between this and its inverse are integrated by a rule: closed forms cancel at alpha = 1.
 const NEAR_ONE: f64 = 0.5;
 
+/// Newton's steps or, where one leaves the interval, halvings: far more than are taken.
+const QUANTILE_STEPS: usize = 200;
+
 /// On [0, u <= 1] the density's poles -A <= -1/2 and -1 leave (2 + sqrt 3)^-32 = 5e-19.
 static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(16));
 
@@ -93,6 +97,35 @@ impl Lobe {
         let u = half_tangent2(t);
         // du/d ln t = 2 u (1 - u)/(1 + u)
         self.density(u) * 2.0 * u * (1.0 - u) / (1.0 + u) / self.whole
+    }
+
+    /// The u = tan^2(theta/2) of the cone that holds a share `energy` in [0, 1]; to 1e-12 of itself.
+    pub fn quantile(&self, energy: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        // what `half` holds: the other two are near it where they are narrow
+        let wanted = energy.clamp(0.0, 1.0);
+        let mut u = (self.a2 * wanted / (1.0 + self.a2 - wanted)).clamp(f64::MIN_POSITIVE, 1.0);
+        for _ in 0..QUANTILE_STEPS {
+            let off = self.within(u) / self.whole - wanted;
+            if off > 0.0 {
+                high = u
+            } else {
+                low = u
+            }
+            let next = u - off * self.whole / self.density(u);
+            let inside = next > low && next < high;
+            let next = if inside { next } else { 0.5 * (low + high) };
+            if (next - u).abs() <= 1e-13 * u {
+                return next;
+            }
+            u = next;
+        }
+        u
+    }
+
+    /// The share of energy per solid angle at u = tan^2(theta/2) in [0, 1]: dc = -2/(1 + u)^2 du.
+    pub fn per_solid_angle(&self, u: f64) -> f64 {
+        self.density(u) * (1.0 + u) * (1.0 + u) / (4.0 * PI * self.whole)
     }
 
     /// Unnormalised density over u.

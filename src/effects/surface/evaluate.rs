@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::SurfaceError;
 use super::albedos::{Albedos, Column};
 use super::material::{Base, Coupling, FactorAt, Fresnel, Lobe, Material};
+use crate::math::vector::dot;
 use crate::optics::ggx::{self, Vec3};
 use crate::optics::multiscatter::{self, Bounces};
 use crate::optics::{diffuse, fresnel};
@@ -281,10 +282,6 @@ impl Surface {
             rho * FRAC_1_PI * factor
         })
     }
-}
-
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 fn fits(material: &Material, albedos: &Albedos) -> Result<(), SurfaceError> {

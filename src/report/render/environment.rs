@@ -7,9 +7,8 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use super::directions::cone;
-use super::{dot, normalise, plus, scaled, tangents};
 use crate::math::ops;
-use crate::optics::ggx::Vec3;
+use crate::math::vector::{Vec3, dot, normalise, plus, tangents, turned};
 
 /// A round light at infinity: the same radiance within an angle about a direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -52,9 +51,8 @@ impl Aimed {
 
     /// A direction drawn evenly from two numbers in [0, 1).
     pub fn draw(&self, u: f64, v: f64) -> Vec3 {
-        let [a, b] = tangents(self.axis);
         let local = cone(self.edge, u, v);
-        plus(plus(scaled(a, local[0]), scaled(b, local[1])), scaled(self.axis, local[2]))
+        turned(self.axis, tangents(self.axis), local)
     }
 }
 

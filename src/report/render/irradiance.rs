@@ -3,10 +3,9 @@
 use std::f64::consts::PI;
 
 use super::environment::{Environment, Lamp};
-use super::{dot, normalise, plus, scaled};
 use crate::math::gauss::Gauss;
 use crate::math::ops;
-use crate::optics::ggx::Vec3;
+use crate::math::vector::{Vec3, dot, normalise, plus, scaled};
 
 /// Nodes of each panel over the height of the sky.
 const NODES: usize = 24;

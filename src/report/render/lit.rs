@@ -8,10 +8,10 @@ use serde::Serialize;
 use super::directions::cosine;
 use super::environment::Aimed;
 use super::sphere::{Pixel, Place, pixel};
-use super::{Environment, Materials, normalise, plus, scaled};
+use super::{Environment, Materials};
 use crate::math::sobol::Sobol;
+use crate::math::vector::{Vec3, normalise, plus, scaled};
 use crate::optics::ggx;
-use crate::optics::ggx::Vec3;
 use crate::report::image::Image;
 
 /// How spheres are shown.

@@ -26,32 +26,3 @@ pub trait Materials: Sync {
     /// and lights are of unit length and above the horizon of the normal z; a light's weight holds its radiance and its cosine.
     fn shade(&self, view: Vec3, lights: &[(Vec3, [f64; 3])], sums: &mut [[f64; 3]]);
 }
-
-fn dot(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vec3, b: Vec3) -> Vec3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn scaled(a: Vec3, by: f64) -> Vec3 {
-    a.map(|x| x * by)
-}
-
-fn plus(a: Vec3, b: Vec3) -> Vec3 {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-fn normalise(a: Vec3) -> Vec3 {
-    scaled(a, 1.0 / dot(a, a).sqrt())
-}
-
-/// Two directions at right angles to `axis` and to one another (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
-fn tangents(axis: Vec3) -> [Vec3; 2] {
-    let [x, y, z] = axis;
-    let sign = if z < 0.0 { -1.0 } else { 1.0 };
-    let a = -1.0 / (sign + z);
-    let b = x * y * a;
-    [[1.0 + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]]
-}

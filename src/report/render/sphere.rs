@@ -1,7 +1,6 @@
 //! Which points of a sphere a pixel sees, from afar and along z.
 
-use super::{cross, dot, normalise, plus, scaled, tangents};
-use crate::optics::ggx::Vec3;
+use crate::math::vector::{Vec3, cross, dot, normalise, plus, scaled, tangents};
 
 /// Places per pixel and axis where the sphere's edge passes.
 const EDGE: usize = 4;

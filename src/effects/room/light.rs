@@ -1,0 +1,91 @@
+//! The light of a room.
+
+use super::shape::{Convex, Plane};
+use crate::math::vector::{Vec3, dot, plus, scaled};
+
+/// A pattern of squares over a wall's coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Checker {
+    /// Side of a square.
+    pub side: f64,
+    /// Radiance of the two kinds.
+    pub radiance: [[f64; 3]; 2],
+}
+
+/// A bright rectangle on a wall.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Panel {
+    /// Its centre in the wall's coordinates.
+    pub centre: [f64; 2],
+    /// Half of its sides.
+    pub half: [f64; 2],
+    /// Radiance.
+    pub radiance: [f64; 3],
+}
+
+/// One wall of a room.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Wall {
+    /// Where it is.
+    pub plane: Plane,
+    /// Directions of its coordinates in the plane, which are the products of a place with them.
+    pub axes: [Vec3; 2],
+    /// Its squares.
+    pub checker: Checker,
+    /// Its panels, the first on top.
+    pub panels: Vec<Panel>,
+}
+
+impl Wall {
+    /// Radiance at a place of its plane, towards everywhere.
+    pub fn radiance(&self, place: Vec3) -> [f64; 3] {
+        let [x, y] = self.axes.map(|axis| dot(axis, place));
+        let inside = |p: &&Panel| (x - p.centre[0]).abs() < p.half[0] && (y - p.centre[1]).abs() < p.half[1];
+        if let Some(panel) = self.panels.iter().find(inside) {
+            return panel.radiance;
+        }
+        let Checker { side, radiance } = self.checker;
+        let odd = ((x / side).floor() + (y / side).floor()).rem_euclid(2.0) == 1.0;
+        radiance[usize::from(odd)]
+    }
+}
+
+/// A room with its light and the place of its probe.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Room {
+    /// Name.
+    pub name: String,
+    /// Where the cubemap is taken.
+    pub probe: Vec3,
+    /// Its walls, which bound it.
+    pub walls: Vec<Wall>,
+}
+
+impl Room {
+    /// The body that its walls bound.
+    pub fn shape(&self) -> Convex {
+        Convex { planes: self.walls.iter().map(|wall| wall.plane).collect() }
+    }
+
+    /// What a ray from inside meets: the distance, the wall. A room is bounded: every ray leaves it.
+    pub fn exit(&self, from: Vec3, towards: Vec3) -> (f64, usize) {
+        let mut exit = (f64::INFINITY, 0);
+        for (i, wall) in self.walls.iter().enumerate() {
+            let approach = dot(wall.plane.normal, towards);
+            // from a wall itself no ray that leaves it meets it
+            if approach > 0.0 {
+                let t = wall.plane.depth(from) / approach;
+                if t < exit.0 {
+                    exit = (t, i);
+                }
+            }
+        }
+        exit
+    }
+
+    /// Radiance seen from a place inside in a direction.
+    pub fn seen(&self, from: Vec3, towards: Vec3) -> [f64; 3] {
+        let (distance, wall) = self.exit(from, towards);
+        self.walls[wall].radiance(plus(from, scaled(towards, distance)))
+    }
+}

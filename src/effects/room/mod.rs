@@ -1,0 +1,18 @@
+//! Rooms of known light, and how the cubemap of a probe inside is looked up to stand for what a surface in them reflects.
+//!
+//! Lengths are metres; z is up. A room is a convex body of planes ([`Convex`]) that shine as [`Room`] says: what is seen from anywhere
+//! inside in any direction is known in closed form. A [`Lookup`] answers a shading point ([`Seen`]) with fetches ([`Tap`]) from the
+//! probe; a [`Proxy`] is what it takes the room for. [`fetched`] integrates fetches without texels, [`seen`](fetch::lobe) the same lobe from
+//! the shading point.
+
+mod catalogue;
+mod fetch;
+mod light;
+mod lookup;
+mod shape;
+
+pub use catalogue::{octagon, room_a, room_b};
+pub use fetch::{Rays, fetched, lobe};
+pub use light::{Checker, Panel, Room, Wall};
+pub use lookup::{Lookup, Meeting, Proxy, Seen, Tap};
+pub use shape::{Convex, Plane};

@@ -1,0 +1,72 @@
+//! Convex bodies by their planes.
+
+use super::lookup::{Meeting, Proxy};
+use crate::math::vector::{Vec3, dot, normalise, plus, scaled};
+
+/// A plane: the half-space normal . x <= offset is inside.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Plane {
+    /// Unit normal, outward.
+    pub normal: Vec3,
+    /// Distance of the plane from the origin along the normal.
+    pub offset: f64,
+}
+
+impl Plane {
+    /// The plane of a normal of any length but 0 through a place.
+    pub fn through(place: Vec3, normal: Vec3) -> Plane {
+        let normal = normalise(normal);
+        Plane { normal, offset: dot(normal, place) }
+    }
+
+    /// How far inside a place lies; negative outside.
+    pub fn depth(&self, place: Vec3) -> f64 {
+        self.offset - dot(self.normal, place)
+    }
+}
+
+/// The intersection of half-spaces, with the origin of coordinates anywhere.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Convex {
+    /// Its planes; enough of them to be bounded.
+    pub planes: Vec<Plane>,
+}
+
+impl Convex {
+    /// A box between two corners: the planes -x, x, -y, y, -z, z.
+    pub fn cuboid(low: Vec3, high: Vec3) -> Convex {
+        let pair = |axis: usize| {
+            let mut normal = [0.0; 3];
+            normal[axis] = 1.0;
+            [
+                Plane { normal: normal.map(|x: f64| -x), offset: -low[axis] },
+                Plane { normal, offset: high[axis] },
+            ]
+        };
+        Convex { planes: (0..3).flat_map(pair).collect() }
+    }
+
+    /// Where a ray from `from` leaves it: the distance in units of the length of `towards`, and the plane. `None` for a ray that leaves
+    /// through no plane. From outside a plane that the ray recedes from, the distance is negative.
+    pub fn exit(&self, from: Vec3, towards: Vec3) -> Option<(f64, usize)> {
+        let mut exit: Option<(f64, usize)> = None;
+        for (i, plane) in self.planes.iter().enumerate() {
+            let approach = dot(plane.normal, towards);
+            if approach > 0.0 {
+                let t = plane.depth(from) / approach;
+                if exit.is_none_or(|(nearest, _)| t < nearest) {
+                    exit = Some((t, i));
+                }
+            }
+        }
+        exit
+    }
+}
+
+impl Proxy for Convex {
+    fn meet(&self, from: Vec3, towards: Vec3, _alpha: f64) -> Option<Meeting> {
+        let (distance, plane) = self.exit(from, towards)?;
+        let place = plus(from, scaled(towards, distance));
+        Some(Meeting { distance, place, normal: self.planes[plane].normal })
+    }
+}
