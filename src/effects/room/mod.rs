@@ -6,6 +6,7 @@
 //! the shading point.
 
 mod catalogue;
+pub mod cubemap;
 mod fetch;
 mod light;
 mod lookup;
