@@ -3,6 +3,7 @@
 #[path = "../rivals_support/mod.rs"]
 mod rivals_support;
 
+mod cubemap;
 mod parallax;
 mod reflection_field;
 mod reflection_fits;
