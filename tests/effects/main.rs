@@ -4,6 +4,7 @@
 mod rivals_support;
 
 mod parallax;
+mod proxies;
 mod reflection_field;
 mod reflection_fits;
 mod reflection_table;

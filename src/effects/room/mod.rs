@@ -9,6 +9,7 @@ mod catalogue;
 mod fetch;
 mod light;
 mod lookup;
+pub mod proxies;
 mod shape;
 
 pub use catalogue::{octagon, room_a, room_b};
