@@ -14,6 +14,7 @@ use crate::study::{self, Size, Study};
 pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit report --study coupling       diffuse couplings in a furnace and under a sky: minutes
+  lobefit report --study parallax       lookups of a probe's cubemap in rooms: minutes
   lobefit report --study coupling --reduced --out /tmp/study
 
 Writes reports/studies/NAME/index.html and results.json in the output folder and nothing else. A bake leaves them alone, and
@@ -22,7 +23,7 @@ Writes reports/studies/NAME/index.html and results.json in the output folder and
 /// Options of `report`.
 #[derive(Args)]
 pub(super) struct Options {
-    /// The study: coupling
+    /// The study: coupling, parallax
     #[arg(long, value_name = "NAME", value_parser = study)]
     pub study: Study,
     /// Fewer and smaller pictures, in seconds

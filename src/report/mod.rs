@@ -44,6 +44,7 @@ pub use findings::{
 pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
+pub use findings::{ParallaxStudy, RoomGeometry, RoomsFindings};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
@@ -174,6 +175,20 @@ pub fn coupling_study_page(study: &CouplingStudy) -> Result<Vec<File>, ReportErr
     let folder = study_folder("coupling");
     let figures = json::document("results.json", study)?;
     let text = html(&sections::of_coupling_study(study)?)?;
+    Ok(vec![
+        file(&format!("{folder}/index.html"), text.into_bytes()),
+        file(&format!("{folder}/results.json"), figures),
+    ])
+}
+
+/// The same of the study of lookups of a probe's cubemap.
+///
+/// # Errors
+/// As [`page`].
+pub fn parallax_study_page(study: &ParallaxStudy) -> Result<Vec<File>, ReportError> {
+    let folder = study_folder("parallax");
+    let figures = json::document("results.json", study)?;
+    let text = html(&sections::of_parallax_study(study)?)?;
     Ok(vec![
         file(&format!("{folder}/index.html"), text.into_bytes()),
         file(&format!("{folder}/results.json"), figures),

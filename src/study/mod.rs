@@ -2,6 +2,7 @@
 //! one in memory: the same parameters give the same bytes for any number of threads.
 
 mod coupling;
+mod parallax;
 
 use crate::bake::Progress;
 use crate::effects::reflection::FitStageError;
@@ -17,16 +18,19 @@ use crate::store::Files;
 pub enum Study {
     /// Diffuse bases under specular lobes: furnace, lit spheres, ranking.
     Coupling,
+    /// Lookups of a probe's cubemap in rooms.
+    Parallax,
 }
 
 impl Study {
     /// All of them.
-    pub const ALL: [Study; 1] = [Study::Coupling];
+    pub const ALL: [Study; 2] = [Study::Coupling, Study::Parallax];
 
     /// The word for it on the command line, and its folder.
     pub fn name(self) -> &'static str {
         match self {
             Study::Coupling => "coupling",
+            Study::Parallax => "parallax",
         }
     }
 
@@ -47,6 +51,7 @@ impl Study {
     pub fn recipe(self, size: Size) -> Result<String, StudyError> {
         match self {
             Study::Coupling => coupling::recipe(size),
+            Study::Parallax => parallax::recipe(size),
         }
     }
 }
@@ -100,6 +105,7 @@ pub enum StudyError {
 pub fn run(study: Study, size: Size, progress: &dyn Progress) -> Result<Files, StudyError> {
     let files = match study {
         Study::Coupling => coupling::files(size, progress)?,
+        Study::Parallax => parallax::files(size, progress)?,
     };
     Ok(files.into_iter().map(|file| (file.path, file.bytes)).collect())
 }

@@ -11,6 +11,7 @@ mod figures;
 mod flip;
 mod input;
 mod page;
+mod parallax;
 mod render;
 mod selection;
 mod study;

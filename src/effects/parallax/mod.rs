@@ -4,6 +4,7 @@ mod catalogue;
 mod chain;
 mod grid;
 mod source;
+mod taps;
 mod variation;
 
 use std::collections::BTreeMap;
@@ -17,6 +18,7 @@ use crate::optics::kernel::Kernel;
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use grid::{Cell, Grid, Spread};
+pub use taps::{RuleTap, Stretch, TapRule, Taps, width};
 pub use variation::{Variation, variations};
 
 /// What to fit.

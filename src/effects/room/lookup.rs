@@ -1,6 +1,6 @@
 //! What a shader does at a shading point with the cubemap of a probe.
 
-use crate::math::vector::Vec3;
+use crate::math::vector::{Vec3, plus, scaled};
 
 /// A shading point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,4 +47,15 @@ pub struct Meeting {
 pub trait Proxy: Sync {
     /// Where a ray of unit length from inside meets it, as a lobe of width `alpha` about the ray shall; `None` where it does not.
     fn meet(&self, from: Vec3, towards: Vec3, alpha: f64) -> Option<Meeting>;
+}
+
+/// What a fetch gives: the lobe integrated, or a texel of a chain.
+pub trait Fetch: Sync {
+    /// Radiance of one fetch, without its weight.
+    fn fetch(&self, tap: &Tap) -> [f64; 3];
+
+    /// The weighted sum of fetches.
+    fn sum(&self, taps: &[Tap]) -> [f64; 3] {
+        taps.iter().fold([0.0; 3], |sum, tap| plus(sum, scaled(self.fetch(tap), tap.weight)))
+    }
 }

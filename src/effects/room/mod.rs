@@ -11,9 +11,11 @@ mod light;
 mod lookup;
 pub mod proxies;
 mod shape;
+mod stretch;
 
 pub use catalogue::{octagon, room_a, room_b};
 pub use fetch::{Rays, fetched, lobe};
 pub use light::{Checker, Panel, Room, Wall};
-pub use lookup::{Lookup, Meeting, Proxy, Seen, Tap};
+pub use lookup::{Fetch, Lookup, Meeting, Proxy, Seen, Tap};
 pub use shape::{Convex, Plane};
+pub use stretch::Stretch;

@@ -1,7 +1,7 @@
 //! Convex bodies by their planes.
 
 use super::lookup::{Meeting, Proxy};
-use crate::math::vector::{Vec3, dot, normalise, plus, scaled};
+use crate::math::vector::{Vec3, cross, dot, normalise, plus, scaled};
 
 /// A plane: the half-space normal . x <= offset is inside.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -61,6 +61,30 @@ impl Convex {
         }
         exit
     }
+
+    /// Its corners, each once for every three of its planes that meet there.
+    pub fn corners(&self) -> Vec<Vec3> {
+        let planes = &self.planes;
+        let mut corners = Vec::new();
+        for (i, a) in planes.iter().enumerate() {
+            for (j, b) in planes.iter().enumerate().skip(i + 1) {
+                corners.extend(planes[j + 1..].iter().filter_map(|c| meet([a, b, c])));
+            }
+        }
+        corners.retain(|&corner| planes.iter().all(|plane| plane.depth(corner) >= -CORNER));
+        corners
+    }
+}
+
+/// How far outside a plane a corner may lie by rounding, in metres.
+const CORNER: f64 = 1e-9;
+
+/// The place that three planes share; none where two of them are parallel, or nearly so.
+fn meet([a, b, c]: [&Plane; 3]) -> Option<Vec3> {
+    let sides = [cross(b.normal, c.normal), cross(c.normal, a.normal), cross(a.normal, b.normal)];
+    let volume = dot(a.normal, sides[0]);
+    let sum = plus(plus(scaled(sides[0], a.offset), scaled(sides[1], b.offset)), scaled(sides[2], c.offset));
+    (volume.abs() > 1e-9).then(|| scaled(sum, 1.0 / volume))
 }
 
 impl Proxy for Convex {

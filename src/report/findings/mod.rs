@@ -9,6 +9,7 @@ mod furnace;
 mod index;
 mod own;
 mod parallax;
+mod parallax_study;
 mod search;
 mod table;
 mod volume;
@@ -37,6 +38,7 @@ pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
 pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
+pub use parallax_study::{ParallaxStudy, RoomGeometry, RoomsFindings};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};

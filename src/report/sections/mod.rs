@@ -12,6 +12,7 @@ mod index;
 mod metals;
 mod own;
 mod parallax;
+mod parallax_study;
 mod reciprocity;
 mod search;
 mod selection;
@@ -26,7 +27,7 @@ mod words;
 
 use super::{
     AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, Index, Page,
-    ParallaxFindings, ReportError, SearchPage, Section, Timings, VolumeFindings,
+    ParallaxFindings, ParallaxStudy, ReportError, SearchPage, Section, Timings, VolumeFindings,
 };
 use crate::effects::surface::SurfaceRows;
 
@@ -109,6 +110,11 @@ pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
 /// The page of the study of diffuse couplings.
 pub(crate) fn of_coupling_study(study: &CouplingStudy) -> Result<Page, ReportError> {
     coupling_study::page(study)
+}
+
+/// The page of the study of lookups of a probe's cubemap.
+pub(crate) fn of_parallax_study(study: &ParallaxStudy) -> Result<Page, ReportError> {
+    parallax_study::page(study)
 }
 
 /// The sections of whole materials, for a page of their effect or of a study.

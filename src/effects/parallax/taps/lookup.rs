@@ -1,0 +1,67 @@
+//! The lookup of a shading point by a rule.
+
+use super::rule::{RuleTap, TapRule};
+use super::stretch::Stretch;
+use crate::effects::room::{Lookup, Meeting, Proxy, Seen, Tap};
+use crate::math::vector::{Vec3, dot, minus, normalise, plus, scaled};
+
+/// Fetches of a rule along the stretched axis, each traced through the proxy and as wide as its own footprint asks for.
+#[derive(Clone, Debug)]
+pub struct Taps<P> {
+    /// What the room is taken for.
+    pub proxy: P,
+    /// Where the cubemap was taken.
+    pub probe: Vec3,
+    /// The fetches.
+    pub rule: TapRule,
+}
+
+/// The width, at most 1, of a fetch that stands for a lobe of width `alpha` in [0, 1] whose footprint is `ratio` > 0 times as wide from
+/// the probe as from the shading point: the fitted flow of fixed-energy cones for the cosine-weighted lobe, its constant rounded to 1.
+pub fn width(alpha: f64, ratio: f64) -> f64 {
+    let x = ratio * alpha;
+    x / (1.0 + alpha - x).max(x)
+}
+
+impl<P: Proxy> Lookup for Taps<P> {
+    /// Rays that leave below the surface or miss the proxy are dropped and the rest weighted up; where the mirror ray misses it, the one
+    /// fetch is along the ray.
+    fn taps(&self, seen: &Seen) -> Vec<Tap> {
+        let facing = dot(seen.normal, seen.view);
+        let ray = normalise(minus(scaled(seen.normal, 2.0 * facing), seen.view));
+        let Some((hit, stretch)) = self.stretch(seen, ray) else {
+            return vec![Tap { towards: ray, alpha: seen.alpha, weight: 1.0 }];
+        };
+        let rule = self.rule.taps(&stretch, seen.alpha);
+        let mut taps: Vec<Tap> = rule.iter().filter_map(|tap| self.fetch(seen, ray, &stretch, tap)).collect();
+        if taps.is_empty() {
+            taps.push(self.tap(hit.place, width(seen.alpha, stretch.area), 1.0));
+        }
+        let whole: f64 = taps.iter().map(|tap| tap.weight).sum();
+        for tap in &mut taps {
+            tap.weight /= whole;
+        }
+        taps
+    }
+}
+
+impl<P: Proxy> Taps<P> {
+    /// What a ray of the shading point hits in front of it, and how that stretches the lobe.
+    fn stretch(&self, seen: &Seen, ray: Vec3) -> Option<(Meeting, Stretch)> {
+        let hit = self.proxy.meet(seen.place, ray, seen.alpha).filter(|hit| hit.distance > 0.0)?;
+        Some((hit, Stretch::of(seen.place, &hit, self.probe)?))
+    }
+
+    fn fetch(&self, seen: &Seen, mirror: Vec3, stretch: &Stretch, tap: &RuleTap) -> Option<Tap> {
+        let ray = normalise(plus(mirror, scaled(stretch.major, tap.tilt)));
+        if dot(ray, seen.normal) <= 0.0 {
+            return None;
+        }
+        let (hit, own) = self.stretch(seen, ray)?;
+        Some(self.tap(hit.place, width(tap.width * seen.alpha, own.area), tap.weight))
+    }
+
+    fn tap(&self, place: Vec3, alpha: f64, weight: f64) -> Tap {
+        Tap { towards: normalise(minus(place, self.probe)), alpha, weight }
+    }
+}

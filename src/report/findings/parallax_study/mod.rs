@@ -1,0 +1,20 @@
+//! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
+
+mod rooms;
+
+use serde::Serialize;
+use serde_json::Value;
+
+use super::Origin;
+pub use rooms::{RoomGeometry, RoomsFindings};
+
+/// Lookups of the cubemap of a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ParallaxStudy {
+    /// What made it.
+    pub origin: Origin,
+    /// What was asked: everything that the recipe hash covers beside the formulas.
+    pub parameters: Value,
+    /// Lookups in rooms, against lobes traced from the shading point.
+    pub rooms: RoomsFindings,
+}

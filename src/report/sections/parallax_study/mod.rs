@@ -1,0 +1,18 @@
+//! The page of the study of lookups of a probe's cubemap, a file for each part.
+
+mod rooms;
+
+use crate::report::{Page, ParallaxStudy, ReportError};
+
+/// The page.
+pub(super) fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
+    let sections = vec![rooms::sections(&study.rooms)?].into_iter().flatten().collect();
+    Ok(Page {
+        title: "lobefit study: parallax".into(),
+        origin: study.origin.clone(),
+        lead: "The prefiltered cubemap of a probe, looked up from shading points elsewhere in a room: what each way to correct direction and \
+               roughness is off by, against lobes traced from the shading point. Figures in full digits: results.json, in this folder."
+            .into(),
+        sections,
+    })
+}

@@ -1,0 +1,23 @@
+//! What the study covers.
+
+use serde::Serialize;
+
+use super::rooms;
+use crate::study::Size;
+
+/// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
+const METHOD: u32 = 1;
+
+/// Everything that the recipe covers beside the tool's version and the formulas, a field for each part.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Parameters {
+    method: u32,
+    pub rooms: rooms::Parameters,
+}
+
+impl Parameters {
+    /// Those of a size.
+    pub fn of(size: Size) -> Parameters {
+        Parameters { method: METHOD, rooms: rooms::Parameters::of(size) }
+    }
+}

@@ -1,0 +1,99 @@
+//! Shading points at random in a room.
+
+use std::f64::consts::PI;
+
+use serde::Serialize;
+
+use crate::effects::room::{Convex, Proxy, Room, Stretch};
+use crate::math::ops;
+use crate::math::sobol::Sobol;
+use crate::math::vector::Vec3;
+use crate::report::RoomGeometry;
+use crate::study::Size;
+
+/// Which points.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Parameters {
+    /// How many.
+    pub count: usize,
+    /// Least distance of a point from every wall, in metres.
+    pub margin: f64,
+    /// Of the sequences that they are drawn from.
+    pub seed: u32,
+}
+
+impl Parameters {
+    /// Those of a size.
+    pub fn of(size: Size) -> Parameters {
+        let count = if size == Size::Full { 1200 } else { 60 };
+        Parameters { count, margin: 0.1, seed: 1 }
+    }
+}
+
+/// A place in a room and a direction of reflection, neither with any surface yet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Point {
+    pub place: Vec3,
+    pub mirror: Vec3,
+}
+
+/// Places evenly inside the walls, directions evenly over the sphere.
+pub(super) fn points(room: &Room, parameters: &Parameters) -> Vec<Point> {
+    let Parameters { count, margin, seed } = *parameters;
+    let shape = room.shape();
+    let [low, high] = bounds(&shape, room.probe);
+    let places = Sobol::new([seed, seed ^ 0x5bd1_e995, seed ^ 0x9e37_79b9]);
+    let turns = Sobol::new([seed ^ 0x2545_f491, seed ^ 0x7feb_352d, 0]);
+    let place =
+        |i: u32| [0, 1, 2].map(|axis| low[axis] + (high[axis] - low[axis]) * places.coordinate(i, axis));
+    let inside = |place: &Vec3| shape.planes.iter().all(|plane| plane.depth(*place) >= margin);
+    let found = (0..).map(place).filter(inside).take(count);
+    let mirror = |i: u32| {
+        let z = 1.0 - 2.0 * turns.coordinate(i, 0);
+        let sine = ((1.0 - z) * (1.0 + z)).sqrt();
+        let (s, c) = ops::sincos(2.0 * PI * turns.coordinate(i, 1));
+        [sine * c, sine * s, z]
+    };
+    found.zip(0..).map(|(place, i)| Point { place, mirror: mirror(i) }).collect()
+}
+
+/// A box that holds a body.
+fn bounds(shape: &Convex, inside: Vec3) -> [Vec3; 2] {
+    let [mut low, mut high] = [inside; 2];
+    for corner in shape.corners() {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(corner[axis]);
+            high[axis] = high[axis].max(corner[axis]);
+        }
+    }
+    [low, high]
+}
+
+/// How points and probe lie to the walls.
+pub(super) fn geometry(room: &Room, parameters: &Parameters) -> RoomGeometry {
+    let shape = room.shape();
+    let (mut rho, mut stretch) = (Vec::new(), Vec::new());
+    for point in points(room, parameters) {
+        if let Some(met) = shape.meet(point.place, point.mirror, 0.0) {
+            let seen = Stretch::of(&met, point.mirror, room.probe);
+            rho.push(seen.distance);
+            stretch.push(seen.stretch());
+        }
+    }
+    RoomGeometry {
+        room: room.name.clone(),
+        walls: room.walls.len(),
+        panels: room.walls.iter().map(|wall| wall.panels.len()).sum(),
+        points: rho.len(),
+        rho: [0.05, 0.5, 0.95].map(|share| quantile(&rho, share)),
+        stretch: [0.05, 0.5, 0.95].map(|share| quantile(&stretch, share)),
+    }
+}
+
+/// The value that a share of others is below, the nearest of those there are; 0 where there are none.
+fn quantile(values: &[f64], share: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let last = sorted.len().saturating_sub(1);
+    sorted.get((share * last as f64).round() as usize).copied().unwrap_or(0.0)
+}

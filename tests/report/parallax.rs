@@ -1,0 +1,60 @@
+//! `lobefit report --study parallax`: the same bytes for any number of threads, and a page that `check` knows.
+
+use crate::common;
+
+use std::path::Path;
+
+use common::{lobefit, names, stderr};
+use lobefit::study::{Size, Study};
+use serde_json::Value;
+
+/// A scene whose bake takes no time: it calls for no effect.
+const SCENE: &[u8] = include_bytes!("../../examples/mirrors.json");
+
+fn run(folder: &Path, options: &[&str]) -> String {
+    let output = lobefit(folder, &[&["report", "--study", "parallax", "--reduced"], options].concat(), b"");
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+#[test]
+fn the_reduced_study_is_the_same_for_any_threads_and_check_knows_it() {
+    let (one, three) = (tempfile::tempdir().expect("a folder"), tempfile::tempdir().expect("a folder"));
+    let said = run(one.path(), &["--threads", "1"]);
+    assert!(said.contains("2 files written, 0 unchanged"), "{said}");
+    let printed = run(three.path(), &["--threads", "3", "--json"]);
+    assert_eq!(names(one.path()), ["reports"]);
+    for file in Study::Parallax.files() {
+        let bytes = |folder: &Path| std::fs::read(folder.join(&file)).expect("a file");
+        assert_eq!(bytes(one.path()), bytes(three.path()), "{file}");
+    }
+    let [page, results] = Study::Parallax.files();
+    let text = std::fs::read_to_string(one.path().join(&results)).expect("results");
+    let results: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(serde_json::from_str::<Value>(&printed).expect("JSON"), results);
+    let reduced = Study::Parallax.recipe(Size::Reduced).expect("a recipe");
+    assert_eq!(results["origin"]["recipe"], reduced);
+    let page = std::fs::read_to_string(one.path().join(page)).expect("a page");
+    assert!(page.contains(&reduced) && page.contains("The rooms"));
+    checked(one.path(), &reduced);
+}
+
+/// `check` names a study of another recipe, as the reduced one is, and not one of the full recipe.
+fn checked(folder: &Path, reduced: &str) {
+    let output = lobefit(folder, &["bake", "-", "--quiet"], SCENE);
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));
+    let check = || {
+        let output = lobefit(folder, &["check", "-"], SCENE);
+        (output.status.code(), String::from_utf8(output.stdout).expect("text"))
+    };
+    let (code, text) = check();
+    assert_eq!(code, Some(1), "{text}");
+    assert!(text.contains("lobefit report --study parallax"), "{text}");
+    let full = Study::Parallax.recipe(Size::Full).expect("a recipe");
+    for file in Study::Parallax.files() {
+        let text = std::fs::read_to_string(folder.join(&file)).expect("text");
+        std::fs::write(folder.join(&file), text.replace(reduced, &full)).expect("written");
+    }
+    let (code, text) = check();
+    assert_eq!(code, Some(0), "{text}");
+}
