@@ -10,6 +10,7 @@ pub mod cubemap;
 mod fetch;
 mod light;
 mod lookup;
+pub mod proxies;
 mod shape;
 mod stretch;
 
