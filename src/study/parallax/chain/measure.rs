@@ -1,0 +1,121 @@
+//! Points at random in a room with what a lobe there sees, and how far lookups are from it.
+
+use rayon::prelude::*;
+
+use super::super::rooms::points::{self, points};
+use crate::effects::room::cubemap::{Correction, Ratio, Viewpoint, to_edge};
+use crate::effects::room::{Convex, Fan, Fetch, Lookup, Room, Seen};
+use crate::math::ops;
+use crate::math::vector::{plus, scaled};
+use crate::optics::kernel::Kernel;
+
+/// What all engines bake.
+pub(super) const KERNEL: Kernel = Kernel::HalfCosine;
+
+/// Radii alpha d_s of a lobe on the wall within which an edge of the proxy is near.
+pub(super) const NEAR: f64 = 2.0;
+
+/// The points of a room under a roughness.
+pub(super) struct Row {
+    pub seen: Vec<Seen>,
+    /// The lobe traced from each.
+    pub light: Vec<[f64; 3]>,
+    /// Whether its mirror ray ends near an edge.
+    pub near: Vec<bool>,
+}
+
+/// A room with its points, row by row of roughness.
+pub(super) struct Case<'a> {
+    pub room: &'a Room,
+    pub shape: Convex,
+    pub rows: Vec<Row>,
+}
+
+impl<'a> Case<'a> {
+    /// The reference is integrated with the directions of `fan`.
+    pub fn new(room: &'a Room, points_of: &points::Parameters, roughness: &[f64], fan: &Fan) -> Case<'a> {
+        let shape = room.shape();
+        let points = points(room, points_of);
+        let row = |roughness: &f64| {
+            let alpha = roughness * roughness;
+            let seen = points.iter().map(|point| Seen {
+                place: point.place,
+                normal: point.mirror,
+                view: point.mirror,
+                alpha,
+            });
+            let seen: Vec<Seen> = seen.collect();
+            let light = seen.par_iter().map(|s| fan.lobe(room, s.place, s.view, None, alpha)).collect();
+            let near = seen.iter().map(|seen| nearness(&shape, seen) < NEAR).collect();
+            Row { seen, light, near }
+        };
+        let rows = roughness.iter().map(row).collect();
+        Case { room, shape, rows }
+    }
+
+    /// One fetch from a bake.
+    pub fn correction(&self, viewpoint: Viewpoint, ratio: Ratio, width: fn(f64, f64) -> f64) -> Correction {
+        Correction { proxy: self.shape.clone(), probe: self.room.probe, viewpoint, ratio, width }
+    }
+}
+
+/// Distance of the end of a mirror ray from the nearest edge of its wall, in radii of the lobe on it; that of a ray that meets no wall is 0.
+fn nearness(shape: &Convex, seen: &Seen) -> f64 {
+    let Some((distance, wall)) = shape.exit(seen.place, seen.view) else { return 0.0 };
+    let place = plus(seen.place, scaled(seen.view, distance));
+    to_edge(shape, place, wall) / (seen.alpha * distance)
+}
+
+/// What a lookup shades the points with.
+pub(super) fn shaded(row: &Row, lookup: &dyn Lookup, fetch: &dyn Fetch) -> Vec<[f64; 3]> {
+    row.seen.par_iter().map(|seen| fetch.sum(&lookup.taps(seen))).collect()
+}
+
+/// Root of the sum of squares of the differences of a and b over that of the truth, over channels and those of the points that are wanted.
+pub(super) fn off(a: &[[f64; 3]], b: &[[f64; 3]], truth: &[[f64; 3]], wanted: impl Fn(usize) -> bool) -> f64 {
+    let (mut off, mut whole) = (0.0, 0.0);
+    for i in (0..truth.len()).filter(|i| wanted(*i)) {
+        for c in 0..3 {
+            off += (a[i][c] - b[i][c]) * (a[i][c] - b[i][c]);
+            whole += truth[i][c] * truth[i][c];
+        }
+    }
+    if whole > 0.0 { (off / whole).sqrt() } else { 0.0 }
+}
+
+/// The same of what is found from the truth.
+pub(super) fn relative(found: &[[f64; 3]], truth: &[[f64; 3]], wanted: impl Fn(usize) -> bool) -> f64 {
+    off(found, truth, truth, wanted)
+}
+
+/// Every point.
+pub(super) fn all(_: usize) -> bool {
+    true
+}
+
+/// Geometric mean of a over b.
+pub(super) fn gain(a: &[f64], b: &[f64]) -> f64 {
+    let logs: f64 = a.iter().zip(b).map(|(a, b)| ops::log(a / b)).sum();
+    ops::exp(logs / a.len() as f64)
+}
+
+/// The width of the lobe itself.
+pub(super) fn unchanged(alpha: f64, _: f64) -> f64 {
+    alpha
+}
+
+/// Lagarde and de Rousiers 2014, listing 25, in r = sqrt(alpha): r' = (1 - r) clamp(rho r, 0, r) + r r.
+pub(super) fn frostbite(alpha: f64, rho: f64) -> f64 {
+    let r = alpha.sqrt();
+    let scaled = (rho * r).min(r);
+    let adjusted = scaled + (r - scaled) * r;
+    adjusted * adjusted
+}
+
+/// Least width of a fetch: lobes narrower than any texel, of rays that end where they start.
+const NARROWEST: f64 = 1e-6;
+
+/// Ours, with the constant 1.
+pub(super) fn ours(alpha: f64, rho: f64) -> f64 {
+    crate::effects::parallax::width(alpha, rho).max(NARROWEST)
+}
