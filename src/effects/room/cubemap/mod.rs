@@ -3,12 +3,10 @@
 //!
 //! What of the error of a lookup is the chain's own can be told part by part: a level is captured or integrated ([`Source`]), stored in 16
 //! or 32 bits ([`Format`]) and read across the edges of its faces or not ([`Edges`]); [`Integrated`] fetches without any of them.
-//! [`Viewpoint`] says from where the texels of a level see the room: from the probe, or from above the wall that they show; [`Correction`]
-//! looks any of them up.
+//! [`Viewpoint`] says from where the texels of a level see the room: from the probe, or from above the wall that they show.
 
 mod capture;
 mod chain;
-mod correction;
 mod faces;
 mod integrated;
 mod level;
@@ -16,7 +14,6 @@ mod viewpoint;
 
 pub use capture::{Bake, Source};
 pub use chain::Chain;
-pub use correction::{Correction, Ratio};
 pub use faces::{direction, face_of, solid_angle};
 pub use integrated::Integrated;
 pub use level::{Edges, Format, Level};

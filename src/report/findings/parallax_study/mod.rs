@@ -7,8 +7,10 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
-pub use chain::{BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw};
-pub use rooms::{RoomGeometry, RoomsFindings};
+pub use chain::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
+};
+pub use rooms::{RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
 
 /// Lookups of the cubemap of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]

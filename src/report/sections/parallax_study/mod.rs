@@ -7,7 +7,8 @@ use crate::report::{Page, ParallaxStudy, ReportError};
 
 /// The page.
 pub(super) fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
-    let sections = vec![rooms::sections(&study.rooms)?, chain::sections(&study.chain)?].into_iter().flatten().collect();
+    let sections =
+        vec![rooms::sections(&study.rooms)?, chain::sections(&study.chain)?].into_iter().flatten().collect();
     Ok(Page {
         title: "lobefit study: parallax".into(),
         origin: study.origin.clone(),

@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use super::super::rooms::points::{self, points};
-use crate::effects::room::cubemap::{Correction, Ratio, Viewpoint, to_edge};
+use crate::effects::parallax::{Baked, Shading, Slant, Width};
+use crate::effects::room::cubemap::{Viewpoint, to_edge};
 use crate::effects::room::{Convex, Fan, Fetch, Lookup, Room, Seen};
 use crate::math::ops;
 use crate::math::vector::{plus, scaled};
@@ -54,8 +55,9 @@ impl<'a> Case<'a> {
     }
 
     /// One fetch from a bake.
-    pub fn correction(&self, viewpoint: Viewpoint, ratio: Ratio, width: fn(f64, f64) -> f64) -> Correction {
-        Correction { proxy: self.shape.clone(), probe: self.room.probe, viewpoint, ratio, width }
+    pub fn baked(&self, viewpoint: Viewpoint, slant: Slant, width: Width) -> Baked {
+        let (proxy, probe) = (self.shape.clone(), self.room.probe);
+        Baked { proxy, probe, shading: Shading::Mirror, viewpoint, slant, width }
     }
 }
 
@@ -97,25 +99,4 @@ pub(super) fn all(_: usize) -> bool {
 pub(super) fn gain(a: &[f64], b: &[f64]) -> f64 {
     let logs: f64 = a.iter().zip(b).map(|(a, b)| ops::log(a / b)).sum();
     ops::exp(logs / a.len() as f64)
-}
-
-/// The width of the lobe itself.
-pub(super) fn unchanged(alpha: f64, _: f64) -> f64 {
-    alpha
-}
-
-/// Lagarde and de Rousiers 2014, listing 25, in r = sqrt(alpha): r' = (1 - r) clamp(rho r, 0, r) + r r.
-pub(super) fn frostbite(alpha: f64, rho: f64) -> f64 {
-    let r = alpha.sqrt();
-    let scaled = (rho * r).min(r);
-    let adjusted = scaled + (r - scaled) * r;
-    adjusted * adjusted
-}
-
-/// Least width of a fetch: lobes narrower than any texel, of rays that end where they start.
-const NARROWEST: f64 = 1e-6;
-
-/// Ours, with the constant 1.
-pub(super) fn ours(alpha: f64, rho: f64) -> f64 {
-    crate::effects::parallax::width(alpha, rho).max(NARROWEST)
 }

@@ -101,7 +101,10 @@ impl Parameters {
 }
 
 /// Runs it.
-pub(super) fn findings(parameters: &Parameters, progress: &dyn Progress) -> Result<ChainFindings, StudyError> {
+pub(super) fn findings(
+    parameters: &Parameters,
+    progress: &dyn Progress,
+) -> Result<ChainFindings, StudyError> {
     let fan = Fan::new(KERNEL, parameters.rays, parameters.seed);
     progress.stage("chains: lobes traced from points");
     let of = |room| Case::new(room, &parameters.points, &parameters.roughness, &fan);

@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::measure::{Case, ours};
+use super::measure::Case;
 use super::viewpoints::policies;
+use crate::effects::parallax::Width;
 use crate::effects::room::cubemap::Integrated;
 use crate::effects::room::{Fan, Fetch, Lookup, Room, Seen};
 use crate::math::ops;
@@ -61,7 +62,8 @@ impl Floor {
             if normal[2] < 0.99 {
                 return None;
             }
-            let seen = Seen { place: plus(camera, scaled(ray, distance)), normal, view: scaled(ray, -1.0), alpha };
+            let seen =
+                Seen { place: plus(camera, scaled(ray, distance)), normal, view: scaled(ray, -1.0), alpha };
             let (_, wall) = room.exit(seen.place, mirror(&seen));
             Some(Pixel { seen, wall })
         };
@@ -80,7 +82,8 @@ impl Floor {
     /// Mean magnitude of the second difference, along rows and columns, of the difference of two pictures' displayed luminance: where the
     /// three mirror rays meet different walls, and where they meet one.
     fn creases(&self, picture: &[[f64; 3]], reference: &[[f64; 3]]) -> [f64; 2] {
-        let off: Vec<f64> = picture.iter().zip(reference).map(|(a, b)| displayed(*a) - displayed(*b)).collect();
+        let off: Vec<f64> =
+            picture.iter().zip(reference).map(|(a, b)| displayed(*a) - displayed(*b)).collect();
         let (mut sums, mut counts) = ([0.0; 2], [0_u32; 2]);
         for step in [1, self.side] {
             for k in step..self.pixels.len() - step {
@@ -88,7 +91,8 @@ impl Floor {
                 if step == 1 && (k % self.side == 0 || k % self.side == self.side - 1) {
                     continue;
                 }
-                let [Some(a), Some(b), Some(c)] = [k - step, k, k + step].map(|k| self.pixels[k].as_ref()) else {
+                let [Some(a), Some(b), Some(c)] = [k - step, k, k + step].map(|k| self.pixels[k].as_ref())
+                else {
                     continue;
                 };
                 let elsewhere = usize::from(a.wall == b.wall && b.wall == c.wall);
@@ -122,12 +126,17 @@ pub(super) fn seams(case: &Case, fan: &Fan, widths: f64, view: &View, roughness:
         elsewhere: 0.0,
         picture: image(view.side, &reference),
     }];
-    for (name, viewpoint, ratio) in policies(widths) {
-        let lookup = case.correction(viewpoint, ratio, ours);
+    for (name, viewpoint, slant) in policies(widths) {
+        let lookup = case.baked(viewpoint, slant, Width::Rational);
         let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
         let shown = floor.shown(|seen| exact.sum(&lookup.taps(seen)));
         let [edge, elsewhere] = floor.creases(&shown, &reference);
-        pictures.push(SeamPicture { policy: name.into(), edge, elsewhere, picture: image(view.side, &shown) });
+        pictures.push(SeamPicture {
+            policy: name.into(),
+            edge,
+            elsewhere,
+            picture: image(view.side, &shown),
+        });
     }
     SeamRow { room: case.room.name.clone(), roughness, pictures }
 }

@@ -1,9 +1,10 @@
 //! What a chain adds to the error of a lookup, part by part.
 
-use super::measure::{Case, KERNEL, Row, all, off, ours, relative, shaded};
+use super::measure::{Case, KERNEL, Row, all, off, relative, shaded};
 use super::{Engine, Parameters};
 use crate::data::MipChain;
-use crate::effects::room::cubemap::{Bake, Chain, Edges, Format, Ratio, Source, Viewpoint};
+use crate::effects::parallax::{Slant, Width};
+use crate::effects::room::cubemap::{Bake, Chain, Edges, Format, Source, Viewpoint};
 use crate::effects::room::{Exact, Fan, Fetch, Tap};
 use crate::math::vector::{plus, scaled};
 use crate::report::{ChainParts, ChainSize};
@@ -51,16 +52,22 @@ impl Fetch for Levels<'_> {
 }
 
 /// The parts of the first engine's chain in a room, for the fetches of our lookup.
-pub(super) fn parts(case: &Case, engine: &Engine, parameters: &Parameters, fan: &Fan) -> Result<ChainParts, StudyError> {
+pub(super) fn parts(
+    case: &Case,
+    engine: &Engine,
+    parameters: &Parameters,
+    fan: &Fan,
+) -> Result<ChainParts, StudyError> {
     let whole = bake(engine, parameters);
     let chain = whole.chain(case.room)?;
     let single = Bake { format: Format::Single, ..whole.clone() }.chain(case.room)?;
-    let captured = Bake { source: Source::Capture, rays: parameters.engine_rays, ..whole.clone() }.chain(case.room)?;
+    let captured =
+        Bake { source: Source::Capture, rays: parameters.engine_rays, ..whole.clone() }.chain(case.room)?;
     let again = Bake { seed: parameters.seed + 1, ..whole }.chain(case.room)?;
     let clamped = chain.with_edges(Edges::Clamped);
     let exact = Exact { room: case.room, fan };
     let levels = Levels { exact, map: &engine.map };
-    let lookup = case.correction(Viewpoint::Probe, Ratio::Area, ours);
+    let lookup = case.baked(Viewpoint::Probe, Slant::Whole, Width::Rational);
     let mut found = ChainParts { room: case.room.name.clone(), ..ChainParts::default() };
     for row in &case.rows {
         let by = |fetch: &dyn Fetch| shaded(row, &lookup, fetch);
@@ -79,17 +86,14 @@ pub(super) fn parts(case: &Case, engine: &Engine, parameters: &Parameters, fan: 
 }
 
 /// The error of whole chains, by map and size.
-pub(super) fn sizes(
-    case: &Case,
-    parameters: &Parameters,
-    fan: &Fan,
-) -> Result<Vec<ChainSize>, StudyError> {
-    let lookup = case.correction(Viewpoint::Probe, Ratio::Area, ours);
+pub(super) fn sizes(case: &Case, parameters: &Parameters, fan: &Fan) -> Result<Vec<ChainSize>, StudyError> {
+    let lookup = case.baked(Viewpoint::Probe, Slant::Whole, Width::Rational);
     let exact = Exact { room: case.room, fan };
     let truth: Vec<Vec<[f64; 3]>> = case.rows.iter().map(|row| shaded(row, &lookup, &exact)).collect();
     let one = |engine: &Engine| {
         let chain: Chain = bake(engine, parameters).chain(case.room)?;
-        let error = |(row, truth): (&Row, &Vec<[f64; 3]>)| relative(&shaded(row, &lookup, &chain), truth, all);
+        let error =
+            |(row, truth): (&Row, &Vec<[f64; 3]>)| relative(&shaded(row, &lookup, &chain), truth, all);
         Ok(ChainSize {
             room: case.room.name.clone(),
             chain: engine.map.text(),

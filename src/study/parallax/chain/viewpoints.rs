@@ -1,22 +1,23 @@
 //! From where the texels of a bake see the room: away from the edges of the proxy and near them.
 
-use super::measure::{Case, KERNEL, all, frostbite, gain, ours, relative, shaded};
+use super::measure::{Case, Row, all, gain, relative, shaded};
 use super::{Parameters, texels};
-use crate::effects::room::cubemap::{Bake, Integrated, Ratio, Viewpoint};
-use crate::effects::room::{Fan, Fetch};
+use crate::effects::parallax::{Slant, Width};
+use crate::effects::room::cubemap::{Bake, Integrated, Viewpoint};
+use crate::effects::room::{Fan, Fetch, Lookup};
 use crate::math::ops;
 use crate::report::{BakePolicy, SlideLaw};
 use crate::study::StudyError;
 
 /// The laws compared, with how their widths change; the sliding ones over `widths` radii.
-pub(super) fn policies(widths: f64) -> Vec<(&'static str, Viewpoint, Ratio)> {
-    let (sliding, fading) = (Viewpoint::Sliding { widths }, Ratio::Fading { widths });
+pub(super) fn policies(widths: f64) -> Vec<(&'static str, Viewpoint, Slant)> {
+    let (sliding, fading) = (Viewpoint::Sliding { widths }, Slant::Fading { widths });
     vec![
-        ("angular, ratio of distances", Viewpoint::Probe, Ratio::Distance),
-        ("angular, ratio of areas", Viewpoint::Probe, Ratio::Area),
+        ("angular, ratio of distances", Viewpoint::Probe, Slant::Ignored),
+        ("angular, ratio of areas", Viewpoint::Probe, Slant::Whole),
         ("angular, fading at edges", Viewpoint::Probe, fading),
-        ("perpendicular, ratio of areas", Viewpoint::Perpendicular, Ratio::Area),
-        ("sliding, ratio of areas", sliding, Ratio::Area),
+        ("perpendicular, ratio of areas", Viewpoint::Perpendicular, Slant::Whole),
+        ("sliding, ratio of areas", sliding, Slant::Whole),
         ("sliding, fading at edges", sliding, fading),
     ]
 }
@@ -33,18 +34,16 @@ pub(super) fn compared(
     for viewpoint in [Viewpoint::Probe, Viewpoint::Perpendicular, Viewpoint::Sliding { widths }] {
         chains.push((viewpoint, Bake { viewpoint, ..engine.clone() }.chain(case.room)?));
     }
-    let rival = case.correction(Viewpoint::Probe, Ratio::Distance, frostbite);
-    let errors = |lookup: &dyn crate::effects::room::Lookup, fetch: &dyn Fetch, wanted: &dyn Fn(bool) -> bool| {
-        let row = |row: &super::measure::Row| {
-            relative(&shaded(row, lookup, fetch), &row.light, |i| wanted(row.near[i]))
-        };
+    let rival = case.baked(Viewpoint::Probe, Slant::Ignored, Width::Frostbite);
+    let errors = |lookup: &dyn Lookup, fetch: &dyn Fetch, wanted: &dyn Fn(bool) -> bool| {
+        let row = |row: &Row| relative(&shaded(row, lookup, fetch), &row.light, |i| wanted(row.near[i]));
         case.rows.iter().map(row).collect::<Vec<f64>>()
     };
     let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint: Viewpoint::Probe, fan };
     let (published, stored) = (errors(&rival, &exact, &|_| true), errors(&rival, &chains[0].1, &|_| true));
     let mut found = Vec::new();
-    for (name, viewpoint, ratio) in policies(widths) {
-        let lookup = case.correction(viewpoint, ratio, ours);
+    for (name, viewpoint, slant) in policies(widths) {
+        let lookup = case.baked(viewpoint, slant, Width::Rational);
         let exact = Integrated { viewpoint, ..exact };
         let whole = errors(&lookup, &exact, &|_| true);
         let chain = chains.iter().find(|(law, _)| *law == viewpoint).map(|(_, chain)| chain);
@@ -67,9 +66,10 @@ pub(super) fn compared(
 fn loss(cases: &[Case], fan: &Fan, widths: f64) -> Vec<f64> {
     let of = |case: &Case| {
         let viewpoint = Viewpoint::Sliding { widths };
-        let lookup = case.correction(viewpoint, Ratio::Area, ours);
+        let lookup = case.baked(viewpoint, Slant::Whole, Width::Rational);
         let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
-        let logs = case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));
+        let logs =
+            case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));
         ops::exp(logs.sum::<f64>() / case.rows.len() as f64)
     };
     cases.iter().map(of).collect()
@@ -82,7 +82,8 @@ const SECTIONS: usize = 6;
 pub(super) fn slide(cases: &[Case], fan: &Fan, grid: &[f64]) -> SlideLaw {
     let by_room: Vec<Vec<f64>> = grid.iter().map(|widths| loss(cases, fan, *widths)).collect();
     let joint = |losses: &[f64]| losses.iter().map(|loss| ops::log(*loss)).sum::<f64>();
-    let best = (0..grid.len()).min_by(|a, b| joint(&by_room[*a]).total_cmp(&joint(&by_room[*b]))).unwrap_or(0);
+    let best =
+        (0..grid.len()).min_by(|a, b| joint(&by_room[*a]).total_cmp(&joint(&by_room[*b]))).unwrap_or(0);
     let ends = [grid[best.saturating_sub(1)], grid[(best + 1).min(grid.len() - 1)]];
     let (mut low, mut high) = (ops::log(ends[0]), ops::log(ends[1]));
     let at = |log: f64| joint(&loss(cases, fan, ops::exp(log)));
