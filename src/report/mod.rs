@@ -39,12 +39,15 @@ pub use findings::{
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
 pub use findings::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
+};
+pub use findings::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
-pub use findings::{ParallaxStudy, RoomGeometry, RoomsFindings};
+pub use findings::{ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

@@ -38,7 +38,10 @@ pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
 pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
-pub use parallax_study::{ParallaxStudy, RoomGeometry, RoomsFindings};
+pub use parallax_study::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, RandomReference, RandomRoom,
+    RandomRow, RoomGeometry, RoomsFindings, SeamPicture, SeamRow, SlideLaw,
+};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};

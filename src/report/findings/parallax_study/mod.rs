@@ -1,12 +1,16 @@
 //! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
 
+mod chain;
 mod rooms;
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
-pub use rooms::{RoomGeometry, RoomsFindings};
+pub use chain::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
+};
+pub use rooms::{RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
 
 /// Lookups of the cubemap of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -17,4 +21,6 @@ pub struct ParallaxStudy {
     pub parameters: Value,
     /// Lookups in rooms, against lobes traced from the shading point.
     pub rooms: RoomsFindings,
+    /// Real chains, and bakes for the proxy.
+    pub chain: ChainFindings,
 }
