@@ -3,7 +3,9 @@
 #[path = "../rivals_support/mod.rs"]
 mod rivals_support;
 
+mod cubemap;
 mod parallax;
+mod proxies;
 mod reflection_field;
 mod reflection_fits;
 mod reflection_table;

@@ -39,7 +39,7 @@ pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use parallax_study::{
-    ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
+    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
 };
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
