@@ -45,7 +45,8 @@ pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
 pub use findings::{
-    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
+    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    RoomPictureRow, RoomPictures, RoomsFindings,
 };
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};

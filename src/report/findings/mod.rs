@@ -39,7 +39,8 @@ pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use parallax_study::{
-    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
+    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    RoomPictureRow, RoomPictures, RoomsFindings,
 };
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
