@@ -85,11 +85,20 @@ pub fn visibility(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64) -> f64
 /// [0, 1). No tangent frame and no branch. `view` on either side of the horizon: from below, the visible normals are those of facets seen
 /// between others, and the cap of directions mirrored about them is z in (-view.z, 1] all the same.
 pub fn visible_normal(alpha: [f64; 2], view: Vec3, u: f64, v: f64) -> Vec3 {
+    visible_normal_at(alpha, view, ops::sincos(2.0 * std::f64::consts::PI * u), v)
+}
+
+/// [`visible_normal`] by the sine and cosine of the azimuth of the cap.
+#[inline]
+pub fn visible_normal_at(
+    alpha: [f64; 2],
+    view: Vec3,
+    (sin_azimuth, cos_azimuth): (f64, f64),
+    v: f64,
+) -> Vec3 {
     let stretched = normalise([alpha[0] * view[0], alpha[1] * view[1], view[2]]);
-    let azimuth = 2.0 * std::f64::consts::PI * u;
     let z = (1.0 - v) * (1.0 + stretched[2]) - stretched[2];
     let sine = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
-    let (sin_azimuth, cos_azimuth) = ops::sincos(azimuth);
     let cap = [sine * cos_azimuth, sine * sin_azimuth, z];
     let sum = [cap[0] + stretched[0], cap[1] + stretched[1], cap[2] + stretched[2]];
     normalise([alpha[0] * sum[0], alpha[1] * sum[1], sum[2]])

@@ -3,6 +3,7 @@
 #[path = "../rivals_support/mod.rs"]
 mod rivals_support;
 
+mod cubemap;
 mod parallax;
 mod proxies;
 mod reflection_field;

@@ -3,6 +3,7 @@
 mod catalogue;
 mod chain;
 mod grid;
+mod lookups;
 mod source;
 mod taps;
 mod variation;
@@ -18,6 +19,7 @@ use crate::optics::kernel::Kernel;
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use grid::{Cell, Grid, Spread};
+pub use lookups::{Corrected, LobeFit, Ratio, Shading, ShadingLobe, Uncorrected, Width};
 pub use taps::{RuleTap, Stretch, TapRule, Taps, width};
 pub use variation::{Variation, variations};
 

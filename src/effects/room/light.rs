@@ -39,15 +39,27 @@ pub struct Wall {
 impl Wall {
     /// Radiance at a place of its plane, towards everywhere.
     pub fn radiance(&self, place: Vec3) -> [f64; 3] {
-        let [x, y] = self.axes.map(|axis| dot(axis, place));
+        self.at(self.axes.map(|axis| dot(axis, place)))
+    }
+
+    /// Radiance at coordinates in its plane.
+    #[inline]
+    pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let inside = |p: &&Panel| (x - p.centre[0]).abs() < p.half[0] && (y - p.centre[1]).abs() < p.half[1];
         if let Some(panel) = self.panels.iter().find(inside) {
             return panel.radiance;
         }
         let Checker { side, radiance } = self.checker;
-        let odd = ((x / side).floor() + (y / side).floor()).rem_euclid(2.0) == 1.0;
+        let odd = (below(x / side) + below(y / side)) & 1 == 1;
         radiance[usize::from(odd)]
     }
+}
+
+/// The largest whole number not above x.
+#[inline(always)]
+fn below(x: f64) -> i64 {
+    let whole = x as i64;
+    whole - i64::from(x < whole as f64)
 }
 
 /// A room with its light and the place of its probe.

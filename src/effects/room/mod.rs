@@ -3,19 +3,20 @@
 //! Lengths are metres; z is up. A room is a convex body of planes ([`Convex`]) that shine as [`Room`] says: what is seen from anywhere
 //! inside in any direction is known in closed form. A [`Lookup`] answers a shading point ([`Seen`]) with fetches ([`Tap`]) from the
 //! probe; a [`Proxy`] is what it takes the room for. [`fetched`] integrates fetches without texels, [`seen`](fetch::lobe) the same lobe from
-//! the shading point.
+//! the shading point; [`Fan`] and [`Exact`] do the same fast, and [`GgxRays`] what a whole GGX surface reflects.
 
 mod catalogue;
+pub mod cubemap;
+mod exact;
 mod fetch;
 mod light;
 mod lookup;
 pub mod proxies;
 mod shape;
-mod stretch;
 
-pub use catalogue::{octagon, room_a, room_b};
+pub use catalogue::{octagon, practice, room_a, room_b};
+pub use exact::{Exact, Fan, GgxRays, Outlook};
 pub use fetch::{Rays, fetched, lobe};
 pub use light::{Checker, Panel, Room, Wall};
 pub use lookup::{Fetch, Lookup, Meeting, Proxy, Seen, Tap};
 pub use shape::{Convex, Plane};
-pub use stretch::Stretch;

@@ -26,6 +26,13 @@ impl Stretch {
     /// Of the ray of unit length from a place to what it hits, seen from a probe. Cosines with the wall's normal are at least 0.02. `None`
     /// where one of both stands in the place hit, or a length is no number.
     pub fn of(place: Vec3, hit: &Meeting, probe: Vec3) -> Option<Stretch> {
+        let ray = minus(hit.place, place);
+        Stretch::of_lobe(place, hit, probe, tangents(scaled(ray, 1.0 / length(ray))))
+    }
+
+    /// [`Stretch::of`] a lobe that is no round one: M after the map from a round lobe's directions to those of the lobe, whose two half-axes at
+    /// right angles to the ray are `axes`, their lengths' product 1. `major` is then as long as the lobe is in its direction.
+    pub fn of_lobe(place: Vec3, hit: &Meeting, probe: Vec3, axes: [Vec3; 2]) -> Option<Stretch> {
         let (from_place, from_probe) = (minus(hit.place, place), minus(hit.place, probe));
         let (near, far) = (length(from_place), length(from_probe));
         if !(near > 0.0 && far > 0.0 && near.is_finite() && far.is_finite()) {
@@ -33,7 +40,6 @@ impl Stretch {
         }
         let (ray, seen) = (scaled(from_place, 1.0 / near), scaled(from_probe, 1.0 / far));
         let steep = dot(hit.normal, ray).max(LEAST_COSINE);
-        let axes = tangents(ray);
         // a tilt e moves the place hit by d_s (e - ray (n.e)/(n.ray)); across the probe's ray, by its distance, that is an angle
         let moved = axes.map(|e| scaled(minus(e, scaled(ray, dot(hit.normal, e) / steep)), near));
         let mapped = moved.map(|m| scaled(minus(m, scaled(seen, dot(seen, m))), 1.0 / far));

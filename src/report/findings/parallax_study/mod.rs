@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
-pub use rooms::{RoomGeometry, RoomsFindings};
+pub use rooms::{FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
 
 /// Lookups of the cubemap of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]

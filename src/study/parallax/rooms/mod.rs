@@ -1,6 +1,9 @@
 //! Lookups in rooms, against lobes traced from the shading point.
 
+mod lobes;
+mod methods;
 mod points;
+mod random;
 
 use serde::Serialize;
 
@@ -14,13 +17,20 @@ use crate::study::{Size, StudyError};
 pub(super) struct Parameters {
     /// With their light.
     pub rooms: Vec<Room>,
-    points: points::Parameters,
+    methods: Vec<methods::Method>,
+    random: random::Parameters,
+    lobes: lobes::Parameters,
 }
 
 impl Parameters {
     /// Those of a size.
     pub fn of(size: Size) -> Parameters {
-        Parameters { rooms: vec![room_a(), room_b(), octagon()], points: points::Parameters::of(size) }
+        Parameters {
+            rooms: vec![room_a(), room_b(), octagon()],
+            methods: methods::methods(),
+            random: random::Parameters::of(size),
+            lobes: lobes::Parameters::of(size),
+        }
     }
 }
 
@@ -30,6 +40,10 @@ pub(super) fn findings(
     progress: &dyn Progress,
 ) -> Result<RoomsFindings, StudyError> {
     progress.stage("rooms");
-    let geometry = parameters.rooms.iter().map(|room| points::geometry(room, &parameters.points)).collect();
-    Ok(RoomsFindings { geometry })
+    let Parameters { rooms, methods, random, lobes } = parameters;
+    let lobes = lobes::fitted(lobes)?;
+    let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
+    let tools = random::Tools::new(random.directions);
+    let random = rooms.iter().map(|room| random::measured(room, methods, random, &tools)).collect();
+    Ok(RoomsFindings { geometry, lobes, random })
 }

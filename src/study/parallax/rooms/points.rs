@@ -4,10 +4,11 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use crate::effects::room::{Convex, Proxy, Room, Stretch};
+use crate::effects::parallax::Stretch;
+use crate::effects::room::{Convex, Proxy, Room};
 use crate::math::ops;
 use crate::math::sobol::Sobol;
-use crate::math::vector::Vec3;
+use crate::math::vector::{Vec3, length, minus, tangents, turned};
 use crate::report::RoomGeometry;
 use crate::study::Size;
 
@@ -30,14 +31,18 @@ impl Parameters {
     }
 }
 
-/// A place in a room and a direction of reflection, neither with any surface yet.
+/// A place in a room, a direction of reflection, and the normal of a surface that reflects so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Point {
     pub place: Vec3,
     pub mirror: Vec3,
+    pub normal: Vec3,
 }
 
-/// Places evenly inside the walls, directions evenly over the sphere.
+/// Least cosine between normal and view.
+const LEAST_COSINE: f64 = 0.05;
+
+/// Places evenly inside the walls, directions evenly over the sphere, the cosine n.v evenly above its least.
 pub(super) fn points(room: &Room, parameters: &Parameters) -> Vec<Point> {
     let Parameters { count, margin, seed } = *parameters;
     let shape = room.shape();
@@ -48,13 +53,21 @@ pub(super) fn points(room: &Room, parameters: &Parameters) -> Vec<Point> {
         |i: u32| [0, 1, 2].map(|axis| low[axis] + (high[axis] - low[axis]) * places.coordinate(i, axis));
     let inside = |place: &Vec3| shape.planes.iter().all(|plane| plane.depth(*place) >= margin);
     let found = (0..).map(place).filter(inside).take(count);
-    let mirror = |i: u32| {
-        let z = 1.0 - 2.0 * turns.coordinate(i, 0);
-        let sine = ((1.0 - z) * (1.0 + z)).sqrt();
-        let (s, c) = ops::sincos(2.0 * PI * turns.coordinate(i, 1));
-        [sine * c, sine * s, z]
+    let tilts = Sobol::new([seed ^ 0x68e3_1da4, seed ^ 0xb529_7a4d, 0]);
+    let point = |(place, i)| {
+        let mirror = polar(1.0 - 2.0 * turns.coordinate(i, 0), turns.coordinate(i, 1));
+        let mu = 1.0 - (1.0 - LEAST_COSINE) * tilts.coordinate(i, 0);
+        let normal = turned(mirror, tangents(mirror), polar(mu, tilts.coordinate(i, 1)));
+        Point { place, mirror, normal }
     };
-    found.zip(0..).map(|(place, i)| Point { place, mirror: mirror(i) }).collect()
+    found.zip(0..).map(point).collect()
+}
+
+/// The direction of a cosine to z and a part of a turn about it.
+fn polar(z: f64, turn: f64) -> Vec3 {
+    let sine = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
+    let (s, c) = ops::sincos(2.0 * PI * turn);
+    [sine * c, sine * s, z]
 }
 
 /// A box that holds a body.
@@ -74,10 +87,12 @@ pub(super) fn geometry(room: &Room, parameters: &Parameters) -> RoomGeometry {
     let shape = room.shape();
     let (mut rho, mut stretch) = (Vec::new(), Vec::new());
     for point in points(room, parameters) {
-        if let Some(met) = shape.meet(point.place, point.mirror, 0.0) {
-            let seen = Stretch::of(&met, point.mirror, room.probe);
-            rho.push(seen.distance);
-            stretch.push(seen.stretch());
+        let met = shape.meet(point.place, point.mirror, 0.0);
+        if let Some((met, seen)) =
+            met.and_then(|met| Some((met, Stretch::of(point.place, &met, room.probe)?)))
+        {
+            rho.push(met.distance / length(minus(met.place, room.probe)));
+            stretch.push(seen.kappa);
         }
     }
     RoomGeometry {

@@ -1,0 +1,125 @@
+//! Lookups with and without parallax.
+
+use super::shading::{Shading, ShadingLobe};
+use crate::effects::parallax::{RuleTap, Stretch, TapRule, width};
+use crate::effects::room::{Lookup, Meeting, Proxy, Seen, Tap};
+use crate::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
+
+/// How much wider a lobe looks from the probe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Ratio {
+    /// By the distances of shading point and probe.
+    Distance,
+    /// By the root of the ratio of solid angles.
+    Area,
+}
+
+/// Which width is fetched for a lobe of width alpha in (0, 1] that looks rho >= 0 times as wide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Width {
+    /// alpha.
+    Same,
+    /// Listing 25 of Lagarde and de Rousiers 2014: r = sqrt(alpha) goes to mix(clamp(rho r, 0, r), r, r).
+    Frostbite,
+    /// min(1, rho alpha).
+    Scaled,
+    /// rho alpha/max(1 + alpha - rho alpha, rho alpha).
+    Rational,
+}
+
+impl Width {
+    /// The width, in (0, 1].
+    pub fn of(self, alpha: f64, rho: f64) -> f64 {
+        match self {
+            Width::Same => alpha,
+            Width::Frostbite => {
+                let r = alpha.sqrt();
+                let scaled = r + (1.0 - r) * ((rho * r).clamp(0.0, r) - r);
+                scaled * scaled
+            }
+            Width::Scaled => (rho * alpha).min(1.0),
+            Width::Rational => width(alpha, rho),
+        }
+    }
+}
+
+/// Fetches along the lobe's own axis, as if the probe were at the shading point.
+#[derive(Clone, Copy, Debug)]
+pub struct Uncorrected {
+    /// What the lobe is taken for.
+    pub shading: Shading,
+}
+
+impl Lookup for Uncorrected {
+    fn taps(&self, seen: &Seen) -> Vec<Tap> {
+        let lobe = self.shading.lobe(seen);
+        vec![Tap { towards: lobe.axis, alpha: lobe.alpha, weight: 1.0 }]
+    }
+}
+
+/// Fetches where the rays of a lobe meet a proxy.
+#[derive(Clone, Debug)]
+pub struct Corrected<P> {
+    /// What the room is taken for.
+    pub proxy: P,
+    /// Where the cubemap was taken.
+    pub probe: Vec3,
+    /// What the lobe is taken for.
+    pub shading: Shading,
+    /// The fetches.
+    pub rule: TapRule,
+    /// How much wider the lobe looks from the probe.
+    pub ratio: Ratio,
+    /// Which width is fetched for that.
+    pub width: Width,
+}
+
+impl<P: Proxy> Lookup for Corrected<P> {
+    /// Rays that leave below the surface or miss the proxy are dropped and the rest weighted up; where the lobe's axis misses it, the one
+    /// fetch is along the axis.
+    fn taps(&self, seen: &Seen) -> Vec<Tap> {
+        let lobe = self.shading.lobe(seen);
+        let met = self.meet(seen, lobe.axis, lobe.alpha);
+        let stretch = |met: &Meeting| Stretch::of_lobe(seen.place, met, self.probe, lobe.axes);
+        let Some((met, stretch)) = met.and_then(|met| Some((met, stretch(&met)?))) else {
+            return vec![Tap { towards: lobe.axis, alpha: lobe.alpha, weight: 1.0 }];
+        };
+        let rule = self.rule.taps(&stretch, lobe.alpha);
+        let rays = rule.iter().filter_map(|tap| self.fetch(seen, &lobe, &stretch, tap));
+        let mut taps: Vec<Tap> = rays.collect();
+        if taps.is_empty() {
+            taps.extend(self.tap(seen, &met, lobe.alpha, 1.0));
+        }
+        let whole: f64 = taps.iter().map(|tap| tap.weight).sum();
+        taps.iter_mut().for_each(|tap| tap.weight /= whole);
+        taps
+    }
+}
+
+impl<P: Proxy> Corrected<P> {
+    /// What a ray meets in front of the shading point.
+    fn meet(&self, seen: &Seen, ray: Vec3, alpha: f64) -> Option<Meeting> {
+        self.proxy.meet(seen.place, ray, alpha).filter(|met| met.distance > 0.0)
+    }
+
+    fn fetch(&self, seen: &Seen, lobe: &ShadingLobe, stretch: &Stretch, tap: &RuleTap) -> Option<Tap> {
+        let ray = normalise(plus(lobe.axis, scaled(stretch.major, tap.tilt)));
+        if dot(ray, seen.normal) <= 0.0 {
+            return None;
+        }
+        let met = self.meet(seen, ray, lobe.alpha)?;
+        self.tap(seen, &met, tap.width * lobe.alpha, tap.weight)
+    }
+
+    fn tap(&self, seen: &Seen, met: &Meeting, alpha: f64, weight: f64) -> Option<Tap> {
+        let from = minus(met.place, self.probe);
+        let rho = match self.ratio {
+            Ratio::Distance => met.distance / length(from),
+            Ratio::Area => Stretch::of(seen.place, met, self.probe)?.area,
+        };
+        let alpha = self.width.of(alpha, rho);
+        (alpha > 0.0).then(|| Tap { towards: normalise(from), alpha, weight })
+    }
+}

@@ -1,0 +1,100 @@
+//! What the lobe of a surface is taken for.
+
+use crate::effects::parallax::width;
+use crate::effects::room::Seen;
+use crate::math::ops;
+use crate::math::vector::{Vec3, cross, dot, length, minus, normalise, plus, scaled, tangents};
+
+/// A lobe about an axis, round or not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShadingLobe {
+    /// Its axis, of unit length.
+    pub axis: Vec3,
+    /// Its width, the geometric mean of those along and across the plane of incidence.
+    pub alpha: f64,
+    /// Its half-axes over that mean, at right angles to `axis`: in the plane of incidence and across it; their lengths' product is 1.
+    pub axes: [Vec3; 2],
+}
+
+/// What the lobe is taken for.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shading {
+    /// Round about the mirror ray, as wide as alpha: what the split sum takes it for.
+    Mirror,
+    /// Round about the dominant direction of Lagarde and de Rousiers 2014, listing 21, taken in alpha: the normal and the mirror ray mixed by
+    /// (1 - alpha)(sqrt(1 - alpha) + alpha).
+    Dominant,
+    /// Round about the mirror ray, narrower by the root of n.v: the Jacobian of the half vector, n.v across the plane of incidence and 1 along.
+    RootCosine,
+    /// As constants say that were fitted to the lobe of GGX.
+    Fitted(LobeFit),
+}
+
+/// Constants of a lobe over alpha and mu = n.v.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct LobeFit {
+    /// Share of the normal mixed into the mirror ray: min(1, lean[0] alpha^lean[1] mu^lean[2]).
+    pub lean: [f64; 3],
+    /// Ratio of its footprint to that of the round lobe: mu^(narrow[0] - narrow[1] alpha) (1 - narrow[2] alpha), at least 0.05.
+    pub narrow: [f64; 3],
+    /// Width across over width along the plane of incidence: mu^(squash[0] - squash[1] alpha), at most 1.
+    pub squash: [f64; 2],
+}
+
+/// Least cosine n.v in a power: 1/mu has no bound.
+const LEAST_COSINE: f64 = 0.02;
+
+/// Least footprint ratio of a fitted lobe.
+const NARROWEST: f64 = 0.05;
+
+impl LobeFit {
+    /// For one fetch: the lobe is round.
+    pub const ONE: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.0, 0.0] };
+
+    /// For two fetches.
+    pub const TWO: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+
+    /// For three fetches.
+    pub const THREE: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+
+    /// Share of the normal in the axis, ratio of the footprint, width across over width along.
+    pub fn at(&self, alpha: f64, mu: f64) -> [f64; 3] {
+        let mu = mu.clamp(LEAST_COSINE, 1.0);
+        let power = |exponent: f64| ops::pow(mu, exponent);
+        let [a, b, c] = self.lean;
+        let lean = (a * ops::pow(alpha, b) * power(c)).clamp(0.0, 1.0);
+        let [d, e, f] = self.narrow;
+        let ratio = (power(d - e * alpha) * (1.0 - f * alpha)).max(NARROWEST);
+        let [g, h] = self.squash;
+        [lean, ratio, power(g - h * alpha).clamp(LEAST_COSINE, 1.0)]
+    }
+}
+
+impl Shading {
+    /// The lobe at a shading point.
+    pub fn lobe(&self, seen: &Seen) -> ShadingLobe {
+        let alpha = seen.alpha;
+        let mu = dot(seen.normal, seen.view);
+        let mirror = normalise(minus(scaled(seen.normal, 2.0 * mu), seen.view));
+        let (share, ratio, squash) = match self {
+            Shading::Mirror => (0.0, 1.0, 1.0),
+            Shading::Dominant => (1.0 - (1.0 - alpha) * ((1.0 - alpha).sqrt() + alpha), 1.0, 1.0),
+            Shading::RootCosine => (0.0, mu.max(0.0).sqrt(), 1.0),
+            Shading::Fitted(fit) => fit.at(alpha, mu).into(),
+        };
+        let axis = normalise(plus(scaled(seen.normal, share), scaled(mirror, 1.0 - share)));
+        let across = cross(axis, seen.normal);
+        let root = squash.sqrt();
+        let axes = if length(across) > STRAIGHT {
+            let across = normalise(across);
+            [scaled(cross(across, axis), 1.0 / root), scaled(across, root)]
+        } else {
+            tangents(axis)
+        };
+        ShadingLobe { axis, alpha: width(alpha, ratio), axes }
+    }
+}
+
+/// Sine of the angle between normal and axis below which there is no plane of incidence; the lobe is round there.
+const STRAIGHT: f64 = 1e-9;

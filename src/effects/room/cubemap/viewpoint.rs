@@ -1,0 +1,75 @@
+//! From where a texel sees the room.
+
+use crate::effects::room::{Convex, Plane};
+use crate::math::vector::{Vec3, dot, minus, normalise, plus, scaled};
+
+/// Where the lobe of a texel starts, and its axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Eye {
+    /// A place inside the room.
+    pub place: Vec3,
+    /// Unit direction to where the proxy shows the texel.
+    pub axis: Vec3,
+}
+
+/// The law of a bake. The texel of a direction w shows the place q where the ray from the probe along w leaves the proxy, whatever the law.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(rename_all = "lowercase", tag = "law")]
+pub enum Viewpoint {
+    /// From the probe along w: the ordinary, angular bake.
+    Probe,
+    /// From above q at right angles to its plane, at the probe's distance from that plane: what a texel shows no longer depends on how
+    /// obliquely the probe sees it. At the edges of the proxy the two planes disagree.
+    Perpendicular,
+    /// From the probe at an edge of the proxy to above q as far from any edge as `widths` radii alpha h of the lobe on the wall, and
+    /// further: between the two places in proportion.
+    Sliding {
+        /// Radii over which it slides; positive.
+        widths: f64,
+    },
+}
+
+/// How far above a wall a viewpoint may be at most, of the way to what is opposite.
+const REACH: f64 = 0.9;
+
+impl Viewpoint {
+    /// From where the texel of a direction is seen for a lobe of a width. A direction in which the probe sees no plane is seen from the probe.
+    pub fn eye(self, proxy: &Convex, probe: Vec3, towards: Vec3, alpha: f64) -> Eye {
+        let ordinary = Eye { place: probe, axis: towards };
+        if self == Viewpoint::Probe {
+            return ordinary;
+        }
+        let Some((distance, wall)) = proxy.exit(probe, towards) else { return ordinary };
+        let place = plus(probe, scaled(towards, distance));
+        self.above(proxy, probe, (place, wall), alpha)
+    }
+
+    /// The same of a place of a wall that the probe sees.
+    pub fn above(self, proxy: &Convex, probe: Vec3, (place, wall): (Vec3, usize), alpha: f64) -> Eye {
+        let normal = proxy.planes[wall].normal;
+        let opposite = proxy.exit(place, scaled(normal, -1.0)).map_or(f64::INFINITY, |(t, _)| t);
+        let height = proxy.planes[wall].depth(probe).min(REACH * opposite);
+        let perpendicular = minus(place, scaled(normal, height));
+        match self {
+            Viewpoint::Probe => Eye { place: probe, axis: normalise(minus(place, probe)) },
+            Viewpoint::Perpendicular => Eye { place: perpendicular, axis: normal },
+            Viewpoint::Sliding { widths } => {
+                let share = (to_edge(proxy, place, wall) / (widths * alpha * height)).clamp(0.0, 1.0);
+                let eye = plus(probe, scaled(minus(perpendicular, probe), share));
+                Eye { place: eye, axis: normalise(minus(place, eye)) }
+            }
+        }
+    }
+}
+
+/// Distance of a place on a wall of a convex body from the wall's nearest edge, in the plane of the wall; infinite where there is none.
+pub fn to_edge(proxy: &Convex, place: Vec3, wall: usize) -> f64 {
+    let normal = proxy.planes[wall].normal;
+    let distance = |(i, plane): (usize, &Plane)| {
+        let along = dot(normal, plane.normal);
+        let sine2 = 1.0 - along * along;
+        // parallel planes have no edge
+        if i == wall || sine2 < 1e-12 { f64::INFINITY } else { plane.depth(place).max(0.0) / sine2.sqrt() }
+    };
+    proxy.planes.iter().enumerate().map(distance).fold(f64::INFINITY, f64::min)
+}

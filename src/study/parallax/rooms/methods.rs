@@ -1,0 +1,90 @@
+//! What is compared.
+
+use serde::Serialize;
+
+use crate::effects::parallax::{Corrected, Ratio, Shading, TapRule, Uncorrected, Width};
+use crate::effects::room::proxies::{Body, Smooth};
+use crate::effects::room::{Lookup, Proxy, Room};
+
+/// What a method takes the room for.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Taken {
+    /// Nothing: the cubemap is infinitely far.
+    Infinite,
+    /// The room's own planes.
+    Planes,
+    /// Their p-norm, p = max(4, 0.6/alpha).
+    Smooth,
+}
+
+/// A way to look the cubemap up.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Method {
+    pub name: String,
+    pub taken: Taken,
+    pub shading: Shading,
+    /// Fetches.
+    pub fetches: usize,
+    pub ratio: Ratio,
+    pub width: Width,
+}
+
+impl Method {
+    /// Its lookup in a room.
+    pub fn lookup(&self, room: &Room) -> Box<dyn Lookup> {
+        match self.taken {
+            Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
+            Taken::Planes => self.corrected(room.shape(), room),
+            Taken::Smooth => match Body::new(&room.shape(), room.probe) {
+                Some(body) => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
+                None => self.corrected(room.shape(), room),
+            },
+        }
+    }
+
+    fn corrected<P: Proxy + 'static>(&self, proxy: P, room: &Room) -> Box<dyn Lookup> {
+        let rule = match self.fetches {
+            2 => TapRule::two(),
+            3 => TapRule::three(),
+            _ => TapRule::one(),
+        };
+        let (probe, shading, ratio, width) = (room.probe, self.shading, self.ratio, self.width);
+        Box::new(Corrected { proxy, probe, shading, rule, ratio, width })
+    }
+}
+
+/// The place in the list of what others are compared with.
+pub(super) const FROSTBITE: usize = 2;
+
+/// All of them.
+pub(super) fn methods() -> Vec<Method> {
+    use Ratio::{Area, Distance};
+    use Shading::{Dominant, Mirror, RootCosine};
+    use Taken::{Infinite, Planes, Smooth};
+    use Width::{Frostbite, Rational, Same, Scaled};
+    let method = |name: &str, taken, shading, fetches, ratio, width| Method {
+        name: name.into(),
+        taken,
+        shading,
+        fetches,
+        ratio,
+        width,
+    };
+    vec![
+        method("no parallax", Infinite, Mirror, 1, Distance, Same),
+        method("parallax only", Planes, Mirror, 1, Distance, Same),
+        method("Frostbite", Planes, Mirror, 1, Distance, Frostbite),
+        method("Frostbite, dominant direction", Planes, Dominant, 1, Distance, Frostbite),
+        method("min(1, ρ α)", Planes, Mirror, 1, Distance, Scaled),
+        method("rational, distances", Planes, Mirror, 1, Distance, Rational),
+        method("rational, areas", Planes, Mirror, 1, Area, Rational),
+        method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, Rational),
+        method("rational, areas, dominant direction", Planes, Dominant, 1, Area, Rational),
+        method("rational, areas, smooth", Smooth, Mirror, 1, Area, Rational),
+        method("2 fetches", Planes, Mirror, 2, Area, Rational),
+        method("3 fetches", Planes, Mirror, 3, Area, Rational),
+        method("3 fetches, dominant direction", Planes, Dominant, 3, Area, Rational),
+        method("3 fetches, smooth", Smooth, Mirror, 3, Area, Rational),
+    ]
+}

@@ -1,0 +1,181 @@
+//! What methods are off by at points at random.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::methods::{FROSTBITE, Method};
+use super::points::{self, Point};
+use crate::effects::room::{Exact, Fan, Fetch, GgxRays, Room, Seen};
+use crate::math::vector::{Vec3, minus, normalise, plus, scaled};
+use crate::math::{ops, sum};
+use crate::optics::kernel::Kernel;
+use crate::report::{RandomReference, RandomRoom, RandomRow};
+use crate::study::Size;
+
+/// What is measured.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Parameters {
+    pub points: points::Parameters,
+    /// Roots of alpha.
+    pub roughness: Vec<f64>,
+    /// Directions of a fetch, and of each half of a reference.
+    pub directions: u32,
+}
+
+impl Parameters {
+    /// Those of a size.
+    pub fn of(size: Size) -> Parameters {
+        let full = size == Size::Full;
+        Parameters {
+            points: points::Parameters::of(size),
+            roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.25, 0.7] },
+            directions: if full { 1537 } else { 257 },
+        }
+    }
+}
+
+/// What a reference is: the round lobe alone, or a surface's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reference {
+    Lobe,
+    Surface,
+}
+
+impl Reference {
+    /// Both.
+    pub const ALL: [Reference; 2] = [Reference::Lobe, Reference::Surface];
+
+    fn name(self) -> &'static str {
+        match self {
+            Reference::Lobe => "round lobe",
+            Reference::Surface => "GGX",
+        }
+    }
+
+    /// The shading point of a point: seen head on where there is no surface, so that nothing leans and no ray leaves below it.
+    pub fn seen(self, point: &Point, alpha: f64) -> Seen {
+        let Point { place, mirror, normal, .. } = *point;
+        match self {
+            Reference::Lobe => Seen { place, normal: mirror, view: mirror, alpha },
+            Reference::Surface => {
+                let view =
+                    normalise(minus(scaled(normal, 2.0 * crate::math::vector::dot(normal, mirror)), mirror));
+                Seen { place, normal, view, alpha }
+            }
+        }
+    }
+}
+
+/// Directions of all lobes.
+pub(super) struct Tools {
+    pub fan: Fan,
+    /// The two halves of references.
+    pub fans: [Fan; 2],
+    pub rays: [GgxRays; 2],
+}
+
+impl Tools {
+    /// With a number of directions in a fetch and in each half of a reference.
+    pub fn new(directions: u32) -> Tools {
+        let fan = |seed| Fan::new(Kernel::HalfCosine, directions, seed);
+        Tools { fan: fan(1), fans: [fan(2), fan(3)], rays: [4, 5].map(|seed| GgxRays::new(directions, seed)) }
+    }
+}
+
+/// One room under both references.
+pub(super) fn measured(
+    room: &Room,
+    methods: &[Method],
+    parameters: &Parameters,
+    tools: &Tools,
+) -> RandomRoom {
+    let points = points::points(room, &parameters.points);
+    let references = Reference::ALL.map(|reference| {
+        let columns: Vec<Column> = parameters
+            .roughness
+            .iter()
+            .map(|r| column(room, methods, (reference, r * r), &points, tools))
+            .collect();
+        let rows = methods.iter().enumerate().map(|(i, method)| RandomRow {
+            name: method.name.clone(),
+            l2: columns.iter().map(|c| c.l2[i]).collect(),
+            mae: columns.iter().map(|c| c.mae[i]).collect(),
+            gain_l2: gain(columns.iter().map(|c| c.l2[FROSTBITE] / c.l2[i])),
+            gain_mae: gain(columns.iter().map(|c| c.mae[FROSTBITE] / c.mae[i])),
+        });
+        RandomReference {
+            name: reference.name().into(),
+            noise: columns.iter().map(|c| c.noise).collect(),
+            rows: rows.collect(),
+        }
+    });
+    RandomRoom {
+        room: room.name.clone(),
+        roughness: parameters.roughness.clone(),
+        references: references.into(),
+    }
+}
+
+/// The geometric mean.
+fn gain(ratios: impl Iterator<Item = f64>) -> f64 {
+    let logarithms: Vec<f64> = ratios.map(ops::log).collect();
+    ops::exp(sum::mean(&logarithms))
+}
+
+/// Errors of one roughness under one reference, by method.
+struct Column {
+    noise: f64,
+    l2: Vec<f64>,
+    mae: Vec<f64>,
+}
+
+fn column(
+    room: &Room,
+    methods: &[Method],
+    (reference, alpha): (Reference, f64),
+    points: &[Point],
+    tools: &Tools,
+) -> Column {
+    let lookups: Vec<_> = methods.iter().map(|method| method.lookup(room)).collect();
+    let exact = Exact { room, fan: &tools.fan };
+    let all: Vec<([Vec3; 2], Vec<Vec3>)> = points
+        .par_iter()
+        .map(|point| {
+            let seen = reference.seen(point, alpha);
+            let halves = [0, 1].map(|half| match reference {
+                Reference::Lobe => tools.fans[half].lobe(room, seen.place, point.mirror, None, alpha),
+                Reference::Surface => tools.rays[half].reflected(room, &seen),
+            });
+            (halves, lookups.iter().map(|lookup| exact.sum(&lookup.taps(&seen))).collect())
+        })
+        .collect();
+    let truth: Vec<Vec3> = all.iter().map(|([a, b], _)| scaled(plus(*a, *b), 0.5)).collect();
+    let of = |i: usize| -> Vec<Vec3> { all.iter().map(|(_, values)| values[i]).collect() };
+    let halves = [0, 1].map(|half| all.iter().map(|(halves, _)| halves[half]).collect::<Vec<Vec3>>());
+    let indices = 0..methods.len();
+    Column {
+        // each half has twice the variance of the mean, their difference four times
+        noise: 0.5 * relative(&halves[0], &halves[1]),
+        l2: indices.clone().map(|i| relative(&of(i), &truth)).collect(),
+        mae: indices.map(|i| shown(&of(i), &truth)).collect(),
+    }
+}
+
+/// Root of the sum of squared differences over that of squares.
+pub(super) fn relative(values: &[Vec3], truth: &[Vec3]) -> f64 {
+    let square = |v: Vec3| v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    let error: Vec<f64> = values.iter().zip(truth).map(|(v, t)| square(minus(*v, *t))).collect();
+    let whole: Vec<f64> = truth.iter().map(|t| square(*t)).collect();
+    (sum::mean(&error) / sum::mean(&whole)).sqrt()
+}
+
+/// Mean absolute difference of the channels through x/(1 + x).
+fn shown(values: &[Vec3], truth: &[Vec3]) -> f64 {
+    let mapped = |x: f64| x / (1.0 + x);
+    let errors: Vec<f64> = values
+        .iter()
+        .zip(truth)
+        .flat_map(|(v, t)| [0, 1, 2].map(|c| (mapped(v[c]) - mapped(t[c])).abs()))
+        .collect();
+    sum::mean(&errors)
+}
