@@ -26,7 +26,8 @@ fn a_fan_holds_the_directions_of_every_width() {
         let fan = Fan::new(kernel, COUNT, 5);
         for alpha in [1e-6, 1e-4, 0.003, 0.0225, 0.07, 0.11, 0.37, 0.6, 0.93, 0.999, 1.0] {
             let rays = Rays::new(kernel, alpha, COUNT, 5);
-            let fast = fan.directions(alpha);
+            let mut fast = Vec::new();
+            fan.directions(alpha, |ray| fast.push(ray));
             assert_eq!(fast.len(), rays.directions().len());
             for (a, b) in fast.iter().zip(rays.directions()) {
                 assert!((length(*a) - 1.0).abs() < 1e-14, "{alpha}");

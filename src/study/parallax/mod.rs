@@ -1,6 +1,7 @@
 //! Lookups of the cubemap of a probe: what each is off by in rooms whose light is known. One module for each part of the page, which states
 //! what it covers (its `Parameters`) and computes its findings (`findings`).
 
+mod chain;
 mod parameters;
 mod rooms;
 
@@ -25,6 +26,7 @@ pub(super) fn recipe(size: Size) -> Result<String, StudyError> {
 pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, StudyError> {
     let parameters = Parameters::of(size);
     let rooms = rooms::findings(&parameters.rooms, progress)?;
+    let chain = chain::findings(&parameters.chain, progress)?;
     let origin = Origin {
         scene: String::new(),
         recipe: recipe(size)?,
@@ -32,7 +34,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
         command: command(size),
     };
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms })?)
+    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms, chain })?)
 }
 
 fn command(size: Size) -> String {

@@ -50,18 +50,15 @@ impl Fan {
         self.azimuths.len()
     }
 
-    /// The directions of the lobe of a width, about the axis z, all of the same weight.
-    pub fn directions(&self, alpha: f64) -> Vec<Vec3> {
+    /// Calls `each` with the directions of the lobe of a width, about the axis z, all of the same weight.
+    pub fn directions(&self, alpha: f64, mut each: impl FnMut(Vec3)) {
         let (first, weights) = cubic(ops::log(alpha));
         let tangents = [0, 1, 2, 3].map(|k| &self.tangents[first + k][..]);
         let lobe = Directions { tangents, weights: weights.map(|w| w * alpha), azimuths: &self.azimuths };
-        let mut all = Vec::with_capacity(self.count());
         for start in (0..self.count()).step_by(LANES) {
             let [x, y, z] = lobe.batch(start);
-            let lanes = 0..LANES.min(self.count() - start);
-            all.extend(lanes.map(|l| [x[l], y[l], z[l]]));
+            (0..LANES.min(self.count() - start)).for_each(|l| each([x[l], y[l], z[l]]));
         }
-        all
     }
 
     /// Mean radiance of the lobe of a width about `axis` from a place, without the directions below a surface's `normal` where one is given.

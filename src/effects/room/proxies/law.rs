@@ -48,4 +48,23 @@ impl Law {
             Law::Power { scale, power, most } => format!("min({scale} alpha^{power}, {most})"),
         }
     }
+
+    /// The same in a shader's arithmetic on f32.
+    pub fn script(self) -> String {
+        let single = |x: f64| format!("{:?}", x as f32);
+        match self {
+            Law::Constant { value } => single(value),
+            Law::Inverse { over, least, most } => {
+                format!("max({} / max(alpha, {}), {})", single(over), single(over / most), single(least))
+            }
+            Law::Power { scale, power, most } => {
+                format!(
+                    "min({} * pow(max(alpha, 0.000001), {}), {})",
+                    single(scale),
+                    single(power),
+                    single(most)
+                )
+            }
+        }
+    }
 }

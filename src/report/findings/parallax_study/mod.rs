@@ -1,11 +1,15 @@
 //! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
 
+mod chain;
 mod rooms;
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
+pub use chain::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
+};
 pub use rooms::{
     FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
     RoomPictures, RoomsFindings,
@@ -20,4 +24,6 @@ pub struct ParallaxStudy {
     pub parameters: Value,
     /// Lookups in rooms, against lobes traced from the shading point.
     pub rooms: RoomsFindings,
+    /// Real chains, and bakes for the proxy.
+    pub chain: ChainFindings,
 }

@@ -2,8 +2,8 @@
 
 mod images;
 mod lobes;
-mod methods;
-mod points;
+pub(super) mod methods;
+pub(super) mod points;
 mod random;
 mod smoothness;
 mod view;
