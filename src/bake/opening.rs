@@ -62,8 +62,12 @@ pub(super) fn opening(smith: Smith, alpha: AlphaMap, parts: &[Part]) -> Vec<Stri
     if parts.iter().any(|part| part.effect == EffectName::Parallax) {
         out.push(format!("Prefiltered probes; alpha = {}", alpha.name()));
     }
-    out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, mu the cosine between normal".into());
-    out.push("and view.".into());
+    if parts.iter().any(|part| part.effect != EffectName::Parallax) {
+        out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, mu the cosine between normal".into());
+        out.push("and view.".into());
+    } else {
+        out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from.".into());
+    }
     let holds = |text: &&str| parts.iter().flat_map(|p| p.code.values()).any(|code| code.contains(*text));
     let told = NOTES.iter().filter(|(of, _)| of.iter().any(&holds));
     out.extend(told.flat_map(|(_, lines)| lines.iter().map(ToString::to_string)));

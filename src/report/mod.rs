@@ -47,7 +47,9 @@ pub use findings::{
 pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
-pub use findings::{ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
+pub use findings::{
+    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
+};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

@@ -239,3 +239,38 @@ fn the_coarse_rule_for_many_points_is_as_good() {
     assert!(worst < TOLERANCE, "{worst:e}");
     println!("the coarse rule: within {worst:.1e} of the fine one");
 }
+
+#[test]
+fn quantiles_invert_the_energy_of_a_cone() {
+    for kernel in Kernel::ALL {
+        for alpha in [1e-6, 1e-3, 0.04, 0.3, 0.7, 0.999, 1.0, 1.5] {
+            let lobe = kernel.lobe(alpha);
+            for i in 0..=200 {
+                let energy = f64::from(i) / 200.0;
+                let u = lobe.quantile(energy);
+                assert!((0.0..=1.0).contains(&u), "{kernel:?} {alpha} {energy}: {u}");
+                // tan(theta) of tan^2(theta/2)
+                let found = lobe.encircled(2.0 * u.sqrt() / (1.0 - u));
+                assert!((found - energy).abs() < 1e-12, "{kernel:?} {alpha}: {energy}, {found}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_density_per_solid_angle_is_that_of_the_formula() {
+    for kernel in Kernel::ALL {
+        for alpha in [0.01, 0.2, 0.8, 1.0] {
+            let lobe = kernel.lobe(alpha);
+            let at = |theta: f64| {
+                let half = tan(0.5 * theta);
+                lobe.per_solid_angle(half * half)
+            };
+            let f = |theta: f64| 2.0 * std::f64::consts::PI * at(theta) * sin(theta);
+            let whole = simpson(&f, 0.0, 0.1, 1e-12) + simpson(&f, 0.1, std::f64::consts::FRAC_PI_2, 1e-12);
+            assert!((whole - 1.0).abs() < 1e-9, "{kernel:?} {alpha}: {whole}");
+            let ratio = |theta: f64| at(theta) / density(kernel, alpha, theta);
+            assert!((ratio(0.3) / ratio(1.2) - 1.0).abs() < 1e-9, "{kernel:?} {alpha}");
+        }
+    }
+}

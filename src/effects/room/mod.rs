@@ -11,9 +11,10 @@ mod exact;
 mod fetch;
 mod light;
 mod lookup;
+pub mod proxies;
 mod shape;
 
-pub use catalogue::{octagon, room_a, room_b};
+pub use catalogue::{octagon, practice, room_a, room_b};
 pub use exact::{Exact, Fan, GgxRays, Outlook};
 pub use fetch::{Rays, fetched, lobe};
 pub use light::{Checker, Panel, Room, Wall};

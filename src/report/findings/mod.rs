@@ -39,8 +39,8 @@ pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use parallax_study::{
-    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, RandomReference, RandomRoom,
-    RandomRow, RoomGeometry, RoomsFindings, SeamPicture, SeamRow, SlideLaw,
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, FittedLobe, ParallaxStudy, RandomReference,
+    RandomRoom, RandomRow, RoomGeometry, RoomsFindings, SeamPicture, SeamRow, SlideLaw,
 };
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};

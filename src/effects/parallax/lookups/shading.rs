@@ -49,6 +49,15 @@ const LEAST_COSINE: f64 = 0.02;
 const NARROWEST: f64 = 0.05;
 
 impl LobeFit {
+    /// For one fetch: the lobe is round.
+    pub const ONE: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.0, 0.0] };
+
+    /// For two fetches.
+    pub const TWO: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+
+    /// For three fetches.
+    pub const THREE: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+
     /// Share of the normal in the axis, ratio of the footprint, width across over width along.
     pub fn at(&self, alpha: f64, mu: f64) -> [f64; 3] {
         let mu = mu.clamp(LEAST_COSINE, 1.0);

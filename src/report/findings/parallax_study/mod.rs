@@ -10,7 +10,7 @@ use super::Origin;
 pub use chain::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
 };
-pub use rooms::{RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
+pub use rooms::{FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
 
 /// Lookups of the cubemap of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]

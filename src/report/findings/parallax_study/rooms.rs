@@ -7,6 +7,8 @@ use serde::Serialize;
 pub struct RoomsFindings {
     /// How points at random lie in each.
     pub geometry: Vec<RoomGeometry>,
+    /// What the lobe of a surface is taken for, fitted.
+    pub lobes: Vec<FittedLobe>,
     /// What methods are off by at those points.
     pub random: Vec<RandomRoom>,
 }
@@ -63,4 +65,26 @@ pub struct RandomRow {
     pub gain_l2: f64,
     /// The same of `mae`.
     pub gain_mae: f64,
+}
+
+/// Constants of a lobe that stand for GGX's with a number of fetches. Errors are geometric means over the roughnesses of the relative L2 in the
+/// practice room.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FittedLobe {
+    /// Fetches.
+    pub fetches: usize,
+    /// Constants of the share of the normal in the axis.
+    pub lean: [f64; 3],
+    /// Constants of the ratio of the footprint.
+    pub narrow: [f64; 3],
+    /// Constants of the ratio of the widths.
+    pub squash: [f64; 2],
+    /// Error with them.
+    pub error: f64,
+    /// Error with the constants that the methods have.
+    pub shipped: f64,
+    /// Error of the round lobe about the mirror ray.
+    pub mirror: f64,
+    /// Error of the round lobe about the published dominant direction.
+    pub dominant: f64,
 }

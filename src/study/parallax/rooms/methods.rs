@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::effects::parallax::{Corrected, Ratio, Shading, TapRule, Uncorrected, Width};
+use crate::effects::room::proxies::{Body, Smooth};
 use crate::effects::room::{Lookup, Proxy, Room};
 
 /// What a method takes the room for.
@@ -13,6 +14,8 @@ pub(in crate::study::parallax) enum Taken {
     Infinite,
     /// The room's own planes.
     Planes,
+    /// Their p-norm, p = max(4, 0.6/alpha).
+    Smooth,
 }
 
 /// A way to look the cubemap up.
@@ -33,6 +36,10 @@ impl Method {
         match self.taken {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
             Taken::Planes => self.corrected(room.shape(), room),
+            Taken::Smooth => match Body::new(&room.shape(), room.probe) {
+                Some(body) => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
+                None => self.corrected(room.shape(), room),
+            },
         }
     }
 
@@ -54,7 +61,7 @@ pub(in crate::study::parallax) const FROSTBITE: usize = 2;
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
     use Shading::{Dominant, Mirror, RootCosine};
-    use Taken::{Infinite, Planes};
+    use Taken::{Infinite, Planes, Smooth};
     use Width::{Frostbite, Rational, Same, Scaled};
     let method = |name: &str, taken, shading, fetches, ratio, width| Method {
         name: name.into(),
@@ -74,8 +81,10 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("rational, areas", Planes, Mirror, 1, Area, Rational),
         method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, Rational),
         method("rational, areas, dominant direction", Planes, Dominant, 1, Area, Rational),
+        method("rational, areas, smooth", Smooth, Mirror, 1, Area, Rational),
         method("2 fetches", Planes, Mirror, 2, Area, Rational),
         method("3 fetches", Planes, Mirror, 3, Area, Rational),
         method("3 fetches, dominant direction", Planes, Dominant, 3, Area, Rational),
+        method("3 fetches, smooth", Smooth, Mirror, 3, Area, Rational),
     ]
 }

@@ -1,5 +1,6 @@
 //! Lookups in rooms, against lobes traced from the shading point.
 
+mod lobes;
 pub(super) mod methods;
 pub(super) mod points;
 mod random;
@@ -18,6 +19,7 @@ pub(super) struct Parameters {
     pub rooms: Vec<Room>,
     methods: Vec<methods::Method>,
     random: random::Parameters,
+    lobes: lobes::Parameters,
 }
 
 impl Parameters {
@@ -27,6 +29,7 @@ impl Parameters {
             rooms: vec![room_a(), room_b(), octagon()],
             methods: methods::methods(),
             random: random::Parameters::of(size),
+            lobes: lobes::Parameters::of(size),
         }
     }
 }
@@ -37,9 +40,10 @@ pub(super) fn findings(
     progress: &dyn Progress,
 ) -> Result<RoomsFindings, StudyError> {
     progress.stage("rooms");
-    let Parameters { rooms, methods, random } = parameters;
+    let Parameters { rooms, methods, random, lobes } = parameters;
+    let lobes = lobes::fitted(lobes)?;
     let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
     let tools = random::Tools::new(random.directions);
     let random = rooms.iter().map(|room| random::measured(room, methods, random, &tools)).collect();
-    Ok(RoomsFindings { geometry, random })
+    Ok(RoomsFindings { geometry, lobes, random })
 }

@@ -53,7 +53,7 @@ impl Reference {
     }
 
     /// The shading point of a point: seen head on where there is no surface, so that nothing leans and no ray leaves below it.
-    fn seen(self, point: &Point, alpha: f64) -> Seen {
+    pub fn seen(self, point: &Point, alpha: f64) -> Seen {
         let Point { place, mirror, normal, .. } = *point;
         match self {
             Reference::Lobe => Seen { place, normal: mirror, view: mirror, alpha },

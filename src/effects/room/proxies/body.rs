@@ -1,0 +1,80 @@
+//! The planes about a probe.
+
+use super::super::lookup::{Meeting, Proxy};
+use super::super::shape::{Convex, Plane};
+use crate::math::vector::{Vec3, dot, plus, scaled};
+
+/// Distance of a plane that a shading point is on or outside of, over the probe's distance to it: far above the rounding of f32
+/// coordinates (6e-8 of a room), far below what is seen.
+pub const NEAREST: f64 = 1e-4;
+
+/// A convex body with a probe inside. As a proxy it is met on its planes: continuous, with a kink in the looked-up direction and a jump
+/// in the normal at its edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    planes: Vec<Plane>,
+    probe: Vec3,
+    heights: Vec<f64>,
+}
+
+/// A plane as a ray from a shading point has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Facing {
+    /// Its normal.
+    pub normal: Vec3,
+    /// Its distance from the shading point, at least [`NEAREST`] of that from the probe.
+    pub depth: f64,
+    /// Cosine between ray and normal.
+    pub approach: f64,
+}
+
+impl Body {
+    /// The body of planes about a probe; `None` where the probe is not inside all of them, by a finite distance.
+    pub fn new(shape: &Convex, probe: Vec3) -> Option<Body> {
+        let heights: Vec<f64> = shape.planes.iter().map(|plane| plane.depth(probe)).collect();
+        let inside = heights.iter().all(|h| *h > 0.0 && h.is_finite());
+        inside.then(|| Body { planes: shape.planes.clone(), probe, heights })
+    }
+
+    /// Where the probe is.
+    pub fn probe(&self) -> Vec3 {
+        self.probe
+    }
+
+    /// Its planes.
+    pub fn planes(&self) -> &[Plane] {
+        &self.planes
+    }
+
+    /// The probe's distance to the nearest plane: the unit of lengths of the proxies.
+    pub fn nearest(&self) -> f64 {
+        self.heights.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// All planes.
+    pub(super) fn facing(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
+        self.planes.iter().zip(&self.heights).map(move |(plane, height)| Facing {
+            normal: plane.normal,
+            depth: plane.depth(from).max(NEAREST * height),
+            approach: dot(plane.normal, towards),
+        })
+    }
+
+    /// The planes that a ray goes towards.
+    pub(super) fn ahead(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
+        self.facing(from, towards).filter(|plane| plane.approach > 0.0)
+    }
+
+    /// Distance and normal of the first plane that a ray meets.
+    pub(super) fn first(&self, from: Vec3, towards: Vec3) -> Option<(f64, Vec3)> {
+        let distances = self.ahead(from, towards).map(|plane| (plane.depth / plane.approach, plane.normal));
+        distances.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+}
+
+impl Proxy for Body {
+    fn meet(&self, from: Vec3, towards: Vec3, _alpha: f64) -> Option<Meeting> {
+        let (distance, normal) = self.first(from, towards)?;
+        Some(Meeting { distance, place: plus(from, scaled(towards, distance)), normal })
+    }
+}
