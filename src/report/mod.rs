@@ -47,6 +47,7 @@ pub use findings::{
 pub use findings::{
     FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
 };
+pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

@@ -41,6 +41,7 @@ pub use parallax::{
 pub use parallax_study::{
     FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
 };
+pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};

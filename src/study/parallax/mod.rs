@@ -2,6 +2,7 @@
 //! what it covers (its `Parameters`) and computes its findings (`findings`).
 
 mod parameters;
+mod proxies;
 mod rooms;
 
 use super::{Size, StudyError};
@@ -25,6 +26,7 @@ pub(super) fn recipe(size: Size) -> Result<String, StudyError> {
 pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, StudyError> {
     let parameters = Parameters::of(size);
     let rooms = rooms::findings(&parameters.rooms, progress)?;
+    let proxies = proxies::findings(&parameters.proxies, progress)?;
     let origin = Origin {
         scene: String::new(),
         recipe: recipe(size)?,
@@ -32,7 +34,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
         command: command(size),
     };
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms })?)
+    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms, proxies })?)
 }
 
 fn command(size: Size) -> String {

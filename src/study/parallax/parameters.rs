@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::rooms;
+use super::{proxies, rooms};
 use crate::study::Size;
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
@@ -13,11 +13,16 @@ const METHOD: u32 = 1;
 pub(super) struct Parameters {
     method: u32,
     pub rooms: rooms::Parameters,
+    pub proxies: proxies::Parameters,
 }
 
 impl Parameters {
     /// Those of a size.
     pub fn of(size: Size) -> Parameters {
-        Parameters { method: METHOD, rooms: rooms::Parameters::of(size) }
+        Parameters {
+            method: METHOD,
+            rooms: rooms::Parameters::of(size),
+            proxies: proxies::Parameters::of(size),
+        }
     }
 }

@@ -1,11 +1,13 @@
 //! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
 
+mod proxies;
 mod rooms;
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
+pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use rooms::{FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
 
 /// Lookups of the cubemap of a probe.
@@ -17,4 +19,6 @@ pub struct ParallaxStudy {
     pub parameters: Value,
     /// Lookups in rooms, against lobes traced from the shading point.
     pub rooms: RoomsFindings,
+    /// Proxies with soft edges.
+    pub proxies: ProxiesFindings,
 }

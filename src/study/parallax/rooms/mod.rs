@@ -2,7 +2,7 @@
 
 mod lobes;
 mod methods;
-mod points;
+pub(super) mod points;
 mod random;
 
 use serde::Serialize;

@@ -14,7 +14,7 @@ use crate::study::Size;
 
 /// Which points.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Parameters {
+pub(in crate::study::parallax) struct Parameters {
     /// How many.
     pub count: usize,
     /// Least distance of a point from every wall, in metres.
@@ -33,7 +33,7 @@ impl Parameters {
 
 /// A place in a room, a direction of reflection, and the normal of a surface that reflects so.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Point {
+pub(in crate::study::parallax) struct Point {
     pub place: Vec3,
     pub mirror: Vec3,
     pub normal: Vec3,
@@ -43,7 +43,7 @@ pub(super) struct Point {
 const LEAST_COSINE: f64 = 0.05;
 
 /// Places evenly inside the walls, directions evenly over the sphere, the cosine n.v evenly above its least.
-pub(super) fn points(room: &Room, parameters: &Parameters) -> Vec<Point> {
+pub(in crate::study::parallax) fn points(room: &Room, parameters: &Parameters) -> Vec<Point> {
     let Parameters { count, margin, seed } = *parameters;
     let shape = room.shape();
     let [low, high] = bounds(&shape, room.probe);
