@@ -39,6 +39,9 @@ pub use findings::{
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
 pub use findings::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
+};
+pub use findings::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use findings::{

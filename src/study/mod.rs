@@ -6,6 +6,7 @@ mod parallax;
 
 use crate::bake::Progress;
 use crate::effects::reflection::FitStageError;
+use crate::effects::room::cubemap::CubemapError;
 use crate::effects::surface::SurfaceError;
 use crate::fit::FitError;
 use crate::fitting::FittingError;
@@ -90,6 +91,9 @@ pub enum StudyError {
         /// The formula.
         name: String,
     },
+    /// A cubemap could not be made.
+    #[error(transparent)]
+    Cubemap(#[from] CubemapError),
     /// No constants of a lobe were found.
     #[error("fit of a lobe's axis and widths in the practice room: {reason}")]
     Lobe {

@@ -7,7 +7,7 @@ use lobefit::effects::room::cubemap::{
     Bake, Chain, CubemapError, Edges, Format, Integrated, Level, Source, Viewpoint, direction, face_of,
     solid_angle, to_edge,
 };
-use lobefit::effects::room::{Fetch, Rays, Room, Tap, octagon, room_a, room_b};
+use lobefit::effects::room::{Fan, Fetch, Rays, Room, Tap, octagon, room_a, room_b};
 use lobefit::math::ops;
 use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
 use lobefit::optics::kernel::Kernel;
@@ -102,7 +102,8 @@ fn an_even_room_is_even_in_every_texel_and_fetch() {
         }
     }
     let tap = Tap { towards: [0.0, 0.0, 1.0], alpha: 0.3, weight: 0.25 };
-    let exact = Integrated::new(&room, Kernel::HalfCosine, Viewpoint::Probe, 64, 1);
+    let (fan, proxy) = (Fan::new(Kernel::HalfCosine, 64, 1), room.shape());
+    let exact = Integrated { room: &room, proxy: &proxy, viewpoint: Viewpoint::Probe, fan: &fan };
     assert!(largest(exact.sum(&[tap, tap]), scaled(light, 0.5)) < 1e-14);
 }
 
@@ -284,7 +285,8 @@ fn the_perpendicular_texel_is_an_integral_over_the_walls() {
         }
     }
     assert!((whole - 1.0).abs() < 1e-3, "{whole}");
-    let exact = Integrated::new(&room, Kernel::HalfCosine, Viewpoint::Perpendicular, 16384, 3);
+    let (fan, proxy) = (Fan::new(Kernel::HalfCosine, 16384, 3), room.shape());
+    let exact = Integrated { room: &room, proxy: &proxy, viewpoint: Viewpoint::Perpendicular, fan: &fan };
     let found = exact.fetch(&Tap { towards, alpha, weight: 1.0 });
     assert!(largest(found, sum) < 0.01 * sum[0], "{found:?} {sum:?}");
 }

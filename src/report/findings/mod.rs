@@ -39,7 +39,8 @@ pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use parallax_study::{
-    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, FittedLobe, ParallaxStudy, RandomReference,
+    RandomRoom, RandomRow, RoomGeometry, RoomsFindings, SeamPicture, SeamRow, SlideLaw,
 };
 pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};

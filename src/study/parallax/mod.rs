@@ -1,6 +1,7 @@
 //! Lookups of the cubemap of a probe: what each is off by in rooms whose light is known. One module for each part of the page, which states
 //! what it covers (its `Parameters`) and computes its findings (`findings`).
 
+mod chain;
 mod parameters;
 mod proxies;
 mod rooms;
@@ -27,6 +28,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
     let parameters = Parameters::of(size);
     let rooms = rooms::findings(&parameters.rooms, progress)?;
     let proxies = proxies::findings(&parameters.proxies, progress)?;
+    let chain = chain::findings(&parameters.chain, progress)?;
     let origin = Origin {
         scene: String::new(),
         recipe: recipe(size)?,
@@ -34,7 +36,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
         command: command(size),
     };
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms, proxies })?)
+    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms, proxies, chain })?)
 }
 
 fn command(size: Size) -> String {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{proxies, rooms};
+use super::{chain, proxies, rooms};
 use crate::study::Size;
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
@@ -14,6 +14,7 @@ pub(super) struct Parameters {
     method: u32,
     pub rooms: rooms::Parameters,
     pub proxies: proxies::Parameters,
+    pub chain: chain::Parameters,
 }
 
 impl Parameters {
@@ -23,6 +24,7 @@ impl Parameters {
             method: METHOD,
             rooms: rooms::Parameters::of(size),
             proxies: proxies::Parameters::of(size),
+            chain: chain::Parameters::of(size),
         }
     }
 }

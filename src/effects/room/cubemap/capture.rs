@@ -1,12 +1,14 @@
 //! Chains made from a room.
 
+use std::f64::consts::PI;
+
 use rayon::prelude::*;
 
 use super::chain::trilinear;
 use super::faces::{centre, direction, interval, solid_angle};
 use super::{Chain, CubemapError, Edges, Format, Integrated, Level, Viewpoint};
 use crate::data::MipChain;
-use crate::effects::room::{Fetch, Rays, Room, Tap};
+use crate::effects::room::{Convex, Fan, Fetch, Room, Tap};
 use crate::math::ops;
 use crate::math::vector::{Vec3, plus, scaled, tangents, turned};
 use crate::optics::kernel::Kernel;
@@ -67,14 +69,15 @@ impl Bake {
             Source::Room => Vec::new(),
             Source::Capture => pyramid(self.captured(room, self.size), self.size)?,
         };
+        let (proxy, fan) = (room.shape(), Fan::new(self.kernel, self.rays, self.seed));
         let level = |i: usize| {
             let size = self.size >> i;
             let roughness = self.map.roughness(i as f64);
             let alpha = roughness * roughness;
             let texels = match self.source {
                 _ if alpha == 0.0 => self.captured(room, size),
-                Source::Room => self.integrated(room, size, alpha),
-                Source::Capture => self.filtered(&pyramid, size, alpha),
+                Source::Room => self.integrated(room, &proxy, &fan, size, alpha),
+                Source::Capture => self.filtered(&pyramid, &fan, size, alpha),
             };
             Level::new(size, &texels, self.format)
         };
@@ -103,27 +106,23 @@ impl Bake {
     }
 
     /// The lobe about the centres of the texels of a level.
-    fn integrated(&self, room: &Room, size: usize, alpha: f64) -> Vec<[f64; 3]> {
-        let exact = Integrated::new(room, self.kernel, self.viewpoint, self.rays, self.seed);
+    fn integrated(&self, room: &Room, proxy: &Convex, fan: &Fan, size: usize, alpha: f64) -> Vec<[f64; 3]> {
+        let exact = Integrated { room, proxy, viewpoint: self.viewpoint, fan };
         let one = |k: usize| exact.fetch(&Tap { towards: towards(k, size), alpha, weight: 1.0 });
         (0..6 * size * size).into_par_iter().map(one).collect()
     }
 
     /// The same from a capture's levels.
-    fn filtered(&self, pyramid: &[Level], size: usize, alpha: f64) -> Vec<[f64; 3]> {
-        let rays = Rays::new(self.kernel, alpha, self.rays, self.seed);
+    fn filtered(&self, pyramid: &[Level], fan: &Fan, size: usize, alpha: f64) -> Vec<[f64; 3]> {
         let lobe = self.kernel.lobe(alpha);
-        let texel = 4.0 * std::f64::consts::PI / (6 * self.size * self.size) as f64;
-        let levels: Vec<(Vec3, f64)> = rays
-            .directions()
-            .iter()
-            .map(|ray| {
-                let density = lobe.per_solid_angle((1.0 - ray[2]) / (1.0 + ray[2]));
-                // at the horizon the density may be 0: the last level of all
-                let share = 1.0 / (f64::from(self.rays) * density);
-                (*ray, 0.5 * ops::log2(share / texel))
-            })
-            .collect();
+        let texel = 4.0 * PI / (6 * self.size * self.size) as f64;
+        let mut levels: Vec<(Vec3, f64)> = Vec::with_capacity(fan.count());
+        fan.directions(alpha, |ray| {
+            let density = lobe.per_solid_angle((1.0 - ray[2]) / (1.0 + ray[2]));
+            // at the horizon the density may be 0: the last level of all
+            let share = 1.0 / (f64::from(self.rays) * density);
+            levels.push((ray, 0.5 * ops::log2(share / texel)));
+        });
         let one = |k: usize| {
             let axis = towards(k, size);
             let frame = tangents(axis);

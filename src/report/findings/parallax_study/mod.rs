@@ -1,5 +1,6 @@
 //! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
 
+mod chain;
 mod proxies;
 mod rooms;
 
@@ -8,6 +9,9 @@ use serde_json::Value;
 
 use super::Origin;
 pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
+pub use chain::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
+};
 pub use rooms::{FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
 
 /// Lookups of the cubemap of a probe.
@@ -21,4 +25,6 @@ pub struct ParallaxStudy {
     pub rooms: RoomsFindings,
     /// Proxies with soft edges.
     pub proxies: ProxiesFindings,
+    /// Real chains, and bakes for the proxy.
+    pub chain: ChainFindings,
 }

@@ -5,6 +5,9 @@ use serde::Serialize;
 use crate::effects::room::proxies::{Body, Faded, Law, Pushed, Rounded, Smooth};
 use crate::effects::room::{Proxy, Room};
 
+/// Powers of alpha that the law of the smooth proxy may fall with.
+const SMOOTH_POWERS: [f64; 3] = [1.0, 1.5, 2.0];
+
 /// A way to soften the edges of a proxy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -39,18 +42,26 @@ impl Family {
     /// Values from the planes themselves to far beyond use, increasing.
     pub fn values(self) -> Vec<f64> {
         match self {
-            Family::Smooth => vec![1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.5, 8.0, 11.0, 16.0, 24.0, 48.0, 256.0],
+            Family::Smooth => vec![2.0, 2.5, 3.0, 4.0, 5.0, 6.5, 8.0, 11.0, 16.0, 24.0, 48.0, 256.0],
             Family::Rounded => vec![0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.85, 1.0],
             Family::Pushed => vec![0.0, 0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0, 1.4, 2.0, 3.0, 6.0],
             Family::Faded => vec![0.0, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.55, 0.75],
         }
     }
 
-    /// Its law with two numbers: of the smooth one the product p alpha and the least p; of the others the value at alpha = 1 and the
-    /// power of alpha.
-    pub fn law(self, [a, b]: [f64; 2]) -> Law {
+    /// How many forms of a law it has.
+    pub fn forms(self) -> usize {
+        if self == Family::Smooth { SMOOTH_POWERS.len() } else { 1 }
+    }
+
+    /// A form of its law with two numbers: of the smooth one the value at alpha = 1 and the least p; of the others the value at alpha = 1
+    /// and the power of alpha.
+    pub fn law(self, form: usize, [a, b]: [f64; 2]) -> Law {
         match self {
-            Family::Smooth => Law::Inverse { over: a, least: b, most: 256.0 },
+            Family::Smooth => {
+                let power = SMOOTH_POWERS.get(form).copied().unwrap_or(1.0);
+                Law::Inverse { over: a, power, least: b, most: 256.0 }
+            }
             Family::Rounded => Law::Power { scale: a, power: b, most: 1.0 },
             Family::Pushed => Law::Power { scale: a, power: b, most: 6.0 },
             Family::Faded => Law::Power { scale: a, power: b, most: 0.75 },
@@ -60,7 +71,7 @@ impl Family {
     /// Where the search of the law begins, and the bounds of its numbers.
     pub fn search(self) -> ([f64; 2], [[f64; 2]; 2]) {
         match self {
-            Family::Smooth => ([0.6, 4.0], [[0.05, 8.0], [1.5, 16.0]]),
+            Family::Smooth => ([0.6, 4.0], [[0.02, 4.0], [2.0, 12.0]]),
             Family::Rounded => ([0.3, 0.5], [[0.0, 1.0], [0.0, 4.0]]),
             Family::Pushed => ([0.3, 0.5], [[0.0, 6.0], [0.0, 4.0]]),
             Family::Faded => ([0.05, 0.5], [[0.0, 0.75], [0.0, 4.0]]),

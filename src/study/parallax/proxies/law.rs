@@ -58,13 +58,15 @@ impl Landscape {
         let (start, bounds) = self.family.search();
         let starts = [[0.3, 0.3], [0.3, 0.7], [0.7, 0.3], [0.7, 0.7]]
             .map(|share| [0, 1].map(|k| bounds[k][0] + share[k] * share[k] * (bounds[k][1] - bounds[k][0])));
-        let found = std::iter::once(start).chain(starts).map(|start| self.descend(start, bounds));
-        let best = found.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(start, |(numbers, _)| numbers);
-        self.family.law(best.map(rounded))
+        let starts: Vec<[f64; 2]> = std::iter::once(start).chain(starts).collect();
+        let forms = 0..self.family.forms();
+        let found = forms.flat_map(|form| starts.iter().map(move |s| (form, self.descend(form, *s, bounds))));
+        let best = found.min_by(|a, b| a.1.1.total_cmp(&b.1.1)).map_or((0, start), |(form, (at, _))| (form, at));
+        self.family.law(best.0, best.1.map(rounded))
     }
 
-    fn descend(&self, mut at: [f64; 2], bounds: [[f64; 2]; 2]) -> ([f64; 2], f64) {
-        let value = |numbers: [f64; 2]| self.mean(self.family.law(numbers));
+    fn descend(&self, form: usize, mut at: [f64; 2], bounds: [[f64; 2]; 2]) -> ([f64; 2], f64) {
+        let value = |numbers: [f64; 2]| self.mean(self.family.law(form, numbers));
         let (mut least, mut step) = (value(at), 0.25);
         while step > 1e-4 {
             let moves = [

@@ -43,7 +43,7 @@ impl Parameters {
     pub fn of(size: Size) -> Parameters {
         let full = size == Size::Full;
         let points = |count, seed| points::Parameters { count, margin: 0.1, seed };
-        let [fitted, judged] = if full { [400, 800] } else { [24, 24] };
+        let [fitted, judged] = if full { [300, 600] } else { [24, 24] };
         Parameters {
             rooms: vec![room_a(), room_b(), octagon()],
             families: Family::ALL.to_vec(),

@@ -9,7 +9,7 @@ use crate::effects::room::{Lookup, Proxy, Room};
 /// What a method takes the room for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Taken {
+pub(in crate::study::parallax) enum Taken {
     /// Nothing: the cubemap is infinitely far.
     Infinite,
     /// The room's own planes.
@@ -20,7 +20,7 @@ pub(super) enum Taken {
 
 /// A way to look the cubemap up.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub(super) struct Method {
+pub(in crate::study::parallax) struct Method {
     pub name: String,
     pub taken: Taken,
     pub shading: Shading,
@@ -55,10 +55,10 @@ impl Method {
 }
 
 /// The place in the list of what others are compared with.
-pub(super) const FROSTBITE: usize = 2;
+pub(in crate::study::parallax) const FROSTBITE: usize = 2;
 
 /// All of them.
-pub(super) fn methods() -> Vec<Method> {
+pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
     use Shading::{Dominant, Mirror, RootCosine};
     use Taken::{Infinite, Planes, Smooth};

@@ -1,7 +1,7 @@
 //! Lookups in rooms, against lobes traced from the shading point.
 
 mod lobes;
-mod methods;
+pub(super) mod methods;
 pub(super) mod points;
 mod random;
 

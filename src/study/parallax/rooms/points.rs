@@ -83,7 +83,7 @@ fn bounds(shape: &Convex, inside: Vec3) -> [Vec3; 2] {
 }
 
 /// How points and probe lie to the walls.
-pub(super) fn geometry(room: &Room, parameters: &Parameters) -> RoomGeometry {
+pub(in crate::study::parallax) fn geometry(room: &Room, parameters: &Parameters) -> RoomGeometry {
     let shape = room.shape();
     let (mut rho, mut stretch) = (Vec::new(), Vec::new());
     for point in points(room, parameters) {

@@ -1,0 +1,219 @@
+//! Real chains of levels, and viewpoints of their texels.
+
+use super::super::{figures, words};
+use crate::report::numbers::{place, significant};
+use crate::report::{
+    BakePolicy, Block, Cells, ChainFindings, ChainParts, Curves, Gallery, ReportError, SeamPicture, SeamRow,
+    Section, Series, SlideLaw, Spread, Style, TextTable, check,
+};
+
+pub(super) fn sections(chain: &ChainFindings) -> Result<Vec<Section>, ReportError> {
+    Ok(vec![texels(chain)?, viewpoints(chain)?])
+}
+
+/// Errors by roughness after some words.
+fn table(
+    names: &[&str],
+    roughness: &[f64],
+    ends: &[&str],
+    rows: Vec<Vec<String>>,
+    caption: &str,
+) -> TextTable {
+    let mut table = words::table(&[], rows, caption);
+    table.columns = names.iter().map(|name| (name.to_string(), false)).collect();
+    table.columns.extend(roughness.iter().map(|&r| (format!("r {}", place(r)), true)));
+    table.columns.extend(ends.iter().map(|end| (end.to_string(), true)));
+    table
+}
+
+fn cells(names: &[&str], values: &[f64]) -> Vec<String> {
+    let names = names.iter().map(|name| name.to_string());
+    names.chain(values.iter().map(|&x| significant(x, 2))).collect()
+}
+
+fn texels(chain: &ChainFindings) -> Result<Section, ReportError> {
+    check::filled("chain", "parts", chain.parts.len())?;
+    let parts = chain.parts.iter().flat_map(of_parts).collect();
+    let sizes = chain.sizes.iter().map(|row| {
+        let [size, bytes] = [row.size, row.bytes / 1024].map(|n| n.to_string());
+        cells(&[&row.room, &row.like, &row.chain, &size, &bytes], &row.total)
+    });
+    let gains = chain.gains.iter().flat_map(|row| {
+        let of = |kind: &str, errors: &[f64], gain: f64| {
+            let mut cells = cells(&[&row.room, &row.method, kind], errors);
+            cells.push(significant(gain, 3));
+            cells
+        };
+        [of("integrated", &row.exact, row.gain_exact), of("chain", &row.chain, row.gain_chain)]
+    });
+    let r = &chain.roughness;
+    let blocks = vec![
+        Block::Heading { text: "What a chain adds, part by part".into() },
+        Block::Table(table(
+            &["room", "part"],
+            r,
+            &[],
+            parts,
+            "For the fetches of our formula (rational, areas) at points at random: root of the sum of squares of the differences over that of the \
+             same fetches integrated exactly. Levels: the lobes of the two nearest levels, integrated, mixed for the one between them. Texels: the \
+             chain in 32 bits from that. Rays: two chains of different rays apart, which a part below it drowns in.",
+        )),
+        Block::Heading { text: "Maps and sizes".into() },
+        Block::Table(table(
+            &["room", "like", "levels", "texels", "KiB"],
+            r,
+            &[],
+            sizes.collect(),
+            "The whole error of other chains, likewise; KiB of 16 bits and four channels.",
+        )),
+        Block::Heading { text: "End to end".into() },
+        Block::Table(table(
+            &["room", "lookup", "fetches"],
+            r,
+            &["gain"],
+            gains.collect(),
+            "Against the lobe traced from the point. Gain: geometric mean over roughness of Frostbite’s error over this one’s, both with fetches \
+             of the same kind.",
+        )),
+    ];
+    Ok(Section {
+        id: "chain".into(),
+        title: "Real chains of levels".into(),
+        lead: "What an engine fetches is no integral: texels of faces that shrink from level to level, 16 bits each, mixed between two levels whose \
+               lobes are wider and narrower than the one wanted. All levels are prefiltered with the cosine-weighted lobe, alpha = r²."
+            .into(),
+        blocks,
+    })
+}
+
+fn of_parts(parts: &ChainParts) -> Vec<Vec<String>> {
+    let rows: [(&str, &[f64]); 7] = [
+        ("whole", &parts.total),
+        ("levels", &parts.levels),
+        ("texels", &parts.texels),
+        ("16 bits", &parts.half),
+        ("whole, faces clamped at their edges", &parts.clamped),
+        ("whole, prefiltered from the capture", &parts.captured),
+        ("rays", &parts.noise),
+    ];
+    rows.into_iter().map(|(name, values)| cells(&[&parts.room, name], values)).collect()
+}
+
+fn viewpoints(chain: &ChainFindings) -> Result<Section, ReportError> {
+    check::filled("chain", "policies", chain.policies.len())?;
+    let rows = chain.policies.iter().flat_map(of_policy).collect();
+    let mut blocks = vec![
+        slide(&chain.slide)?,
+        Block::Table(table(
+            &["room", "bake and ratio", "points"],
+            &chain.roughness,
+            &["gain"],
+            rows,
+            &format!(
+                "One fetch, against the lobe traced from the point. Near: the mirror ray ends within {} radii α d of the lobe on the wall from an \
+                 edge of the proxy. Gain: geometric mean over roughness of Frostbite’s error over this one’s, Frostbite’s from the ordinary bake.",
+                place(chain.near)
+            ),
+        )),
+    ];
+    for room in &chain.slide.rooms {
+        let rows: Vec<&SeamRow> = chain.seams.iter().filter(|row| row.room == *room).collect();
+        blocks.push(Block::Heading { text: format!("Floor of room {room}") });
+        blocks.push(floor(&rows)?);
+        blocks.push(Block::Table(creases(&rows)));
+    }
+    Ok(Section {
+        id: "viewpoints".into(),
+        title: "Texels that see the room from above its walls".into(),
+        lead: "An ordinary texel integrates its lobe from the probe, slanted as the probe happens to see the wall. A perpendicular one sees the same \
+               place from above, as far from the wall as the probe is; at the edges of the proxy the viewpoints of the two walls disagree. A sliding \
+               one moves to the probe there."
+            .into(),
+        blocks,
+    })
+}
+
+fn of_policy(policy: &BakePolicy) -> Vec<Vec<String>> {
+    let rows: [(&str, &[f64], Option<f64>); 4] = [
+        ("all", &policy.whole, Some(policy.gain)),
+        ("far from edges", &policy.far, None),
+        ("near edges", &policy.near, None),
+        ("all, from its chain", &policy.chain, Some(policy.gain_chain)),
+    ];
+    let row = |(points, errors, gain): (&str, &[f64], Option<f64>)| {
+        let mut cells = cells(&[&policy.room, &policy.policy, points], errors);
+        cells.push(gain.map_or_else(String::new, |gain| significant(gain, 3)));
+        cells
+    };
+    rows.into_iter().map(row).collect()
+}
+
+fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
+    let line = |(i, room): (usize, &String)| Series {
+        name: format!("room {room}"),
+        points: law.widths.iter().copied().zip(law.loss[i].iter().copied()).collect(),
+        style: Style::Marked(i),
+        end: None,
+    };
+    let curves = Curves {
+        title: "Error of a bake whose viewpoint slides".into(),
+        x: ("radii over which it slides".into(), Spread::Log),
+        y: ("geometric mean of the relative error over r".into(), Spread::Linear),
+        series: law.rooms.iter().enumerate().map(line).collect(),
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: None,
+        size: (520.0, 240.0),
+    };
+    let caption = format!(
+        "The viewpoint is above the wall as far from edges as so many radii α h of the lobe on the wall. The best for all rooms: {}; it is used \
+         below.",
+        significant(law.best, 2)
+    );
+    figures(&[curves], &caption)
+}
+
+/// The floors of a room, a column for each roughness.
+fn floor(rows: &[&SeamRow]) -> Result<Block, ReportError> {
+    let first = rows.first().map_or(&[][..], |row| &row.pictures);
+    let pictures =
+        |i: usize| rows.iter().filter_map(|row| row.pictures.get(i)).map(|p| p.picture.clone()).collect();
+    let gallery = Gallery {
+        title: "floor".into(),
+        column_name: "r".into(),
+        columns: rows.iter().map(|row| place(row.roughness)).collect(),
+        rows: first.iter().map(|p| p.policy.clone()).collect(),
+        side: first.first().map_or(0, |p| p.picture.width),
+        cell: CELL,
+        cells: Cells::Colours((0..first.len()).map(pictures).collect()),
+    };
+    figures(&[gallery], "The floor as a mirror of its roughness, through x/(1 + x); black is not the floor.")
+}
+
+/// Side of a picture of a floor on the page.
+const CELL: f64 = 180.0;
+
+fn creases(rows: &[&SeamRow]) -> TextTable {
+    let of = |row: &&SeamRow| {
+        let roughness = place(row.roughness);
+        let one = move |p: &SeamPicture| {
+            let ratio = if p.elsewhere > 0.0 { significant(p.edge / p.elsewhere, 2) } else { "–".into() };
+            let values = [p.edge, p.elsewhere].map(|x| significant(100.0 * x, 3));
+            vec![roughness.clone(), p.policy.clone(), values[0].clone(), values[1].clone(), ratio]
+        };
+        row.pictures.iter().skip(1).map(one).collect::<Vec<_>>()
+    };
+    let columns = [
+        ("r", true),
+        ("bake and ratio", false),
+        ("at edges, × 100", true),
+        ("elsewhere, × 100", true),
+        ("ratio", true),
+    ];
+    words::table(
+        &columns,
+        rows.iter().flat_map(of).collect(),
+        "Mean magnitude of the second difference of the error of displayed luminance between neighbouring pixels, where the mirror rays cross an \
+         edge of the proxy and where they do not.",
+    )
+}

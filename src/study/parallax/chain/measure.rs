@@ -1,0 +1,102 @@
+//! Points at random in a room with what a lobe there sees, and how far lookups are from it.
+
+use rayon::prelude::*;
+
+use super::super::rooms::points::{self, points};
+use crate::effects::parallax::{Baked, Shading, Slant, Width};
+use crate::effects::room::cubemap::{Viewpoint, to_edge};
+use crate::effects::room::{Convex, Fan, Fetch, Lookup, Room, Seen};
+use crate::math::ops;
+use crate::math::vector::{plus, scaled};
+use crate::optics::kernel::Kernel;
+
+/// What all engines bake.
+pub(super) const KERNEL: Kernel = Kernel::HalfCosine;
+
+/// Radii alpha d_s of a lobe on the wall within which an edge of the proxy is near.
+pub(super) const NEAR: f64 = 2.0;
+
+/// The points of a room under a roughness.
+pub(super) struct Row {
+    pub seen: Vec<Seen>,
+    /// The lobe traced from each.
+    pub light: Vec<[f64; 3]>,
+    /// Whether its mirror ray ends near an edge.
+    pub near: Vec<bool>,
+}
+
+/// A room with its points, row by row of roughness.
+pub(super) struct Case<'a> {
+    pub room: &'a Room,
+    pub shape: Convex,
+    pub rows: Vec<Row>,
+}
+
+impl<'a> Case<'a> {
+    /// The reference is integrated with the directions of `fan`.
+    pub fn new(room: &'a Room, points_of: &points::Parameters, roughness: &[f64], fan: &Fan) -> Case<'a> {
+        let shape = room.shape();
+        let points = points(room, points_of);
+        let row = |roughness: &f64| {
+            let alpha = roughness * roughness;
+            let seen = points.iter().map(|point| Seen {
+                place: point.place,
+                normal: point.mirror,
+                view: point.mirror,
+                alpha,
+            });
+            let seen: Vec<Seen> = seen.collect();
+            let light = seen.par_iter().map(|s| fan.lobe(room, s.place, s.view, None, alpha)).collect();
+            let near = seen.iter().map(|seen| nearness(&shape, seen) < NEAR).collect();
+            Row { seen, light, near }
+        };
+        let rows = roughness.iter().map(row).collect();
+        Case { room, shape, rows }
+    }
+
+    /// One fetch from a bake.
+    pub fn baked(&self, viewpoint: Viewpoint, slant: Slant, width: Width) -> Baked {
+        let (proxy, probe) = (self.shape.clone(), self.room.probe);
+        Baked { proxy, probe, shading: Shading::Mirror, viewpoint, slant, width }
+    }
+}
+
+/// Distance of the end of a mirror ray from the nearest edge of its wall, in radii of the lobe on it; that of a ray that meets no wall is 0.
+fn nearness(shape: &Convex, seen: &Seen) -> f64 {
+    let Some((distance, wall)) = shape.exit(seen.place, seen.view) else { return 0.0 };
+    let place = plus(seen.place, scaled(seen.view, distance));
+    to_edge(shape, place, wall) / (seen.alpha * distance)
+}
+
+/// What a lookup shades the points with.
+pub(super) fn shaded(row: &Row, lookup: &dyn Lookup, fetch: &dyn Fetch) -> Vec<[f64; 3]> {
+    row.seen.par_iter().map(|seen| fetch.sum(&lookup.taps(seen))).collect()
+}
+
+/// Root of the sum of squares of the differences of a and b over that of the truth, over channels and those of the points that are wanted.
+pub(super) fn off(a: &[[f64; 3]], b: &[[f64; 3]], truth: &[[f64; 3]], wanted: impl Fn(usize) -> bool) -> f64 {
+    let (mut off, mut whole) = (0.0, 0.0);
+    for i in (0..truth.len()).filter(|i| wanted(*i)) {
+        for c in 0..3 {
+            off += (a[i][c] - b[i][c]) * (a[i][c] - b[i][c]);
+            whole += truth[i][c] * truth[i][c];
+        }
+    }
+    if whole > 0.0 { (off / whole).sqrt() } else { 0.0 }
+}
+
+/// The same of what is found from the truth.
+pub(super) fn relative(found: &[[f64; 3]], truth: &[[f64; 3]], wanted: impl Fn(usize) -> bool) -> f64 {
+    off(found, truth, truth, wanted)
+}
+
+/// Every point.
+pub(super) fn all(_: usize) -> bool {
+    true
+}
+
+/// Geometric mean of a over b.
+pub(super) fn gain(a: &[f64], b: &[f64]) -> f64 {
+    let logs: f64 = a.iter().zip(b).map(|(a, b)| ops::log(a / b)).sum();
+    ops::exp(logs / a.len() as f64)
+}
