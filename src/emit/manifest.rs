@@ -44,6 +44,9 @@ pub struct Entries {
     /// Functions of the levels of prefiltered chains: [`MipEntry`].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub mips: Vec<Value>,
+    /// Functions that look a probe up through a proxy: [`LookupFunction`].
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lookups: Vec<Value>,
     /// Pages and their data: [`Report`].
     pub reports: Vec<Value>,
 }
@@ -55,16 +58,18 @@ impl Entries {
         self.fits.extend_from_slice(&other.fits);
         self.fits_left_out.extend_from_slice(&other.fits_left_out);
         self.mips.extend_from_slice(&other.mips);
+        self.lookups.extend_from_slice(&other.lookups);
         self.reports.extend_from_slice(&other.reports);
     }
 
     /// The lists with their names, to be filtered alike.
-    pub fn lists(&mut self) -> [(&'static str, &mut Vec<Value>); 5] {
+    pub fn lists(&mut self) -> [(&'static str, &mut Vec<Value>); 6] {
         [
             ("tables", &mut self.tables),
             ("fits", &mut self.fits),
             ("fits_left_out", &mut self.fits_left_out),
             ("mips", &mut self.mips),
+            ("lookups", &mut self.lookups),
             ("reports", &mut self.reports),
         ]
     }
@@ -266,6 +271,37 @@ pub struct MipEntry {
     pub at: Place,
     /// Operations.
     pub ops: u32,
+}
+
+/// A function that looks a probe up through a proxy of its room.
+#[derive(Clone, Debug, Serialize)]
+pub struct LookupFunction {
+    /// Effect that called for it.
+    pub effect: &'static str,
+    /// Function in the emitted code.
+    pub function: String,
+    /// Argument names in order.
+    pub inputs: Vec<String>,
+    /// `box`, or the number of planes after `planes_`.
+    pub proxy: String,
+    /// `smooth` or `sharp`.
+    pub edges: &'static str,
+    /// The power of smooth edges, a formula of alpha.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub power: Option<String>,
+    /// What it returns beside a direction: `width` or `mip`.
+    pub gives: &'static str,
+    /// The function of the width that it calls.
+    pub width: String,
+    /// The lobe that the chain is prefiltered with.
+    pub kernel: &'static str,
+    /// Roughness to alpha.
+    pub alpha_map: &'static str,
+    /// The chain, in words, where it returns levels.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chain: Option<String>,
+    /// Cost, its fetches among it; bytes are the chain's.
+    pub cost: CostEntry,
 }
 
 /// Cost of an evaluation.

@@ -11,6 +11,7 @@ pub mod header;
 pub mod lookup;
 pub mod manifest;
 pub mod npy;
+pub mod probe;
 pub mod raw;
 pub mod sidecar;
 mod spelling;

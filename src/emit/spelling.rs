@@ -90,10 +90,16 @@ pub(super) fn unused(language: Language, arguments: &[&str], body: &str) -> Stri
     arguments.iter().filter(|name| !mentions(body, name)).map(line).collect()
 }
 
-/// Functions of coordinates and decodings, with their names in C. All but log2 are exact on every machine; the last bits of log2
-/// are the machine's.
-const FUNCTIONS: [(&str, &str); 5] =
-    [("sqrt", "sqrtf"), ("abs", "fabsf"), ("min", "fminf"), ("max", "fmaxf"), ("log2", "log2f")];
+/// Functions of coordinates, decodings and lookups, with their names in C. All but log2 and pow are exact on every machine; the last
+/// bits of those are the machine's.
+const FUNCTIONS: [(&str, &str); 6] = [
+    ("sqrt", "sqrtf"),
+    ("abs", "fabsf"),
+    ("min", "fminf"),
+    ("max", "fmaxf"),
+    ("log2", "log2f"),
+    ("pow", "powf"),
+];
 
 /// An expression of a shader's arithmetic, as [`crate::data::Axis::expression`] writes it, in a language.
 pub(super) fn expression(language: Language, text: &str) -> String {
@@ -125,10 +131,15 @@ fn token(text: &str, first: char) -> usize {
 fn spelled(language: Language, word: &str) -> String {
     let function = FUNCTIONS.iter().find(|(name, _)| *name == word);
     match (language, function, word.parse::<f32>()) {
+        (Language::Rust, Some(("pow", name)), _) => format!("f32::{name}"),
         (Language::Rust, Some(_), _) => format!("f32::{word}"),
         (Language::C, Some((_, name)), _) => name.to_string(),
         (Language::Hlsl | Language::Msl | Language::C, None, Ok(x)) => format!("{}f", decimal(x)),
         (Language::Wgsl | Language::Glsl, None, Ok(x)) => decimal(x),
+        (Language::Rust, None, Err(_)) => match word.split_once('.') {
+            Some((vector, part)) => format!("{vector}[{}]", "xyzw".find(part).unwrap_or_default()),
+            None => word.to_string(),
+        },
         _ => word.to_string(),
     }
 }

@@ -1,7 +1,7 @@
 //! The jobs of a plan: plain values that name everything the work needs.
 
 use super::effect::EffectName;
-use crate::data::{AlphaMap, MipChain, Smith, TexelFormat};
+use crate::data::{AlphaMap, MipChain, ProbeLookup, Smith, TexelFormat};
 use crate::integrate::coupling::Specular;
 use crate::integrate::glass::Side;
 use crate::optics::kernel::Kernel;
@@ -277,6 +277,8 @@ pub struct ParallaxJob {
     pub rho: [f64; 2],
     /// The different chains of levels, in the order of the probes.
     pub chains: Vec<MipChain>,
+    /// The different lookups, with the chain of the probe that they fetch from, in the order of the probes.
+    pub lookups: Vec<(ProbeLookup, Option<MipChain>)>,
     /// Most operations of an emitted fit; `None`: any.
     pub max_ops: Option<u32>,
     /// The strictest error of the promises, for summaries; what must hold are the `promises`.

@@ -34,6 +34,7 @@ fn job(scene: &Scene, kernel: Kernel) -> Option<ParallaxJob> {
             roughness,
             rho: probe.rho,
             chains: Vec::new(),
+            lookups: Vec::new(),
             max_ops: probe.max_ops,
             max_error: None,
             promises: Vec::new(),
@@ -48,6 +49,11 @@ fn job(scene: &Scene, kernel: Kernel) -> Option<ParallaxJob> {
         job.norms.dedup();
         let new = probe.mips.clone().filter(|chain| !job.chains.contains(chain));
         job.chains.extend(new);
+        for lookup in probe.lookups.iter().map(|lookup| (*lookup, probe.mips.clone())) {
+            if !job.lookups.contains(&lookup) {
+                job.lookups.push(lookup);
+            }
+        }
         if let Some(max_error) = probe.max_error {
             let field = format!("probes[{index}].max_error");
             let limit = Limit { material: probe.name.clone(), field, max_error };
@@ -96,10 +102,15 @@ fn summary(job: &ParallaxJob) -> JobSummary {
         1 => ", and functions of the level of a chain".into(),
         n => format!(", and functions of the level of {n} chains"),
     };
+    let lookups = match job.lookups.len() {
+        0 => String::new(),
+        1 => ", and a lookup".into(),
+        n => format!(", and {n} lookups"),
+    };
     JobSummary {
         name: format!("parallax-{kernel}"),
         approximation: format!(
-            "fits of the width of a fetch from a {kernel} chain, {ops} operations, {}{chains}",
+            "fits of the width of a fetch from a {kernel} chain, {ops} operations, {}{chains}{lookups}",
             norms.join(" and ")
         ),
         ranges: BTreeMap::from([("rho", job.rho), ("roughness", job.roughness)]),

@@ -47,7 +47,11 @@ pub use findings::{
 pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
-pub use findings::{ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
+pub use findings::{
+    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    RoomPictureRow, RoomPictures, RoomsFindings,
+};
+pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

@@ -38,6 +38,14 @@ pub const PROBES: usize = 4096;
 pub const LEVELS_MIN: usize = 2;
 /// Most levels of a prefiltered chain: a cube of 32768 texels a side has as many.
 pub const LEVELS_MAX: usize = 16;
+/// Most lookups of a probe.
+pub const LOOKUPS_MAX: usize = 16;
+/// Fewest planes of a proxy: those of a tetrahedron.
+pub const PLANES_MIN: u32 = 4;
+/// Most planes of a proxy.
+pub const PLANES_MAX: u32 = 64;
+/// Most fetches of a lookup.
+pub const TAPS_MAX: u32 = 3;
 /// Most operations that a fit may be allowed.
 pub const FIT_OPS: u32 = 1000;
 /// Most worker threads.

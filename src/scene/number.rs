@@ -53,6 +53,10 @@ intervals! {
     Ratio = crate::integrate::footprint::RHO[0], crate::integrate::footprint::RHO[1], false, "[0.000001, 1000]";
     /// Levels of a prefiltered chain.
     Levels = super::limits::LEVELS_MIN as f64, super::limits::LEVELS_MAX as f64, false, "[2, 16]";
+    /// Planes of a proxy: 4 bound a body.
+    Planes = super::limits::PLANES_MIN as f64, super::limits::PLANES_MAX as f64, false, "[4, 64]";
+    /// Fetches of a lookup.
+    TapCount = 1.0, super::limits::TAPS_MAX as f64, false, "[1, 3]";
     /// Versions of the scene format.
     Version = 1.0, 1.0, false, "the versions that this program reads: 1";
 }

@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 use super::limits;
 use super::material::rough_part;
 use super::name::Name;
-use super::number::{ErrorLimit, In, Levels, Ops, Ratio, Span, Unit, Whole};
+use super::number::{ErrorLimit, In, Levels, Ops, Planes, Ratio, Span, TapCount, Unit, Whole};
 use super::value::{List, Maybe, Text, Word, from_file};
 use super::wants::norms;
-use crate::data::{AlphaMap, MipChain, MipMap, Norm};
+use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup};
 use crate::integrate::footprint;
 use crate::optics::kernel::Kernel;
 
@@ -38,6 +38,9 @@ pub struct Probe {
     pub max_error: Option<f64>,
     /// Errors to minimise, each once, in the order max, rms.
     pub norms: Vec<Norm>,
+    /// Functions that look it up through a proxy, each once.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lookups: Vec<ProbeLookup>,
 }
 
 impl Probe {
@@ -89,6 +92,60 @@ struct ProbeFile {
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Maybe<List<Word<Norm>, 2>>,
+    /// Functions that look it up, each with its proxy of the room and its number of fetches; default none. They take the width from the most
+    /// accurate fit and return directions with widths, or with levels where `mips` is given.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    lookups: Maybe<List<ProbeLookup, { limits::LOOKUPS_MAX }>>,
+}
+
+/// A function that looks a probe up: where the reflected ray meets the proxy, and what to fetch from there.
+#[derive(Deserialize, JsonSchema)]
+#[schemars(rename = "Lookup")]
+#[serde(deny_unknown_fields, expecting = "an object that describes a lookup, which may be empty")]
+struct LookupFile {
+    /// Number of planes of the proxy; default: a box along the axes, between two corners.
+    #[serde(default)]
+    planes: Maybe<Whole<Planes>>,
+    /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing jumps there, or `sharp`; default `smooth`.
+    #[serde(default)]
+    edges: Maybe<Word<Edges>>,
+    /// Number of fetches: 1, or 2 or 3 along the axis that the wall stretches; default 1.
+    #[serde(default)]
+    taps: Maybe<Whole<TapCount>>,
+}
+
+/// Edges of a proxy.
+#[derive(Clone, Copy, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum Edges {
+    Smooth,
+    Sharp,
+}
+
+impl TryFrom<LookupFile> for ProbeLookup {
+    type Error = String;
+
+    fn try_from(file: LookupFile) -> Result<Self, String> {
+        Ok(ProbeLookup {
+            planes: file.planes.0.map(|n| n.0),
+            smooth: !matches!(file.edges.0, Some(Word(Edges::Sharp))),
+            taps: file.taps.0.map_or(1, |n| n.0),
+        })
+    }
+}
+
+/// The lookups, each once.
+fn lookups(list: Option<List<ProbeLookup, { limits::LOOKUPS_MAX }>>) -> Result<Vec<ProbeLookup>, String> {
+    let Some(List(list)) = list else { return Ok(Vec::new()) };
+    if list.is_empty() {
+        return Err("lookups: an empty list; leave the field out where none is wanted".into());
+    }
+    let repeated = list.iter().enumerate().find(|(i, lookup)| list[..*i].contains(lookup));
+    match repeated {
+        Some((i, lookup)) => Err(format!("lookups[{i}]: {} is in the list already", lookup.text())),
+        None => Ok(list),
+    }
 }
 
 /// A chain of prefiltered levels: a published `map` with its `count`, or the roughness of each of its `levels`.
@@ -155,9 +212,11 @@ impl TryFrom<ProbeFile> for Probe {
             max_ops: file.max_ops.0.map(|w| w.0),
             max_error: file.max_error.0.map(|e| e.0),
             norms: norms(file.norms.0)?,
+            lookups: lookups(file.lookups.0)?,
         })
     }
 }
 
 from_file!(MipChain, MipsFile);
+from_file!(ProbeLookup, LookupFile);
 from_file!(Probe, ProbeFile);

@@ -94,6 +94,12 @@ pub enum StudyError {
     /// A cubemap could not be made.
     #[error(transparent)]
     Cubemap(#[from] CubemapError),
+    /// No constants of a lobe were found.
+    #[error("fit of a lobe's axis and widths in the practice room: {reason}")]
+    Lobe {
+        /// What the search came to.
+        reason: String,
+    },
     /// The page refused its data.
     #[error(transparent)]
     Report(#[from] ReportError),

@@ -7,13 +7,15 @@ use crate::bake::BakeError;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
 use crate::effects::reflection::Fit;
 use crate::emit::code::{self, Language};
-use crate::emit::header;
+use crate::emit::{header, probe};
 
 /// Text by language; empty where nothing is emitted.
 pub(super) fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {
     let mut texts = BTreeMap::new();
     for language in Language::ALL {
         let (mut text, mut known) = (String::new(), BTreeSet::new());
+        let lookups: Vec<probe::Wanted> =
+            lobes.iter().flat_map(|lobe| &lobe.lookups).map(|l| l.wanted.clone()).collect();
         for lobe in lobes {
             for (fit, variation) in lobe.measured().filter(|(fit, _)| fit.emitted) {
                 let lines = lines(lobe, fit, variation);
@@ -28,6 +30,7 @@ pub(super) fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, Bake
                 }
             }
         }
+        text += &probe::print(language, &lookups);
         if !text.is_empty() {
             texts.insert(language, text);
         }
@@ -36,7 +39,7 @@ pub(super) fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, Bake
 }
 
 /// What a function holds of, so that it is not paired with another chain.
-fn paired(lobe: &Lobe) -> String {
+pub(super) fn paired(lobe: &Lobe) -> String {
     let (kernel, map) = (lobe.job.kernel, lobe.job.alpha_map.name());
     format!("for chains prefiltered with the {} lobe {}, alpha = {map}", kernel.name(), kernel.formula())
 }
@@ -67,7 +70,7 @@ fn lines(lobe: &Lobe, fit: &Fit, variation: &Variation) -> Vec<String> {
     lines
 }
 
-fn total(where_: &str, spread: &Spread, least: &Spread) -> String {
+pub(super) fn total(where_: &str, spread: &Spread, least: &Spread) -> String {
     let [mean, max, least_mean, least_max] =
         [spread.mean, spread.max, least.mean, least.max].map(header::short);
     format!(

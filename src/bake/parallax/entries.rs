@@ -31,6 +31,9 @@ pub(super) fn enter(lobe: &Lobe, scene: &Scene, entries: &mut Entries) -> Result
             entries.mips.push(entry);
         }
     }
+    for lookup in &lobe.lookups {
+        entries.lookups.push(canonical(&lookup.entry(kernel, alpha_map))?);
+    }
     Ok(())
 }
 

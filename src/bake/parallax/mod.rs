@@ -3,6 +3,7 @@
 mod code;
 mod entries;
 mod findings;
+mod lookups;
 
 use super::context::Context;
 use super::part::{Part, canonical};
@@ -35,6 +36,8 @@ struct Lobe<'a> {
     least: Variation,
     /// Of the chains of levels.
     functions: Vec<LevelFunction>,
+    /// Lookups through proxies.
+    lookups: Vec<lookups::Lookup>,
 }
 
 /// Bakes the effect; its fits and hypotheses left out go into `baked` as well.
@@ -112,8 +115,10 @@ impl<'a> Lobe<'a> {
         let variations = variations(&grid, &fits)?;
         let best: Vec<f64> = grid.cells.iter().map(|cell| cell.best).collect();
         let least = Variation::of(&grid, &best)?;
-        let mut lobe = Lobe { job, fits, dropped, grid, variations, least, functions: Vec::new() };
+        let mut lobe =
+            Lobe { job, fits, dropped, grid, variations, least, functions: Vec::new(), lookups: Vec::new() };
         lobe.functions = lobe.levels(identifiers)?;
+        lobe.lookups = lookups::of(&lobe, identifiers)?;
         Ok(lobe)
     }
 

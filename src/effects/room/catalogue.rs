@@ -46,6 +46,13 @@ pub fn octagon() -> Room {
     Room { name: "octagon".into(), probe: [0.4, -0.3, 0.0], walls: planes.enumerate().map(wall).collect() }
 }
 
+/// 5 x 4.4 x 2.8, none of the study's: what is fitted to rooms is fitted here and judged in the others.
+pub fn practice() -> Room {
+    let shape = Convex::cuboid([-2.1, -2.5, -1.2], [2.9, 1.9, 1.6]);
+    let walls = shape.planes.into_iter().enumerate().map(|(i, plane)| wall((5 - i, plane))).collect();
+    Room { name: "practice".into(), probe: [0.2, -0.4, 0.1], walls }
+}
+
 /// Colours of the squares, dark and light, and of the panel of the walls in turn.
 const COLOURS: [[[f64; 3]; 3]; 6] = [
     [[0.10, 0.12, 0.20], [0.45, 0.52, 0.70], [9.0, 8.0, 6.0]],

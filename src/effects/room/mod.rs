@@ -14,7 +14,7 @@ mod lookup;
 pub mod proxies;
 mod shape;
 
-pub use catalogue::{octagon, room_a, room_b};
+pub use catalogue::{octagon, practice, room_a, room_b};
 pub use exact::{Exact, Fan, GgxRays, Outlook};
 pub use fetch::{Rays, fetched, lobe};
 pub use light::{Checker, Panel, Room, Wall};

@@ -14,7 +14,7 @@ struct Place {
 
 /// A statement, indented by `depth` steps. Too long for a line, it is broken before the signs of its sums, outer sums before inner ones,
 /// or after commas; a line is indented by one step more for each bracket that is open where it begins.
-pub(super) fn lines(statement: &str, depth: usize) -> String {
+pub(in crate::emit) fn lines(statement: &str, depth: usize) -> String {
     let mut rest = statement;
     let mut open = 0;
     let mut indent = 4 * depth;

@@ -32,6 +32,7 @@ use super::comment::comment;
 use crate::fit::{Builtin, Expr, ExprKind, FitError, Formula, Function, Hypothesis, Statement};
 pub(in crate::emit) use expression::decimal;
 pub use language::Language;
+pub(in crate::emit) use lines::lines as wrapped;
 
 /// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of tiny ones are.
 const TINY: f32 = 1e-30;

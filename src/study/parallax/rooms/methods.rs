@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::effects::parallax::{Corrected, Ratio, Shading, TapRule, Uncorrected, Width};
+use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
+use crate::effects::room::proxies::{Body, Smooth};
 use crate::effects::room::{Lookup, Proxy, Room};
 
 /// What a method takes the room for.
@@ -13,6 +14,8 @@ pub(in crate::study::parallax) enum Taken {
     Infinite,
     /// The room's own planes.
     Planes,
+    /// Their p-norm, p = max(4, 0.6/alpha).
+    Smooth,
 }
 
 /// A way to look the cubemap up.
@@ -25,6 +28,8 @@ pub(in crate::study::parallax) struct Method {
     pub fetches: usize,
     pub ratio: Ratio,
     pub width: Width,
+    /// Whether charts and pictures show it.
+    pub chosen: bool,
 }
 
 impl Method {
@@ -33,6 +38,10 @@ impl Method {
         match self.taken {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
             Taken::Planes => self.corrected(room.shape(), room),
+            Taken::Smooth => match Body::new(&room.shape(), room.probe) {
+                Some(body) => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
+                None => self.corrected(room.shape(), room),
+            },
         }
     }
 
@@ -50,11 +59,21 @@ impl Method {
 /// The place in the list of what others are compared with.
 pub(in crate::study::parallax) const FROSTBITE: usize = 2;
 
+/// Those that charts and pictures show.
+const CHOSEN: [&str; 6] = [
+    "Frostbite",
+    "rational, areas",
+    "rational, areas, smooth",
+    "3 fetches, smooth",
+    "1 fetch, fitted lobe, smooth",
+    "3 fetches, fitted lobe, smooth",
+];
+
 /// All of them.
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
     use Shading::{Dominant, Mirror, RootCosine};
-    use Taken::{Infinite, Planes};
+    use Taken::{Infinite, Planes, Smooth};
     use Width::{Frostbite, Rational, Same, Scaled};
     let method = |name: &str, taken, shading, fetches, ratio, width| Method {
         name: name.into(),
@@ -63,7 +82,9 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         fetches,
         ratio,
         width,
+        chosen: CHOSEN.contains(&name),
     };
+    let fitted = [LobeFit::ONE, LobeFit::TWO, LobeFit::THREE].map(Shading::Fitted);
     vec![
         method("no parallax", Infinite, Mirror, 1, Distance, Same),
         method("parallax only", Planes, Mirror, 1, Distance, Same),
@@ -74,8 +95,13 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("rational, areas", Planes, Mirror, 1, Area, Rational),
         method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, Rational),
         method("rational, areas, dominant direction", Planes, Dominant, 1, Area, Rational),
+        method("rational, areas, smooth", Smooth, Mirror, 1, Area, Rational),
         method("2 fetches", Planes, Mirror, 2, Area, Rational),
         method("3 fetches", Planes, Mirror, 3, Area, Rational),
         method("3 fetches, dominant direction", Planes, Dominant, 3, Area, Rational),
+        method("3 fetches, smooth", Smooth, Mirror, 3, Area, Rational),
+        method("1 fetch, fitted lobe, smooth", Smooth, fitted[0], 1, Area, Rational),
+        method("2 fetches, fitted lobe, smooth", Smooth, fitted[1], 2, Area, Rational),
+        method("3 fetches, fitted lobe, smooth", Smooth, fitted[2], 3, Area, Rational),
     ]
 }

@@ -1,0 +1,105 @@
+//! The lookups of a kind of lobe: what is emitted, with what is said of it.
+
+use super::{EFFECT, Lobe, code};
+use crate::bake::BakeError;
+use crate::data::{MipChain, ProbeLookup};
+use crate::effects::parallax::{Gives, named};
+use crate::effects::reflection::{Fit, FitStageError};
+use crate::effects::room::proxies::Smooth;
+use crate::emit::header;
+use crate::emit::manifest::{CostEntry, LookupFunction};
+use crate::emit::probe::{Called, Wanted};
+
+/// A lookup with its cost.
+pub(super) struct Lookup {
+    pub wanted: Wanted,
+    chain: Option<MipChain>,
+    ops: u32,
+}
+
+/// Those that the probes want, by the best fit; none where no fit is emitted.
+pub(super) fn of(lobe: &Lobe, identifiers: &[(MipChain, String)]) -> Result<Vec<Lookup>, BakeError> {
+    let Some(best) = lobe.best() else { return Ok(Vec::new()) };
+    let one = |(lookup, chain): &(ProbeLookup, Option<MipChain>)| {
+        one(lobe, best, *lookup, chain.as_ref(), identifiers)
+    };
+    lobe.job.lookups.iter().map(one).collect()
+}
+
+fn one(
+    lobe: &Lobe,
+    best: &Fit,
+    lookup: ProbeLookup,
+    chain: Option<&MipChain>,
+    identifiers: &[(MipChain, String)],
+) -> Result<Lookup, BakeError> {
+    let level = chain.and_then(|chain| {
+        lobe.functions.iter().find(|f| f.gives == Gives::Level && f.chain == *chain).map(|f| &f.hypothesis)
+    });
+    let identifier =
+        chain.and_then(|chain| identifiers.iter().find(|(known, _)| known == chain)).map(|(_, name)| name);
+    let suffix = identifier.map_or_else(String::new, |name| format!("_{name}"));
+    let called = |hypothesis: &crate::fit::Hypothesis| Called {
+        name: hypothesis.name().to_string(),
+        inputs: hypothesis.inputs().to_vec(),
+        ops: hypothesis.tape().cost_ops(),
+    };
+    let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
+    let mut wanted = Wanted {
+        fetch: named(lobe.job.kernel, &fetch),
+        name: named(lobe.job.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
+        lookup,
+        header: Vec::new(),
+        width: called(&best.hypothesis),
+        level: level.map(called),
+        alpha_map: lobe.job.alpha_map,
+        power: Smooth::BY_EYE,
+    };
+    let ops = wanted.operations().map_err(FitStageError::from)?;
+    wanted.header = header(lobe, &wanted, chain, ops);
+    Ok(Lookup { wanted, chain: chain.cloned(), ops })
+}
+
+/// What it does, what it must be paired with, what it costs, and what it is off by.
+fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> Vec<String> {
+    let fetches = wanted.lookup.taps;
+    let mut lines = wanted.lines();
+    lines.push(match chain {
+        Some(chain) => format!("Pairing: {}; {}", code::paired(lobe), chain.text()),
+        None => format!("Pairing: {}", code::paired(lobe)),
+    });
+    let plural = if fetches == 1 { "fetch" } else { "fetches" };
+    lines.push(format!("{} and {fetches} {plural}; width by {}", header::operations(ops), wanted.width.name));
+    let measured = lobe.measured().find(|(fit, _)| fit.approximation.name == wanted.width.name);
+    if let Some((_, variation)) = measured {
+        let rows = [
+            ("rho < 1", variation.nearer, lobe.least.nearer),
+            ("rho > 1", variation.farther, lobe.least.farther),
+        ];
+        let rows = rows.into_iter().filter_map(|(name, spread, least)| Some((name, spread?, least?)));
+        lines.push("Of one fetch whose ray meets the wall at a right angle, unsaturated:".into());
+        lines.extend(rows.map(|(name, spread, least)| format!("  {}", code::total(name, &spread, &least))));
+    }
+    lines
+}
+
+impl Lookup {
+    /// Its entry in the manifest.
+    pub fn entry(&self, kernel: &'static str, alpha_map: &'static str) -> LookupFunction {
+        let Wanted { name, lookup, width, level, power, .. } = &self.wanted;
+        LookupFunction {
+            effect: EFFECT,
+            function: name.clone(),
+            inputs: self.wanted.inputs(),
+            proxy: lookup.shape(),
+            edges: lookup.edges(),
+            power: lookup.smooth.then(|| power.formula()),
+            gives: if level.is_some() { "mip" } else { "width" },
+            width: width.name.clone(),
+            kernel,
+            alpha_map,
+            chain: self.chain.as_ref().map(MipChain::text),
+            cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+        }
+    }
+}

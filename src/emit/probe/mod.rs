@@ -1,0 +1,133 @@
+//! Functions that look a probe up through a proxy of its room, in every language.
+//!
+//! A lookup takes the shading point, the ray that it reflects and the width of its lobe, and returns what to fetch from the probe's
+//! prefiltered cubemap: a direction with the width of a lobe, or with the level that holds it where the chain is known.
+
+mod meet;
+
+mod script;
+
+mod single;
+
+use super::code::Language;
+use crate::data::{AlphaMap, ProbeLookup};
+use crate::effects::room::proxies::Law;
+use crate::fit::FitError;
+
+/// A function of the file that a lookup calls: its name, its arguments in order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Called {
+    /// Name.
+    pub name: String,
+    /// Names of the arguments.
+    pub inputs: Vec<String>,
+    /// Operations.
+    pub ops: u32,
+}
+
+impl Called {
+    /// A call of a width, by what stands for alpha and rho.
+    fn call(&self, alpha: &str, rho: &str) -> String {
+        let passed = |input: &String| if input == "rho" { rho.to_string() } else { alpha.to_string() };
+        format!("{}({})", self.name, self.inputs.iter().map(passed).collect::<Vec<_>>().join(", "))
+    }
+}
+
+/// A lookup to be printed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wanted {
+    /// Name of the function.
+    pub name: String,
+    /// Name of the function of one fetch along a ray, which lookups of the same lobe, proxy and chain share.
+    pub fetch: String,
+    /// What it does.
+    pub lookup: ProbeLookup,
+    /// Its documentation.
+    pub header: Vec<String>,
+    /// The width of a fetch.
+    pub width: Called,
+    /// The level of a roughness, where the chain is known.
+    pub level: Option<Called>,
+    /// Roughness to alpha.
+    pub alpha_map: AlphaMap,
+    /// The power of smooth edges.
+    pub power: Law,
+}
+
+impl Wanted {
+    /// The lines that name what a width is fetched by, where that is the level.
+    fn level_lines(&self, width: &str) -> String {
+        let Some(level) = &self.level else { return String::new() };
+        let name = &level.name;
+        let root = match self.alpha_map {
+            AlphaMap::Roughness => return format!("mip_{width} :1 = {name}({width})\n"),
+            AlphaMap::RoughnessSquared => format!("sqrt({width})"),
+            AlphaMap::RoughnessFourth => format!("sqrt(sqrt({width}))"),
+        };
+        format!("roughness_{width} = {root}\nmip_{width} :1 = {name}(roughness_{width})\n")
+    }
+
+    /// What is fetched by, beside the direction: a width or its level.
+    fn fetched(&self, width: &str) -> String {
+        if self.level.is_some() { format!("mip_{width}") } else { width.into() }
+    }
+
+    /// Names of the arguments, in order.
+    pub fn inputs(&self) -> Vec<String> {
+        self.routine().arguments.iter().map(|(name, _)| name.to_string()).collect()
+    }
+
+    /// What the function takes and returns.
+    pub fn lines(&self) -> Vec<String> {
+        let given = match self.level {
+            Some(_) => "the level",
+            None => "the width alpha of the lobe",
+        };
+        let edges = if self.lookup.smooth {
+            format!("Edges are smooth: the power of the proxy is {}.", self.power.formula())
+        } else {
+            "Edges are sharp: the width jumps where a ray passes from one plane to the next.".into()
+        };
+        vec![
+            format!("What to fetch from a probe for a lobe of width alpha about a ray from a place: the direction (xyz) and {given} (w)."),
+            format!("ray is the reflected one, of unit length; the proxy is {}.", self.lookup.text()),
+            edges,
+            "Domain: alpha in [0, 1], a place inside. As the place comes to the wall that the ray meets, the width goes to 0; a place".into(),
+            "outside is taken as on the wall. Cosines with the proxy's normal below 0.02 count as that.".into(),
+        ]
+    }
+
+    /// Operations of a call, those of the functions that it calls among them.
+    ///
+    /// # Errors
+    /// A script that is no arithmetic, a defect.
+    pub fn operations(&self) -> Result<u32, FitError> {
+        let met = meet::routine(self.lookup).operations()?;
+        let level = self.level.as_ref().map_or(0, |level| level.ops);
+        let fetch = single::fetch(self).operations()? + met + self.width.ops + level;
+        let own = self.routine().operations()?;
+        // several fetches need to meet the proxy along the ray first
+        let first = if self.lookup.taps > 1 { met } else { 0 };
+        Ok(own + first + self.lookup.taps * fetch)
+    }
+
+    fn routine(&self) -> script::Routine {
+        single::lookup(self)
+    }
+}
+
+/// The functions of lookups and what they share, each after what it calls; empty where there are none.
+pub fn print(language: Language, lookups: &[Wanted]) -> String {
+    let mut texts: Vec<String> = Vec::new();
+    for lookup in lookups {
+        let taps = lookup.lookup.taps as usize;
+        let structure = (taps > 1).then(|| script::structure_text(language, taps));
+        let routines = [meet::routine(lookup.lookup), single::fetch(lookup), lookup.routine()];
+        for text in structure.into_iter().chain(routines.map(|routine| routine.print(language))) {
+            if !texts.contains(&text) {
+                texts.push(text);
+            }
+        }
+    }
+    texts.into_iter().map(|text| format!("\n{text}")).collect()
+}
