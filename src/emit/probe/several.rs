@@ -21,9 +21,11 @@ seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z + be
 growth_1 = slope_1 - met.w / away * seen_1
 growth_2 = slope_2 - met.w / away * seen_2
 unit = here / there
-square_1 = unit * (1.0 + slope_1 * slope_1 - seen_1 * seen_1)
-square_2 = unit * (1.0 + slope_2 * slope_2 - seen_2 * seen_2)
-product = unit * (slope_1 * slope_2 - seen_1 * seen_2)
+a = first.x + ray.x * slope_1 - towards.x * seen_1 | first.y + ray.y * slope_1 - towards.y * seen_1 | first.z + ray.z * slope_1 - towards.z * seen_1
+b = second.x + ray.x * slope_2 - towards.x * seen_2 | second.y + ray.y * slope_2 - towards.y * seen_2 | second.z + ray.z * slope_2 - towards.z * seen_2
+square_1 = unit * (a.x * a.x + a.y * a.y + a.z * a.z)
+square_2 = unit * (b.x * b.x + b.y * b.y + b.z * b.z)
+product = unit * (a.x * b.x + a.y * b.y + a.z * b.z)
 half = 0.5 * (square_1 - square_2)
 round = 0.5 * (square_1 + square_2)
 kappa = max(round + sqrt(half * half + product * product), 1.0)
@@ -54,7 +56,7 @@ pub(super) fn lookup(wanted: &Wanted) -> Routine {
     let kept: Vec<String> = (0..n).map(|i| format!("kept_{i}")).collect();
     let list = |name: &str| (0..n).map(|i| format!("{name}_{i}")).collect::<Vec<_>>().join(" | ");
     let share = |i: usize| {
-        format!("weight_{i} = choose(whole > 0.0, kept_{i} / max(whole, 0.000001), {})\n", 1.0 / n as f32)
+        format!("weight_{i} = choose(whole > 0.0, kept_{i} / max(whole, 0.000001), {:?})\n", 1.0 / n as f32)
     };
     let body = [
         single::power(wanted),

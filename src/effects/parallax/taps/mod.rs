@@ -6,7 +6,7 @@
 //! point.
 
 mod lookup;
-mod rule;
+pub(crate) mod rule;
 
 pub use crate::optics::footprint::{RuleTap, Stretch, width};
 pub use lookup::Taps;

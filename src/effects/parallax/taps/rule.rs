@@ -10,23 +10,23 @@ pub struct TapRule {
 }
 
 /// kappa of the columns below.
-const STRETCHES: [f64; 6] = [1.0, 1.06, 1.31, 1.74, 2.37, 3.86];
+pub(crate) const STRETCHES: [f64; 6] = [1.0, 1.06, 1.31, 1.74, 2.37, 3.86];
 
 /// Tilts in units of alpha, and widths, of the outer fetches of 2 and 3.
-type Columns = [[f64; 6]; 4];
-const TWO: Columns = [
+pub(crate) type Columns = [[f64; 6]; 4];
+pub(crate) const TWO: Columns = [
     [0.0, -0.45, -0.70, -0.83, -1.02, -1.17],
     [1.0, 0.83, 0.78, 0.77, 0.78, 0.78],
     [0.0, 0.45, 0.62, 0.61, 0.44, 0.22],
     [1.0, 1.08, 0.95, 0.94, 0.72, 0.64],
 ];
-const THREE: Columns = [
+pub(crate) const THREE: Columns = [
     [0.0, -0.70, -1.05, -1.27, -1.31, -1.16],
     [1.0, 0.86, 0.85, 0.79, 0.73, 0.69],
     [0.0, 0.83, 0.98, 1.05, 1.17, 1.08],
     [1.0, 1.27, 1.05, 0.89, 0.81, 0.61],
 ];
-const CENTRE: [f64; 6] = [1.0, 0.86, 0.69, 0.58, 0.51, 0.53];
+pub(crate) const CENTRE: [f64; 6] = [1.0, 0.86, 0.69, 0.58, 0.51, 0.53];
 
 impl TapRule {
     /// One fetch along the mirror ray.
