@@ -48,7 +48,8 @@ pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
 pub use findings::{
-    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings,
+    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    RoomPictureRow, RoomPictures, RoomsFindings,
 };
 pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use image::{Image, luminance};

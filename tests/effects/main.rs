@@ -11,6 +11,7 @@ mod reflection_fits;
 mod reflection_table;
 mod rivals;
 mod rivals_coupling;
+mod rooms;
 mod surface_energy;
 mod surface_report;
 mod surface_tables;

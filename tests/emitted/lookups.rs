@@ -227,7 +227,9 @@ impl Emitted {
             let weight = if above > 0.0 { tap.weight } else { 0.0 };
             // the axis of a footprint turns by the normal's tilt over what its axes differ by, a fetch by its own tilt of that
             let steep = 1.0 / dot(hit.normal, ray).max(0.02);
-            let turned = 40.0 * steep * alpha * one.allowed;
+            let unsure = ROUNDING * steep * steep;
+            let spread = alpha * (unsure / stretch.length).min(unsure.sqrt());
+            let turned = 40.0 * steep * alpha * one.allowed + 4.0 * spread;
             fetches.push(Expected { weight, allowed: fetch.allowed * (1.0 + steep) + turned, ..fetch });
         }
         let whole: f64 = fetches.iter().map(|fetch| fetch.weight).sum();

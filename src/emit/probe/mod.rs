@@ -110,6 +110,11 @@ impl Wanted {
         lines
     }
 
+    /// What several fetches are expected to be off by; nothing of one.
+    pub fn expected(&self) -> Vec<String> {
+        if self.lookup.taps > 1 { rule::expected(self.lookup.taps) } else { Vec::new() }
+    }
+
     /// Operations of a call, those of the functions that it calls among them.
     ///
     /// # Errors

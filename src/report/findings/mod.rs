@@ -39,8 +39,11 @@ pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use parallax_study::{
-    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, FittedLobe, ParallaxStudy, RandomReference,
-    RandomRoom, RandomRow, RoomGeometry, RoomsFindings, SeamPicture, SeamRow, SlideLaw,
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow, SlideLaw,
+};
+pub use parallax_study::{
+    FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
+    RoomPictures, RoomsFindings,
 };
 pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};

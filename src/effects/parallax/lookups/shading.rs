@@ -50,13 +50,16 @@ const NARROWEST: f64 = 0.05;
 
 impl LobeFit {
     /// For one fetch: the lobe is round.
-    pub const ONE: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.0, 0.0] };
+    pub const ONE: LobeFit =
+        LobeFit { lean: [0.91, 1.44, -0.33], narrow: [0.245, 0.653, -0.02], squash: [0.0, 0.0] };
 
     /// For two fetches.
-    pub const TWO: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+    pub const TWO: LobeFit =
+        LobeFit { lean: [0.985, 1.42, -0.34], narrow: [0.273, 0.544, -0.02], squash: [0.893, 1.08] };
 
     /// For three fetches.
-    pub const THREE: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+    pub const THREE: LobeFit =
+        LobeFit { lean: [0.8, 1.464, -0.093], narrow: [0.127, 0.4, 0.063], squash: [0.988, 1.153] };
 
     /// Share of the normal in the axis, ratio of the footprint, width across over width along.
     pub fn at(&self, alpha: f64, mu: f64) -> [f64; 3] {

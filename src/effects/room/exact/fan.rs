@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use super::super::light::Room;
 use super::super::lookup::{Fetch, Tap};
-use super::outlook::Outlook;
+use super::outlook::{LANES, Outlook};
+use multiversion::multiversion;
+
 use crate::math::ops;
 use crate::math::sobol::Sobol;
 use crate::math::vector::{Vec3, dot, plus, scaled, tangents};
@@ -49,16 +51,13 @@ impl Fan {
     }
 
     /// Calls `each` with the directions of the lobe of a width, about the axis z, all of the same weight.
-    #[inline]
     pub fn directions(&self, alpha: f64, mut each: impl FnMut(Vec3)) {
         let (first, weights) = cubic(ops::log(alpha));
-        let weights = weights.map(|w| w * alpha);
-        let [a, b, c, d] = [0, 1, 2, 3].map(|k| &self.tangents[first + k][..self.azimuths.len()]);
-        for (i, [cosine, sine]) in self.azimuths.iter().enumerate() {
-            let t = weights[0] * a[i] + weights[1] * b[i] + weights[2] * c[i] + weights[3] * d[i];
-            let over = 1.0 / (1.0 + t * t);
-            let across = 2.0 * t * over;
-            each([across * cosine, across * sine, (1.0 - t * t) * over]);
+        let tangents = [0, 1, 2, 3].map(|k| &self.tangents[first + k][..]);
+        let lobe = Directions { tangents, weights: weights.map(|w| w * alpha), azimuths: &self.azimuths };
+        for start in (0..self.count()).step_by(LANES) {
+            let [x, y, z] = lobe.batch(start);
+            (0..LANES.min(self.count() - start)).for_each(|l| each([x[l], y[l], z[l]]));
         }
     }
 
@@ -72,15 +71,65 @@ impl Fan {
             Some(normal) => (frame.map(|axis| dot(axis, normal)), 0.0),
             None => ([0.0; 3], -1.0),
         };
-        let (mut sum, mut count) = ([0.0; 3], 0_u32);
-        self.directions(alpha, |towards| {
-            if dot(normal, towards) > above {
-                sum = plus(sum, outlook.seen(towards));
-                count += 1;
-            }
-        });
+        let (first, weights) = cubic(ops::log(alpha));
+        let tangents = [0, 1, 2, 3].map(|k| &self.tangents[first + k][..]);
+        let lobe = Directions { tangents, weights: weights.map(|w| w * alpha), azimuths: &self.azimuths };
+        let (sum, count) = total(&lobe, &outlook, normal, above);
         if count == 0 { [0.0; 3] } else { scaled(sum, 1.0 / f64::from(count)) }
     }
+}
+
+/// The directions of one width.
+struct Directions<'a> {
+    tangents: [&'a [f64]; 4],
+    weights: [f64; 4],
+    azimuths: &'a [[f64; 2]],
+}
+
+impl Directions<'_> {
+    /// Coordinates of the directions from `start`; the last again where there are no more.
+    #[inline(always)]
+    fn batch(&self, start: usize) -> [[f64; LANES]; 3] {
+        let last = self.azimuths.len() - 1;
+        let [a, b, c, d] = self.weights;
+        let [mut x, mut y, mut z] = [[0.0; LANES]; 3];
+        for l in 0..LANES {
+            let i = (start + l).min(last);
+            let t = a * self.tangents[0][i]
+                + b * self.tangents[1][i]
+                + c * self.tangents[2][i]
+                + d * self.tangents[3][i];
+            let over = 1.0 / (1.0 + t * t);
+            let across = 2.0 * t * over;
+            x[l] = across * self.azimuths[i][0];
+            y[l] = across * self.azimuths[i][1];
+            z[l] = (1.0 - t * t) * over;
+        }
+        [x, y, z]
+    }
+}
+
+/// The sum of what is seen in the directions above a normal, and their number. With the instructions that the processor has: nothing is
+/// contracted, so that all give the same bits.
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+fn total(lobe: &Directions<'_>, outlook: &Outlook<'_>, normal: Vec3, above: f64) -> (Vec3, u32) {
+    let (mut sum, mut count) = ([0.0; 3], 0_u32);
+    let n = lobe.azimuths.len();
+    for start in (0..n).step_by(LANES) {
+        let batch = lobe.batch(start);
+        let met = outlook.met(&batch);
+        for l in 0..LANES.min(n - start) {
+            let towards = [batch[0][l], batch[1][l], batch[2][l]];
+            if dot(normal, towards) > above {
+                sum = plus(sum, outlook.radiance(met.1[l], met.0[l], towards));
+                count += 1;
+            }
+        }
+    }
+    (sum, count)
 }
 
 /// The first of the four nodes about a width, and their weights: Lagrange's cubic.

@@ -3,6 +3,9 @@
 use super::super::light::{Room, Wall};
 use crate::math::vector::{Vec3, dot, scaled};
 
+/// Directions that are met at once.
+pub(super) const LANES: usize = 8;
+
 /// Least distance to a wall, in metres: a place on a wall or beyond it sees the wall there in every direction towards it.
 const NEAREST: f64 = 1e-12;
 
@@ -51,6 +54,27 @@ impl<'a> Outlook<'a> {
                 (nearness, met) = (near, i);
             }
         }
+        self.radiance(met, nearness, towards)
+    }
+
+    /// 1 over the distance to the wall that each of many directions meets, and which it is.
+    #[inline(always)]
+    pub(super) fn met(&self, [x, y, z]: &[[f64; LANES]; 3]) -> ([f64; LANES], [usize; LANES]) {
+        let (mut nearness, mut met) = ([0.0; LANES], [0; LANES]);
+        for (i, wall) in self.walls.iter().enumerate() {
+            let [a, b, c] = wall.normal;
+            for l in 0..LANES {
+                let near = a * x[l] + b * y[l] + c * z[l];
+                met[l] = if near > nearness[l] { i } else { met[l] };
+                nearness[l] = if near > nearness[l] { near } else { nearness[l] };
+            }
+        }
+        (nearness, met)
+    }
+
+    /// Radiance from where a direction meets a wall.
+    #[inline(always)]
+    pub(super) fn radiance(&self, met: usize, nearness: f64, towards: Vec3) -> [f64; 3] {
         let Seen { wall, foot, axes, .. } = &self.walls[met];
         let distance = 1.0 / nearness;
         wall.at([0, 1].map(|i| foot[i] + distance * dot(axes[i], towards)))

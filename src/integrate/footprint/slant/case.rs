@@ -169,6 +169,11 @@ impl Case {
         RuleTap { tilt: tilt * self.alpha, width: exp(width), weight: exp(weight) / whole }
     }
 
+    /// A fetch from its tilt over alpha and the logarithms of its width and weight.
+    pub fn tap(&self, at: [f64; 3]) -> RuleTap {
+        self.rule_tap(at, 1.0)
+    }
+
     fn residuals(&self, footprint: &Footprint) -> Vec<f64> {
         let white = self.wall.whitened(footprint);
         white.iter().zip(&self.whitened).map(|(f, t)| f - t).collect()

@@ -20,7 +20,7 @@ impl Resolution {
     /// For searches.
     pub const COARSE: Resolution = Resolution { step: 0.16, angles: 48 };
 
-    /// For figures: the total variation is then known to 1e-3, the H^-1 norm to 1e-4 of itself (tests).
+    /// For figures: the total variation is then known to 1e-3, the H^-1 norm to 2e-3 of itself (tests).
     pub const FINE: Resolution = Resolution { step: 0.06, angles: 128 };
 }
 

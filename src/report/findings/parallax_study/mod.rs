@@ -12,7 +12,10 @@ pub use chain::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
 };
 pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
-pub use rooms::{FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomsFindings};
+pub use rooms::{
+    FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
+    RoomPictures, RoomsFindings,
+};
 
 /// Lookups of the cubemap of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::effects::parallax::{Corrected, Ratio, Shading, TapRule, Uncorrected, Width};
+use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
 use crate::effects::room::proxies::{Body, Smooth};
 use crate::effects::room::{Lookup, Proxy, Room};
 
@@ -28,6 +28,8 @@ pub(in crate::study::parallax) struct Method {
     pub fetches: usize,
     pub ratio: Ratio,
     pub width: Width,
+    /// Whether charts and pictures show it.
+    pub chosen: bool,
 }
 
 impl Method {
@@ -57,6 +59,16 @@ impl Method {
 /// The place in the list of what others are compared with.
 pub(in crate::study::parallax) const FROSTBITE: usize = 2;
 
+/// Those that charts and pictures show.
+const CHOSEN: [&str; 6] = [
+    "Frostbite",
+    "rational, areas",
+    "rational, areas, smooth",
+    "3 fetches, smooth",
+    "1 fetch, fitted lobe, smooth",
+    "3 fetches, fitted lobe, smooth",
+];
+
 /// All of them.
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
@@ -70,7 +82,9 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         fetches,
         ratio,
         width,
+        chosen: CHOSEN.contains(&name),
     };
+    let fitted = [LobeFit::ONE, LobeFit::TWO, LobeFit::THREE].map(Shading::Fitted);
     vec![
         method("no parallax", Infinite, Mirror, 1, Distance, Same),
         method("parallax only", Planes, Mirror, 1, Distance, Same),
@@ -86,5 +100,8 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("3 fetches", Planes, Mirror, 3, Area, Rational),
         method("3 fetches, dominant direction", Planes, Dominant, 3, Area, Rational),
         method("3 fetches, smooth", Smooth, Mirror, 3, Area, Rational),
+        method("1 fetch, fitted lobe, smooth", Smooth, fitted[0], 1, Area, Rational),
+        method("2 fetches, fitted lobe, smooth", Smooth, fitted[1], 2, Area, Rational),
+        method("3 fetches, fitted lobe, smooth", Smooth, fitted[2], 3, Area, Rational),
     ]
 }

@@ -1,9 +1,12 @@
 //! Lookups in rooms, against lobes traced from the shading point.
 
+mod images;
 mod lobes;
 pub(super) mod methods;
 pub(super) mod points;
 mod random;
+mod smoothness;
+mod view;
 
 use serde::Serialize;
 
@@ -20,6 +23,7 @@ pub(super) struct Parameters {
     methods: Vec<methods::Method>,
     random: random::Parameters,
     lobes: lobes::Parameters,
+    images: images::Parameters,
 }
 
 impl Parameters {
@@ -30,6 +34,7 @@ impl Parameters {
             methods: methods::methods(),
             random: random::Parameters::of(size),
             lobes: lobes::Parameters::of(size),
+            images: images::Parameters::of(size),
         }
     }
 }
@@ -40,10 +45,14 @@ pub(super) fn findings(
     progress: &dyn Progress,
 ) -> Result<RoomsFindings, StudyError> {
     progress.stage("rooms");
-    let Parameters { rooms, methods, random, lobes } = parameters;
+    let Parameters { rooms, methods, random, lobes, images } = parameters;
     let lobes = lobes::fitted(lobes)?;
     let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
     let tools = random::Tools::new(random.directions);
     let random = rooms.iter().map(|room| random::measured(room, methods, random, &tools)).collect();
-    Ok(RoomsFindings { geometry, lobes, random })
+    progress.stage("pictures in rooms");
+    let pictures = images::pictures(rooms, methods, images)?;
+    let rival = methods[methods::FROSTBITE].name.clone();
+    let chosen = methods.iter().filter(|method| method.chosen).map(|method| method.name.clone()).collect();
+    Ok(RoomsFindings { geometry, lobes, random, pictures, rival, chosen })
 }

@@ -29,7 +29,7 @@ impl Parameters {
         Parameters {
             points: points::Parameters::of(size),
             roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.25, 0.7] },
-            directions: if full { 1537 } else { 257 },
+            directions: if full { 1536 } else { 256 },
         }
     }
 }
@@ -98,8 +98,10 @@ pub(super) fn measured(
             .collect();
         let rows = methods.iter().enumerate().map(|(i, method)| RandomRow {
             name: method.name.clone(),
+            fetches: method.fetches,
             l2: columns.iter().map(|c| c.l2[i]).collect(),
             mae: columns.iter().map(|c| c.mae[i]).collect(),
+            least_l2: columns.iter().map(|c| c.l2[FROSTBITE] / c.l2[i]).fold(f64::INFINITY, f64::min),
             gain_l2: gain(columns.iter().map(|c| c.l2[FROSTBITE] / c.l2[i])),
             gain_mae: gain(columns.iter().map(|c| c.mae[FROSTBITE] / c.mae[i])),
         });

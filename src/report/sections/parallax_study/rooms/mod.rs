@@ -1,11 +1,24 @@
 //! Lookups in rooms.
 
+mod lobes;
+mod pictures;
+mod random;
+mod smoothness;
+mod verdict;
+
 use super::super::words;
 use crate::report::numbers::significant;
 use crate::report::{Block, ReportError, RoomGeometry, RoomsFindings, Section, check};
 
 pub(super) fn sections(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
-    Ok(vec![geometry(&rooms.geometry)?])
+    Ok(vec![
+        geometry(&rooms.geometry)?,
+        random::section(rooms)?,
+        lobes::section(rooms)?,
+        pictures::section(rooms)?,
+        smoothness::section(rooms)?,
+        verdict::section(rooms)?,
+    ])
 }
 
 /// The rooms, and how points at random lie in them.

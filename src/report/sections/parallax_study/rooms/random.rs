@@ -1,0 +1,112 @@
+//! Errors at points at random.
+
+use super::super::super::{figures, words};
+use crate::report::numbers::{place, significant};
+use crate::report::{
+    Block, Curves, RandomReference, RandomRoom, ReportError, RoomsFindings, Section, Series, Spread, Style,
+    TextTable, check,
+};
+
+pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
+    check::filled("random", "rooms", rooms.random.len())?;
+    let mut blocks = vec![Block::Table(gains(rooms)), charts(rooms)?];
+    for room in &rooms.random {
+        for reference in &room.references {
+            blocks.push(Block::Table(table(room, reference)));
+        }
+    }
+    Ok(Section {
+        id: "random".into(),
+        title: "Points at random".into(),
+        lead: "Relative L2 of linear radiance over the points, every fetch and reference integrated without texels. “Round lobe”: the lobe that \
+               the chain is prefiltered with, traced from the point itself; no surface is there. “GGX”: what a GGX surface with \
+               height-correlated Smith and no Fresnel reflects over its own albedo, n·v even from 0.05 to 1. Gain: Frostbite’s error over the \
+               method’s, the geometric mean over the roughnesses. Roughness is √α."
+            .into(),
+        blocks,
+    })
+}
+
+/// Gains of every method in every room.
+fn gains(rooms: &RoomsFindings) -> TextTable {
+    let mut columns = vec![("gain over Frostbite".to_string(), false), ("fetches".to_string(), true)];
+    for room in &rooms.random {
+        for reference in &room.references {
+            columns.push((format!("{}, {}: L2", room.room, reference.name), true));
+            columns.push(("shown".into(), true));
+        }
+    }
+    let references: Vec<&RandomReference> = rooms.random.iter().flat_map(|room| &room.references).collect();
+    let names = references.first().map_or(&[][..], |reference| &reference.rows[..]);
+    let row = |(i, first): (usize, &crate::report::RandomRow)| {
+        let mut cells = vec![first.name.clone(), first.fetches.to_string()];
+        for row in references.iter().filter_map(|reference| reference.rows.get(i)) {
+            cells.extend([row.gain_l2, row.gain_mae].map(|gain| format!("{gain:.2}")));
+        }
+        cells
+    };
+    let caption = "L2: of linear radiance. Shown: mean absolute error of x/(1 + x). Above 1 is better than Frostbite’s listing.";
+    let mut table = words::table(&[], names.iter().enumerate().map(row).collect(), caption);
+    table.columns = columns;
+    table
+}
+
+fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
+    let charts: Vec<Curves> = rooms
+        .random
+        .iter()
+        .flat_map(|room| room.references.iter().map(|reference| chart(room, reference, &rooms.chosen)))
+        .collect();
+    figures(
+        &charts,
+        "Relative L2 over roughness of some of the methods, and the noise of the reference itself.",
+    )
+}
+
+fn chart(room: &RandomRoom, reference: &RandomReference, chosen: &[String]) -> Curves {
+    let line = |name: &str, values: &[f64], style| Series {
+        name: name.into(),
+        points: room.roughness.iter().copied().zip(values.iter().copied()).collect(),
+        style,
+        end: None,
+    };
+    let rows = reference.rows.iter().filter(|row| chosen.contains(&row.name));
+    let mut series: Vec<Series> =
+        rows.enumerate().map(|(i, row)| line(&row.name, &row.l2, Style::Marked(i))).collect();
+    series.push(line("noise of the reference", &reference.noise, Style::Truth));
+    Curves {
+        title: format!("{}, {}", titled(&room.room), reference.name),
+        x: ("roughness".into(), Spread::Linear),
+        y: ("relative L2".into(), Spread::Log),
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: Some((0.002, 1.0)),
+        size: (380.0, 280.0),
+    }
+}
+
+/// `room A`, `octagon`.
+fn titled(room: &str) -> String {
+    if room.chars().count() == 1 { format!("room {room}") } else { room.into() }
+}
+
+fn table(room: &RandomRoom, reference: &RandomReference) -> TextTable {
+    let mut columns =
+        vec![(format!("{}, {}: relative L2 at roughness", titled(&room.room), reference.name), false)];
+    columns.extend(room.roughness.iter().map(|&r| (place(r), true)));
+    columns.push(("least gain".into(), true));
+    let rows = reference.rows.iter().map(|row| {
+        let values = row.l2.iter().map(|&x| significant(x, 3));
+        let least = std::iter::once(format!("{:.2}", row.least_l2));
+        std::iter::once(row.name.clone()).chain(values).chain(least).collect()
+    });
+    let noise: Vec<String> = reference.noise.iter().map(|&x| significant(x, 2)).collect();
+    let caption = format!(
+        "Noise of the reference, from its two halves: {}. Least gain: over Frostbite, at the roughness where it is smallest.",
+        noise.join(", ")
+    );
+    let mut table = words::table(&[], rows.collect(), &caption);
+    table.columns = columns;
+    table
+}
