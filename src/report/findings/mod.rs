@@ -39,11 +39,16 @@ pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use parallax_study::{
-    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow, SlideLaw,
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow,
+    SlideLaw,
 };
 pub use parallax_study::{
     FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
     RoomPictures, RoomsFindings,
+};
+pub use parallax_study::{
+    PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit, SeedSlant, SlantFindings,
+    SlantFootprints, SlantLobe, SlantRow,
 };
 pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};

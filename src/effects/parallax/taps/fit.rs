@@ -160,6 +160,6 @@ pub fn fit(rule: &TapRule, situations: &[Situation], iterations: u64) -> Result<
     };
     let start = squares(rule.constants()).map_or(f64::NAN, |normal| normal.value);
     let found = least(squares, rule.constants(), iterations)?;
-    let fitted = rule.with(&found.at).unwrap_or_else(|| rule.clone());
+    let fitted = rule.with(&found.at).unwrap_or(*rule);
     Ok(RuleFit { rule: fitted, sums: [start, found.value], settled: found.settled })
 }

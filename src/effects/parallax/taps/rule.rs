@@ -39,10 +39,11 @@ const NARROWEST: f64 = 0.1;
 const LEAST_LENGTH: f64 = 1e-6;
 
 /// A rule for a number of fetches: continuous in the stretch, and one fetch of the lobe itself where there is none.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct TapRule {
     count: usize,
-    constants: Vec<f64>,
+    /// Those of [`TWO`] or [`THREE`], then nothing.
+    constants: [f64; THREE.len()],
 }
 
 /// A lobe on a wall, as a rule sees it.
@@ -55,23 +56,23 @@ struct Skew {
 impl TapRule {
     /// One fetch along the lobe's axis.
     pub fn one() -> TapRule {
-        TapRule { count: 1, constants: Vec::new() }
+        TapRule { count: 1, constants: [0.0; THREE.len()] }
     }
 
     /// Two fetches.
     pub fn two() -> TapRule {
-        TapRule { count: 2, constants: TWO.to_vec() }
+        TapRule { count: 2, constants: padded(&TWO) }
     }
 
     /// Three fetches.
     pub fn three() -> TapRule {
-        TapRule { count: 3, constants: THREE.to_vec() }
+        TapRule { count: 3, constants: THREE }
     }
 
     /// The rule of as many fetches with other constants; `None` of another number of them.
     pub fn with(&self, constants: &[f64]) -> Option<TapRule> {
-        let same = constants.len() == self.constants.len();
-        same.then(|| TapRule { count: self.count, constants: constants.to_vec() })
+        let same = constants.len() == self.constants().len();
+        same.then(|| TapRule { count: self.count, constants: padded(constants) })
     }
 
     /// How many fetches.
@@ -81,7 +82,12 @@ impl TapRule {
 
     /// The constants, as [`TWO`] and [`THREE`] name them.
     pub fn constants(&self) -> &[f64] {
-        &self.constants
+        let used = match self.count {
+            2 => TWO.len(),
+            3 => THREE.len(),
+            _ => 0,
+        };
+        &self.constants[..used]
     }
 
     /// The fetches for a lobe of width `alpha` in [0, 1], from the one nearest to the shading point to the farthest.
@@ -91,7 +97,7 @@ impl TapRule {
             let y = (1.0 + a * alpha) * alpha * stretch.growth / (z + alpha).max(f64::MIN_POSITIVE);
             Skew { z, y, alpha }
         };
-        let mut taps = match (self.count, &self.constants[..]) {
+        let mut taps = match (self.count, self.constants()) {
             (2, &[a, ref rest @ ..]) => two(&skew(a), rest),
             (3, &[a, ref rest @ ..]) => three(&skew(a), rest),
             _ => vec![RuleTap { tilt: 0.0, width: 1.0, weight: 1.0 }],
@@ -127,6 +133,10 @@ impl TapRule {
 /// input that would tell.
 pub const EXPECTED: [[f64; 4]; 3] =
     [[0.417, 0.313, 0.782, 1.341], [0.352, 0.423, 0.548, 2.702], [0.249, 0.276, 0.459, 1.661]];
+
+fn padded(constants: &[f64]) -> [f64; THREE.len()] {
+    std::array::from_fn(|i| constants.get(i).copied().unwrap_or(0.0))
+}
 
 fn two(skew: &Skew, constants: &[f64]) -> Vec<RuleTap> {
     let &[c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1] = constants else { return Vec::new() };

@@ -9,6 +9,6 @@ mod fit;
 mod slanted;
 
 pub use fit::{Ordinate, WindowFit, fits, ordinate};
-pub use slanted::{SlantedFit, slanted};
+pub use slanted::{SlantedFit, profile, slanted};
 
 pub(super) const QUANTITY: &str = "window of a footprint";

@@ -40,7 +40,7 @@ fn nodes() -> Vec<(f64, f64)> {
 }
 
 /// A lobe's value at a place (x, y) of the wall, from distance 1 at a slant along x, over its peak.
-fn value(lobe: &Lobe, slant: f64, [x, y]: [f64; 2]) -> f64 {
+pub fn profile(lobe: &Lobe, slant: f64, [x, y]: [f64; 2]) -> f64 {
     let (s, c) = ops::sincos(slant);
     // from (-s, 0, c) along (s, 0, -c)
     let (dx, dz) = (x + s, -c);
@@ -64,7 +64,7 @@ impl Square {
         let lobe = self.kernel.lobe(alpha);
         let (mut own, mut both, mut whole) = (0.0, 0.0, 0.0);
         for ((place, weight), target) in self.places.iter().zip(&self.target) {
-            let fetch = value(&lobe, 0.0, *place);
+            let fetch = profile(&lobe, 0.0, *place);
             own += weight * fetch * fetch;
             both += weight * fetch * target;
             whole += weight * target * target;
@@ -101,7 +101,7 @@ pub fn slanted(kernel: Kernel, alpha: f64, slant: f64) -> Result<SlantedFit, Int
     let places: Vec<([f64; 2], f64)> =
         line.iter().flat_map(|(x, v)| line.iter().map(move |(y, w)| ([*x, *y], v * w))).collect();
     let lobe = kernel.lobe(alpha);
-    let target = places.iter().map(|(place, _)| value(&lobe, slant, *place)).collect();
+    let target = places.iter().map(|(place, _)| profile(&lobe, slant, *place)).collect();
     let square = Square { kernel, places, target };
     let failed = || IntegrateError::NotFinite {
         quantity: QUANTITY,
@@ -117,8 +117,8 @@ pub fn slanted(kernel: Kernel, alpha: f64, slant: f64) -> Result<SlantedFit, Int
         .map_err(|_| failed())?;
     let found = outcome.state.get_best_param().copied().filter(|x| x.is_finite()).ok_or_else(failed)?;
     let (scale, error) = square.fit(ops::exp(found));
-    let half =
-        [[0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]].map(|[x, y]| halved(&|r| value(&lobe, slant, [x * r, y * r])));
+    let half = [[0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]]
+        .map(|[x, y]| halved(&|r| profile(&lobe, slant, [x * r, y * r])));
     Ok(SlantedFit { alpha: ops::exp(found), scale, error, same: square.fit(alpha).1, half })
 }
 
