@@ -39,7 +39,8 @@ pub use parallax::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 pub use parallax_study::{
-    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow, SlideLaw,
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow,
+    SlideLaw,
 };
 pub use parallax_study::{
     FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
