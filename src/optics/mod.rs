@@ -1,6 +1,7 @@
 //! Floor 2: pure models of optics. Each function states its domain, its limits and its source.
 
 pub mod diffuse;
+pub mod footprint;
 pub mod fresnel;
 pub mod ggx;
 pub mod kernel;

@@ -51,6 +51,7 @@ pub use findings::{
     FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
     RoomPictureRow, RoomPictures, RoomsFindings,
 };
+pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

@@ -207,6 +207,20 @@ fn seamless_faces_are_continuous_and_clamped_ones_jump() {
 }
 
 #[test]
+fn numbers_of_16_bits_are_those_of_32_rounded() {
+    let single =
+        Bake { format: Format::Single, ..bake(8, 4, Source::Room) }.chain(&room_b()).expect("a chain");
+    let half = single.rounded(Format::Half).expect("in range");
+    assert_ne!(half, single);
+    for (a, b) in half.levels().iter().zip(single.levels()) {
+        for towards in around(200) {
+            let (a, b) = (a.fetch(towards, Edges::Clamped), b.fetch(towards, Edges::Clamped));
+            assert!((0..3).all(|c| (a[c] / b[c] - 1.0).abs() <= 1.0 / 2048.0), "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
 fn levels_are_fetched_by_the_map_of_the_chain() {
     let chain = bake(8, 4, Source::Room).chain(&room_a()).expect("a chain");
     let towards = normalise([0.3, -0.8, 0.4]);
@@ -244,9 +258,13 @@ fn viewpoints_see_what_the_probe_sees() {
             }
             let edge = to_edge(&shape, place, wall);
             let sliding = Viewpoint::Sliding { widths: 1.0 };
-            let far = sliding.eye(&shape, room.probe, towards, edge * 0.1);
+            let far = sliding.eye(&shape, room.probe, towards, edge * 1e-9);
             let perpendicular = Viewpoint::Perpendicular.eye(&shape, room.probe, towards, 0.1);
-            assert!(length(minus(far.place, perpendicular.place)) < 1e-12);
+            assert!(length(minus(far.place, perpendicular.place)) < 1e-6);
+            let height = length(minus(perpendicular.place, place));
+            let half = sliding.eye(&shape, room.probe, towards, edge / height);
+            let middle = scaled(plus(room.probe, perpendicular.place), 0.5);
+            assert!(length(minus(half.place, middle)) < 1e-12);
             let near = sliding.eye(&shape, room.probe, towards, edge * 1e9);
             assert!(length(minus(near.place, room.probe)) < 1e-6);
         }

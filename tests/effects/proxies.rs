@@ -292,6 +292,10 @@ fn laws_keep_their_ends() {
     {
         assert!((law.at(alpha) - expected).abs() < 1e-12, "{alpha}");
     }
+    let law = Law::Inverse { over: 0.25, power: 1.5, least: 2.0, most: 100.0 };
+    for (alpha, expected) in [(0.0, 100.0), (0.0625, 16.0), (0.25, 2.0), (1.0, 2.0)] {
+        assert!((law.at(alpha) - expected).abs() < 1e-12, "{alpha}");
+    }
     let law = Law::Power { scale: 0.5, power: 0.5, most: 0.4 };
     for (alpha, expected) in [(0.0, 0.0), (0.25, 0.25), (1.0, 0.4)] {
         assert!((law.at(alpha) - expected).abs() < 1e-12, "{alpha}");

@@ -34,7 +34,8 @@ pub fn functions(code: &str) -> Vec<Function> {
         let (result, name) = before.rsplit_once(' ').expect("a type");
         let kind = |argument: &str| {
             let argument = argument.trim();
-            argument.rsplit_once([' ', '*']).expect("a type").0.to_string()
+            let (kind, name) = argument.rsplit_once([' ', '*']).expect("a type");
+            format!("{kind}{}", name.find('[').map_or("", |size| &name[size..]))
         };
         found.push(Function {
             name: name.to_string(),
@@ -45,10 +46,17 @@ pub fn functions(code: &str) -> Vec<Function> {
     found
 }
 
+/// The number of planes of an argument.
+fn planes(kind: &str) -> usize {
+    kind.trim_end_matches(']').rsplit_once('[').expect("a size").1.parse().expect("a number")
+}
+
 /// A shader that holds a file and calls each of its functions, for the stage `frag`.
 fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
     let value = |kind: &String| match kind.as_str() {
         "float" => "p.x".to_string(),
+        // planes: the head of the file has an array of as many
+        kind if kind.ends_with(']') => format!("planes_{}", planes(kind)),
         "float2" | "float3" | "float4" | "vec2" | "vec3" | "vec4" => {
             format!(
                 "{kind}({})",
@@ -67,6 +75,22 @@ fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
         format!("    sum += {}({}){part};\n", f.name, arguments.join(", "))
     };
     let calls: String = functions.iter().map(call).collect();
+    let mut arrays: Vec<usize> = functions
+        .iter()
+        .flat_map(|f| &f.arguments)
+        .filter(|kind| kind.ends_with(']'))
+        .map(|kind| planes(kind))
+        .collect();
+    arrays.sort_unstable();
+    arrays.dedup();
+    let four = if language == Language::Hlsl { "float4" } else { "vec4" };
+    let arrays: String = arrays
+        .iter()
+        .map(|n| {
+            format!("    {four} planes_{n}[{n}];\n    for (int k = 0; k < {n}; ++k) planes_{n}[k] = p;\n")
+        })
+        .collect();
+    let calls = format!("{arrays}{calls}");
     let source = if language == Language::Hlsl {
         format!(
             "{code}

@@ -21,6 +21,7 @@ mod gpu_shaders;
 mod gpu_volume;
 mod gpu_wgsl;
 mod languages;
+mod lookups;
 mod parallax;
 mod tools;
 mod volume;

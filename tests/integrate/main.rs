@@ -9,4 +9,5 @@ mod lobes;
 mod monte_carlo;
 mod oracles;
 mod sheen;
+mod slant;
 mod walk;

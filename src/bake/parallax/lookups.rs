@@ -44,7 +44,9 @@ fn one(
         inputs: hypothesis.inputs().to_vec(),
         ops: hypothesis.tape().cost_ops(),
     };
+    let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
     let mut wanted = Wanted {
+        fetch: named(lobe.job.kernel, &fetch),
         name: named(lobe.job.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
         lookup,
         header: Vec::new(),

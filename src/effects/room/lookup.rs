@@ -1,6 +1,7 @@
 //! What a shader does at a shading point with the cubemap of a probe.
 
 use crate::math::vector::{Vec3, plus, scaled};
+use crate::optics::footprint::Hit;
 
 /// A shading point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,6 +42,12 @@ pub struct Meeting {
     pub place: Vec3,
     /// Unit normal of the proxy there, outward.
     pub normal: Vec3,
+}
+
+impl From<&Meeting> for Hit {
+    fn from(met: &Meeting) -> Hit {
+        Hit { place: met.place, normal: met.normal }
+    }
 }
 
 /// What a lookup takes a room for.

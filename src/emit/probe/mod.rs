@@ -4,7 +4,9 @@
 //! prefiltered cubemap: a direction with the width of a lobe, or with the level that holds it where the chain is known.
 
 mod meet;
+
 mod script;
+
 mod single;
 
 use super::code::Language;
@@ -36,6 +38,8 @@ impl Called {
 pub struct Wanted {
     /// Name of the function.
     pub name: String,
+    /// Name of the function of one fetch along a ray, which lookups of the same lobe, proxy and chain share.
+    pub fetch: String,
     /// What it does.
     pub lookup: ProbeLookup,
     /// Its documentation.
@@ -70,7 +74,7 @@ impl Wanted {
 
     /// Names of the arguments, in order.
     pub fn inputs(&self) -> Vec<String> {
-        single::routine(self).arguments.iter().map(|(name, _)| name.to_string()).collect()
+        self.routine().arguments.iter().map(|(name, _)| name.to_string()).collect()
     }
 
     /// What the function takes and returns.
@@ -100,19 +104,30 @@ impl Wanted {
     pub fn operations(&self) -> Result<u32, FitError> {
         let met = meet::routine(self.lookup).operations()?;
         let level = self.level.as_ref().map_or(0, |level| level.ops);
-        Ok(single::routine(self).operations()? + met + self.width.ops + level)
+        let fetch = single::fetch(self).operations()? + met + self.width.ops + level;
+        let own = self.routine().operations()?;
+        // several fetches need to meet the proxy along the ray first
+        let first = if self.lookup.taps > 1 { met } else { 0 };
+        Ok(own + first + self.lookup.taps * fetch)
+    }
+
+    fn routine(&self) -> script::Routine {
+        single::lookup(self)
     }
 }
 
 /// The functions of lookups and what they share, each after what it calls; empty where there are none.
 pub fn print(language: Language, lookups: &[Wanted]) -> String {
-    let mut shared: Vec<String> = Vec::new();
+    let mut texts: Vec<String> = Vec::new();
     for lookup in lookups {
-        let met = meet::routine(lookup.lookup).print(language);
-        if !shared.contains(&met) {
-            shared.push(met);
+        let taps = lookup.lookup.taps as usize;
+        let structure = (taps > 1).then(|| script::structure_text(language, taps));
+        let routines = [meet::routine(lookup.lookup), single::fetch(lookup), lookup.routine()];
+        for text in structure.into_iter().chain(routines.map(|routine| routine.print(language))) {
+            if !texts.contains(&text) {
+                texts.push(text);
+            }
         }
     }
-    let own = lookups.iter().map(|lookup| single::routine(lookup).print(language));
-    shared.into_iter().chain(own).map(|text| format!("\n{text}")).collect()
+    texts.into_iter().map(|text| format!("\n{text}")).collect()
 }

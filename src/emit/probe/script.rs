@@ -47,6 +47,36 @@ pub(super) fn structure(language: Language, taps: usize) -> String {
     }
 }
 
+/// The structure of so many fetches.
+pub(super) fn structure_text(language: Language, taps: usize) -> String {
+    let name = structure(language, taps);
+    let [number, four] = [1, 4].map(|n| vector(language, n));
+    let lines: Vec<String> = match language {
+        Language::Rust => {
+            return format!(
+                "/// Fetches from a probe: directions (xyz), with widths or levels (w).\n#[derive(Clone, Copy, Debug, PartialEq)]\n\
+                 pub struct {name} {{\n    /// What to fetch.\n    pub fetches: [[f32; 4]; {taps}],\n    \
+                 /// Their shares, which sum to 1.\n    pub weights: [f32; {taps}],\n}}\n"
+            );
+        }
+        Language::Wgsl => {
+            let fetches = (0..taps).map(|i| format!("    fetch_{i}: {four},"));
+            fetches.chain((0..taps).map(|i| format!("    weight_{i}: {number},"))).collect()
+        }
+        _ => {
+            let fetches = (0..taps).map(|i| format!("    {four} fetch_{i};"));
+            fetches.chain((0..taps).map(|i| format!("    {number} weight_{i};"))).collect()
+        }
+    };
+    let (start, end) = match language {
+        Language::C => (format!("typedef struct {name} {{"), format!("}} {name};")),
+        Language::Wgsl => (format!("struct {name} {{"), "}".into()),
+        _ => (format!("struct {name} {{"), "};".into()),
+    };
+    let what = "/// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.";
+    format!("{what}\n{start}\n{}\n{end}\n", lines.join("\n"))
+}
+
 impl Kind {
     fn spelled(self, language: Language) -> String {
         match self {

@@ -1,57 +1,83 @@
-//! One fetch, as a script.
+//! One fetch, as scripts: along a ray, and along the reflected one.
 
 use super::script::{Kind, Routine};
 use super::{Wanted, meet};
 
 /// Least cosine of a ray to the proxy's normal.
-pub(super) const GRAZING: &str = "0.02";
+const GRAZING: &str = "0.02";
 
-/// What becomes of a place met by a ray: `met` holds normal and distance, `ray` and `place` are those of the ray.
-pub(super) const SEEN: &str = "
-from = place.x - probe.x + met.w * RAY.x | place.y - probe.y + met.w * RAY.y | place.z - probe.z + met.w * RAY.z
+/// What becomes of a place met by the ray: `met` holds normal and distance. The direction is the ray's own within 1e-6 of the distance about
+/// the probe, where the place is the probe's.
+const SEEN: &str = "
+from = place.x - probe.x + met.w * ray.x | place.y - probe.y + met.w * ray.y | place.z - probe.z + met.w * ray.z
 least = 0.000000000001 * met.w * met.w
 square = from.x * from.x + from.y * from.y + from.z * from.z
 away = sqrt(max(square, least))
-towards = choose(square > least, from.x / away, RAY.x) | choose(square > least, from.y / away, RAY.y) | choose(square > least, from.z / away, RAY.z)
-here = max(met.x * RAY.x + met.y * RAY.y + met.z * RAY.z, GRAZING)
+towards = choose(square > least, from.x / away, ray.x) | choose(square > least, from.y / away, ray.y) | choose(square > least, from.z / away, ray.z)
+here = max(met.x * ray.x + met.y * ray.y + met.z * ray.z, GRAZING)
 there = max(met.x * towards.x + met.y * towards.y + met.z * towards.z, GRAZING)
-rho = met.w / away * sqrt(there / here)
 ";
 
-/// [`SEEN`] of a ray of this name.
-pub(super) fn seen(ray: &str) -> String {
-    SEEN.replace("RAY", ray).replace("GRAZING", GRAZING)
+/// The lines that meet the proxy by `ray` and see that from the probe.
+pub(super) fn seen(wanted: &Wanted) -> String {
+    format!(
+        "met :4 = {}({})\n{}",
+        meet::name(wanted.lookup),
+        passed(wanted, "place, ray"),
+        SEEN.replace("GRAZING", GRAZING)
+    )
 }
 
-/// The line that meets the proxy by a ray of this name.
-pub(super) fn met(wanted: &Wanted, ray: &str) -> String {
-    let power = if wanted.lookup.smooth { "power, " } else { "" };
+/// The arguments of a call: some, the power of smooth edges, the proxy.
+pub(super) fn passed(wanted: &Wanted, first: &str) -> String {
+    let power = if wanted.lookup.smooth { ", power" } else { "" };
     let body: Vec<&str> = meet::body(wanted.lookup).iter().map(|(name, _)| *name).collect();
-    format!("met :4 = {}(place, {ray}, {power}{})\n", meet::name(wanted.lookup), body.join(", "))
+    format!("{first}{power}, {}", body.join(", "))
 }
 
-/// The lines that name the power of the smooth proxy.
+/// The line that names the power of the smooth proxy.
 pub(super) fn power(wanted: &Wanted) -> String {
     if wanted.lookup.smooth { format!("power = {}\n", wanted.power.script()) } else { String::new() }
 }
 
-/// The lookup by one fetch.
-pub(super) fn routine(wanted: &Wanted) -> Routine {
+/// The name of the function of a fetch along a ray.
+pub(super) fn name(wanted: &Wanted) -> String {
+    wanted.fetch.clone()
+}
+
+/// The fetch along a ray.
+pub(super) fn fetch(wanted: &Wanted) -> Routine {
     let start = [("place", Kind::Numbers(3)), ("ray", Kind::Numbers(3)), ("alpha", Kind::Numbers(1))];
-    let width = format!("width :1 = {}\n", wanted.width.call("alpha", "rho"));
+    let power = wanted.lookup.smooth.then_some(("power", Kind::Numbers(1)));
     let body = [
-        power(wanted),
-        met(wanted, "ray"),
-        seen("ray"),
-        width,
+        seen(wanted),
+        "rho = met.w / away * sqrt(there / here)\n".into(),
+        format!("width :1 = {}\n", wanted.width.call("alpha", "rho")),
         wanted.level_lines("width"),
         format!("give towards.x | towards.y | towards.z | {}", wanted.fetched("width")),
     ];
+    let what = if wanted.level.is_some() { "level" } else { "width" };
+    let header = format!(
+        "One fetch of the lookups below, along a ray, of a lobe of width alpha: direction and {what}."
+    );
     Routine {
-        name: wanted.name.clone(),
-        header: wanted.header.to_vec(),
-        arguments: start.into_iter().chain(meet::body(wanted.lookup)).collect(),
+        name: name(wanted),
+        header: vec![header],
+        arguments: start.into_iter().chain(power).chain(meet::body(wanted.lookup)).collect(),
         result: Kind::Numbers(4),
         body: body.concat(),
+    }
+}
+
+/// The lookup by one fetch.
+pub(super) fn lookup(wanted: &Wanted) -> Routine {
+    let start = [("place", Kind::Numbers(3)), ("ray", Kind::Numbers(3)), ("alpha", Kind::Numbers(1))];
+    let call = format!("fetch :4 = {}({})\ngive fetch", name(wanted), passed(wanted, "place, ray, alpha"));
+    Routine {
+        name: wanted.name.clone(),
+        header: wanted.header.clone(),
+        arguments: start.into_iter().chain(meet::body(wanted.lookup)).collect(),
+        result: Kind::Numbers(4),
+        body: power(wanted) + &call,
     }
 }

@@ -11,6 +11,7 @@
 
 mod best;
 mod measures;
+pub mod slant;
 
 pub use best::{Adjusted, adjusted, best};
 pub use measures::{Measures, measures};

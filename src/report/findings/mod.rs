@@ -46,6 +46,7 @@ pub use parallax_study::{
     FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
     RoomPictures, RoomsFindings,
 };
+pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};

@@ -3,6 +3,7 @@
 
 mod chain;
 mod parameters;
+mod proxies;
 mod rooms;
 
 use super::{Size, StudyError};
@@ -26,6 +27,7 @@ pub(super) fn recipe(size: Size) -> Result<String, StudyError> {
 pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, StudyError> {
     let parameters = Parameters::of(size);
     let rooms = rooms::findings(&parameters.rooms, progress)?;
+    let proxies = proxies::findings(&parameters.proxies, progress)?;
     let chain = chain::findings(&parameters.chain, progress)?;
     let origin = Origin {
         scene: String::new(),
@@ -34,7 +36,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
         command: command(size),
     };
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms, chain })?)
+    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms, proxies, chain })?)
 }
 
 fn command(size: Size) -> String {

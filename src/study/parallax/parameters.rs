@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{chain, rooms};
+use super::{chain, proxies, rooms};
 use crate::study::Size;
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
@@ -13,12 +13,18 @@ const METHOD: u32 = 1;
 pub(super) struct Parameters {
     method: u32,
     pub rooms: rooms::Parameters,
+    pub proxies: proxies::Parameters,
     pub chain: chain::Parameters,
 }
 
 impl Parameters {
     /// Those of a size.
     pub fn of(size: Size) -> Parameters {
-        Parameters { method: METHOD, rooms: rooms::Parameters::of(size), chain: chain::Parameters::of(size) }
+        Parameters {
+            method: METHOD,
+            rooms: rooms::Parameters::of(size),
+            proxies: proxies::Parameters::of(size),
+            chain: chain::Parameters::of(size),
+        }
     }
 }

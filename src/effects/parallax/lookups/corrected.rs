@@ -82,7 +82,7 @@ impl<P: Proxy> Lookup for Corrected<P> {
     fn taps(&self, seen: &Seen) -> Vec<Tap> {
         let lobe = self.shading.lobe(seen);
         let met = self.meet(seen, lobe.axis, lobe.alpha);
-        let stretch = |met: &Meeting| Stretch::of_lobe(seen.place, met, self.probe, lobe.axes);
+        let stretch = |met: &Meeting| Stretch::of_lobe(seen.place, met, self.probe, lobe.alpha, lobe.axes);
         let Some((met, stretch)) = met.and_then(|met| Some((met, stretch(&met)?))) else {
             return vec![Tap { towards: lobe.axis, alpha: lobe.alpha, weight: 1.0 }];
         };

@@ -1,9 +1,9 @@
 //! The lookup of a shading point by a rule.
 
-use super::rule::{RuleTap, TapRule};
-use super::stretch::Stretch;
+use super::rule::TapRule;
 use crate::effects::room::{Lookup, Meeting, Proxy, Seen, Tap};
 use crate::math::vector::{Vec3, dot, minus, normalise, plus, scaled};
+use crate::optics::footprint::{RuleTap, Stretch, width};
 
 /// Fetches of a rule along the stretched axis, each traced through the proxy and as wide as its own footprint asks for.
 #[derive(Clone, Debug)]
@@ -14,13 +14,6 @@ pub struct Taps<P> {
     pub probe: Vec3,
     /// The fetches.
     pub rule: TapRule,
-}
-
-/// The width, at most 1, of a fetch that stands for a lobe of width `alpha` in [0, 1] whose footprint is `ratio` > 0 times as wide from
-/// the probe as from the shading point: the fitted flow of fixed-energy cones for the cosine-weighted lobe, its constant rounded to 1.
-pub fn width(alpha: f64, ratio: f64) -> f64 {
-    let x = ratio * alpha;
-    x / (1.0 + alpha - x).max(x)
 }
 
 impl<P: Proxy> Lookup for Taps<P> {
@@ -49,7 +42,7 @@ impl<P: Proxy> Taps<P> {
     /// What a ray of the shading point hits in front of it, and how that stretches the lobe.
     fn stretch(&self, seen: &Seen, ray: Vec3) -> Option<(Meeting, Stretch)> {
         let hit = self.proxy.meet(seen.place, ray, seen.alpha).filter(|hit| hit.distance > 0.0)?;
-        Some((hit, Stretch::of(seen.place, &hit, self.probe)?))
+        Some((hit, Stretch::of_round(seen.place, &hit, self.probe, seen.alpha)?))
     }
 
     fn fetch(&self, seen: &Seen, mirror: Vec3, stretch: &Stretch, tap: &RuleTap) -> Option<Tap> {

@@ -7,8 +7,7 @@
 
 mod lookup;
 mod rule;
-mod stretch;
 
-pub use lookup::{Taps, width};
-pub use rule::{RuleTap, TapRule};
-pub use stretch::Stretch;
+pub use crate::optics::footprint::{RuleTap, Stretch, width};
+pub use lookup::Taps;
+pub use rule::TapRule;

@@ -1,18 +1,7 @@
 //! Where the fetches go, how wide they are and what they weigh.
 
-use super::stretch::Stretch;
 use crate::math::ops;
-
-/// One fetch of a rule.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RuleTap {
-    /// How far its ray is tilted from the mirror ray along [`Stretch::major`]: the tangent of the angle.
-    pub tilt: f64,
-    /// Its width as seen from the shading point over that of the lobe.
-    pub width: f64,
-    /// Its share; those of a rule sum to 1.
-    pub weight: f64,
-}
+use crate::optics::footprint::{RuleTap, Stretch};
 
 /// A rule for a number of fetches: continuous in the stretch, and one fetch of the lobe itself where there is none.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! A chain of prefiltered levels.
 
 use super::CubemapError;
-use super::level::{Edges, Level};
+use super::level::{Edges, Format, Level};
 use crate::data::MipChain;
 use crate::effects::room::{Fetch, Tap};
 use crate::math::vector::{Vec3, plus, scaled};
@@ -29,6 +29,15 @@ impl Chain {
     /// The same texels, read otherwise at edges.
     pub fn with_edges(&self, edges: Edges) -> Chain {
         Chain { edges, ..self.clone() }
+    }
+
+    /// The same texels in another format.
+    ///
+    /// # Errors
+    /// A value that is not finite in the format.
+    pub fn rounded(&self, format: Format) -> Result<Chain, CubemapError> {
+        let levels = self.levels.iter().map(|level| level.rounded(format)).collect::<Result<_, _>>()?;
+        Ok(Chain { map: self.map.clone(), levels, edges: self.edges })
     }
 
     /// The map of its levels.

@@ -72,6 +72,17 @@ impl Level {
         Ok(Level { size, bordered: bordered(size, &stored) })
     }
 
+    /// The same texels in another format.
+    ///
+    /// # Errors
+    /// A value that is not finite in the format.
+    pub fn rounded(&self, format: Format) -> Result<Level, CubemapError> {
+        let n = self.size;
+        let texels: Vec<[f64; 3]> =
+            (0..6 * n * n).map(|k| self.texel(k / (n * n), k % n, k / n % n)).collect();
+        Level::new(n, &texels, format)
+    }
+
     /// Texels along a side of a face.
     pub fn size(&self) -> usize {
         self.size

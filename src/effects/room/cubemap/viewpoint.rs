@@ -21,10 +21,11 @@ pub enum Viewpoint {
     /// From above q at right angles to its plane, at the probe's distance from that plane: what a texel shows no longer depends on how
     /// obliquely the probe sees it. At the edges of the proxy the two planes disagree.
     Perpendicular,
-    /// From the probe at an edge of the proxy to above q as far from any edge as `widths` radii alpha h of the lobe on the wall, and
-    /// further: between the two places in proportion.
+    /// Between the probe and the place above q, by the share e/(e + widths alpha h) of the way: e is the distance of q from the nearest edge
+    /// of the proxy on its wall, alpha h the radius of the lobe there. At an edge it is the probe, for either wall; far from all edges, and
+    /// for narrow lobes, above q.
     Sliding {
-        /// Radii over which it slides; positive.
+        /// Radii at which it is half way; positive.
         widths: f64,
     },
 }
@@ -54,7 +55,8 @@ impl Viewpoint {
             Viewpoint::Probe => Eye { place: probe, axis: normalise(minus(place, probe)) },
             Viewpoint::Perpendicular => Eye { place: perpendicular, axis: normal },
             Viewpoint::Sliding { widths } => {
-                let share = (to_edge(proxy, place, wall) / (widths * alpha * height)).clamp(0.0, 1.0);
+                let edge = to_edge(proxy, place, wall);
+                let share = if edge.is_finite() { edge / (edge + widths * alpha * height) } else { 1.0 };
                 let eye = plus(probe, scaled(minus(perpendicular, probe), share));
                 Eye { place: eye, axis: normalise(minus(place, eye)) }
             }

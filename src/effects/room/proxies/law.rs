@@ -1,5 +1,7 @@
 //! How a proxy's parameter follows the width of the lobe.
 
+use crate::math::ops;
+
 /// A parameter over alpha, the GGX width in (0, 1].
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[serde(rename_all = "lowercase", tag = "form")]
@@ -9,10 +11,12 @@ pub enum Law {
         /// The parameter.
         value: f64,
     },
-    /// `over`/alpha, within [least, most].
+    /// `over`/alpha^`power`, within [least, most].
     Inverse {
-        /// The product of parameter and width.
+        /// The value at alpha = 1, where it is not below `least`.
         over: f64,
+        /// Power of alpha: 1, 1.5 or 2.
+        power: f64,
         /// Smallest value, for wide lobes.
         least: f64,
         /// Largest value, for narrow lobes.
@@ -34,9 +38,11 @@ impl Law {
     pub fn at(self, alpha: f64) -> f64 {
         match self {
             Law::Constant { value } => value,
-            // most where alpha is below over/most, so that nothing is divided by 0
-            Law::Inverse { over, least, most } => (over / alpha.max(over / most)).max(least),
-            Law::Power { scale, power, most } => (scale * crate::math::ops::pow(alpha, power)).min(most),
+            // most where alpha^power is below over/most, so that nothing is divided by 0
+            Law::Inverse { over, power, least, most } => {
+                (over / ops::pow(alpha, power).max(over / most)).max(least)
+            }
+            Law::Power { scale, power, most } => (scale * ops::pow(alpha, power)).min(most),
         }
     }
 
@@ -44,7 +50,10 @@ impl Law {
     pub fn formula(self) -> String {
         match self {
             Law::Constant { value } => format!("{value}"),
-            Law::Inverse { over, least, most } => format!("clamp({over} / alpha, {least}, {most})"),
+            Law::Inverse { over, power, least, most } => {
+                let power = if power == 1.0 { String::new() } else { format!("^{power}") };
+                format!("clamp({over} / alpha{power}, {least}, {most})")
+            }
             Law::Power { scale, power, most } => format!("min({scale} alpha^{power}, {most})"),
         }
     }
@@ -54,8 +63,14 @@ impl Law {
         let single = |x: f64| format!("{:?}", x as f32);
         match self {
             Law::Constant { value } => single(value),
-            Law::Inverse { over, least, most } => {
-                format!("max({} / max(alpha, {}), {})", single(over), single(over / most), single(least))
+            Law::Inverse { over, power, least, most } => {
+                let powered = match power {
+                    1.0 => "alpha".to_string(),
+                    1.5 => "alpha * sqrt(alpha)".to_string(),
+                    2.0 => "alpha * alpha".to_string(),
+                    _ => format!("pow(max(alpha, 0.000001), {})", single(power)),
+                };
+                format!("max({} / max({powered}, {}), {})", single(over), single(over / most), single(least))
             }
             Law::Power { scale, power, most } => {
                 format!(

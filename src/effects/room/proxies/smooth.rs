@@ -22,7 +22,7 @@ pub struct Smooth {
 
 impl Smooth {
     /// The power of the study, by eye: max(4, 0.6/alpha). Above 256 nothing changes that is seen.
-    pub const BY_EYE: Law = Law::Inverse { over: 0.6, least: 4.0, most: 256.0 };
+    pub const BY_EYE: Law = Law::Inverse { over: 0.6, power: 1.0, least: 4.0, most: 256.0 };
 }
 
 impl Proxy for Smooth {

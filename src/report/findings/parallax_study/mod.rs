@@ -1,12 +1,14 @@
 //! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
 
 mod chain;
+mod proxies;
 mod rooms;
 
 use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
+pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use chain::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
 };
@@ -24,6 +26,8 @@ pub struct ParallaxStudy {
     pub parameters: Value,
     /// Lookups in rooms, against lobes traced from the shading point.
     pub rooms: RoomsFindings,
+    /// Proxies with soft edges.
+    pub proxies: ProxiesFindings,
     /// Real chains, and bakes for the proxy.
     pub chain: ChainFindings,
 }

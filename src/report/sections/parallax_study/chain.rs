@@ -127,7 +127,8 @@ fn viewpoints(chain: &ChainFindings) -> Result<Section, ReportError> {
         title: "Texels that see the room from above its walls".into(),
         lead: "An ordinary texel integrates its lobe from the probe, slanted as the probe happens to see the wall. A perpendicular one sees the same \
                place from above, as far from the wall as the probe is; at the edges of the proxy the viewpoints of the two walls disagree. A sliding \
-               one moves to the probe there."
+               one is e/(e + w α h) of the way from the probe to above the wall, e being the distance of the place from the nearest edge and α h the \
+               radius of the lobe on the wall. Ratio of areas: ρ = (d_s/d_v) √(cos ψ_v/cos ψ_s); fading: the power of the cosines sinks to 0 at an edge."
             .into(),
         blocks,
     })
@@ -157,7 +158,7 @@ fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
     };
     let curves = Curves {
         title: "Error of a bake whose viewpoint slides".into(),
-        x: ("radii over which it slides".into(), Spread::Log),
+        x: ("w".into(), Spread::Log),
         y: ("geometric mean of the relative error over r".into(), Spread::Linear),
         series: law.rooms.iter().enumerate().map(line).collect(),
         annotations: Vec::new(),
@@ -166,8 +167,8 @@ fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
         size: (520.0, 240.0),
     };
     let caption = format!(
-        "The viewpoint is above the wall as far from edges as so many radii α h of the lobe on the wall. The best for all rooms: {}; it is used \
-         below.",
+        "The viewpoint is half way between the probe and the place above the wall where an edge is w radii α h of the lobe on the wall away. The best w \
+         for all rooms: {}; it is used below.",
         significant(law.best, 2)
     );
     figures(&[curves], &caption)

@@ -1,14 +1,16 @@
 //! The page of the study of lookups of a probe's cubemap, a file for each part.
 
 mod chain;
+mod proxies;
 mod rooms;
 
 use crate::report::{Page, ParallaxStudy, ReportError};
 
 /// The page.
 pub(super) fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
-    let sections =
-        vec![rooms::sections(&study.rooms)?, chain::sections(&study.chain)?].into_iter().flatten().collect();
+    let parts =
+        [rooms::sections(&study.rooms)?, proxies::sections(&study.proxies)?, chain::sections(&study.chain)?];
+    let sections = parts.into_iter().flatten().collect();
     Ok(Page {
         title: "lobefit study: parallax".into(),
         origin: study.origin.clone(),

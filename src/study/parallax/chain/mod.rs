@@ -44,8 +44,10 @@ pub(super) struct Parameters {
     /// Rays of lobes traced from points and fetched from the probe.
     rays: u32,
     seed: u32,
-    /// Radii over which sliding viewpoints are tried.
+    /// Radii of sliding viewpoints that are tried.
     widths: Vec<f64>,
+    /// Radii over which ratios fade.
+    fade: f64,
     view: seams::View,
     /// Roughness of floors.
     floors: Vec<f64>,
@@ -83,7 +85,8 @@ impl Parameters {
             engine_rays: of(256, 32),
             rays: of(2048, 128),
             seed: 11,
-            widths: if full { vec![0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0] } else { vec![1.0, 2.0] },
+            widths: if full { vec![0.25, 0.5, 1.0, 2.0, 4.0, 8.0] } else { vec![1.0, 2.0] },
+            fade: 2.0,
             view: seams::View {
                 side: if full { 96 } else { 16 },
                 camera: [-0.5, -0.6, 0.5],
@@ -112,19 +115,21 @@ pub(super) fn findings(
     let (mut parts, mut sizes, mut gains) = (Vec::new(), Vec::new(), Vec::new());
     for case in &cases {
         progress.stage(&format!("chains: room {}", case.room.name));
-        parts.push(texels::parts(case, parameters.first(), parameters, &fan)?);
+        let (part, chain) = texels::parts(case, parameters, &fan)?;
+        sizes.push(texels::size(case, parameters.first(), &chain, part.total.clone()));
         sizes.extend(texels::sizes(case, parameters, &fan)?);
-        let chain = texels::bake(parameters.first(), parameters).chain(case.room)?;
+        parts.push(part);
         gains.extend(gains::gains(case, &Exact { room: case.room, fan: &fan }, &chain));
     }
     progress.stage("chains: sliding viewpoints");
     let slide = viewpoints::slide(&cases, &fan, &parameters.widths);
+    let laws = viewpoints::policies(slide.best, parameters.fade);
     let (mut policies, mut seams) = (Vec::new(), Vec::new());
     for case in &cases {
         progress.stage(&format!("chains: viewpoints in room {}", case.room.name));
-        policies.extend(viewpoints::compared(case, &fan, slide.best, parameters)?);
+        policies.extend(viewpoints::compared(case, &fan, &laws, parameters)?);
         let floors = parameters.floors.iter();
-        seams.extend(floors.map(|r| seams::seams(case, &fan, slide.best, &parameters.view, *r)));
+        seams.extend(floors.map(|r| seams::seams(case, &fan, &laws, &parameters.view, *r)));
     }
     let roughness = parameters.roughness.clone();
     Ok(ChainFindings { roughness, near: measure::NEAR, parts, sizes, gains, slide, policies, seams })

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::measure::Case;
-use super::viewpoints::policies;
+use super::viewpoints::Policy;
 use crate::effects::parallax::Width;
 use crate::effects::room::cubemap::Integrated;
 use crate::effects::room::{Fan, Fetch, Lookup, Room, Seen};
@@ -115,7 +115,7 @@ fn displayed(colour: [f64; 3]) -> f64 {
 }
 
 /// Pictures of the floor of a room by every law of a bake, the reference first, with their creases.
-pub(super) fn seams(case: &Case, fan: &Fan, widths: f64, view: &View, roughness: f64) -> SeamRow {
+pub(super) fn seams(case: &Case, fan: &Fan, policies: &[Policy], view: &View, roughness: f64) -> SeamRow {
     let alpha = roughness * roughness;
     let floor = Floor::new(case.room, view, alpha);
     let traced = |seen: &Seen| fan.lobe(case.room, seen.place, mirror(seen), Some(seen.normal), alpha);
@@ -126,7 +126,7 @@ pub(super) fn seams(case: &Case, fan: &Fan, widths: f64, view: &View, roughness:
         elsewhere: 0.0,
         picture: image(view.side, &reference),
     }];
-    for (name, viewpoint, slant) in policies(widths) {
+    for (name, viewpoint, slant) in policies.iter().copied() {
         let lookup = case.baked(viewpoint, slant, Width::Rational);
         let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
         let shown = floor.shown(|seen| exact.sum(&lookup.taps(seen)));

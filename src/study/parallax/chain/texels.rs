@@ -51,16 +51,16 @@ impl Fetch for Levels<'_> {
     }
 }
 
-/// The parts of the first engine's chain in a room, for the fetches of our lookup.
+/// The parts of the first engine's chain in a room, for the fetches of our lookup; and the chain.
 pub(super) fn parts(
     case: &Case,
-    engine: &Engine,
     parameters: &Parameters,
     fan: &Fan,
-) -> Result<ChainParts, StudyError> {
-    let whole = bake(engine, parameters);
-    let chain = whole.chain(case.room)?;
-    let single = Bake { format: Format::Single, ..whole.clone() }.chain(case.room)?;
+) -> Result<(ChainParts, Chain), StudyError> {
+    let engine = parameters.first();
+    let whole = Bake { format: Format::Single, ..bake(engine, parameters) };
+    let single = whole.chain(case.room)?;
+    let chain = single.rounded(Format::Half)?;
     let captured =
         Bake { source: Source::Capture, rays: parameters.engine_rays, ..whole.clone() }.chain(case.room)?;
     let again = Bake { seed: parameters.seed + 1, ..whole }.chain(case.room)?;
@@ -80,12 +80,24 @@ pub(super) fn parts(
         found.half.push(off(&stored, &plain));
         found.clamped.push(off(&by(&clamped), &truth));
         found.captured.push(off(&by(&captured), &truth));
-        found.noise.push(off(&by(&again), &stored));
+        found.noise.push(off(&by(&again), &plain));
     }
-    Ok(found)
+    Ok((found, chain))
 }
 
-/// The error of whole chains, by map and size.
+/// A row of the table of chains.
+pub(super) fn size(case: &Case, engine: &Engine, chain: &Chain, total: Vec<f64>) -> ChainSize {
+    ChainSize {
+        room: case.room.name.clone(),
+        chain: engine.map.text(),
+        like: engine.like.clone(),
+        size: engine.size,
+        bytes: chain.bytes(),
+        total,
+    }
+}
+
+/// The error of the other engines' chains.
 pub(super) fn sizes(case: &Case, parameters: &Parameters, fan: &Fan) -> Result<Vec<ChainSize>, StudyError> {
     let lookup = case.baked(Viewpoint::Probe, Slant::Whole, Width::Rational);
     let exact = Exact { room: case.room, fan };
@@ -94,14 +106,7 @@ pub(super) fn sizes(case: &Case, parameters: &Parameters, fan: &Fan) -> Result<V
         let chain: Chain = bake(engine, parameters).chain(case.room)?;
         let error =
             |(row, truth): (&Row, &Vec<[f64; 3]>)| relative(&shaded(row, &lookup, &chain), truth, all);
-        Ok(ChainSize {
-            room: case.room.name.clone(),
-            chain: engine.map.text(),
-            like: engine.like.clone(),
-            size: engine.size,
-            bytes: chain.bytes(),
-            total: case.rows.iter().zip(&truth).map(error).collect(),
-        })
+        Ok(size(case, engine, &chain, case.rows.iter().zip(&truth).map(error).collect()))
     };
-    parameters.engines.iter().map(one).collect()
+    parameters.engines.iter().skip(1).map(one).collect()
 }

@@ -1,17 +1,20 @@
 //! From where the texels of a bake see the room: away from the edges of the proxy and near them.
 
-use super::measure::{Case, Row, all, gain, relative, shaded};
+use super::measure::{Case, all, gain, relative, shaded};
 use super::{Parameters, texels};
-use crate::effects::parallax::{Slant, Width};
-use crate::effects::room::cubemap::{Bake, Integrated, Viewpoint};
+use crate::effects::parallax::{Baked, Slant, Width};
+use crate::effects::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
 use crate::effects::room::{Fan, Fetch, Lookup};
 use crate::math::ops;
 use crate::report::{BakePolicy, SlideLaw};
 use crate::study::StudyError;
 
-/// The laws compared, with how their widths change; the sliding ones over `widths` radii.
-pub(super) fn policies(widths: f64) -> Vec<(&'static str, Viewpoint, Slant)> {
-    let (sliding, fading) = (Viewpoint::Sliding { widths }, Slant::Fading { widths });
+/// The law of a bake with how the widths of its fetches change.
+pub(super) type Policy = (&'static str, Viewpoint, Slant);
+
+/// Those compared; a viewpoint is half way at `widths` radii, ratios fade over `fade`.
+pub(super) fn policies(widths: f64, fade: f64) -> Vec<Policy> {
+    let (sliding, fading) = (Viewpoint::Sliding { widths }, Slant::Fading { widths: fade });
     vec![
         ("angular, ratio of distances", Viewpoint::Probe, Slant::Ignored),
         ("angular, ratio of areas", Viewpoint::Probe, Slant::Whole),
@@ -22,44 +25,56 @@ pub(super) fn policies(widths: f64) -> Vec<(&'static str, Viewpoint, Slant)> {
     ]
 }
 
+/// Errors of a lookup by roughness: over all points, those far from edges, those near them.
+fn errors(case: &Case, lookup: &dyn Lookup, fetch: &dyn Fetch) -> [Vec<f64>; 3] {
+    let mut errors = [const { Vec::new() }; 3];
+    for row in &case.rows {
+        let found = shaded(row, lookup, fetch);
+        let over = |wanted: &dyn Fn(bool) -> bool| relative(&found, &row.light, |i| wanted(row.near[i]));
+        errors[0].push(over(&|_| true));
+        errors[1].push(over(&|near| !near));
+        errors[2].push(over(&|near| near));
+    }
+    errors
+}
+
 /// Every law in a room.
 pub(super) fn compared(
     case: &Case,
     fan: &Fan,
-    widths: f64,
+    policies: &[Policy],
     parameters: &Parameters,
 ) -> Result<Vec<BakePolicy>, StudyError> {
     let engine = texels::bake(parameters.first(), parameters);
-    let mut chains = Vec::new();
-    for viewpoint in [Viewpoint::Probe, Viewpoint::Perpendicular, Viewpoint::Sliding { widths }] {
-        chains.push((viewpoint, Bake { viewpoint, ..engine.clone() }.chain(case.room)?));
+    let mut chains: Vec<(Viewpoint, Chain)> = Vec::new();
+    for (_, viewpoint, _) in policies {
+        if chains.iter().all(|(law, _)| law != viewpoint) {
+            chains.push((*viewpoint, Bake { viewpoint: *viewpoint, ..engine.clone() }.chain(case.room)?));
+        }
     }
-    let rival = case.baked(Viewpoint::Probe, Slant::Ignored, Width::Frostbite);
-    let errors = |lookup: &dyn Lookup, fetch: &dyn Fetch, wanted: &dyn Fn(bool) -> bool| {
-        let row = |row: &Row| relative(&shaded(row, lookup, fetch), &row.light, |i| wanted(row.near[i]));
-        case.rows.iter().map(row).collect::<Vec<f64>>()
-    };
-    let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint: Viewpoint::Probe, fan };
-    let (published, stored) = (errors(&rival, &exact, &|_| true), errors(&rival, &chains[0].1, &|_| true));
-    let mut found = Vec::new();
-    for (name, viewpoint, slant) in policies(widths) {
-        let lookup = case.baked(viewpoint, slant, Width::Rational);
-        let exact = Integrated { viewpoint, ..exact };
-        let whole = errors(&lookup, &exact, &|_| true);
+    let both = |viewpoint: Viewpoint, lookup: &Baked| {
+        let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
         let chain = chains.iter().find(|(law, _)| *law == viewpoint).map(|(_, chain)| chain);
-        let chain = chain.map_or_else(Vec::new, |chain| errors(&lookup, chain, &|_| true));
-        found.push(BakePolicy {
+        let stored = chain.map(|chain| errors(case, lookup, chain)).unwrap_or_default();
+        (errors(case, lookup, &exact), stored)
+    };
+    let rival = case.baked(Viewpoint::Probe, Slant::Ignored, Width::Frostbite);
+    let ([published, ..], [published_chain, ..]) = both(Viewpoint::Probe, &rival);
+    let one = |(name, viewpoint, slant): &Policy| {
+        let lookup = case.baked(*viewpoint, *slant, Width::Rational);
+        let ([whole, far, near], [chain, ..]) = both(*viewpoint, &lookup);
+        BakePolicy {
             room: case.room.name.clone(),
-            policy: name.into(),
+            policy: (*name).into(),
             gain: gain(&published, &whole),
-            gain_chain: gain(&stored, &chain),
-            far: errors(&lookup, &exact, &|near| !near),
-            near: errors(&lookup, &exact, &|near| near),
+            gain_chain: gain(&published_chain, &chain),
             whole,
+            far,
+            near,
             chain,
-        });
-    }
-    Ok(found)
+        }
+    };
+    Ok(policies.iter().map(one).collect())
 }
 
 /// Geometric mean over roughness and rooms of what a sliding bake is off by.

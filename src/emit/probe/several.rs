@@ -1,0 +1,89 @@
+//! Two or three fetches along the axis that the proxy stretches, as a script: the formulas of [`crate::optics::footprint::Stretch`] and of
+//! the rule of fetches, in f32.
+
+use super::script::{Kind, Routine};
+use super::{Wanted, meet, rule, single};
+
+/// The map of the lobe to the probe: kappa, the ratio of its singular values; of the footprint, which grows too, `major` and `length`;
+/// `growth` and `slope` along `major`. The lobe's own axes are those of Duff et al. 2017; M^T M and its parts are over the distances, whose
+/// ratio cancels; its determinant is (there/here)^2.
+const STRETCH: &str = "
+upright = choose(ray.z < 0.0, -1.0, 1.0)
+duff = -1.0 / (upright + ray.z)
+cross = ray.x * ray.y * duff
+first = 1.0 + upright * ray.x * ray.x * duff | upright * cross | -upright * ray.x
+second = cross | upright + ray.y * ray.y * duff | -ray.y
+slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here
+slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here
+between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z
+seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z + between * slope_1
+seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z + between * slope_2
+growth_1 = slope_1 - met.w / away * seen_1
+growth_2 = slope_2 - met.w / away * seen_2
+unit = here / there
+square_1 = unit * (1.0 + slope_1 * slope_1 - seen_1 * seen_1)
+square_2 = unit * (1.0 + slope_2 * slope_2 - seen_2 * seen_2)
+product = unit * (slope_1 * slope_2 - seen_1 * seen_2)
+half = 0.5 * (square_1 - square_2)
+round = 0.5 * (square_1 + square_2)
+kappa = max(round + sqrt(half * half + product * product), 1.0)
+v = alpha * growth_1
+w = alpha * growth_2
+determinant = 1.0 + max(square_2 * v * v - 2.0 * product * v * w + square_1 * w * w, 0.0)
+along = half + 0.5 * (v * v - w * w)
+across = product + v * w
+off = max(sqrt(along * along + across * across), 0.0000000001)
+large = round + 0.5 * (v * v + w * w) + off
+turn = sqrt(0.5 + 0.5 * abs(along) / off)
+beside = 0.5 * across / (off * turn)
+cosine = choose(along >= 0.0, turn, abs(beside))
+sine = choose(along >= 0.0, beside, choose(across >= 0.0, turn, -turn))
+grown = cosine * growth_1 + sine * growth_2
+sign = choose(grown < 0.0, -1.0, 1.0)
+growth = abs(grown)
+slope = sign * (cosine * slope_1 + sine * slope_2)
+length2 = max(large * large / determinant, 1.0)
+major = sign * (cosine * first.x + sine * second.x) | sign * (cosine * first.y + sine * second.y) | sign * (cosine * first.z + sine * second.z)
+";
+
+/// The lookup by several fetches.
+pub(super) fn lookup(wanted: &Wanted) -> Routine {
+    let n = wanted.lookup.taps as usize;
+    let place = Kind::Numbers(3);
+    let start = [("place", place), ("normal", place), ("ray", place), ("alpha", Kind::Numbers(1))];
+    let kept: Vec<String> = (0..n).map(|i| format!("kept_{i}")).collect();
+    let list = |name: &str| (0..n).map(|i| format!("{name}_{i}")).collect::<Vec<_>>().join(" | ");
+    let share = |i: usize| {
+        format!("weight_{i} = choose(whole > 0.0, kept_{i} / max(whole, 0.000001), {})\n", 1.0 / n as f32)
+    };
+    let body = [
+        single::power(wanted),
+        single::seen(wanted),
+        STRETCH.into(),
+        rule::lines(n),
+        (0..n).map(|i| tap(wanted, i)).collect(),
+        format!("whole = {}\n", kept.join(" + ")),
+        (0..n).map(share).collect(),
+        format!("give {} | {}", list("fetch"), list("weight")),
+    ];
+    Routine {
+        name: wanted.name.clone(),
+        header: wanted.header.clone(),
+        arguments: start.into_iter().chain(meet::body(wanted.lookup)).collect(),
+        result: Kind::Taps(n),
+        body: body.concat(),
+    }
+}
+
+/// A fetch of the rule: its ray tilted along `major`, which is at right angles to the ray and of unit length; none below the surface.
+fn tap(wanted: &Wanted, i: usize) -> String {
+    let fetch = single::name(wanted);
+    let passed = single::passed(wanted, &format!("place, ray_{i}, alpha_{i}"));
+    format!(
+        "unit_{i} = 1.0 / sqrt(1.0 + tilt_{i} * tilt_{i})
+        ray_{i} = (ray.x + tilt_{i} * major.x) * unit_{i} | (ray.y + tilt_{i} * major.y) * unit_{i} | (ray.z + tilt_{i} * major.z) * unit_{i}
+        kept_{i} = choose(ray_{i}.x * normal.x + ray_{i}.y * normal.y + ray_{i}.z * normal.z > 0.0, share_{i}, 0.0)
+        alpha_{i} = alpha * own_{i}
+        fetch_{i} :4 = {fetch}({passed})\n"
+    )
+}

@@ -1,0 +1,150 @@
+//! Proxies with soft edges.
+
+use super::super::{figures, words};
+use crate::report::numbers::significant;
+use crate::report::{
+    Block, Curves, ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain, ReportError, Section, Series,
+    Spread, Style, check,
+};
+
+pub(super) fn sections(proxies: &ProxiesFindings) -> Result<Vec<Section>, ReportError> {
+    check::filled("proxies", "families", proxies.families.len())?;
+    check::filled("proxies", "gains", proxies.gains.len())?;
+    Ok(vec![laws(proxies)?, gains(proxies)?, edges(proxies)])
+}
+
+/// The parameters over roughness.
+fn laws(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
+    let charts: Vec<Curves> = proxies.families.iter().map(|family| parameter(proxies, family)).collect();
+    let columns = [("proxy", false), ("parameter", false), ("law", false)];
+    let row = |family: &ProxyFamily| vec![family.name.clone(), family.parameter.clone(), family.law.clone()];
+    let table = words::table(
+        &columns,
+        proxies.families.iter().map(row).collect(),
+        "Laws fitted for the smallest mean logarithm of the error over all rooms and roughnesses.",
+    );
+    let caption = "The parameter of the smallest relative L2 error of one fetch (rational width, ratio of areas) against the same lobe traced from \
+                   the shading point: of each room, of all together, and by the law. Where the error hardly depends on the parameter the best \
+                   one is of little meaning.";
+    Ok(Section {
+        id: "proxies".into(),
+        title: "Proxies with soft edges".into(),
+        lead: format!(
+            "Each family's parameter fitted at {} points of every room, directions evenly over the sphere.",
+            proxies.points[0]
+        ),
+        blocks: vec![figures(&charts, caption)?, Block::Table(table)],
+    })
+}
+
+fn parameter(proxies: &ProxiesFindings, family: &ProxyFamily) -> Curves {
+    let smooth = family.name == "smooth";
+    let line = |name: &str, values: &[f64], style: Style| Series {
+        name: name.into(),
+        points: proxies.roughness.iter().zip(values).map(|(r, v)| (*r, v.min(MOST_SHOWN))).collect(),
+        style,
+        end: None,
+    };
+    let rooms = family.rooms.iter().enumerate();
+    let mut series: Vec<Series> =
+        rooms.map(|(i, (room, values))| line(&format!("room {room}"), values, Style::Line(i))).collect();
+    series.push(line("all rooms", &family.best, Style::Measured));
+    series.push(line("law", &family.by_law, Style::Truth));
+    Curves {
+        title: format!("{}: {}", family.name, family.law),
+        x: ("roughness".into(), Spread::Linear),
+        y: (family.parameter.clone(), if smooth { Spread::Log } else { Spread::Linear }),
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: None,
+        size: (340.0, 240.0),
+    }
+}
+
+/// What the laws gain on other points, over roughness.
+fn gains(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
+    let names: Vec<String> =
+        proxies.gains.iter().take(1).flat_map(|g| &g.proxies).map(|(name, _)| name.clone()).collect();
+    let mut rooms: Vec<&str> = proxies.gains.iter().map(|g| g.room.as_str()).collect();
+    rooms.dedup();
+    let charts: Vec<Curves> = rooms.iter().map(|room| ratios(proxies, room, &names)).collect();
+    let fixed = [("room", false), ("roughness", true), ("over an edge", true), ("planes", true)];
+    let columns: Vec<(&str, bool)> =
+        fixed.into_iter().chain(names.iter().map(|name| (name.as_str(), true))).collect();
+    let pair = |[all, edges]: [f64; 2]| format!("{} / {}", significant(all, 3), significant(edges, 3));
+    let row = |gain: &ProxyGain| {
+        let share = format!("{} of {}", gain.points[1], gain.points[0]);
+        let mut cells = vec![gain.room.clone(), significant(gain.roughness, 2), share, pair(gain.planes)];
+        cells.extend(gain.proxies.iter().map(|(_, off)| pair(*off)));
+        cells
+    };
+    let caption = "Relative L2 error of one fetch against the same lobe traced from the shading point: of all points, and of those whose lobe \
+                   reaches over an edge (a second plane is nearer to where the axis ends than the lobe is wide there).";
+    let figure = "Error over that of the planes themselves, on points that the laws were not fitted on: below 1 is a gain.";
+    let table = words::table(&columns, proxies.gains.iter().map(row).collect(), caption);
+    Ok(Section {
+        id: "proxy-gains".into(),
+        title: "What soft edges gain".into(),
+        lead: format!("By the laws above, at {} other points of every room.", proxies.points[1]),
+        blocks: vec![figures(&charts, figure)?, Block::Table(table)],
+    })
+}
+
+fn ratios(proxies: &ProxiesFindings, room: &str, names: &[String]) -> Curves {
+    let of = |(i, name): (usize, &String)| Series {
+        name: name.clone(),
+        points: proxies
+            .gains
+            .iter()
+            .filter(|gain| gain.room == room)
+            .filter_map(|gain| {
+                let (_, off) = gain.proxies.iter().find(|(known, _)| known == name)?;
+                Some((gain.roughness, off[0] / gain.planes[0]))
+            })
+            .collect(),
+        style: Style::Marked(i),
+        end: None,
+    };
+    Curves {
+        title: format!("room {room}"),
+        x: ("roughness".into(), Spread::Linear),
+        y: ("error over that of the planes".into(), Spread::Linear),
+        series: names.iter().enumerate().map(of).collect(),
+        annotations: Vec::new(),
+        guides: vec![(1.0, String::new())],
+        y_limits: None,
+        size: (340.0, 240.0),
+    }
+}
+
+/// What is left of the jumps at edges.
+fn edges(proxies: &ProxiesFindings) -> Section {
+    let columns = [
+        ("proxy", false),
+        ("α", true),
+        ("edges", true),
+        ("direction's derivative", true),
+        ("ln ρ", true),
+        ("derivative of ln ρ", true),
+        ("ln ρ over α/5", true),
+    ];
+    let row = |one: &ProxyCrossing| {
+        let mut cells = vec![one.proxy.clone(), significant(one.alpha, 3), one.edges.to_string()];
+        cells.extend([one.direction, one.ratio, one.slope, one.lobe].map(|x| significant(x, 3)));
+        cells
+    };
+    let caption = "Rays from a place of room A turn over its edges; means over the edges. Jumps are differences of one-sided values within \
+                   1e-7 radians of the edge, of derivatives by differences over 1e-4 radians: a smooth function leaves some 1e-4 of its second \
+                   derivative. The last column is the change over a fifth of the lobe's width, which is what is seen of a smooth one. \
+                   ρ is the ratio of areas; pushed planes and fades keep the planes' normal, which jumps.";
+    Section {
+        id: "proxy-edges".into(),
+        title: "Jumps at edges".into(),
+        lead: "The looked-up direction of the planes has a kink at edges, and the ratio of areas jumps: a seam. Of the smooth body neither does.".into(),
+        blocks: vec![Block::Table(words::table(&columns, proxies.crossings.iter().map(row).collect(), caption))],
+    }
+}
+
+/// Powers above this are drawn as this: the body is the planes.
+const MOST_SHOWN: f64 = 256.0;

@@ -1,0 +1,106 @@
+//! What one fetch through a proxy is off by at points at random, against the same lobe traced from the point.
+
+use rayon::prelude::*;
+
+use super::super::rooms::points::{self, Point};
+use crate::effects::parallax::width;
+use crate::effects::room::proxies::Body;
+use crate::effects::room::{Exact, Fan, Fetch, Meeting, Proxy, Room, Tap};
+use crate::math::sum;
+use crate::math::vector::{Vec3, dot, length, minus, plus, scaled};
+
+/// Points of a room with the truth at a width.
+pub(super) struct Sample<'a> {
+    room: &'a Room,
+    fan: &'a Fan,
+    alpha: f64,
+    points: Vec<Known>,
+}
+
+/// A point.
+struct Known {
+    point: Point,
+    /// What the round lobe sees.
+    truth: [f64; 3],
+    /// Whether the lobe reaches over an edge: another plane is nearer to where its axis ends than the lobe is wide there.
+    edge: bool,
+}
+
+/// Root of the sum of squared errors over that of squared values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Off {
+    pub all: f64,
+    /// Where the lobe reaches over an edge.
+    pub edges: f64,
+}
+
+impl<'a> Sample<'a> {
+    /// Of some points at a width; `None` where the probe is not inside.
+    pub fn new(room: &'a Room, fan: &'a Fan, wanted: &points::Parameters, alpha: f64) -> Option<Sample<'a>> {
+        let body = Body::new(&room.shape(), room.probe)?;
+        let known = |point: Point| {
+            let Point { place, mirror, .. } = point;
+            let truth = fan.lobe(room, place, mirror, None, alpha);
+            Known { point, truth, edge: reaches(&body, place, mirror, alpha) }
+        };
+        let points = points::points(room, wanted).into_par_iter().map(known).collect();
+        Some(Sample { room, fan, alpha, points })
+    }
+
+    /// Of all points, how many reach over an edge.
+    pub fn edges(&self) -> [usize; 2] {
+        [self.points.len(), self.points.iter().filter(|known| known.edge).count()]
+    }
+
+    /// The error of a proxy.
+    pub fn off(&self, proxy: &dyn Proxy) -> Off {
+        let fetched: Vec<[f64; 2]> = self.points.par_iter().map(|known| self.terms(proxy, known)).collect();
+        let total = |every: bool| {
+            let kept: Vec<&[f64; 2]> =
+                fetched.iter().zip(&self.points).filter(|(_, k)| every || k.edge).map(|(t, _)| t).collect();
+            let [error, size] = [0, 1].map(|i| sum::pairwise(&kept.iter().map(|t| t[i]).collect::<Vec<_>>()));
+            if size > 0.0 { (error / size).sqrt() } else { 0.0 }
+        };
+        Off { all: total(true), edges: total(false) }
+    }
+
+    /// Squares of the error and of the truth at a point.
+    fn terms(&self, proxy: &dyn Proxy, known: &Known) -> [f64; 2] {
+        let value = self.fetched(proxy, &known.point);
+        let off = minus(value, known.truth);
+        [dot(off, off), dot(known.truth, known.truth)]
+    }
+
+    fn fetched(&self, proxy: &dyn Proxy, Point { place, mirror, .. }: &Point) -> [f64; 3] {
+        let exact = Exact { room: self.room, fan: self.fan };
+        exact.fetch(&tap(proxy, self.room.probe, *place, *mirror, self.alpha))
+    }
+}
+
+/// One fetch: the rational width by the ratio of areas, or along the ray where nothing is met.
+fn tap(proxy: &dyn Proxy, probe: Vec3, place: Vec3, ray: Vec3, alpha: f64) -> Tap {
+    let seen = proxy.meet(place, ray, alpha).and_then(|hit| looked_up(&hit, ray, probe));
+    let (towards, ratio) = seen.unwrap_or((ray, 1.0));
+    Tap { towards, alpha: width(alpha, ratio), weight: 1.0 }
+}
+
+/// Least cosine to a proxy's normal: that of lookups, below which the footprint is as long as the wall.
+const LEAST_COSINE: f64 = 0.02;
+
+/// Direction and ratio of areas by the distance that a proxy states: that of a faded one is not the distance to its place. `None` where the
+/// place is the probe's own.
+pub(super) fn looked_up(hit: &Meeting, ray: Vec3, probe: Vec3) -> Option<(Vec3, f64)> {
+    let away = minus(hit.place, probe);
+    let distance = length(away);
+    let towards = scaled(away, 1.0 / distance);
+    let [here, there] = [ray, towards].map(|v| dot(hit.normal, v).max(LEAST_COSINE));
+    (distance > 0.0).then(|| (towards, hit.distance / distance * (there / here).sqrt()))
+}
+
+/// Whether the axis of a lobe ends nearer to a second plane than the lobe is wide there.
+fn reaches(body: &Body, place: Vec3, ray: Vec3, alpha: f64) -> bool {
+    let Some(hit) = body.meet(place, ray, alpha) else { return false };
+    let end = plus(place, scaled(ray, hit.distance));
+    let wide = alpha * hit.distance;
+    body.planes().iter().filter(|plane| plane.normal != hit.normal).any(|plane| plane.depth(end) < wide)
+}

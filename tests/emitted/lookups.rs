@@ -1,0 +1,345 @@
+//! Lookups of probes as emitted: in every language that a compiler is there for, and on a device, they fetch what the lookups of the
+//! study do, also from places and along rays that are hard.
+
+use crate::emit_support;
+use crate::tools::functions;
+
+use std::sync::LazyLock;
+
+use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
+use emit_support::languages::{FAMILY, compile};
+use emit_support::programs::{compile_library, run};
+use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::data::ProbeLookup;
+use lobefit::effects::room::proxies::{Body, NEAREST, Smooth};
+use lobefit::effects::room::{Meeting, Proxy, Room, octagon, room_b};
+use lobefit::emit::code::Language;
+use lobefit::fit::Hypothesis;
+use lobefit::math::sobol::Sobol;
+use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use serde_json::Value;
+
+/// Every kind of lookup, of a chain of widths and of one of levels.
+const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [], "probes": [
+    {"name": "a", "norms": ["max"], "max_ops": 13, "lookups": [
+        {}, {"edges": "sharp"}, {"planes": 11}, {"planes": 11, "edges": "sharp"}]},
+    {"name": "b", "norms": ["max"], "max_ops": 13, "mips": {"map": "linear", "count": 7}, "lookups": [{}]},
+    {"name": "c", "norms": ["max"], "max_ops": 13, "kernel": "ndf", "lookups": [{"planes": 14}]}]}"#;
+
+pub static BAKED: LazyLock<Baked> = LazyLock::new(|| {
+    let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
+    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+});
+
+pub fn text(language: Language) -> String {
+    let file = format!("fits/lobefit.{}", language.extension());
+    String::from_utf8(BAKED.files[&file].clone()).expect("UTF-8")
+}
+
+/// A lookup of the manifest, the room that it is run in, and the width that it calls.
+pub struct Emitted {
+    pub entry: Value,
+    pub lookup: ProbeLookup,
+    pub room: Room,
+    width: Hypothesis,
+}
+
+/// Widths that are not 0 far from where they are fitted; the last is that of a mirror.
+const ALPHAS: [f32; 7] = [0.01, 0.04, 0.1225, 0.25, 0.5, 1.0, 0.0];
+
+pub static EMITTED: LazyLock<Vec<Emitted>> = LazyLock::new(|| {
+    let manifest: Value = serde_json::from_slice(&BAKED.files["manifest.json"]).expect("JSON");
+    let source = text(Language::Wgsl);
+    let known = functions(&source);
+    let of = |entry: &Value| {
+        let word = |key: &str| entry[key].as_str().expect("a word");
+        let planes = word("proxy").strip_prefix("planes_").map(|n| n.parse().expect("a number"));
+        let width = Hypothesis::parse("lobefit.wgsl", &crate::tools::module(word("width"), &known));
+        let taps = entry["cost"]["fetches"].as_u64().expect("a number") as u32;
+        Emitted {
+            entry: entry.clone(),
+            lookup: ProbeLookup { planes, smooth: word("edges") == "smooth", taps },
+            room: single(if planes.is_some() { octagon() } else { room_b() }),
+            width: width.expect("a formula"),
+        }
+    };
+    manifest["lookups"].as_array().expect("lookups").iter().map(of).collect()
+});
+
+/// The room with its planes and its probe as f32 have them, which is what shaders are given.
+fn single(mut room: Room) -> Room {
+    let f32 = |x: f64| f64::from(x as f32);
+    room.probe = room.probe.map(f32);
+    for wall in &mut room.walls {
+        wall.plane.normal = wall.plane.normal.map(f32);
+        // planes are given by their distance from the probe
+        let height = f32(wall.plane.depth(room.probe));
+        wall.plane.offset = height + dot(wall.plane.normal, room.probe);
+    }
+    room
+}
+
+impl Emitted {
+    pub fn name(&self) -> &str {
+        self.entry["function"].as_str().expect("a name")
+    }
+
+    fn proxy(&self) -> Box<dyn Proxy> {
+        let body = Body::new(&self.room.shape(), self.room.probe).expect("a probe inside");
+        if self.lookup.smooth { Box::new(Smooth { body, power: Smooth::BY_EYE }) } else { Box::new(body) }
+    }
+
+    /// The planes about the probe, filled up.
+    pub fn planes(&self) -> Vec<[f32; 4]> {
+        let own = self.room.walls.iter().map(|wall| {
+            let [x, y, z] = wall.plane.normal;
+            [x, y, z, wall.plane.depth(self.room.probe)].map(|x| x as f32)
+        });
+        let count = self.lookup.planes.unwrap_or(0) as usize;
+        own.chain(std::iter::repeat([0.0, 0.0, 0.0, 1.0])).take(count).collect()
+    }
+
+    /// Corners of a box, and the probe.
+    pub fn corners(&self) -> [[f32; 3]; 3] {
+        let planes = &self.room.walls;
+        let high = [1, 3, 5].map(|i| planes[i].plane.offset as f32);
+        let low = [0, 2, 4].map(|i| -planes[i].plane.offset as f32);
+        [low, high, self.room.probe.map(|x| x as f32)]
+    }
+}
+
+/// Place, ray, alpha.
+pub type Point = [f32; 7];
+
+/// Places all over a room and beyond, on its walls and edges, with rays of all directions, along axes, walls and as good as along them.
+pub fn points(room: &Room) -> Vec<Point> {
+    let (places, turns) = (Sobol::new([1, 2, 3]), Sobol::new([4, 5, 6]));
+    let even = |set: &Sobol, i: u32| [0, 1, 2].map(|k| 2.0 * set.coordinate(i, k) - 1.0);
+    let at = |place: Vec3, ray: Vec3, alpha: f32| -> Point {
+        let ray = normalise(ray).map(|x| x as f32);
+        let [x, y, z] = place.map(|x| x as f32);
+        [x, y, z, ray[0], ray[1], ray[2], alpha]
+    };
+    let mut points = Vec::new();
+    for i in 0..4000_u32 {
+        let [x, y, z] = even(&places, i);
+        // some of them outside
+        let place = [6.5 * x, 3.0 * y, 1.6 * z];
+        points.push(at(place, even(&turns, i), ALPHAS[i as usize % ALPHAS.len()]));
+    }
+    for (i, wall) in room.walls.iter().enumerate() {
+        let normal = wall.plane.normal;
+        let foot = plus(room.probe, scaled(normal, wall.plane.depth(room.probe)));
+        let other = &room.walls[(i + 2) % room.walls.len()].plane;
+        let beside = plus(foot, scaled(other.normal, other.depth(foot)));
+        for place in [foot, beside, plus(foot, scaled(normal, 2.0))] {
+            for (k, alpha) in ALPHAS.into_iter().enumerate() {
+                for (axis, sign) in [(0, 1.0), (1, 1.0), (2, 1.0), (0, -1.0), (1, -1.0), (2, -1.0)] {
+                    let mut along = [0.0; 3];
+                    along[axis] = sign;
+                    points.push(at(place, along, alpha));
+                    points.push(at(place, plus(along, scaled(normal, -1e-4)), alpha));
+                }
+                points.push(at(place, normal, alpha));
+                points.push(at(
+                    place,
+                    plus(scaled(normal, -1.0), scaled(even(&turns, k as u32), 0.3)),
+                    alpha,
+                ));
+            }
+        }
+    }
+    points
+}
+
+/// What is expected at a point, and how far f32 may be from it.
+struct Expected {
+    towards: Vec3,
+    width: f64,
+    allowed: f64,
+}
+
+/// The rounding of a place in a room of f32 coordinates, with that of the operations on it.
+const ROUNDING: f64 = 2e-6;
+
+impl Emitted {
+    fn expected(&self, point: &Point) -> Option<Expected> {
+        let [place, ray] = [0, 3].map(|k| [0, 1, 2].map(|axis| f64::from(point[k + axis])));
+        let alpha = f64::from(point[6]);
+        let Meeting { distance, place: met, normal } = self.proxy().meet(place, ray, alpha)?;
+        let away = minus(met, self.room.probe);
+        let towards = normalise(away);
+        let [here, there] = [ray, towards].map(|v| dot(normal, v).max(0.02));
+        let rho = distance / length(away) * (there / here).sqrt();
+        let width = self.width.tape().evaluate(&[vec![alpha], vec![rho]], &[]).expect("a width")[0];
+        // a plane's distance carries the rounding of coordinates: relative to that distance it moves the place met along the ray, and
+        // tilts the normal of a smooth body by as much, p times
+        let ahead = self.room.walls.iter().map(|wall| {
+            let height = wall.plane.depth(self.room.probe);
+            (wall.plane.depth(place).max(NEAREST * height), dot(wall.plane.normal, ray))
+        });
+        let nearest = ahead.clone().filter(|(_, a)| *a > 0.0).map(|(d, _)| d).fold(f64::INFINITY, f64::min);
+        let unsure = ROUNDING / nearest;
+        let power = if self.lookup.smooth { Smooth::BY_EYE.at(alpha) } else { 1.0 };
+        // where two planes are as near, the sharp proxy takes either
+        let mut along: Vec<f64> = ahead.map(|(d, a)| a / d).collect();
+        along.sort_by(f64::total_cmp);
+        let tie = 1.0 - along[along.len() - 2] / along[along.len() - 1];
+        if !self.lookup.smooth && tie < 1e-5 + 4.0 * unsure {
+            return None;
+        }
+        let allowed =
+            ROUNDING + unsure * distance / length(away) + 0.5 * power * unsure / here + power * ROUNDING;
+        Some(Expected { towards, width, allowed })
+    }
+
+    /// Checks what a language returned: directions with widths, or with levels of a linear chain.
+    pub fn agrees(&self, language: &str, points: &[Point], found: &[f32]) {
+        assert_eq!(found.len(), 4 * points.len(), "{language}: {}", self.name());
+        let (mut compared, mut worst) = (0, 0.0_f64);
+        for (point, found) in points.iter().zip(found.chunks_exact(4)) {
+            let text = || format!("{language}: {} at {point:?}: {found:?}", self.name());
+            assert!(found.iter().all(|x| x.is_finite()), "{}", text());
+            let [x, y, z, w] = [0, 1, 2, 3].map(|i| f64::from(found[i]));
+            assert!((length([x, y, z]) - 1.0).abs() < 1e-5, "{}", text());
+            let Some(expected) = self.expected(point) else { continue };
+            let width = if self.entry["gives"] == "mip" { (w / 6.0) * (w / 6.0) } else { w };
+            assert!((0.0..=1.0 + 1e-6).contains(&width), "{}", text());
+            let off = length(minus([x, y, z], expected.towards)) / expected.allowed;
+            let relative = (width - expected.width).abs() / expected.width.max(1e-6);
+            assert!(off < 1.0, "{}, direction off by {off} of {:e}", text(), expected.allowed);
+            assert!(relative < 8.0 * expected.allowed + 1e-5, "{}, expected {}", text(), expected.width);
+            (compared, worst) = (compared + 1, worst.max(off));
+        }
+        assert!(compared * 10 > points.len() * 9, "{language}: {compared} of {} compared", points.len());
+        assert!(worst > 1e-3, "{language}: {}: the tolerance says nothing: {worst}", self.name());
+    }
+}
+
+fn bytes(points: &[Point]) -> Vec<u8> {
+    points.iter().flatten().flat_map(|x| x.to_le_bytes()).collect()
+}
+
+/// A vector of literals.
+fn literal(language: Language, values: &[f32]) -> String {
+    let n = values.len();
+    let list: Vec<String> = values.iter().map(|x| format!("{x:?}{}", suffix(language))).collect();
+    let list = list.join(", ");
+    match language {
+        Language::Rust => format!("[{list}]"),
+        Language::Wgsl => format!("vec{n}<f32>({list})"),
+        Language::Glsl => format!("vec{n}({list})"),
+        Language::C => format!("{{{list}}}"),
+        Language::Hlsl | Language::Msl => format!("float{n}({list})"),
+    }
+}
+
+fn suffix(language: Language) -> &'static str {
+    if matches!(language, Language::Rust | Language::Wgsl | Language::Glsl) { "" } else { "f" }
+}
+
+/// The type of a vector.
+fn vector(language: Language, n: usize) -> String {
+    match language {
+        Language::Glsl => format!("vec{n}"),
+        Language::C => format!("lobefit_float{n}"),
+        _ => format!("float{n}"),
+    }
+}
+
+/// Declarations of what a lookup is called with beside the point, and their names.
+pub fn described(language: Language, k: usize, emitted: &Emitted) -> (String, String) {
+    let [low, high, probe] = emitted.corners();
+    let value = |name: &str, n: usize, value: String| match language {
+        Language::Rust => format!("    let {name}_{k} = {value};\n"),
+        Language::Wgsl => format!("    let {name}_{k} = {value};\n"),
+        _ => format!("static {} {name}_{k} = {value};\n", vector(language, n)),
+    };
+    let probe = value("probe", 3, literal(language, &probe));
+    let Some(count) = emitted.lookup.planes else {
+        let [low, high] =
+            [("low", low), ("high", high)].map(|(name, v)| value(name, 3, literal(language, &v)));
+        return (format!("{low}{high}{probe}"), format!("low_{k}, high_{k}, probe_{k}"));
+    };
+    let list: Vec<String> = emitted.planes().iter().map(|plane| literal(language, plane)).collect();
+    let list = list.join(", ");
+    let planes = match language {
+        Language::Rust => format!("    let planes_{k} = &[{list}];\n"),
+        Language::Wgsl => format!("    let planes_{k} = array<vec4<f32>, {count}>({list});\n"),
+        _ => format!("static {} planes_{k}[{count}] = {{{list}}};\n", vector(language, 4)),
+    };
+    (format!("{planes}{probe}"), format!("planes_{k}, probe_{k}"))
+}
+
+#[test]
+fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
+    assert_eq!(EMITTED.len(), 6);
+    let rust = text(Language::Rust);
+    compile_library(&rust);
+    for language in [Language::Hlsl, Language::Glsl] {
+        assert!(compile(language, &text(language)).is_none_or(|functions| functions > EMITTED.len()));
+    }
+    includes_in_cpp(&text(Language::C));
+    for emitted in EMITTED.iter() {
+        let points = points(&emitted.room);
+        let (declared, names) = described(Language::Rust, 0, emitted);
+        let body = format!(
+            "{declared}    for p in &points {{\n        out.extend(lobefit::{}([p[0], p[1], p[2]], [p[3], p[4], p[5]], p[6], {names}));\n    }}\n",
+            emitted.name()
+        );
+        emitted.agrees("rust", &points, &run(&rust, 7, &body, &bytes(&points)));
+        for language in FAMILY {
+            let Some(found) = found(language, emitted, &points) else { continue };
+            emitted.agrees(language.name(), &points, &found);
+        }
+    }
+}
+
+/// What a language of C's family returns.
+pub fn found(language: Language, emitted: &Emitted, points: &[Point]) -> Option<Vec<f32>> {
+    let (declared, names) = described(language, 0, emitted);
+    let [three, four] = [3, 4].map(|n| vector(language, n));
+    let argument = |name: &str, first: usize| match language {
+        Language::C => {
+            format!("        const {three} {name} = {{p[{first}], p[{}], p[{}]}};\n", first + 1, first + 2)
+        }
+        _ => format!("        const {three} {name}(p[{first}], p[{}], p[{}]);\n", first + 1, first + 2),
+    };
+    let body = format!(
+        "{}{}        const {four} fetch = {}(place, ray, p[6], {names});\n        put(fetch.x); put(fetch.y); put(fetch.z); put(fetch.w);\n",
+        argument("place", 0),
+        argument("ray", 3),
+        emitted.name()
+    );
+    let main = format!("{declared}{}", loops(7, &[body]));
+    compilers::run(language, &text(language), &main, &bytes(points), Contraction::Off)
+}
+
+/// Every lookup names the lobe, the map and the chain that it is paired with, what it costs and what it is off by.
+#[test]
+fn lookups_say_what_they_hold_of() {
+    let texts = Language::ALL.map(text);
+    for emitted in EMITTED.iter() {
+        let entry = &emitted.entry;
+        let word = |key: &str| entry[key].as_str().expect("a word");
+        assert_eq!((word("effect"), word("alpha_map")), ("parallax", "roughness^2"));
+        let kernel = if word("function").starts_with("parallax_ndf_") { "ndf" } else { "half-cosine" };
+        assert_eq!(word("kernel"), kernel);
+        assert_eq!(entry["gives"] == "mip", entry.get("chain").is_some());
+        assert_eq!(entry.get("power").is_some(), emitted.lookup.smooth);
+        assert!(entry["cost"]["ops"].as_u64().is_some_and(|ops| (60..2000).contains(&ops)), "{entry}");
+        for text in &texts {
+            let start = text.find(&format!("{}(", emitted.name())).expect("the function");
+            let head = &text[text[..start].rfind("\n\n").expect("a header")..start];
+            let ops = format!("{} operations and 1 fetch; width by {}", entry["cost"]["ops"], word("width"));
+            let pairing = format!("Pairing: for chains prefiltered with the {kernel} lobe");
+            for told in
+                [ops.as_str(), pairing.as_str(), "alpha = roughness^2", "total variation, rho < 1: mean"]
+            {
+                assert!(head.contains(told), "{told} in {head}");
+            }
+        }
+    }
+}
