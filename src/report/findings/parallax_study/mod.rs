@@ -8,10 +8,10 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::Origin;
-pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use chain::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
 };
+pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use rooms::{
     FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
     RoomPictures, RoomsFindings,

@@ -61,7 +61,8 @@ impl Landscape {
         let starts: Vec<[f64; 2]> = std::iter::once(start).chain(starts).collect();
         let forms = 0..self.family.forms();
         let found = forms.flat_map(|form| starts.iter().map(move |s| (form, self.descend(form, *s, bounds))));
-        let best = found.min_by(|a, b| a.1.1.total_cmp(&b.1.1)).map_or((0, start), |(form, (at, _))| (form, at));
+        let best =
+            found.min_by(|a, b| a.1.1.total_cmp(&b.1.1)).map_or((0, start), |(form, (at, _))| (form, at));
         self.family.law(best.0, best.1.map(rounded))
     }
 

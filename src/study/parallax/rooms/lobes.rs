@@ -34,10 +34,10 @@ impl Parameters {
         let full = size == Size::Full;
         Parameters {
             room: practice(),
-            points: points::Parameters { count: if full { 240 } else { 24 }, margin: 0.1, seed: 7 },
+            points: points::Parameters { count: if full { 200 } else { 24 }, margin: 0.1, seed: 7 },
             roughness: vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9],
             directions: if full { 256 } else { 64 },
-            steps: if full { 150 } else { 6 },
+            steps: if full { 220 } else { 6 },
         }
     }
 }
@@ -117,7 +117,7 @@ impl CostFunction for &Search<'_> {
 }
 
 /// Where the search begins: the published direction by a power of alpha, the Jacobian of the half vector at low roughness.
-const START: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+const START: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.3, 0.5, 0.0], squash: [1.0, 1.0] };
 
 /// Fits for one, two and three fetches; the lobe of one is round.
 pub(super) fn fitted(parameters: &Parameters) -> Result<Vec<FittedLobe>, StudyError> {
