@@ -124,7 +124,7 @@ fn lookups_are_finite_everywhere() {
                 let lookup = corrected(&room, shading, rule, Width::Rational);
                 for alpha in [1e-6, 0.01, 0.3, 1.0] {
                     for place in [room.probe, [0.5, -0.4, -1.2], [0.5, 0.4, -1.5], [0.0, 0.0, -1.6]] {
-                        for mu in [1.0, 0.5, 0.01, 1e-9] {
+                        for mu in [1.0_f64, 0.5, 0.01, 1e-9] {
                             let view = normalise([((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu]);
                             let seen = Seen { place, normal: [0.0, 0.0, 1.0], view, alpha };
                             let taps = lookup.taps(&seen);

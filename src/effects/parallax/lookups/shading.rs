@@ -51,11 +51,11 @@ const NARROWEST: f64 = 0.05;
 impl LobeFit {
     /// For one fetch: the lobe is round.
     pub const ONE: LobeFit =
-        LobeFit { lean: [0.91, 1.44, -0.33], narrow: [0.245, 0.653, -0.02], squash: [0.0, 0.0] };
+        LobeFit { lean: [1.068, 1.286, -0.149], narrow: [0.235, 0.485, 0.071], squash: [0.0, 0.0] };
 
     /// For two fetches.
     pub const TWO: LobeFit =
-        LobeFit { lean: [0.985, 1.42, -0.34], narrow: [0.273, 0.544, -0.02], squash: [0.893, 1.08] };
+        LobeFit { lean: [1.125, 1.384, -0.329], narrow: [0.231, 0.505, 0.078], squash: [0.962, 0.947] };
 
     /// For three fetches.
     pub const THREE: LobeFit =

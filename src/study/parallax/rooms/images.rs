@@ -47,7 +47,7 @@ impl Parameters {
             side: if full { 72 } else { 16 },
             roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.5] },
             directions: if full { 1536 } else { 256 },
-            stops: 0.0,
+            stops: -1.0,
             pixels_per_degree: PIXELS_PER_DEGREE,
             shown: if full { vec![0.15, 0.35, 0.7] } else { vec![0.5] },
         }

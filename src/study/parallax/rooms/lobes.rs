@@ -1,15 +1,17 @@
-//! The constants of a lobe's axis and widths, fitted to what a GGX surface reflects in a room that is none of those that methods are judged
-//! in. The lookup is made from the shading point itself: no probe, proxy or width of a fetch has a part in it.
+//! The constants of a lobe's axis and widths, fitted to what GGX surfaces reflect in a room that is none of those that methods are judged in:
+//! half of them anywhere inside, half on its walls. The lookup is the whole one, through the smooth proxy: a fetch also sees what lies
+//! below a surface, which the surface does not, and how much of that to take is part of the fit.
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::methods::{Method, smooth};
 use super::points::{self, Point};
 use super::random::{Reference, Tools, relative};
-use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
-use crate::effects::room::{Convex, Lookup, Room, Seen, practice};
+use crate::effects::parallax::{LobeFit, Shading};
+use crate::effects::room::{Exact, Fetch, Room, Seen, practice};
 use crate::math::vector::{Vec3, plus, scaled};
 use crate::math::{ops, sum};
 use crate::report::FittedLobe;
@@ -32,10 +34,10 @@ impl Parameters {
         let full = size == Size::Full;
         Parameters {
             room: practice(),
-            points: points::Parameters { count: if full { 120 } else { 24 }, margin: 0.1, seed: 7 },
+            points: points::Parameters { count: if full { 200 } else { 24 }, margin: 0.1, seed: 7 },
             roughness: vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9],
-            directions: if full { 384 } else { 64 },
-            steps: if full { 150 } else { 6 },
+            directions: if full { 256 } else { 64 },
+            steps: if full { 220 } else { 6 },
         }
     }
 }
@@ -62,29 +64,22 @@ struct Search<'a> {
     parameters: &'a Parameters,
     tools: &'a Tools,
     columns: &'a [Column],
-    rule: TapRule,
+    fetches: usize,
 }
 
 impl Search<'_> {
     /// The geometric mean of the relative L2 over the roughnesses.
     fn error(&self, shading: Shading) -> f64 {
+        let method = Method { shading, ..smooth(self.fetches) };
+        let (room, fan) = (&self.parameters.room, &self.tools.fan);
+        let (lookup, exact) = (method.lookup(room), Exact { room, fan });
         let error = |column: &Column| {
-            let values: Vec<Vec3> = column.seen.par_iter().map(|seen| self.value(shading, seen)).collect();
+            let values: Vec<Vec3> =
+                column.seen.par_iter().map(|seen| exact.sum(&lookup.taps(seen))).collect();
             ops::log(relative(&values, &column.truth))
         };
         let logarithms: Vec<f64> = self.columns.iter().map(error).collect();
         ops::exp(sum::mean(&logarithms))
-    }
-
-    fn value(&self, shading: Shading, seen: &Seen) -> Vec3 {
-        let room = &self.parameters.room;
-        let (proxy, probe): (Convex, Vec3) = (room.shape(), seen.place);
-        let lookup =
-            Corrected { proxy, probe, shading, rule: self.rule, ratio: Ratio::Area, width: Width::Rational };
-        lookup.taps(seen).iter().fold([0.0; 3], |sum, tap| {
-            let light = self.tools.fan.lobe(room, seen.place, tap.towards, None, tap.alpha);
-            plus(sum, scaled(light, tap.weight))
-        })
     }
 
     fn fitted(&self, start: &LobeFit, free: usize) -> Result<(LobeFit, f64), StudyError> {
@@ -122,36 +117,32 @@ impl CostFunction for &Search<'_> {
 }
 
 /// Where the search begins: the published direction by a power of alpha, the Jacobian of the half vector at low roughness.
-const START: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.4, 0.4, 0.0], squash: [0.9, 0.9] };
+const START: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.3, 0.5, 0.0], squash: [1.0, 1.0] };
 
 /// Fits for one, two and three fetches; the lobe of one is round.
 pub(super) fn fitted(parameters: &Parameters) -> Result<Vec<FittedLobe>, StudyError> {
     let tools = Tools::new(parameters.directions);
-    let points = points::points(&parameters.room, &parameters.points);
+    let points = points::half_on_walls(&parameters.room, &parameters.points);
     let columns: Vec<Column> =
         parameters.roughness.iter().map(|r| column(parameters, r * r, &points, &tools)).collect();
-    [
-        (TapRule::one(), 6, LobeFit::ONE),
-        (TapRule::two(), 8, LobeFit::TWO),
-        (TapRule::three(), 8, LobeFit::THREE),
-    ]
-    .into_iter()
-    .map(|(rule, free, shipped)| {
-        let search = Search { parameters, tools: &tools, columns: &columns, rule };
-        let (fit, error) = search.fitted(&START, free)?;
-        let of = |shading| search.error(shading);
-        Ok(FittedLobe {
-            fetches: rule.count(),
-            lean: fit.lean,
-            narrow: fit.narrow,
-            squash: fit.squash,
-            error,
-            shipped: of(Shading::Fitted(shipped)),
-            mirror: of(Shading::Mirror),
-            dominant: of(Shading::Dominant),
+    [(1, 6, LobeFit::ONE), (2, 8, LobeFit::TWO), (3, 8, LobeFit::THREE)]
+        .into_iter()
+        .map(|(fetches, free, shipped)| {
+            let search = Search { parameters, tools: &tools, columns: &columns, fetches };
+            let (fit, error) = search.fitted(&START, free)?;
+            let of = |shading| search.error(shading);
+            Ok(FittedLobe {
+                fetches,
+                lean: fit.lean,
+                narrow: fit.narrow,
+                squash: fit.squash,
+                error,
+                shipped: of(Shading::Fitted(shipped)),
+                mirror: of(Shading::Mirror),
+                dominant: of(Shading::Dominant),
+            })
         })
-    })
-    .collect()
+        .collect()
 }
 
 fn column(parameters: &Parameters, alpha: f64, points: &[Point], tools: &Tools) -> Column {

@@ -69,6 +69,13 @@ const CHOSEN: [&str; 6] = [
     "3 fetches, fitted lobe, smooth",
 ];
 
+/// A number of fetches through the smooth proxy, of a round lobe.
+pub(super) fn smooth(fetches: usize) -> Method {
+    let (taken, shading) = (Taken::Smooth, Shading::Mirror);
+    let (ratio, width) = (Ratio::Area, Width::Rational);
+    Method { name: String::new(), taken, shading, fetches, ratio, width, chosen: false }
+}
+
 /// All of them.
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};

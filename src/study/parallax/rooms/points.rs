@@ -8,7 +8,7 @@ use crate::effects::parallax::Stretch;
 use crate::effects::room::{Convex, Proxy, Room};
 use crate::math::ops;
 use crate::math::sobol::Sobol;
-use crate::math::vector::{Vec3, length, minus, tangents, turned};
+use crate::math::vector::{Vec3, length, minus, plus, scaled, tangents, turned};
 use crate::report::RoomGeometry;
 use crate::study::Size;
 
@@ -61,6 +61,20 @@ pub(in crate::study::parallax) fn points(room: &Room, parameters: &Parameters) -
         Point { place, mirror, normal }
     };
     found.zip(0..).map(point).collect()
+}
+
+/// [`points`], every other one of them moved back along its mirror ray to the wall there, whose surface it then is on.
+pub(super) fn half_on_walls(room: &Room, parameters: &Parameters) -> Vec<Point> {
+    let moved = |(i, point): (usize, Point)| {
+        if i % 2 == 0 {
+            return point;
+        }
+        let back = scaled(point.mirror, -1.0);
+        let (distance, wall) = room.exit(point.place, back);
+        let normal = scaled(room.walls[wall].plane.normal, -1.0);
+        Point { place: plus(point.place, scaled(back, distance)), normal, ..point }
+    };
+    points(room, parameters).into_iter().enumerate().map(moved).collect()
 }
 
 /// The direction of a cosine to z and a part of a turn about it.

@@ -24,7 +24,7 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         cells
     };
     let caption = "Errors: geometric mean over the roughnesses of the relative L2 against GGX at points of a room that is none of those above, \
-                   looked up from the shading point itself.";
+                   half of them on its walls, looked up through the smooth proxy.";
     Ok(Section {
         id: "lobes".into(),
         title: "The lobe of a surface".into(),

@@ -3,13 +3,15 @@
 use super::super::super::{figures, words};
 use crate::report::numbers::{place, significant};
 use crate::report::{
-    Block, Curves, RandomReference, RandomRoom, ReportError, RoomsFindings, Section, Series, Spread, Style,
-    TextTable, check,
+    Block, Curves, RandomReference, RandomRoom, RandomRow, ReportError, RoomsFindings, Section, Series,
+    Spread, Style, TextTable, check,
 };
 
 pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     check::filled("random", "rooms", rooms.random.len())?;
-    let mut blocks = vec![Block::Table(gains(rooms)), charts(rooms)?];
+    let references = rooms.random.iter().map(|room| room.references.len()).min().unwrap_or_default();
+    let mut blocks: Vec<Block> = (0..references).map(|i| Block::Table(gains(rooms, i))).collect();
+    blocks.push(charts(rooms)?);
     for room in &rooms.random {
         for reference in &room.references {
             blocks.push(Block::Table(table(room, reference)));
@@ -20,32 +22,33 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         title: "Points at random".into(),
         lead: "Relative L2 of linear radiance over the points, every fetch and reference integrated without texels. “Round lobe”: the lobe that \
                the chain is prefiltered with, traced from the point itself; no surface is there. “GGX”: what a GGX surface with \
-               height-correlated Smith and no Fresnel reflects over its own albedo, n·v even from 0.05 to 1. Gain: Frostbite’s error over the \
-               method’s, the geometric mean over the roughnesses. Roughness is √α."
+               height-correlated Smith and no Fresnel reflects over its own albedo, n·v even from 0.05 to 1. Where there is no \
+               surface, methods that differ in what they take its lobe for are the same but for its width. Roughness is √α."
             .into(),
         blocks,
     })
 }
 
-/// Gains of every method in every room.
-fn gains(rooms: &RoomsFindings) -> TextTable {
-    let mut columns = vec![("gain over Frostbite".to_string(), false), ("fetches".to_string(), true)];
+/// Gains of every method in every room, against one of the references.
+fn gains(rooms: &RoomsFindings, reference: usize) -> TextTable {
+    let name = rooms.random.first().and_then(|room| room.references.get(reference));
+    let against = name.map_or("", |reference| reference.name.as_str());
+    let mut columns = vec![(format!("gain against {against}"), false), ("fetches".to_string(), true)];
     for room in &rooms.random {
-        for reference in &room.references {
-            columns.push((format!("{}, {}: L2", room.room, reference.name), true));
-            columns.push(("shown".into(), true));
-        }
+        columns.extend([(format!("{}: L2", titled(&room.room)), true), ("displayed".into(), true)]);
     }
-    let references: Vec<&RandomReference> = rooms.random.iter().flat_map(|room| &room.references).collect();
+    let references: Vec<&RandomReference> =
+        rooms.random.iter().filter_map(|room| room.references.get(reference)).collect();
     let names = references.first().map_or(&[][..], |reference| &reference.rows[..]);
-    let row = |(i, first): (usize, &crate::report::RandomRow)| {
+    let row = |(i, first): (usize, &RandomRow)| {
         let mut cells = vec![first.name.clone(), first.fetches.to_string()];
         for row in references.iter().filter_map(|reference| reference.rows.get(i)) {
             cells.extend([row.gain_l2, row.gain_mae].map(|gain| format!("{gain:.2}")));
         }
         cells
     };
-    let caption = "L2: of linear radiance. Shown: mean absolute error of x/(1 + x). Above 1 is better than Frostbite’s listing.";
+    let caption = "Gain over Frostbite’s listing: its error over the method’s, the geometric mean over the roughnesses; above 1 is better. L2: of \
+                   linear radiance. Displayed: mean absolute error of x/(1 + x).";
     let mut table = words::table(&[], names.iter().enumerate().map(row).collect(), caption);
     table.columns = columns;
     table

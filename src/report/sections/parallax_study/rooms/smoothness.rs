@@ -1,6 +1,7 @@
 //! Creases on the edges of the proxy.
 
 use super::super::super::words;
+use crate::math::sum::mean;
 use crate::report::numbers::place;
 use crate::report::{
     Block, ReportError, RoomPictureRow, RoomPictures, RoomsFindings, Section, TextTable, check,
@@ -15,8 +16,25 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
                and columns of the pictures, against the round lobe, times 100: where the mirror rays of neighbouring pixels meet two walls / \
                farther than a pixel from there. A crease on the proxy’s edges has a larger first number; a ratio of 1 is none."
             .into(),
-        blocks: rooms.pictures.iter().map(|pictures| Block::Table(table(pictures))).collect(),
+        blocks: std::iter::once(&all(&rooms.pictures))
+            .chain(&rooms.pictures)
+            .map(|pictures| Block::Table(table(pictures)))
+            .collect(),
     })
+}
+
+/// The mean over the pictures, of the methods and roughnesses of the first.
+fn all(pictures: &[RoomPictures]) -> RoomPictures {
+    let mut all = RoomPictures { name: "all pictures".into(), ..pictures[0].clone() };
+    for (i, row) in all.rows.iter_mut().enumerate() {
+        let of = |each: fn(&RoomPictureRow) -> &[f64], column: usize| {
+            let values = pictures.iter().filter_map(|p| each(p.rows.get(i)?).get(column).copied());
+            mean(&values.collect::<Vec<f64>>())
+        };
+        row.edges = (0..all.roughness.len()).map(|column| of(|row| &row.edges, column)).collect();
+        row.elsewhere = (0..all.roughness.len()).map(|column| of(|row| &row.elsewhere, column)).collect();
+    }
+    all
 }
 
 fn table(pictures: &RoomPictures) -> TextTable {
