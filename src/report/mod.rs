@@ -51,6 +51,10 @@ pub use findings::{
     FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
     RoomPictureRow, RoomPictures, RoomsFindings,
 };
+pub use findings::{
+    PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit, SeedSlant, SlantFindings,
+    SlantFootprints, SlantLobe, SlantRow,
+};
 pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};

@@ -10,6 +10,7 @@ use crate::effects::room::cubemap::CubemapError;
 use crate::effects::surface::SurfaceError;
 use crate::fit::FitError;
 use crate::fitting::FittingError;
+use crate::integrate::IntegrateError;
 use crate::report::flip::FlipError;
 use crate::report::{ReportError, study_folder};
 use crate::store::Files;
@@ -85,6 +86,9 @@ pub enum StudyError {
     /// A formula of the catalogue could not be fitted for what is seen.
     #[error(transparent)]
     Fitting(#[from] FittingError),
+    /// A footprint could not be integrated.
+    #[error(transparent)]
+    Footprint(#[from] IntegrateError),
     /// A fit that returned nothing.
     #[error("{name}: no fit was made")]
     Unfitted {

@@ -22,7 +22,7 @@ fn bake(size: usize, levels: u32, source: Source) -> Bake {
         source,
         viewpoint: Viewpoint::Probe,
         samples: 4,
-        rays: 256,
+        rays: 64,
         seed: 7,
     }
 }
@@ -109,7 +109,7 @@ fn an_even_room_is_even_in_every_texel_and_fetch() {
 
 /// The lobe by midpoints of the texels of a fine cubemap, without rays.
 fn by_directions(room: &Room, axis: Vec3, alpha: f64) -> [f64; 3] {
-    let (n, lobe) = (256, Kernel::HalfCosine.lobe(alpha));
+    let (n, lobe) = (512, Kernel::HalfCosine.lobe(alpha));
     let ends = |i: usize| [i, i + 1].map(|e| 2.0 * e as f64 / f64::from(n as u32) - 1.0);
     let (mut sum, mut whole) = ([0.0; 3], 0.0);
     for k in 0..6 * n * n {
@@ -130,7 +130,7 @@ fn by_directions(room: &Room, axis: Vec3, alpha: f64) -> [f64; 3] {
 #[test]
 fn texels_are_the_integral_of_the_lobe() {
     for room in [room_b(), octagon()] {
-        let baked = Bake { rays: 16384, format: Format::Single, ..bake(4, 3, Source::Room) };
+        let baked = Bake { rays: 32768, format: Format::Single, ..bake(4, 3, Source::Room) };
         let chain = baked.chain(&room).expect("a chain");
         for (level, face, i, j) in [(1, 0, 0, 1), (1, 3, 1, 1), (2, 4, 0, 0)] {
             let n = chain.levels()[level].size() as f64;
@@ -155,8 +155,8 @@ fn a_capture_is_the_mean_over_its_texels_and_a_chain_of_it_is_near_the_room() {
     let texel = chain.levels()[0].texel(4, 4, 3);
     let seen = room.seen(room.probe, direction(4, [0.125, -0.125]));
     assert!(largest(texel, seen) < 1e-3, "{texel:?} {seen:?}");
-    let exact = Bake { rays: 1024, ..bake(32, 4, Source::Room) }.chain(&room).expect("a chain");
-    let engine = Bake { rays: 1024, ..bake(32, 4, Source::Capture) }.chain(&room).expect("a chain");
+    let exact = Bake { rays: 256, ..bake(32, 4, Source::Room) }.chain(&room).expect("a chain");
+    let engine = Bake { rays: 256, ..bake(32, 4, Source::Capture) }.chain(&room).expect("a chain");
     for level in 1..4 {
         let (mut off, mut all) = (0.0, 0.0);
         for towards in around(500) {

@@ -15,6 +15,7 @@ mod rooms;
 mod surface_energy;
 mod surface_report;
 mod surface_tables;
+mod taps;
 mod target;
 mod target_coupling;
 mod volume_table;

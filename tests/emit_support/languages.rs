@@ -71,7 +71,11 @@ fn shader(language: Language, code: &str, version: &str) -> (String, usize) {
     let functions = functions(code);
     let call = |f: &Function| {
         let arguments: Vec<String> = f.arguments.iter().map(value).collect();
-        let part = if f.result == "float" { "" } else { ".x" };
+        let part = match f.result.as_str() {
+            "float" => "",
+            result if result.starts_with("parallax_taps") => ".weight_0",
+            _ => ".x",
+        };
         format!("    sum += {}({}){part};\n", f.name, arguments.join(", "))
     };
     let calls: String = functions.iter().map(call).collect();

@@ -11,3 +11,4 @@ mod oracles;
 mod sheen;
 mod slant;
 mod walk;
+mod window;

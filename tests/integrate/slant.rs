@@ -115,7 +115,7 @@ fn coarse_and_fine_agree() {
         let finest = off(Resolution { step: 0.03, angles: 256 });
         assert!((fine.tv - finest.tv).abs() < 1e-3, "alpha {alpha} psi {psi}: {fine:?} {finest:?}");
         assert!(
-            (fine.distance / finest.distance - 1.0).abs() < 1e-3,
+            (fine.distance / finest.distance - 1.0).abs() < 2e-3,
             "alpha {alpha} psi {psi}: {fine:?} {finest:?}"
         );
         assert!((coarse.tv - finest.tv).abs() < 1.2e-2, "alpha {alpha} psi {psi}: {coarse:?} {finest:?}");
@@ -165,7 +165,7 @@ fn fetches_come_as_near_as_the_study_says() {
                 .collect();
             if let Some((.., stated)) = TABLE.iter().find(|(a, p, _)| (*a, *p) == (alpha, psi)) {
                 let same = fine.off(&fine.normalised(fine.straight(alpha)).expect("a fetch"));
-                let (width, best) = best_width(&fine, Nearest::Variation).expect("a width");
+                let (_, best) = best_width(&fine, Nearest::Variation).expect("a width");
                 let mut tv = vec![same.tv, best.tv];
                 tv.extend(found.iter().map(|f| fine.off(&fine.fetched(&f.taps).expect("fetches")).tv));
                 assert!((tv[0] - stated[0]).abs() < 1.5e-3, "{tv:?}");

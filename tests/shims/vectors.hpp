@@ -20,6 +20,7 @@ struct float3 {
         struct { float x, y, z; };
         float2 xy;
     };
+    float3() {}
     explicit float3(float s) : x(s), y(s), z(s) {}
     float3(float x, float y, float z) : x(x), y(y), z(z) {}
 };
@@ -30,6 +31,7 @@ struct float4 {
         float2 xy;
         float3 xyz;
     };
+    float4() {}
     float4(float x, float y, float z, float w) : x(x), y(y), z(z), w(w) {}
 };
 

@@ -70,6 +70,7 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
     });
     let plural = if fetches == 1 { "fetch" } else { "fetches" };
     lines.push(format!("{} and {fetches} {plural}; width by {}", header::operations(ops), wanted.width.name));
+    lines.extend(wanted.expected());
     let measured = lobe.measured().find(|(fit, _)| fit.approximation.name == wanted.width.name);
     if let Some((_, variation)) = measured {
         let rows = [

@@ -5,7 +5,7 @@ mod chain;
 mod grid;
 mod lookups;
 mod source;
-mod taps;
+pub mod taps;
 mod variation;
 
 use std::collections::BTreeMap;

@@ -4,9 +4,9 @@
 //! prefiltered cubemap: a direction with the width of a lobe, or with the level that holds it where the chain is known.
 
 mod meet;
-
+mod rule;
 mod script;
-
+mod several;
 mod single;
 
 use super::code::Language;
@@ -88,13 +88,31 @@ impl Wanted {
         } else {
             "Edges are sharp: the width jumps where a ray passes from one plane to the next.".into()
         };
-        vec![
-            format!("What to fetch from a probe for a lobe of width alpha about a ray from a place: the direction (xyz) and {given} (w)."),
+        let mut lines = vec![if self.lookup.taps == 1 {
+            format!(
+                "What to fetch from a probe for a lobe of width alpha about a ray from a place: the direction (xyz) and {given} (w)."
+            )
+        } else {
+            format!(
+                "{} fetches from a probe for a lobe of width alpha about a ray from a place, along the axis that the wall stretches: directions (xyz)",
+                self.lookup.taps
+            )
+        }];
+        if self.lookup.taps > 1 {
+            lines.push(format!("and {given} (w), with their weights. normal is that of the surface: what leaves below it weighs 0."));
+        }
+        lines.extend([
             format!("ray is the reflected one, of unit length; the proxy is {}.", self.lookup.text()),
             edges,
             "Domain: alpha in [0, 1], a place inside. As the place comes to the wall that the ray meets, the width goes to 0; a place".into(),
             "outside is taken as on the wall. Cosines with the proxy's normal below 0.02 count as that.".into(),
-        ]
+        ]);
+        lines
+    }
+
+    /// What several fetches are expected to be off by; nothing of one.
+    pub fn expected(&self) -> Vec<String> {
+        if self.lookup.taps > 1 { rule::expected(self.lookup.taps) } else { Vec::new() }
     }
 
     /// Operations of a call, those of the functions that it calls among them.
@@ -112,7 +130,7 @@ impl Wanted {
     }
 
     fn routine(&self) -> script::Routine {
-        single::lookup(self)
+        if self.lookup.taps > 1 { several::lookup(self) } else { single::lookup(self) }
     }
 }
 

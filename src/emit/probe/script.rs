@@ -14,7 +14,7 @@
 
 use crate::emit::code::{Language, wrapped};
 use crate::emit::comment::comment;
-use crate::emit::spelling::{argument, expression, head, vector};
+use crate::emit::spelling::{argument, expression, head, mentions, vector};
 use crate::fit::{FitError, Hypothesis};
 
 /// The type of an argument or a result.
@@ -119,8 +119,18 @@ impl Routine {
         format!("{}{head}{}}}\n", comment("///", &self.header), printer.out)
     }
 
-    fn lines(&self) -> impl Iterator<Item = &str> {
-        self.body.lines().map(str::trim).filter(|line| !line.is_empty())
+    /// The lines that are used: none names a value that no later one mentions.
+    fn lines(&self) -> Vec<&str> {
+        let mut kept: Vec<&str> = Vec::new();
+        for line in self.body.lines().map(str::trim).filter(|line| !line.is_empty()).rev() {
+            let named = line.split_once(" = ").map(|(name, _)| name.split(" :").next().unwrap_or(name));
+            let plain = named.filter(|name| !name.contains(' '));
+            if plain.is_none_or(|name| kept.iter().any(|later| mentions(later, name))) {
+                kept.push(line);
+            }
+        }
+        kept.reverse();
+        kept
     }
 
     fn planes(&self) -> Option<u32> {

@@ -4,15 +4,16 @@
 use super::script::{Kind, Routine};
 use super::{Wanted, meet, rule, single};
 
-/// The map of the lobe to the probe: kappa, the ratio of its singular values; of the footprint, which grows too, `major` and `length`;
-/// `growth` and `slope` along `major`. The lobe's own axes are those of Duff et al. 2017; M^T M and its parts are over the distances, whose
-/// ratio cancels; its determinant is (there/here)^2.
+/// The map of the lobe to the probe, as [`crate::optics::footprint::Stretch`] has it. The lobe's own axes are those of Duff et al. 2017; M^T M
+/// over the root of its determinant, (there/here) (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]. With the growth
+/// over the lobe's width added, its larger eigenvalue is `large` and the difference of both 2 `off`, so that z^2 = 1 - small/large, `spread`
+/// squared, is 2 off/large without a difference.
 const STRETCH: &str = "
 upright = choose(ray.z < 0.0, -1.0, 1.0)
-duff = -1.0 / (upright + ray.z)
-cross = ray.x * ray.y * duff
-first = 1.0 + upright * ray.x * ray.x * duff | upright * cross | -upright * ray.x
-second = cross | upright + ray.y * ray.y * duff | -ray.y
+turned = -1.0 / (upright + ray.z)
+mixed = ray.x * ray.y * turned
+first = 1.0 + upright * ray.x * ray.x * turned | upright * mixed | -upright * ray.x
+second = mixed | upright + ray.y * ray.y * turned | -ray.y
 slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here
 slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here
 between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z
@@ -21,29 +22,29 @@ seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z + be
 growth_1 = slope_1 - met.w / away * seen_1
 growth_2 = slope_2 - met.w / away * seen_2
 unit = here / there
-square_1 = unit * (1.0 + slope_1 * slope_1 - seen_1 * seen_1)
-square_2 = unit * (1.0 + slope_2 * slope_2 - seen_2 * seen_2)
-product = unit * (slope_1 * slope_2 - seen_1 * seen_2)
-half = 0.5 * (square_1 - square_2)
-round = 0.5 * (square_1 + square_2)
-kappa = max(round + sqrt(half * half + product * product), 1.0)
+a = first.x + ray.x * slope_1 - towards.x * seen_1 | first.y + ray.y * slope_1 - towards.y * seen_1 | first.z + ray.z * slope_1 - towards.z * seen_1
+b = second.x + ray.x * slope_2 - towards.x * seen_2 | second.y + ray.y * slope_2 - towards.y * seen_2 | second.z + ray.z * slope_2 - towards.z * seen_2
+form_1 = unit * (a.x * a.x + a.y * a.y + a.z * a.z)
+form_2 = unit * (b.x * b.x + b.y * b.y + b.z * b.z)
+form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z)
+skew = 0.5 * (form_1 - form_2)
+mean = 0.5 * (form_1 + form_2)
 v = alpha * growth_1
 w = alpha * growth_2
-determinant = 1.0 + max(square_2 * v * v - 2.0 * product * v * w + square_1 * w * w, 0.0)
-along = half + 0.5 * (v * v - w * w)
-across = product + v * w
+along = skew + 0.5 * (v * v - w * w)
+across = form_12 + v * w
 off = max(sqrt(along * along + across * across), 0.0000000001)
-large = round + 0.5 * (v * v + w * w) + off
+large = mean + 0.5 * (v * v + w * w) + off
 turn = sqrt(0.5 + 0.5 * abs(along) / off)
 beside = 0.5 * across / (off * turn)
 cosine = choose(along >= 0.0, turn, abs(beside))
 sine = choose(along >= 0.0, beside, choose(across >= 0.0, turn, -turn))
 grown = cosine * growth_1 + sine * growth_2
-sign = choose(grown < 0.0, -1.0, 1.0)
+ending = choose(grown < 0.0, -1.0, 1.0)
 growth = abs(grown)
-slope = sign * (cosine * slope_1 + sine * slope_2)
-length2 = max(large * large / determinant, 1.0)
-major = sign * (cosine * first.x + sine * second.x) | sign * (cosine * first.y + sine * second.y) | sign * (cosine * first.z + sine * second.z)
+slope = ending * (cosine * slope_1 + sine * slope_2)
+spread = sqrt(2.0 * off / large)
+major = ending * (cosine * first.x + sine * second.x) | ending * (cosine * first.y + sine * second.y) | ending * (cosine * first.z + sine * second.z)
 ";
 
 /// The lookup by several fetches.
@@ -54,7 +55,7 @@ pub(super) fn lookup(wanted: &Wanted) -> Routine {
     let kept: Vec<String> = (0..n).map(|i| format!("kept_{i}")).collect();
     let list = |name: &str| (0..n).map(|i| format!("{name}_{i}")).collect::<Vec<_>>().join(" | ");
     let share = |i: usize| {
-        format!("weight_{i} = choose(whole > 0.0, kept_{i} / max(whole, 0.000001), {})\n", 1.0 / n as f32)
+        format!("weight_{i} = choose(whole > 0.0, kept_{i} / max(whole, 0.000001), {:?})\n", 1.0 / n as f32)
     };
     let body = [
         single::power(wanted),

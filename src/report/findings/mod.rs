@@ -46,6 +46,10 @@ pub use parallax_study::{
     FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
     RoomPictures, RoomsFindings,
 };
+pub use parallax_study::{
+    PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit, SeedSlant, SlantFindings,
+    SlantFootprints, SlantLobe, SlantRow,
+};
 pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};

@@ -5,6 +5,8 @@ mod chain;
 mod parameters;
 mod proxies;
 mod rooms;
+mod seed;
+mod slant;
 
 use super::{Size, StudyError};
 use crate::bake::{Progress, TOOL};
@@ -26,6 +28,8 @@ pub(super) fn recipe(size: Size) -> Result<String, StudyError> {
 /// Runs it.
 pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, StudyError> {
     let parameters = Parameters::of(size);
+    let seed = seed::findings(&parameters.seed, progress)?;
+    let slant = slant::findings(&parameters.slant, progress)?;
     let rooms = rooms::findings(&parameters.rooms, progress)?;
     let proxies = proxies::findings(&parameters.proxies, progress)?;
     let chain = chain::findings(&parameters.chain, progress)?;
@@ -36,7 +40,7 @@ pub(super) fn files(size: Size, progress: &dyn Progress) -> Result<Vec<File>, St
         command: command(size),
     };
     let parameters = serde_json::to_value(&parameters)?;
-    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, rooms, proxies, chain })?)
+    Ok(parallax_study_page(&ParallaxStudy { origin, parameters, seed, slant, rooms, proxies, chain })?)
 }
 
 fn command(size: Size) -> String {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{chain, proxies, rooms};
+use super::{chain, proxies, rooms, seed, slant};
 use crate::study::Size;
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
@@ -12,6 +12,8 @@ const METHOD: u32 = 1;
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Parameters {
     method: u32,
+    pub seed: seed::Parameters,
+    pub slant: slant::Parameters,
     pub rooms: rooms::Parameters,
     pub proxies: proxies::Parameters,
     pub chain: chain::Parameters,
@@ -22,6 +24,8 @@ impl Parameters {
     pub fn of(size: Size) -> Parameters {
         Parameters {
             method: METHOD,
+            seed: seed::Parameters::of(size),
+            slant: slant::Parameters::of(size),
             rooms: rooms::Parameters::of(size),
             proxies: proxies::Parameters::of(size),
             chain: chain::Parameters::of(size),

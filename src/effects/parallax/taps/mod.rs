@@ -5,9 +5,10 @@
 //! is a ray of its own, traced to the proxy, narrowed or widened by its own ratio of footprints ([`width`]). [`Taps`] does so for a shading
 //! point.
 
+pub mod fit;
 mod lookup;
 mod rule;
 
 pub use crate::optics::footprint::{RuleTap, Stretch, width};
 pub use lookup::Taps;
-pub use rule::TapRule;
+pub use rule::{EXPECTED, THREE, TWO, TapRule};

@@ -6,12 +6,15 @@ use rayon::prelude::*;
 
 use super::chain::trilinear;
 use super::faces::{centre, direction, interval, solid_angle};
-use super::{Chain, CubemapError, Edges, Format, Integrated, Level, Viewpoint};
+use super::{Chain, CubemapError, Edges, Format, Level, Viewpoint};
 use crate::data::MipChain;
-use crate::effects::room::{Convex, Fan, Fetch, Room, Tap};
+use crate::effects::room::{Convex, Outlook, Rays, Room};
 use crate::math::ops;
 use crate::math::vector::{Vec3, plus, scaled, tangents, turned};
 use crate::optics::kernel::Kernel;
+
+/// Most rays of a texel over those of the first level's.
+const MOST_TIMES: usize = 16;
 
 /// What the prefiltered levels are made from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
@@ -44,7 +47,7 @@ pub struct Bake {
     /// Samples along a side of a texel of a level of roughness 0 and of a capture: the mean radiance over the texel's solid angle by the
     /// midpoint rule, off by about their power -3/2 of the contrast where an edge of the room's pattern crosses.
     pub samples: usize,
-    /// Rays of a texel of the other levels.
+    /// Rays of a texel as large as those of the first level; one twice as large has twice as many, up to 16 times.
     pub rays: u32,
     /// Seed of the rays; every texel has the same about its own axis.
     pub seed: u32,
@@ -69,15 +72,15 @@ impl Bake {
             Source::Room => Vec::new(),
             Source::Capture => pyramid(self.captured(room, self.size), self.size)?,
         };
-        let (proxy, fan) = (room.shape(), Fan::new(self.kernel, self.rays, self.seed));
+        let proxy = room.shape();
         let level = |i: usize| {
             let size = self.size >> i;
             let roughness = self.map.roughness(i as f64);
             let alpha = roughness * roughness;
             let texels = match self.source {
                 _ if alpha == 0.0 => self.captured(room, size),
-                Source::Room => self.integrated(room, &proxy, &fan, size, alpha),
-                Source::Capture => self.filtered(&pyramid, &fan, size, alpha),
+                Source::Room => self.integrated(room, &proxy, size, alpha),
+                Source::Capture => self.filtered(&pyramid, size, alpha),
             };
             Level::new(size, &texels, self.format)
         };
@@ -106,23 +109,36 @@ impl Bake {
     }
 
     /// The lobe about the centres of the texels of a level.
-    fn integrated(&self, room: &Room, proxy: &Convex, fan: &Fan, size: usize, alpha: f64) -> Vec<[f64; 3]> {
-        let exact = Integrated { room, proxy, viewpoint: self.viewpoint, fan };
-        let one = |k: usize| exact.fetch(&Tap { towards: towards(k, size), alpha, weight: 1.0 });
+    fn integrated(&self, room: &Room, proxy: &Convex, size: usize, alpha: f64) -> Vec<[f64; 3]> {
+        let rays = Rays::new(self.kernel, alpha, self.rays_of(size), self.seed);
+        let one = |k: usize| {
+            let eye = self.viewpoint.eye(proxy, room.probe, towards(k, size), alpha);
+            let [x, y] = tangents(eye.axis);
+            let outlook = Outlook::new(room, eye.place, [x, y, eye.axis]);
+            let sum = rays.directions().iter().fold([0.0; 3], |sum, ray| plus(sum, outlook.seen(*ray)));
+            scaled(sum, 1.0 / rays.directions().len() as f64)
+        };
         (0..6 * size * size).into_par_iter().map(one).collect()
     }
 
+    /// Rays of a texel of a level: the wider its lobe, the more the same rays are off by, and the fewer texels it has.
+    fn rays_of(&self, size: usize) -> u32 {
+        let times = (self.size / size).min(MOST_TIMES) as u32;
+        self.rays.saturating_mul(times)
+    }
+
     /// The same from a capture's levels.
-    fn filtered(&self, pyramid: &[Level], fan: &Fan, size: usize, alpha: f64) -> Vec<[f64; 3]> {
+    fn filtered(&self, pyramid: &[Level], size: usize, alpha: f64) -> Vec<[f64; 3]> {
         let lobe = self.kernel.lobe(alpha);
         let texel = 4.0 * PI / (6 * self.size * self.size) as f64;
-        let mut levels: Vec<(Vec3, f64)> = Vec::with_capacity(fan.count());
-        fan.directions(alpha, |ray| {
+        let rays = Rays::new(self.kernel, alpha, self.rays_of(size), self.seed);
+        let count = rays.directions().len() as f64;
+        let level = |ray: &Vec3| {
             let density = lobe.per_solid_angle((1.0 - ray[2]) / (1.0 + ray[2]));
             // at the horizon the density may be 0: the last level of all
-            let share = 1.0 / (f64::from(self.rays) * density);
-            levels.push((ray, 0.5 * ops::log2(share / texel)));
-        });
+            (*ray, 0.5 * ops::log2(1.0 / (count * density * texel)))
+        };
+        let levels: Vec<(Vec3, f64)> = rays.directions().iter().map(level).collect();
         let one = |k: usize| {
             let axis = towards(k, size);
             let frame = tangents(axis);

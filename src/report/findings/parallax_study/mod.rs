@@ -3,6 +3,8 @@
 mod chain;
 mod proxies;
 mod rooms;
+mod seed;
+mod slant;
 
 use serde::Serialize;
 use serde_json::Value;
@@ -17,6 +19,11 @@ pub use rooms::{
     RoomPictures, RoomsFindings,
 };
 
+pub use seed::{SeedCell, SeedFindings, SeedFit, SeedSlant};
+pub use slant::{
+    PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
+};
+
 /// Lookups of the cubemap of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ParallaxStudy {
@@ -24,6 +31,10 @@ pub struct ParallaxStudy {
     pub origin: Origin,
     /// What was asked: everything that the recipe hash covers beside the formulas.
     pub parameters: Value,
+    /// The experiment that the idea comes from.
+    pub seed: SeedFindings,
+    /// Several fetches on slanted walls.
+    pub slant: SlantFindings,
     /// Lookups in rooms, against lobes traced from the shading point.
     pub rooms: RoomsFindings,
     /// Proxies with soft edges.

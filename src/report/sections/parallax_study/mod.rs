@@ -3,13 +3,20 @@
 mod chain;
 mod proxies;
 mod rooms;
+mod seed;
+mod slant;
 
 use crate::report::{Page, ParallaxStudy, ReportError};
 
 /// The page.
 pub(super) fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
-    let parts =
-        [rooms::sections(&study.rooms)?, proxies::sections(&study.proxies)?, chain::sections(&study.chain)?];
+    let parts = [
+        seed::sections(&study.seed)?,
+        slant::sections(&study.slant)?,
+        rooms::sections(&study.rooms)?,
+        proxies::sections(&study.proxies)?,
+        chain::sections(&study.chain)?,
+    ];
     let sections = parts.into_iter().flatten().collect();
     Ok(Page {
         title: "lobefit study: parallax".into(),

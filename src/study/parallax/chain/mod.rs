@@ -81,11 +81,11 @@ impl Parameters {
             roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.35, 0.7] },
             engines,
             samples: if full { 8 } else { 2 },
-            texel_rays: of(1024, 64),
-            engine_rays: of(256, 32),
-            rays: of(2048, 128),
+            texel_rays: of(256, 32),
+            engine_rays: of(64, 16),
+            rays: of(1024, 128),
             seed: 11,
-            widths: if full { vec![0.25, 0.5, 1.0, 2.0, 4.0, 8.0] } else { vec![1.0, 2.0] },
+            widths: if full { vec![0.5, 1.0, 2.0, 4.0] } else { vec![1.0, 2.0] },
             fade: 2.0,
             view: seams::View {
                 side: if full { 96 } else { 16 },
@@ -117,9 +117,12 @@ pub(super) fn findings(
         progress.stage(&format!("chains: room {}", case.room.name));
         let (part, chain) = texels::parts(case, parameters, &fan)?;
         sizes.push(texels::size(case, parameters.first(), &chain, part.total.clone()));
-        sizes.extend(texels::sizes(case, parameters, &fan)?);
         parts.push(part);
         gains.extend(gains::gains(case, &Exact { room: case.room, fan: &fan }, &chain));
+    }
+    if let Some(case) = cases.first() {
+        progress.stage("chains: maps and sizes");
+        sizes.extend(texels::sizes(case, parameters, &fan)?);
     }
     progress.stage("chains: sliding viewpoints");
     let slide = viewpoints::slide(&cases, &fan, &parameters.widths);

@@ -91,7 +91,7 @@ fn loss(cases: &[Case], fan: &Fan, widths: f64) -> Vec<f64> {
 }
 
 /// Golden sections until the parameter is known to a few percent: the minimum is flat.
-const SECTIONS: usize = 6;
+const SECTIONS: usize = 5;
 
 /// The law's parameter: the best of a grid over all rooms, and then between its neighbours.
 pub(super) fn slide(cases: &[Case], fan: &Fan, grid: &[f64]) -> SlideLaw {

@@ -1,0 +1,217 @@
+//! Rules of several fetches: what they are off by against the study's figures, and what holds whatever the constants are.
+
+use std::f64::consts::PI;
+
+use lobefit::effects::parallax::taps::fit::{fit, situations};
+use lobefit::effects::parallax::{Stretch, TapRule, Taps, width};
+use lobefit::effects::room::{Lookup, Plane, Seen, room_b};
+use lobefit::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
+use lobefit::math::ops::{log, sincos};
+use lobefit::math::vector::{dot, length, normalise};
+use lobefit::optics::kernel::Kernel;
+
+const RULES: [fn() -> TapRule; 3] = [TapRule::one, TapRule::two, TapRule::three];
+
+fn degrees(x: f64) -> f64 {
+    x * PI / 180.0
+}
+
+fn slant(psi_s: f64, psi_p: f64, azimuth: f64, distance: f64) -> Slant {
+    Slant {
+        shading: Stand { distance, slant: degrees(psi_s) },
+        probe: Stand { distance: 1.0, slant: degrees(psi_p) },
+        azimuth: degrees(azimuth),
+    }
+}
+
+fn variation(rule: &TapRule, alpha: f64, slant: Slant) -> f64 {
+    let case = Case::new(Kernel::HalfCosine, alpha, slant, Resolution::COARSE).expect("a case");
+    let taps = rule.taps(&case.stretch, alpha);
+    case.off(&case.fetched(&taps).expect("fetches")).tv
+}
+
+/// Slant, and what the study's tables of 1, 2 and 3 fetches leave in the mean over alpha .06 to .45.
+const STUDY: [(f64, [f64; 3]); 5] = [
+    (20.0, [0.060, 0.033, 0.039]),
+    (40.0, [0.147, 0.071, 0.057]),
+    (55.0, [0.244, 0.125, 0.100]),
+    (65.0, [0.335, 0.174, 0.146]),
+    (75.0, [0.461, 0.251, 0.237]),
+];
+
+#[test]
+fn rules_leave_what_the_study_says_or_less() {
+    let alphas = [0.06, 0.12, 0.25, 0.45];
+    for (psi, stated) in STUDY {
+        for (rule, stated) in RULES.iter().zip(stated) {
+            let all = alphas.map(|alpha| variation(&rule(), alpha, Slant::in_front(degrees(psi))));
+            let mean = all.iter().sum::<f64>() / all.len() as f64;
+            // the H^-1 norm is what is minimised: at 40 degrees three fetches give up some of the total variation for it
+            let leeway = if psi == 40.0 { 1.13 } else { 1.025 };
+            assert!(mean < stated * leeway, "{} fetches at {psi}: {mean} against {stated}", rule().count());
+        }
+    }
+}
+
+#[test]
+fn more_fetches_are_nearer_on_walls_at_any_slant() {
+    let all = situations(Kernel::HalfCosine, &[0.02, 0.1, 0.3], 45, 9, Resolution::COARSE).expect("walls");
+    let (mut sums, mut worst) = ([0.0; 3], 0.0_f64);
+    for situation in &all {
+        let tv =
+            [situation.one, situation.variation(&TapRule::two()), situation.variation(&TapRule::three())];
+        worst = worst.max(tv[1] - tv[0]).max(tv[2] - tv[0]);
+        sums.iter_mut().zip(tv).for_each(|(sum, tv)| *sum += tv);
+    }
+    assert!(worst < 2e-3, "worse than one fetch by {worst}");
+    assert!(sums[1] < 0.72 * sums[0] && sums[2] < 0.60 * sums[0], "{sums:?}");
+}
+
+#[test]
+fn constants_are_at_a_minimum() {
+    let alphas = [0.02, 0.05, 0.1, 0.2, 0.35, 0.55, 0.8];
+    let all = situations(Kernel::HalfCosine, &alphas, 28, 1, Resolution::COARSE).expect("walls");
+    let found = fit(&TapRule::two(), &all, 1).expect("a fit");
+    assert!(found.sums[1] <= found.sums[0] && found.sums[1] > 0.93 * found.sums[0], "{found:?}");
+    // other constants are worse
+    let mut moved = TapRule::two().constants().to_vec();
+    moved[1] *= 1.3;
+    let moved = TapRule::two().with(&moved).expect("as many");
+    assert!(fit(&moved, &all, 1).expect("a fit").sums[0] > 1.05 * found.sums[0]);
+}
+
+#[test]
+fn weights_sum_to_one_and_nothing_is_infinite_anywhere() {
+    for (psi_s, psi_p) in
+        (0..8).flat_map(|i| (0..8).map(move |j| (12.25 * f64::from(i), 12.25 * f64::from(j))))
+    {
+        for (azimuth, distance) in [(0.0, 1.0), (90.0, 0.02), (180.0, 1.0), (133.0, 300.0)] {
+            for alpha in [1e-6, 0.01, 0.3, 1.0] {
+                let Some(stretch) = slant(psi_s, psi_p, azimuth, distance).stretch(alpha) else {
+                    panic!("no stretch at {psi_s} {psi_p}")
+                };
+                assert!(
+                    stretch.kappa >= 1.0 && (0.0..1.0).contains(&stretch.length) && stretch.growth >= 0.0
+                );
+                for rule in RULES.map(|rule| rule()) {
+                    let taps = rule.taps(&stretch, alpha);
+                    let place = format!("{psi_s} {psi_p} {azimuth} {distance} {alpha}: {taps:?} {stretch:?}");
+                    assert_eq!(taps.len(), rule.count());
+                    assert!((taps.iter().map(|tap| tap.weight).sum::<f64>() - 1.0).abs() < 1e-12, "{place}");
+                    for tap in &taps {
+                        assert!(tap.weight >= 0.0 && (0.1..6.0).contains(&tap.width), "{place}");
+                        assert!(tap.tilt.is_finite() && tap.tilt * stretch.slope < 1.0, "{place}");
+                    }
+                    let expected = rule.expected(&stretch, alpha);
+                    assert!((0.0..=1.0).contains(&expected), "{place}");
+                }
+            }
+        }
+    }
+}
+
+/// What a rule fetches, as moments that do not depend on the order of fetches nor on the sign of the axis.
+fn moments(rule: &TapRule, alpha: f64, slant: Slant) -> [f64; 4] {
+    let stretch = slant.stretch(alpha).expect("a stretch");
+    let taps = rule.taps(&stretch, alpha);
+    let along = |axis: usize, power: i32| -> f64 {
+        taps.iter().map(|t| t.weight * (t.tilt * stretch.major[axis] / alpha).powi(power)).sum()
+    };
+    let width = taps.iter().map(|t| t.weight * t.width).sum();
+    [along(1, 1), along(1, 2), along(0, 2), width]
+}
+
+#[test]
+fn nothing_jumps() {
+    let near = |a: [f64; 4], b: [f64; 4], place: &str| {
+        for (a, b) in a.iter().zip(b) {
+            assert!((a - b).abs() < 2e-3 * (1.0 + a.abs()), "{place}: {a} {b}");
+        }
+    };
+    for rule in RULES.map(|rule| rule()) {
+        for alpha in [0.05, 0.3, 0.8] {
+            // along paths through kappa = 1, and through walls towards both sides of which the footprint grows alike
+            for i in 0..2000 {
+                let t = f64::from(i) / 2000.0;
+                let pass = |t: f64| slant(40.0 + 20.0 * t, 50.0, 150.0, 1.0);
+                near(
+                    moments(&rule, alpha, pass(t)),
+                    moments(&rule, alpha, pass(t + 5e-5)),
+                    &format!("pass {alpha} {t}"),
+                );
+                let turn = |t: f64| slant(50.0, 60.0, 180.0 * t, 0.7);
+                near(
+                    moments(&rule, alpha, turn(t)),
+                    moments(&rule, alpha, turn(t + 5e-5)),
+                    &format!("turn {alpha} {t}"),
+                );
+            }
+            // no slant: the one fetch
+            let straight = rule.taps(&slant(0.0, 0.0, 0.0, 0.6).stretch(alpha).expect("a stretch"), alpha);
+            for tap in straight.iter().filter(|tap| tap.weight > 1e-9) {
+                assert!(tap.tilt.abs() < 1e-9 && (tap.width - 1.0).abs() < 1e-9, "{straight:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_stretch_is_that_of_differences() {
+    let slant = slant(55.0, 35.0, 70.0, 0.6);
+    let stretch = slant.stretch(0.0).expect("a stretch");
+    let (s, p, ray) = (slant.place(), slant.probe_place(), slant.ray());
+    let mapped = |axis: [f64; 3], t: f64| {
+        let v = normalise([0, 1, 2].map(|i| ray[i] + t * axis[i]));
+        let q = [0, 1, 2].map(|i| s[i] - v[i] * s[2] / v[2]);
+        (
+            normalise([0, 1, 2].map(|i| q[i] - p[i])),
+            length([0, 1, 2].map(|i| q[i] - s[i])) / length([0, 1, 2].map(|i| q[i] - p[i])),
+        )
+    };
+    let minor = lobefit::math::vector::cross(ray, stretch.major);
+    let rate = |axis| {
+        let (a, b) = (mapped(axis, 1e-5), mapped(axis, -1e-5));
+        (length([0, 1, 2].map(|i| a.0[i] - b.0[i])) / 2e-5, log(a.1 / b.1) / 2e-5)
+    };
+    let ((long, growth), (short, _)) = (rate(stretch.major), rate(minor));
+    assert!((long / short / stretch.kappa - 1.0).abs() < 1e-6, "{long} {short} {stretch:?}");
+    assert!(((long * short).sqrt() / stretch.area - 1.0).abs() < 1e-6);
+    assert!((growth - stretch.growth).abs() < 1e-5 && stretch.growth > 0.0, "{growth} {stretch:?}");
+    assert!(dot(stretch.major, ray).abs() < 1e-12);
+}
+
+#[test]
+fn a_lookup_drops_what_leaves_below_the_surface() {
+    let room = room_b();
+    let (s, c) = sincos(degrees(88.0));
+    let seen = Seen { place: [1.0, 0.1, -1.25], normal: [0.0, 0.0, 1.0], view: [s, 0.0, c], alpha: 0.5 };
+    for rule in RULES.map(|rule| rule()) {
+        let lookup = Taps { proxy: room.shape(), probe: room.probe, rule };
+        let taps = lookup.taps(&seen);
+        assert!(!taps.is_empty() && taps.len() <= rule.count());
+        assert!((taps.iter().map(|tap| tap.weight).sum::<f64>() - 1.0).abs() < 1e-12);
+        for tap in &taps {
+            assert!((length(tap.towards) - 1.0).abs() < 1e-12 && tap.alpha > 0.0 && tap.alpha <= 1.0);
+        }
+    }
+    // a probe that stands at the shading point needs one fetch: nothing is stretched
+    let plane = Plane::through([0.0, 0.0, 2.0], [0.0, 0.0, 1.0]);
+    let shape = lobefit::effects::room::Convex { planes: vec![plane] };
+    let seen =
+        Seen { place: [0.0; 3], normal: [0.0, 0.0, 1.0], view: normalise([0.6, 0.0, 0.8]), alpha: 0.2 };
+    for rule in RULES.map(|rule| rule()) {
+        let taps = Taps { proxy: shape.clone(), probe: [0.0; 3], rule }.taps(&seen);
+        for tap in taps.iter().filter(|tap| tap.weight > 1e-9) {
+            assert!((tap.alpha - 0.2).abs() < 1e-9 && (tap.towards[2] - 0.8).abs() < 1e-9, "{tap:?}");
+        }
+    }
+    assert!((width(0.2, 1.0) - 0.2).abs() < 1e-15);
+    assert!(
+        Stretch::of(
+            [0.0; 3],
+            lobefit::optics::footprint::Hit { place: [0.0; 3], normal: [0.0, 0.0, 1.0] },
+            [1.0; 3]
+        )
+        .is_none()
+    );
+}
