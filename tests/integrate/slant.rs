@@ -157,7 +157,7 @@ fn fetches_come_as_near_as_the_study_says() {
         for &psi in slants {
             let slant = Slant::in_front(degrees(psi));
             let fine = case(alpha, slant, Resolution::FINE);
-            let search = case(alpha, slant, Resolution { step: 0.12, angles: 80 });
+            let search = case(alpha, slant, Resolution { step: 0.14, angles: 64 });
             let found: Vec<Found> = counts
                 .iter()
                 .zip(&last)
