@@ -42,8 +42,8 @@ share_2 = outer * (lean - leaning) * share_1
 ";
 
 const THREE_NAMES: [&str; 23] = [
-    "A", "B0", "B1", "C0", "C1", "C2", "D0", "D1", "E0", "E1", "E2", "E3", "N0", "N1", "F0", "F1", "G0", "G1", "G2",
-    "W0", "W1", "H0", "H1",
+    "A", "B0", "B1", "C0", "C1", "C2", "D0", "D1", "E0", "E1", "E2", "E3", "N0", "N1", "F0", "F1", "G0",
+    "G1", "G2", "W0", "W1", "H0", "H1",
 ];
 
 /// The lines that name, by `spread`, `growth`, `slope` and `alpha`, what the rule says of every fetch: the tangent `tilt_i`, the width over
