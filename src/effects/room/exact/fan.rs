@@ -15,8 +15,8 @@ use crate::optics::kernel::Kernel;
 /// ln of the widths between which directions are tabulated, and steps between them. Below the narrowest the tangents are in proportion to
 /// alpha, but for A/(1 - energy) = 1e-10 times the number of directions.
 const NARROWEST: f64 = -11.5;
-const STEP: f64 = 0.125;
-const NODES: usize = 93;
+const STEP: f64 = 0.1;
+const NODES: usize = 116;
 
 /// The same points, of even energy and azimuth, as directions of the lobe of every width in (0, 1]: the tangent of half the angle over alpha
 /// is interpolated by cubics in ln alpha, to 1e-5 of itself.

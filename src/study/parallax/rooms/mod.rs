@@ -11,6 +11,8 @@ mod view;
 use serde::Serialize;
 
 use crate::bake::Progress;
+use crate::effects::parallax::TapRule;
+use crate::effects::room::proxies::{Law, Smooth};
 use crate::effects::room::{Room, octagon, room_a, room_b};
 use crate::report::RoomsFindings;
 use crate::study::{Size, StudyError};
@@ -21,6 +23,10 @@ pub(super) struct Parameters {
     /// With their light.
     pub rooms: Vec<Room>,
     methods: Vec<methods::Method>,
+    /// The rules of several fetches.
+    rules: [TapRule; 2],
+    /// The power of the smooth proxy.
+    power: Law,
     random: random::Parameters,
     lobes: lobes::Parameters,
     images: images::Parameters,
@@ -32,6 +38,8 @@ impl Parameters {
         Parameters {
             rooms: vec![room_a(), room_b(), octagon()],
             methods: methods::methods(),
+            rules: [TapRule::two(), TapRule::three()],
+            power: Smooth::BY_EYE,
             random: random::Parameters::of(size),
             lobes: lobes::Parameters::of(size),
             images: images::Parameters::of(size),
@@ -45,7 +53,7 @@ pub(super) fn findings(
     progress: &dyn Progress,
 ) -> Result<RoomsFindings, StudyError> {
     progress.stage("rooms");
-    let Parameters { rooms, methods, random, lobes, images } = parameters;
+    let Parameters { rooms, methods, random, lobes, images, .. } = parameters;
     let lobes = lobes::fitted(lobes)?;
     let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
     let tools = random::Tools::new(random.directions);
