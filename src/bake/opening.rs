@@ -8,7 +8,7 @@ use crate::plan::EffectName;
 type Note = (&'static [&'static str], &'static [&'static str]);
 
 /// The notes, in their order.
-const NOTES: [Note; 10] = [
+const NOTES: [Note; 11] = [
     (&["path_tracer_"], &["(`path_tracer_*` have a form and a map of their own, which their heads tell.)"]),
     (&["f0"], &["f0 is the reflectance at normal incidence."]),
     (&["ggx_norm_"], &["`ggx_norm_*` is N with E N = 1: multiply the specular lobe by it."]),
@@ -43,6 +43,13 @@ const NOTES: [Note; 10] = [
         &[
             "`parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its head names and no other; rho is the",
             "distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.",
+        ],
+    ),
+    (
+        &["parallax_lookup_"],
+        &[
+            "`parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and",
+            "`parallax_fetch_*`, one fetch along a ray, are its parts.",
         ],
     ),
 ];

@@ -99,7 +99,7 @@ fn weights_sum_to_one_and_nothing_is_infinite_anywhere() {
                     assert_eq!(taps.len(), rule.count());
                     assert!((taps.iter().map(|tap| tap.weight).sum::<f64>() - 1.0).abs() < 1e-12, "{place}");
                     for tap in &taps {
-                        assert!(tap.weight >= 0.0 && (0.1..6.0).contains(&tap.width), "{place}");
+                        assert!(tap.weight >= 0.0 && (0.1..100.0).contains(&tap.width), "{place}");
                         assert!(tap.tilt.is_finite() && tap.tilt * stretch.slope < 1.0, "{place}");
                     }
                     let expected = rule.expected(&stretch, alpha);
@@ -121,28 +121,31 @@ fn moments(rule: &TapRule, alpha: f64, slant: Slant) -> [f64; 4] {
     [along(1, 1), along(1, 2), along(0, 2), width]
 }
 
+/// Steps along a path: near a round footprint its long axis turns by all of its angle within a hundredth of a turn of the probe.
+const STEPS: u32 = 40_000;
+
 #[test]
 fn nothing_jumps() {
     let near = |a: [f64; 4], b: [f64; 4], place: &str| {
         for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() < 2e-3 * (1.0 + a.abs()), "{place}: {a} {b}");
+            assert!((a - b).abs() < 5e-3 * (1.0 + a.abs()), "{place}: {a} {b}");
         }
     };
     for rule in RULES.map(|rule| rule()) {
         for alpha in [0.05, 0.3, 0.8] {
             // along paths through kappa = 1, and through walls towards both sides of which the footprint grows alike
-            for i in 0..2000 {
-                let t = f64::from(i) / 2000.0;
+            for i in 0..STEPS {
+                let (t, next) = (f64::from(i) / f64::from(STEPS), f64::from(i + 1) / f64::from(STEPS));
                 let pass = |t: f64| slant(40.0 + 20.0 * t, 50.0, 150.0, 1.0);
                 near(
                     moments(&rule, alpha, pass(t)),
-                    moments(&rule, alpha, pass(t + 5e-5)),
+                    moments(&rule, alpha, pass(next)),
                     &format!("pass {alpha} {t}"),
                 );
                 let turn = |t: f64| slant(50.0, 60.0, 180.0 * t, 0.7);
                 near(
                     moments(&rule, alpha, turn(t)),
-                    moments(&rule, alpha, turn(t + 5e-5)),
+                    moments(&rule, alpha, turn(next)),
                     &format!("turn {alpha} {t}"),
                 );
             }

@@ -17,6 +17,7 @@ mod coupling;
 mod formats;
 mod furnace;
 mod furnace_coupling;
+mod gpu_lookups;
 mod gpu_shaders;
 mod gpu_volume;
 mod gpu_wgsl;

@@ -53,7 +53,7 @@ fn one(
         width: called(&best.hypothesis),
         level: level.map(called),
         alpha_map: lobe.job.alpha_map,
-        power: Smooth::BY_EYE,
+        power: Smooth::FITTED,
     };
     let ops = wanted.operations().map_err(FitStageError::from)?;
     wanted.header = header(lobe, &wanted, chain, ops);

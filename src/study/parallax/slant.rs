@@ -94,7 +94,7 @@ pub(super) fn findings(
     Ok(SlantFindings {
         lobes: lobes.collect::<Result<_, IntegrateError>>()?,
         footprints: footprints.collect::<Result<_, _>>()?,
-        rules: parameters.rules.iter().flat_map(|rule| curves(parameters, rule)).collect(),
+        rules: parameters.rules.iter().flat_map(curves).collect(),
         spread: spread(parameters)?,
         refits: refits(parameters)?,
     })
@@ -146,7 +146,7 @@ fn nothing(case: &Case) -> IntegrateError {
 }
 
 /// Along the tilt, in widths of the lobe at right angles, towards the shading point and away from it; across it.
-const ALONG: [f64; 2] = [-0.4, 0.7];
+const ALONG: [f64; 2] = [-0.6, 0.8];
 const ACROSS: f64 = 0.5;
 
 /// The lobe's footprint beside those of one fetch and of the rules.
@@ -160,7 +160,7 @@ fn footprints(parameters: &Parameters, alpha: f64, psi: f64) -> Result<SlantFoot
     let places: Vec<[f64; 2]> =
         y.values.iter().flat_map(|b| x.values.iter().map(move |a| [a * alpha, b * alpha])).collect();
     let target = case.target_at(&places);
-    let peak = case.target_at(&[[0.0; 2]])[0];
+    let peak = target.iter().copied().fold(0.0, f64::max);
     let field = |name: &str, values: &[f64]| Field {
         name: name.into(),
         unit: String::new(),
@@ -186,7 +186,7 @@ const CURVE: u32 = 82;
 /// Widths whose curves are drawn.
 const CURVES: [f64; 3] = [0.01, 0.1, 0.4];
 
-fn curves(_: &Parameters, rule: &TapRule) -> Vec<RuleCurves> {
+fn curves(rule: &TapRule) -> Vec<RuleCurves> {
     let of = |alpha: f64| {
         let stretches =
             (1..=CURVE).filter_map(|psi| Slant::in_front(f64::from(psi) * PI / 180.0).stretch(alpha));
@@ -213,6 +213,11 @@ fn spread(parameters: &Parameters) -> Result<Vec<RuleSpread>, IntegrateError> {
         let tv: Vec<[f64; 3]> =
             here.par_iter().map(|s| [s.one, s.variation(two), s.variation(three)]).collect();
         let each = |i: usize| tv.iter().map(move |row| row[i]);
+        let rules = [TapRule::one(), *two, *three];
+        let expected = |i: usize| {
+            let off = here.iter().zip(each(i)).map(|(s, tv)| rules[i].expected(&s.case.stretch, *alpha) - tv);
+            (off.map(|d| d * d).sum::<f64>() / (tv.len().max(1)) as f64).sqrt()
+        };
         let high = |i: usize| {
             let mut sorted: Vec<f64> = each(i).collect();
             sorted.sort_by(f64::total_cmp);
@@ -225,6 +230,7 @@ fn spread(parameters: &Parameters) -> Result<Vec<RuleSpread>, IntegrateError> {
             walls: tv.len(),
             mean: [0, 1, 2].map(mean),
             high: [0, 1, 2].map(high),
+            expected: [0, 1, 2].map(expected),
             worse: [worse(1), worse(2)],
         }
     };

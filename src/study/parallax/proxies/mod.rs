@@ -78,6 +78,7 @@ pub(super) fn findings(
         laws.push((family.name().to_string(), *family, law));
         families.push(of_family(parameters, *family, &cells, k, law));
     }
+    laws.push(("smooth, as emitted".into(), Family::Smooth, Smooth::FITTED));
     laws.push(("smooth, by eye".into(), Family::Smooth, Smooth::BY_EYE));
     Ok(ProxiesFindings {
         roughness: parameters.roughness.clone(),
