@@ -59,7 +59,9 @@ pub fn situations(
     for alpha in alphas {
         all.extend(IN_FRONT.map(|psi| (*alpha, Slant::in_front(psi * PI / 180.0))));
     }
-    all.extend((0..count).map(|i| (alphas[i as usize % alphas.len()], tilted(i))));
+    // a run of the set for each width: every other point of it lies in one half of the first cosine
+    let width = |i: u32| alphas[i as usize * alphas.len() / count as usize];
+    all.extend((0..count).map(|i| (width(i), tilted(i))));
     all.into_par_iter().map(|(alpha, slant)| Situation::new(kernel, alpha, slant, resolution)).collect()
 }
 
