@@ -263,7 +263,13 @@ impl Emitted {
                 assert!((0.0..=1.0 + 1e-6).contains(&width), "{}", text());
                 let Some(expected) = &expected else { continue };
                 let Expected { towards, width: wanted, weight: share, allowed } = expected[i];
-                assert!((f64::from(*weight) - share).abs() < 1e-5, "{}: weight {share}", text());
+                let gap = (f64::from(*weight) - share).abs();
+                assert!(gap < 1e-5 + 4.0 * allowed, "{}: weight {i} {share}, {allowed:e}", text());
+                if share < 1e-6 {
+                    continue;
+                }
+                // the axis of a round footprint is any: what lies along it weighs next to nothing
+                let allowed = allowed / share.clamp(0.01, 1.0);
                 let off = length(minus([x, y, z], towards)) / allowed;
                 let relative = (width - wanted).abs() / wanted.max(1e-6);
                 assert!(off < 1.0, "{}, direction {i} off by {off} of {allowed:e}", text());

@@ -34,6 +34,12 @@ pub(in crate::emit) use expression::decimal;
 pub use language::Language;
 pub(in crate::emit) use lines::lines as wrapped;
 
+/// Whether a variable may not have a name in a language.
+#[cfg(test)]
+pub(in crate::emit) fn taken(language: Language, name: &str) -> bool {
+    words::Words::of(language).takes(name)
+}
+
 /// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of tiny ones are.
 const TINY: f32 = 1e-30;
 

@@ -6,8 +6,8 @@ use crate::data::ProbeLookup;
 /// [`NEAREST`](crate::effects::room::proxies::NEAREST) as scripts write it.
 pub(super) const NEAREST: &str = "0.0001";
 
-/// Least share of the nearest plane's inverse distance that is raised to a power: pow(0, p) is undefined in some languages. With p >= 2 a
-/// term of 1e-8 is below the rounding of f32.
+/// Least share of the nearest plane's inverse distance that counts: pow(0, p) is undefined in some languages, and a smaller one is that of a
+/// ray along the plane.
 const LEAST_SHARE: &str = "0.00000001";
 
 /// The name of the function of a proxy.
@@ -77,9 +77,9 @@ fn of_box(smooth: bool) -> String {
 
 const SMOOTH_BOX: &str = "
 scale = 1.0 / steepest
-weight_x = pow(max(along_x * scale, LEAST), power - 1.0)
-weight_y = pow(max(along_y * scale, LEAST), power - 1.0)
-weight_z = pow(max(along_z * scale, LEAST), power - 1.0)
+weight_x = choose(along_x * scale > LEAST, pow(max(along_x * scale, LEAST), power - 1.0), 0.0)
+weight_y = choose(along_y * scale > LEAST, pow(max(along_y * scale, LEAST), power - 1.0), 0.0)
+weight_z = choose(along_z * scale > LEAST, pow(max(along_z * scale, LEAST), power - 1.0), 0.0)
 sum = (weight_x * along_x + weight_y * along_y + weight_z * along_z) * scale
 normal = weight_x * nearness_x * scale | weight_y * nearness_y * scale | weight_z * nearness_z * scale
 unit = 1.0 / sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z)
@@ -91,10 +91,10 @@ is_y = choose(along_y >= along_z, 1.0 - is_x, 0.0)
 give side_x * is_x | side_y * is_y | side_z * (1.0 - is_x - is_y) | 1.0 / steepest";
 
 const SMOOTH_PLANES: &str = "
-from = place.x - probe.x | place.y - probe.y | place.z - probe.z
+offset = place.x - probe.x | place.y - probe.y | place.z - probe.z
 var steepest = 0.0
 each
-    depth = max(plane.w - (plane.x * from.x + plane.y * from.y + plane.z * from.z), NEAREST * plane.w)
+    depth = max(plane.w - (plane.x * offset.x + plane.y * offset.y + plane.z * offset.z), NEAREST * plane.w)
     set steepest = max(steepest, (plane.x * ray.x + plane.y * ray.y + plane.z * ray.z) / depth)
 end
 scale = 1.0 / steepest
@@ -103,7 +103,7 @@ var normal_x = 0.0
 var normal_y = 0.0
 var normal_z = 0.0
 each
-    nearness = scale / max(plane.w - (plane.x * from.x + plane.y * from.y + plane.z * from.z), NEAREST * plane.w)
+    nearness = scale / max(plane.w - (plane.x * offset.x + plane.y * offset.y + plane.z * offset.z), NEAREST * plane.w)
     share = (plane.x * ray.x + plane.y * ray.y + plane.z * ray.z) * nearness
     weight = choose(share > LEAST, pow(max(share, LEAST), power - 1.0), 0.0)
     set sum = sum + weight * share
@@ -115,13 +115,13 @@ unit = 1.0 / sqrt(normal_x * normal_x + normal_y * normal_y + normal_z * normal_
 give normal_x * unit | normal_y * unit | normal_z * unit | scale / pow(sum, 1.0 / power)";
 
 const SHARP_PLANES: &str = "
-from = place.x - probe.x | place.y - probe.y | place.z - probe.z
+offset = place.x - probe.x | place.y - probe.y | place.z - probe.z
 var steepest = 0.0
 var normal_x = 0.0
 var normal_y = 0.0
 var normal_z = 0.0
 each
-    depth = max(plane.w - (plane.x * from.x + plane.y * from.y + plane.z * from.z), NEAREST * plane.w)
+    depth = max(plane.w - (plane.x * offset.x + plane.y * offset.y + plane.z * offset.z), NEAREST * plane.w)
     along = (plane.x * ray.x + plane.y * ray.y + plane.z * ray.z) / depth
     set normal_x = choose(along > steepest, plane.x, normal_x)
     set normal_y = choose(along > steepest, plane.y, normal_y)

@@ -149,3 +149,44 @@ pub fn print(language: Language, lookups: &[Wanted]) -> String {
     }
     texts.into_iter().map(|text| format!("\n{text}")).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::emit::code::taken;
+
+    /// The scripts' names are words of no language.
+    #[test]
+    fn names_are_free_in_every_language() {
+        let called =
+            |name: &str| Called { name: name.into(), inputs: vec!["alpha".into(), "rho".into()], ops: 1 };
+        for (planes, smooth, taps) in
+            [(None, true, 2), (None, false, 3), (Some(9), true, 3), (Some(9), false, 1)]
+        {
+            let lookup = ProbeLookup { planes, smooth, taps };
+            let wanted = Wanted {
+                name: "lookup".into(),
+                fetch: "one_fetch".into(),
+                lookup,
+                header: Vec::new(),
+                width: called("f"),
+                level: Some(called("g")),
+                alpha_map: AlphaMap::RoughnessSquared,
+                power: Law::Constant { value: 4.0 },
+            };
+            for routine in [meet::routine(lookup), single::fetch(&wanted), wanted.routine()] {
+                let body = routine.body.lines().filter_map(|line| line.trim().split_once(" = "));
+                let named = body.map(|(name, _)| name.trim_start_matches("var ").trim_start_matches("set "));
+                let named = named.map(|name| name.split(" :").next().unwrap_or(name));
+                let arguments = routine.arguments.iter().map(|(name, _)| *name);
+                for name in
+                    named.chain(arguments).chain(["plane", "every", "result", "taps", "weights", "fetches"])
+                {
+                    for language in Language::ALL {
+                        assert!(!taken(language, name), "{name} in {}", language.title());
+                    }
+                }
+            }
+        }
+    }
+}

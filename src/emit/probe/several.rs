@@ -5,9 +5,9 @@ use super::script::{Kind, Routine};
 use super::{Wanted, meet, rule, single};
 
 /// The map of the lobe to the probe, as [`crate::optics::footprint::Stretch`] has it. The lobe's own axes are those of Duff et al. 2017; M^T M
-/// over the root of its determinant, (there/here) (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]. With the growth
-/// over the lobe's width added, its larger eigenvalue is `large` and the difference of both 2 `off`, so that z^2 = 1 - small/large, `spread`
-/// squared, is 2 off/large without a difference.
+/// over the root of its determinant, `shrunk` (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]; `shrunk` is
+/// (n.w_p)/(n.w_s), but where a grazing cosine counts as 0.02. With the growth over the lobe's width added, its larger eigenvalue is `large`
+/// and the difference of both 2 `off`, so that z^2 = 1 - small/large, `spread` squared, is 2 off/large without a difference.
 const STRETCH: &str = "
 upright = choose(ray.z < 0.0, -1.0, 1.0)
 turned = -1.0 / (upright + ray.z)
@@ -21,11 +21,14 @@ seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z + betwe
 seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z + between * slope_2
 growth_1 = slope_1 - met.w / away * seen_1
 growth_2 = slope_2 - met.w / away * seen_2
-unit = here / there
 a = first.x + ray.x * slope_1 - towards.x * seen_1 | first.y + ray.y * slope_1 - towards.y * seen_1 | first.z + ray.z * slope_1 - towards.z * seen_1
 b = second.x + ray.x * slope_2 - towards.x * seen_2 | second.y + ray.y * slope_2 - towards.y * seen_2 | second.z + ray.z * slope_2 - towards.z * seen_2
-form_1 = unit * (a.x * a.x + a.y * a.y + a.z * a.z)
-form_2 = unit * (b.x * b.x + b.y * b.y + b.z * b.z)
+wide_1 = a.x * a.x + a.y * a.y + a.z * a.z
+wide_2 = b.x * b.x + b.y * b.y + b.z * b.z
+shrunk = abs(facing / here + between * (1.0 - straight / here))
+unit = 1.0 / max(shrunk, 0.0002 * (wide_1 + wide_2))
+form_1 = unit * wide_1
+form_2 = unit * wide_2
 form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z)
 skew = 0.5 * (form_1 - form_2)
 mean = 0.5 * (form_1 + form_2)

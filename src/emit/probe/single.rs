@@ -9,13 +9,15 @@ const GRAZING: &str = "0.02";
 /// What becomes of a place met by the ray: `met` holds normal and distance. The direction is the ray's own within 1e-6 of the distance about
 /// the probe, where the place is the probe's.
 const SEEN: &str = "
-from = place.x - probe.x + met.w * ray.x | place.y - probe.y + met.w * ray.y | place.z - probe.z + met.w * ray.z
+offset = place.x - probe.x + met.w * ray.x | place.y - probe.y + met.w * ray.y | place.z - probe.z + met.w * ray.z
 least = 0.000000000001 * met.w * met.w
-square = from.x * from.x + from.y * from.y + from.z * from.z
+square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z
 away = sqrt(max(square, least))
-towards = choose(square > least, from.x / away, ray.x) | choose(square > least, from.y / away, ray.y) | choose(square > least, from.z / away, ray.z)
-here = max(met.x * ray.x + met.y * ray.y + met.z * ray.z, GRAZING)
-there = max(met.x * towards.x + met.y * towards.y + met.z * towards.z, GRAZING)
+towards = choose(square > least, offset.x / away, ray.x) | choose(square > least, offset.y / away, ray.y) | choose(square > least, offset.z / away, ray.z)
+straight = met.x * ray.x + met.y * ray.y + met.z * ray.z
+facing = met.x * towards.x + met.y * towards.y + met.z * towards.z
+here = max(straight, GRAZING)
+there = max(facing, GRAZING)
 ";
 
 /// The lines that meet the proxy by `ray` and see that from the probe.
