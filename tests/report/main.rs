@@ -12,6 +12,7 @@ mod flip;
 mod input;
 mod page;
 mod parallax;
+mod parallax_chain;
 mod render;
 mod selection;
 mod study;

@@ -37,6 +37,7 @@ fn the_reduced_study_is_the_same_for_any_threads_and_check_knows_it() {
     let page = std::fs::read_to_string(one.path().join(page)).expect("a page");
     assert!(page.contains(&reduced) && page.contains("The rooms"));
     rooms_are_measured(&results);
+    crate::parallax_chain::is_measured(&results["chain"]);
     slants_are_true(&results);
     checked(one.path(), &reduced);
 }
