@@ -48,7 +48,7 @@ pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
 pub use findings::{
-    FittedLobe, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    FittedLobe, LookupCost, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
     RoomPictureRow, RoomPictures, RoomsFindings,
 };
 pub use findings::{

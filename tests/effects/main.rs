@@ -18,4 +18,5 @@ mod surface_tables;
 mod taps;
 mod target;
 mod target_coupling;
+mod viewpoints;
 mod volume_table;

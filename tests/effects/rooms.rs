@@ -23,6 +23,7 @@ fn axes() -> [Vec3; 4] {
 #[test]
 fn a_fan_holds_the_directions_of_every_width() {
     for kernel in Kernel::ALL {
+        let most = if kernel == Kernel::Ndf { 5e-5 } else { 1e-5 };
         let fan = Fan::new(kernel, COUNT, 5);
         for alpha in [1e-6, 1e-4, 0.003, 0.0225, 0.07, 0.11, 0.37, 0.6, 0.93, 0.999, 1.0] {
             let rays = Rays::new(kernel, alpha, COUNT, 5);
@@ -32,7 +33,7 @@ fn a_fan_holds_the_directions_of_every_width() {
             for (a, b) in fast.iter().zip(rays.directions()) {
                 assert!((length(*a) - 1.0).abs() < 1e-14, "{alpha}");
                 let sine = (b[0] * b[0] + b[1] * b[1]).sqrt();
-                assert!(length(minus(*a, *b)) < 1e-5 * sine, "{kernel:?} {alpha}: {a:?} {b:?}");
+                assert!(length(minus(*a, *b)) < most * sine, "{kernel:?} {alpha}: {a:?} {b:?}");
             }
         }
     }

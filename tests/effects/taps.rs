@@ -114,8 +114,9 @@ fn weights_sum_to_one_and_nothing_is_infinite_anywhere() {
 fn moments(rule: &TapRule, alpha: f64, slant: Slant) -> [f64; 4] {
     let stretch = slant.stretch(alpha).expect("a stretch");
     let taps = rule.taps(&stretch, alpha);
-    let along = |axis: usize, power: i32| -> f64 {
-        taps.iter().map(|t| t.weight * (t.tilt * stretch.major[axis] / alpha).powi(power)).sum()
+    let along = |axis: usize, power: u32| -> f64 {
+        let at = |tilt: f64| tilt * stretch.major[axis] / alpha;
+        taps.iter().map(|t| t.weight * if power == 1 { at(t.tilt) } else { at(t.tilt) * at(t.tilt) }).sum()
     };
     let width = taps.iter().map(|t| t.weight * t.width).sum();
     [along(1, 1), along(1, 2), along(0, 2), width]

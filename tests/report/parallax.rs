@@ -37,7 +37,30 @@ fn the_reduced_study_is_the_same_for_any_threads_and_check_knows_it() {
     let page = std::fs::read_to_string(one.path().join(page)).expect("a page");
     assert!(page.contains(&reduced) && page.contains("The rooms"));
     rooms_are_measured(&results);
+    slants_are_true(&results);
     checked(one.path(), &reduced);
+}
+
+/// Slanted walls: more fetches are nearer, the rules come near to fetches placed for the wall, and offsets belong to values.
+fn slants_are_true(results: &Value) {
+    let number = |value: &Value| value.as_f64().expect("a number");
+    for row in results["slant"]["lobes"][0]["rows"].as_array().expect("rows") {
+        let placed: Vec<f64> =
+            row["placed"].as_array().expect("fetches").iter().map(|one| number(&one["tv"])).collect();
+        let (same, best) = (number(&row["same"]), number(&row["best"]));
+        assert!(same > best && best > 1.3 * placed[0] && placed[0] > 1.3 * placed[1], "{row}");
+        for (rule, placed) in row["ruled"].as_array().expect("rules").iter().zip(&placed) {
+            assert!((number(rule) / placed - 1.0).abs() < 0.06, "{row}");
+        }
+    }
+    for refit in results["slant"]["refits"].as_array().expect("fits") {
+        assert!(number(&refit["sums"][1]) <= number(&refit["sums"][0]), "{refit}");
+    }
+    for cell in results["seed"]["cells"].as_array().expect("cells") {
+        let (far, offset) = (number(&cell["distance"]) > 1.0, number(&cell["shifted"]["offset"]));
+        let least = if far && cell["energy"] == false { -10.0..-1.0 } else { -0.05..0.05 };
+        assert!(least.contains(&offset), "{cell}");
+    }
 }
 
 /// Frostbite's gain over itself is 1, every reference is known better than any method comes to it, and it is nothing off from itself.

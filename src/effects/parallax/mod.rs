@@ -19,7 +19,7 @@ use crate::optics::kernel::Kernel;
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use grid::{Cell, Grid, Spread};
-pub use lookups::{Baked, Corrected, LobeFit, Ratio, Shading, ShadingLobe, Slant, Uncorrected, Width};
+pub use lookups::{Corrected, Faded, LobeFit, Ratio, Shading, ShadingLobe, Slant, Uncorrected, Width};
 pub use taps::{RuleTap, Stretch, TapRule, Taps, width};
 pub use variation::{Variation, variations};
 

@@ -43,8 +43,8 @@ pub use parallax_study::{
     SlideLaw,
 };
 pub use parallax_study::{
-    FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
-    RoomPictures, RoomsFindings,
+    FittedLobe, LookupCost, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    RoomPictureRow, RoomPictures, RoomsFindings,
 };
 pub use parallax_study::{
     PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit, SeedSlant, SlantFindings,

@@ -6,10 +6,10 @@
 //! - what the room is taken for ([`Proxy`](crate::effects::room::Proxy));
 //! - how much wider it looks from the probe ([`Ratio`]), and which width is fetched for that ([`Width`]).
 
-mod baked;
 mod corrected;
+mod faded;
 mod shading;
 
-pub use baked::{Baked, Slant};
 pub use corrected::{Corrected, Ratio, Uncorrected, Width};
+pub use faded::{Faded, Slant};
 pub use shading::{LobeFit, Shading, ShadingLobe};

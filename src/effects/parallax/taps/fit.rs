@@ -44,7 +44,7 @@ pub fn situations(
     resolution: Resolution,
 ) -> Result<Vec<Situation>, IntegrateError> {
     let first = Sobol::new([seed, seed ^ 0x51ed_270b, seed ^ 0x2545_f491]);
-    let second = Sobol::new([seed ^ 0x1234_567, 0, 0]);
+    let second = Sobol::new([seed ^ 0x0123_4567, 0, 0]);
     let mix = |[low, high]: [f64; 2], t: f64| low + (high - low) * t;
     let tilted = |i: u32| {
         let slant = |t: f64| ops::acos(mix(COSINES, t));

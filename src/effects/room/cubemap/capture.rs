@@ -8,7 +8,7 @@ use super::chain::trilinear;
 use super::faces::{centre, direction, interval, solid_angle};
 use super::{Chain, CubemapError, Edges, Format, Level, Viewpoint};
 use crate::data::MipChain;
-use crate::effects::room::{Convex, Outlook, Rays, Room};
+use crate::effects::room::{Convex, Fan, Outlook, Rays, Room};
 use crate::math::ops;
 use crate::math::vector::{Vec3, plus, scaled, tangents, turned};
 use crate::optics::kernel::Kernel;
@@ -110,11 +110,24 @@ impl Bake {
 
     /// The lobe about the centres of the texels of a level.
     fn integrated(&self, room: &Room, proxy: &Convex, size: usize, alpha: f64) -> Vec<[f64; 3]> {
-        let rays = Rays::new(self.kernel, alpha, self.rays_of(size), self.seed);
+        if self.viewpoint == Viewpoint::Probe {
+            return self.angular(room, size, alpha);
+        }
+        let fan = Fan::new(self.kernel, self.rays_of(size), self.seed);
         let one = |k: usize| {
             let eye = self.viewpoint.eye(proxy, room.probe, towards(k, size), alpha);
-            let [x, y] = tangents(eye.axis);
-            let outlook = Outlook::new(room, eye.place, [x, y, eye.axis]);
+            fan.lobe(room, eye.place, eye.axis, None, eye.alpha)
+        };
+        (0..6 * size * size).into_par_iter().map(one).collect()
+    }
+
+    /// All lobes from the probe: of one width.
+    fn angular(&self, room: &Room, size: usize, alpha: f64) -> Vec<[f64; 3]> {
+        let rays = Rays::new(self.kernel, alpha, self.rays_of(size), self.seed);
+        let one = |k: usize| {
+            let axis = towards(k, size);
+            let [x, y] = tangents(axis);
+            let outlook = Outlook::new(room, room.probe, [x, y, axis]);
             let sum = rays.directions().iter().fold([0.0; 3], |sum, ray| plus(sum, outlook.seen(*ray)));
             scaled(sum, 1.0 / rays.directions().len() as f64)
         };

@@ -19,6 +19,6 @@ pub struct Integrated<'a> {
 impl Fetch for Integrated<'_> {
     fn fetch(&self, tap: &Tap) -> [f64; 3] {
         let eye = self.viewpoint.eye(self.proxy, self.room.probe, tap.towards, tap.alpha);
-        self.fan.lobe(self.room, eye.place, eye.axis, None, tap.alpha)
+        self.fan.lobe(self.room, eye.place, eye.axis, None, eye.alpha)
     }
 }

@@ -19,7 +19,7 @@ const STEP: f64 = 0.1;
 const NODES: usize = 116;
 
 /// The same points, of even energy and azimuth, as directions of the lobe of every width in (0, 1]: the tangent of half the angle over alpha
-/// is interpolated by cubics in ln alpha, to 1e-5 of itself.
+/// is interpolated by cubics in ln alpha. Directions are off by at most 1e-5 of their sine, by 5e-5 of the kernel `ndf`.
 #[derive(Clone, Debug)]
 pub struct Fan {
     /// Cosine and sine of the azimuth of each direction.

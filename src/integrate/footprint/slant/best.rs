@@ -109,8 +109,9 @@ const WEIGHTS: f64 = 7.0;
 /// `count` fetches along the long axis with the least H^-1 norm, from a start: those found at a neighbouring slant, or a spread.
 ///
 /// # Errors
-/// A start of another count; one whose rays miss the wall.
+/// A start whose rays miss the wall; a solver that fails. A start of another count is none.
 pub fn best_taps(case: &Case, count: usize, start: Option<&Found>) -> Result<Found, IntegrateError> {
+    let start = start.filter(|found| found.taps.len() == count);
     let first = start.map_or_else(|| spread(case, count), |found| shrunk(case, found));
     let squares = |p: &[f64]| -> Option<Normal> {
         let taps = unpacked(p);

@@ -206,7 +206,7 @@ impl Case {
         let (place, probe) = (self.slant.place(), self.slant.probe_place());
         let ray = normalise(plus(self.slant.ray(), scaled(self.stretch.major, tap.tilt)));
         let steep = -ray[2];
-        if !(steep > LEAST_STEEP) {
+        if steep.is_nan() || steep <= LEAST_STEEP {
             return None;
         }
         let hit = Hit { place: plus(place, scaled(ray, place[2] / steep)), normal: OUTWARD };

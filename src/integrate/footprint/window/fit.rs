@@ -49,7 +49,7 @@ const DISTANCES: [f64; 2] = [0.1, 10.0];
 /// Nodes of [0, 1] with their weights: panels that double from 1/1024 on resolve lobes as narrow as 1e-3, 12 nodes each.
 static WINDOW: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
     let rule = Gauss::new(12);
-    let ends = (0..=10).map(|i| if i == 0 { 0.0 } else { f64::powi(0.5, 10 - i) });
+    let ends = (0..=10).map(|i| if i == 0 { 0.0 } else { 1.0 / f64::from(1_u32 << (10 - i)) });
     let panel = |[from, to]: [f64; 2]| {
         let half = 0.5 * (to - from);
         let nodes = rule.nodes.iter().zip(&rule.weights);

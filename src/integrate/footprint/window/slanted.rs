@@ -29,8 +29,8 @@ fn nodes() -> Vec<(f64, f64)> {
     let rule = Gauss::new(10);
     let mut out = Vec::new();
     for i in 0..=8 {
-        let from = if i == 0 { 0.0 } else { f64::powi(0.5, 9 - i) };
-        let half = 0.5 * (f64::powi(0.5, 8 - i) - from);
+        let from = if i == 0 { 0.0 } else { 1.0 / f64::from(1_u32 << (9 - i)) };
+        let half = 0.5 * (1.0 / f64::from(1_u32 << (8 - i)) - from);
         for (x, w) in rule.nodes.iter().zip(&rule.weights) {
             let at = from + half * (1.0 + x);
             out.extend([(at, half * w), (-at, half * w)]);

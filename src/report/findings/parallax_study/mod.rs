@@ -15,8 +15,8 @@ pub use chain::{
 };
 pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use rooms::{
-    FittedLobe, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture, RoomPictureRow,
-    RoomPictures, RoomsFindings,
+    FittedLobe, LookupCost, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    RoomPictureRow, RoomPictures, RoomsFindings,
 };
 
 pub use seed::{SeedCell, SeedFindings, SeedFit, SeedSlant};

@@ -9,6 +9,8 @@ use crate::report::Image;
 pub struct RoomsFindings {
     /// How points at random lie in each.
     pub geometry: Vec<RoomGeometry>,
+    /// What lookups take at run time.
+    pub costs: Vec<LookupCost>,
     /// What the lobe of a surface is taken for, fitted.
     pub lobes: Vec<FittedLobe>,
     /// What methods are off by at those points.
@@ -161,4 +163,15 @@ pub struct RoomPicture {
     pub pictures: Vec<Image>,
     /// FLIP of each pixel against each reference, by method.
     pub maps: Vec<[Vec<f64>; 2]>,
+}
+
+/// Fetches and operations of an emitted lookup.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LookupCost {
+    /// Proxy and edges.
+    pub lookup: String,
+    /// Fetches.
+    pub fetches: u32,
+    /// Operations, as the manifest counts them.
+    pub operations: u32,
 }

@@ -38,13 +38,12 @@ fn texels(chain: &ChainFindings) -> Result<Section, ReportError> {
         let [size, bytes] = [row.size, row.bytes / 1024].map(|n| n.to_string());
         cells(&[&row.room, &row.like, &row.chain, &size, &bytes], &row.total)
     });
-    let gains = chain.gains.iter().flat_map(|row| {
-        let of = |kind: &str, errors: &[f64], gain: f64| {
-            let mut cells = cells(&[&row.room, &row.method, kind], errors);
-            cells.push(significant(gain, 3));
-            cells
-        };
-        [of("integrated", &row.exact, row.gain_exact), of("chain", &row.chain, row.gain_chain)]
+    let gains = chain.gains.iter().map(|row| {
+        let mut cells = vec![row.room.clone(), row.method.clone()];
+        let both = |(a, b): (&f64, &f64)| format!("{} / {}", significant(*a, 2), significant(*b, 2));
+        cells.extend(row.exact.iter().zip(&row.chain).map(both));
+        cells.extend([row.gain_exact, row.gain_chain].map(|gain| significant(gain, 3)));
+        cells
     });
     let r = &chain.roughness;
     let blocks = vec![
@@ -68,12 +67,12 @@ fn texels(chain: &ChainFindings) -> Result<Section, ReportError> {
         )),
         Block::Heading { text: "End to end".into() },
         Block::Table(table(
-            &["room", "lookup", "fetches"],
+            &["room", "lookup"],
             r,
-            &["gain"],
+            &["gain", "from the chain"],
             gains.collect(),
-            "Against the lobe traced from the point. Gain: geometric mean over roughness of Frostbite’s error over this one’s, both with fetches \
-             of the same kind.",
+            "Error against the lobe traced from the point, with fetches integrated and, after the stroke, from the chain. Gain: geometric mean over \
+             roughness of Frostbite’s error over this one’s, both with fetches of the same kind.",
         )),
     ];
     Ok(Section {
@@ -101,21 +100,7 @@ fn of_parts(parts: &ChainParts) -> Vec<Vec<String>> {
 
 fn viewpoints(chain: &ChainFindings) -> Result<Section, ReportError> {
     check::filled("chain", "policies", chain.policies.len())?;
-    let rows = chain.policies.iter().flat_map(of_policy).collect();
-    let mut blocks = vec![
-        slide(&chain.slide)?,
-        Block::Table(table(
-            &["room", "bake and ratio", "points"],
-            &chain.roughness,
-            &["gain"],
-            rows,
-            &format!(
-                "One fetch, against the lobe traced from the point. Near: the mirror ray ends within {} radii α d of the lobe on the wall from an \
-                 edge of the proxy. Gain: geometric mean over roughness of Frostbite’s error over this one’s, Frostbite’s from the ordinary bake.",
-                place(chain.near)
-            ),
-        )),
-    ];
+    let mut blocks = vec![slide(&chain.slide)?, Block::Table(whole(chain)), Block::Table(near(chain))];
     for room in &chain.slide.rooms {
         let rows: Vec<&SeamRow> = chain.seams.iter().filter(|row| row.room == *room).collect();
         blocks.push(Block::Heading { text: format!("Floor of room {room}") });
@@ -127,26 +112,49 @@ fn viewpoints(chain: &ChainFindings) -> Result<Section, ReportError> {
         title: "Texels that see the room from above its walls".into(),
         lead: "An ordinary texel integrates its lobe from the probe, slanted as the probe happens to see the wall. A perpendicular one sees the same \
                place from above, as far from the wall as the probe is; at the edges of the proxy the viewpoints of the two walls disagree. A sliding \
-               one is e/(e + w α h) of the way from the probe to above the wall, e being the distance of the place from the nearest edge and α h the \
-               radius of the lobe on the wall. Ratio of areas: ρ = (d_s/d_v) √(cos ψ_v/cos ψ_s); fading: the power of the cosines sinks to 0 at an edge."
+               one is e/(e + w α d) of the way from the probe to above the wall, e being the distance of the place from the nearest edge and α d the \
+               radius of the probe’s lobe on the wall. Either lobe’s footprint is as large as the probe’s, so that the lookup is the ordinary one. Ratio of areas: ρ = (d_s/d_p) √(cos ψ_p/cos ψ_s); fading: the power of the cosines sinks to 0 at an edge."
             .into(),
         blocks,
     })
 }
 
-fn of_policy(policy: &BakePolicy) -> Vec<Vec<String>> {
-    let rows: [(&str, &[f64], Option<f64>); 4] = [
-        ("all", &policy.whole, Some(policy.gain)),
-        ("far from edges", &policy.far, None),
-        ("near edges", &policy.near, None),
-        ("all, from its chain", &policy.chain, Some(policy.gain_chain)),
-    ];
-    let row = |(points, errors, gain): (&str, &[f64], Option<f64>)| {
-        let mut cells = cells(&[&policy.room, &policy.policy, points], errors);
-        cells.push(gain.map_or_else(String::new, |gain| significant(gain, 3)));
+fn whole(chain: &ChainFindings) -> TextTable {
+    let row = |policy: &BakePolicy| {
+        let mut cells = cells(&[&policy.room, &policy.policy], &policy.whole);
+        cells.extend([policy.gain, policy.gain_chain].map(|gain| significant(gain, 3)));
         cells
     };
-    rows.into_iter().map(row).collect()
+    table(
+        &["room", "bake and ratio"],
+        &chain.roughness,
+        &["gain", "from its chain"],
+        chain.policies.iter().map(row).collect(),
+        "One fetch, integrated, against the lobe traced from the point. Gain: geometric mean over roughness of Frostbite’s error, from the ordinary \
+         bake, over this one’s; of both with fetches from real chains.",
+    )
+}
+
+/// Errors far from edges and near them, at every other roughness.
+fn near(chain: &ChainFindings) -> TextTable {
+    let places: Vec<usize> = (0..chain.roughness.len()).step_by(2).collect();
+    let roughness: Vec<f64> = places.iter().map(|&i| chain.roughness[i]).collect();
+    let row = |policy: &BakePolicy| {
+        let both =
+            |&i: &usize| format!("{} / {}", significant(policy.far[i], 2), significant(policy.near[i], 2));
+        [policy.room.clone(), policy.policy.clone()].into_iter().chain(places.iter().map(both)).collect()
+    };
+    table(
+        &["room", "bake and ratio"],
+        &roughness,
+        &[],
+        chain.policies.iter().map(row).collect(),
+        &format!(
+            "The same far from the edges of the proxy and, after the stroke, near them: where the mirror ray ends within {} radii α d of the lobe on \
+             the wall from one. All roughness: results.json.",
+            place(chain.near)
+        ),
+    )
 }
 
 fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
@@ -167,7 +175,7 @@ fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
         size: (520.0, 240.0),
     };
     let caption = format!(
-        "The viewpoint is half way between the probe and the place above the wall where an edge is w radii α h of the lobe on the wall away. The best w \
+        "The viewpoint is half way between the probe and the place above the wall where an edge is w radii α d of the lobe on the wall away. The best w \
          for all rooms: {}; it is used below.",
         significant(law.best, 2)
     );

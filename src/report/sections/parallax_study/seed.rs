@@ -3,7 +3,8 @@
 use super::super::{figures, words};
 use crate::report::numbers::{place, significant};
 use crate::report::{
-    Block, Curves, ReportError, Section, SeedCell, SeedFindings, SeedSlant, Series, Spread, Style, check,
+    Block, Curves, ReportError, Section, SeedCell, SeedFindings, SeedFit, SeedSlant, Series, Spread, Style,
+    check,
 };
 
 pub(super) fn sections(seed: &SeedFindings) -> Result<Vec<Section>, ReportError> {
@@ -54,12 +55,8 @@ fn cells(seed: &SeedFindings) -> Result<Section, ReportError> {
 }
 
 fn panel(cell: &SeedCell) -> Curves {
-    let title = format!(
-        "α {}, distance {}: α′ {}",
-        place(cell.alpha),
-        place(cell.distance),
-        significant(cell.shifted.alpha, 3)
-    );
+    let title =
+        format!("α {}, distance {}: α′ {}", place(cell.alpha), place(cell.distance), width(&cell.shifted));
     let [seen, shifted, plain] = &cell.curves;
     let series = [
         line("lobe", seen, Style::Truth),
@@ -67,6 +64,10 @@ fn panel(cell: &SeedCell) -> Curves {
         line("fetch, scaled", plain, Style::Line(1)),
     ];
     chart(title, "wall", series, (210.0, 130.0))
+}
+
+fn width(fit: &SeedFit) -> String {
+    if fit.saturated { "1".into() } else { significant(fit.alpha, 3) }
 }
 
 const COLUMNS: [(&str, bool); 8] = [
@@ -82,15 +83,15 @@ const COLUMNS: [(&str, bool); 8] = [
 
 fn row(cell: &SeedCell) -> Vec<String> {
     let percent = |x: f64| format!("{:.2} %", 100.0 * x);
-    let width = |alpha: f64, saturated: bool| if saturated { "1".into() } else { significant(alpha, 3) };
     vec![
         place(cell.alpha),
         place(cell.distance),
-        width(cell.shifted.alpha, cell.shifted.saturated),
+        width(&cell.shifted),
         significant(cell.shifted.scale, 3),
-        format!("{:.3}", cell.shifted.offset),
+        // no -0.000
+        format!("{:.3}", (1000.0 * cell.shifted.offset).round() / 1000.0 + 0.0),
         percent(cell.shifted.error),
-        width(cell.plain.alpha, cell.plain.saturated),
+        width(&cell.plain),
         percent(cell.plain.error),
     ]
 }

@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 
 use super::super::rooms::points::{self, points};
-use crate::effects::parallax::{Baked, Shading, Slant, Width};
-use crate::effects::room::cubemap::{Viewpoint, to_edge};
+use crate::effects::parallax::{Faded, Shading, Slant, Width};
+use crate::effects::room::cubemap::to_edge;
 use crate::effects::room::{Convex, Fan, Fetch, Lookup, Room, Seen};
 use crate::math::ops;
 use crate::math::vector::{plus, scaled};
@@ -54,10 +54,10 @@ impl<'a> Case<'a> {
         Case { room, shape, rows }
     }
 
-    /// One fetch from a bake.
-    pub fn baked(&self, viewpoint: Viewpoint, slant: Slant, width: Width) -> Baked {
+    /// One fetch.
+    pub fn lookup(&self, slant: Slant, width: Width) -> Faded {
         let (proxy, probe) = (self.shape.clone(), self.room.probe);
-        Baked { proxy, probe, shading: Shading::Mirror, viewpoint, slant, width }
+        Faded { proxy, probe, shading: Shading::Mirror, slant, width }
     }
 }
 

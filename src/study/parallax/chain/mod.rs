@@ -47,8 +47,10 @@ pub(super) struct Parameters {
     /// Radii of sliding viewpoints that are tried.
     widths: Vec<f64>,
     /// Radii over which ratios fade.
-    fade: f64,
+    fades: Vec<f64>,
     view: seams::View,
+    /// Rays of their lobes: second differences show the noise that means hide.
+    floor_rays: u32,
     /// Roughness of floors.
     floors: Vec<f64>,
 }
@@ -86,13 +88,14 @@ impl Parameters {
             rays: of(1024, 128),
             seed: 11,
             widths: if full { vec![0.5, 1.0, 2.0, 4.0] } else { vec![1.0, 2.0] },
-            fade: 2.0,
+            fades: vec![1.0, 4.0],
             view: seams::View {
-                side: if full { 96 } else { 16 },
+                side: if full { 72 } else { 16 },
                 camera: [-0.5, -0.6, 0.5],
                 target: [0.35, 0.3, -1.0],
                 half: 0.55,
             },
+            floor_rays: of(4096, 128),
             floors: if full { vec![0.25, 0.5] } else { vec![0.5] },
         }
     }
@@ -126,13 +129,14 @@ pub(super) fn findings(
     }
     progress.stage("chains: sliding viewpoints");
     let slide = viewpoints::slide(&cases, &fan, &parameters.widths);
-    let laws = viewpoints::policies(slide.best, parameters.fade);
+    let laws = viewpoints::policies(slide.best, &parameters.fades);
+    let fine = Fan::new(KERNEL, parameters.floor_rays, parameters.seed);
     let (mut policies, mut seams) = (Vec::new(), Vec::new());
     for case in &cases {
         progress.stage(&format!("chains: viewpoints in room {}", case.room.name));
         policies.extend(viewpoints::compared(case, &fan, &laws, parameters)?);
         let floors = parameters.floors.iter();
-        seams.extend(floors.map(|r| seams::seams(case, &fan, &laws, &parameters.view, *r)));
+        seams.extend(floors.map(|r| seams::seams(case, &fine, &laws, &parameters.view, *r)));
     }
     let roughness = parameters.roughness.clone();
     Ok(ChainFindings { roughness, near: measure::NEAR, parts, sizes, gains, slide, policies, seams })

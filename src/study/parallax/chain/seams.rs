@@ -126,13 +126,13 @@ pub(super) fn seams(case: &Case, fan: &Fan, policies: &[Policy], view: &View, ro
         elsewhere: 0.0,
         picture: image(view.side, &reference),
     }];
-    for (name, viewpoint, slant) in policies.iter().copied() {
-        let lookup = case.baked(viewpoint, slant, Width::Rational);
-        let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
+    for (name, viewpoint, slant) in policies {
+        let lookup = case.lookup(*slant, Width::Rational);
+        let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint: *viewpoint, fan };
         let shown = floor.shown(|seen| exact.sum(&lookup.taps(seen)));
         let [edge, elsewhere] = floor.creases(&shown, &reference);
         pictures.push(SeamPicture {
-            policy: name.into(),
+            policy: name.clone(),
             edge,
             elsewhere,
             picture: image(view.side, &shown),

@@ -67,7 +67,7 @@ pub(super) fn parts(
     let clamped = chain.with_edges(Edges::Clamped);
     let exact = Exact { room: case.room, fan };
     let levels = Levels { exact, map: &engine.map };
-    let lookup = case.baked(Viewpoint::Probe, Slant::Whole, Width::Rational);
+    let lookup = case.lookup(Slant::Whole, Width::Rational);
     let mut found = ChainParts { room: case.room.name.clone(), ..ChainParts::default() };
     for row in &case.rows {
         let by = |fetch: &dyn Fetch| shaded(row, &lookup, fetch);
@@ -99,7 +99,7 @@ pub(super) fn size(case: &Case, engine: &Engine, chain: &Chain, total: Vec<f64>)
 
 /// The error of the other engines' chains.
 pub(super) fn sizes(case: &Case, parameters: &Parameters, fan: &Fan) -> Result<Vec<ChainSize>, StudyError> {
-    let lookup = case.baked(Viewpoint::Probe, Slant::Whole, Width::Rational);
+    let lookup = case.lookup(Slant::Whole, Width::Rational);
     let exact = Exact { room: case.room, fan };
     let truth: Vec<Vec<[f64; 3]>> = case.rows.iter().map(|row| shaded(row, &lookup, &exact)).collect();
     let one = |engine: &Engine| {

@@ -2,7 +2,7 @@
 
 use super::measure::{Case, all, gain, relative, shaded};
 use super::{Parameters, texels};
-use crate::effects::parallax::{Baked, Slant, Width};
+use crate::effects::parallax::{Faded, Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
 use crate::effects::room::{Fan, Fetch, Lookup};
 use crate::math::ops;
@@ -10,19 +10,26 @@ use crate::report::{BakePolicy, SlideLaw};
 use crate::study::StudyError;
 
 /// The law of a bake with how the widths of its fetches change.
-pub(super) type Policy = (&'static str, Viewpoint, Slant);
+pub(super) type Policy = (String, Viewpoint, Slant);
 
-/// Those compared; a viewpoint is half way at `widths` radii, ratios fade over `fade`.
-pub(super) fn policies(widths: f64, fade: f64) -> Vec<Policy> {
-    let (sliding, fading) = (Viewpoint::Sliding { widths }, Slant::Fading { widths: fade });
-    vec![
-        ("angular, ratio of distances", Viewpoint::Probe, Slant::Ignored),
-        ("angular, ratio of areas", Viewpoint::Probe, Slant::Whole),
-        ("angular, fading at edges", Viewpoint::Probe, fading),
-        ("perpendicular, ratio of areas", Viewpoint::Perpendicular, Slant::Whole),
-        ("sliding, ratio of areas", sliding, Slant::Whole),
-        ("sliding, fading at edges", sliding, fading),
-    ]
+/// Those compared; a viewpoint is half way at `widths` radii, ratios fade over so many as `fades` says.
+pub(super) fn policies(widths: f64, fades: &[f64]) -> Vec<Policy> {
+    let mut all = vec![("angular, ratio of distances".to_string(), Viewpoint::Probe, Slant::Ignored)];
+    let laws = [
+        ("angular", Viewpoint::Probe),
+        ("perpendicular", Viewpoint::Perpendicular),
+        ("sliding", Viewpoint::Sliding { widths }),
+    ];
+    for (name, viewpoint) in laws {
+        all.push((format!("{name}, ratio of areas"), viewpoint, Slant::Whole));
+        // fading heals no seam of a bake
+        let fades = if viewpoint == Viewpoint::Perpendicular { &[] } else { fades };
+        let fading = |widths: &f64| {
+            (format!("{name}, fading over {widths} radii"), viewpoint, Slant::Fading { widths: *widths })
+        };
+        all.extend(fades.iter().map(fading));
+    }
+    all
 }
 
 /// Errors of a lookup by roughness: over all points, those far from edges, those near them.
@@ -52,20 +59,20 @@ pub(super) fn compared(
             chains.push((*viewpoint, Bake { viewpoint: *viewpoint, ..engine.clone() }.chain(case.room)?));
         }
     }
-    let both = |viewpoint: Viewpoint, lookup: &Baked| {
+    let both = |viewpoint: Viewpoint, lookup: &Faded| {
         let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
         let chain = chains.iter().find(|(law, _)| *law == viewpoint).map(|(_, chain)| chain);
         let stored = chain.map(|chain| errors(case, lookup, chain)).unwrap_or_default();
         (errors(case, lookup, &exact), stored)
     };
-    let rival = case.baked(Viewpoint::Probe, Slant::Ignored, Width::Frostbite);
+    let rival = case.lookup(Slant::Ignored, Width::Frostbite);
     let ([published, ..], [published_chain, ..]) = both(Viewpoint::Probe, &rival);
     let one = |(name, viewpoint, slant): &Policy| {
-        let lookup = case.baked(*viewpoint, *slant, Width::Rational);
+        let lookup = case.lookup(*slant, Width::Rational);
         let ([whole, far, near], [chain, ..]) = both(*viewpoint, &lookup);
         BakePolicy {
             room: case.room.name.clone(),
-            policy: (*name).into(),
+            policy: name.clone(),
             gain: gain(&published, &whole),
             gain_chain: gain(&published_chain, &chain),
             whole,
@@ -81,7 +88,7 @@ pub(super) fn compared(
 fn loss(cases: &[Case], fan: &Fan, widths: f64) -> Vec<f64> {
     let of = |case: &Case| {
         let viewpoint = Viewpoint::Sliding { widths };
-        let lookup = case.baked(viewpoint, Slant::Whole, Width::Rational);
+        let lookup = case.lookup(Slant::Whole, Width::Rational);
         let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
         let logs =
             case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));

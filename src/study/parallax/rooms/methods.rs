@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
-use crate::effects::room::proxies::{Body, Smooth};
+use crate::effects::room::proxies::{Body, Law, Smooth};
 use crate::effects::room::{Lookup, Proxy, Room};
 
 /// What a method takes the room for.
@@ -14,8 +14,10 @@ pub(in crate::study::parallax) enum Taken {
     Infinite,
     /// The room's own planes.
     Planes,
-    /// Their p-norm, p = max(4, 0.6/alpha).
+    /// Their p-norm, with the power of the emitted lookups.
     Smooth,
+    /// The same with the power by eye, max(4, 0.6/alpha).
+    ByEye,
 }
 
 /// A way to look the cubemap up.
@@ -38,10 +40,16 @@ impl Method {
         match self.taken {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
             Taken::Planes => self.corrected(room.shape(), room),
-            Taken::Smooth => match Body::new(&room.shape(), room.probe) {
-                Some(body) => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
-                None => self.corrected(room.shape(), room),
-            },
+            Taken::Smooth => self.smooth(room, Smooth::FITTED),
+            Taken::ByEye => self.smooth(room, Smooth::BY_EYE),
+        }
+    }
+
+    /// Without a probe inside there is nothing to be smooth about.
+    fn smooth(&self, room: &Room, power: Law) -> Box<dyn Lookup> {
+        match Body::new(&room.shape(), room.probe) {
+            Some(body) => self.corrected(Smooth { body, power }, room),
+            None => self.corrected(room.shape(), room),
         }
     }
 
@@ -80,7 +88,7 @@ pub(super) fn smooth(fetches: usize) -> Method {
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
     use Shading::{Dominant, Mirror, RootCosine};
-    use Taken::{Infinite, Planes, Smooth};
+    use Taken::{ByEye, Infinite, Planes, Smooth};
     use Width::{Frostbite, Rational, Same, Scaled};
     let method = |name: &str, taken, shading, fetches, ratio, width| Method {
         name: name.into(),
@@ -103,6 +111,7 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, Rational),
         method("rational, areas, dominant direction", Planes, Dominant, 1, Area, Rational),
         method("rational, areas, smooth", Smooth, Mirror, 1, Area, Rational),
+        method("rational, areas, smooth by eye", ByEye, Mirror, 1, Area, Rational),
         method("2 fetches", Planes, Mirror, 2, Area, Rational),
         method("3 fetches", Planes, Mirror, 3, Area, Rational),
         method("3 fetches, dominant direction", Planes, Dominant, 3, Area, Rational),

@@ -1,5 +1,6 @@
 //! Lookups in rooms, against lobes traced from the shading point.
 
+mod costs;
 mod images;
 mod lobes;
 pub(super) mod methods;
@@ -39,13 +40,16 @@ impl Parameters {
             rooms: vec![room_a(), room_b(), octagon()],
             methods: methods::methods(),
             rules: [TapRule::two(), TapRule::three()],
-            power: Smooth::BY_EYE,
+            power: Smooth::FITTED,
             random: random::Parameters::of(size),
             lobes: lobes::Parameters::of(size),
             images: images::Parameters::of(size),
         }
     }
 }
+
+/// Planes of the octagon.
+const OCTAGON: u32 = 11;
 
 /// Runs it.
 pub(super) fn findings(
@@ -60,7 +64,8 @@ pub(super) fn findings(
     let random = rooms.iter().map(|room| random::measured(room, methods, random, &tools)).collect();
     progress.stage("pictures in rooms");
     let pictures = images::pictures(rooms, methods, images)?;
+    let costs = costs::costs(OCTAGON)?;
     let rival = methods[methods::FROSTBITE].name.clone();
     let chosen = methods.iter().filter(|method| method.chosen).map(|method| method.name.clone()).collect();
-    Ok(RoomsFindings { geometry, lobes, random, pictures, rival, chosen })
+    Ok(RoomsFindings { geometry, costs, lobes, random, pictures, rival, chosen })
 }

@@ -1,5 +1,6 @@
 //! Lookups in rooms.
 
+mod costs;
 mod lobes;
 mod pictures;
 mod random;
@@ -18,6 +19,7 @@ pub(super) fn sections(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportErro
         pictures::section(rooms)?,
         smoothness::section(rooms)?,
         verdict::section(rooms)?,
+        costs::section(rooms)?,
     ])
 }
 

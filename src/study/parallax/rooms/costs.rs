@@ -1,0 +1,39 @@
+//! What a lookup takes, by its emitted function.
+
+use crate::data::{AlphaMap, ProbeLookup};
+use crate::effects::parallax::HYPOTHESES;
+use crate::effects::room::proxies::Smooth;
+use crate::emit::probe::{Called, Wanted};
+use crate::fit::Hypothesis;
+use crate::report::LookupCost;
+use crate::study::StudyError;
+
+/// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches; the width is that of the cheapest formula of the
+/// catalogue, the rational one.
+pub(super) fn costs(planes: u32) -> Result<Vec<LookupCost>, StudyError> {
+    let [entry, ..] = HYPOTHESES;
+    let width = Hypothesis::parse(entry.file, entry.source)?;
+    let shapes =
+        [None, Some(planes)].into_iter().flat_map(|planes| [false, true].map(|smooth| (planes, smooth)));
+    let lookups =
+        shapes.flat_map(|(planes, smooth)| (1..=3).map(move |taps| ProbeLookup { planes, smooth, taps }));
+    lookups.map(|lookup| cost(lookup, &width)).collect()
+}
+
+fn cost(lookup: ProbeLookup, width: &Hypothesis) -> Result<LookupCost, StudyError> {
+    let wanted = Wanted {
+        name: "lookup".into(),
+        fetch: "fetch".into(),
+        lookup,
+        header: Vec::new(),
+        width: Called {
+            name: width.name().to_string(),
+            inputs: width.inputs().to_vec(),
+            ops: width.tape().cost_ops(),
+        },
+        level: None,
+        alpha_map: AlphaMap::RoughnessSquared,
+        power: Smooth::FITTED,
+    };
+    Ok(LookupCost { lookup: lookup.text(), fetches: lookup.taps, operations: wanted.operations()? })
+}
