@@ -89,9 +89,13 @@ fn gains(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
         id: "proxy-gains".into(),
         title: "What soft edges gain".into(),
         lead: format!("By the laws above, at {} other points of every room.", proxies.points[1]),
-        blocks: vec![figures(&charts, figure)?, Block::Table(table)],
+        blocks: vec![figures(&charts, figure)?, Block::Text { text: OUTSIDE.into() }, Block::Table(table)],
     })
 }
+
+const OUTSIDE: &str = "A place in a rounded-off corner is outside the rounded body: rays towards the corner meet it at once and fetch next to a mirror, \
+     which few such points with a bright panel nearby make the error of. The smooth body is about the shading point and has no outside. \
+     Between many planes a small power shrinks it most, so that it may pass the probe.";
 
 /// Proxies that gain nothing have lines above and no column.
 fn tabulated(name: &str) -> bool {
