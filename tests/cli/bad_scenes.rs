@@ -132,6 +132,22 @@ fn not_a_scene() -> Vec<Case> {
         ),
         case(top("\"probes\":[{\"name\":\"p\",\"norms\":[]}]"), "probes[0]: norms: the list is empty"),
         case(
+            top("\"probes\":[{\"name\":\"p\",\"lookups\":[]}]"),
+            "probes[0]: lookups: an empty list; leave the field out where none is wanted",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"lookups\":[{},{\"taps\":1}]}]"),
+            "probes[0]: lookups[1]: a box with smooth edges, 1 fetch is in the list already",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"lookups\":[{\"taps\":4}]}]"),
+            "probes[0].lookups[0].taps: 4 is outside [1, 3]",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"lookups\":[{\"planes\":3}]}]"),
+            "probes[0].lookups[0].planes: 3 is outside [4, 64]",
+        ),
+        case(
             top("\"probes\":[{\"name\":\"p\",\"mips\":{\"map\":\"linear\"}}]"),
             "probes[0].mips: give `map` with `count`, or `levels` alone",
         ),

@@ -486,7 +486,7 @@ fn pictures_by_emitted_lookups_are_those_of_the_study() {
                 flip::shown(&image, 0.0)
             });
             let off = flip::ldr(&ours, &theirs, flip::PIXELS_PER_DEGREE).expect("a difference");
-            let worst = off.values.iter().fold(0.0_f64, |worst, x| worst.max(f64::from(*x)));
+            let worst = off.values.iter().fold(0.0_f64, |worst, x| worst.max(*x));
             assert!(worst < 0.02, "{name}, roughness {roughness}: FLIP up to {worst}");
             let different = pixels.windows(2).filter(|pair| pair[0] != pair[1]).count();
             assert!(different > SIDE * SIDE / 3, "{name}: a picture of nothing");

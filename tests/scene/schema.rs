@@ -256,6 +256,7 @@ fn it_names_and_describes_every_field() {
             "base",
             "blend",
             "count",
+            "edges",
             "f0",
             "fit",
             "format",
@@ -268,6 +269,7 @@ fn it_names_and_describes_every_field() {
             "layout",
             "layout",
             "levels",
+            "lookups",
             "map",
             "materials",
             "max_error",
@@ -289,6 +291,7 @@ fn it_names_and_describes_every_field() {
             "norms",
             "norms",
             "norms",
+            "planes",
             "probes",
             "rho",
             "roughness",
@@ -303,6 +306,7 @@ fn it_names_and_describes_every_field() {
             "specular",
             "table",
             "tables",
+            "taps",
             "wants",
         ]
     );

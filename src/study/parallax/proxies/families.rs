@@ -33,9 +33,9 @@ impl Family {
     pub fn parameter(self) -> &'static str {
         match self {
             Family::Smooth => "power p",
-            Family::Rounded => "radius over the probe's nearest distance",
-            Family::Pushed => "least distance over the probe's nearest",
-            Family::Faded => "share of the way to the probe",
+            Family::Rounded => "radius / nearest",
+            Family::Pushed => "least distance / nearest",
+            Family::Faded => "share of the way",
         }
     }
 
