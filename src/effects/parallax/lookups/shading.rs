@@ -49,17 +49,17 @@ const LEAST_COSINE: f64 = 0.02;
 const NARROWEST: f64 = 0.05;
 
 impl LobeFit {
-    /// For one fetch: the lobe is round.
+    /// For one fetch: the lobe is round. These constants, and those below, are what study `parallax`, "The lobe of a surface", fits.
     pub const ONE: LobeFit =
-        LobeFit { lean: [1.068, 1.286, -0.149], narrow: [0.235, 0.485, 0.071], squash: [0.0, 0.0] };
+        LobeFit { lean: [0.769, 1.259, -0.261], narrow: [0.17, 0.602, 0.542], squash: [0.0, 0.0] };
 
     /// For two fetches.
     pub const TWO: LobeFit =
-        LobeFit { lean: [1.125, 1.384, -0.329], narrow: [0.231, 0.505, 0.078], squash: [0.962, 0.947] };
+        LobeFit { lean: [1.047, 1.382, -0.072], narrow: [0.338, 0.582, -0.012], squash: [0.976, 0.915] };
 
     /// For three fetches.
     pub const THREE: LobeFit =
-        LobeFit { lean: [0.8, 1.464, -0.093], narrow: [0.127, 0.4, 0.063], squash: [0.988, 1.153] };
+        LobeFit { lean: [0.929, 1.392, -0.028], narrow: [0.298, 0.609, 0.104], squash: [0.967, 0.889] };
 
     /// Share of the normal in the axis, ratio of the footprint, width across over width along.
     pub fn at(&self, alpha: f64, mu: f64) -> [f64; 3] {

@@ -21,7 +21,7 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         ("where", false),
     ];
     let mut rows = Vec::new();
-    for name in &rooms.chosen {
+    for name in rooms.chosen.iter().filter(|name| **name != rooms.rival) {
         for (reference, against) in ["round lobe", "GGX"].into_iter().enumerate() {
             let cells = cells(rooms, name, reference);
             let Some(least) = cells.iter().min_by(|a, b| a.gain.total_cmp(&b.gain)) else { continue };
