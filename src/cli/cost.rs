@@ -69,8 +69,14 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 fn nothing(options: &Options, input: &Input) -> Result<Outcome, CliError> {
     if options.json {
         let origin = origin(input)?;
-        let empty =
-            Timings { origin, device: device(), points: Vec::new(), tables: None, evaluations: Vec::new() };
+        let empty = Timings {
+            origin,
+            device: device(),
+            points: Vec::new(),
+            tables: None,
+            evaluations: Vec::new(),
+            lookups: Vec::new(),
+        };
         let files = report::timings_page(&empty).map_err(BakeError::from)?;
         print(json(&files.into_iter().map(|f| (f.path, f.bytes)).collect()))?;
     } else if !options.quiet {

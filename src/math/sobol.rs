@@ -12,19 +12,29 @@ pub const DIMENSIONS: usize = 3;
 pub struct Sobol {
     directions: [[u32; 32]; DIMENSIONS],
     seeds: [u32; DIMENSIONS],
+    shuffle: Option<u32>,
 }
 
 impl Sobol {
     /// The sequence scrambled by one seed per dimension.
     pub fn new(seeds: [u32; DIMENSIONS]) -> Sobol {
         let directions = [directions(&[], 0), directions(&[1], 0), directions(&[1, 3], 1)];
-        Sobol { directions, seeds }
+        Sobol { directions, seeds, shuffle: None }
+    }
+
+    /// The same points in another order: for coordinates beyond the dimensions of one sequence. Two sequences in the same order are
+    /// functions of one another whatever their seeds, one elementary interval of the one goes with one of the other; in orders of different
+    /// `seed` they are independent (Burley 2020, "padding"). An aligned block of 2^m indices stays a net.
+    pub fn padded(mut self, seed: u32) -> Sobol {
+        self.shuffle = Some(seed);
+        self
     }
 
     /// Coordinate of point `index` along `dimension`, in (0, 1): the centre of its 2^-32 cell.
     pub fn coordinate(&self, index: u32, dimension: usize) -> f64 {
         let mut bits = 0;
-        let mut rest = index;
+        let shuffled = |seed| scramble(index.reverse_bits(), seed).reverse_bits();
+        let mut rest = self.shuffle.map_or(index, shuffled);
         for direction in self.directions[dimension] {
             if rest == 0 {
                 break;
@@ -91,6 +101,34 @@ mod tests {
                 assert!(counts.iter().all(|c| *c == 1), "seed {seed}, {nx} x {ny}");
             }
         }
+    }
+
+    /// Pairs of coordinates of two padded sequences fill the square, and each is a net by itself.
+    #[test]
+    fn padded_points_are_independent() {
+        for seed in 0..8_u32 {
+            let sets = [1, 2].map(|k: u32| Sobol::new([seed + k, seed ^ k, seed]).padded(mixed(seed + 77 * k)));
+            for (a, b) in [(0, 0), (0, 1), (1, 1), (2, 0)] {
+                let mut counts = [0; 16];
+                for i in 0..256 {
+                    let [x, y] = [sets[0].coordinate(i, a), sets[1].coordinate(i, b)];
+                    counts[(4.0 * x) as usize * 4 + (4.0 * y) as usize] += 1;
+                }
+                assert!(counts.iter().all(|c| (4..=32).contains(c)), "seed {seed}: {counts:?}");
+            }
+            let mut counts = [0; 256];
+            for i in 0..256 {
+                let [x, y] = [0, 1].map(|d| (16.0 * sets[0].coordinate(i, d)) as usize);
+                counts[16 * x + y] += 1;
+            }
+            assert!(counts.iter().all(|c| *c == 1), "seed {seed}: a net");
+        }
+    }
+
+    /// A number that looks random.
+    fn mixed(x: u32) -> u32 {
+        let x = (x ^ (x >> 16)).wrapping_mul(0x7feb_352d);
+        x ^ (x >> 15)
     }
 
     #[test]

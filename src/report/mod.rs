@@ -63,7 +63,8 @@ pub use plot::{
     Spheres, Spread, Style, Worst, disc,
 };
 pub use timings::{
-    TimedApproximation, TimedEstimator, TimedPoint, TimedSeries, TimedTableRun, TimedTables, Timings,
+    TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,
+    Timings,
 };
 
 /// A file to be written: path relative to the bake's folder, and its bytes.

@@ -19,6 +19,20 @@ pub struct Timings {
     pub tables: Option<TimedTables>,
     /// Time per evaluation of each approximation.
     pub evaluations: Vec<TimedApproximation>,
+    /// The lookups of the scene's probes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lookups: Vec<TimedLookup>,
+}
+
+/// What the lookup of a probe takes at a pixel, without its fetches.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimedLookup {
+    /// Proxy, edges and fetches, in words.
+    pub lookup: String,
+    /// Texture fetches.
+    pub fetches: u32,
+    /// Nanoseconds per pixel in f64, measured.
+    pub nanoseconds: f64,
 }
 
 /// Error against seconds at one point of a quantity's domain.

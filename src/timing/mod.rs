@@ -1,5 +1,6 @@
 //! Floor 7: what accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
 
+mod lookups;
 mod tables;
 
 use std::hint::black_box;
@@ -43,7 +44,8 @@ pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> 
     let evaluations = pool.install(|| evaluations(scene.alpha, baked))?;
     // The whole machine: tables are made on all threads.
     let tables = if baked.volumes.is_empty() { None } else { Some(tables::tables()?) };
-    Ok(Timings { origin, device, points, tables, evaluations })
+    let lookups = pool.install(|| lookups::lookups(scene));
+    Ok(Timings { origin, device, points, tables, evaluations, lookups })
 }
 
 /// Median seconds of one execution.

@@ -135,3 +135,30 @@ fn the_output_is_the_commands() {
         assert!(line.contains(&format!("error {}", figure.expect("a number"))), "{line}");
     }
 }
+
+/// The README's name of a lookup of the study, and the study's.
+const LOOKUPS: [(&str, &str); 5] = [
+    ("min(1, rho alpha), sharp edges", "min(1, ρ α)"),
+    ("alpha' by areas, sharp edges", "rational, areas"),
+    ("1 fetch, smooth edges", "rational, areas, smooth"),
+    ("2 fetches, sharp edges", "2 fetches"),
+    ("3 fetches, smooth edges", "3 fetches, smooth"),
+];
+
+#[test]
+fn the_gains_of_lookups_are_the_studys() {
+    let (readme, study) = (read("README.md"), json("reports/studies/parallax/results.json"));
+    let gains = study["chain"]["gains"].as_array().expect("gains");
+    for (name, method) in LOOKUPS {
+        let of = |room: &str| {
+            let row = gains.iter().find(|row| row["room"] == room && row["method"] == method);
+            let row = row.unwrap_or_else(|| panic!("the study has {method} in {room}"));
+            let [exact, chain] = ["gain_exact", "gain_chain"].map(|key| row[key].as_f64().expect("a number"));
+            format!("{exact:.2} ({chain:.2})")
+        };
+        let line = format!("| {name} | {} |", ["A", "B", "octagon"].map(of).join(" | "));
+        assert!(readme.lines().any(|l| l == line), "{line}");
+    }
+    let points = &study["parameters"]["chain"]["points"]["count"];
+    assert!(readme.contains(&format!("at {points} points")), "{points} points");
+}

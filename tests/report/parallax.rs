@@ -5,6 +5,7 @@ use crate::common;
 use std::path::Path;
 
 use common::{lobefit, names, stderr};
+use lobefit::effects::room::proxies::Smooth;
 use lobefit::study::{Size, Study};
 use serde_json::Value;
 
@@ -118,4 +119,35 @@ fn checked(folder: &Path, reduced: &str) {
     }
     let (code, text) = check();
     assert_eq!(code, Some(0), "{text}");
+}
+
+/// What the issue of lookups promises, as the committed study measures it: gains over Frostbite's listing, slanted walls, and the power of
+/// smooth edges that lookups are emitted with.
+#[test]
+fn the_committed_study_keeps_its_bars() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/studies/parallax/results.json");
+    let results: Value = serde_json::from_slice(&std::fs::read(path).expect("committed")).expect("JSON");
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let gain = |room: &str, method: &str| {
+        let rooms = results["rooms"]["random"].as_array().expect("rooms");
+        let room = rooms.iter().find(|r| r["room"] == room).expect("the room");
+        let rows = room["references"][0]["rows"].as_array().expect("rows");
+        number(&rows.iter().find(|row| row["name"] == method).expect("the method")["gain_l2"])
+    };
+    for (room, one, three) in [("A", 1.65, 2.35), ("B", 2.0, 3.3)] {
+        assert!(gain(room, "rational, areas, smooth") > one, "{room}");
+        assert!(gain(room, "3 fetches, smooth") > three, "{room}");
+    }
+    let lobes = results["slant"]["lobes"].as_array().expect("lobes");
+    let lobe = lobes.iter().find(|lobe| lobe["alpha"] == 0.1).expect("alpha 0.1");
+    let row = lobe["rows"].as_array().expect("rows").iter().find(|row| row["slant"] == 72.0);
+    let row = row.expect("72 degrees");
+    assert!(number(&row["best"]) < 0.3755, "{row}");
+    for (placed, bar) in row["placed"].as_array().expect("fetches").iter().zip([0.246, 0.171, 0.119, 0.049]) {
+        assert!(number(&placed["tv"]) <= bar, "{placed}");
+    }
+    let law = Smooth::FITTED.formula();
+    assert_eq!(results["proxies"]["families"][0]["law"], law);
+    let readme = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
+    assert!(readme.expect("a README").contains(&law), "{law}");
 }

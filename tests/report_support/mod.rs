@@ -335,6 +335,11 @@ pub fn timings() -> Timings {
         points: findings.studies.iter().map(point).collect(),
         tables: Some(timed_tables()),
         evaluations: findings.approximations.iter().map(timed).collect(),
+        lookups: vec![TimedLookup {
+            lookup: "a box with smooth edges, 1 fetch".into(),
+            fetches: 1,
+            nanoseconds: 151.5,
+        }],
     }
 }
 

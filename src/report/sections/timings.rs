@@ -3,7 +3,7 @@
 use super::{figures, study, words};
 use crate::report::{
     Bar, Bars, Block, Curves, Dot, Page, ReportError, Scatter, Section, Series, Spread, Style,
-    TimedApproximation, TimedPoint, TimedSeries, Timings, check,
+    TimedApproximation, TimedLookup, TimedPoint, TimedSeries, Timings, check,
 };
 
 pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
@@ -16,6 +16,9 @@ pub(super) fn page(timings: &Timings) -> Result<Page, ReportError> {
     }
     if !timings.evaluations.is_empty() {
         sections.push(run_time(timings)?);
+    }
+    if !timings.lookups.is_empty() {
+        sections.push(lookups(timings));
     }
     Ok(Page {
         title: format!("lobefit timings: {}", timings.origin.scene),
@@ -92,6 +95,20 @@ fn run_time(timings: &Timings) -> Result<Section, ReportError> {
             .into(),
         blocks,
     })
+}
+
+fn lookups(timings: &Timings) -> Section {
+    let columns = [("lookup", false), ("fetches", true), ("ns per pixel", true)];
+    let row = |l: &TimedLookup| vec![l.lookup.clone(), l.fetches.to_string(), words::mean(l.nanoseconds)];
+    let rows = timings.lookups.iter().map(row).collect();
+    Section {
+        id: "lookups".into(),
+        title: "Lookups of probes: nanoseconds per pixel".into(),
+        lead: "From shading point and view to directions, widths and weights, on one core of this machine in f64, one pixel after the other. The \
+               texture's fetches come on top; operations of the emitted functions are in the manifest."
+            .into(),
+        blocks: vec![Block::Table(words::table(&columns, rows, "Mean over places, normals, views and widths at random."))],
+    }
 }
 
 /// Approximations of the same column of the same quantity for the same use: what may share a chart.

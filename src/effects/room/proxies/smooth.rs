@@ -23,7 +23,7 @@ pub struct Smooth {
 impl Smooth {
     /// The power of emitted lookups, fitted for the smallest relative L2 error of one fetch over all roughnesses and three rooms (study
     /// `parallax`, "Proxies with soft edges"); the least of 2 keeps the normal continuous where a plane comes ahead.
-    pub const FITTED: Law = Law::Inverse { over: 0.36, power: 1.5, least: 2.0, most: 256.0 };
+    pub const FITTED: Law = Law::Inverse { over: 0.39, power: 1.5, least: 2.0, most: 256.0 };
 
     /// The power of the study, by eye: max(4, 0.6/alpha). Above 256 nothing changes that is seen.
     pub const BY_EYE: Law = Law::Inverse { over: 0.6, power: 1.0, least: 4.0, most: 256.0 };

@@ -1,0 +1,78 @@
+//! Lookups of probes, by the same arithmetic as the emitted functions in f64.
+
+use std::hint::black_box;
+
+use super::seconds;
+use crate::data::ProbeLookup;
+use crate::effects::parallax::{TapRule, Taps};
+use crate::effects::room::proxies::{Body, Smooth};
+use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
+use crate::math::sobol::Sobol;
+use crate::math::vector::{Vec3, dot, normalise, scaled};
+use crate::plan;
+use crate::report::TimedLookup;
+use crate::scene::Scene;
+
+/// Pixels that a time is the mean of.
+const PIXELS: u32 = 1 << 12;
+
+/// Every lookup that a probe of the scene wants, once.
+pub(super) fn lookups(scene: &Scene) -> Vec<TimedLookup> {
+    let plan = plan::plan(scene);
+    let mut wanted: Vec<ProbeLookup> =
+        plan.parallaxes.iter().flat_map(|job| &job.lookups).map(|(lookup, _)| *lookup).collect();
+    wanted.sort();
+    wanted.dedup();
+    wanted.into_iter().filter_map(timed).collect()
+}
+
+fn timed(lookup: ProbeLookup) -> Option<TimedLookup> {
+    let body = Body::new(&shape(lookup.planes), [0.1, -0.2, 0.05])?;
+    let time = if lookup.smooth {
+        per_pixel(Smooth { body, power: Smooth::FITTED }, lookup.taps)
+    } else {
+        per_pixel(body, lookup.taps)
+    };
+    Some(TimedLookup { lookup: lookup.text(), fetches: lookup.taps, nanoseconds: time * 1e9 })
+}
+
+/// A box, or so many planes about the origin at distance 1: their normals at random.
+fn shape(planes: Option<u32>) -> Convex {
+    let Some(planes) = planes else { return Convex::cuboid([-1.0; 3], [1.0; 3]) };
+    let points = Sobol::new([1, 2, 3]);
+    let normal = |i: u32| {
+        let [x, y, z] = [0, 1, 2].map(|d| points.coordinate(i, d) - 0.5);
+        Plane { normal: normalise([x, y, z]), offset: 1.0 }
+    };
+    Convex { planes: (0..planes).map(normal).collect() }
+}
+
+fn per_pixel<P: Proxy>(proxy: P, taps: u32) -> f64 {
+    let rule = match taps {
+        2 => TapRule::two(),
+        3 => TapRule::three(),
+        _ => TapRule::one(),
+    };
+    let lookup = Taps { proxy, probe: [0.1, -0.2, 0.05], rule };
+    let points = pixels();
+    let time = seconds(|| {
+        for seen in &points {
+            black_box(lookup.taps(black_box(seen)));
+        }
+    });
+    time / points.len() as f64
+}
+
+/// Places about the origin with any normal, a view above it and a width.
+fn pixels() -> Vec<Seen> {
+    let [places, normals, views] = [7, 8, 9].map(|seed| Sobol::new([seed, seed + 10, seed + 20]));
+    let about = |points: &Sobol, i: u32| -> Vec3 { [0, 1, 2].map(|d| points.coordinate(i, d) - 0.5) };
+    let pixel = |i: u32| {
+        let normal = normalise(about(&normals, i));
+        let view = normalise(about(&views, i));
+        let above = if dot(normal, view) < 0.0 { -1.0 } else { 1.0 };
+        let alpha = 0.01 + 0.99 * places.coordinate(i.reverse_bits() >> 8, 0);
+        Seen { place: about(&places, i), normal, view: scaled(view, above), alpha }
+    };
+    (0..PIXELS).map(pixel).collect()
+}
