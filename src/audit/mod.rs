@@ -159,7 +159,7 @@ fn truth_of(table: &Shipped, quantity: &Quantity, pins: &Pins) -> Result<Box<dyn
                 option: "--as",
                 value: other.into(),
                 reason: format!(
-                    "{}: no table of it can be audited; {} can",
+                    "{}: nothing of it can be audited; {} can",
                     table.what,
                     AUDITED.map(|a| a.0).join(", ")
                 ),

@@ -138,8 +138,11 @@ pub fn stale(study: Study, found: &Files) -> Result<Option<(String, String)>, St
         return Ok(Some((missing.clone(), format!("missing, and {present} is there; {again}"))));
     }
     let recipe = study.recipe(Size::Full)?;
+    let reduced = study.recipe(Size::Reduced)?;
     let wrong = |file: &String| {
-        let detail = format!("not of the recipe {recipe} of this version's study; {again}");
+        let holds = |bytes: &Vec<u8>| bytes.windows(reduced.len()).any(|w| w == reduced.as_bytes());
+        let which = if found.get(file).is_some_and(holds) { ", but of the reduced one" } else { "" };
+        let detail = format!("not of the recipe {recipe} of this version's study{which}; {again}");
         Ok(Some((file.clone(), detail)))
     };
     let document: Option<serde_json::Value> =

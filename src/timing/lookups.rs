@@ -65,7 +65,8 @@ fn per_pixel<P: Proxy>(proxy: P, taps: u32) -> f64 {
 
 /// Places about the origin with any normal, a view above it and a width.
 fn pixels() -> Vec<Seen> {
-    let [places, normals, views] = [7, 8, 9].map(|seed| Sobol::new([seed, seed + 10, seed + 20]));
+    let [places, normals, views] =
+        [7, 8, 9].map(|seed| Sobol::new([seed, seed + 10, seed + 20]).padded(seed + 30));
     let about = |points: &Sobol, i: u32| -> Vec3 { [0, 1, 2].map(|d| points.coordinate(i, d) - 0.5) };
     let pixel = |i: u32| {
         let normal = normalise(about(&normals, i));

@@ -52,7 +52,7 @@ fn families(room: &Room) -> Vec<(String, Box<dyn Proxy>)> {
 /// Six numbers in [-1, 1).
 fn numbers(i: u32) -> [f64; 6] {
     static SETS: std::sync::LazyLock<[Sobol; 2]> =
-        std::sync::LazyLock::new(|| [Sobol::new([1, 2, 3]), Sobol::new([4, 5, 6])]);
+        std::sync::LazyLock::new(|| [Sobol::new([1, 2, 3]), Sobol::new([4, 5, 6]).padded(7)]);
     std::array::from_fn(|k| 2.0 * SETS[k / 3].coordinate(i, k % 3) - 1.0)
 }
 

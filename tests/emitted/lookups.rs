@@ -119,7 +119,7 @@ pub type Point = [f32; 10];
 
 /// Places all over a room and beyond, on its walls and edges, with rays of all directions, along axes, walls and as good as along them.
 pub fn points(room: &Room) -> Vec<Point> {
-    let (places, turns) = (Sobol::new([1, 2, 3]), Sobol::new([4, 5, 6]));
+    let (places, turns) = (Sobol::new([1, 2, 3]), Sobol::new([4, 5, 6]).padded(7));
     let even = |set: &Sobol, i: u32| [0, 1, 2].map(|k| 2.0 * set.coordinate(i, k) - 1.0);
     let mut points = Vec::new();
     let at = |place: Vec3, ray: Vec3, alpha: f32| -> Point {

@@ -151,6 +151,7 @@ fn checked(folder: &Path) {
     let (code, text) = check();
     assert_eq!(code, Some(1), "{text}");
     assert!(text.contains("results.json: not of the recipe"), "{text}");
+    assert!(text.contains("of this version's study, but of the reduced one"), "{text}");
     assert!(text.ends_with("follow from their recipe; 1 study is not that of this version\n"), "{text}");
     assert!(text.contains("lobefit report --study coupling"), "{text}");
     // As if the full study had been run.

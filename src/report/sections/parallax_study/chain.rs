@@ -167,7 +167,7 @@ fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
     let curves = Curves {
         title: "Error of a bake whose viewpoint slides".into(),
         x: ("w".into(), Spread::Log),
-        y: ("geometric mean of the relative error over r".into(), Spread::Linear),
+        y: ("relative L2, geometric mean over r".into(), Spread::Linear),
         series: law.rooms.iter().enumerate().map(line).collect(),
         annotations: Vec::new(),
         guides: Vec::new(),

@@ -21,7 +21,7 @@ fn laws(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
     let table = words::table(
         &columns,
         proxies.families.iter().map(row).collect(),
-        "Laws fitted for the smallest mean logarithm of the error over all rooms and roughnesses.",
+        "Laws fitted for the smallest mean logarithm of the error over all rooms and roughnesses; a factor of 0 is the planes themselves: nothing gains.",
     );
     let caption = "The parameter of the smallest relative L2 error of one fetch (rational width, ratio of areas) against the same lobe traced from \
                    the shading point: of each room, of all together, and by the law. Where the error hardly depends on the parameter the best \
@@ -152,7 +152,8 @@ fn edges(proxies: &ProxiesFindings) -> Section {
     Section {
         id: "proxy-edges".into(),
         title: "Jumps at edges".into(),
-        lead: "The looked-up direction of the planes has a kink at edges, and the ratio of areas jumps: a seam. Of the smooth body neither does.".into(),
+        lead: "The looked-up direction of the planes has a kink at edges, and the ratio of areas jumps: a seam. Of the smooth body neither does, but at small α \
+               it turns so fast that the differences taken here still see a jump.".into(),
         blocks: vec![Block::Table(words::table(&columns, proxies.crossings.iter().map(row).collect(), caption))],
     }
 }

@@ -85,7 +85,7 @@ fn table(lobe: &SlantLobe) -> crate::report::TextTable {
     words::table(
         &columns,
         lobe.rows.iter().map(row).collect(),
-        "Total variation. Numbers at the head: fetches placed for this wall.",
+        "Total variation. Columns 2, 3, 4, 8: so many fetches placed for this wall.",
     )
 }
 

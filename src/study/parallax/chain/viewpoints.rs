@@ -25,7 +25,8 @@ pub(super) fn policies(widths: f64, fades: &[f64]) -> Vec<Policy> {
         // fading heals no seam of a bake
         let fades = if viewpoint == Viewpoint::Perpendicular { &[] } else { fades };
         let fading = |widths: &f64| {
-            (format!("{name}, fading over {widths} radii"), viewpoint, Slant::Fading { widths: *widths })
+            let unit = if *widths == 1.0 { "radius" } else { "radii" };
+            (format!("{name}, fading over {widths} {unit}"), viewpoint, Slant::Fading { widths: *widths })
         };
         all.extend(fades.iter().map(fading));
     }

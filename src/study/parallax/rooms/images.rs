@@ -10,7 +10,7 @@ use super::view::{Camera, Pixel, pixels};
 use crate::effects::room::{Exact, Fetch, Lookup, Room, Seen};
 use crate::math::sum;
 use crate::math::vector::{Vec3, plus, scaled};
-use crate::report::flip::{self, ErrorMap, PIXELS_PER_DEGREE};
+use crate::report::flip::{self, ErrorMap};
 use crate::report::{Image, RoomPicture, RoomPictureRow, RoomPictures};
 use crate::study::{Size, StudyError};
 
@@ -48,7 +48,7 @@ impl Parameters {
             roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.5] },
             directions: if full { 1536 } else { 256 },
             stops: -1.0,
-            pixels_per_degree: PIXELS_PER_DEGREE,
+            pixels_per_degree: 30.0,
             shown: if full { vec![0.15, 0.35, 0.7] } else { vec![0.5] },
         }
     }

@@ -48,12 +48,12 @@ pub(in crate::study::parallax) fn points(room: &Room, parameters: &Parameters) -
     let shape = room.shape();
     let [low, high] = bounds(&shape, room.probe);
     let places = Sobol::new([seed, seed ^ 0x5bd1_e995, seed ^ 0x9e37_79b9]);
-    let turns = Sobol::new([seed ^ 0x2545_f491, seed ^ 0x7feb_352d, 0]);
+    let turns = Sobol::new([seed ^ 0x2545_f491, seed ^ 0x7feb_352d, 0]).padded(seed ^ 0x1656_67b1);
     let place =
         |i: u32| [0, 1, 2].map(|axis| low[axis] + (high[axis] - low[axis]) * places.coordinate(i, axis));
     let inside = |place: &Vec3| shape.planes.iter().all(|plane| plane.depth(*place) >= margin);
     let found = (0..).map(place).filter(inside).take(count);
-    let tilts = Sobol::new([seed ^ 0x68e3_1da4, seed ^ 0xb529_7a4d, 0]);
+    let tilts = Sobol::new([seed ^ 0x68e3_1da4, seed ^ 0xb529_7a4d, 0]).padded(seed ^ 0x94d0_49bb);
     let point = |(place, i)| {
         let mirror = polar(1.0 - 2.0 * turns.coordinate(i, 0), turns.coordinate(i, 1));
         let mu = 1.0 - (1.0 - LEAST_COSINE) * tilts.coordinate(i, 0);

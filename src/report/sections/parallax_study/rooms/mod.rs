@@ -1,5 +1,6 @@
 //! Lookups in rooms.
 
+mod compared;
 mod costs;
 mod lobes;
 mod pictures;
@@ -14,6 +15,7 @@ use crate::report::{Block, ReportError, RoomGeometry, RoomsFindings, Section, ch
 pub(super) fn sections(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
     Ok(vec![
         geometry(&rooms.geometry)?,
+        compared::section(),
         random::section(rooms)?,
         lobes::section(rooms)?,
         pictures::section(rooms)?,

@@ -41,10 +41,47 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     Ok(Section {
         id: "verdict".into(),
         title: "At least as good everywhere?".into(),
-        lead: "Frostbite’s listing against the methods that the page shows pictures of, by the largest loss."
-            .into(),
-        blocks: vec![Block::Table(words::table(&columns, rows, caption))],
+        lead: answer(rooms),
+        blocks: vec![Block::Table(words::table(&columns, rows, caption)), Block::Table(losses(rooms))],
     })
+}
+
+/// The question answered, for either reference.
+fn answer(rooms: &RoomsFindings) -> String {
+    let shown = || rooms.chosen.iter().filter(|name| **name != rooms.rival);
+    let told = ["the round lobe", "GGX"].iter().enumerate().map(|(reference, against)| {
+        let never: Vec<&str> = shown()
+            .filter(|name| cells(rooms, name, reference).iter().all(|cell| cell.gain >= 1.0))
+            .map(String::as_str)
+            .collect();
+        match never.as_slice() {
+            [] => format!("Against {against} none of them is at least as good everywhere."),
+            names => {
+                format!("Against {against} these are at least as good everywhere: {}.", names.join("; "))
+            }
+        }
+    });
+    let told: Vec<String> = told.collect();
+    format!(
+        "Frostbite’s listing against the methods that the page shows pictures of. {} Some losses are within the noise of the references \
+         (FLIP: see the tables of the pictures).",
+        told.join(" ")
+    )
+}
+
+/// Every comparison that is lost.
+fn losses(rooms: &RoomsFindings) -> crate::report::TextTable {
+    let columns = [("worse than Frostbite", false), ("against", false), ("where", false), ("gain", true)];
+    let mut rows = Vec::new();
+    for name in rooms.chosen.iter().filter(|name| **name != rooms.rival) {
+        for (reference, against) in ["round lobe", "GGX"].into_iter().enumerate() {
+            let lost = cells(rooms, name, reference).into_iter().filter(|cell| cell.gain < 1.0);
+            rows.extend(
+                lost.map(|cell| vec![name.clone(), against.into(), cell.place, format!("{:.2}", cell.gain)]),
+            );
+        }
+    }
+    words::table(&columns, rows, "Frostbite’s error over the method’s.")
 }
 
 fn cells(rooms: &RoomsFindings, name: &str, reference: usize) -> Vec<Cell> {
