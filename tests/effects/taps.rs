@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use lobefit::effects::parallax::taps::fit::{fit, situations};
+use lobefit::effects::parallax::taps::fit::{fit, situations, slants};
 use lobefit::effects::parallax::{Stretch, TapRule, Taps, width};
 use lobefit::effects::room::{Lookup, Plane, Seen, room_b};
 use lobefit::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
@@ -49,6 +49,27 @@ fn rules_leave_what_the_study_says_or_less() {
             // the H^-1 norm is what is minimised: at 40 degrees three fetches give up some of the total variation for it
             let leeway = if psi == 40.0 { 1.13 } else { 1.025 };
             assert!(mean < stated * leeway, "{} fetches at {psi}: {mean} against {stated}", rule().count());
+        }
+    }
+}
+
+#[test]
+fn walls_at_every_slant_are_among_those_of_a_set() {
+    for seed in [1, 2, 9, 77] {
+        let shares: Vec<[f64; 4]> = slants(256, seed)
+            .iter()
+            .map(|slant| {
+                let cosine = |stand: Stand| (sincos(stand.slant).1 - 0.15) / 0.85;
+                let ratio = log(slant.shading.distance / 0.15) / log(2.0 / 0.15);
+                [cosine(slant.shading), cosine(slant.probe), slant.azimuth / PI, ratio]
+            })
+            .collect();
+        for (a, b) in (0..4).flat_map(|a| (0..a).map(move |b| (a, b))) {
+            let mut cells = [0; 16];
+            for share in &shares {
+                cells[(4.0 * share[a]) as usize * 4 + (4.0 * share[b]) as usize] += 1;
+            }
+            assert!(cells.iter().all(|count| *count >= 4), "seed {seed}, {a} over {b}: {cells:?}");
         }
     }
 }

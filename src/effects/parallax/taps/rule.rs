@@ -16,7 +16,7 @@
 //! minimise, within 1 %, the squared H^-1 norms of the differences, each over the 3/4 power of that of one fetch, over walls at every slant to
 //! shading point and probe ([`super::fit`]; the study fits on from them). Nearer to the minimum some walls are served worse than by one fetch.
 
-use crate::math::ops;
+use super::expected::{self, EXPECTED};
 use crate::optics::footprint::{RuleTap, Stretch};
 
 /// a, c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1.
@@ -116,23 +116,11 @@ impl TapRule {
         rules.into_iter().find(|rule| rule.expected(stretch, alpha) <= tv).unwrap_or_else(TapRule::three)
     }
 
-    /// What the fetches are expected to be off by in total variation: 0 where there is no stretch. Fitted like the rules themselves; see [`EXPECTED`].
+    /// What the fetches are expected to be off by in total variation: 0 where there is no stretch and no growth. See [`EXPECTED`].
     pub fn expected(&self, stretch: &Stretch, alpha: f64) -> f64 {
-        let [p, s, q, r] = EXPECTED[self.count.clamp(1, 3) - 1];
-        let z = stretch.length;
-        // ln of length over width, z^2 = 1 - 1/l^2
-        let stretched = -0.5 * ops::log1p(-(z * z).min(1.0 - f64::EPSILON));
-        let grown = alpha * stretch.growth;
-        let (even, odd) = (p * stretched / (1.0 + s * stretched), q * grown / (1.0 + r * grown));
-        (even * even + odd * odd).sqrt().min(1.0)
+        expected::variation(&EXPECTED[self.count.clamp(1, 3) - 1], stretch, alpha)
     }
 }
-
-/// p, s, q, r of the expected total variation of 1, 2 and 3 fetches, the root of (p l/(1 + s l))^2 + (q sigma/(1 + r sigma))^2, l the logarithm of
-/// the footprint's length over its width: least squares over the situations of the fit, with root mean square errors of 0.05, 0.08 and 0.08: lobes of which much misses the wall have no third
-/// input that would tell.
-pub const EXPECTED: [[f64; 4]; 3] =
-    [[0.417, 0.313, 0.782, 1.341], [0.352, 0.423, 0.548, 2.702], [0.249, 0.276, 0.459, 1.661]];
 
 fn padded(constants: &[f64]) -> [f64; THREE.len()] {
     std::array::from_fn(|i| constants.get(i).copied().unwrap_or(0.0))
