@@ -11,10 +11,14 @@
 //! inner one 1 + z (g0 + g1 z + g2 alpha), of weights G (sqrt(1 + W^2) +- W) and 1, W = y (w0 + w1 z)/z in [-1.5, 1.5], G = z^2 (h0 z + h1 alpha),
 //! over their sum. Where the footprint is round and grows nowhere, z = y = 0, all of it is the one fetch of the lobe; where it does not grow,
 //! near and far mirror each other, so that nothing jumps where the growth changes its sign.
+//! Where it grows, several fetches are left at kappa = 1, and z = 0 with growth is a place where they may jump: the growth's own part of the length,
+//! alpha^2 g g^T, then just makes up for kappa, the long axis turns by 90 degrees there, and with it what it grows by along itself.
 //!
 //! Last, a tilt of tangent t = c alpha becomes t/(1 + max(t s, 0)), s = [`Stretch::slope`]: no ray is tilted past the plane of the wall. The constants
-//! minimise, within 1 %, the squared H^-1 norms of the differences, each over the 3/4 power of that of one fetch, over walls at every slant to
-//! shading point and probe ([`super::fit`]; the study fits on from them). Nearer to the minimum some walls are served worse than by one fetch.
+//! minimise, within 1 % over 140 walls, the squared H^-1 norms of the differences, each over the 3/4 power of that of one fetch, over walls at every slant to
+//! shading point and probe ([`super::fit`]; the study fits on from them). Of 3000 other walls the two serve 5 worse than one fetch does, by more than 0.001 in total variation,
+//! one of them by 0.12, the three 2, by less than 0.01. Two fail most where shading point and probe look from opposite sides, the azimuth near pi: at
+//! alpha 0.08, cosines of 0.68 to both and a ratio of 0.71 they leave 0.17 where one leaves 0.12.
 
 use super::expected::{self, EXPECTED};
 use crate::optics::footprint::{RuleTap, Stretch};
@@ -38,7 +42,8 @@ const NARROWEST: f64 = 0.1;
 /// Below, z counts as this in a denominator; what it divides has z as a factor.
 const LEAST_LENGTH: f64 = 1e-6;
 
-/// A rule for a number of fetches: continuous in the stretch, and one fetch of the lobe itself where there is none.
+/// A rule for a number of fetches: one fetch of the lobe itself where the footprint is round and grows nowhere, and continuous in the stretch
+/// but where it is round (z = 0) and grows.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct TapRule {
     count: usize,
