@@ -52,8 +52,8 @@ pub use findings::{
     RoomPictureRow, RoomPictures, RoomsFindings,
 };
 pub use findings::{
-    PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit, SeedSlant, SlantFindings,
-    SlantFootprints, SlantLobe, SlantRow,
+    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit,
+    SeedSlant, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
 };
 pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use image::{Image, luminance};

@@ -2,11 +2,12 @@
 
 use std::f64::consts::PI;
 
-use lobefit::effects::parallax::taps::fit::{fit, situations};
+use lobefit::effects::parallax::taps::expected::{EXPECTED, EXPECTED_OFF, EXPECTED_UP_TO, expected};
+use lobefit::effects::parallax::taps::fit::{fit, situations, slants};
 use lobefit::effects::parallax::{Stretch, TapRule, Taps, width};
 use lobefit::effects::room::{Lookup, Plane, Seen, room_b};
 use lobefit::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
-use lobefit::math::ops::{log, sincos};
+use lobefit::math::ops::{acos, log, sincos};
 use lobefit::math::vector::{dot, length, normalise};
 use lobefit::optics::kernel::Kernel;
 
@@ -54,30 +55,96 @@ fn rules_leave_what_the_study_says_or_less() {
 }
 
 #[test]
-fn more_fetches_are_nearer_on_walls_at_any_slant() {
-    let all = situations(Kernel::HalfCosine, &[0.02, 0.1, 0.3], 45, 9, Resolution::COARSE).expect("walls");
-    let (mut sums, mut worst) = ([0.0; 3], 0.0_f64);
-    for situation in &all {
-        let tv =
-            [situation.one, situation.variation(&TapRule::two()), situation.variation(&TapRule::three())];
-        worst = worst.max(tv[1] - tv[0]).max(tv[2] - tv[0]);
-        sums.iter_mut().zip(tv).for_each(|(sum, tv)| *sum += tv);
+fn walls_at_every_slant_are_among_those_of_a_set() {
+    for seed in [1, 2, 9, 77] {
+        let shares: Vec<[f64; 4]> = slants(256, seed)
+            .iter()
+            .map(|slant| {
+                let cosine = |stand: Stand| (sincos(stand.slant).1 - 0.15) / 0.85;
+                let ratio = log(slant.shading.distance / 0.15) / log(2.0 / 0.15);
+                [cosine(slant.shading), cosine(slant.probe), slant.azimuth / PI, ratio]
+            })
+            .collect();
+        for (a, b) in (0..4).flat_map(|a| (0..a).map(move |b| (a, b))) {
+            let mut cells = [0; 16];
+            for share in &shares {
+                cells[(4.0 * share[a]) as usize * 4 + (4.0 * share[b]) as usize] += 1;
+            }
+            assert!(cells.iter().all(|count| *count >= 4), "seed {seed}, {a} over {b}: {cells:?}");
+        }
     }
-    assert!(worst < 2e-3, "worse than one fetch by {worst}");
-    assert!(sums[1] < 0.72 * sums[0] && sums[2] < 0.60 * sums[0], "{sums:?}");
+}
+
+#[test]
+fn more_fetches_are_nearer_on_walls_at_any_slant_but_a_few() {
+    let alphas = [0.01, 0.03, 0.08, 0.18, 0.35, 0.6];
+    let all = situations(Kernel::HalfCosine, &alphas, 3000, 5, Resolution::COARSE).expect("walls");
+    let one: f64 = all.iter().map(|situation| situation.one).sum();
+    // a rule with the share of the sum that it leaves, the walls that it serves worse by more than 0.001, and the most that it is worse by
+    let stated = [(TapRule::two(), 0.74, 5, [0.11, 0.13]), (TapRule::three(), 0.625, 2, [0.005, 0.01])];
+    for (rule, share, walls, [least, most]) in stated {
+        let (mut sum, mut worse, mut worst) = (0.0, 0, 0.0_f64);
+        for situation in &all {
+            let tv = situation.variation(&rule);
+            sum += tv;
+            worse += usize::from(tv > situation.one + 1e-3);
+            worst = worst.max(tv - situation.one);
+        }
+        assert!(sum < share * one, "{} fetches leave {}", rule.count(), sum / one);
+        assert!((1..=walls).contains(&worse), "{} fetches are worse on {worse}", rule.count());
+        assert!((least..most).contains(&worst), "{} fetches are worse by {worst}", rule.count());
+    }
+}
+
+#[test]
+fn two_fetches_are_worse_than_one_on_a_wall_seen_from_opposite_sides() {
+    let stand = |cosine: f64, distance: f64| Stand { distance, slant: acos(cosine) };
+    let wall = Slant { shading: stand(0.679, 0.71), probe: stand(0.684, 1.0), azimuth: PI };
+    let [one, two, three] = RULES.map(|rule| variation(&rule(), 0.08, wall));
+    assert!((0.11..0.125).contains(&one) && (0.165..0.18).contains(&two), "{one} {two}");
+    assert!(three < one, "{three}");
 }
 
 #[test]
 fn constants_are_at_a_minimum() {
     let alphas = [0.02, 0.05, 0.1, 0.2, 0.35, 0.55, 0.8];
-    let all = situations(Kernel::HalfCosine, &alphas, 28, 1, Resolution::COARSE).expect("walls");
-    let found = fit(&TapRule::two(), &all, 1).expect("a fit");
-    assert!(found.sums[1] <= found.sums[0] && found.sums[1] > 0.93 * found.sums[0], "{found:?}");
-    // other constants are worse
-    let mut moved = TapRule::two().constants().to_vec();
-    moved[1] *= 1.3;
-    let moved = TapRule::two().with(&moved).expect("as many");
-    assert!(fit(&moved, &all, 1).expect("a fit").sums[0] > 1.05 * found.sums[0]);
+    let all = situations(Kernel::HalfCosine, &alphas, 140, 1, Resolution::COARSE).expect("walls");
+    for (rule, apart) in [(TapRule::two(), 1), (TapRule::three(), 3)] {
+        let found = fit(&rule, &all, 1).expect("a fit");
+        assert!(found.sums[1] <= found.sums[0] && found.sums[1] > 0.99 * found.sums[0], "{found:?}");
+        // other constants are worse
+        let mut moved = rule.constants().to_vec();
+        moved[apart] *= 1.3;
+        let moved = rule.with(&moved).expect("as many");
+        assert!(fit(&moved, &all, 1).expect("a fit").sums[0] > 1.5 * found.sums[0]);
+    }
+}
+
+#[test]
+fn what_is_expected_is_off_by_what_is_stated() {
+    let alphas = [0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.6, 0.8];
+    let all = situations(Kernel::HalfCosine, &alphas, 1600, 5, Resolution::COARSE).expect("walls");
+    for (rule, stated) in RULES.map(|rule| rule()).iter().zip(EXPECTED_OFF) {
+        for (up_to, stated) in EXPECTED_UP_TO.into_iter().zip(stated) {
+            let rms = |alpha: f64| {
+                let off: Vec<f64> = all
+                    .iter()
+                    .filter(|s| s.case.alpha == alpha)
+                    .map(|s| rule.expected(&s.case.stretch, alpha) - s.variation(rule))
+                    .collect();
+                (off.iter().map(|d| d * d).sum::<f64>() / off.len() as f64).sqrt()
+            };
+            let most = alphas.into_iter().filter(|alpha| *alpha <= up_to).map(rms).fold(0.0, f64::max);
+            assert!((0.85 * stated..=stated).contains(&most), "{} to {up_to}: {most}", rule.count());
+        }
+    }
+    // the constants are those of least squares, within 5 % of the error, and the fit finds them from elsewhere
+    for (rule, constants) in RULES.map(|rule| rule()).iter().zip(EXPECTED) {
+        let found = expected(rule, &constants, &all, 30).expect("a fit");
+        assert!(found.off[1] <= found.off[0] && found.off[1] > 0.95 * found.off[0], "{found:?}");
+        let elsewhere = expected(rule, &constants.map(|c| 1.3 * c), &all, 30).expect("a fit");
+        assert!((elsewhere.off[1] / found.off[1] - 1.0).abs() < 1e-3, "{elsewhere:?} {found:?}");
+    }
 }
 
 #[test]

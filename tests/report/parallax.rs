@@ -58,6 +58,11 @@ fn slants_are_true(results: &Value) {
     for refit in results["slant"]["refits"].as_array().expect("fits") {
         assert!(number(&refit["sums"][1]) <= number(&refit["sums"][0]), "{refit}");
     }
+    let expectations = results["slant"]["expectations"].as_array().expect("fits");
+    assert_eq!(expectations.len(), 3);
+    for of in expectations {
+        assert!(number(&of["off"][1]) <= number(&of["off"][0]) && number(&of["off"][0]) < 0.2, "{of}");
+    }
     for cell in results["seed"]["cells"].as_array().expect("cells") {
         let (far, offset) = (number(&cell["distance"]) > 1.0, number(&cell["shifted"]["offset"]));
         let least = if far && cell["energy"] == false { -10.0..-1.0 } else { -0.05..0.05 };

@@ -1,7 +1,7 @@
 //! The rule of several fetches, as a script: the formulas of [`TapRule`] in f32, with its constants.
 
 use crate::effects::parallax::TapRule;
-use crate::effects::parallax::taps::EXPECTED;
+use crate::effects::parallax::taps::expected::{EXPECTED, EXPECTED_OFF, EXPECTED_UP_TO};
 
 /// Where the fetches lie and how wide they are, by z = `spread`, y = `skewed` and alpha; the constants by their names in [`TWO_NAMES`].
 const TWO: &str = "
@@ -74,10 +74,19 @@ pub(super) fn lines(taps: usize) -> String {
 
 /// What the fetches are expected to be off by on one plane.
 pub(super) fn expected(taps: u32) -> Vec<String> {
-    let Some([p, s, q, r]) = EXPECTED.get(taps as usize - 1) else { return Vec::new() };
+    let row = (taps as usize).wrapping_sub(1);
+    let (Some([p, s, q, r]), Some([narrow, wide])) = (EXPECTED.get(row), EXPECTED_OFF.get(row)) else {
+        return Vec::new();
+    };
+    let [low, high] = EXPECTED_UP_TO;
     vec![
-        "Expected total variation from the lobe's footprint on one plane, to 0.08 root mean square: the root of".into(),
-        format!("  ({p} l/(1 + {s} l))^2 + ({q} g/(1 + {r} g))^2, l the logarithm of the footprint's length over its width, g what the ratio"),
-        "  of distances grows by over the width of the lobe; lobes that reach over an edge are off by more.".into(),
+        format!(
+            "Expected total variation from the lobe's footprint on one plane, to {narrow} root mean square for alpha up to {low}, to {wide} up to {high}: the root of"
+        ),
+        format!(
+            "  ({p} l/(1 + {s} l))^2 + ({q} g/(1 + {r} g))^2, l the logarithm of the footprint's length over its width, g what the ratio"
+        ),
+        "  of distances grows by over the width of the lobe; lobes that reach over an edge are off by more."
+            .into(),
     ]
 }

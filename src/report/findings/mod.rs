@@ -47,8 +47,8 @@ pub use parallax_study::{
     RoomPictureRow, RoomPictures, RoomsFindings,
 };
 pub use parallax_study::{
-    PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit, SeedSlant, SlantFindings,
-    SlantFootprints, SlantLobe, SlantRow,
+    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit,
+    SeedSlant, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
 };
 pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};

@@ -6,14 +6,16 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::bake::Progress;
+use crate::effects::parallax::taps::EXPECTED;
+use crate::effects::parallax::taps::expected::expected;
 use crate::effects::parallax::taps::fit::{Situation, fit, situations};
 use crate::effects::parallax::{RuleTap, TapRule};
 use crate::integrate::IntegrateError;
 use crate::integrate::footprint::slant::{Case, Found, Nearest, Resolution, Slant, best_taps, best_width};
 use crate::optics::kernel::Kernel;
 use crate::report::{
-    Field, PlacedTaps, RuleCurves, RuleRefit, RuleSpread, Ruler, SlantFindings, SlantFootprints, SlantLobe,
-    SlantRow,
+    Field, PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, Ruler, SlantFindings,
+    SlantFootprints, SlantLobe, SlantRow,
 };
 use crate::study::{Size, StudyError};
 
@@ -32,6 +34,8 @@ pub(super) struct Parameters {
     /// Pixels of a footprint along the tilt and across it.
     pixels: [usize; 2],
     rules: [TapRule; 2],
+    /// Of the expected total variation of one fetch and of the rules.
+    expected: [[f64; 4]; 3],
     spread: Spread,
     fitted: Fitted,
 }
@@ -68,6 +72,7 @@ impl Parameters {
             drawn: if full { vec![(0.1, 60.0), (0.1, 72.0), (0.3, 72.0)] } else { vec![(0.1, 72.0)] },
             pixels: if full { [112, 64] } else { [28, 16] },
             rules: [TapRule::two(), TapRule::three()],
+            expected: EXPECTED,
             spread: Spread {
                 alphas: pick(&[0.01, 0.03, 0.08, 0.18, 0.35, 0.6], &[0.1]),
                 walls: if full { 300 } else { 4 },
@@ -90,13 +95,15 @@ pub(super) fn findings(
 ) -> Result<SlantFindings, StudyError> {
     progress.stage("slant");
     let lobes = parameters.alphas.par_iter().map(|alpha| lobe(parameters, *alpha));
+    let (refits, expectations) = refits(parameters)?;
     let footprints = parameters.drawn.iter().map(|(alpha, psi)| footprints(parameters, *alpha, *psi));
     Ok(SlantFindings {
         lobes: lobes.collect::<Result<_, IntegrateError>>()?,
         footprints: footprints.collect::<Result<_, _>>()?,
         rules: parameters.rules.iter().flat_map(curves).collect(),
         spread: spread(parameters)?,
-        refits: refits(parameters)?,
+        refits,
+        expectations,
     })
 }
 
@@ -237,7 +244,10 @@ fn spread(parameters: &Parameters) -> Result<Vec<RuleSpread>, IntegrateError> {
     Ok(alphas.iter().map(of).collect())
 }
 
-fn refits(parameters: &Parameters) -> Result<Vec<RuleRefit>, IntegrateError> {
+/// Most iterations of a fit of an expected total variation.
+const SEARCH: u64 = 30;
+
+fn refits(parameters: &Parameters) -> Result<(Vec<RuleRefit>, Vec<RuleExpectation>), IntegrateError> {
     let Fitted { alphas, walls, seed, iterations } = &parameters.fitted;
     let all = situations(parameters.kernel, alphas, *walls, *seed, Resolution::COARSE)?;
     let refit = |rule: &TapRule| {
@@ -250,5 +260,19 @@ fn refits(parameters: &Parameters) -> Result<Vec<RuleRefit>, IntegrateError> {
             walls: all.len(),
         })
     };
-    parameters.rules.iter().map(refit).collect()
+    let [two, three] = &parameters.rules;
+    let expectation = |(rule, constants): (&TapRule, &[f64; 4])| {
+        let found = expected(rule, constants, &all, SEARCH)?;
+        Ok(RuleExpectation {
+            count: rule.count(),
+            constants: *constants,
+            refitted: found.constants,
+            off: found.off,
+            walls: all.len(),
+        })
+    };
+    let expectations = [TapRule::one(), *two, *three];
+    let expectations = expectations.iter().zip(&parameters.expected).map(expectation);
+    let refits = parameters.rules.iter().map(refit).collect::<Result<_, IntegrateError>>()?;
+    Ok((refits, expectations.collect::<Result<_, IntegrateError>>()?))
 }

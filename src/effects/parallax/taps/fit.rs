@@ -31,8 +31,24 @@ const IN_FRONT: [f64; 6] = [8.0, 20.0, 40.0, 55.0, 65.0, 75.0];
 const COSINES: [f64; 2] = [0.15, 1.0];
 const RATIOS: [f64; 2] = [0.15, 2.0];
 
-/// A kernel's lobes of some widths on walls: for each width those in front of the probe, and `count` in all at slants to both, evenly over the
-/// cosines of both slants above 0.15, the azimuth and the logarithm of the ratio of the distances in [0.15, 2], a Sobol set of a seed.
+/// Walls at slants to shading point and probe, evenly over the cosines of both slants above 0.15, the azimuth and the logarithm of the ratio of
+/// the distances in [0.15, 2]: a Sobol set of a seed for the first three, one in an order of its own for the ratio.
+pub fn slants(count: u32, seed: u32) -> Vec<Slant> {
+    let first = Sobol::new([seed, seed ^ 0x51ed_270b, seed ^ 0x2545_f491]);
+    let second = Sobol::new([seed ^ 0x0123_4567, 0, 0]).padded(seed.wrapping_mul(0x9e37_79b9) ^ 0x68e3_1da4);
+    let mix = |[low, high]: [f64; 2], t: f64| low + (high - low) * t;
+    let slant = |t: f64| ops::acos(mix(COSINES, t));
+    let distance = |t: f64| ops::exp(mix(RATIOS.map(ops::log), t));
+    let wall = |i: u32| Slant {
+        shading: Stand { distance: distance(second.coordinate(i, 0)), slant: slant(first.coordinate(i, 0)) },
+        probe: Stand { distance: 1.0, slant: slant(first.coordinate(i, 1)) },
+        azimuth: PI * first.coordinate(i, 2),
+    };
+    (0..count).map(wall).collect()
+}
+
+/// A kernel's lobes of some widths on walls: for each width those in front of the probe, and `count` in all of the
+/// walls of [`slants`].
 ///
 /// # Errors
 /// As [`Case::new`].
@@ -43,25 +59,14 @@ pub fn situations(
     seed: u32,
     resolution: Resolution,
 ) -> Result<Vec<Situation>, IntegrateError> {
-    let first = Sobol::new([seed, seed ^ 0x51ed_270b, seed ^ 0x2545_f491]);
-    let second = Sobol::new([seed ^ 0x0123_4567, 0, 0]);
-    let mix = |[low, high]: [f64; 2], t: f64| low + (high - low) * t;
-    let tilted = |i: u32| {
-        let slant = |t: f64| ops::acos(mix(COSINES, t));
-        let distance = ops::exp(mix(RATIOS.map(ops::log), second.coordinate(i, 0)));
-        Slant {
-            shading: Stand { distance, slant: slant(first.coordinate(i, 0)) },
-            probe: Stand { distance: 1.0, slant: slant(first.coordinate(i, 1)) },
-            azimuth: PI * first.coordinate(i, 2),
-        }
-    };
+    let tilted = slants(count, seed);
     let mut all: Vec<(f64, Slant)> = Vec::new();
     for alpha in alphas {
         all.extend(IN_FRONT.map(|psi| (*alpha, Slant::in_front(psi * PI / 180.0))));
     }
     // a run of the set for each width: every other point of it lies in one half of the first cosine
     let width = |i: u32| alphas[i as usize * alphas.len() / count as usize];
-    all.extend((0..count).map(|i| (width(i), tilted(i))));
+    all.extend((0..count).map(width).zip(tilted));
     all.into_par_iter().map(|(alpha, slant)| Situation::new(kernel, alpha, slant, resolution)).collect()
 }
 

@@ -5,10 +5,12 @@
 //! is a ray of its own, traced to the proxy, narrowed or widened by its own ratio of footprints ([`width`]). [`Taps`] does so for a shading
 //! point.
 
+pub mod expected;
 pub mod fit;
 mod lookup;
 mod rule;
 
 pub use crate::optics::footprint::{RuleTap, Stretch, width};
+pub use expected::EXPECTED;
 pub use lookup::Taps;
-pub use rule::{EXPECTED, THREE, TWO, TapRule};
+pub use rule::{THREE, TWO, TapRule};

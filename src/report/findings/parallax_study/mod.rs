@@ -21,7 +21,8 @@ pub use rooms::{
 
 pub use seed::{SeedCell, SeedFindings, SeedFit, SeedSlant};
 pub use slant::{
-    PlacedTaps, RuleCurves, RuleRefit, RuleSpread, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
+    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantFootprints,
+    SlantLobe, SlantRow,
 };
 
 /// Lookups of the cubemap of a probe.

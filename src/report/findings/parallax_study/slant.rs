@@ -18,6 +18,8 @@ pub struct SlantFindings {
     pub spread: Vec<RuleSpread>,
     /// The rules' constants against a fit from them on.
     pub refits: Vec<RuleRefit>,
+    /// What one fetch and the rules are expected to be off by.
+    pub expectations: Vec<RuleExpectation>,
 }
 
 /// A lobe over slants.
@@ -112,6 +114,21 @@ pub struct RuleRefit {
     pub refitted: Vec<f64>,
     /// What is minimised, at both.
     pub sums: [f64; 2],
+    /// Walls of the fit.
+    pub walls: usize,
+}
+
+/// The constants of the expected total variation of a rule, and a fit from them on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RuleExpectation {
+    /// How many fetches.
+    pub count: usize,
+    /// The constants as emitted.
+    pub constants: [f64; 4],
+    /// Where the fit ends.
+    pub refitted: [f64; 4],
+    /// Root mean square error over the walls of the fit, of both.
+    pub off: [f64; 2],
     /// Walls of the fit.
     pub walls: usize,
 }

@@ -3,8 +3,8 @@
 use super::super::{figures, words};
 use crate::report::numbers::{place, significant};
 use crate::report::{
-    Block, Curves, HeatMap, ReportError, RuleCurves, RuleRefit, RuleSpread, Section, Series, Shade,
-    SlantFindings, SlantFootprints, SlantLobe, SlantRow, Spread, Style, check,
+    Block, Curves, HeatMap, ReportError, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, Section, Series,
+    Shade, SlantFindings, SlantFootprints, SlantLobe, SlantRow, Spread, Style, check,
 };
 
 pub(super) fn sections(slant: &SlantFindings) -> Result<Vec<Section>, ReportError> {
@@ -152,12 +152,14 @@ fn rules(slant: &SlantFindings) -> Result<Section, ReportError> {
     );
     let mut blocks = vec![figures(&charts, caption)?, Block::Table(table)];
     blocks.extend(slant.refits.iter().map(|refit| Block::Text { text: refitted(refit) }));
+    blocks.extend(slant.expectations.iter().map(|of| Block::Text { text: expectation(of) }));
     Ok(Section {
         id: "rules".into(),
         title: "One rule for every wall".into(),
         lead: "The fetches lie along the long axis of the footprint. Where they go depends on the length over the width of the footprint as the probe sees \
-               it, on how fast it grows along its axis, and on α: formulas of 13 and 23 constants in sums, quotients and square roots. As κ nears 1 the outer \
-               fetches move to the middle or lose their weight, and what is left is the one fetch of the lobe."
+               it, on how fast it grows along its axis, and on α: formulas of 13 and 23 constants in sums, quotients and square roots. Where the footprint \
+               is round and grows nowhere the outer fetches move to the middle or lose their weight, and what is left is the one fetch of the lobe; where it \
+               grows, κ of 1 leaves several. On few walls a rule is worse than one fetch: “worse than one” counts them."
             .into(),
         blocks,
     })
@@ -193,5 +195,18 @@ fn refitted(refit: &RuleRefit) -> String {
         refit.constants.len(),
         refit.walls,
         significant(100.0 * (1.0 - refit.sums[1] / refit.sums[0]), 2)
+    )
+}
+
+fn expectation(of: &RuleExpectation) -> String {
+    let list = |constants: &[f64; 4]| constants.map(|c| significant(c, 3)).join(", ");
+    format!(
+        "Expected total variation with {}: p, s, q, r = {}, off by {} root mean square over the {} walls of the fit; least squares from there gives {} and {}.",
+        if of.count == 1 { "one fetch".into() } else { format!("{} fetches", of.count) },
+        list(&of.constants),
+        significant(of.off[0], 3),
+        of.walls,
+        list(&of.refitted),
+        significant(of.off[1], 3)
     )
 }
