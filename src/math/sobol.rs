@@ -107,7 +107,8 @@ mod tests {
     #[test]
     fn padded_points_are_independent() {
         for seed in 0..8_u32 {
-            let sets = [1, 2].map(|k: u32| Sobol::new([seed + k, seed ^ k, seed]).padded(mixed(seed + 77 * k)));
+            let sets =
+                [1, 2].map(|k: u32| Sobol::new([seed + k, seed ^ k, seed]).padded(mixed(seed + 77 * k)));
             for (a, b) in [(0, 0), (0, 1), (1, 1), (2, 0)] {
                 let mut counts = [0; 16];
                 for i in 0..256 {

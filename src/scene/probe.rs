@@ -49,6 +49,13 @@ impl Probe {
         rough_part(self.roughness, map)
     }
 
+    /// The first lookup of several fetches, with their number, where no rule of several is fitted for the lobe: for the others than
+    /// half-cosine such a rule can be worse than one fetch.
+    pub(super) fn unruled(&self) -> Option<(usize, u32)> {
+        let several = self.lookups.iter().position(|lookup| lookup.taps > 1);
+        several.filter(|_| self.kernel != Kernel::HalfCosine).map(|j| (j, self.lookups[j].taps))
+    }
+
     /// Whether every fetch is saturated, as the one of the smallest ratio at the smallest width is: the best width grows with both.
     pub(super) fn is_saturated(&self, map: AlphaMap) -> bool {
         let narrowest = self.rough_range(map).map(|[lo, _]| map.alpha(lo));
@@ -110,7 +117,7 @@ struct LookupFile {
     /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing jumps there, or `sharp`; default `smooth`.
     #[serde(default)]
     edges: Maybe<Word<Edges>>,
-    /// Number of fetches: 1, or 2 or 3 along the axis that the wall stretches; default 1.
+    /// Number of fetches: 1, or for half-cosine chains 2 or 3 along the axis that the wall stretches; default 1.
     #[serde(default)]
     taps: Maybe<Whole<TapCount>>,
 }
