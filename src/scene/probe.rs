@@ -86,7 +86,8 @@ struct ProbeFile {
     /// Its chain of levels, for functions of the level; default none.
     #[serde(default)]
     mips: Maybe<MipChain>,
-    /// Most operations that an emitted fit may take; default: any number.
+    /// Most operations that an emitted fit may take; default: any number. Where that leaves no fit, `lookups` cannot be made, and the bake
+    /// fails.
     #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
     /// Largest total variation between the footprint that is wanted and the one that is fetched that at least one emitted fit within

@@ -162,6 +162,20 @@ fn a_promise_on_the_total_variation_is_kept_or_told() {
     );
 }
 
+/// Lookups take their width from an emitted fit: without one they are missed aloud, with the probe and the limit.
+#[test]
+fn lookups_without_a_fit_are_told() {
+    let lookups = |probe: &str| baked(probe).broken;
+    let broken = lookups(r#"{"name": "hall", "max_ops": 3, "norms": ["max"], "lookups": [{}, {"taps": 3}]}"#);
+    assert!(
+        broken.len() == 1
+            && broken[0].contains("wanted by hall (probes[0].lookups): raise max_ops, 3 operations"),
+        "{broken:?}"
+    );
+    assert_eq!(lookups(r#"{"name": "hall", "max_ops": 3, "norms": ["max"]}"#), [""; 0]);
+    assert_eq!(lookups(r#"{"name": "hall", "max_ops": 9, "norms": ["max"], "lookups": [{}]}"#), [""; 0]);
+}
+
 /// The whole domain of the quantity, and next to nothing of it, with every map of roughness.
 #[test]
 fn ranges_may_be_as_wide_as_the_quantity_and_as_narrow_as_a_point() {
