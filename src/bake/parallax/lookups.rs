@@ -64,10 +64,13 @@ fn one(
 fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> Vec<String> {
     let fetches = wanted.lookup.taps;
     let mut lines = wanted.lines();
-    lines.push(match chain {
-        Some(chain) => format!("Pairing: {}; {}", code::paired(lobe), chain.text()),
-        None => format!("Pairing: {}", code::paired(lobe)),
-    });
+    lines.push(format!("Pairing: {}", code::paired(lobe)));
+    lines.extend(chain.map(|chain| format!("  {}", chain.text())));
+    let [roughness, rho] = [lobe.job.roughness, lobe.job.rho].map(|[lo, hi]| format!("[{lo}, {hi}]"));
+    lines.push(format!(
+        "The width is certified over roughness {roughness} and rho {rho}, the distance of the place"
+    ));
+    lines.push("over that of the probe, from what both see; beyond them it is a formula alone.".into());
     let plural = if fetches == 1 { "fetch" } else { "fetches" };
     lines.push(format!("{} and {fetches} {plural}; width by {}", header::operations(ops), wanted.width.name));
     lines.extend(wanted.expected());

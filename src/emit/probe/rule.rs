@@ -77,7 +77,8 @@ pub(super) fn expected(taps: u32) -> Vec<String> {
     let Some([p, s, q, r]) = EXPECTED.get(taps as usize - 1) else { return Vec::new() };
     vec![
         "Expected total variation from the lobe's footprint on one plane, to 0.08 root mean square: the root of".into(),
-        format!("  ({p} l/(1 + {s} l))^2 + ({q} g/(1 + {r} g))^2, l the logarithm of the footprint's length over its width, g what the ratio"),
-        "  of distances grows by over the width of the lobe; lobes that reach over an edge are off by more.".into(),
+        format!("  ({p} l/(1 + {s} l))^2 + ({q} g/(1 + {r} g))^2,"),
+        "  l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the".into(),
+        "  width of the lobe; lobes that reach over an edge are off by more.".into(),
     ]
 }
