@@ -162,6 +162,31 @@ fn a_promise_on_the_total_variation_is_kept_or_told() {
     );
 }
 
+/// The page of the effect lists every lookup as the manifest does.
+#[test]
+fn lookups_are_on_the_page() {
+    let baked = baked(
+        r#"{"name": "hall", "max_ops": 9, "norms": ["max"], "mips": {"map": "linear", "count": 7},
+            "lookups": [{}, {"planes": 8, "edges": "sharp", "taps": 3}]}"#,
+    );
+    let page = String::from_utf8_lossy(&baked.files["reports/parallax.html"]).into_owned();
+    let section = &page[page.find("Lookups through a proxy").expect("a section")..];
+    let manifest = manifest(&baked);
+    let entries = manifest["lookups"].as_array().expect("lookups");
+    assert_eq!(entries.len(), 2);
+    for entry in entries {
+        let name = entry["function"].as_str().expect("a name");
+        let row = &section[section.find(&format!(">{name}<")).expect("a row")..];
+        let row = &row[..row.find("</tr>").expect("its end")];
+        let proxy = entry["proxy"].as_str().expect("a proxy").replace('_', " ");
+        let cost = |key: &str| entry["cost"][key].as_u64().expect("a number").to_string();
+        for told in [proxy, cost("ops"), cost("fetches"), entry["edges"].as_str().expect("edges").into()] {
+            assert!(row.contains(&format!(">{told}<")), "{told} in {row}");
+        }
+        assert!(row.contains(entry["chain"].as_str().expect("a chain")), "{row}");
+    }
+}
+
 /// Lookups take their width from an emitted fit: without one they are missed aloud, with the probe and the limit.
 #[test]
 fn lookups_without_a_fit_are_told() {

@@ -9,6 +9,7 @@ use crate::effects::room::proxies::Smooth;
 use crate::emit::header;
 use crate::emit::manifest::{CostEntry, LookupFunction};
 use crate::emit::probe::{Called, Wanted};
+use crate::report::LookupFinding;
 
 /// A lookup with its cost.
 pub(super) struct Lookup {
@@ -104,6 +105,20 @@ impl Lookup {
             alpha_map,
             chain: self.chain.as_ref().map(MipChain::text),
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+        }
+    }
+
+    /// What its page says of it.
+    pub fn finding(&self) -> LookupFinding {
+        let Wanted { name, lookup, width, .. } = &self.wanted;
+        LookupFinding {
+            function: name.clone(),
+            proxy: lookup.shape(),
+            edges: lookup.edges().into(),
+            fetches: lookup.taps,
+            ops: self.ops,
+            width: width.name.clone(),
+            chain: self.chain.as_ref().map(MipChain::text),
         }
     }
 }
