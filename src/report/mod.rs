@@ -42,7 +42,8 @@ pub use findings::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
 };
 pub use findings::{
-    ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
+    ChainFinding, LookupFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap,
+    VariationFinding, VariationRow,
 };
 pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,

@@ -170,8 +170,18 @@ impl Scene {
         Ok(())
     }
 
-    /// A probe whose every fetch is saturated has nothing to fit.
+    /// A probe whose every fetch is saturated has nothing to fit; rules of several fetches are fitted for one lobe alone.
     fn check_probes(&self) -> Result<(), (String, String)> {
+        for (i, probe) in self.probes.iter().enumerate() {
+            if let Some((j, taps)) = probe.unruled() {
+                let message = format!(
+                    "{taps} fetches: rules of several fetches are fitted for half-cosine chains, and this probe's is of the kernel \
+                     `{}`; give 1",
+                    probe.kernel.name()
+                );
+                return Err((format!("probes[{i}].lookups[{j}].taps"), message));
+            }
+        }
         let saturated = self.probes.iter().position(|probe| probe.is_saturated(self.alpha));
         saturated.map_or(Ok(()), |i| {
             let message = "every fetch is saturated there: the widest lobe is too narrow for the smallest ratio at the smallest \

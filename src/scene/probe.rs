@@ -49,6 +49,13 @@ impl Probe {
         rough_part(self.roughness, map)
     }
 
+    /// The first lookup of several fetches, with their number, where no rule of several is fitted for the lobe: for the others than
+    /// half-cosine such a rule can be worse than one fetch.
+    pub(super) fn unruled(&self) -> Option<(usize, u32)> {
+        let several = self.lookups.iter().position(|lookup| lookup.taps > 1);
+        several.filter(|_| self.kernel != Kernel::HalfCosine).map(|j| (j, self.lookups[j].taps))
+    }
+
     /// Whether every fetch is saturated, as the one of the smallest ratio at the smallest width is: the best width grows with both.
     pub(super) fn is_saturated(&self, map: AlphaMap) -> bool {
         let narrowest = self.rough_range(map).map(|[lo, _]| map.alpha(lo));
@@ -79,7 +86,8 @@ struct ProbeFile {
     /// Its chain of levels, for functions of the level; default none.
     #[serde(default)]
     mips: Maybe<MipChain>,
-    /// Most operations that an emitted fit may take; default: any number.
+    /// Most operations that an emitted fit may take; default: any number. Where that leaves no fit, `lookups` cannot be made, and the bake
+    /// fails.
     #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
     /// Largest total variation between the footprint that is wanted and the one that is fetched that at least one emitted fit within
@@ -110,7 +118,7 @@ struct LookupFile {
     /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing jumps there, or `sharp`; default `smooth`.
     #[serde(default)]
     edges: Maybe<Word<Edges>>,
-    /// Number of fetches: 1, or 2 or 3 along the axis that the wall stretches; default 1.
+    /// Number of fetches: 1, or for half-cosine chains 2 or 3 along the axis that the wall stretches; default 1.
     #[serde(default)]
     taps: Maybe<Whole<TapCount>>,
 }

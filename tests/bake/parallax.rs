@@ -162,6 +162,45 @@ fn a_promise_on_the_total_variation_is_kept_or_told() {
     );
 }
 
+/// The page of the effect lists every lookup as the manifest does.
+#[test]
+fn lookups_are_on_the_page() {
+    let baked = baked(
+        r#"{"name": "hall", "max_ops": 9, "norms": ["max"], "mips": {"map": "linear", "count": 7},
+            "lookups": [{}, {"planes": 8, "edges": "sharp", "taps": 3}]}"#,
+    );
+    let page = String::from_utf8_lossy(&baked.files["reports/parallax.html"]).into_owned();
+    let section = &page[page.find("Lookups through a proxy").expect("a section")..];
+    let manifest = manifest(&baked);
+    let entries = manifest["lookups"].as_array().expect("lookups");
+    assert_eq!(entries.len(), 2);
+    for entry in entries {
+        let name = entry["function"].as_str().expect("a name");
+        let row = &section[section.find(&format!(">{name}<")).expect("a row")..];
+        let row = &row[..row.find("</tr>").expect("its end")];
+        let proxy = entry["proxy"].as_str().expect("a proxy").replace('_', " ");
+        let cost = |key: &str| entry["cost"][key].as_u64().expect("a number").to_string();
+        for told in [proxy, cost("ops"), cost("fetches"), entry["edges"].as_str().expect("edges").into()] {
+            assert!(row.contains(&format!(">{told}<")), "{told} in {row}");
+        }
+        assert!(row.contains(entry["chain"].as_str().expect("a chain")), "{row}");
+    }
+}
+
+/// Lookups take their width from an emitted fit: without one they are missed aloud, with the probe and the limit.
+#[test]
+fn lookups_without_a_fit_are_told() {
+    let lookups = |probe: &str| baked(probe).broken;
+    let broken = lookups(r#"{"name": "hall", "max_ops": 3, "norms": ["max"], "lookups": [{}, {"taps": 3}]}"#);
+    assert!(
+        broken.len() == 1
+            && broken[0].contains("wanted by hall (probes[0].lookups): raise max_ops, 3 operations"),
+        "{broken:?}"
+    );
+    assert_eq!(lookups(r#"{"name": "hall", "max_ops": 3, "norms": ["max"]}"#), [""; 0]);
+    assert_eq!(lookups(r#"{"name": "hall", "max_ops": 9, "norms": ["max"], "lookups": [{}]}"#), [""; 0]);
+}
+
 /// The whole domain of the quantity, and next to nothing of it, with every map of roughness.
 #[test]
 fn ranges_may_be_as_wide_as_the_quantity_and_as_narrow_as_a_point() {

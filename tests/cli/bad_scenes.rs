@@ -144,6 +144,16 @@ fn not_a_scene() -> Vec<Case> {
             "probes[0].lookups[0].taps: 4 is outside [1, 3]",
         ),
         case(
+            top("\"probes\":[{\"name\":\"p\",\"kernel\":\"ndf\",\"lookups\":[{},{\"taps\":2}]}]"),
+            "probes[0].lookups[1].taps: 2 fetches: rules of several fetches are fitted for half-cosine chains",
+        ),
+        case(
+            top(
+                "\"probes\":[{\"name\":\"p\"},{\"name\":\"q\",\"kernel\":\"half\",\"lookups\":[{\"taps\":3}]}]",
+            ),
+            "probes[1].lookups[0].taps: 3 fetches: rules of several fetches are fitted for half-cosine chains",
+        ),
+        case(
             top("\"probes\":[{\"name\":\"p\",\"lookups\":[{\"planes\":3}]}]"),
             "probes[0].lookups[0].planes: 3 is outside [4, 64]",
         ),

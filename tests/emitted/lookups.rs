@@ -416,11 +416,32 @@ fn lookups_say_what_they_hold_of() {
                 }
             };
             let pairing = format!("Pairing: for chains prefiltered with the {kernel} lobe");
-            for told in
-                [ops.as_str(), pairing.as_str(), "alpha = roughness^2", "total variation, rho < 1: mean"]
-            {
+            let several = emitted.lookup.taps > 1;
+            let body = if emitted.lookup.planes.is_some() {
+                "place, planes, probe"
+            } else {
+                "place, low, high, probe"
+            };
+            let sum = match (several, entry["gives"] == "mip") {
+                (false, false) => "color = sample_level(env, fetch.xyz, mip_of(fetch.w))",
+                (false, true) => "color = sample_level(env, fetch.xyz, fetch.w)",
+                (true, false) => "color = sum weight_i * sample_level(env, fetch_i.xyz, mip_of(fetch_i.w))",
+                (true, true) => "color = sum weight_i * sample_level(env, fetch_i.xyz, fetch_i.w)",
+            };
+            for told in [
+                ops.as_str(),
+                pairing.as_str(),
+                body,
+                sum,
+                "alpha = roughness^2",
+                "total variation, rho < 1: mean",
+                "certified over roughness [0.1, 1] and rho [0.0625, 8]",
+                "strictly inside",
+                "does not lean",
+            ] {
                 assert!(head.contains(told), "{told} in {head}");
             }
+            assert!(head.lines().all(|line| line.chars().count() <= 120), "{head}");
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Lobe;
 use super::entries::place;
+use super::lookups::Lookup;
 use crate::bake::context::Context;
 use crate::bake::reflection::left_out;
 use crate::bake::{BakeError, origin};
@@ -64,6 +65,7 @@ fn of_lobe(lobe: &Lobe) -> Result<ParallaxLobe, BakeError> {
         maps: named.iter().map(|(fit, widths)| map(lobe, fit, widths)).collect::<Result<_, _>>()?,
         curves: CURVES.into_iter().map(|r| curve(lobe, r, &named)).collect(),
         chains: lobe.functions.iter().map(chain).collect(),
+        lookups: lobe.lookups.iter().map(Lookup::finding).collect(),
     })
 }
 

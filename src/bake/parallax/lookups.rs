@@ -9,6 +9,7 @@ use crate::effects::room::proxies::Smooth;
 use crate::emit::header;
 use crate::emit::manifest::{CostEntry, LookupFunction};
 use crate::emit::probe::{Called, Wanted};
+use crate::report::LookupFinding;
 
 /// A lookup with its cost.
 pub(super) struct Lookup {
@@ -64,10 +65,13 @@ fn one(
 fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> Vec<String> {
     let fetches = wanted.lookup.taps;
     let mut lines = wanted.lines();
-    lines.push(match chain {
-        Some(chain) => format!("Pairing: {}; {}", code::paired(lobe), chain.text()),
-        None => format!("Pairing: {}", code::paired(lobe)),
-    });
+    lines.push(format!("Pairing: {}", code::paired(lobe)));
+    lines.extend(chain.map(|chain| format!("  {}", chain.text())));
+    let [roughness, rho] = [lobe.job.roughness, lobe.job.rho].map(|[lo, hi]| format!("[{lo}, {hi}]"));
+    lines.push(format!(
+        "The width is certified over roughness {roughness} and rho {rho}, the distance of the place"
+    ));
+    lines.push("over that of the probe, from what both see; beyond them it is a formula alone.".into());
     let plural = if fetches == 1 { "fetch" } else { "fetches" };
     lines.push(format!("{} and {fetches} {plural}; width by {}", header::operations(ops), wanted.width.name));
     lines.extend(wanted.expected());
@@ -101,6 +105,20 @@ impl Lookup {
             alpha_map,
             chain: self.chain.as_ref().map(MipChain::text),
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+        }
+    }
+
+    /// What its page says of it.
+    pub fn finding(&self) -> LookupFinding {
+        let Wanted { name, lookup, width, .. } = &self.wanted;
+        LookupFinding {
+            function: name.clone(),
+            proxy: lookup.shape(),
+            edges: lookup.edges().into(),
+            fetches: lookup.taps,
+            ops: self.ops,
+            width: width.name.clone(),
+            chain: self.chain.as_ref().map(MipChain::text),
         }
     }
 }

@@ -54,6 +54,7 @@ pub fn part(
     for job in jobs {
         let lobe = Lobe::fitted(job, &identifiers, context)?;
         context.broken.extend(job.promises.iter().filter_map(|promise| lobe.unkept(promise)));
+        context.broken.extend(lobe.without_lookups(scene));
         lobes.push(lobe);
     }
     let (mut entries, mut files) = (Entries::default(), Files::new());
@@ -152,6 +153,27 @@ impl<'a> Lobe<'a> {
         emitted
             .filter_map(|(fit, variation)| Some((fit, variation.max()?)))
             .min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// What says that lookups are wanted and no fit is emitted that they could take the width from: every lookup is a promise.
+    fn without_lookups(&self, scene: &Scene) -> Option<String> {
+        if self.job.lookups.is_empty() || self.best().is_some() {
+            return None;
+        }
+        let kernel = self.job.kernel;
+        let probes = scene.probes.iter().enumerate();
+        let wanting = probes.filter(|(_, probe)| probe.kernel == kernel && !probe.lookups.is_empty());
+        let names: Vec<String> =
+            wanting.map(|(i, probe)| format!("{} (probes[{i}].lookups)", probe.name)).collect();
+        let limit = match self.job.max_ops {
+            Some(ops) => format!("raise max_ops, {ops} operations by now"),
+            None => "widen the ranges of roughness and rho".into(),
+        };
+        Some(format!(
+            "parallax of {} chains: no fit of the width is emitted, and so no lookup, wanted by {}: {limit}",
+            kernel.name(),
+            names.join(", ")
+        ))
     }
 
     /// A promise that is not kept, in words.

@@ -43,18 +43,21 @@ fn header(lookup: ProbeLookup) -> Vec<String> {
             "a box between the corners low and high, which are along the axes; probe is inside.".to_string()
         }
         Some(n) => format!(
-            "{n} planes about the probe: xyz the outward unit normal, w > 0 the distance from the probe. Fill up with (0, 0, 0, 1)."
+            "{n} planes about the probe: xyz the outward unit normal, w > 0 the distance from the probe."
         ),
     };
     let mut lines = vec![
         "Where a ray of unit length from a place meets the proxy of a room: its unit normal (xyz) and the distance (w).".into(),
         format!("The proxy is {shape}"),
     ];
+    if lookup.planes.is_some() {
+        lines.push("Fill up with (0, 0, 0, 1).".into());
+    }
     if lookup.smooth {
         lines.push("Edges are smooth: t = (sum t_i^-p)^(-1/p) over the planes ahead, p = power in [2, 256], with that body's normal.".into());
     }
     lines.push(format!(
-        "A plane ahead that the place is on or outside of counts as {NEAREST} of the probe's distance to it away. All is finite."
+        "A plane ahead that the place is on or outside of counts as {NEAREST} of the probe's distance to it away."
     ));
     lines
 }

@@ -77,37 +77,66 @@ impl Wanted {
         self.routine().arguments.iter().map(|(name, _)| name.to_string()).collect()
     }
 
-    /// What the function takes and returns.
+    /// What the function takes and returns, and how that is used.
     pub fn lines(&self) -> Vec<String> {
         let given = match self.level {
             Some(_) => "the level",
             None => "the width alpha of the lobe",
         };
-        let edges = if self.lookup.smooth {
+        let several = self.lookup.taps > 1;
+        let mut lines = if several {
+            let first = format!(
+                "{} fetches from a probe for a lobe of width alpha about a ray from a place,",
+                self.lookup.taps
+            );
+            let second = format!(
+                "along the axis that the wall stretches: directions (xyz) and {given} (w), with their weights."
+            );
+            let third =
+                "normal is that of the surface, of unit length: what leaves below it weighs 0.".into();
+            vec![first, second, third]
+        } else {
+            vec![
+                "What to fetch from a probe for a lobe of width alpha about a ray from a place:".into(),
+                format!("the direction (xyz) and {given} (w)."),
+            ]
+        };
+        lines.push(format!("The proxy is {}.", self.lookup.text()));
+        lines.push(if self.lookup.smooth {
             format!("Edges are smooth: the power of the proxy is {}.", self.power.formula())
         } else {
             "Edges are sharp: the width jumps where a ray passes from one plane to the next.".into()
-        };
-        let mut lines = vec![if self.lookup.taps == 1 {
-            format!(
-                "What to fetch from a probe for a lobe of width alpha about a ray from a place: the direction (xyz) and {given} (w)."
-            )
-        } else {
-            format!(
-                "{} fetches from a probe for a lobe of width alpha about a ray from a place, along the axis that the wall stretches: directions (xyz)",
-                self.lookup.taps
-            )
-        }];
-        if self.lookup.taps > 1 {
-            lines.push(format!("and {given} (w), with their weights. normal is that of the surface: what leaves below it weighs 0."));
-        }
-        lines.extend([
-            format!("ray is the reflected one, of unit length; the proxy is {}.", self.lookup.text()),
-            edges,
-            "Domain: alpha in [0, 1], a place inside. As the place comes to the wall that the ray meets, the width goes to 0; a place".into(),
-            "outside is taken as on the wall. Cosines with the proxy's normal below 0.02 count as that.".into(),
-        ]);
+        });
+        lines.extend(self.frame());
+        lines.push(self.sum());
         lines
+    }
+
+    /// What the arguments must be.
+    fn frame(&self) -> Vec<String> {
+        let (body, bound) = match self.lookup.planes {
+            None => ("low, high", ""),
+            Some(_) => ("planes", ", whose planes bound a body"),
+        };
+        vec![
+            "ray is the reflected one, of unit length, and points away from the surface. The lobe is round about the ray:".into(),
+            "it does not lean as the lobe of a surface does at grazing angles.".into(),
+            format!("place, {body}, probe and ray are in one frame and one unit of length; the cubemap's axes are the frame's."),
+            format!("probe is strictly inside the proxy{bound}: else values are not finite."),
+            "Domain: alpha in [0, 1], a place inside. As the place comes to the wall that the ray meets, the width goes".into(),
+            "to 0; a place outside is taken as on the wall. Cosines with the proxy's normal below 0.02 count as that.".into(),
+        ]
+    }
+
+    /// How fetches become a colour.
+    fn sum(&self) -> String {
+        let fetch = if self.lookup.taps > 1 { "fetch_i" } else { "fetch" };
+        let (level, note) = match self.level {
+            Some(_) => (format!("{fetch}.w"), ""),
+            None => (format!("mip_of({fetch}.w)"), ", mip_of the level of a width"),
+        };
+        let sum = if self.lookup.taps > 1 { "sum weight_i * " } else { "" };
+        format!("Use: color = {sum}sample_level(env, {fetch}.xyz, {level}){note}")
     }
 
     /// What several fetches are expected to be off by; nothing of one.

@@ -80,14 +80,9 @@ pub(super) fn expected(taps: u32) -> Vec<String> {
     };
     let [low, high] = EXPECTED_UP_TO;
     vec![
-        format!(
-            "Expected total variation from the lobe's footprint on one plane, to {narrow} root mean square for alpha up to {low},"
-        ),
-        format!("  to {wide} up to {high}: the root of"),
-        format!(
-            "  ({p} l/(1 + {s} l))^2 + ({q} g/(1 + {r} g))^2, l the logarithm of the footprint's length over its width, g what the ratio"
-        ),
-        "  of distances grows by over the width of the lobe; lobes that reach over an edge are off by more."
-            .into(),
+        format!("Expected total variation from the lobe's footprint on one plane, the root mean square error {narrow} for alpha"),
+        format!("up to {low}, {wide} up to {high}: the root of ({p} l/(1 + {s} l))^2 + ({q} g/(1 + {r} g))^2,"),
+        "  l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the".into(),
+        "  width of the lobe; lobes that reach over an edge are off by more.".into(),
     ]
 }

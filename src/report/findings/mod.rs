@@ -36,7 +36,8 @@ pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
 pub use parallax::{
-    ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
+    ChainFinding, LookupFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap,
+    VariationFinding, VariationRow,
 };
 pub use parallax_study::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow,

@@ -40,6 +40,8 @@ pub struct ParallaxLobe {
     pub curves: Vec<ParallaxCurve>,
     /// Functions of the levels of chains.
     pub chains: Vec<ChainFinding>,
+    /// Functions that look a probe up through a proxy.
+    pub lookups: Vec<LookupFinding>,
 }
 
 /// The total variation of a formula.
@@ -110,4 +112,24 @@ pub struct ChainFinding {
     pub max: f64,
     /// Where it is.
     pub at: Place,
+}
+
+/// A function that looks a probe up through a proxy.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LookupFinding {
+    /// Its name.
+    pub function: String,
+    /// `box`, or `planes_N`.
+    pub proxy: String,
+    /// `smooth` or `sharp`.
+    pub edges: String,
+    /// Fetches.
+    pub fetches: u32,
+    /// Operations, those of the functions that it calls among them.
+    pub ops: u32,
+    /// The width that it takes.
+    pub width: String,
+    /// The chain whose levels it returns, in words; none where it returns widths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chain: Option<String>,
 }

@@ -1,6 +1,7 @@
 //! The page of lookups of prefiltered probes.
 
 mod chains;
+mod lookups;
 mod variation;
 mod widths;
 
@@ -44,6 +45,7 @@ fn of_lobe(lobe: &ParallaxLobe, origin: &Origin) -> Result<Vec<Section>, ReportE
     sections.extend(approximations::section(&findings)?);
     sections.push(widths::section(lobe)?);
     sections.extend(chains::section(lobe));
+    sections.extend(lookups::section(lobe));
     for section in &mut sections {
         section.id = format!("{}-{}", section.id, lobe.kernel);
         section.title = format!("{}, {} chains", section.title, lobe.kernel);

@@ -1,0 +1,40 @@
+//! The functions that look a probe up through a proxy.
+
+use super::super::words;
+use crate::report::{Block, LookupFinding, ParallaxLobe, Section};
+
+const COLUMNS: [(&str, bool); 7] = [
+    ("function", false),
+    ("proxy", false),
+    ("edges", false),
+    ("fetches", true),
+    ("ops", true),
+    ("width", false),
+    ("chain", false),
+];
+
+/// Nothing where no lookup was asked for.
+pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
+    if lobe.lookups.is_empty() {
+        return None;
+    }
+    let row = |one: &LookupFinding| {
+        vec![
+            one.function.clone(),
+            one.proxy.replace('_', " "),
+            one.edges.clone(),
+            one.fetches.to_string(),
+            one.ops.to_string(),
+            one.width.clone(),
+            one.chain.clone().unwrap_or_else(|| "none: returns widths".into()),
+        ]
+    };
+    let caption = "Operations of a call, those of the functions that it calls among them; the chain is the one whose levels are returned. What \
+                   one fetch is off by is said of its width, above.";
+    Some(Section {
+        id: "lookups".into(),
+        title: "Lookups through a proxy".into(),
+        lead: "Where the reflected ray meets the proxy of the room, what to fetch from there, and in how many fetches.".into(),
+        blocks: vec![Block::Table(words::table(&COLUMNS, lobe.lookups.iter().map(row).collect(), caption))],
+    })
+}
