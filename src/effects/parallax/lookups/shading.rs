@@ -51,15 +51,21 @@ const NARROWEST: f64 = 0.05;
 impl LobeFit {
     /// For one fetch: the lobe is round. These constants, and those below, are what study `parallax`, "The lobe of a surface", fits.
     pub const ONE: LobeFit =
-        LobeFit { lean: [0.769, 1.259, -0.261], narrow: [0.17, 0.602, 0.542], squash: [0.0, 0.0] };
+        LobeFit { lean: [0.7585, 1.641, -0.0491], narrow: [0.426, 0.5772, -0.2224], squash: [0.0, 0.0] };
 
     /// For two fetches.
-    pub const TWO: LobeFit =
-        LobeFit { lean: [1.047, 1.382, -0.072], narrow: [0.338, 0.582, -0.012], squash: [0.976, 0.915] };
+    pub const TWO: LobeFit = LobeFit {
+        lean: [0.8029, 1.667, 0.0842],
+        narrow: [0.4571, 0.8802, -0.7235],
+        squash: [0.8157, 1.0152],
+    };
 
     /// For three fetches.
-    pub const THREE: LobeFit =
-        LobeFit { lean: [0.929, 1.392, -0.028], narrow: [0.298, 0.609, 0.104], squash: [0.967, 0.889] };
+    pub const THREE: LobeFit = LobeFit {
+        lean: [0.7642, 1.6015, 0.3612],
+        narrow: [0.4669, 0.7739, -0.723],
+        squash: [0.9976, 0.9897],
+    };
 
     /// Share of the normal in the axis, ratio of the footprint, width across over width along.
     pub fn at(&self, alpha: f64, mu: f64) -> [f64; 3] {
