@@ -6,6 +6,7 @@
 //! point.
 
 pub mod fit;
+pub mod horizon;
 mod lookup;
 mod rule;
 
