@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use lobefit::effects::parallax::taps::expected::{EXPECTED, EXPECTED_OFF, EXPECTED_UP_TO, expected};
 use lobefit::effects::parallax::taps::fit::{fit, situations, slants};
-use lobefit::effects::parallax::{Stretch, TapRule, Taps, width};
+use lobefit::effects::parallax::taps::horizon::fade;
+use lobefit::effects::parallax::{Corrected, Ratio, RuleTap, Shading, Stretch, TapRule, Taps, Width, width};
+use lobefit::effects::room::proxies::{Body, Smooth};
 use lobefit::effects::room::{Lookup, Plane, Seen, room_b};
 use lobefit::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
 use lobefit::math::ops::{acos, log, sincos};
@@ -303,4 +305,93 @@ fn a_lookup_drops_what_leaves_below_the_surface() {
         )
         .is_none()
     );
+}
+
+/// The direction of fetches, and what they weigh the fetch that is nearest to it by.
+fn blended(lookup: &dyn Lookup, elevation: f64, azimuth: f64, alpha: f64) -> [f64; 4] {
+    let ((height, across), (y, x)) = (sincos(degrees(elevation)), sincos(degrees(azimuth)));
+    let view = [across * x, across * y, height];
+    let seen = Seen { place: [0.7, 0.3, -1.4], normal: [0.0, 0.0, 1.0], view, alpha };
+    let mut sum = [0.0; 4];
+    for tap in lookup.taps(&seen) {
+        for (axis, x) in tap.towards.into_iter().chain([tap.alpha]).enumerate() {
+            sum[axis] += tap.weight * x;
+        }
+    }
+    sum
+}
+
+/// As an eye comes down to the floor, the rays of fetches leave below it one by one: nothing jumps in directions and widths.
+#[test]
+fn nothing_jumps_where_rays_leave_below_the_surface() {
+    let room = room_b();
+    let proxy =
+        Smooth { body: Body::new(&room.shape(), room.probe).expect("a probe inside"), power: Smooth::FITTED };
+    let step = 2e-3;
+    for rule in [TapRule::two(), TapRule::three()] {
+        let taps = Taps { proxy: proxy.clone(), probe: room.probe, rule };
+        let corrected = Corrected {
+            proxy: proxy.clone(),
+            probe: room.probe,
+            shading: Shading::Mirror,
+            rule,
+            ratio: Ratio::Area,
+            width: Width::Rational,
+        };
+        let one = Taps { proxy: proxy.clone(), probe: room.probe, rule: TapRule::one() };
+        for (lookup, alpha, azimuth) in [&taps as &dyn Lookup, &corrected]
+            .into_iter()
+            .flat_map(|lookup| [0.1, 0.4].map(|alpha| (lookup, alpha)))
+            .flat_map(|(lookup, alpha)| [10.0, 100.0, 215.0].map(|azimuth| (lookup, alpha, azimuth)))
+        {
+            let (mut last, mut faded) = (None::<[f64; 4]>, 0.0_f64);
+            for i in 0..12_000 {
+                let elevation = 1e-5 + step * f64::from(i);
+                let next = blended(lookup, elevation, azimuth, alpha);
+                if let Some(last) = last {
+                    let jump =
+                        [0, 1, 2, 3].map(|k| (next[k] - last[k]).abs()).into_iter().fold(0.0, f64::max);
+                    assert!(
+                        jump < 4e-3,
+                        "{} fetches, {alpha}, {azimuth} at {elevation}: {jump}",
+                        rule.count()
+                    );
+                }
+                let single = blended(&one, elevation, azimuth, alpha);
+                let off = [0, 1, 2].map(|k| next[k] - single[k]);
+                faded = faded.max(length(off));
+                last = Some(next);
+            }
+            assert!(faded > 1e-3, "{} fetches, {alpha}, {azimuth}: as one fetch: {faded}", rule.count());
+        }
+    }
+}
+
+#[test]
+fn what_fades_at_the_horizon_keeps_the_sum_of_weights() {
+    let (axis, major) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]);
+    let taps =
+        [RuleTap { tilt: -0.5, width: 0.5, weight: 0.4 }, RuleTap { tilt: 0.5, width: 0.8, weight: 0.6 }];
+    for i in 0..=200 {
+        let (s, c) = sincos(degrees(0.9 * f64::from(i)));
+        let mut faded = taps;
+        fade(&mut faded, axis, major, [c, 0.0, s]);
+        assert!((faded.iter().map(|tap| tap.weight).sum::<f64>() - 1.0).abs() < 1e-12, "{faded:?}");
+        assert!(faded.iter().all(|tap| tap.weight >= 0.0 && tap.tilt.abs() <= 0.5), "{faded:?}");
+    }
+    let over = |normal| {
+        let mut faded = taps;
+        fade(&mut faded, axis, major, normal);
+        faded
+    };
+    assert_eq!(over([1.0, 0.0, 0.0]), taps);
+    // half of it is above
+    let [below, above] = over([0.0, 0.0, 1.0]);
+    assert_eq!((below.weight, above.weight), (0.0, 1.0));
+    assert_eq!((above.tilt, above.width), (taps[1].tilt, taps[1].width));
+    assert_eq!((below.tilt, below.width), (0.0, 1.0));
+    // nothing is above: the one fetch
+    for tap in over([-1.0, 0.0, 0.0]) {
+        assert_eq!((tap.tilt, tap.width), (0.0, 1.0));
+    }
 }

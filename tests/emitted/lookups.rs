@@ -11,6 +11,7 @@ use emit_support::languages::{FAMILY, compile};
 use emit_support::programs::{compile_library, run};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::ProbeLookup;
+use lobefit::effects::parallax::taps::horizon::{FADE, fade};
 use lobefit::effects::parallax::{Stretch, TapRule};
 use lobefit::effects::room::proxies::{Body, NEAREST, Smooth};
 use lobefit::effects::room::{Exact, Fan, Fetch, Meeting, Proxy, Room, Tap, octagon, room_b};
@@ -202,8 +203,7 @@ impl Emitted {
         Some(Expected { towards, width, weight: 1.0, allowed })
     }
 
-    /// The fetches at a point; none where f32 may decide otherwise: which of two planes as near, which end of an axis that is as long is which,
-    /// whether a ray along the surface is above it.
+    /// The fetches at a point; none where f32 may decide otherwise: which of two planes as near, which end of an axis that is as long is which.
     fn all_expected(&self, point: &Point) -> Option<Vec<Expected>> {
         let [place, normal, ray] = [0, 3, 6].map(|k| [0, 1, 2].map(|axis| f64::from(point[k + axis])));
         let alpha = f64::from(point[9]);
@@ -219,23 +219,22 @@ impl Emitted {
             return None;
         }
         let mut fetches = Vec::new();
-        for tap in rule.taps(&stretch, alpha) {
+        let ruled = rule.taps(&stretch, alpha);
+        let mut faded = ruled.clone();
+        fade(&mut faded, ray, stretch.major, normal);
+        // close to the surface what a cosine is off by goes into weights and tilts, as many times as a fade is steep
+        let fading = if faded == ruled { 1.0 } else { 1.0 / FADE };
+        for tap in faded {
             let tilted = normalise(plus(ray, scaled(stretch.major, tap.tilt)));
-            let above = dot(tilted, normal);
-            if above.abs() < 1e-4 {
-                return None;
-            }
             let fetch = self.expected(place, tilted, tap.width * alpha, alpha)?;
-            let weight = if above > 0.0 { tap.weight } else { 0.0 };
             // the axis of a footprint turns by the normal's tilt over what its axes differ by, a fetch by its own tilt of that
             let steep = 1.0 / dot(hit.normal, ray).max(0.02);
             let unsure = ROUNDING * steep * steep;
             let spread = alpha * (unsure / stretch.length).min(unsure.sqrt());
             let turned = 40.0 * steep * alpha * one.allowed + 4.0 * spread;
-            fetches.push(Expected { weight, allowed: fetch.allowed * (1.0 + steep) + turned, ..fetch });
+            let allowed = fading * (fetch.allowed * (1.0 + steep) + turned);
+            fetches.push(Expected { weight: tap.weight, allowed, ..fetch });
         }
-        let whole: f64 = fetches.iter().map(|fetch| fetch.weight).sum();
-        fetches.iter_mut().for_each(|fetch| fetch.weight /= whole);
         Some(fetches)
     }
 

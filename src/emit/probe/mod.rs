@@ -11,6 +11,7 @@ mod single;
 
 use super::code::Language;
 use crate::data::{AlphaMap, ProbeLookup};
+use crate::effects::parallax::taps::horizon::FADE;
 use crate::effects::room::proxies::Law;
 use crate::fit::FitError;
 
@@ -92,8 +93,9 @@ impl Wanted {
             let second = format!(
                 "along the axis that the wall stretches: directions (xyz) and {given} (w), with their weights."
             );
-            let third =
-                "normal is that of the surface, of unit length: what leaves below it weighs 0.".into();
+            let third = format!(
+                "normal is that of the surface, of unit length: below a cosine of {FADE} with it a fetch fades out."
+            );
             vec![first, second, third]
         } else {
             vec![

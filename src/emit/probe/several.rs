@@ -3,6 +3,7 @@
 
 use super::script::{Kind, Routine};
 use super::{Wanted, meet, rule, single};
+use crate::effects::parallax::taps::horizon::{FADE, LEAST};
 
 /// The map of the lobe to the probe, as [`crate::optics::footprint::Stretch`] has it. The lobe's own axes are those of Duff et al. 2017; M^T M
 /// over the root of its determinant, `shrunk` (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]; `shrunk` is
@@ -55,19 +56,21 @@ pub(super) fn lookup(wanted: &Wanted) -> Routine {
     let n = wanted.lookup.taps as usize;
     let place = Kind::Numbers(3);
     let start = [("place", place), ("normal", place), ("ray", place), ("alpha", Kind::Numbers(1))];
-    let kept: Vec<String> = (0..n).map(|i| format!("kept_{i}")).collect();
+    let kept: Vec<String> = (0..n).map(|i| format!("share_{i} * kept_{i}")).collect();
     let list = |name: &str| (0..n).map(|i| format!("{name}_{i}")).collect::<Vec<_>>().join(" | ");
-    let share = |i: usize| {
-        format!("weight_{i} = choose(whole > 0.0, kept_{i} / max(whole, 0.000001), {:?})\n", 1.0 / n as f32)
+    let weight = |i: usize| {
+        format!("weight_{i} = share_{i} * (1.0 - ruled + kept_{i} / max(whole, {:?}))\n", LEAST as f32)
     };
     let body = [
         single::power(wanted),
         single::seen(wanted),
         STRETCH.into(),
         rule::lines(n),
+        RISING.into(),
+        (0..n).map(kept_share).collect(),
+        format!("whole = {}\nruled = min({:?} * whole, 1.0)\n", kept.join(" + "), (1.0 / LEAST) as f32),
         (0..n).map(|i| tap(wanted, i)).collect(),
-        format!("whole = {}\n", kept.join(" + ")),
-        (0..n).map(share).collect(),
+        (0..n).map(weight).collect(),
         format!("give {} | {}", list("fetch"), list("weight")),
     ];
     Routine {
@@ -79,15 +82,29 @@ pub(super) fn lookup(wanted: &Wanted) -> Routine {
     }
 }
 
-/// A fetch of the rule: its ray tilted along `major`, which is at right angles to the ray and of unit length; none below the surface.
+/// The cosines of the ray and of the axis that fetches are tilted along with the surface's normal.
+const RISING: &str = "
+upward = ray.x * normal.x + ray.y * normal.y + ray.z * normal.z
+rising = major.x * normal.x + major.y * normal.y + major.z * normal.z
+";
+
+/// What share of its weight a fetch keeps above the surface, as [`horizon`](crate::effects::parallax::taps::horizon) has it.
+fn kept_share(i: usize) -> String {
+    let steep = (1.0 / FADE) as f32;
+    format!(
+        "kept_{i} = min(max({steep:?} * (upward + tilt_{i} * rising) / sqrt(1.0 + tilt_{i} * tilt_{i}), 0.0), 1.0)\n"
+    )
+}
+
+/// A fetch of the rule: its ray tilted along `major`, which is at right angles to the ray and of unit length.
 fn tap(wanted: &Wanted, i: usize) -> String {
     let fetch = single::name(wanted);
     let passed = single::passed(wanted, &format!("place, ray_{i}, alpha_{i}"));
     format!(
-        "unit_{i} = 1.0 / sqrt(1.0 + tilt_{i} * tilt_{i})
-        ray_{i} = (ray.x + tilt_{i} * major.x) * unit_{i} | (ray.y + tilt_{i} * major.y) * unit_{i} | (ray.z + tilt_{i} * major.z) * unit_{i}
-        kept_{i} = choose(ray_{i}.x * normal.x + ray_{i}.y * normal.y + ray_{i}.z * normal.z > 0.0, share_{i}, 0.0)
-        alpha_{i} = alpha * own_{i}
+        "bend_{i} = kept_{i} * tilt_{i}
+        unit_{i} = 1.0 / sqrt(1.0 + bend_{i} * bend_{i})
+        ray_{i} = (ray.x + bend_{i} * major.x) * unit_{i} | (ray.y + bend_{i} * major.y) * unit_{i} | (ray.z + bend_{i} * major.z) * unit_{i}
+        alpha_{i} = alpha * (1.0 + kept_{i} * (own_{i} - 1.0))
         fetch_{i} :4 = {fetch}({passed})\n"
     )
 }

@@ -1,9 +1,10 @@
 //! Lookups with and without parallax.
 
 use super::shading::{Shading, ShadingLobe};
+use crate::effects::parallax::taps::horizon::fade;
 use crate::effects::parallax::{RuleTap, Stretch, TapRule, width};
 use crate::effects::room::{Lookup, Meeting, Proxy, Seen, Tap};
-use crate::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
+use crate::math::vector::{Vec3, length, minus, normalise, plus, scaled};
 
 /// How much wider a lobe looks from the probe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
@@ -77,8 +78,8 @@ pub struct Corrected<P> {
 }
 
 impl<P: Proxy> Lookup for Corrected<P> {
-    /// Rays that leave below the surface or miss the proxy are dropped and the rest weighted up; where the lobe's axis misses it, the one
-    /// fetch is along the axis.
+    /// Rays that leave below the surface fade out ([`fade`]); those that miss the proxy are dropped and the rest weighted up; where the lobe's
+    /// axis misses it, the one fetch is along the axis.
     fn taps(&self, seen: &Seen) -> Vec<Tap> {
         let lobe = self.shading.lobe(seen);
         let met = self.meet(seen, lobe.axis, lobe.alpha);
@@ -86,7 +87,8 @@ impl<P: Proxy> Lookup for Corrected<P> {
         let Some((met, stretch)) = met.and_then(|met| Some((met, stretch(&met)?))) else {
             return vec![Tap { towards: lobe.axis, alpha: lobe.alpha, weight: 1.0 }];
         };
-        let rule = self.rule.taps(&stretch, lobe.alpha);
+        let mut rule = self.rule.taps(&stretch, lobe.alpha);
+        fade(&mut rule, lobe.axis, stretch.major, seen.normal);
         let rays = rule.iter().filter_map(|tap| self.fetch(seen, &lobe, &stretch, tap));
         let mut taps: Vec<Tap> = rays.collect();
         if taps.is_empty() {
@@ -106,9 +108,6 @@ impl<P: Proxy> Corrected<P> {
 
     fn fetch(&self, seen: &Seen, lobe: &ShadingLobe, stretch: &Stretch, tap: &RuleTap) -> Option<Tap> {
         let ray = normalise(plus(lobe.axis, scaled(stretch.major, tap.tilt)));
-        if dot(ray, seen.normal) <= 0.0 {
-            return None;
-        }
         let met = self.meet(seen, ray, lobe.alpha)?;
         self.tap(seen, &met, tap.width * lobe.alpha, tap.weight)
     }

@@ -1,5 +1,6 @@
 //! The lookup of a shading point by a rule.
 
+use super::horizon::fade;
 use super::rule::TapRule;
 use crate::effects::room::{Lookup, Meeting, Proxy, Seen, Tap};
 use crate::math::vector::{Vec3, dot, minus, normalise, plus, scaled};
@@ -17,15 +18,16 @@ pub struct Taps<P> {
 }
 
 impl<P: Proxy> Lookup for Taps<P> {
-    /// Rays that leave below the surface or miss the proxy are dropped and the rest weighted up; where the mirror ray misses it, the one
-    /// fetch is along the ray.
+    /// Rays that leave below the surface fade out ([`super::horizon`]); those that miss the proxy are dropped and the rest weighted up; where
+    /// the mirror ray misses it, the one fetch is along the ray.
     fn taps(&self, seen: &Seen) -> Vec<Tap> {
         let facing = dot(seen.normal, seen.view);
         let ray = normalise(minus(scaled(seen.normal, 2.0 * facing), seen.view));
         let Some((hit, stretch)) = self.stretch(seen, ray) else {
             return vec![Tap { towards: ray, alpha: seen.alpha, weight: 1.0 }];
         };
-        let rule = self.rule.taps(&stretch, seen.alpha);
+        let mut rule = self.rule.taps(&stretch, seen.alpha);
+        fade(&mut rule, ray, stretch.major, seen.normal);
         let mut taps: Vec<Tap> = rule.iter().filter_map(|tap| self.fetch(seen, ray, &stretch, tap)).collect();
         if taps.is_empty() {
             taps.push(self.tap(hit.place, width(seen.alpha, stretch.area), 1.0));
@@ -47,9 +49,6 @@ impl<P: Proxy> Taps<P> {
 
     fn fetch(&self, seen: &Seen, mirror: Vec3, stretch: &Stretch, tap: &RuleTap) -> Option<Tap> {
         let ray = normalise(plus(mirror, scaled(stretch.major, tap.tilt)));
-        if dot(ray, seen.normal) <= 0.0 {
-            return None;
-        }
         let (hit, own) = self.stretch(seen, ray)?;
         Some(self.tap(hit.place, width(tap.width * seen.alpha, own.area), tap.weight))
     }

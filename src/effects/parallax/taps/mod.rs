@@ -7,6 +7,7 @@
 
 pub mod expected;
 pub mod fit;
+pub mod horizon;
 mod lookup;
 mod rule;
 
