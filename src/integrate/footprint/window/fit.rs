@@ -24,7 +24,7 @@ pub enum Ordinate {
 /// The best fetch of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindowFit {
-    /// alpha', at most [`WIDEST`].
+    /// alpha', at most 0.999.
     pub alpha: f64,
     /// What multiplies the fetch, whose peak is 1.
     pub scale: f64,
