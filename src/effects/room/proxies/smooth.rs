@@ -21,8 +21,9 @@ pub struct Smooth {
 }
 
 impl Smooth {
-    /// The power of emitted lookups, fitted for the smallest relative L2 error of one fetch over all roughnesses and three rooms (study
-    /// `parallax`, "Proxies with soft edges"); the least of 2 keeps the normal continuous where a plane comes ahead.
+    /// The power of emitted lookups, once fitted for the smallest relative L2 error of one fetch over all roughnesses and three rooms. The
+    /// minimum is flat: study `parallax`, "Proxies with soft edges", fits another law on its own points, which does no better on others
+    /// ("What soft edges gain"). The least of 2 keeps the normal continuous where a plane comes ahead.
     pub const FITTED: Law = Law::Inverse { over: 0.39, power: 1.5, least: 2.0, most: 256.0 };
 
     /// The power of the study, by eye: max(4, 0.6/alpha). Above 256 nothing changes that is seen.
