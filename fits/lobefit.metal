@@ -1744,7 +1744,7 @@ inline float4 parallax_fetch_box_smooth_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 232 operations and 1 fetch; width by parallax_cubic
+/// 237 operations and 1 fetch; width by parallax_cubic
 /// Of one fetch whose ray meets the wall at a right angle, unsaturated:
 ///   total variation, rho < 1: mean 0.01662, max 0.03823; the best width leaves 0.01438, 0.03387
 ///   total variation, rho > 1: mean 0.01351, max 0.03401; the best width leaves 0.01223, 0.03323
@@ -1788,7 +1788,7 @@ struct parallax_taps_3 {
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1240 operations and 3 fetches; width by parallax_cubic
+/// 1270 operations and 3 fetches; width by parallax_cubic
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.06 for alpha
 /// up to 0.1, 0.14 up to 0.8: the root of (0.249 l/(1 + 0.276 l))^2 + (0.459 g/(1 + 1.661 g))^2,
 ///   l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the

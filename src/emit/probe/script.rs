@@ -159,7 +159,8 @@ impl Routine {
     }
 }
 
-/// Operations of a line's values: those of a function that returns their sum, without its additions.
+/// Operations of a line's values: those of a function that returns their largest, without its comparisons. (A sum would be fused with the
+/// products before it.)
 fn operations(line: &str) -> Result<u32, FitError> {
     let values =
         line.strip_prefix("give ").or_else(|| line.split_once(" = ").map(|(_, v)| v)).unwrap_or(line);
@@ -167,8 +168,8 @@ fn operations(line: &str) -> Result<u32, FitError> {
     let text = values
         .iter()
         .map(|value| format!("({})", chosen(Language::Wgsl, value)))
-        .collect::<Vec<_>>()
-        .join(" + ");
+        .reduce(|all, value| format!("max({all}, {value})"))
+        .unwrap_or_default();
     let text = text.replace("(-(", "(0.0 - (");
     let flat = text.replace(".x", "_x").replace(".y", "_y").replace(".z", "_z").replace(".w", "_w");
     let inputs = names(&flat).iter().map(|name| format!("{name}: f32")).collect::<Vec<_>>().join(", ");
