@@ -1,5 +1,7 @@
 //! A picture in linear light.
 
+use crate::math::ops;
+
 /// Pixels of linear RGB with the primaries of sRGB (IEC 61966-2-1), row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
@@ -17,6 +19,17 @@ impl Image {
         let pixels = (0..width * height).map(|i| f(i % width, i / width)).collect();
         Image { width, height, pixels }
     }
+}
+
+/// The curve of sRGB (IEC 61966-2-1) of linear light, cut to [0, 1].
+pub fn encoded(x: f64) -> f64 {
+    let x = x.clamp(0.0, 1.0);
+    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * ops::pow(x, 1.0 / 2.4) - 0.055 }
+}
+
+/// Luminance as displayed: the curve of sRGB of the luminance of linear RGB in [0, 1].
+pub fn displayed(rgb: [f64; 3]) -> f64 {
+    encoded(luminance(rgb))
 }
 
 /// Relative luminance Y of linear RGB (the middle row of the matrix of IEC 61966-2-1).

@@ -57,7 +57,7 @@ pub use findings::{
     SeedSlant, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
 };
 pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
-pub use image::{Image, luminance};
+pub use image::{Image, displayed, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,

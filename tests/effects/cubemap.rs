@@ -7,7 +7,7 @@ use lobefit::effects::room::cubemap::{
     Bake, Chain, CubemapError, Edges, Format, Integrated, Level, Source, Viewpoint, direction, face_of,
     solid_angle,
 };
-use lobefit::effects::room::{Fan, Fetch, Rays, Room, Tap, octagon, room_a, room_b};
+use lobefit::effects::room::{Fetch, Patches, Rays, Room, Tap, octagon, room_a, room_b};
 use lobefit::math::ops;
 use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
 use lobefit::optics::kernel::Kernel;
@@ -102,8 +102,8 @@ fn an_even_room_is_even_in_every_texel_and_fetch() {
         }
     }
     let tap = Tap { towards: [0.0, 0.0, 1.0], alpha: 0.3, weight: 0.25 };
-    let (fan, proxy) = (Fan::new(Kernel::HalfCosine, 64, 1), room.shape());
-    let exact = Integrated { room: &room, proxy: &proxy, viewpoint: Viewpoint::Probe, fan: &fan };
+    let (exact, proxy) = (Patches::new(&room), room.shape());
+    let exact = Integrated { proxy: &proxy, probe: room.probe, viewpoint: Viewpoint::Probe, exact: &exact };
     assert!(largest(exact.sum(&[tap, tap]), scaled(light, 0.5)) < 1e-14);
 }
 

@@ -5,6 +5,7 @@ mod rivals_support;
 
 mod cubemap;
 mod parallax;
+mod patches;
 mod proxies;
 mod reflection_field;
 mod reflection_fits;

@@ -2,7 +2,7 @@
 
 use lobefit::effects::parallax::{Corrected, Faded, Ratio, Shading, Slant, TapRule, Width, width};
 use lobefit::effects::room::cubemap::{Integrated, Viewpoint, direction, to_edge};
-use lobefit::effects::room::{Fan, Fetch, Lookup, Room, Seen, Tap, octagon, room_a, room_b};
+use lobefit::effects::room::{Fetch, Lookup, Patches, Room, Seen, Tap, octagon, room_a, room_b};
 use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
 use lobefit::optics::kernel::Kernel;
 
@@ -112,8 +112,9 @@ fn the_perpendicular_texel_is_an_integral_over_the_walls() {
         }
     }
     assert!((whole - 1.0).abs() < 1e-3, "{whole}");
-    let (fan, proxy) = (Fan::new(Kernel::HalfCosine, 16384, 3), room.shape());
-    let exact = Integrated { room: &room, proxy: &proxy, viewpoint: Viewpoint::Perpendicular, fan: &fan };
+    let (exact, proxy) = (Patches::new(&room), room.shape());
+    let exact =
+        Integrated { proxy: &proxy, probe: room.probe, viewpoint: Viewpoint::Perpendicular, exact: &exact };
     let found = exact.fetch(&Tap { towards, alpha: 0.3, weight: 1.0 });
     assert!(length(minus(found, sum)) < 0.01 * length(sum), "{found:?} {sum:?}");
 }

@@ -45,13 +45,19 @@ impl Wall {
     /// Radiance at coordinates in its plane.
     #[inline]
     pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 3] {
-        let inside = |p: &&Panel| (x - p.centre[0]).abs() < p.half[0] && (y - p.centre[1]).abs() < p.half[1];
-        if let Some(panel) = self.panels.iter().find(inside) {
+        if let Some((_, panel)) = self.panel([x, y]) {
             return panel.radiance;
         }
         let Checker { side, radiance } = self.checker;
         let odd = (below(x / side) + below(y / side)) & 1 == 1;
         radiance[usize::from(odd)]
+    }
+
+    /// The panel at coordinates in its plane, and its place in the list.
+    #[inline]
+    pub fn panel(&self, [x, y]: [f64; 2]) -> Option<(usize, &Panel)> {
+        let inside = |p: &Panel| (x - p.centre[0]).abs() < p.half[0] && (y - p.centre[1]).abs() < p.half[1];
+        self.panels.iter().enumerate().find(|(_, panel)| inside(panel))
     }
 }
 

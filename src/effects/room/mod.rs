@@ -15,7 +15,7 @@ pub mod proxies;
 mod shape;
 
 pub use catalogue::{octagon, practice, room_a, room_b};
-pub use exact::{Exact, Fan, GgxRays, Outlook};
+pub use exact::{Exact, Fan, Fineness, GgxRays, Outlook, Patches};
 pub use fetch::{Rays, fetched, lobe};
 pub use light::{Checker, Panel, Room, Wall};
 pub use lookup::{Fetch, Lookup, Meeting, Proxy, Seen, Tap};

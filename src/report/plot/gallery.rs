@@ -2,7 +2,7 @@
 
 use super::canvas::{Align, Canvas, Frame, INK, SMALL, TEXT, picture, sheet};
 use super::{Figure, Shade, colour_bar, font, raster};
-use crate::math::ops;
+use crate::report::image::encoded;
 use crate::report::{Image, ReportError, check};
 
 /// Widest line of a row's name in pixels of the page, and the most lines.
@@ -97,7 +97,7 @@ impl Gallery {
         let size = (self.columns.len() * self.side, self.rows.len() * self.side);
         match &self.cells {
             Cells::Colours(cells) => {
-                let bytes = self.joined(cells, |image, i| image.pixels[i].map(encoded));
+                let bytes = self.joined(cells, |image, i| image.pixels[i].map(byte));
                 let png = raster::rgb(&self.title, size, bytes.as_flattened())?;
                 Ok((picture(&png, frame, false), 14.0))
             }
@@ -157,8 +157,6 @@ fn all<T>(
 }
 
 /// A byte of sRGB (IEC 61966-2-1) from linear light, cut to [0, 1].
-fn encoded(x: f64) -> u8 {
-    let x = x.clamp(0.0, 1.0);
-    let y = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * ops::pow(x, 1.0 / 2.4) - 0.055 };
-    (255.0 * y).round() as u8
+fn byte(x: f64) -> u8 {
+    (255.0 * encoded(x)).round() as u8
 }

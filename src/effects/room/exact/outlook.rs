@@ -1,7 +1,7 @@
 //! A room as it is seen from a place, in a frame.
 
-use super::super::light::{Room, Wall};
-use crate::math::vector::{Vec3, dot, scaled};
+use super::super::light::{Panel, Room, Wall};
+use crate::math::vector::{Vec3, dot, length, plus, scaled};
 
 /// Directions that are met at once.
 pub(super) const LANES: usize = 8;
@@ -79,4 +79,52 @@ impl<'a> Outlook<'a> {
         let distance = 1.0 / nearness;
         wall.at([0, 1].map(|i| foot[i] + distance * dot(axes[i], towards)))
     }
+
+    /// Radiance from a direction of unit length, and how many points per solid angle are there of `count` spread evenly over every panel; 0
+    /// where no panel is.
+    pub(super) fn among(&self, towards: Vec3, count: f64) -> ([f64; 3], f64) {
+        let ([nearness, ..], [met, ..]) = self.met(&towards.map(|x| [x; LANES]));
+        let Seen { wall, foot, axes, normal } = &self.walls[met];
+        let distance = 1.0 / nearness;
+        let at = [0, 1].map(|i| foot[i] + distance * dot(axes[i], towards));
+        match wall.panel(at) {
+            None => (wall.at(at), 0.0),
+            Some((_, panel)) => (panel.radiance, density(panel, distance, nearness / length(*normal), count)),
+        }
+    }
+
+    /// What is seen of every panel at some of its points, given in [0, 1)^2: the direction, the radiance, and how many of the points there are per
+    /// solid angle. Without those that another panel covers.
+    pub(super) fn panels(&self, points: &[[f64; 2]], mut each: impl FnMut(Vec3, [f64; 3], f64)) {
+        for Seen { wall, foot, axes, normal } in &self.walls {
+            let depth = 1.0 / length(*normal);
+            let outward = scaled(*normal, depth * depth);
+            for (k, panel) in wall.panels.iter().enumerate() {
+                for point in points {
+                    let at = [0, 1]
+                        .map(|i| panel.centre[i] + (2.0 * point[i] - 1.0) * (1.0 - INSIDE) * panel.half[i]);
+                    if wall.panel(at).is_none_or(|(top, _)| top != k) {
+                        continue;
+                    }
+                    let across = [0, 1].map(|i| scaled(axes[i], at[i] - foot[i]));
+                    let way = plus(outward, plus(across[0], across[1]));
+                    let distance = length(way);
+                    let towards = scaled(way, 1.0 / distance);
+                    each(
+                        towards,
+                        panel.radiance,
+                        density(panel, distance, depth / distance, points.len() as f64),
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// By how much points keep off the edges of a panel, of its half: above the rounding of places.
+const INSIDE: f64 = 1e-12;
+
+/// Points per solid angle of `count` on a panel, seen from a distance at a cosine to its normal.
+fn density(panel: &Panel, distance: f64, cosine: f64, count: f64) -> f64 {
+    count * distance * distance / (4.0 * panel.half[0] * panel.half[1] * cosine)
 }

@@ -11,6 +11,8 @@ pub struct ChainFindings {
     pub roughness: Vec<f64>,
     /// Radii of the lobe on a wall within which an edge is near.
     pub near: f64,
+    /// What the references at points are off by, by room: relative, by roughness.
+    pub noise: Vec<(String, Vec<f64>)>,
     /// The error of one chain taken apart, by room.
     pub parts: Vec<ChainParts>,
     /// Chains of several maps and sizes.
@@ -121,7 +123,9 @@ pub struct SeamRow {
     pub room: String,
     /// Roughness of the floor.
     pub roughness: f64,
-    /// The reference and every law.
+    /// What the reference is off by at edges and elsewhere, from one that is integrated more coarsely.
+    pub noise: [f64; 2],
+    /// The reference, with the second differences of its own, and every law, with those of its error.
     pub pictures: Vec<SeamPicture>,
 }
 

@@ -120,6 +120,8 @@ pub struct RoomPictures {
     pub noise: [Vec<f64>; 2],
     /// Mean FLIP between the halves of each reference, by roughness.
     pub flip_of_noise: [Vec<f64>; 2],
+    /// Second differences of displayed luminance of the round lobe's own picture, on the edges of the room in it and elsewhere, by roughness.
+    pub detail: [Vec<f64>; 2],
     /// By method.
     pub rows: Vec<RoomPictureRow>,
     /// What the page shows.

@@ -46,6 +46,7 @@ fn texels(chain: &ChainFindings) -> Result<Section, ReportError> {
         cells
     });
     let r = &chain.roughness;
+    let noise = chain.noise.iter().map(|(room, noise)| cells(&[room], noise)).collect();
     let blocks = vec![
         Block::Heading { text: "What a chain adds, part by part".into() },
         Block::Table(table(
@@ -73,6 +74,13 @@ fn texels(chain: &ChainFindings) -> Result<Section, ReportError> {
             gains.collect(),
             "Error against the lobe traced from the point, with fetches integrated and, after the stroke, from the chain. Gain: geometric mean over \
              roughness of Frostbite’s error over this one’s, both with fetches of the same kind.",
+        )),
+        Block::Table(table(
+            &["room"],
+            r,
+            &[],
+            noise,
+            "What the reference itself is off by, likewise: the same lobes, integrated with edges divided half as finely, from it.",
         )),
     ];
     Ok(Section {
@@ -196,7 +204,10 @@ fn floor(rows: &[&SeamRow]) -> Result<Block, ReportError> {
         cell: CELL,
         cells: Cells::Colours((0..first.len()).map(pictures).collect()),
     };
-    figures(&[gallery], "The floor as a mirror of its roughness, through x/(1 + x); black is not the floor.")
+    figures(
+        &[gallery],
+        "The floor as a mirror of its roughness, through the tone mapper; black is not the floor.",
+    )
 }
 
 /// Side of a picture of a floor on the page.
@@ -210,7 +221,15 @@ fn creases(rows: &[&SeamRow]) -> TextTable {
             let values = [p.edge, p.elsewhere].map(|x| significant(100.0 * x, 3));
             vec![roughness.clone(), p.policy.clone(), values[0].clone(), values[1].clone(), ratio]
         };
-        row.pictures.iter().skip(1).map(one).collect::<Vec<_>>()
+        let noise = row.noise.map(|x| significant(100.0 * x, 2));
+        let noise = vec![
+            place(row.roughness),
+            "noise of the reference".into(),
+            noise[0].clone(),
+            noise[1].clone(),
+            "–".into(),
+        ];
+        row.pictures.iter().map(one).chain([noise]).collect::<Vec<_>>()
     };
     let columns = [
         ("r", true),
@@ -222,7 +241,8 @@ fn creases(rows: &[&SeamRow]) -> TextTable {
     words::table(
         &columns,
         rows.iter().flat_map(of).collect(),
-        "Mean magnitude of the second difference of the error of displayed luminance between neighbouring pixels, where the mirror rays cross an \
-         edge of the proxy and where they do not.",
+        "Creases as above: mean magnitude of the second difference of the error of displayed luminance over three pixels, where their mirror rays \
+         meet two walls and farther than a pixel from there; of the reference that of its own luminance. Its noise: what integrating it with edges \
+         divided half as finely changes.",
     )
 }

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::super::rooms::points::{self, points};
 use crate::effects::parallax::{Faded, Shading, Slant, Width};
 use crate::effects::room::cubemap::to_edge;
-use crate::effects::room::{Convex, Fan, Fetch, Lookup, Room, Seen};
+use crate::effects::room::{Convex, Fetch, Fineness, Lookup, Patches, Room, Seen};
 use crate::math::ops;
 use crate::math::vector::{plus, scaled};
 use crate::optics::kernel::Kernel;
@@ -21,6 +21,8 @@ pub(super) struct Row {
     pub seen: Vec<Seen>,
     /// The lobe traced from each.
     pub light: Vec<[f64; 3]>,
+    /// What that is off by: its relative difference from a finer one.
+    pub noise: f64,
     /// Whether its mirror ray ends near an edge.
     pub near: Vec<bool>,
 }
@@ -28,14 +30,18 @@ pub(super) struct Row {
 /// A room with its points, row by row of roughness.
 pub(super) struct Case<'a> {
     pub room: &'a Room,
+    /// Lobes integrated.
+    pub exact: Patches<'a>,
     pub shape: Convex,
     pub rows: Vec<Row>,
 }
 
 impl<'a> Case<'a> {
-    /// The reference is integrated with the directions of `fan`.
-    pub fn new(room: &'a Room, points_of: &points::Parameters, roughness: &[f64], fan: &Fan) -> Case<'a> {
+    /// With references.
+    pub fn new(room: &'a Room, points_of: &points::Parameters, roughness: &[f64]) -> Case<'a> {
         let shape = room.shape();
+        let exact = Patches::new(room);
+        let fine = exact.clone().with(Fineness::Fine);
         let points = points(room, points_of);
         let row = |roughness: &f64| {
             let alpha = roughness * roughness;
@@ -46,12 +52,16 @@ impl<'a> Case<'a> {
                 alpha,
             });
             let seen: Vec<Seen> = seen.collect();
-            let light = seen.par_iter().map(|s| fan.lobe(room, s.place, s.view, None, alpha)).collect();
+            let lobes = |from: &Patches| -> Vec<[f64; 3]> {
+                seen.par_iter().map(|s| from.lobe(s.place, s.view, alpha)).collect()
+            };
+            let light = lobes(&fine);
+            let noise = relative(&lobes(&exact), &light, all);
             let near = seen.iter().map(|seen| nearness(&shape, seen) < NEAR).collect();
-            Row { seen, light, near }
+            Row { seen, light, noise, near }
         };
         let rows = roughness.iter().map(row).collect();
-        Case { room, shape, rows }
+        Case { room, exact, shape, rows }
     }
 
     /// One fetch.

@@ -11,10 +11,10 @@ use serde::Serialize;
 use super::rooms::points;
 use crate::bake::Progress;
 use crate::data::{MipChain, MipMap};
-use crate::effects::room::{Exact, Fan, Room, octagon, room_a, room_b};
+use crate::effects::room::{Room, octagon, room_a, room_b};
 use crate::report::ChainFindings;
 use crate::study::{Size, StudyError};
-use measure::{Case, KERNEL};
+use measure::Case;
 
 /// A chain as some engine has it.
 #[derive(Clone, Debug, Serialize)]
@@ -41,16 +41,12 @@ pub(super) struct Parameters {
     texel_rays: u32,
     /// Rays of one prefiltered from its capture.
     engine_rays: u32,
-    /// Rays of lobes traced from points and fetched from the probe.
-    rays: u32,
     seed: u32,
     /// Radii of sliding viewpoints that are tried.
     widths: Vec<f64>,
     /// Radii over which ratios fade.
     fades: Vec<f64>,
     view: seams::View,
-    /// Rays of their lobes: second differences show the noise that means hide.
-    floor_rays: u32,
     /// Roughness of floors.
     floors: Vec<f64>,
 }
@@ -85,7 +81,6 @@ impl Parameters {
             samples: if full { 8 } else { 2 },
             texel_rays: of(256, 32),
             engine_rays: of(64, 16),
-            rays: of(1024, 128),
             seed: 11,
             widths: if full { vec![0.5, 1.0, 2.0, 4.0] } else { vec![1.0, 2.0] },
             fades: vec![1.0, 4.0],
@@ -94,8 +89,8 @@ impl Parameters {
                 camera: [-0.5, -0.6, 0.5],
                 target: [0.35, 0.3, -1.0],
                 half: 0.55,
+                stops: -1.0,
             },
-            floor_rays: of(4096, 128),
             floors: if full { vec![0.25, 0.5] } else { vec![0.5] },
         }
     }
@@ -111,33 +106,33 @@ pub(super) fn findings(
     parameters: &Parameters,
     progress: &dyn Progress,
 ) -> Result<ChainFindings, StudyError> {
-    let fan = Fan::new(KERNEL, parameters.rays, parameters.seed);
     progress.stage("chains: lobes traced from points");
-    let of = |room| Case::new(room, &parameters.points, &parameters.roughness, &fan);
+    let of = |room| Case::new(room, &parameters.points, &parameters.roughness);
     let cases: Vec<Case> = parameters.rooms.iter().map(of).collect();
     let (mut parts, mut sizes, mut gains) = (Vec::new(), Vec::new(), Vec::new());
     for case in &cases {
         progress.stage(&format!("chains: room {}", case.room.name));
-        let (part, chain) = texels::parts(case, parameters, &fan)?;
+        let (part, chain) = texels::parts(case, parameters)?;
         sizes.push(texels::size(case, parameters.first(), &chain, part.total.clone()));
         parts.push(part);
-        gains.extend(gains::gains(case, &Exact { room: case.room, fan: &fan }, &chain));
+        gains.extend(gains::gains(case, &case.exact, &chain));
     }
     if let Some(case) = cases.first() {
         progress.stage("chains: maps and sizes");
-        sizes.extend(texels::sizes(case, parameters, &fan)?);
+        sizes.extend(texels::sizes(case, parameters)?);
     }
     progress.stage("chains: sliding viewpoints");
-    let slide = viewpoints::slide(&cases, &fan, &parameters.widths);
+    let slide = viewpoints::slide(&cases, &parameters.widths);
     let laws = viewpoints::policies(slide.best, &parameters.fades);
-    let fine = Fan::new(KERNEL, parameters.floor_rays, parameters.seed);
     let (mut policies, mut seams) = (Vec::new(), Vec::new());
     for case in &cases {
         progress.stage(&format!("chains: viewpoints in room {}", case.room.name));
-        policies.extend(viewpoints::compared(case, &fan, &laws, parameters)?);
+        policies.extend(viewpoints::compared(case, &laws, parameters)?);
         let floors = parameters.floors.iter();
-        seams.extend(floors.map(|r| seams::seams(case, &fine, &laws, &parameters.view, *r)));
+        seams.extend(floors.map(|r| seams::seams(case, &laws, &parameters.view, *r)));
     }
+    let of = |case: &Case| (case.room.name.clone(), case.rows.iter().map(|row| row.noise).collect());
+    let noise = cases.iter().map(of).collect();
     let roughness = parameters.roughness.clone();
-    Ok(ChainFindings { roughness, near: measure::NEAR, parts, sizes, gains, slide, policies, seams })
+    Ok(ChainFindings { roughness, near: measure::NEAR, noise, parts, sizes, gains, slide, policies, seams })
 }

@@ -3,13 +3,14 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::super::creases::{Creases, creases, detail};
 use super::measure::Case;
 use super::viewpoints::Policy;
 use crate::effects::parallax::Width;
 use crate::effects::room::cubemap::Integrated;
-use crate::effects::room::{Fan, Fetch, Lookup, Room, Seen};
-use crate::math::ops;
+use crate::effects::room::{Fetch, Fineness, Lookup, Patches, Room, Seen};
 use crate::math::vector::{Vec3, cross, dot, minus, normalise, plus, scaled};
+use crate::report::flip;
 use crate::report::{Image, SeamPicture, SeamRow};
 
 /// A view of the floor.
@@ -23,6 +24,8 @@ pub(super) struct View {
     pub target: Vec3,
     /// Tangent of half the angle of view.
     pub half: f64,
+    /// Exposure, in stops.
+    pub stops: f64,
 }
 
 /// A pixel that shows the floor, and the wall that its mirror ray meets.
@@ -70,37 +73,16 @@ impl Floor {
         Floor { side: view.side, pixels: (0..view.side * view.side).map(pixel).collect() }
     }
 
-    /// Displayed colours of every pixel; black where the floor is not.
-    fn shown(&self, light: impl Fn(&Seen) -> [f64; 3] + Sync) -> Vec<[f64; 3]> {
-        let one = |pixel: &Option<Pixel>| {
-            let light = pixel.as_ref().map_or([0.0; 3], |pixel| light(&pixel.seen));
-            light.map(|x| x / (1.0 + x))
-        };
-        self.pixels.par_iter().map(one).collect()
+    /// Every pixel through the tone mapper; black where the floor is not.
+    fn shown(&self, stops: f64, light: impl Fn(&Seen) -> [f64; 3] + Sync) -> Image {
+        let one = |pixel: &Option<Pixel>| pixel.as_ref().map_or([0.0; 3], |pixel| light(&pixel.seen));
+        let pixels = self.pixels.par_iter().map(one).collect();
+        flip::shown(&Image { width: self.side, height: self.side, pixels }, stops)
     }
 
-    /// Mean magnitude of the second difference, along rows and columns, of the difference of two pictures' displayed luminance: where the
-    /// three mirror rays meet different walls, and where they meet one.
-    fn creases(&self, picture: &[[f64; 3]], reference: &[[f64; 3]]) -> [f64; 2] {
-        let off: Vec<f64> =
-            picture.iter().zip(reference).map(|(a, b)| displayed(*a) - displayed(*b)).collect();
-        let (mut sums, mut counts) = ([0.0; 2], [0_u32; 2]);
-        for step in [1, self.side] {
-            for k in step..self.pixels.len() - step {
-                // a row's ends have no neighbour in it
-                if step == 1 && (k % self.side == 0 || k % self.side == self.side - 1) {
-                    continue;
-                }
-                let [Some(a), Some(b), Some(c)] = [k - step, k, k + step].map(|k| self.pixels[k].as_ref())
-                else {
-                    continue;
-                };
-                let elsewhere = usize::from(a.wall == b.wall && b.wall == c.wall);
-                sums[elsewhere] += (off[k - step] - 2.0 * off[k] + off[k + step]).abs();
-                counts[elsewhere] += 1;
-            }
-        }
-        [0, 1].map(|i| sums[i] / f64::from(counts[i].max(1)))
+    /// The wall that each pixel's mirror ray meets.
+    fn met(&self) -> Vec<Option<usize>> {
+        self.pixels.iter().map(|pixel| pixel.as_ref().map(|pixel| pixel.wall)).collect()
     }
 }
 
@@ -108,39 +90,37 @@ fn mirror(seen: &Seen) -> Vec3 {
     minus(scaled(seen.normal, 2.0 * dot(seen.normal, seen.view)), seen.view)
 }
 
-/// sRGB's curve of the luminance (IEC 61966-2-1) of a colour in [0, 1].
-fn displayed(colour: [f64; 3]) -> f64 {
-    let linear = dot([0.2126, 0.7152, 0.0722], colour);
-    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * ops::pow(linear, 1.0 / 2.4) - 0.055 }
-}
-
 /// Pictures of the floor of a room by every law of a bake, the reference first, with their creases.
-pub(super) fn seams(case: &Case, fan: &Fan, policies: &[Policy], view: &View, roughness: f64) -> SeamRow {
+pub(super) fn seams(case: &Case, policies: &[Policy], view: &View, roughness: f64) -> SeamRow {
     let alpha = roughness * roughness;
     let floor = Floor::new(case.room, view, alpha);
-    let traced = |seen: &Seen| fan.lobe(case.room, seen.place, mirror(seen), Some(seen.normal), alpha);
-    let reference = floor.shown(traced);
-    let mut pictures = vec![SeamPicture {
-        policy: "traced from the floor (reference)".into(),
-        edge: 0.0,
-        elsewhere: 0.0,
-        picture: image(view.side, &reference),
-    }];
+    let met = floor.met();
+    let up = [0.0, 0.0, 1.0];
+    let below = case.room.exit(case.room.probe, [0.0, 0.0, -1.0]).0;
+    let cut = Patches::above(case.room, minus(case.room.probe, scaled(up, below)), up);
+    let traced =
+        |patches: &Patches| floor.shown(view.stops, |seen| patches.lobe(seen.place, mirror(seen), alpha));
+    let coarse = traced(&cut);
+    let reference = traced(&cut.with(Fineness::Fine));
+    let row = |policy: &str, Creases { edges, elsewhere }: Creases, picture: Image| SeamPicture {
+        policy: policy.into(),
+        edge: edges,
+        elsewhere,
+        picture,
+    };
+    let noise = creases(&coarse, &reference, &met);
+    let own = detail(&reference, &met);
+    let mut pictures = vec![row("traced from the floor (reference): its own", own, reference.clone())];
     for (name, viewpoint, slant) in policies {
         let lookup = case.lookup(*slant, Width::Rational);
-        let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint: *viewpoint, fan };
-        let shown = floor.shown(|seen| exact.sum(&lookup.taps(seen)));
-        let [edge, elsewhere] = floor.creases(&shown, &reference);
-        pictures.push(SeamPicture {
-            policy: name.clone(),
-            edge,
-            elsewhere,
-            picture: image(view.side, &shown),
-        });
+        let exact = Integrated {
+            probe: case.room.probe,
+            proxy: &case.shape,
+            viewpoint: *viewpoint,
+            exact: &case.exact,
+        };
+        let shown = floor.shown(view.stops, |seen| exact.sum(&lookup.taps(seen)));
+        pictures.push(row(name, creases(&shown, &reference, &met), shown));
     }
-    SeamRow { room: case.room.name.clone(), roughness, pictures }
-}
-
-fn image(side: usize, pixels: &[[f64; 3]]) -> Image {
-    Image { width: side, height: side, pixels: pixels.to_vec() }
+    SeamRow { room: case.room.name.clone(), roughness, noise: [noise.edges, noise.elsewhere], pictures }
 }

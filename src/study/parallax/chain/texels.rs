@@ -5,7 +5,7 @@ use super::{Engine, Parameters};
 use crate::data::MipChain;
 use crate::effects::parallax::{Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Edges, Format, Source, Viewpoint};
-use crate::effects::room::{Exact, Fan, Fetch, Tap};
+use crate::effects::room::{Fetch, Patches, Room, Tap};
 use crate::math::vector::{plus, scaled};
 use crate::report::{ChainParts, ChainSize};
 use crate::study::StudyError;
@@ -28,7 +28,8 @@ pub(super) fn bake(engine: &Engine, parameters: &Parameters) -> Bake {
 
 /// Lobes of the two levels next to a width, mixed as the chain mixes them, but integrated.
 struct Levels<'a> {
-    exact: Exact<'a>,
+    room: &'a Room,
+    exact: &'a Patches<'a>,
     map: &'a MipChain,
 }
 
@@ -40,7 +41,7 @@ impl Fetch for Levels<'_> {
             let roughness = self.map.roughness(level);
             let alpha = roughness * roughness;
             if alpha == 0.0 {
-                return self.exact.room.seen(self.exact.room.probe, tap.towards);
+                return self.room.seen(self.room.probe, tap.towards);
             }
             self.exact.fetch(&Tap { alpha, ..*tap })
         };
@@ -52,11 +53,7 @@ impl Fetch for Levels<'_> {
 }
 
 /// The parts of the first engine's chain in a room, for the fetches of our lookup; and the chain.
-pub(super) fn parts(
-    case: &Case,
-    parameters: &Parameters,
-    fan: &Fan,
-) -> Result<(ChainParts, Chain), StudyError> {
+pub(super) fn parts(case: &Case, parameters: &Parameters) -> Result<(ChainParts, Chain), StudyError> {
     let engine = parameters.first();
     let whole = Bake { format: Format::Single, ..bake(engine, parameters) };
     let single = whole.chain(case.room)?;
@@ -65,13 +62,13 @@ pub(super) fn parts(
         Bake { source: Source::Capture, rays: parameters.engine_rays, ..whole.clone() }.chain(case.room)?;
     let again = Bake { seed: parameters.seed + 1, ..whole }.chain(case.room)?;
     let clamped = chain.with_edges(Edges::Clamped);
-    let exact = Exact { room: case.room, fan };
-    let levels = Levels { exact, map: &engine.map };
+    let exact = &case.exact;
+    let levels = Levels { room: case.room, exact, map: &engine.map };
     let lookup = case.lookup(Slant::Whole, Width::Rational);
     let mut found = ChainParts { room: case.room.name.clone(), ..ChainParts::default() };
     for row in &case.rows {
         let by = |fetch: &dyn Fetch| shaded(row, &lookup, fetch);
-        let (truth, mixed, stored) = (by(&exact), by(&levels), by(&chain));
+        let (truth, mixed, stored) = (by(exact), by(&levels), by(&chain));
         let off = |a: &[[f64; 3]], b: &[[f64; 3]]| off(a, b, &truth, all);
         let plain = by(&single);
         found.total.push(off(&stored, &truth));
@@ -98,10 +95,9 @@ pub(super) fn size(case: &Case, engine: &Engine, chain: &Chain, total: Vec<f64>)
 }
 
 /// The error of the other engines' chains.
-pub(super) fn sizes(case: &Case, parameters: &Parameters, fan: &Fan) -> Result<Vec<ChainSize>, StudyError> {
+pub(super) fn sizes(case: &Case, parameters: &Parameters) -> Result<Vec<ChainSize>, StudyError> {
     let lookup = case.lookup(Slant::Whole, Width::Rational);
-    let exact = Exact { room: case.room, fan };
-    let truth: Vec<Vec<[f64; 3]>> = case.rows.iter().map(|row| shaded(row, &lookup, &exact)).collect();
+    let truth: Vec<Vec<[f64; 3]>> = case.rows.iter().map(|row| shaded(row, &lookup, &case.exact)).collect();
     let one = |engine: &Engine| {
         let chain: Chain = bake(engine, parameters).chain(case.room)?;
         let error =

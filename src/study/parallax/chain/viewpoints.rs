@@ -4,7 +4,7 @@ use super::measure::{Case, all, gain, relative, shaded};
 use super::{Parameters, texels};
 use crate::effects::parallax::{Faded, Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
-use crate::effects::room::{Fan, Fetch, Lookup};
+use crate::effects::room::{Fetch, Lookup};
 use crate::math::ops;
 use crate::report::{BakePolicy, SlideLaw};
 use crate::study::StudyError;
@@ -49,7 +49,6 @@ fn errors(case: &Case, lookup: &dyn Lookup, fetch: &dyn Fetch) -> [Vec<f64>; 3] 
 /// Every law in a room.
 pub(super) fn compared(
     case: &Case,
-    fan: &Fan,
     policies: &[Policy],
     parameters: &Parameters,
 ) -> Result<Vec<BakePolicy>, StudyError> {
@@ -61,7 +60,7 @@ pub(super) fn compared(
         }
     }
     let both = |viewpoint: Viewpoint, lookup: &Faded| {
-        let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
+        let exact = Integrated { probe: case.room.probe, proxy: &case.shape, viewpoint, exact: &case.exact };
         let chain = chains.iter().find(|(law, _)| *law == viewpoint).map(|(_, chain)| chain);
         let stored = chain.map(|chain| errors(case, lookup, chain)).unwrap_or_default();
         (errors(case, lookup, &exact), stored)
@@ -86,11 +85,11 @@ pub(super) fn compared(
 }
 
 /// Geometric mean over roughness and rooms of what a sliding bake is off by.
-fn loss(cases: &[Case], fan: &Fan, widths: f64) -> Vec<f64> {
+fn loss(cases: &[Case], widths: f64) -> Vec<f64> {
     let of = |case: &Case| {
         let viewpoint = Viewpoint::Sliding { widths };
         let lookup = case.lookup(Slant::Whole, Width::Rational);
-        let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
+        let exact = Integrated { probe: case.room.probe, proxy: &case.shape, viewpoint, exact: &case.exact };
         let logs =
             case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));
         ops::exp(logs.sum::<f64>() / case.rows.len() as f64)
@@ -102,14 +101,14 @@ fn loss(cases: &[Case], fan: &Fan, widths: f64) -> Vec<f64> {
 const SECTIONS: usize = 5;
 
 /// The law's parameter: the best of a grid over all rooms, and then between its neighbours.
-pub(super) fn slide(cases: &[Case], fan: &Fan, grid: &[f64]) -> SlideLaw {
-    let by_room: Vec<Vec<f64>> = grid.iter().map(|widths| loss(cases, fan, *widths)).collect();
+pub(super) fn slide(cases: &[Case], grid: &[f64]) -> SlideLaw {
+    let by_room: Vec<Vec<f64>> = grid.iter().map(|widths| loss(cases, *widths)).collect();
     let joint = |losses: &[f64]| losses.iter().map(|loss| ops::log(*loss)).sum::<f64>();
     let best =
         (0..grid.len()).min_by(|a, b| joint(&by_room[*a]).total_cmp(&joint(&by_room[*b]))).unwrap_or(0);
     let ends = [grid[best.saturating_sub(1)], grid[(best + 1).min(grid.len() - 1)]];
     let (mut low, mut high) = (ops::log(ends[0]), ops::log(ends[1]));
-    let at = |log: f64| joint(&loss(cases, fan, ops::exp(log)));
+    let at = |log: f64| joint(&loss(cases, ops::exp(log)));
     let golden = 0.618_033_988_749_895;
     for _ in 0..SECTIONS {
         let (a, b) = (high - golden * (high - low), low + golden * (high - low));

@@ -5,14 +5,14 @@ use rayon::prelude::*;
 use super::super::rooms::points::{self, Point};
 use crate::effects::parallax::width;
 use crate::effects::room::proxies::Body;
-use crate::effects::room::{Exact, Fan, Fetch, Meeting, Proxy, Room, Tap};
+use crate::effects::room::{Fetch, Meeting, Patches, Proxy, Room, Tap};
 use crate::math::sum;
 use crate::math::vector::{Vec3, dot, length, minus, plus, scaled};
 
 /// Points of a room with the truth at a width.
 pub(super) struct Sample<'a> {
-    room: &'a Room,
-    fan: &'a Fan,
+    probe: Vec3,
+    exact: &'a Patches<'a>,
     alpha: f64,
     points: Vec<Known>,
 }
@@ -36,15 +36,20 @@ pub(super) struct Off {
 
 impl<'a> Sample<'a> {
     /// Of some points at a width; `None` where the probe is not inside.
-    pub fn new(room: &'a Room, fan: &'a Fan, wanted: &points::Parameters, alpha: f64) -> Option<Sample<'a>> {
+    pub fn new(
+        room: &Room,
+        exact: &'a Patches<'a>,
+        wanted: &points::Parameters,
+        alpha: f64,
+    ) -> Option<Sample<'a>> {
         let body = Body::new(&room.shape(), room.probe)?;
         let known = |point: Point| {
             let Point { place, mirror, .. } = point;
-            let truth = fan.lobe(room, place, mirror, None, alpha);
+            let truth = exact.lobe(place, mirror, alpha);
             Known { point, truth, edge: reaches(&body, place, mirror, alpha) }
         };
         let points = points::points(room, wanted).into_par_iter().map(known).collect();
-        Some(Sample { room, fan, alpha, points })
+        Some(Sample { probe: room.probe, exact, alpha, points })
     }
 
     /// Of all points, how many reach over an edge.
@@ -72,8 +77,7 @@ impl<'a> Sample<'a> {
     }
 
     fn fetched(&self, proxy: &dyn Proxy, Point { place, mirror, .. }: &Point) -> [f64; 3] {
-        let exact = Exact { room: self.room, fan: self.fan };
-        exact.fetch(&tap(proxy, self.room.probe, *place, *mirror, self.alpha))
+        self.exact.fetch(&tap(proxy, self.probe, *place, *mirror, self.alpha))
     }
 }
 

@@ -11,10 +11,9 @@ use serde::Serialize;
 use super::rooms::points;
 use crate::bake::Progress;
 use crate::effects::room::proxies::{Body, Law, Smooth};
-use crate::effects::room::{Fan, Proxy, Room, octagon, room_a, room_b};
+use crate::effects::room::{Patches, Proxy, Room, octagon, room_a, room_b};
 use crate::math::ops;
 use crate::math::vector::Vec3;
-use crate::optics::kernel::Kernel;
 use crate::report::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 use crate::study::{Size, StudyError};
 use errors::{Off, Sample};
@@ -32,8 +31,6 @@ pub(super) struct Parameters {
     fitted: points::Parameters,
     /// Others that they are judged on.
     judged: points::Parameters,
-    /// Directions of a lobe.
-    directions: u32,
     /// Of the place in room A whose rays pass over edges.
     place: Vec3,
 }
@@ -50,7 +47,6 @@ impl Parameters {
             roughness: if full { (1..=10).map(|i| f64::from(i) / 10.0).collect() } else { vec![0.3, 0.7] },
             fitted: points(fitted, 11),
             judged: points(judged, 12),
-            directions: if full { 1537 } else { 257 },
             place: [0.7, -0.5, 0.2],
         }
     }
@@ -68,8 +64,7 @@ pub(super) fn findings(
     progress: &dyn Progress,
 ) -> Result<ProxiesFindings, StudyError> {
     progress.stage("proxies");
-    let fan = Fan::new(Kernel::HalfCosine, parameters.directions, 3);
-    let cells: Vec<Vec<Cell>> = parameters.rooms.iter().map(|room| cells(parameters, room, &fan)).collect();
+    let cells: Vec<Vec<Cell>> = parameters.rooms.iter().map(|room| cells(parameters, room)).collect();
     let mut families = Vec::new();
     let mut laws = Vec::new();
     for (k, family) in parameters.families.iter().enumerate() {
@@ -84,14 +79,15 @@ pub(super) fn findings(
         roughness: parameters.roughness.clone(),
         points: [parameters.fitted.count, parameters.judged.count],
         families,
-        gains: gains(parameters, &fan, &laws),
+        gains: gains(parameters, &laws),
         crossings: crossed(parameters, &laws),
     })
 }
 
-fn cells(parameters: &Parameters, room: &Room, fan: &Fan) -> Vec<Cell> {
+fn cells(parameters: &Parameters, room: &Room) -> Vec<Cell> {
+    let exact = Patches::new(room);
     let cell = |&roughness: &f64| {
-        let sample = Sample::new(room, fan, &parameters.fitted, roughness * roughness)?;
+        let sample = Sample::new(room, &exact, &parameters.fitted, roughness * roughness)?;
         let off =
             |family: &Family, value: f64| Some(sample.off(&*family.proxy(room, Law::Constant { value })?));
         let of = |family: &Family| family.values().into_iter().map(|value| off(family, value)).collect();
@@ -158,11 +154,12 @@ fn of_family(
 }
 
 /// What laws gain on points that they were not fitted on.
-fn gains(parameters: &Parameters, fan: &Fan, laws: &[(String, Family, Law)]) -> Vec<ProxyGain> {
+fn gains(parameters: &Parameters, laws: &[(String, Family, Law)]) -> Vec<ProxyGain> {
     let mut gains = Vec::new();
     for room in &parameters.rooms {
+        let exact = Patches::new(room);
         for &roughness in &parameters.roughness {
-            let Some(sample) = Sample::new(room, fan, &parameters.judged, roughness * roughness) else {
+            let Some(sample) = Sample::new(room, &exact, &parameters.judged, roughness * roughness) else {
                 continue;
             };
             let Some(body) = Body::new(&room.shape(), room.probe) else { continue };

@@ -3,11 +3,11 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::super::creases::{Creases, creases, detail};
 use super::methods::Method;
-use super::random::{Tools, relative};
-use super::smoothness::{Creases, creases};
+use super::random::{halves, relative};
 use super::view::{Camera, Pixel, pixels};
-use crate::effects::room::{Exact, Fetch, Lookup, Room, Seen};
+use crate::effects::room::{Fetch, Fineness, GgxRays, Lookup, Patches, Room, Seen};
 use crate::math::sum;
 use crate::math::vector::{Vec3, plus, scaled};
 use crate::report::flip::{self, ErrorMap};
@@ -22,7 +22,7 @@ pub(super) struct Parameters {
     /// Pixels along each side.
     pub side: usize,
     pub roughness: Vec<f64>,
-    /// Directions of a fetch, and of each half of a reference.
+    /// Visible normals of each half of a GGX reference.
     pub directions: u32,
     /// Exposure, in stops.
     pub stops: f64,
@@ -46,7 +46,7 @@ impl Parameters {
             cameras: if full { cameras } else { cameras.into_iter().take(1).collect() },
             side: if full { 72 } else { 16 },
             roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.5] },
-            directions: if full { 1536 } else { 256 },
+            directions: if full { 1024 } else { 256 },
             stops: -1.0,
             pixels_per_degree: 30.0,
             shown: if full { vec![0.15, 0.35, 0.7] } else { vec![0.5] },
@@ -66,10 +66,10 @@ pub(super) fn pictures(
     methods: &[Method],
     parameters: &Parameters,
 ) -> Result<Vec<RoomPictures>, StudyError> {
-    let tools = Tools::new(parameters.directions);
+    let rays = halves(parameters.directions);
     let seen = parameters.cameras.iter().filter_map(|(room, camera)| Some((rooms.get(*room)?, camera)));
     seen.enumerate()
-        .map(|(i, (room, camera))| scene(room, camera, methods, (parameters, &tools, i == 0)))
+        .map(|(i, (room, camera))| scene(room, camera, methods, (parameters, &rays, i == 0)))
         .collect()
 }
 
@@ -77,9 +77,12 @@ fn scene(
     room: &Room,
     camera: &Camera,
     methods: &[Method],
-    (parameters, tools, shown): (&Parameters, &Tools, bool),
+    (parameters, rays, shown): (&Parameters, &[GgxRays; 2], bool),
 ) -> Result<RoomPictures, StudyError> {
     let pixels = pixels(room, camera, parameters.side);
+    let exact = Patches::new(room);
+    let cut = || Patches::above(room, [0.0, 0.0, camera.plane], UP);
+    let lobes = [cut(), cut().with(Fineness::Fine)];
     let seen: Vec<usize> = (0..pixels.len()).filter(|&i| pixels[i].place.is_some()).collect();
     let mut all = RoomPictures {
         name: camera.name.clone(),
@@ -88,6 +91,7 @@ fn scene(
         roughness: parameters.roughness.clone(),
         noise: [Vec::new(), Vec::new()],
         flip_of_noise: [Vec::new(), Vec::new()],
+        detail: [Vec::new(), Vec::new()],
         rows: Vec::new(),
         shown: Vec::new(),
     };
@@ -96,17 +100,29 @@ fn scene(
     all.rows = names.map(|(name, fetches)| RoomPictureRow::new(name, fetches)).collect();
     for &roughness in &parameters.roughness {
         let show = shown && parameters.shown.contains(&roughness);
-        Column { room, parameters, tools, pixels: &pixels, seen: &seen, alpha: roughness * roughness }
+        let light = Light { exact: &exact, lobes: &lobes, rays };
+        Column { room, parameters, light, pixels: &pixels, seen: &seen, alpha: roughness * roughness }
             .add(&mut all, methods, show)?;
     }
     Ok(all)
+}
+
+/// How it is integrated.
+#[derive(Clone, Copy)]
+struct Light<'a> {
+    /// Fetches.
+    exact: &'a Patches<'a>,
+    /// The round lobe cut off at the plane, coarse and fine.
+    lobes: &'a [Patches<'a>; 2],
+    /// The two halves of GGX.
+    rays: &'a [GgxRays; 2],
 }
 
 /// Pictures of one roughness.
 struct Column<'a> {
     room: &'a Room,
     parameters: &'a Parameters,
-    tools: &'a Tools,
+    light: Light<'a>,
     pixels: &'a [Pixel],
     /// Pixels that reflect.
     seen: &'a [usize],
@@ -123,6 +139,10 @@ impl Column<'_> {
             all.noise[r].push(0.5 * relative(a, b));
             all.flip_of_noise[r].push(self.flip(&self.displayed(a), &self.displayed(b))?.0);
         }
+        let met: Vec<Option<usize>> = self.pixels.iter().map(|p| p.place.map(|_| p.met)).collect();
+        let own = detail(&prepared[0], &met);
+        all.detail[0].push(own.edges);
+        all.detail[1].push(own.elsewhere);
         let lookups: Vec<Box<dyn Lookup>> = methods.iter().map(|method| method.lookup(self.room)).collect();
         let mut values: Vec<Vec<Vec3>> = lookups.iter().map(|lookup| self.fetched(lookup.as_ref())).collect();
         values.push(whole[0].clone());
@@ -134,7 +154,7 @@ impl Column<'_> {
             row.flip[0].push(lobe.0);
             row.flip[1].push(surface.0);
             (0..2).for_each(|r| row.l2[r].push(relative(values, &whole[r])));
-            let Creases { edges, elsewhere } = creases(&picture, &prepared[0], self.pixels);
+            let Creases { edges, elsewhere } = creases(&picture, &prepared[0], &met);
             row.edges.push(edges);
             row.elsewhere.push(elsewhere);
             if show {
@@ -156,17 +176,14 @@ impl Column<'_> {
 
     fn truths(&self) -> Truths {
         let lobe = |half: usize| {
-            self.each(|seen, mirror| {
-                self.tools.fans[half].lobe(self.room, seen.place, mirror, Some(UP), self.alpha)
-            })
+            self.each(|seen, mirror| self.light.lobes[half].lobe(seen.place, mirror, self.alpha))
         };
-        let surface = |half: usize| self.each(|seen, _| self.tools.rays[half].reflected(self.room, seen));
+        let surface = |half: usize| self.each(|seen, _| self.light.rays[half].reflected(self.room, seen));
         Truths { halves: [[0, 1].map(lobe), [0, 1].map(surface)] }
     }
 
     fn fetched(&self, lookup: &dyn Lookup) -> Vec<Vec3> {
-        let exact = Exact { room: self.room, fan: &self.tools.fan };
-        self.each(|seen, _| exact.sum(&lookup.taps(seen)))
+        self.each(|seen, _| self.light.exact.sum(&lookup.taps(seen)))
     }
 
     /// Of every pixel that reflects, by its shading point and mirror direction.

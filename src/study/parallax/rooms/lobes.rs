@@ -9,9 +9,9 @@ use serde::Serialize;
 
 use super::methods::{Method, smooth};
 use super::points::{self, Point};
-use super::random::{Reference, Tools, relative};
+use super::random::{Reference, halves, relative};
 use crate::effects::parallax::{LobeFit, Shading};
-use crate::effects::room::{Exact, Fetch, Room, Seen, practice};
+use crate::effects::room::{Fetch, GgxRays, Patches, Room, Seen, practice};
 use crate::math::vector::{Vec3, plus, scaled};
 use crate::math::{ops, sum};
 use crate::report::FittedLobe;
@@ -62,7 +62,7 @@ struct Column {
 /// The search for the constants of a number of fetches.
 struct Search<'a> {
     parameters: &'a Parameters,
-    tools: &'a Tools,
+    exact: &'a Patches<'a>,
     columns: &'a [Column],
     fetches: usize,
 }
@@ -71,8 +71,7 @@ impl Search<'_> {
     /// The geometric mean of the relative L2 over the roughnesses.
     fn error(&self, shading: Shading) -> f64 {
         let method = Method { shading, ..smooth(self.fetches) };
-        let (room, fan) = (&self.parameters.room, &self.tools.fan);
-        let (lookup, exact) = (method.lookup(room), Exact { room, fan });
+        let (lookup, exact) = (method.lookup(&self.parameters.room), self.exact);
         let error = |column: &Column| {
             let values: Vec<Vec3> =
                 column.seen.par_iter().map(|seen| exact.sum(&lookup.taps(seen))).collect();
@@ -121,14 +120,15 @@ const START: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.3, 0.5, 0.0],
 
 /// Fits for one, two and three fetches; the lobe of one is round.
 pub(super) fn fitted(parameters: &Parameters) -> Result<Vec<FittedLobe>, StudyError> {
-    let tools = Tools::new(parameters.directions);
+    let rays = halves(parameters.directions);
+    let exact = Patches::new(&parameters.room);
     let points = points::half_on_walls(&parameters.room, &parameters.points);
     let columns: Vec<Column> =
-        parameters.roughness.iter().map(|r| column(parameters, r * r, &points, &tools)).collect();
+        parameters.roughness.iter().map(|r| column(parameters, r * r, &points, &rays)).collect();
     [(1, 6, LobeFit::ONE), (2, 8, LobeFit::TWO), (3, 8, LobeFit::THREE)]
         .into_iter()
         .map(|(fetches, free, shipped)| {
-            let search = Search { parameters, tools: &tools, columns: &columns, fetches };
+            let search = Search { parameters, exact: &exact, columns: &columns, fetches };
             let (fit, error) = search.fitted(&START, free)?;
             let of = |shading| search.error(shading);
             Ok(FittedLobe {
@@ -145,10 +145,10 @@ pub(super) fn fitted(parameters: &Parameters) -> Result<Vec<FittedLobe>, StudyEr
         .collect()
 }
 
-fn column(parameters: &Parameters, alpha: f64, points: &[Point], tools: &Tools) -> Column {
+fn column(parameters: &Parameters, alpha: f64, points: &[Point], rays: &[GgxRays; 2]) -> Column {
     let seen: Vec<Seen> = points.iter().map(|point| Reference::Surface.seen(point, alpha)).collect();
     let truth = seen.par_iter().map(|seen| {
-        let [a, b] = [0, 1].map(|half| tools.rays[half].reflected(&parameters.room, seen));
+        let [a, b] = [0, 1].map(|half| rays[half].reflected(&parameters.room, seen));
         scaled(plus(a, b), 0.5)
     });
     Column { truth: truth.collect(), seen }

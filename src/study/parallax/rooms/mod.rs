@@ -6,7 +6,6 @@ mod lobes;
 pub(super) mod methods;
 pub(super) mod points;
 mod random;
-mod smoothness;
 mod view;
 
 use serde::Serialize;
@@ -60,8 +59,8 @@ pub(super) fn findings(
     let Parameters { rooms, methods, random, lobes, images, .. } = parameters;
     let lobes = lobes::fitted(lobes)?;
     let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
-    let tools = random::Tools::new(random.directions);
-    let random = rooms.iter().map(|room| random::measured(room, methods, random, &tools)).collect();
+    let rays = random::halves(random.directions);
+    let random = rooms.iter().map(|room| random::measured(room, methods, random, &rays)).collect();
     progress.stage("pictures in rooms");
     let pictures = images::pictures(rooms, methods, images)?;
     let costs = costs::costs(OCTAGON)?;

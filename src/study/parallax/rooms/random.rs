@@ -5,10 +5,9 @@ use serde::Serialize;
 
 use super::methods::{FROSTBITE, Method};
 use super::points::{self, Point};
-use crate::effects::room::{Exact, Fan, Fetch, GgxRays, Room, Seen};
+use crate::effects::room::{Fetch, Fineness, GgxRays, Patches, Room, Seen};
 use crate::math::vector::{Vec3, minus, normalise, plus, scaled};
 use crate::math::{ops, sum};
-use crate::optics::kernel::Kernel;
 use crate::report::{RandomReference, RandomRoom, RandomRow};
 use crate::study::Size;
 
@@ -18,7 +17,7 @@ pub(super) struct Parameters {
     pub points: points::Parameters,
     /// Roots of alpha.
     pub roughness: Vec<f64>,
-    /// Directions of a fetch, and of each half of a reference.
+    /// Visible normals of each half of a GGX reference.
     pub directions: u32,
 }
 
@@ -29,7 +28,7 @@ impl Parameters {
         Parameters {
             points: points::Parameters::of(size),
             roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.25, 0.7] },
-            directions: if full { 1536 } else { 256 },
+            directions: if full { 1024 } else { 256 },
         }
     }
 }
@@ -66,20 +65,9 @@ impl Reference {
     }
 }
 
-/// Directions of all lobes.
-pub(super) struct Tools {
-    pub fan: Fan,
-    /// The two halves of references.
-    pub fans: [Fan; 2],
-    pub rays: [GgxRays; 2],
-}
-
-impl Tools {
-    /// With a number of directions in a fetch and in each half of a reference.
-    pub fn new(directions: u32) -> Tools {
-        let fan = |seed| Fan::new(Kernel::HalfCosine, directions, seed);
-        Tools { fan: fan(1), fans: [fan(2), fan(3)], rays: [4, 5].map(|seed| GgxRays::new(directions, seed)) }
-    }
+/// The two halves of GGX references.
+pub(super) fn halves(directions: u32) -> [GgxRays; 2] {
+    [4, 5].map(|seed| GgxRays::new(directions, seed))
 }
 
 /// One room under both references.
@@ -87,14 +75,14 @@ pub(super) fn measured(
     room: &Room,
     methods: &[Method],
     parameters: &Parameters,
-    tools: &Tools,
+    rays: &[GgxRays; 2],
 ) -> RandomRoom {
     let points = points::points(room, &parameters.points);
     let references = Reference::ALL.map(|reference| {
         let columns: Vec<Column> = parameters
             .roughness
             .iter()
-            .map(|r| column(room, methods, (reference, r * r), &points, tools))
+            .map(|r| column(room, methods, (reference, r * r), &points, rays))
             .collect();
         let rows = methods.iter().enumerate().map(|(i, method)| RandomRow {
             name: method.name.clone(),
@@ -136,17 +124,18 @@ fn column(
     methods: &[Method],
     (reference, alpha): (Reference, f64),
     points: &[Point],
-    tools: &Tools,
+    rays: &[GgxRays; 2],
 ) -> Column {
     let lookups: Vec<_> = methods.iter().map(|method| method.lookup(room)).collect();
-    let exact = Exact { room, fan: &tools.fan };
+    let exact = Patches::new(room);
+    let lobes = [Patches::new(room), Patches::new(room).with(Fineness::Fine)];
     let all: Vec<([Vec3; 2], Vec<Vec3>)> = points
         .par_iter()
         .map(|point| {
             let seen = reference.seen(point, alpha);
             let halves = [0, 1].map(|half| match reference {
-                Reference::Lobe => tools.fans[half].lobe(room, seen.place, point.mirror, None, alpha),
-                Reference::Surface => tools.rays[half].reflected(room, &seen),
+                Reference::Lobe => lobes[half].lobe(seen.place, point.mirror, alpha),
+                Reference::Surface => rays[half].reflected(room, &seen),
             });
             (halves, lookups.iter().map(|lookup| exact.sum(&lookup.taps(&seen))).collect())
         })
@@ -156,7 +145,8 @@ fn column(
     let halves = [0, 1].map(|half| all.iter().map(|(halves, _)| halves[half]).collect::<Vec<Vec3>>());
     let indices = 0..methods.len();
     Column {
-        // each half has twice the variance of the mean, their difference four times
+        // each half has twice the variance of the mean, their difference four times; a coarse lobe and a fine one differ by twice what their mean
+        // is off by
         noise: 0.5 * relative(&halves[0], &halves[1]),
         l2: indices.clone().map(|i| relative(&of(i), &truth)).collect(),
         mae: indices.map(|i| shown(&of(i), &truth)).collect(),

@@ -95,9 +95,10 @@ fn flips(pictures: &RoomPictures, reference: usize) -> TextTable {
     };
     let list = |values: &[f64]| values.iter().map(|&x| significant(x, 2)).collect::<Vec<_>>().join(", ");
     let caption = format!(
-        "{} pixels. The reference’s own relative L2 noise: {}; FLIP between its two halves: {}.",
+        "{} pixels. The reference’s own relative L2 noise: {}; FLIP between its two {}: {}.",
         pictures.pixels,
         list(&pictures.noise[reference]),
+        ["integrals, coarse and fine", "halves"][reference],
         list(&pictures.flip_of_noise[reference]),
     );
     let mut table = words::table(&[], pictures.rows.iter().map(row).collect(), &caption);
