@@ -5,7 +5,7 @@ use std::hint::black_box;
 use super::seconds;
 use crate::data::ProbeLookup;
 use crate::effects::parallax::{TapRule, Taps};
-use crate::effects::room::proxies::{Body, Smooth};
+use crate::effects::room::proxies::{Body, Tied};
 use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
 use crate::math::sobol::Sobol;
 use crate::math::vector::{Vec3, dot, normalise, scaled};
@@ -29,7 +29,7 @@ pub(super) fn lookups(scene: &Scene) -> Vec<TimedLookup> {
 fn timed(lookup: ProbeLookup) -> Option<TimedLookup> {
     let body = Body::new(&shape(lookup.planes), [0.1, -0.2, 0.05])?;
     let time = if lookup.smooth {
-        per_pixel(Smooth { body, power: Smooth::FITTED }, lookup.taps)
+        per_pixel(Tied { body, tie: Tied::FITTED }, lookup.taps)
     } else {
         per_pixel(body, lookup.taps)
     };

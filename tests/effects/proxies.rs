@@ -1,6 +1,6 @@
 //! Proxies of rooms: where they must agree with one another, and that nothing about them is not a number or jumps.
 
-use lobefit::effects::room::proxies::{Body, Faded, Law, NEAREST, Pushed, Rounded, Smooth};
+use lobefit::effects::room::proxies::{Body, Faded, Law, NEAREST, Pushed, Rounded, Smooth, Tied};
 use lobefit::effects::room::{Convex, Meeting, Plane, Proxy, Room, octagon, room_a, room_b};
 use lobefit::math::ops;
 use lobefit::math::sobol::Sobol;
@@ -33,6 +33,7 @@ fn families(room: &Room) -> Vec<(String, Box<dyn Proxy>)> {
     let mut all: Vec<(String, Box<dyn Proxy>)> = vec![
         ("planes".into(), Box::new(body(room))),
         ("by eye".into(), Box::new(Smooth { body: body(room), power: Smooth::BY_EYE })),
+        ("tied".into(), Box::new(Tied { body: body(room), tie: Tied::FITTED })),
     ];
     for power in [1.5, 2.0, 4.0, 17.3, 256.0, 1e6] {
         all.push((format!("smooth {power}"), Box::new(smooth(room, power))));

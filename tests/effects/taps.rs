@@ -6,7 +6,7 @@ use lobefit::effects::parallax::taps::expected::{EXPECTED, EXPECTED_OFF, EXPECTE
 use lobefit::effects::parallax::taps::fit::{fit, situations, slants};
 use lobefit::effects::parallax::taps::horizon::fade;
 use lobefit::effects::parallax::{Corrected, Ratio, RuleTap, Shading, Stretch, TapRule, Taps, Width, width};
-use lobefit::effects::room::proxies::{Body, Smooth};
+use lobefit::effects::room::proxies::{Body, Tied};
 use lobefit::effects::room::{Lookup, Plane, Seen, room_b};
 use lobefit::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
 use lobefit::math::ops::{acos, log, sincos};
@@ -326,7 +326,7 @@ fn blended(lookup: &dyn Lookup, elevation: f64, azimuth: f64, alpha: f64) -> [f6
 fn nothing_jumps_where_rays_leave_below_the_surface() {
     let room = room_b();
     let proxy =
-        Smooth { body: Body::new(&room.shape(), room.probe).expect("a probe inside"), power: Smooth::FITTED };
+        Tied { body: Body::new(&room.shape(), room.probe).expect("a probe inside"), tie: Tied::FITTED };
     let step = 2e-3;
     for rule in [TapRule::two(), TapRule::three()] {
         let taps = Taps { proxy: proxy.clone(), probe: room.probe, rule };

@@ -5,7 +5,7 @@ use crate::common;
 use std::path::Path;
 
 use common::{lobefit, names, stderr};
-use lobefit::effects::room::proxies::Smooth;
+use lobefit::effects::room::proxies::Tied;
 use lobefit::math::ops::log;
 use lobefit::study::{Size, Study};
 use serde_json::Value;
@@ -153,13 +153,51 @@ fn the_committed_study_keeps_its_bars() {
         assert!(number(&placed["tv"]) <= bar, "{placed}");
     }
     emitted_edges_gain(&results["proxies"]["gains"]);
-    let law = Smooth::FITTED.formula();
+    creases_keep_their_bars(&results["rooms"]);
+    let law = Tied::FITTED.formula();
     let readme = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
     assert!(readme.expect("a README").contains(&law), "{law}");
 }
 
-/// The power that lookups are emitted with gains over sharp edges, at least as much as the one that the study fits, at points that it was
-/// not fitted on.
+/// Creases on the edges of the room over those elsewhere: with one fetch through smooth edges at most what was asked for from r .35 up in the mean of the
+/// pictures, and a little more at r .25; at r .15 the lobe is about as wide as the pixels that an edge is told by, and they are less than those of the walls
+/// themselves and of the power by alpha alone. Pictures are little worse than with those.
+fn creases_keep_their_bars(rooms: &Value) {
+    let pictures = rooms["pictures"].as_array().expect("pictures");
+    let numbers = |value: &Value| -> Vec<f64> {
+        value.as_array().expect("a list").iter().map(|x| x.as_f64().expect("a number")).collect()
+    };
+    let mean = |name: &str, key: &dyn Fn(&Value) -> Vec<f64>| -> Vec<f64> {
+        let rows = pictures.iter().map(|picture| {
+            let rows = picture["rows"].as_array().expect("rows");
+            key(rows.iter().find(|row| row["name"] == name).expect("the method"))
+        });
+        let rows: Vec<Vec<f64>> = rows.collect();
+        (0..rows[0].len()).map(|i| rows.iter().map(|row| row[i]).sum::<f64>() / rows.len() as f64).collect()
+    };
+    let ratios = |name: &str| -> Vec<f64> {
+        let [edges, elsewhere] = ["edges", "elsewhere"].map(|key| mean(name, &|row| numbers(&row[key])));
+        edges.iter().zip(&elsewhere).map(|(a, b)| a / b).collect()
+    };
+    assert_eq!(numbers(&pictures[0]["roughness"]), [0.15, 0.25, 0.35, 0.5, 0.7, 0.9]);
+    let [tied, by_alpha, sharp] =
+        ["rational, areas, smooth", "rational, areas, smooth by α", "rational, areas"].map(ratios);
+    for (i, bar) in [2.3, 1.4, 1.2, 1.2, 1.2, 1.35].into_iter().enumerate() {
+        assert!(tied[i] <= bar && tied[i] < by_alpha[i] && by_alpha[i] < sharp[i], "{i}: {}", tied[i]);
+    }
+    let flips = |name: &str| mean(name, &|row| numbers(&row["flip"][0]));
+    let pairs = flips("rational, areas, smooth").into_iter().zip(flips("rational, areas, smooth by α"));
+    assert!(pairs.into_iter().all(|(tied, by_alpha)| tied < 1.025 * by_alpha));
+    // what is seen of methods is not the noise of what they are compared with
+    for picture in pictures {
+        assert!(numbers(&picture["flip_of_noise"][0]).iter().all(|noise| *noise < 1e-3), "{picture}");
+        assert!(numbers(&picture["noise"][0]).iter().all(|noise| *noise < 1e-3), "{picture}");
+        assert!(numbers(&picture["noise"][1]).iter().all(|noise| *noise < 0.01), "{picture}");
+    }
+}
+
+/// The power that lookups are emitted with gains over sharp edges, almost as much as the one that the study fits to the error alone, in rooms that it
+/// was not fitted in.
 fn emitted_edges_gain(gains: &Value) {
     let gains = gains.as_array().expect("gains");
     let number = |value: &Value| value.as_f64().expect("a number");
@@ -171,6 +209,6 @@ fn emitted_edges_gain(gains: &Value) {
         };
         gains.iter().map(of).sum::<f64>() / gains.len() as f64
     };
-    let (emitted, fitted) = (mean("smooth, as emitted"), mean("smooth"));
-    assert!(emitted < -0.03 && emitted <= fitted, "{emitted}, {fitted}");
+    let (emitted, fitted) = (mean("tied, as emitted"), mean("tied"));
+    assert!(emitted < -0.02 && emitted <= fitted + 0.02, "{emitted}, {fitted}");
 }

@@ -5,7 +5,7 @@ use crate::bake::BakeError;
 use crate::data::{MipChain, ProbeLookup};
 use crate::effects::parallax::{Gives, named};
 use crate::effects::reflection::{Fit, FitStageError};
-use crate::effects::room::proxies::Smooth;
+use crate::effects::room::proxies::Tied;
 use crate::emit::header;
 use crate::emit::manifest::{CostEntry, LookupFunction};
 use crate::emit::probe::{Called, Wanted};
@@ -54,7 +54,7 @@ fn one(
         width: called(&best.hypothesis),
         level: level.map(called),
         alpha_map: lobe.job.alpha_map,
-        power: Smooth::FITTED,
+        power: Tied::FITTED,
     };
     let ops = wanted.operations().map_err(FitStageError::from)?;
     wanted.header = header(lobe, &wanted, chain, ops);

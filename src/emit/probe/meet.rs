@@ -2,6 +2,7 @@
 
 use super::script::{Kind, Routine};
 use crate::data::ProbeLookup;
+use crate::effects::room::proxies::Tie;
 
 /// [`NEAREST`](crate::effects::room::proxies::NEAREST) as scripts write it.
 pub(super) const NEAREST: &str = "0.0001";
@@ -26,12 +27,12 @@ pub(super) fn body(lookup: ProbeLookup) -> Vec<(&'static str, Kind)> {
 
 /// The function of a proxy: unit normal, then the distance along the ray.
 pub(super) fn routine(lookup: ProbeLookup) -> Routine {
-    let power = lookup.smooth.then_some(("power", Kind::Numbers(1)));
+    let power = lookup.smooth.then_some(("bend", Kind::Numbers(1)));
     let start = [("place", Kind::Numbers(3)), ("ray", Kind::Numbers(3))];
     let arguments = start.into_iter().chain(power).chain(body(lookup)).collect();
     let script = match (lookup.planes, lookup.smooth) {
         (None, smooth) => of_box(smooth),
-        (Some(_), true) => SMOOTH_PLANES.replace("NEAREST", NEAREST).replace("LEAST", LEAST_SHARE),
+        (Some(_), true) => powered(SMOOTH_PLANES).replace("NEAREST", NEAREST).replace("LEAST", LEAST_SHARE),
         (Some(_), false) => SHARP_PLANES.replace("NEAREST", NEAREST),
     };
     Routine { name: name(lookup), header: header(lookup), arguments, result: Kind::Numbers(4), body: script }
@@ -54,7 +55,13 @@ fn header(lookup: ProbeLookup) -> Vec<String> {
         lines.push("Fill up with (0, 0, 0, 1).".into());
     }
     if lookup.smooth {
-        lines.push("Edges are smooth: t = (sum t_i^-p)^(-1/p) over the planes ahead, p = power in [2, 256], with that body's normal.".into());
+        lines.push("Edges are smooth: t = (sum t_i^-p)^(-1/p) over the planes ahead, with that body's normal; p = 1/(bend s) within".into());
+        lines.push(format!(
+            "[{}, {}], s twice the standard deviation of n_i/max(n_i.ray, {}) with weights t_i^-4.",
+            Tie::LEAST,
+            Tie::MOST,
+            Tie::GRAZING
+        ));
     }
     lines.push(format!(
         "A plane ahead that the place is on or outside of counts as {NEAREST} of the probe's distance to it away."
@@ -75,11 +82,33 @@ fn of_box(smooth: bool) -> String {
         );
     }
     script += "steepest = max(max(along_x, along_y), along_z)\n";
-    script + &if smooth { SMOOTH_BOX.replace("LEAST", LEAST_SHARE) } else { SHARP_BOX.into() }
+    script + &if smooth { powered(SMOOTH_BOX).replace("LEAST", LEAST_SHARE) } else { SHARP_BOX.into() }
+}
+
+/// A script with the power of the blend by the sums of [`crate::effects::room::proxies::Tied`] over the planes.
+fn powered(script: &str) -> String {
+    let [least, most] = [1.0 / Tie::MOST, 1.0 / Tie::LEAST].map(|x| format!("{:?}", x as f32));
+    script.replace("GRAZING", &format!("{:?}", Tie::GRAZING as f32)).replace(
+        "POWER",
+        &format!(
+            "variance = second / whole - (first.x * first.x + first.y * first.y + first.z * first.z) / (whole * whole)
+            power = 1.0 / min(max(2.0 * bend * sqrt(max(variance, 0.0)), {least}), {most})"
+        ),
+    )
 }
 
 const SMOOTH_BOX: &str = "
 scale = 1.0 / steepest
+square_x = along_x * scale * along_x * scale
+square_y = along_y * scale * along_y * scale
+square_z = along_z * scale * along_z * scale
+steep_x = square_x * square_x / max(side_x * ray.x, GRAZING)
+steep_y = square_y * square_y / max(side_y * ray.y, GRAZING)
+steep_z = square_z * square_z / max(side_z * ray.z, GRAZING)
+whole = square_x * square_x + square_y * square_y + square_z * square_z
+first = steep_x | steep_y | steep_z
+second = steep_x / max(side_x * ray.x, GRAZING) + steep_y / max(side_y * ray.y, GRAZING) + steep_z / max(side_z * ray.z, GRAZING)
+POWER
 weight_x = choose(along_x * scale > LEAST, pow(max(along_x * scale, LEAST), power - 1.0), 0.0)
 weight_y = choose(along_y * scale > LEAST, pow(max(along_y * scale, LEAST), power - 1.0), 0.0)
 weight_z = choose(along_z * scale > LEAST, pow(max(along_z * scale, LEAST), power - 1.0), 0.0)
@@ -101,6 +130,24 @@ each
     set steepest = max(steepest, (plane.x * ray.x + plane.y * ray.y + plane.z * ray.z) / depth)
 end
 scale = 1.0 / steepest
+var whole = 0.0
+var second = 0.0
+var first_x = 0.0
+var first_y = 0.0
+var first_z = 0.0
+each
+    approach = plane.x * ray.x + plane.y * ray.y + plane.z * ray.z
+    portion = max(approach, 0.0) * scale / max(plane.w - (plane.x * offset.x + plane.y * offset.y + plane.z * offset.z), NEAREST * plane.w)
+    square = portion * portion
+    over = 1.0 / max(approach, GRAZING)
+    set whole = whole + square * square
+    set second = second + square * square * over * over
+    set first_x = first_x + square * square * over * plane.x
+    set first_y = first_y + square * square * over * plane.y
+    set first_z = first_z + square * square * over * plane.z
+end
+first = first_x | first_y | first_z
+POWER
 var sum = 0.0
 var normal_x = 0.0
 var normal_y = 0.0

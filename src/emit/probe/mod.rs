@@ -12,7 +12,7 @@ mod single;
 use super::code::Language;
 use crate::data::{AlphaMap, ProbeLookup};
 use crate::effects::parallax::taps::horizon::FADE;
-use crate::effects::room::proxies::Law;
+use crate::effects::room::proxies::Tie;
 use crate::fit::FitError;
 
 /// A function of the file that a lookup calls: its name, its arguments in order.
@@ -52,7 +52,7 @@ pub struct Wanted {
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
     /// The power of smooth edges.
-    pub power: Law,
+    pub power: Tie,
 }
 
 impl Wanted {
@@ -203,7 +203,7 @@ mod tests {
                 width: called("f"),
                 level: Some(called("g")),
                 alpha_map: AlphaMap::RoughnessSquared,
-                power: Law::Constant { value: 4.0 },
+                power: Tie { over: 4.0, power: 1.0 },
             };
             for routine in [meet::routine(lookup), single::fetch(&wanted), wanted.routine()] {
                 let body = routine.body.lines().filter_map(|line| line.trim().split_once(" = "));

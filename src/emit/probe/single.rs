@@ -30,16 +30,16 @@ pub(super) fn seen(wanted: &Wanted) -> String {
     )
 }
 
-/// The arguments of a call: some, the power of smooth edges, the proxy.
+/// The arguments of a call: some, how smooth edges are, the proxy.
 pub(super) fn passed(wanted: &Wanted, first: &str) -> String {
-    let power = if wanted.lookup.smooth { ", power" } else { "" };
+    let power = if wanted.lookup.smooth { ", bend" } else { "" };
     let body: Vec<&str> = meet::body(wanted.lookup).iter().map(|(name, _)| *name).collect();
     format!("{first}{power}, {}", body.join(", "))
 }
 
-/// The line that names the power of the smooth proxy.
+/// The line that names how smooth edges are.
 pub(super) fn power(wanted: &Wanted) -> String {
-    if wanted.lookup.smooth { format!("power = {}\n", wanted.power.script()) } else { String::new() }
+    if wanted.lookup.smooth { format!("bend = {}\n", wanted.power.script()) } else { String::new() }
 }
 
 /// The name of the function of a fetch along a ray.
@@ -50,7 +50,7 @@ pub(super) fn name(wanted: &Wanted) -> String {
 /// The fetch along a ray.
 pub(super) fn fetch(wanted: &Wanted) -> Routine {
     let start = [("place", Kind::Numbers(3)), ("ray", Kind::Numbers(3)), ("alpha", Kind::Numbers(1))];
-    let power = wanted.lookup.smooth.then_some(("power", Kind::Numbers(1)));
+    let power = wanted.lookup.smooth.then_some(("bend", Kind::Numbers(1)));
     let body = [
         seen(wanted),
         "rho = met.w / away * sqrt(there / here)\n".into(),

@@ -21,9 +21,8 @@ pub struct Smooth {
 }
 
 impl Smooth {
-    /// The power of emitted lookups, once fitted for the smallest relative L2 error of one fetch over all roughnesses and three rooms. The
-    /// minimum is flat: study `parallax`, "Proxies with soft edges", fits another law on its own points, which does no better on others
-    /// ("What soft edges gain"). The least of 2 keeps the normal continuous where a plane comes ahead.
+    /// A power by alpha alone that was once fitted for the smallest relative L2 error of one fetch, over all roughnesses and three rooms. The least
+    /// of 2 keeps the normal continuous where a plane comes ahead.
     pub const FITTED: Law = Law::Inverse { over: 0.39, power: 1.5, least: 2.0, most: 256.0 };
 
     /// The power of the study, by eye: max(4, 0.6/alpha). Above 256 nothing changes that is seen.
@@ -32,20 +31,24 @@ impl Smooth {
 
 impl Proxy for Smooth {
     fn meet(&self, from: Vec3, towards: Vec3, alpha: f64) -> Option<Meeting> {
-        let power = self.power.at(alpha);
-        let ahead = || self.body.ahead(from, towards);
-        // inverse distances: none is divided by a cosine that may be 0
-        let steepest = ahead().map(|plane| plane.approach / plane.depth).reduce(f64::max)?;
-        let (mut sum, mut normal) = (0.0, [0.0; 3]);
-        for plane in ahead() {
-            let share = plane.approach / plane.depth / steepest;
-            let weight = ops::pow(share, power - 1.0);
-            sum += weight * share;
-            // n_i/h_i, in units of the steepest
-            normal = plus(normal, scaled(plane.normal, weight / (plane.depth * steepest)));
-        }
-        let distance = 1.0 / (steepest * ops::pow(sum, 1.0 / power));
-        let place = plus(from, scaled(towards, distance));
-        Some(Meeting { distance, place, normal: normalise(normal) })
+        blended(&self.body, from, towards, self.power.at(alpha))
     }
+}
+
+/// Where a ray meets the planes blended by a power.
+pub(super) fn blended(body: &Body, from: Vec3, towards: Vec3, power: f64) -> Option<Meeting> {
+    let ahead = || body.ahead(from, towards);
+    // inverse distances: none is divided by a cosine that may be 0
+    let steepest = ahead().map(|plane| plane.approach / plane.depth).reduce(f64::max)?;
+    let (mut sum, mut normal) = (0.0, [0.0; 3]);
+    for plane in ahead() {
+        let share = plane.approach / plane.depth / steepest;
+        let weight = ops::pow(share, power - 1.0);
+        sum += weight * share;
+        // n_i/h_i, in units of the steepest
+        normal = plus(normal, scaled(plane.normal, weight / (plane.depth * steepest)));
+    }
+    let distance = 1.0 / (steepest * ops::pow(sum, 1.0 / power));
+    let place = plus(from, scaled(towards, distance));
+    Some(Meeting { distance, place, normal: normalise(normal) })
 }

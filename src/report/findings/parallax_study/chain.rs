@@ -87,15 +87,15 @@ pub struct ChainGain {
 pub struct SlideLaw {
     /// Radii tried.
     pub widths: Vec<f64>,
-    /// Rooms.
-    pub rooms: Vec<String>,
-    /// Of every room the geometric mean error over roughness by radii.
-    pub loss: Vec<Vec<f64>>,
-    /// The best over all rooms.
+    /// The room that it is fitted in.
+    pub room: String,
+    /// The geometric mean error over roughness by radii.
+    pub loss: Vec<f64>,
+    /// The best.
     pub best: f64,
 }
 
-/// A law of a bake and how its widths change, one fetch.
+/// A law of a bake and how it is looked up.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BakePolicy {
     /// The room.

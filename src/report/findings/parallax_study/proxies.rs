@@ -7,11 +7,11 @@ use serde::Serialize;
 pub struct ProxiesFindings {
     /// Roots of alpha.
     pub roughness: Vec<f64>,
-    /// Points of each room that laws were fitted on, and judged on.
+    /// Points of the practice room that laws were fitted at, and of each other room that they are judged at.
     pub points: [usize; 2],
     /// Each with its law.
     pub families: Vec<ProxyFamily>,
-    /// Errors on points that laws were not fitted on.
+    /// Errors in rooms that laws were not fitted in.
     pub gains: Vec<ProxyGain>,
     /// Jumps at edges.
     pub crossings: Vec<ProxyCrossing>,
@@ -28,11 +28,9 @@ pub struct ProxyFamily {
     pub law: String,
     /// Values of the parameter that were tried.
     pub values: Vec<f64>,
-    /// Error over that of the planes, the geometric mean over the rooms: a row for each roughness, a column for each value.
+    /// Error over that of the planes: a row for each roughness, a column for each value.
     pub landscape: Vec<Vec<f64>>,
-    /// The best parameter of each room, over roughness.
-    pub rooms: Vec<(String, Vec<f64>)>,
-    /// The best parameter of all rooms together, over roughness.
+    /// The best parameter, over roughness.
     pub best: Vec<f64>,
     /// That of the law.
     pub by_law: Vec<f64>,

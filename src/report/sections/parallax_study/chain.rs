@@ -109,8 +109,10 @@ fn of_parts(parts: &ChainParts) -> Vec<Vec<String>> {
 fn viewpoints(chain: &ChainFindings) -> Result<Section, ReportError> {
     check::filled("chain", "policies", chain.policies.len())?;
     let mut blocks = vec![slide(&chain.slide)?, Block::Table(whole(chain)), Block::Table(near(chain))];
-    for room in &chain.slide.rooms {
-        let rows: Vec<&SeamRow> = chain.seams.iter().filter(|row| row.room == *room).collect();
+    let mut rooms: Vec<&str> = chain.seams.iter().map(|row| row.room.as_str()).collect();
+    rooms.dedup();
+    for room in rooms {
+        let rows: Vec<&SeamRow> = chain.seams.iter().filter(|row| row.room == room).collect();
         blocks.push(Block::Heading { text: format!("Floor of room {room}") });
         blocks.push(floor(&rows)?);
         blocks.push(Block::Table(creases(&rows)));
@@ -138,7 +140,8 @@ fn whole(chain: &ChainFindings) -> TextTable {
         &chain.roughness,
         &["gain", "from its chain"],
         chain.policies.iter().map(row).collect(),
-        "One fetch, integrated, against the lobe traced from the point. Gain: geometric mean over roughness of Frostbite’s error, from the ordinary \
+        "Fetches, integrated, against the lobe traced from the point; one through the walls themselves where nothing else is said, several and smooth \
+         ones with the ratio of areas. Gain: geometric mean over roughness of Frostbite’s error, from the ordinary \
          bake, over this one’s; of both with fetches from real chains.",
     )
 }
@@ -166,25 +169,25 @@ fn near(chain: &ChainFindings) -> TextTable {
 }
 
 fn slide(law: &SlideLaw) -> Result<Block, ReportError> {
-    let line = |(i, room): (usize, &String)| Series {
-        name: format!("room {room}"),
-        points: law.widths.iter().copied().zip(law.loss[i].iter().copied()).collect(),
-        style: Style::Marked(i),
+    let line = Series {
+        name: format!("room {}", law.room),
+        points: law.widths.iter().copied().zip(law.loss.iter().copied()).collect(),
+        style: Style::Marked(0),
         end: None,
     };
     let curves = Curves {
         title: "Error of a bake whose viewpoint slides".into(),
         x: ("w".into(), Spread::Log),
         y: ("relative L2, geometric mean over r".into(), Spread::Linear),
-        series: law.rooms.iter().enumerate().map(line).collect(),
+        series: vec![line],
         annotations: Vec::new(),
         guides: Vec::new(),
         y_limits: None,
         size: (520.0, 240.0),
     };
     let caption = format!(
-        "The viewpoint is half way between the probe and the place above the wall where an edge is w radii α d of the lobe on the wall away. The best w \
-         for all rooms: {}; it is used below.",
+        "The viewpoint is half way between the probe and the place above the wall where an edge is w radii α d of the lobe on the wall away. Fitted \
+         in a practice room that is none of those below, where the best w is {}.",
         significant(law.best, 2)
     );
     figures(&[curves], &caption)

@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::rooms::points;
 use crate::bake::Progress;
 use crate::data::{MipChain, MipMap};
-use crate::effects::room::{Room, octagon, room_a, room_b};
+use crate::effects::room::{Room, octagon, practice, room_a, room_b};
 use crate::report::ChainFindings;
 use crate::study::{Size, StudyError};
 use measure::Case;
@@ -30,6 +30,8 @@ pub(super) struct Engine {
 /// What this part covers.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Parameters {
+    /// Where the law of sliding viewpoints is fitted.
+    practice: Room,
     rooms: Vec<Room>,
     points: points::Parameters,
     roughness: Vec<f64>,
@@ -74,6 +76,7 @@ impl Parameters {
             vec![engine("Unity", MipMap::Steeper, 5, 16)]
         };
         Parameters {
+            practice: practice(),
             rooms: if full { vec![room_a(), room_b(), octagon()] } else { vec![room_a()] },
             points: points::Parameters::of(size),
             roughness: if full { vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9] } else { vec![0.35, 0.7] },
@@ -122,7 +125,7 @@ pub(super) fn findings(
         sizes.extend(texels::sizes(case, parameters)?);
     }
     progress.stage("chains: sliding viewpoints");
-    let slide = viewpoints::slide(&cases, &parameters.widths);
+    let slide = viewpoints::slide(&of(&parameters.practice), &parameters.widths);
     let laws = viewpoints::policies(slide.best, &parameters.fades);
     let (mut policies, mut seams) = (Vec::new(), Vec::new());
     for case in &cases {

@@ -6,9 +6,8 @@ use serde::Serialize;
 use super::super::creases::{Creases, creases, detail};
 use super::measure::Case;
 use super::viewpoints::Policy;
-use crate::effects::parallax::Width;
 use crate::effects::room::cubemap::Integrated;
-use crate::effects::room::{Fetch, Fineness, Lookup, Patches, Room, Seen};
+use crate::effects::room::{Fetch, Fineness, Patches, Room, Seen};
 use crate::math::vector::{Vec3, cross, dot, minus, normalise, plus, scaled};
 use crate::report::flip;
 use crate::report::{Image, SeamPicture, SeamRow};
@@ -111,16 +110,16 @@ pub(super) fn seams(case: &Case, policies: &[Policy], view: &View, roughness: f6
     let noise = creases(&coarse, &reference, &met);
     let own = detail(&reference, &met);
     let mut pictures = vec![row("traced from the floor (reference): its own", own, reference.clone())];
-    for (name, viewpoint, slant) in policies {
-        let lookup = case.lookup(*slant, Width::Rational);
+    for policy in policies {
+        let lookup = policy.lookup(case);
         let exact = Integrated {
             probe: case.room.probe,
             proxy: &case.shape,
-            viewpoint: *viewpoint,
+            viewpoint: policy.viewpoint,
             exact: &case.exact,
         };
         let shown = floor.shown(view.stops, |seen| exact.sum(&lookup.taps(seen)));
-        pictures.push(row(name, creases(&shown, &reference, &met), shown));
+        pictures.push(row(&policy.name, creases(&shown, &reference, &met), shown));
     }
     SeamRow { room: case.room.name.clone(), roughness, noise: [noise.edges, noise.elsewhere], pictures }
 }

@@ -1,34 +1,78 @@
 //! From where the texels of a bake see the room: away from the edges of the proxy and near them.
 
+use super::super::rooms::methods::{Method, Taken, smooth};
 use super::measure::{Case, all, gain, relative, shaded};
 use super::{Parameters, texels};
-use crate::effects::parallax::{Faded, Slant, Width};
+use crate::effects::parallax::{Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
 use crate::effects::room::{Fetch, Lookup};
 use crate::math::ops;
 use crate::report::{BakePolicy, SlideLaw};
 use crate::study::StudyError;
 
-/// The law of a bake with how the widths of its fetches change.
-pub(super) type Policy = (String, Viewpoint, Slant);
+/// How a bake is looked up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Fetches {
+    /// By one fetch through the planes, whose width changes so.
+    Slanted(Slant),
+    /// By so many, the ratio that of areas.
+    Ruled {
+        /// Their number.
+        count: usize,
+        /// Through planes or the smooth proxy.
+        taken: Taken,
+    },
+}
+
+/// The law of a bake with how it is looked up.
+pub(super) struct Policy {
+    pub name: String,
+    pub viewpoint: Viewpoint,
+    fetches: Fetches,
+}
+
+impl Policy {
+    /// Its lookup in a room.
+    pub fn lookup(&self, case: &Case) -> Box<dyn Lookup> {
+        match self.fetches {
+            Fetches::Slanted(slant) => Box::new(case.lookup(slant, Width::Rational)),
+            Fetches::Ruled { count, taken } => Method { taken, ..smooth(count) }.lookup(case.room),
+        }
+    }
+}
 
 /// Those compared; a viewpoint is half way at `widths` radii, ratios fade over so many as `fades` says.
 pub(super) fn policies(widths: f64, fades: &[f64]) -> Vec<Policy> {
-    let mut all = vec![("angular, ratio of distances".to_string(), Viewpoint::Probe, Slant::Ignored)];
+    let policy = |name: String, viewpoint, fetches| Policy { name, viewpoint, fetches };
+    let slanted = |name: String, viewpoint, slant| policy(name, viewpoint, Fetches::Slanted(slant));
+    let mut all = vec![slanted("angular, ratio of distances".into(), Viewpoint::Probe, Slant::Ignored)];
     let laws = [
         ("angular", Viewpoint::Probe),
         ("perpendicular", Viewpoint::Perpendicular),
         ("sliding", Viewpoint::Sliding { widths }),
     ];
     for (name, viewpoint) in laws {
-        all.push((format!("{name}, ratio of areas"), viewpoint, Slant::Whole));
+        all.push(slanted(format!("{name}, ratio of areas"), viewpoint, Slant::Whole));
         // fading heals no seam of a bake
-        let fades = if viewpoint == Viewpoint::Perpendicular { &[] } else { fades };
-        let fading = |widths: &f64| {
-            let unit = if *widths == 1.0 { "radius" } else { "radii" };
-            (format!("{name}, fading over {widths} {unit}"), viewpoint, Slant::Fading { widths: *widths })
-        };
-        all.extend(fades.iter().map(fading));
+        if viewpoint == Viewpoint::Perpendicular {
+            continue;
+        }
+        for &widths in fades {
+            let unit = if widths == 1.0 { "radius" } else { "radii" };
+            let name = format!("{name}, fading over {widths} {unit}");
+            all.push(slanted(name, viewpoint, Slant::Fading { widths }));
+        }
+        let ruled = [
+            ("smooth", 1, Taken::Smooth),
+            ("2 fetches", 2, Taken::Planes),
+            ("3 fetches", 3, Taken::Planes),
+            ("2 fetches, smooth", 2, Taken::Smooth),
+            ("3 fetches, smooth", 3, Taken::Smooth),
+        ];
+        let ruled = ruled.map(|(what, count, taken)| {
+            policy(format!("{name}, {what}"), viewpoint, Fetches::Ruled { count, taken })
+        });
+        all.extend(ruled);
     }
     all
 }
@@ -54,12 +98,12 @@ pub(super) fn compared(
 ) -> Result<Vec<BakePolicy>, StudyError> {
     let engine = texels::bake(parameters.first(), parameters);
     let mut chains: Vec<(Viewpoint, Chain)> = Vec::new();
-    for (_, viewpoint, _) in policies {
+    for Policy { viewpoint, .. } in policies {
         if chains.iter().all(|(law, _)| law != viewpoint) {
             chains.push((*viewpoint, Bake { viewpoint: *viewpoint, ..engine.clone() }.chain(case.room)?));
         }
     }
-    let both = |viewpoint: Viewpoint, lookup: &Faded| {
+    let both = |viewpoint: Viewpoint, lookup: &dyn Lookup| {
         let exact = Integrated { probe: case.room.probe, proxy: &case.shape, viewpoint, exact: &case.exact };
         let chain = chains.iter().find(|(law, _)| *law == viewpoint).map(|(_, chain)| chain);
         let stored = chain.map(|chain| errors(case, lookup, chain)).unwrap_or_default();
@@ -67,12 +111,11 @@ pub(super) fn compared(
     };
     let rival = case.lookup(Slant::Ignored, Width::Frostbite);
     let ([published, ..], [published_chain, ..]) = both(Viewpoint::Probe, &rival);
-    let one = |(name, viewpoint, slant): &Policy| {
-        let lookup = case.lookup(*slant, Width::Rational);
-        let ([whole, far, near], [chain, ..]) = both(*viewpoint, &lookup);
+    let one = |policy: &Policy| {
+        let ([whole, far, near], [chain, ..]) = both(policy.viewpoint, policy.lookup(case).as_ref());
         BakePolicy {
             room: case.room.name.clone(),
-            policy: name.clone(),
+            policy: policy.name.clone(),
             gain: gain(&published, &whole),
             gain_chain: gain(&published_chain, &chain),
             whole,
@@ -84,31 +127,25 @@ pub(super) fn compared(
     Ok(policies.iter().map(one).collect())
 }
 
-/// Geometric mean over roughness and rooms of what a sliding bake is off by.
-fn loss(cases: &[Case], widths: f64) -> Vec<f64> {
-    let of = |case: &Case| {
-        let viewpoint = Viewpoint::Sliding { widths };
-        let lookup = case.lookup(Slant::Whole, Width::Rational);
-        let exact = Integrated { probe: case.room.probe, proxy: &case.shape, viewpoint, exact: &case.exact };
-        let logs =
-            case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));
-        ops::exp(logs.sum::<f64>() / case.rows.len() as f64)
-    };
-    cases.iter().map(of).collect()
+/// Geometric mean over roughness of what a sliding bake is off by.
+fn loss(case: &Case, widths: f64) -> f64 {
+    let viewpoint = Viewpoint::Sliding { widths };
+    let lookup = case.lookup(Slant::Whole, Width::Rational);
+    let exact = Integrated { probe: case.room.probe, proxy: &case.shape, viewpoint, exact: &case.exact };
+    let logs = case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));
+    ops::exp(logs.sum::<f64>() / case.rows.len() as f64)
 }
 
 /// Golden sections until the parameter is known to a few percent: the minimum is flat.
 const SECTIONS: usize = 5;
 
-/// The law's parameter: the best of a grid over all rooms, and then between its neighbours.
-pub(super) fn slide(cases: &[Case], grid: &[f64]) -> SlideLaw {
-    let by_room: Vec<Vec<f64>> = grid.iter().map(|widths| loss(cases, *widths)).collect();
-    let joint = |losses: &[f64]| losses.iter().map(|loss| ops::log(*loss)).sum::<f64>();
-    let best =
-        (0..grid.len()).min_by(|a, b| joint(&by_room[*a]).total_cmp(&joint(&by_room[*b]))).unwrap_or(0);
+/// The law's parameter: the best of a grid, and then between its neighbours.
+pub(super) fn slide(case: &Case, grid: &[f64]) -> SlideLaw {
+    let losses: Vec<f64> = grid.iter().map(|widths| loss(case, *widths)).collect();
+    let best = (0..grid.len()).min_by(|a, b| losses[*a].total_cmp(&losses[*b])).unwrap_or(0);
     let ends = [grid[best.saturating_sub(1)], grid[(best + 1).min(grid.len() - 1)]];
     let (mut low, mut high) = (ops::log(ends[0]), ops::log(ends[1]));
-    let at = |log: f64| joint(&loss(cases, ops::exp(log)));
+    let at = |log: f64| loss(case, ops::exp(log));
     let golden = 0.618_033_988_749_895;
     for _ in 0..SECTIONS {
         let (a, b) = (high - golden * (high - low), low + golden * (high - low));
@@ -116,8 +153,8 @@ pub(super) fn slide(cases: &[Case], grid: &[f64]) -> SlideLaw {
     }
     SlideLaw {
         widths: grid.to_vec(),
-        rooms: cases.iter().map(|case| case.room.name.clone()).collect(),
-        loss: (0..cases.len()).map(|room| by_room.iter().map(|losses| losses[room]).collect()).collect(),
+        room: case.room.name.clone(),
+        loss: losses,
         best: ops::exp(0.5 * (low + high)),
     }
 }

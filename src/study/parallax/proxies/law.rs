@@ -31,7 +31,7 @@ impl Landscape {
     /// Where the cubic runs: values are about evenly spaced there.
     fn coordinate(&self, parameter: f64) -> f64 {
         match self.family {
-            Family::Smooth => ops::log(parameter),
+            Family::Smooth | Family::Tied => ops::log(parameter),
             Family::Rounded | Family::Pushed | Family::Faded => ops::log(parameter + 0.1),
         }
     }

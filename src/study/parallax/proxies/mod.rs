@@ -10,8 +10,8 @@ use serde::Serialize;
 
 use super::rooms::points;
 use crate::bake::Progress;
-use crate::effects::room::proxies::{Body, Law, Smooth};
-use crate::effects::room::{Patches, Proxy, Room, octagon, room_a, room_b};
+use crate::effects::room::proxies::{Body, Law, Smooth, Tied};
+use crate::effects::room::{Patches, Proxy, Room, octagon, practice, room_a, room_b};
 use crate::math::ops;
 use crate::math::vector::Vec3;
 use crate::report::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
@@ -23,13 +23,16 @@ use law::Landscape;
 /// What this part covers.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Parameters {
+    /// Where laws are fitted.
+    practice: Room,
+    /// Where they are judged.
     rooms: Vec<Room>,
     families: Vec<Family>,
     /// Roots of alpha.
     roughness: Vec<f64>,
-    /// Points that laws are fitted on.
+    /// Points that laws are fitted at.
     fitted: points::Parameters,
-    /// Others that they are judged on.
+    /// Points of each room that they are judged at.
     judged: points::Parameters,
     /// Of the place in room A whose rays pass over edges.
     place: Vec3,
@@ -40,8 +43,9 @@ impl Parameters {
     pub fn of(size: Size) -> Parameters {
         let full = size == Size::Full;
         let points = |count, seed| points::Parameters { count, margin: 0.1, seed };
-        let [fitted, judged] = if full { [300, 600] } else { [24, 24] };
+        let [fitted, judged] = if full { [900, 600] } else { [24, 24] };
         Parameters {
+            practice: practice(),
             rooms: vec![room_a(), room_b(), octagon()],
             families: Family::ALL.to_vec(),
             roughness: if full { (1..=10).map(|i| f64::from(i) / 10.0).collect() } else { vec![0.3, 0.7] },
@@ -52,7 +56,7 @@ impl Parameters {
     }
 }
 
-/// The errors of a room at a width: of the planes, and of every value of every family.
+/// The errors of the practice room at a width: of the planes, and of every value of every family.
 struct Cell {
     planes: Off,
     families: Vec<Vec<Off>>,
@@ -64,17 +68,23 @@ pub(super) fn findings(
     progress: &dyn Progress,
 ) -> Result<ProxiesFindings, StudyError> {
     progress.stage("proxies");
-    let cells: Vec<Vec<Cell>> = parameters.rooms.iter().map(|room| cells(parameters, room)).collect();
+    let cells = cells(parameters);
     let mut families = Vec::new();
-    let mut laws = Vec::new();
+    let mut laws: Vec<Judged> = Vec::new();
     for (k, family) in parameters.families.iter().enumerate() {
-        let pooled = landscape(parameters, *family, &cells, k, None);
-        let law = pooled.law();
-        laws.push((family.name().to_string(), *family, law));
-        families.push(of_family(parameters, *family, &cells, k, law));
+        let landscape = landscape(parameters, *family, &cells, k);
+        let law = landscape.law();
+        laws.push(Judged { name: family.name().into(), family: *family, law });
+        families.push(of_family(&landscape, law));
     }
-    laws.push(("smooth, as emitted".into(), Family::Smooth, Smooth::FITTED));
-    laws.push(("smooth, by eye".into(), Family::Smooth, Smooth::BY_EYE));
+    let emitted =
+        Law::Inverse { over: Tied::FITTED.over, power: Tied::FITTED.power, least: 0.0, most: 512.0 };
+    let others = [
+        ("tied, as emitted", Family::Tied, emitted),
+        ("smooth by α", Family::Smooth, Smooth::FITTED),
+        ("smooth by eye", Family::Smooth, Smooth::BY_EYE),
+    ];
+    laws.extend(others.map(|(name, family, law)| Judged { name: name.into(), family, law }));
     Ok(ProxiesFindings {
         roughness: parameters.roughness.clone(),
         points: [parameters.fitted.count, parameters.judged.count],
@@ -84,7 +94,8 @@ pub(super) fn findings(
     })
 }
 
-fn cells(parameters: &Parameters, room: &Room) -> Vec<Cell> {
+fn cells(parameters: &Parameters) -> Vec<Cell> {
+    let room = &parameters.practice;
     let exact = Patches::new(room);
     let cell = |&roughness: &f64| {
         let sample = Sample::new(room, &exact, &parameters.fitted, roughness * roughness)?;
@@ -99,62 +110,39 @@ fn cells(parameters: &Parameters, room: &Room) -> Vec<Cell> {
     parameters.roughness.iter().filter_map(cell).collect()
 }
 
-/// The error of a family over that of the planes, as logarithms: of one room, or their mean.
-fn landscape(
-    parameters: &Parameters,
-    family: Family,
-    cells: &[Vec<Cell>],
-    index: usize,
-    room: Option<usize>,
-) -> Landscape {
-    let rooms: Vec<&Vec<Cell>> = match room {
-        Some(room) => cells.iter().skip(room).take(1).collect(),
-        None => cells.iter().collect(),
-    };
-    let log = |row: usize, value: usize| {
-        let of = |cells: &&Vec<Cell>| ops::log(cells[row].families[index][value].all / cells[row].planes.all);
-        rooms.iter().map(of).sum::<f64>() / rooms.len() as f64
-    };
-    let row = |row: usize| (0..family.values().len()).map(|value| log(row, value)).collect();
+/// The error of a family over that of the planes, as logarithms.
+fn landscape(parameters: &Parameters, family: Family, cells: &[Cell], index: usize) -> Landscape {
+    let log = |cell: &Cell, value: usize| ops::log(cell.families[index][value].all / cell.planes.all);
+    let row = |cell: &Cell| (0..family.values().len()).map(|value| log(cell, value)).collect();
     Landscape {
         family,
         alphas: parameters.roughness.iter().map(|r| r * r).collect(),
-        logs: (0..parameters.roughness.len()).map(row).collect(),
+        logs: cells.iter().map(row).collect(),
     }
 }
 
-fn of_family(
-    parameters: &Parameters,
-    family: Family,
-    cells: &[Vec<Cell>],
-    index: usize,
-    law: Law,
-) -> ProxyFamily {
-    let rows = 0..parameters.roughness.len();
-    let best = |room: Option<usize>| {
-        let landscape = landscape(parameters, family, cells, index, room);
-        rows.clone().map(|row| landscape.best(row)).collect::<Vec<f64>>()
-    };
-    let pooled = landscape(parameters, family, cells, index, None);
+fn of_family(landscape: &Landscape, law: Law) -> ProxyFamily {
+    let family = landscape.family;
     ProxyFamily {
         name: family.name().into(),
         parameter: family.parameter().into(),
         law: law.formula(),
         values: family.values(),
-        landscape: pooled.logs.iter().map(|row| row.iter().map(|x| ops::exp(*x)).collect()).collect(),
-        rooms: parameters
-            .rooms
-            .iter()
-            .enumerate()
-            .map(|(i, room)| (room.name.clone(), best(Some(i))))
-            .collect(),
-        best: best(None),
-        by_law: pooled.alphas.iter().map(|alpha| law.at(*alpha)).collect(),
+        landscape: landscape.logs.iter().map(|row| row.iter().map(|x| ops::exp(*x)).collect()).collect(),
+        best: (0..landscape.logs.len()).map(|row| landscape.best(row)).collect(),
+        by_law: landscape.alphas.iter().map(|alpha| law.at(*alpha)).collect(),
     }
 }
 
-/// What laws gain on points that they were not fitted on.
-fn gains(parameters: &Parameters, laws: &[(String, Family, Law)]) -> Vec<ProxyGain> {
+/// A family with a law.
+struct Judged {
+    name: String,
+    family: Family,
+    law: Law,
+}
+
+/// What laws gain in rooms that they were not fitted in.
+fn gains(parameters: &Parameters, laws: &[Judged]) -> Vec<ProxyGain> {
     let mut gains = Vec::new();
     for room in &parameters.rooms {
         let exact = Patches::new(room);
@@ -164,7 +152,7 @@ fn gains(parameters: &Parameters, laws: &[(String, Family, Law)]) -> Vec<ProxyGa
             };
             let Some(body) = Body::new(&room.shape(), room.probe) else { continue };
             let planes = sample.off(&body);
-            let of = |(name, family, law): &(String, Family, Law)| {
+            let of = |Judged { name, family, law }: &Judged| {
                 let off = sample.off(&*family.proxy(room, *law)?);
                 Some((name.clone(), [off.all, off.edges]))
             };
@@ -181,13 +169,13 @@ fn gains(parameters: &Parameters, laws: &[(String, Family, Law)]) -> Vec<ProxyGa
 }
 
 /// Jumps at the edges of the first room, over roughness.
-fn crossed(parameters: &Parameters, laws: &[(String, Family, Law)]) -> Vec<ProxyCrossing> {
+fn crossed(parameters: &Parameters, laws: &[Judged]) -> Vec<ProxyCrossing> {
     let Some(room) = parameters.rooms.first() else { return Vec::new() };
     let mut rows = Vec::new();
     for roughness in &parameters.roughness {
         let alpha = roughness * roughness;
         let planes = Body::new(&room.shape(), room.probe).map(|body| Box::new(body) as Box<dyn Proxy>);
-        let soft = laws.iter().map(|(name, family, law)| (name.clone(), family.proxy(room, *law)));
+        let soft = laws.iter().map(|one| (one.name.clone(), one.family.proxy(room, one.law)));
         for (name, proxy) in std::iter::once(("planes".to_string(), planes)).chain(soft) {
             let found = proxy.and_then(|proxy| crossings::crossings(room, parameters.place, &*proxy, alpha));
             rows.extend(found.map(|row| ProxyCrossing { proxy: name, ..row }));

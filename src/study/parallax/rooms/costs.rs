@@ -2,7 +2,7 @@
 
 use crate::data::{AlphaMap, ProbeLookup};
 use crate::effects::parallax::HYPOTHESES;
-use crate::effects::room::proxies::Smooth;
+use crate::effects::room::proxies::Tied;
 use crate::emit::probe::{Called, Wanted};
 use crate::fit::Hypothesis;
 use crate::report::LookupCost;
@@ -33,7 +33,7 @@ fn cost(lookup: ProbeLookup, width: &Hypothesis) -> Result<LookupCost, StudyErro
         },
         level: None,
         alpha_map: AlphaMap::RoughnessSquared,
-        power: Smooth::FITTED,
+        power: Tied::FITTED,
     };
     Ok(LookupCost { lookup: lookup.text(), fetches: lookup.taps, operations: wanted.operations()? })
 }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
-use crate::effects::room::proxies::{Body, Law, Smooth};
+use crate::effects::room::proxies::{Body, Smooth, Tied};
 use crate::effects::room::{Lookup, Proxy, Room};
 
 /// What a method takes the room for.
@@ -14,8 +14,10 @@ pub(in crate::study::parallax) enum Taken {
     Infinite,
     /// The room's own planes.
     Planes,
-    /// Their p-norm, with the power of the emitted lookups.
+    /// Their p-norm, with the power of the emitted lookups, which is tied to the footprint.
     Smooth,
+    /// The same with a power by alpha alone, 0.39/alpha^1.5.
+    ByAlpha,
     /// The same with the power by eye, max(4, 0.6/alpha).
     ByEye,
 }
@@ -40,15 +42,16 @@ impl Method {
         match self.taken {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
             Taken::Planes => self.corrected(room.shape(), room),
-            Taken::Smooth => self.smooth(room, Smooth::FITTED),
-            Taken::ByEye => self.smooth(room, Smooth::BY_EYE),
+            Taken::Smooth => self.smooth(room, |body| Tied { body, tie: Tied::FITTED }),
+            Taken::ByAlpha => self.smooth(room, |body| Smooth { body, power: Smooth::FITTED }),
+            Taken::ByEye => self.smooth(room, |body| Smooth { body, power: Smooth::BY_EYE }),
         }
     }
 
     /// Without a probe inside there is nothing to be smooth about.
-    fn smooth(&self, room: &Room, power: Law) -> Box<dyn Lookup> {
+    fn smooth<P: Proxy + 'static>(&self, room: &Room, proxy: impl Fn(Body) -> P) -> Box<dyn Lookup> {
         match Body::new(&room.shape(), room.probe) {
-            Some(body) => self.corrected(Smooth { body, power }, room),
+            Some(body) => self.corrected(proxy(body), room),
             None => self.corrected(room.shape(), room),
         }
     }
@@ -78,7 +81,7 @@ const CHOSEN: [&str; 6] = [
 ];
 
 /// A number of fetches through the smooth proxy, of a round lobe.
-pub(super) fn smooth(fetches: usize) -> Method {
+pub(in crate::study::parallax) fn smooth(fetches: usize) -> Method {
     let (taken, shading) = (Taken::Smooth, Shading::Mirror);
     let (ratio, width) = (Ratio::Area, Width::Rational);
     Method { name: String::new(), taken, shading, fetches, ratio, width, chosen: false }
@@ -88,7 +91,7 @@ pub(super) fn smooth(fetches: usize) -> Method {
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
     use Shading::{Dominant, Mirror, RootCosine};
-    use Taken::{ByEye, Infinite, Planes, Smooth};
+    use Taken::{ByAlpha, ByEye, Infinite, Planes, Smooth};
     use Width::{Frostbite, Rational, Same, Scaled};
     let method = |name: &str, taken, shading, fetches, ratio, width| Method {
         name: name.into(),
@@ -111,10 +114,13 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, Rational),
         method("rational, areas, dominant direction", Planes, Dominant, 1, Area, Rational),
         method("rational, areas, smooth", Smooth, Mirror, 1, Area, Rational),
+        method("rational, areas, smooth by α", ByAlpha, Mirror, 1, Area, Rational),
         method("rational, areas, smooth by eye", ByEye, Mirror, 1, Area, Rational),
         method("2 fetches", Planes, Mirror, 2, Area, Rational),
         method("3 fetches", Planes, Mirror, 3, Area, Rational),
         method("3 fetches, dominant direction", Planes, Dominant, 3, Area, Rational),
+        method("2 fetches, smooth", Smooth, Mirror, 2, Area, Rational),
+        method("3 fetches, smooth by α", ByAlpha, Mirror, 3, Area, Rational),
         method("3 fetches, smooth", Smooth, Mirror, 3, Area, Rational),
         method("1 fetch, fitted lobe, smooth", Smooth, fitted[0], 1, Area, Rational),
         method("2 fetches, fitted lobe, smooth", Smooth, fitted[1], 2, Area, Rational),

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::bake::Progress;
 use crate::effects::parallax::TapRule;
-use crate::effects::room::proxies::{Law, Smooth};
+use crate::effects::room::proxies::{Tie, Tied};
 use crate::effects::room::{Room, octagon, room_a, room_b};
 use crate::report::RoomsFindings;
 use crate::study::{Size, StudyError};
@@ -26,7 +26,7 @@ pub(super) struct Parameters {
     /// The rules of several fetches.
     rules: [TapRule; 2],
     /// The power of the smooth proxy.
-    power: Law,
+    power: Tie,
     random: random::Parameters,
     lobes: lobes::Parameters,
     images: images::Parameters,
@@ -39,7 +39,7 @@ impl Parameters {
             rooms: vec![room_a(), room_b(), octagon()],
             methods: methods::methods(),
             rules: [TapRule::two(), TapRule::three()],
-            power: Smooth::FITTED,
+            power: Tied::FITTED,
             random: random::Parameters::of(size),
             lobes: lobes::Parameters::of(size),
             images: images::Parameters::of(size),
