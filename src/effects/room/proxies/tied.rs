@@ -25,7 +25,8 @@ impl Tie {
     /// The least power keeps the normal continuous where a plane comes ahead.
     pub const LEAST: f64 = 2.0;
 
-    /// Least cosine in the spread: below it a lobe of any width that is seen reaches past the plane's horizon.
+    /// Least cosine in the spread: without one a wall that a ray runs along, and hardly meets, would blend all others. Of the values 0.001, 0.1, 0.2, 0.3 and
+    /// 0.5 this is the largest that leaves no more creases in the study's rooms than the first does, nearly; it was compared there.
     pub const GRAZING: f64 = 0.1;
 
     /// Above this nothing changes that is seen.
@@ -68,8 +69,8 @@ pub struct Tied {
 
 impl Tied {
     /// That of emitted lookups, chosen in the practice room: the power of alpha between that of the smallest error of one fetch (1.5) and that
-    /// of the lobe's own width (1), the numerator the largest, which bends least, that leaves creases of its pictures on edges no more than 1.3 times
-    /// those elsewhere at any roughness.
+    /// of the lobe's own width (1), the numerator the largest, which bends least, that leaves creases of its pictures on edges about 1.3 times those
+    /// elsewhere at most.
     pub const FITTED: Tie = Tie { over: 1.2, power: 1.25 };
 
     /// s of the planes ahead, `steepest` the largest of 1 over their distances along the ray.

@@ -22,8 +22,8 @@ fn laws(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
         &columns,
         proxies.families.iter().map(row).collect(),
         "Laws fitted for the smallest mean logarithm of the error over all roughnesses; a factor of 0 is the planes themselves: nothing gains. The \
-         emitted law of tied powers is a little sharper than the error alone asks for where lobes are wide and blunter where they are narrow: it was \
-         chosen by the creases of pictures of the practice room.",
+         emitted law of tied powers is sharper than the error alone asks for where lobes are wide: it was chosen by the creases of pictures of the practice \
+         room, and the powers near 1 that the error likes there do not carry over to other rooms (below).",
     );
     let caption = "The parameter of the smallest relative L2 error of one fetch (rational width, ratio of areas) against the same lobe traced from \
                    the shading point, and that by the law. Where the error hardly depends on the parameter the best one is of little meaning. \

@@ -5,7 +5,7 @@ use crate::report::Block;
 use crate::report::Section;
 
 /// Parts of a lookup's name, what each does, and whose it is.
-const PARTS: [(&str, &str, &str); 13] = [
+const PARTS: [(&str, &str, &str); 14] = [
     ("no parallax", "the mirror direction, the width α", "-"),
     (
         "parallax only",
@@ -32,9 +32,10 @@ const PARTS: [(&str, &str, &str); 13] = [
     ),
     (
         "smooth",
-        "the walls blended by a p-norm, the power fitted over α (below)",
+        "the walls blended by a p-norm, the power tied to how far the lobe reaches over an edge (below)",
         "emitted lookups with smooth edges",
     ),
+    ("smooth by α", "the same with p = clamp(0.39/α^1.5, 2, 256)", "emitted before"),
     ("smooth by eye", "the same with p = max(4, 0.6/α)", "-"),
     (
         "2 fetches, 3 fetches",
