@@ -286,6 +286,8 @@ pub struct LookupFunction {
     pub proxy: String,
     /// `smooth` or `sharp`.
     pub edges: &'static str,
+    /// What the lobe of the surface is taken for: `mirror` or `fitted`.
+    pub lobe: &'static str,
     /// The power of smooth edges, a formula of alpha.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub power: Option<String>,

@@ -170,7 +170,8 @@ impl Scene {
         Ok(())
     }
 
-    /// A probe whose every fetch is saturated has nothing to fit; rules of several fetches are fitted for one lobe alone.
+    /// A probe whose every fetch is saturated has nothing to fit; rules of several fetches, and the lobe of a surface, are fitted for one
+    /// kernel alone.
     fn check_probes(&self) -> Result<(), (String, String)> {
         for (i, probe) in self.probes.iter().enumerate() {
             if let Some((j, taps)) = probe.unruled() {
@@ -180,6 +181,13 @@ impl Scene {
                     probe.kernel.name()
                 );
                 return Err((format!("probes[{i}].lookups[{j}].taps"), message));
+            }
+            if let Some(j) = probe.unfitted() {
+                let message = format!(
+                    "the lobe is fitted for half-cosine chains, and this probe's is of the kernel `{}`; give `mirror`",
+                    probe.kernel.name()
+                );
+                return Err((format!("probes[{i}].lookups[{j}].lobe"), message));
             }
         }
         let saturated = self.probes.iter().position(|probe| probe.is_saturated(self.alpha));

@@ -9,7 +9,7 @@ use super::name::Name;
 use super::number::{ErrorLimit, In, Levels, Ops, Planes, Ratio, Span, TapCount, Unit, Whole};
 use super::value::{List, Maybe, Text, Word, from_file};
 use super::wants::norms;
-use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup};
+use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup, SurfaceLobe};
 use crate::integrate::footprint;
 use crate::optics::kernel::Kernel;
 
@@ -54,6 +54,12 @@ impl Probe {
     pub(super) fn unruled(&self) -> Option<(usize, u32)> {
         let several = self.lookups.iter().position(|lookup| lookup.taps > 1);
         several.filter(|_| self.kernel != Kernel::HalfCosine).map(|j| (j, self.lookups[j].taps))
+    }
+
+    /// The first lookup of the fitted lobe, where it is fitted for another: with fetches of the half-cosine lobe.
+    pub(super) fn unfitted(&self) -> Option<usize> {
+        let fitted = self.lookups.iter().position(|lookup| lookup.is_fitted());
+        fitted.filter(|_| self.kernel != Kernel::HalfCosine)
     }
 
     /// Whether every fetch is saturated, as the one of the smallest ratio at the smallest width is: the best width grows with both.
@@ -107,7 +113,7 @@ struct ProbeFile {
     lookups: Maybe<List<ProbeLookup, { limits::LOOKUPS_MAX }>>,
 }
 
-/// A function that looks a probe up: where the reflected ray meets the proxy, and what to fetch from there.
+/// A function that looks a probe up: where the ray that a surface reflects meets the proxy, and what to fetch from there.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Lookup")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a lookup, which may be empty")]
@@ -121,6 +127,10 @@ struct LookupFile {
     /// Number of fetches: 1, or for half-cosine chains 2 or 3 along the axis that the wall stretches; default 1.
     #[serde(default)]
     taps: Maybe<Whole<TapCount>>,
+    /// What the lobe of a surface is taken for: `mirror`, round about the reflected ray, or for half-cosine chains `fitted`, leaning towards the
+    /// normal and squashed at grazing angles as GGX is, by normal and view; default `mirror`.
+    #[serde(default)]
+    lobe: Maybe<Word<SurfaceLobe>>,
 }
 
 /// Edges of a proxy.
@@ -139,6 +149,7 @@ impl TryFrom<LookupFile> for ProbeLookup {
             planes: file.planes.0.map(|n| n.0),
             smooth: !matches!(file.edges.0, Some(Word(Edges::Sharp))),
             taps: file.taps.0.map_or(1, |n| n.0),
+            lobe: file.lobe.0.map_or_else(SurfaceLobe::default, |w| w.0),
         })
     }
 }

@@ -14,6 +14,7 @@ mod gpu_support;
 
 mod committed;
 mod coupling;
+mod fitted_lobe;
 mod formats;
 mod furnace;
 mod furnace_coupling;
@@ -22,6 +23,8 @@ mod gpu_shaders;
 mod gpu_volume;
 mod gpu_wgsl;
 mod languages;
+mod lookup_heads;
+mod lookup_pictures;
 mod lookups;
 mod parallax;
 mod tools;

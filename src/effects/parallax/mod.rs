@@ -3,7 +3,7 @@
 mod catalogue;
 mod chain;
 mod grid;
-mod lookups;
+pub mod lookups;
 mod source;
 pub mod taps;
 mod variation;

@@ -123,6 +123,8 @@ pub struct LookupFinding {
     pub proxy: String,
     /// `smooth` or `sharp`.
     pub edges: String,
+    /// What the lobe of the surface is taken for: `mirror` or `fitted`.
+    pub lobe: String,
     /// Fetches.
     pub fetches: u32,
     /// Operations, those of the functions that it calls among them.

@@ -1,6 +1,6 @@
 //! What a lookup takes, by its emitted function.
 
-use crate::data::{AlphaMap, ProbeLookup};
+use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::HYPOTHESES;
 use crate::effects::room::proxies::Smooth;
 use crate::emit::probe::{Called, Wanted};
@@ -8,15 +8,17 @@ use crate::fit::Hypothesis;
 use crate::report::LookupCost;
 use crate::study::StudyError;
 
-/// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches; the width is that of the cheapest formula of the
+/// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches, of the mirror lobe and of the fitted one; the width is that of the cheapest formula of the
 /// catalogue, the rational one.
 pub(super) fn costs(planes: u32) -> Result<Vec<LookupCost>, StudyError> {
     let [entry, ..] = HYPOTHESES;
     let width = Hypothesis::parse(entry.file, entry.source)?;
     let shapes =
         [None, Some(planes)].into_iter().flat_map(|planes| [false, true].map(|smooth| (planes, smooth)));
-    let lookups =
-        shapes.flat_map(|(planes, smooth)| (1..=3).map(move |taps| ProbeLookup { planes, smooth, taps }));
+    let lobes = shapes.flat_map(|shape| [SurfaceLobe::Mirror, SurfaceLobe::Fitted].map(|lobe| (shape, lobe)));
+    let lookups = lobes.flat_map(|((planes, smooth), lobe)| {
+        (1..=3).map(move |taps| ProbeLookup { planes, smooth, taps, lobe })
+    });
     lookups.map(|lookup| cost(lookup, &width)).collect()
 }
 
