@@ -154,6 +154,20 @@ fn not_a_scene() -> Vec<Case> {
             "probes[1].lookups[0].taps: 3 fetches: rules of several fetches are fitted for half-cosine chains",
         ),
         case(
+            top("\"probes\":[{\"name\":\"p\",\"kernel\":\"ndf\",\"lookups\":[{},{\"lobe\":\"fitted\"}]}]"),
+            "probes[0].lookups[1].lobe: the lobe is fitted for half-cosine chains, and this probe's is of the kernel `ndf`; give `mirror`",
+        ),
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"lookups\":[{\"lobe\":\"ggx\"}]}]"),
+            "probes[0].lookups[0].lobe: unknown variant `ggx`, expected `mirror` or `fitted`",
+        ),
+        case(
+            top(
+                "\"probes\":[{\"name\":\"p\",\"lookups\":[{\"lobe\":\"fitted\"},{\"taps\":1,\"lobe\":\"fitted\"}]}]",
+            ),
+            "probes[0]: lookups[1]: a box with smooth edges, 1 fetch of the fitted lobe is in the list already",
+        ),
+        case(
             top("\"probes\":[{\"name\":\"p\",\"lookups\":[{\"planes\":3}]}]"),
             "probes[0].lookups[0].planes: 3 is outside [4, 64]",
         ),

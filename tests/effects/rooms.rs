@@ -125,7 +125,7 @@ fn lookups_are_finite_everywhere() {
                 let lookup = corrected(&room, shading, rule, Width::Rational);
                 for alpha in [1e-6, 0.01, 0.3, 1.0] {
                     for place in [room.probe, [0.5, -0.4, -1.2], [0.5, 0.4, -1.5], [0.0, 0.0, -1.6]] {
-                        for mu in [1.0_f64, 0.5, 0.01, 1e-9] {
+                        for mu in [1.0_f64, 0.5, 0.01, 1e-9, 0.0, -1e-9, -0.5, -1.0] {
                             let view = normalise([((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu]);
                             let seen = Seen { place, normal: [0.0, 0.0, 1.0], view, alpha };
                             let taps = lookup.taps(&seen);
@@ -164,7 +164,7 @@ fn at_the_probe_a_fetch_is_the_lobe() {
 fn fitted_lobes_are_lobes() {
     for fit in [LobeFit::ONE, LobeFit::TWO, LobeFit::THREE] {
         for alpha in [0.01, 0.3, 0.9, 1.0] {
-            for mu in [1.0, 0.7, 0.1, 0.0] {
+            for mu in [1.0, 0.7, 0.1, 0.0, -0.7, -1.0] {
                 let view = normalise([((1.0_f64 - mu) * (1.0 + mu)).sqrt(), 0.0, mu]);
                 let seen = Seen { place: [0.0; 3], normal: [0.0, 0.0, 1.0], view, alpha };
                 let lobe = Shading::Fitted(fit).lobe(&seen);
@@ -177,6 +177,7 @@ fn fitted_lobes_are_lobes() {
                         && dot(b, lobe.axis).abs() < 1e-9
                 );
                 assert!(length(b) <= length(a) + 1e-9, "narrower across");
+                assert!(lobe.axis[2] >= -1e-12, "above the surface");
                 if mu == 1.0 {
                     assert!(
                         length(minus(lobe.axis, [0.0, 0.0, 1.0])) < 1e-12 && (length(a) - 1.0).abs() < 1e-12

@@ -5,6 +5,7 @@ use crate::common;
 use std::path::Path;
 
 use common::{lobefit, names, stderr};
+use lobefit::effects::parallax::LobeFit;
 use lobefit::effects::room::proxies::Smooth;
 use lobefit::math::ops::log;
 use lobefit::study::{Size, Study};
@@ -153,6 +154,13 @@ fn the_committed_study_keeps_its_bars() {
         assert!(number(&placed["tv"]) <= bar, "{placed}");
     }
     emitted_edges_gain(&results["proxies"]["gains"]);
+    for lobe in results["rooms"]["lobes"].as_array().expect("fits") {
+        let stated = LobeFit::expected(lobe["fetches"].as_u64().expect("a number") as u32);
+        for (key, stated) in ["shipped", "mirror"].into_iter().zip(stated) {
+            let measured = number(&lobe[key]);
+            assert!((measured - stated).abs() < 1e-3, "{key}: {measured} where the heads say {stated}");
+        }
+    }
     let law = Smooth::FITTED.formula();
     let readme = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md"));
     assert!(readme.expect("a README").contains(&law), "{law}");

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::methods::{Method, smooth};
 use super::points::{self, Point};
 use super::random::{Reference, Tools, relative};
-use crate::effects::parallax::{LobeFit, Shading};
+use crate::effects::parallax::{LobeFit, Shading, Width};
 use crate::effects::room::{Exact, Fetch, Room, Seen, practice};
 use crate::math::vector::{Vec3, plus, scaled};
 use crate::math::{ops, sum};
@@ -70,7 +70,12 @@ struct Search<'a> {
 impl Search<'_> {
     /// The geometric mean of the relative L2 over the roughnesses.
     fn error(&self, shading: Shading) -> f64 {
-        let method = Method { shading, ..smooth(self.fetches) };
+        self.error_with(shading, Width::Rational)
+    }
+
+    /// The same with a width of fetches.
+    fn error_with(&self, shading: Shading, width: Width) -> f64 {
+        let method = Method { shading, width, ..smooth(self.fetches) };
         let (room, fan) = (&self.parameters.room, &self.tools.fan);
         let (lookup, exact) = (method.lookup(room), Exact { room, fan });
         let error = |column: &Column| {
@@ -138,7 +143,9 @@ pub(super) fn fitted(parameters: &Parameters) -> Result<Vec<FittedLobe>, StudyEr
                 squash: fit.squash,
                 error,
                 shipped: of(Shading::Fitted(shipped)),
+                emitted: search.error_with(Shading::Fitted(shipped), Width::EMITTED),
                 mirror: of(Shading::Mirror),
+                mirror_emitted: search.error_with(Shading::Mirror, Width::EMITTED),
                 dominant: of(Shading::Dominant),
             })
         })
