@@ -288,7 +288,7 @@ pub struct LookupFunction {
     pub edges: &'static str,
     /// What the lobe of the surface is taken for: `mirror` or `fitted`.
     pub lobe: &'static str,
-    /// The power of smooth edges, a formula of alpha.
+    /// The power of smooth edges, a formula of alpha, or of the `width` of the fitted lobe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub power: Option<String>,
     /// What it returns beside a direction: `width` or `mip`.

@@ -91,7 +91,7 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
 impl Lookup {
     /// Its entry in the manifest.
     pub fn entry(&self, kernel: &'static str, alpha_map: &'static str) -> LookupFunction {
-        let Wanted { name, lookup, width, level, power, .. } = &self.wanted;
+        let Wanted { name, lookup, width, level, .. } = &self.wanted;
         LookupFunction {
             effect: EFFECT,
             function: name.clone(),
@@ -99,7 +99,7 @@ impl Lookup {
             proxy: lookup.shape(),
             edges: lookup.edges(),
             lobe: lookup.lobe.name(),
-            power: lookup.smooth.then(|| power.formula()),
+            power: lookup.smooth.then(|| self.wanted.power_formula()),
             gives: if level.is_some() { "mip" } else { "width" },
             width: width.name.clone(),
             kernel,

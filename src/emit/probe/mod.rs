@@ -114,13 +114,20 @@ impl Wanted {
         };
         lines.push(format!("The proxy is {}.", self.lookup.text()));
         lines.push(if self.lookup.smooth {
-            format!("Edges are smooth: the power of the proxy is {}.", self.power.formula())
+            let lobe = if self.lookup.is_fitted() { ", width that of the lobe" } else { "" };
+            format!("Edges are smooth: the power of the proxy is {}{lobe}.", self.power_formula())
         } else {
             "Edges are sharp: the width jumps where a ray passes from one plane to the next.".into()
         });
         lines.extend(self.frame());
         lines.push(self.sum());
         lines
+    }
+
+    /// The power of smooth edges, a formula of the lobe's width: of alpha, or of the `width` that the fitted lobe has.
+    pub fn power_formula(&self) -> String {
+        let formula = self.power.formula();
+        if self.lookup.is_fitted() { formula.replace("alpha", "width") } else { formula }
     }
 
     /// What the arguments must be.
