@@ -36,6 +36,16 @@ pub enum IntegrateError {
         /// Where.
         place: String,
     },
+    /// A search that cannot go on.
+    #[error("{quantity}: a search from {start:?}: {reason}")]
+    Search {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// The parameters that it began with.
+        start: Vec<f64>,
+        /// What stopped it.
+        reason: String,
+    },
     /// A tolerance or sample count that makes no sense.
     #[error("{option} = {value}: {must}")]
     Option {

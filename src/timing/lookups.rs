@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use super::seconds;
 use crate::data::ProbeLookup;
-use crate::effects::parallax::{TapRule, Taps};
+use crate::effects::parallax::{Corrected, Ratio, Shading, TapRule, Width};
 use crate::effects::room::proxies::{Body, Smooth};
 use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
 use crate::math::sobol::Sobol;
@@ -53,7 +53,8 @@ fn per_pixel<P: Proxy>(proxy: P, taps: u32) -> f64 {
         3 => TapRule::three(),
         _ => TapRule::one(),
     };
-    let lookup = Taps { proxy, probe: [0.1, -0.2, 0.05], rule };
+    let (shading, ratio, width) = (Shading::Mirror, Ratio::Area, Width::Rational);
+    let lookup = Corrected { proxy, probe: [0.1, -0.2, 0.05], shading, rule, ratio, width };
     let points = pixels();
     let time = seconds(|| {
         for seen in &points {
