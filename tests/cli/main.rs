@@ -11,5 +11,6 @@ mod eval;
 mod fit;
 mod fit_ends;
 mod hypotheses;
+mod kernels;
 mod search;
 mod usage;
