@@ -13,7 +13,7 @@ fn not_a_probe() -> Vec<Case> {
         ),
         case(
             top("\"probes\":[{\"name\":\"p\",\"kernel\":\"ggx\"}]"),
-            "probes[0].kernel: unknown variant `ggx`",
+            "probes[0].kernel: `ggx` is none of ndf, half and half-cosine",
         ),
         case(top("\"probes\":[{\"name\":\"p\",\"rho\":0}]"), "probes[0].rho: 0 is outside [0.000001, 1000]"),
         case(
