@@ -13,7 +13,7 @@ use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
 use super::probe::Probe;
 use super::text;
-use super::value::{List, Maybe, ObjectOnly, Text, Word};
+use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
 use crate::data::{AlphaMap, Container, Smith};
 use crate::optics::kernel::Kernel;
 
@@ -323,5 +323,11 @@ fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError 
     };
     // serde_path_to_error ends a path with "?" where the reader stood between two fields.
     let path = path.strip_suffix(".?").unwrap_or(path);
-    SceneError::Field { file: file.into(), at, path: path.into(), message: message.into() }
+    let (inner, message) = told(message);
+    let path = match (path, inner) {
+        (path, "") => path.into(),
+        ("" | ".", inner) => inner.into(),
+        (path, inner) => format!("{path}.{inner}"),
+    };
+    SceneError::Field { file: file.into(), at, path, message: message.into() }
 }

@@ -8,7 +8,7 @@ use super::limits;
 use super::material::rough_part;
 use super::name::Name;
 use super::number::{ErrorLimit, In, Levels, Ops, Planes, Ratio, Span, TapCount, Unit, Whole};
-use super::value::{List, Maybe, Text, Word, from_file};
+use super::value::{List, Maybe, Text, Word, about, from_file};
 use super::wants::norms;
 use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup, SurfaceLobe};
 use crate::integrate::footprint;
@@ -164,11 +164,13 @@ impl TryFrom<LookupFile> for ProbeLookup {
 fn lookups(list: Option<List<ProbeLookup, { limits::LOOKUPS_MAX }>>) -> Result<Vec<ProbeLookup>, String> {
     let Some(List(list)) = list else { return Ok(Vec::new()) };
     if list.is_empty() {
-        return Err("lookups: an empty list; leave the field out where none is wanted".into());
+        return Err(about("lookups", "the list is empty; leave the field out where none is wanted"));
     }
     let repeated = list.iter().enumerate().find(|(i, lookup)| list[..*i].contains(lookup));
     match repeated {
-        Some((i, lookup)) => Err(format!("lookups[{i}]: {} is in the list already", lookup.text())),
+        Some((i, lookup)) => {
+            Err(about(format!("lookups[{i}]"), format!("{} is in the list already", lookup.text())))
+        }
         None => Ok(list),
     }
 }
@@ -197,22 +199,23 @@ impl TryFrom<MipsFile> for MipChain {
         match (file.map.0, file.count.0, file.levels.0) {
             (Some(map), Some(count), None) => {
                 if map.0 == MipMap::Log && count.0 < 3 {
-                    return Err("count: a logarithmic chain has roughness 1 in its last level but one; give 3 or more".into());
+                    return Err(about(
+                        "count",
+                        "a logarithmic chain has roughness 1 in its last level but one; give 3 or more",
+                    ));
                 }
                 Ok(MipChain::Mapped { map: map.0, count: count.0 })
             }
             (None, None, Some(List(levels))) => {
                 let levels: Vec<f64> = levels.into_iter().map(|level| level.0).collect();
                 if levels.len() < limits::LEVELS_MIN {
-                    return Err(format!(
-                        "levels: {} where at least {} are called for",
-                        levels.len(),
-                        limits::LEVELS_MIN
-                    ));
+                    let (given, least) = (levels.len(), limits::LEVELS_MIN);
+                    return Err(about("levels", format!("{given} where at least {least} are called for")));
                 }
                 if let Some(i) = levels.windows(2).position(|pair| pair[1] - pair[0] < NARROWEST_STEP) {
                     let [low, high] = [levels[i], levels[i + 1]];
-                    return Err(format!("levels: {high} does not follow {low} by {NARROWEST_STEP} or more"));
+                    let message = format!("{high} does not follow {low} by {NARROWEST_STEP} or more");
+                    return Err(about(format!("levels[{}]", i + 1), message));
                 }
                 Ok(MipChain::Given(levels))
             }

@@ -12,7 +12,8 @@ use serde_json::{Value, json};
 fn phong(widths: &[f64]) -> Value {
     let lobe = |&alpha: &f64| {
         let power = 0.5 / (alpha * alpha) - 0.5;
-        let theta: Vec<f64> = (0..48).map(|i| f64::from(i * i) / 2209.0 * std::f64::consts::FRAC_PI_2).collect();
+        let theta: Vec<f64> =
+            (0..48).map(|i| f64::from(i * i) / 2209.0 * std::f64::consts::FRAC_PI_2).collect();
         let cosine = |theta: &f64| lobefit::math::ops::cos(*theta).max(0.0);
         let density: Vec<f64> = theta.iter().map(|t| lobefit::math::ops::pow(cosine(t), power)).collect();
         json!({"alpha": alpha, "theta": theta, "density": density})

@@ -257,6 +257,7 @@ fn refits(parameters: &Parameters) -> Result<(Vec<RuleRefit>, Vec<RuleExpectatio
             constants: rule.constants().to_vec(),
             refitted: found.rule.constants().to_vec(),
             sums: found.sums,
+            settled: found.settled,
             walls: all.len(),
         })
     };

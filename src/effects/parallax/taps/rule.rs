@@ -115,12 +115,6 @@ impl TapRule {
         taps
     }
 
-    /// The rule of the fewest fetches, at most three, whose total variation from the lobe's footprint is expected to be at most `tv`.
-    pub fn select(stretch: &Stretch, alpha: f64, tv: f64) -> TapRule {
-        let rules = [TapRule::one(), TapRule::two()];
-        rules.into_iter().find(|rule| rule.expected(stretch, alpha) <= tv).unwrap_or_else(TapRule::three)
-    }
-
     /// What the fetches are expected to be off by in total variation: 0 where there is no stretch and no growth. See [`EXPECTED`].
     pub fn expected(&self, stretch: &Stretch, alpha: f64) -> f64 {
         expected::variation(&EXPECTED[self.count.clamp(1, 3) - 1], stretch, alpha)

@@ -27,7 +27,7 @@ pub struct Off {
     pub l2: f64,
     /// Largest difference of the energies per area, over the target's largest.
     pub max: f64,
-    /// The H^-1 norm, which is minimised.
+    /// The H^-1 norm times sqrt(2 pi), which is minimised.
     pub distance: f64,
 }
 

@@ -3,8 +3,8 @@
 use super::super::{figures, words};
 use crate::report::numbers::{place, significant};
 use crate::report::{
-    Block, Curves, HeatMap, ReportError, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, Section, Series,
-    Shade, SlantFindings, SlantFootprints, SlantLobe, SlantRow, Spread, Style, check,
+    Block, Curves, HeatMap, PlacedTaps, ReportError, RuleCurves, RuleExpectation, RuleRefit, RuleSpread,
+    Section, Series, Shade, SlantFindings, SlantFootprints, SlantLobe, SlantRow, Spread, Style, check,
 };
 
 pub(super) fn sections(slant: &SlantFindings) -> Result<Vec<Section>, ReportError> {
@@ -78,14 +78,16 @@ fn table(lobe: &SlantLobe) -> crate::report::TextTable {
     let row = |row: &SlantRow| {
         let mut cells =
             vec![format!("{}°", place(row.slant)), tv(row.same), tv(row.best), significant(row.factor, 3)];
-        cells.extend(row.placed.iter().map(|placed| tv(placed.tv)));
+        let placed =
+            |placed: &PlacedTaps| format!("{}{}", tv(placed.tv), if placed.settled { "" } else { "*" });
+        cells.extend(row.placed.iter().map(placed));
         cells.extend(row.ruled.map(tv));
         cells
     };
     words::table(
         &columns,
         lobe.rows.iter().map(row).collect(),
-        "Total variation. Columns 2, 3, 4, 8: so many fetches placed for this wall.",
+        "Total variation. Columns 2, 3, 4, 8: so many fetches placed for this wall; * where that search was stopped after its last iteration, not at rest.",
     )
 }
 
@@ -190,11 +192,12 @@ fn functions(rule: &RuleCurves) -> Vec<Curves> {
 
 fn refitted(refit: &RuleRefit) -> String {
     format!(
-        "Rule of {}: {} constants, fitted over {} walls. A fit from them on changes what it minimises by {} %.",
+        "Rule of {}: {} constants, fitted over {} walls. A fit from them on changes what it minimises by {} % {}.",
         refit.count,
         refit.constants.len(),
         refit.walls,
-        significant(100.0 * (1.0 - refit.sums[1] / refit.sums[0]), 2)
+        significant(100.0 * (1.0 - refit.sums[1] / refit.sums[0]), 2),
+        if refit.settled { "and comes to rest" } else { "until its iterations end" }
     )
 }
 
