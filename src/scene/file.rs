@@ -201,8 +201,8 @@ impl Scene {
         for (i, probe) in self.probes.iter().enumerate() {
             if let Some((j, taps)) = probe.unruled() {
                 let message = format!(
-                    "{taps} fetches: rules of several fetches are fitted for half-cosine chains, and this probe's is of the kernel \
-                     `{}`; give 1",
+                    "{taps} fetches: rules of several fetches are fitted for ndf, half and half-cosine chains, and this probe's is of \
+                     the kernel `{}`; give 1",
                     probe.kernel.name()
                 );
                 return Err((format!("probes[{i}].lookups[{j}].taps"), message));

@@ -54,11 +54,10 @@ impl Probe {
         rough_part(self.roughness, map)
     }
 
-    /// The first lookup of several fetches, with their number, where no rule of several is fitted for the lobe: for the others than
-    /// half-cosine such a rule can be worse than one fetch.
+    /// The first lookup of several fetches, with their number, where no rule of several is fitted for the lobe: for one in a file.
     pub(super) fn unruled(&self) -> Option<(usize, u32)> {
         let several = self.lookups.iter().position(|lookup| lookup.taps > 1);
-        several.filter(|_| self.kernel != Kernel::HalfCosine).map(|j| (j, self.lookups[j].taps))
+        several.filter(|_| !self.kernel.is_analytic()).map(|j| (j, self.lookups[j].taps))
     }
 
     /// The first lookup of the fitted lobe, where it is fitted for another: with fetches of the half-cosine lobe.
@@ -130,7 +129,7 @@ struct LookupFile {
     /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing jumps there, or `sharp`; default `smooth`.
     #[serde(default)]
     edges: Maybe<Word<Edges>>,
-    /// Number of fetches: 1, or for half-cosine chains 2 or 3 along the axis that the wall stretches; default 1.
+    /// Number of fetches: 1, or where the kernel is no file 2 or 3 along the axis that the wall stretches; default 1.
     #[serde(default)]
     taps: Maybe<Whole<TapCount>>,
     /// What the lobe of a surface is taken for: `mirror`, round about the reflected ray, or for half-cosine chains `fitted`, leaning towards the

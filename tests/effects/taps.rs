@@ -2,14 +2,14 @@
 
 use std::f64::consts::PI;
 
-use lobefit::effects::parallax::taps::expected::{EXPECTED, EXPECTED_OFF, EXPECTED_UP_TO, expected};
+use lobefit::effects::parallax::taps::expected::{EXPECTED_UP_TO, Expected, expected};
 use lobefit::effects::parallax::taps::fit::{fit, situations, slants};
 use lobefit::effects::parallax::taps::horizon::fade;
 use lobefit::effects::parallax::{Corrected, Ratio, RuleTap, Shading, Stretch, TapRule, Width, width};
 use lobefit::effects::room::proxies::{Body, Smooth};
 use lobefit::effects::room::{Lookup, Plane, Proxy, Seen, room_b};
 use lobefit::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
-use lobefit::math::ops::{acos, log, sincos};
+use lobefit::math::ops::{log, sincos};
 use lobefit::math::vector::{dot, length, normalise};
 use lobefit::optics::kernel::Kernel;
 
@@ -77,76 +77,98 @@ fn walls_at_every_slant_are_among_those_of_a_set() {
     }
 }
 
+/// Of a kernel and two and three fetches: the share of the sum of the total variation that they leave, the walls that they serve worse than one
+/// by more than 0.001, and the most that they are worse by.
+const LEFT: [(Kernel, [(f64, usize, [f64; 2]); 2]); 3] = [
+    (Kernel::HalfCosine, [(0.735, 5, [0.025, 0.027]), (0.625, 2, [0.005, 0.01])]),
+    (Kernel::Half, [(0.737, 6, [0.06, 0.063]), (0.631, 1, [0.006, 0.007])]),
+    (Kernel::Ndf, [(0.769, 8, [0.043, 0.045]), (0.652, 0, [0.0, 0.001])]),
+];
+
 #[test]
 fn more_fetches_are_nearer_on_walls_at_any_slant_but_a_few() {
     let alphas = [0.01, 0.03, 0.08, 0.18, 0.35, 0.6];
-    let all = situations(Kernel::HalfCosine, &alphas, 3000, 5, Resolution::COARSE).expect("walls");
-    let one: f64 = all.iter().map(|situation| situation.one).sum();
-    // a rule with the share of the sum that it leaves, the walls that it serves worse by more than 0.001, and the most that it is worse by
-    let stated = [(TapRule::two(), 0.74, 5, [0.11, 0.13]), (TapRule::three(), 0.625, 2, [0.005, 0.01])];
-    for (rule, share, walls, [least, most]) in stated {
-        let (mut sum, mut worse, mut worst) = (0.0, 0, 0.0_f64);
-        for situation in &all {
-            let tv = situation.variation(&rule);
-            sum += tv;
-            worse += usize::from(tv > situation.one + 1e-3);
-            worst = worst.max(tv - situation.one);
+    for (kernel, stated) in LEFT {
+        let all = situations(kernel, &alphas, 3000, 5, Resolution::COARSE).expect("walls");
+        let one: f64 = all.iter().map(|situation| situation.one).sum();
+        for (fetches, (share, walls, [least, most])) in [2, 3].into_iter().zip(stated) {
+            let rule = TapRule::of(kernel, fetches).expect("a rule");
+            let (mut sum, mut worse, mut worst) = (0.0, 0, 0.0_f64);
+            for situation in &all {
+                let tv = situation.variation(&rule);
+                sum += tv;
+                worse += usize::from(tv > situation.one + 1e-3);
+                worst = worst.max(tv - situation.one);
+            }
+            let told =
+                format!("{fetches} fetches of {kernel:?}: leave {}, worse on {worse} by {worst}", sum / one);
+            println!("{told}");
+            assert!(sum < share * one && sum > (share - 0.01) * one, "{told}");
+            assert!(worse <= walls && (worse > 0) == (walls > 0), "{told}");
+            assert!((least..most).contains(&worst), "{told}");
         }
-        assert!(sum < share * one, "{} fetches leave {}", rule.count(), sum / one);
-        assert!((1..=walls).contains(&worse), "{} fetches are worse on {worse}", rule.count());
-        assert!((least..most).contains(&worst), "{} fetches are worse by {worst}", rule.count());
     }
-}
-
-#[test]
-fn two_fetches_are_worse_than_one_on_a_wall_seen_from_opposite_sides() {
-    let stand = |cosine: f64, distance: f64| Stand { distance, slant: acos(cosine) };
-    let wall = Slant { shading: stand(0.679, 0.71), probe: stand(0.684, 1.0), azimuth: PI };
-    let [one, two, three] = RULES.map(|rule| variation(&rule(), 0.08, wall));
-    assert!((0.11..0.125).contains(&one) && (0.165..0.18).contains(&two), "{one} {two}");
-    assert!(three < one, "{three}");
 }
 
 #[test]
 fn constants_are_at_a_minimum() {
     let alphas = [0.02, 0.05, 0.1, 0.2, 0.35, 0.55, 0.8];
-    let all = situations(Kernel::HalfCosine, &alphas, 140, 1, Resolution::COARSE).expect("walls");
-    for (rule, apart) in [(TapRule::two(), 1), (TapRule::three(), 3)] {
-        let found = fit(&rule, &all, 1).expect("a fit");
-        assert!(found.sums[1] <= found.sums[0] && found.sums[1] > 0.99 * found.sums[0], "{found:?}");
-        // other constants are worse
-        let mut moved = rule.constants().to_vec();
-        moved[apart] *= 1.3;
-        let moved = rule.with(&moved).expect("as many");
-        assert!(fit(&moved, &all, 1).expect("a fit").sums[0] > 1.5 * found.sums[0]);
+    for kernel in Kernel::ALL {
+        let all = situations(kernel, &alphas, 140, 1, Resolution::COARSE).expect("walls");
+        for (fetches, apart) in [(2, 1), (3, 3)] {
+            let rule = TapRule::of(kernel, fetches).expect("a rule");
+            let found = fit(&rule, &all, 1).expect("a fit");
+            assert!(found.sums[1] <= found.sums[0] && found.sums[1] > 0.99 * found.sums[0], "{found:?}");
+            // other constants are worse
+            let mut moved = rule.constants().to_vec();
+            moved[apart] *= 1.3;
+            let moved = rule.with(&moved).expect("as many");
+            assert!(fit(&moved, &all, 1).expect("a fit").sums[0] > 1.2 * found.sums[0]);
+        }
     }
 }
 
 #[test]
 fn what_is_expected_is_off_by_what_is_stated() {
     let alphas = [0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.6, 0.8];
-    let all = situations(Kernel::HalfCosine, &alphas, 1600, 5, Resolution::COARSE).expect("walls");
-    for (rule, stated) in RULES.map(|rule| rule()).iter().zip(EXPECTED_OFF) {
-        for (up_to, stated) in EXPECTED_UP_TO.into_iter().zip(stated) {
-            let rms = |alpha: f64| {
-                let off: Vec<f64> = all
-                    .iter()
-                    .filter(|s| s.case.alpha == alpha)
-                    .map(|s| rule.expected(&s.case.stretch, alpha) - s.variation(rule))
-                    .collect();
-                (off.iter().map(|d| d * d).sum::<f64>() / off.len() as f64).sqrt()
-            };
-            let most = alphas.into_iter().filter(|alpha| *alpha <= up_to).map(rms).fold(0.0, f64::max);
-            assert!((0.85 * stated..=stated).contains(&most), "{} to {up_to}: {most}", rule.count());
+    for kernel in Kernel::ALL {
+        let all = situations(kernel, &alphas, 1600, 5, Resolution::COARSE).expect("walls");
+        for rule in [1, 2, 3].map(|fetches| TapRule::of(kernel, fetches).expect("a rule")) {
+            let Expected { constants, off } = *rule.expectation();
+            for (up_to, stated) in EXPECTED_UP_TO.into_iter().zip(off) {
+                let rms = |alpha: f64| {
+                    let off: Vec<f64> = all
+                        .iter()
+                        .filter(|s| s.case.alpha == alpha)
+                        .map(|s| rule.expected(&s.case.stretch, alpha) - s.variation(&rule))
+                        .collect();
+                    (off.iter().map(|d| d * d).sum::<f64>() / off.len() as f64).sqrt()
+                };
+                let most = alphas.into_iter().filter(|alpha| *alpha <= up_to).map(rms).fold(0.0, f64::max);
+                assert!(
+                    (0.85 * stated..=stated).contains(&most),
+                    "{kernel:?}, {} to {up_to}: {most}",
+                    rule.count()
+                );
+            }
+            // the constants are those of least squares, within 5 % of the error, and the fit finds them from elsewhere
+            let found = expected(&rule, &constants, &all, 30).expect("a fit");
+            assert!(found.off[1] <= found.off[0] && found.off[1] > 0.95 * found.off[0], "{found:?}");
+            let elsewhere = expected(&rule, &constants.map(|c| 1.3 * c), &all, 30).expect("a fit");
+            assert!((elsewhere.off[1] / found.off[1] - 1.0).abs() < 1e-3, "{elsewhere:?} {found:?}");
         }
     }
-    // the constants are those of least squares, within 5 % of the error, and the fit finds them from elsewhere
-    for (rule, constants) in RULES.map(|rule| rule()).iter().zip(EXPECTED) {
-        let found = expected(rule, &constants, &all, 30).expect("a fit");
-        assert!(found.off[1] <= found.off[0] && found.off[1] > 0.95 * found.off[0], "{found:?}");
-        let elsewhere = expected(rule, &constants.map(|c| 1.3 * c), &all, 30).expect("a fit");
-        assert!((elsewhere.off[1] / found.off[1] - 1.0).abs() < 1e-3, "{elsewhere:?} {found:?}");
-    }
+}
+
+/// No rule of several fetches is fitted for a table; one fetch needs none.
+#[test]
+fn rules_are_for_lobes_with_a_formula() {
+    let theta: Vec<f64> = (0..8).map(|i| 0.2 * f64::from(i)).collect();
+    let density = theta.iter().map(|theta| 1.5 - theta).collect();
+    let lobe = lobefit::optics::kernel::TableLobe { alpha: 1.0, theta, density };
+    let table = lobefit::optics::kernel::tabulated("cone", &[lobe]).expect("a kernel");
+    assert_eq!([1, 2, 3].map(|fetches| TapRule::of(table, fetches).is_some()), [true, false, false]);
+    assert_eq!([0, 4].map(|fetches| TapRule::of(Kernel::Half, fetches)), [None, None]);
 }
 
 #[test]

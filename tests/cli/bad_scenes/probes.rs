@@ -38,16 +38,6 @@ fn not_a_probe() -> Vec<Case> {
             "probes[0].lookups[0].taps: 4 is outside [1, 3]",
         ),
         case(
-            top("\"probes\":[{\"name\":\"p\",\"kernel\":\"ndf\",\"lookups\":[{},{\"taps\":2}]}]"),
-            "probes[0].lookups[1].taps: 2 fetches: rules of several fetches are fitted for half-cosine chains",
-        ),
-        case(
-            top(
-                "\"probes\":[{\"name\":\"p\"},{\"name\":\"q\",\"kernel\":\"half\",\"lookups\":[{\"taps\":3}]}]",
-            ),
-            "probes[1].lookups[0].taps: 3 fetches: rules of several fetches are fitted for half-cosine chains",
-        ),
-        case(
             top("\"probes\":[{\"name\":\"p\",\"kernel\":\"ndf\",\"lookups\":[{},{\"lobe\":\"fitted\"}]}]"),
             "probes[0].lookups[1].lobe: the lobe is fitted for half-cosine chains, and this probe's is of the kernel `ndf`; give `mirror`",
         ),

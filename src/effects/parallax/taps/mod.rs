@@ -5,11 +5,12 @@
 //! is a ray of its own, traced to the proxy, narrowed or widened by its own ratio of footprints ([`width`]);
 //! [`Corrected`](super::Corrected) does so for a shading point.
 
+pub mod constants;
 pub mod expected;
 pub mod fit;
 pub mod horizon;
 mod rule;
 
 pub use crate::optics::footprint::{RuleTap, Stretch, width};
-pub use expected::EXPECTED;
-pub use rule::{THREE, TWO, TapRule};
+pub use constants::Constants;
+pub use rule::TapRule;
