@@ -58,9 +58,7 @@ pub use findings::{
     SeedSlant, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
 };
 pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
-pub use gpu::{
-    GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread,
-};
+pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{

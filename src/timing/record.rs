@@ -25,7 +25,9 @@ pub enum RecordError {
         reason: String,
     },
     /// A record of another version of this program.
-    #[error("schema_version {found}, this version reads {SCHEMA_VERSION}; measure again with lobefit cost --gpu --record")]
+    #[error(
+        "schema_version {found}, this version reads {SCHEMA_VERSION}; measure again with lobefit cost --gpu --record"
+    )]
     Version {
         /// The version found.
         found: String,

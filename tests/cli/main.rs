@@ -11,5 +11,6 @@ mod eval;
 mod fit;
 mod fit_ends;
 mod hypotheses;
+mod records;
 mod search;
 mod usage;

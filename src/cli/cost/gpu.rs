@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::output::{Outcome, print};
 use super::super::CliError;
 #[cfg(feature = "gpu")]
 use super::super::input;
+use super::super::output::{Outcome, print};
 #[cfg(feature = "gpu")]
 use super::NOTHING;
 use super::Options;
@@ -81,10 +81,12 @@ pub(super) fn run(_: &Options) -> Result<Outcome, CliError> {
 /// Measures, prints, and writes what is to be recorded.
 #[cfg(feature = "gpu")]
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
+    use super::super::output::print_json;
     use super::super::progress::Spinner;
     use crate::bake::Selection;
     use crate::plan;
     use crate::timing::gpu::{Work, measure};
+    use serde_json::json;
 
     let input = input::load(&options.scene)?;
     let place = options.record.as_deref().map(|path| Place::of("--record", path)).transpose()?;
@@ -95,11 +97,14 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let baked = options.threads.install(|| input.bake(&plan, Selection::default(), &progress))?;
     let work = if options.reduced { Work::REDUCED } else { Work::FULL };
     let origin = super::origin(&input, "lobefit cost --gpu --record FILE.json")?;
-    let record = measure(&baked, options.adapter.as_deref(), work, origin, &progress).map_err(Box::new)?;
+    let record = measure(&baked, options.adapter.as_deref(), work, origin.clone(), &progress);
+    let record = record.map_err(Box::new)?;
     drop(progress);
     let Some(record) = record else {
-        if !options.quiet && !options.json {
-            print(NOTHING)?;
+        match (options.json, options.quiet) {
+            (true, _) => print_json(&json!({"schema_version": 1, "origin": origin, "rows": []}))?,
+            (false, quiet) if !quiet => print(NOTHING)?,
+            _ => {}
         }
         return Ok(Outcome::Done);
     };
@@ -126,10 +131,8 @@ fn table(record: &GpuRecord) -> String {
         GpuClock::Timestamps => "time stamps of the device",
         GpuClock::Wall => "wall time, since the driver offers no time stamps",
     };
-    let mut text = format!(
-        "{} ({}), {}, {}; {clock}\n",
-        device.adapter, device.kind, device.driver, device.backend
-    );
+    let mut text =
+        format!("{} ({}), {}, {}; {clock}\n", device.adapter, device.kind, device.driver, device.backend);
     let line = |row: &GpuRow| {
         let fetched = if row.kind == GpuKind::LookupFetches { " with fetches" } else { "" };
         let time = match row.evaluations_per_second {

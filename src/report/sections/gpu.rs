@@ -52,7 +52,8 @@ const TABLES: &str = "Plain fetches, at coordinates that need no arithmetic, and
 const FITS: &str = "Formulas alone. Where a time is told from 0, the charts set it against the certified error: what an operation \
     less is worth on this device.";
 
-const LEVELS: &str = "From roughness to the level that holds it, back, and to the level that a corrected fetch takes.";
+const LEVELS: &str =
+    "From roughness to the level that holds it, back, and to the level that a corrected fetch takes.";
 
 fn measured(record: &GpuRecord, hash: &str) -> Section {
     let (device, origin) = (&record.device, &record.origin);
@@ -164,8 +165,7 @@ fn table(rows: &[&GpuRow]) -> TextTable {
         "Medians, with the quartiles in brackets. `× of the loop`: the loop with the evaluation over the loop without. `× of a fetch`: over \
          what a plain fetch of the kind adds, two-dimensional for formulas. A dash: not told from 0.",
     );
-    table.muted =
-        rows.iter().map(|row| row.error.as_ref().is_some_and(|error| error.published)).collect();
+    table.muted = rows.iter().map(|row| row.error.as_ref().is_some_and(|error| error.published)).collect();
     table
 }
 

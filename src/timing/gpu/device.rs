@@ -95,18 +95,18 @@ impl Gpu {
     pub fn open(wanted: Option<&str>) -> Result<Gpu, GpuError> {
         let adapter = adapter(wanted)?;
         let info = adapter.get_info();
-        let stamped = adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY);
+        let useful = wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_FILTERABLE;
+        let features = adapter.features() & useful;
+        let stamped = features.contains(wgpu::Features::TIMESTAMP_QUERY);
         let descriptor = wgpu::DeviceDescriptor {
-            required_features: if stamped {
-                wgpu::Features::TIMESTAMP_QUERY
-            } else {
-                wgpu::Features::empty()
-            },
+            required_features: features,
             required_limits: wgpu::Limits::downlevel_defaults(),
             ..Default::default()
         };
-        let refused =
-            |e: wgpu::RequestDeviceError| GpuError::Refused { adapter: info.name.clone(), reason: e.to_string() };
+        let refused = |e: wgpu::RequestDeviceError| GpuError::Refused {
+            adapter: info.name.clone(),
+            reason: e.to_string(),
+        };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(refused)?;
         let complaint = Arc::new(Mutex::new(None));
         let first = Arc::clone(&complaint);
@@ -137,6 +137,11 @@ impl Gpu {
         GpuError::Failed { adapter: self.info.adapter.clone(), doing: doing.into(), reason }
     }
 
+    /// Whether it filters textures of f32.
+    pub fn filters_single(&self) -> bool {
+        self.device.features().contains(wgpu::Features::FLOAT32_FILTERABLE)
+    }
+
     /// An empty buffer.
     pub fn buffer(&self, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
         buffer(&self.device, size, usage)
@@ -151,7 +156,7 @@ impl Gpu {
         buffer
     }
 
-    /// A texture of halves.
+    /// A texture, filled.
     pub fn texture(&self, texels: &Texels) -> Result<wgpu::TextureView, GpuError> {
         let view = texels.upload(&self.device, &self.queue);
         self.well(&texels.to_string()).map(|()| view)
@@ -292,8 +297,7 @@ impl Stamps {
             count: 2,
         });
         let size = 2 * STAMP_BYTES;
-        let resolved =
-            buffer(device, size, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC);
+        let resolved = buffer(device, size, wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC);
         let read = buffer(device, size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
         Stamps { set, resolved, read, period }
     }

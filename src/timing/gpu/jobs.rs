@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::GpuError;
 use super::shader::{Fetches, Shader};
-use super::texture::Texels;
+use super::texture::{Shape, Texels};
 use crate::bake::Baked;
 use crate::data::Use;
 use crate::report::{self, GpuKind, GpuLeftOut};
@@ -128,34 +128,33 @@ struct Collector {
     jobs: Jobs,
     /// Jobs of plain fetches.
     fetches: BTreeMap<String, usize>,
+    filters_single: bool,
 }
 
 impl Jobs {
-    /// Of a bake; none where it emits nothing.
-    pub fn of(baked: &Baked) -> Result<Option<Jobs>, GpuError> {
-        let (Some(include), Some(manifest)) = (Include::of(baked), baked.files.get(MANIFEST)) else {
-            return Ok(None);
-        };
+    /// Of a bake with an include file, for a device that filters textures of f32 or does not.
+    pub fn of(include: Include, baked: &Baked, filters_single: bool) -> Result<Jobs, GpuError> {
         let wrong = |place: &str, reason: String| GpuError::Bake { place: place.into(), reason };
         let module = naga::front::wgsl::parse_str(&include.text)
             .map_err(|e| wrong("fits/lobefit.wgsl", e.emit_to_string(&include.text)))?;
+        let manifest = baked.files.get(MANIFEST).ok_or_else(|| wrong(MANIFEST, "not in the bake".into()))?;
         let manifest: Manifest =
             serde_json::from_slice(manifest).map_err(|e| wrong(MANIFEST, e.to_string()))?;
         let jobs = Jobs { all: Vec::new(), left_out: Vec::new() };
-        let mut collector = Collector { include, module, jobs, fetches: BTreeMap::new() };
+        let mut collector = Collector { include, module, jobs, fetches: BTreeMap::new(), filters_single };
         collector.plain(&manifest);
         manifest.lookups.iter().try_for_each(|lookup| collector.lookup(lookup))?;
         manifest.tables.iter().try_for_each(|table| collector.table(table))?;
         manifest.fits.iter().try_for_each(|fit| collector.fit(fit))?;
         manifest.mips.iter().try_for_each(|mip| collector.mip(mip))?;
-        Ok(Some(collector.jobs))
+        Ok(collector.jobs)
     }
 }
 
 /// The fetch that formulas and tables of two axes are compared with, that of tables of three, and that of lookups.
-const FLAT: Texels = Texels::Flat([64, 64], 2);
-const SOLID: Texels = Texels::Solid([64, 64, 32], 1);
-const CUBE: Texels = Texels::Cube(EDGE, LEVELS);
+const FLAT: Texels = Texels { shape: Shape::Flat([64, 64], 2), single: false };
+const SOLID: Texels = Texels { shape: Shape::Solid([64, 64, 32], 1), single: false };
+const CUBE: Texels = Texels { shape: Shape::Cube(EDGE, LEVELS), single: false };
 
 impl Collector {
     /// The fetches to compare with that something is compared with.
@@ -193,11 +192,11 @@ impl Collector {
         let hash = self.include.hash(function).ok_or_else(place)?;
         let code = self.include.code(function).ok_or_else(place)?;
         let shader = Shader::of_function(&code, &self.module, function, texture, fetches)?;
-        let beside = match texture {
-            Some(Texels::Solid(..)) => SOLID,
-            Some(Texels::Cube(..)) => CUBE,
-            Some(Texels::Flat(..)) | None if kind == GpuKind::Lookup => CUBE,
-            Some(Texels::Flat(..)) | None => FLAT,
+        let beside = match texture.map(|texels| texels.shape) {
+            Some(Shape::Solid(..)) => SOLID,
+            Some(Shape::Cube(..)) => CUBE,
+            None if kind == GpuKind::Lookup => CUBE,
+            Some(Shape::Flat(..)) | None => FLAT,
         };
         let at = self.jobs.all.len();
         self.jobs.all.push(Job {
@@ -224,19 +223,20 @@ impl Collector {
     }
 
     fn table(&mut self, table: &Table) -> Result<(), GpuError> {
-        let function =
-            format!("{}_lookup", table.name.replace(|c: char| !c.is_ascii_alphanumeric(), "_"));
+        let function = format!("{}_lookup", table.name.replace(|c: char| !c.is_ascii_alphanumeric(), "_"));
         let sizes: Vec<u32> = table.axes.iter().map(|axis| axis.size).collect();
         let channels = table.channels.len() as u32;
-        let texels = match (table.format.as_str(), sizes.as_slice()) {
-            ("f16", [columns, rows]) => Texels::Flat([*columns, *rows], channels),
-            ("f16", [columns, rows, slices]) => Texels::Solid([*columns, *rows, *slices], channels),
-            (format, _) => {
-                let reason = format!("a texture of {format} in {} axes, which not every device filters", sizes.len());
-                self.jobs.left_out.push(GpuLeftOut { function, reason });
-                return Ok(());
-            }
+        let shape = match sizes.as_slice() {
+            [columns, rows] => Shape::Flat([*columns, *rows], channels),
+            [columns, rows, slices] => Shape::Solid([*columns, *rows, *slices], channels),
+            _ => return Err(GpuError::Bake { place: function, reason: format!("{} axes", sizes.len()) }),
         };
+        let texels = Texels { shape, single: table.format == "f32" };
+        if texels.single && !self.filters_single {
+            let reason = "a texture of f32, which this device does not filter".into();
+            self.jobs.left_out.push(GpuLeftOut { function, reason });
+            return Ok(());
+        }
         let job = self.job(&table.name, GpuKind::Table, &function, Some(texels), None)?;
         (job.ops, job.fetches) = (Some(table.cost.ops), table.cost.fetches);
         job.error = Some(report::GpuError {

@@ -43,12 +43,7 @@ type Views = BTreeMap<String, wgpu::TextureView>;
 
 impl Measured {
     /// Measures jobs on a device.
-    pub fn of(
-        gpu: &Gpu,
-        jobs: &[Job],
-        work: Work,
-        progress: &dyn Progress,
-    ) -> Result<Measured, GpuError> {
+    pub fn of(gpu: &Gpu, jobs: &[Job], work: Work, progress: &dyn Progress) -> Result<Measured, GpuError> {
         progress.stage("shaders");
         let threads = u64::from(work.side) * u64::from(work.side);
         let sums = gpu.buffer(4 * threads, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC);

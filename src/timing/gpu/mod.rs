@@ -15,7 +15,7 @@ mod variable;
 pub use error::GpuError;
 use measure::Measured;
 
-use super::record::METHOD;
+use super::record::{Include, METHOD};
 use crate::bake::{Baked, Progress};
 use crate::report::{GpuRecord, Origin};
 use device::Gpu;
@@ -53,8 +53,9 @@ pub fn measure(
     origin: Origin,
     progress: &dyn Progress,
 ) -> Result<Option<GpuRecord>, GpuError> {
-    let Some(jobs) = Jobs::of(baked)? else { return Ok(None) };
+    let Some(include) = Include::of(baked) else { return Ok(None) };
     let gpu = Gpu::open(adapter)?;
+    let jobs = Jobs::of(include, baked, gpu.filters_single())?;
     let measured = Measured::of(&gpu, &jobs.all, work, progress)?;
     Ok(Some(GpuRecord {
         origin,

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::GpuError;
 use super::device::{UNIFORM_BYTES, WORKGROUP};
-use super::texture::Texels;
+use super::texture::{Shape, Texels};
 use super::variable::{Held, Variable};
 
 /// The room about a probe: low and high corner, the probe; and what planes a proxy of planes has, at the distance 1.5 of the probe.
@@ -70,22 +70,23 @@ impl Shader {
 
     /// Of a plain fetch: at coordinates that need no arithmetic, or along a ray at some level.
     pub fn of_fetch(texels: Texels) -> Shader {
-        let coordinates = match texels {
-            Texels::Flat(..) => vec![Variable::Scalar("u", 0.0, 1.0), Variable::Scalar("v", 0.0, 1.0)],
-            Texels::Solid(..) => {
+        let coordinates = match texels.shape {
+            Shape::Flat(..) => vec![Variable::Scalar("u", 0.0, 1.0), Variable::Scalar("v", 0.0, 1.0)],
+            Shape::Solid(..) => {
                 ["u", "v", "w"].into_iter().map(|name| Variable::Scalar(name, 0.0, 1.0)).collect()
             }
-            Texels::Cube(..) => vec![Variable::Ray, Variable::Scalar("mip", 0.0, f64::from(LAST_LEVEL))],
+            Shape::Cube(..) => vec![Variable::Ray, Variable::Scalar("mip", 0.0, f64::from(LAST_LEVEL))],
         };
         let given: Vec<String> = coordinates.iter().map(Variable::expression).collect();
-        let place = match texels {
-            Texels::Flat(..) => format!("vec2<f32>({}), 0.0", given.join(", ")),
-            Texels::Solid(..) => format!("vec3<f32>({}), 0.0", given.join(", ")),
-            Texels::Cube(..) => given.join(", "),
+        let place = match texels.shape {
+            Shape::Flat(..) => format!("vec2<f32>({}), 0.0", given.join(", ")),
+            Shape::Solid(..) => format!("vec3<f32>({}), 0.0", given.join(", ")),
+            Shape::Cube(..) => given.join(", "),
         };
-        let lines = format!("        let timed_value = textureSampleLevel(timed_texture, timed_sampler, {place});\n");
-        let sums = vec![match texels {
-            Texels::Cube(..) => "(timed_value.x + timed_value.y + timed_value.z)".into(),
+        let lines =
+            format!("        let timed_value = textureSampleLevel(timed_texture, timed_sampler, {place});\n");
+        let sums = vec![match texels.shape {
+            Shape::Cube(..) => "(timed_value.x + timed_value.y + timed_value.z)".into(),
             _ => "timed_value.x".into(),
         }];
         Shader::new("", Some(texels), Evaluation { inputs: coordinates, lines, sums })
@@ -105,7 +106,10 @@ impl Shader {
             )
         });
         if let Some(n) = planes {
-            let _ = writeln!(resources, "@group(0) @binding(4) var<uniform> timed_planes: array<vec4<f32>, {n}>;");
+            let _ = writeln!(
+                resources,
+                "@group(0) @binding(4) var<uniform> timed_planes: array<vec4<f32>, {n}>;"
+            );
         }
         Shader { with: text(code, &resources, &inputs, &summed), without: text("", "", &inputs, ""), planes }
     }
@@ -120,8 +124,11 @@ fn text(code: &str, resources: &str, inputs: &[Variable], work: &str) -> String 
     let made = Variable::made(inputs);
     let starts: String = made.iter().enumerate().map(|(i, variable)| variable.start(i)).collect();
     let turns: String = made.iter().map(Variable::turn).collect();
-    let sums: String =
-        made.iter().filter_map(Variable::summed).map(|sum| format!("        timed_sum += {sum};\n")).collect();
+    let sums: String = made
+        .iter()
+        .filter_map(Variable::summed)
+        .map(|sum| format!("        timed_sum += {sum};\n"))
+        .collect();
     format!(
         "{code}
 struct timed_block {{
