@@ -31,12 +31,12 @@ pub enum CliError {
     /// Options that contradict each other or the input.
     #[error("{0}")]
     Usage(String),
-    /// A hypothesis file that a scene names and that cannot be read.
+    /// A file of a hypothesis or a kernel that a scene names and that cannot be read.
     #[error("{}: {field}: {source}", visible(scene))]
-    HypothesisFile {
+    NamedFile {
         /// Scene file as the user named it.
         scene: String,
-        /// The field that names the hypothesis.
+        /// The field that names the file.
         field: String,
         /// What went wrong.
         source: StoreError,

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, ValueEnum};
 
 use super::CliError;
+use super::input;
 use super::options::{ThreadsOption, positive, quantity, smith};
 use super::output::{Outcome, print};
 use super::points::{self, Points};
@@ -20,6 +21,7 @@ Examples:
   printf 'alpha,mu\\n0.25,0.5\\n' | lobefit eval ggx-reflection --points -
   lobefit eval ggx-average --points alphas.csv --out averages.csv --smith separable
   printf 'alpha,mu,f0,specular\\n0.25,0.5,0.04,compensated\\n' | lobefit eval diffuse-coupling --points -
+  printf 'alpha,rho\\n0.25,0.5\\n' | lobefit eval parallax-alpha --kernel mine.json --points -
   lobefit eval ggx-reflection --points points.csv --method monte-carlo --samples 1048576 --seed 7
 
 Quantities (input columns: appended columns):
@@ -30,7 +32,8 @@ Quantities (input columns: appended columns):
   sheen-charlie         alpha, mu: E, error (E exceeds 1 at grazing where alpha is below 0.2; it has no Smith form)
   diffuse-coupling      alpha, mu, f0, specular (single, normalised or compensated): factor, error
   parallax-alpha        alpha, rho (distance of the shading point over that of the probe), kernel (ndf, half or half-cosine; half-cosine
-                        without it): alpha_adjusted, tv, saturated (0 or 1), error
+                        without it; one for all points, or a table of another: --kernel): alpha_adjusted, tv, saturated (0 or 1),
+                        error
 alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass, [1e-6, 1] for sheen);
 mu is in [0, 1] (from 1e-6 for glass), ior in [1, 4], f0 in [0, 1]; Monte Carlo takes no zeros (but mu of sheen). Other
 columns are kept as they are. `error` bounds the distance of every value from the truth; with Monte Carlo it is four
@@ -58,6 +61,9 @@ pub(super) struct Options {
     /// CSV file to write; without it, standard output
     #[arg(long, value_name = "OUT.csv")]
     pub out: Option<PathBuf>,
+    /// Lobe of every point of parallax-alpha, in place of a column `kernel`: its word, or a .json file with its table
+    #[arg(long, value_name = "WORD|FILE")]
+    pub kernel: Option<String>,
     /// Shadowing form: correlated or separable
     #[arg(long, value_name = "S", value_parser = smith, default_value = "correlated")]
     pub smith: Smith,
@@ -86,7 +92,10 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(message.into()));
     }
     let name = points_name(&options.points);
-    let points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
+    let mut points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
+    if let Some(word) = &options.kernel {
+        fix_kernel(&mut points, word, options.quantity)?;
+    }
     let values = options.threads.install(|| evaluate(options, &points))?;
     let csv = points.with_columns(options.quantity, &values)?;
     match &options.out {
@@ -94,6 +103,22 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         None => print(&csv)?,
     }
     Ok(Outcome::Done)
+}
+
+/// Gives every point the kernel of a word.
+fn fix_kernel(points: &mut Points, word: &str, quantity: &Quantity) -> Result<(), CliError> {
+    let Some(column) = quantity.inputs.iter().position(|input| input.name == "kernel") else {
+        return Err(CliError::Usage(format!(
+            "--kernel: {} has no kernel; parallax-alpha has",
+            quantity.name
+        )));
+    };
+    if points.has(column) {
+        let message = "--kernel: the points have a column `kernel` too; give one of them";
+        return Err(CliError::Usage(message.into()));
+    }
+    points.fix(column, input::kernel(word)?.index() as f64);
+    Ok(())
 }
 
 /// Samples of a point where none are asked for.

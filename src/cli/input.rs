@@ -1,4 +1,4 @@
-//! The scene that a verb works on, with the hypothesis files that it names.
+//! The scene that a verb works on, with the files of kernels and hypotheses that it names.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -9,8 +9,9 @@ use super::options::SceneOption;
 use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
 use crate::effects::reflection::FitStageError;
 use crate::fit::{FitError, Hypothesis};
+use crate::optics::kernel::Kernel;
 use crate::plan::Plan;
-use crate::scene::{Scene, limits};
+use crate::scene::{self, Scene, limits};
 use crate::store;
 
 /// A scene and what it refers to.
@@ -76,7 +77,15 @@ pub(super) fn load(option: &SceneOption) -> Result<Input, CliError> {
         let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
         (store::read(path, limits::FILE_BYTES)?, path.display().to_string(), folder)
     };
-    let scene = Scene::from_json(&bytes, &name)?;
+    let scene = Scene::with_kernels(&bytes, &name, |path, field| {
+        let file = store::inside(&folder, path)?;
+        let bytes = store::read(&file, limits::FILE_BYTES).map_err(|source| CliError::NamedFile {
+            scene: name.clone(),
+            field,
+            source,
+        })?;
+        Ok::<_, CliError>(scene::kernel(&bytes, &file.display().to_string())?)
+    })?;
     let (mut hypotheses, mut paths) = (Vec::new(), BTreeMap::new());
     for (path, field) in scene.hypotheses() {
         let file = store::inside(&folder, path)?;
@@ -89,9 +98,23 @@ pub(super) fn load(option: &SceneOption) -> Result<Input, CliError> {
     Ok(Input { scene, hypotheses, paths })
 }
 
+/// The kernel of a word of a command line: one of those with a formula, or the path of a table.
+pub(super) fn kernel(word: &str) -> Result<Kernel, CliError> {
+    if let Some(kernel) = Kernel::ALL.into_iter().find(|kernel| kernel.word() == word) {
+        return Ok(kernel);
+    }
+    if !word.ends_with(".json") {
+        let words = Kernel::ALL.map(Kernel::word).join(", ");
+        let message =
+            format!("kernel {word}: one of {words}, or the path of a .json file with a table, is called for");
+        return Err(CliError::Usage(message));
+    }
+    Ok(scene::kernel(&store::read(Path::new(word), limits::FILE_BYTES)?, word)?)
+}
+
 /// The text of a hypothesis file that a field of a scene names.
 fn hypothesis(file: &Path, scene: &str, field: String) -> Result<String, CliError> {
-    let bytes = store::read(file, limits::HYPOTHESIS_BYTES).map_err(|source| CliError::HypothesisFile {
+    let bytes = store::read(file, limits::HYPOTHESIS_BYTES).map_err(|source| CliError::NamedFile {
         scene: scene.to_owned(),
         field,
         source,

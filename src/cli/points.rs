@@ -84,6 +84,16 @@ impl Points {
         &self.rows
     }
 
+    /// Whether an optional input has a column with rows.
+    pub(super) fn has(&self, input: usize) -> bool {
+        self.rows.iter().any(|row| !row[input].is_nan())
+    }
+
+    /// Gives every row a value of an input.
+    pub(super) fn fix(&mut self, input: usize, value: f64) {
+        self.rows.iter_mut().for_each(|row| row[input] = value);
+    }
+
     /// The error that a row (from 0) cannot be computed, with its line.
     pub(super) fn refuse(&self, row: usize, message: &str) -> PointsError {
         let before = &self.bytes[..self.records.get(row).map_or(0, |range| range.start)];

@@ -210,7 +210,7 @@ impl Quantity {
                 vec![v.value, v.error]
             }
             "parallax-alpha" => {
-                let v = footprint::adjusted(kernel(x[2]), x[0], x[1], tolerance)?;
+                let v = footprint::adjusted(kernel(x[2])?, x[0], x[1], tolerance)?;
                 vec![v.alpha, v.tv, f64::from(u8::from(v.saturated)), v.error]
             }
             _ => {
@@ -266,9 +266,16 @@ fn side(index: f64) -> Side {
     if index == 0.0 { Side::Outside } else { Side::Inside }
 }
 
-/// The lobe of a word's index.
-fn kernel(index: f64) -> Kernel {
-    given(index).map_or(Kernel::default(), |index| Kernel::ALL[index as usize])
+/// The lobe of a word's index, or of a table's that follows the words ([`Kernel::index`]).
+fn kernel(index: f64) -> Result<Kernel, IntegrateError> {
+    let Some(index) = given(index) else { return Ok(Kernel::default()) };
+    let unknown = || IntegrateError::Domain {
+        quantity: "parallax-alpha",
+        input: "kernel",
+        value: index,
+        domain: "is the place of no kernel",
+    };
+    Kernel::at(index as usize).ok_or_else(unknown)
 }
 
 /// The specular lobe of a word's index.

@@ -36,6 +36,18 @@ pub enum IntegrateError {
         /// Where.
         place: String,
     },
+    /// What is sought as a minimum has none where it is sought.
+    #[error(
+        "{quantity} at {place}: {what} is sought and none is the best: the error falls to the end of what is searched"
+    )]
+    NoMinimum {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// Where.
+        place: String,
+        /// What is sought.
+        what: &'static str,
+    },
     /// A tolerance or sample count that makes no sense.
     #[error("{option} = {value}: {must}")]
     Option {

@@ -50,7 +50,7 @@ pub struct Plan {
     #[serde(skip)]
     pub couplings: Vec<CouplingJob>,
     /// The fits of the probes' lookups, one job for each kind of lobe that a chain is prefiltered with, in the order of
-    /// [`Kernel::ALL`](crate::optics::kernel::Kernel::ALL).
+    /// [`Kernel`](crate::optics::kernel::Kernel).
     #[serde(skip)]
     pub parallaxes: Vec<ParallaxJob>,
 }

@@ -1,6 +1,6 @@
 //! The fits that the scene's probes want, and what a plan says of them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::effect::{Effect, EffectName, JobSummary};
 use super::job::{Limit, ParallaxJob};
@@ -20,9 +20,10 @@ fn looked_up(scene: &Scene) -> impl Iterator<Item = (usize, &Probe, [f64; 2])> {
     probes.filter_map(|(i, probe)| Some((i, probe, probe.rough_range(scene.alpha)?)))
 }
 
-/// The fits that they want, by the lobe of their chains.
+/// The fits that they want, by the lobe of their chains in its order.
 pub(super) fn jobs(scene: &Scene) -> Vec<ParallaxJob> {
-    Kernel::ALL.into_iter().filter_map(|kernel| job(scene, kernel)).collect()
+    let kernels: BTreeSet<Kernel> = looked_up(scene).map(|(_, probe, _)| probe.kernel).collect();
+    kernels.into_iter().filter_map(|kernel| job(scene, kernel)).collect()
 }
 
 fn job(scene: &Scene, kernel: Kernel) -> Option<ParallaxJob> {
@@ -89,7 +90,7 @@ fn because(scene: &Scene, probe: &Probe, range: [f64; 2]) -> String {
     let roughness = range_text(range, widened(range, scene.alpha));
     let rho = range_text(probe.rho, widened_ratio(probe.rho));
     let mips = probe.mips.as_ref().map_or_else(String::new, |chain| format!("; {}", chain.text()));
-    let (name, kernel) = (&probe.name, probe.kernel.name());
+    let (name, kernel) = (&probe.name, probe.kernel.word());
     format!("{name}: probe prefiltered with the {kernel} lobe (roughness {roughness}, rho {rho}{mips})")
 }
 

@@ -11,12 +11,12 @@ pub struct Position {
     pub column: usize,
 }
 
-/// A scene that is refused. Every message names the file; its text holds no control characters.
+/// A scene, or the table of a kernel that it names, that is refused. Every message names the file; its text holds no control characters.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
     /// The file is longer than [`FILE_BYTES`](super::limits::FILE_BYTES).
-    #[error("{}: the scene is larger than {limit} bytes", visible(file))]
+    #[error("{}: the file is larger than {limit} bytes", visible(file))]
     TooLarge {
         /// File as the user named it.
         file: String,

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use schemars::{JsonSchema, Schema};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::error::{Position, SceneError};
@@ -14,6 +15,7 @@ use super::probe::Probe;
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word};
 use crate::data::{AlphaMap, Container, Smith};
+use crate::optics::kernel::Kernel;
 
 /// Domain of mu for fits where the scene gives none.
 const DEFAULT_MU: [f64; 2] = [0.01, 1.0];
@@ -95,18 +97,42 @@ fn formats(given: Option<List<Word<Container>, 4>>) -> Result<Vec<Container>, St
 }
 
 impl Scene {
-    /// Reads a scene; `file` is its name in messages.
+    /// Reads a scene that names no file of a kernel; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// What is no scene, with its place and field; a kernel in a file.
     pub fn from_json(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
-        let text = text::accept(bytes, file)?;
-        let mut json = serde_json::Deserializer::from_str(text);
-        let mut track = serde_path_to_error::Track::new();
-        let parsed =
-            SceneFile::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
-        let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), file))?;
-        json.end().map_err(|e| field_error(&e, "", file))?;
+        Scene::with_kernels(bytes, file, |path, field| {
+            let message = format!("`{path}` cannot be read from here");
+            Err(SceneError::Whole { file: file.into(), path: field, message })
+        })
+    }
+
+    /// Reads a scene; `kernel` reads the table of a path relative to the scene, which the field names.
+    ///
+    /// # Errors
+    /// As [`Scene::from_json`]; those of `kernel`.
+    pub fn with_kernels<E: From<SceneError>>(
+        bytes: &[u8],
+        file: &str,
+        mut kernel: impl FnMut(&str, String) -> Result<Kernel, E>,
+    ) -> Result<Scene, E> {
+        let mut scene = Scene::parsed(bytes, file)?;
+        for (i, probe) in scene.probes.iter_mut().enumerate() {
+            if let Some(path) = &probe.kernel_file {
+                probe.kernel = kernel(path, format!("probes[{i}].kernel"))?;
+            }
+        }
+        scene.check().map_err(|(path, message)| SceneError::Whole { file: file.into(), path, message })?;
+        Ok(scene)
+    }
+
+    /// The fields, each right by itself.
+    fn parsed(bytes: &[u8], file: &str) -> Result<Scene, SceneError> {
+        let parsed: SceneFile = read_object(bytes, file)?;
         let whole = |(path, message)| SceneError::Whole { file: file.into(), path, message };
         let formats = formats(parsed.formats.0).map_err(|message| whole(("formats".into(), message)))?;
-        let scene = Scene {
+        Ok(Scene {
             name: parsed.name.0.map_or_else(|| "scene".into(), |t| t.0),
             smith: parsed.smith.0.map_or_else(Smith::default, |w| w.0),
             alpha: parsed.alpha.0.map_or_else(AlphaMap::default, |w| w.0),
@@ -114,9 +140,7 @@ impl Scene {
             formats,
             materials: parsed.materials.0,
             probes: parsed.probes.0.map_or_else(Vec::new, |l| l.0),
-        };
-        scene.check().map_err(whole)?;
-        Ok(scene)
+        })
     }
 
     /// The scene that is compiled in, which every verb uses where none is given.
@@ -172,6 +196,7 @@ impl Scene {
 
     /// A probe whose every fetch is saturated has nothing to fit; rules of several fetches are fitted for one lobe alone.
     fn check_probes(&self) -> Result<(), (String, String)> {
+        self.check_kernels()?;
         for (i, probe) in self.probes.iter().enumerate() {
             if let Some((j, taps)) = probe.unruled() {
                 let message = format!(
@@ -188,6 +213,22 @@ impl Scene {
                            roughness; begin at a smaller one of them";
             Err((format!("probes[{i}].rho"), message.into()))
         })
+    }
+
+    /// Functions are named by their kernel's name: two tables of one name would have the same functions.
+    fn check_kernels(&self) -> Result<(), (String, String)> {
+        let mut known: BTreeMap<&str, (usize, Kernel)> = BTreeMap::new();
+        for (i, probe) in self.probes.iter().enumerate() {
+            let (first, kernel) = *known.entry(probe.kernel.name()).or_insert((i, probe.kernel));
+            if kernel != probe.kernel {
+                let name = kernel.name();
+                let message = format!(
+                    "the table calls its kernel `{name}`, as another one of probes[{first}] does; rename one"
+                );
+                return Err((format!("probes[{i}].kernel"), message));
+            }
+        }
+        Ok(())
     }
 
     /// Holds the texels of all different tables together to the limits, before anything is allocated.
@@ -249,6 +290,17 @@ fn add_table(
 /// The JSON Schema of the scene format.
 pub fn schema() -> Schema {
     schemars::schema_for!(SceneFile)
+}
+
+/// An object of a file of ours; `file` is its name in messages.
+pub(super) fn read_object<T: DeserializeOwned>(bytes: &[u8], file: &str) -> Result<T, SceneError> {
+    let text = text::accept(bytes, file)?;
+    let mut json = serde_json::Deserializer::from_str(text);
+    let mut track = serde_path_to_error::Track::new();
+    let parsed = T::deserialize(ObjectOnly(serde_path_to_error::Deserializer::new(&mut json, &mut track)));
+    let parsed = parsed.map_err(|e| field_error(&e, &track.path().to_string(), file))?;
+    json.end().map_err(|e| field_error(&e, "", file))?;
+    Ok(parsed)
 }
 
 /// serde_json's error as ours: its place moved to the front.

@@ -38,6 +38,10 @@ pub const PROBES: usize = 4096;
 pub const LEVELS_MIN: usize = 2;
 /// Most levels of a prefiltered chain: a cube of 32768 texels a side has as many.
 pub const LEVELS_MAX: usize = 16;
+/// Most widths of a kernel's table.
+pub const KERNEL_LOBES: usize = 64;
+/// Most angles of a lobe in a kernel's table.
+pub const KERNEL_ANGLES: usize = 4096;
 /// Most lookups of a probe.
 pub const LOOKUPS_MAX: usize = 16;
 /// Fewest planes of a proxy: those of a tetrahedron.

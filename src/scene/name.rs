@@ -26,25 +26,26 @@ impl TextRule for HypothesisPath {
     const EXPECTED: &'static str = "the relative path of a .wgsl file in quotes";
 
     fn check(text: &str) -> Result<(), String> {
-        if let Some(c) = text.chars().find(|&c| c.is_control() || matches!(c, '\\' | ':')) {
-            return Err(format!("the path holds {}; use a relative path with `/`", c.escape_default()));
-        }
-        if text.starts_with('/') {
-            return Err(format!("`{text}` is an absolute path; give it relative to the scene file"));
-        }
-        if text.split('/').any(|part| matches!(part, "" | "." | "..")) {
-            return Err(format!(
-                "`{text}` holds an empty part, `.` or `..`; name a file below the scene's folder"
-            ));
-        }
-        if stem(text).is_none_or(str::is_empty) {
-            return Err(format!("`{text}` does not end in .wgsl"));
-        }
-        Ok(())
+        relative(text, ".wgsl")
     }
 }
 
-/// The file's name without `.wgsl`.
-fn stem(path: &str) -> Option<&str> {
-    path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl"))
+/// Whether a path is relative, plain, and of a file whose name ends in `extension`; if not, the message.
+pub(super) fn relative(text: &str, extension: &str) -> Result<(), String> {
+    if let Some(c) = text.chars().find(|&c| c.is_control() || matches!(c, '\\' | ':')) {
+        return Err(format!("the path holds {}; use a relative path with `/`", c.escape_default()));
+    }
+    if text.starts_with('/') {
+        return Err(format!("`{text}` is an absolute path; give it relative to the scene file"));
+    }
+    if text.split('/').any(|part| matches!(part, "" | "." | "..")) {
+        return Err(format!(
+            "`{text}` holds an empty part, `.` or `..`; name a file below the scene's folder"
+        ));
+    }
+    let stem = text.rsplit('/').next().and_then(|file| file.strip_suffix(extension));
+    if stem.is_none_or(str::is_empty) {
+        return Err(format!("`{text}` does not end in {extension}"));
+    }
+    Ok(())
 }

@@ -57,6 +57,12 @@ intervals! {
     Planes = super::limits::PLANES_MIN as f64, super::limits::PLANES_MAX as f64, false, "[4, 64]";
     /// Fetches of a lookup.
     TapCount = 1.0, super::limits::TAPS_MAX as f64, false, "[1, 3]";
+    /// A GGX width above a mirror's.
+    Width = 0.0, 1.0, true, "(0, 1]";
+    /// An angle from the axis of a lobe, radians; its end is rounded up to any 7 digits.
+    QuarterTurn = 0.0, 1.570797, false, "[0, pi/2]";
+    /// Weights of a lobe.
+    NotNegative = 0.0, 1e30, false, "[0, 1e30]";
     /// Versions of the scene format.
     Version = 1.0, 1.0, false, "the versions that this program reads: 1";
 }

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::kernel::KernelWord;
 use super::limits;
 use super::material::rough_part;
 use super::name::Name;
@@ -26,6 +27,10 @@ pub struct Probe {
     pub name: String,
     /// The lobe that its chain is prefiltered with.
     pub kernel: Kernel,
+    /// The file of its table, relative to the scene, where it is one.
+    // What the table holds is part of what the scene means; where it lies is not.
+    #[serde(skip)]
+    pub kernel_file: Option<String>,
     /// Roughness range of what looks it up, in [0, 1], lo <= hi.
     pub roughness: [f64; 2],
     /// Distance of the shading point over that of the probe, from what they see; lo <= hi in [1e-6, 1e3].
@@ -72,9 +77,10 @@ struct ProbeFile {
     /// Name; unique among the probes.
     name: Text<Name>,
     /// The lobe that its levels are prefiltered with: `ndf` D(theta), `half` D(theta/2), `half-cosine` D(theta/2) cos(theta), which is
-    /// what engines bake and the default.
+    /// what engines bake and the default; or the path of a .json file, relative to the scene, with a table of another lobe
+    /// (`lobefit schema --kernel`).
     #[serde(default)]
-    kernel: Maybe<Word<Kernel>>,
+    kernel: Maybe<KernelWord>,
     /// Roughness of what looks it up: a number, or the range [lo, hi]; default [0.1, 1]. Where alpha is below 0.0001 it calls for
     /// nothing.
     #[serde(default)]
@@ -211,9 +217,16 @@ impl TryFrom<ProbeFile> for Probe {
     type Error = String;
 
     fn try_from(file: ProbeFile) -> Result<Self, String> {
+        let (kernel, kernel_file) = match file.kernel.0 {
+            None => (Kernel::default(), None),
+            Some(KernelWord::Known(kernel)) => (kernel, None),
+            // read when the whole scene is
+            Some(KernelWord::File(path)) => (Kernel::default(), Some(path)),
+        };
         Ok(Probe {
             name: file.name.0,
-            kernel: file.kernel.0.map_or_else(Kernel::default, |w| w.0),
+            kernel,
+            kernel_file,
             roughness: file.roughness.0.map_or(ROUGHNESS, |s| s.0),
             rho: file.rho.0.map_or(RHO, |s| s.0),
             mips: file.mips.0,

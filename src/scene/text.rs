@@ -12,7 +12,7 @@ pub(super) fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneEr
         |at: usize, message: String| SceneError::Text { file: file.into(), at: position(bytes, at), message };
     encoding(bytes).map_err(|message| fail(0, message.into()))?;
     let text = std::str::from_utf8(bytes)
-        .map_err(|e| fail(e.valid_up_to(), "this byte is not UTF-8; save the scene as UTF-8".into()))?;
+        .map_err(|e| fail(e.valid_up_to(), "this byte is not UTF-8; save the file as UTF-8".into()))?;
     nesting(bytes).map_err(|(at, message)| fail(at, message))?;
     Ok(text)
 }
@@ -25,7 +25,7 @@ fn encoding(bytes: &[u8]) -> Result<(), &'static str> {
             Err("the file looks like UTF-16 or UTF-32; save it as UTF-8")
         }
         _ if bytes.iter().all(u8::is_ascii_whitespace) => {
-            Err("the file is empty; a scene begins with `{`; see `lobefit schema`")
+            Err("the file is empty; an object begins with `{`; see `lobefit schema`")
         }
         _ => Ok(()),
     }
@@ -103,7 +103,7 @@ mod tests {
         };
         assert!(accept(&padded(limits::FILE_BYTES), "s").is_ok());
         let error = accept(&padded(limits::FILE_BYTES + 1), "s").unwrap_err();
-        assert_eq!(error.to_string(), "s: the scene is larger than 16777216 bytes");
+        assert_eq!(error.to_string(), "s: the file is larger than 16777216 bytes");
     }
 
     #[test]

@@ -11,6 +11,7 @@ mod eval;
 mod fit;
 mod fit_ends;
 mod hypotheses;
+mod kernels;
 mod records;
 mod search;
 mod usage;

@@ -33,6 +33,7 @@ fn density(kernel: Kernel, alpha: f64, theta: f64) -> f64 {
         Kernel::Ndf => d(alpha, theta),
         Kernel::Half => d(alpha, 0.5 * theta),
         Kernel::HalfCosine => d(alpha, 0.5 * theta) * cos(theta).max(0.0),
+        other => panic!("{other:?} has no formula"),
     }
 }
 

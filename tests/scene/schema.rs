@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use lobefit::scene::{Scene, schema};
+use lobefit::scene::{Scene, SceneError, kernel, kernel_schema, schema};
 use serde_json::{Value, json};
 
 /// What is wrong with `value` by the part of JSON Schema that ours is written in; any other keyword is an error.
@@ -41,6 +41,10 @@ fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &m
                 other => panic!("type {other}"),
             },
             "const" => value == rule,
+            "pattern" => {
+                assert_eq!(rule, "\\.json$", "a pattern that this test does not know");
+                value.as_str().is_some_and(|s| s.ends_with(".json"))
+            }
             "enum" => rule.as_array().expect("a list").contains(value),
             "oneOf" => rule.as_array().expect("a list").iter().filter(|r| passes(r)).count() == 1,
             "anyOf" => rule.as_array().expect("a list").iter().any(passes),
@@ -88,7 +92,10 @@ fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &m
 }
 
 fn check(text: &str) -> Vec<String> {
-    let schema: Value = schema().into();
+    follows(text, schema().into())
+}
+
+fn follows(text: &str, schema: Value) -> Vec<String> {
     let mut found = Vec::new();
     violations(&serde_json::from_str(text).unwrap(), &schema, &schema, "", &mut found);
     found
@@ -105,10 +112,15 @@ fn the_examples_and_the_built_in_scene_follow_it() {
     {
         let text = std::fs::read_to_string(&path).unwrap();
         assert_eq!(check(&text), Vec::<String>::new(), "{}", path.display());
-        Scene::from_json(text.as_bytes(), "example").unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        Scene::with_kernels(text.as_bytes(), "example", |file, _| {
+            kernel(&std::fs::read(root.join("examples").join(file)).unwrap(), file)
+        })
+        .unwrap_or_else(|e: SceneError| panic!("{}: {e}", path.display()));
         seen += 1;
     }
     assert!(seen >= 5);
+    let table = std::fs::read_to_string(root.join("examples/kernels/phong.json")).unwrap();
+    assert_eq!(follows(&table, kernel_schema().into()), Vec::<String>::new());
     Scene::built_in().unwrap();
 }
 

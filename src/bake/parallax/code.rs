@@ -41,7 +41,7 @@ pub(super) fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, Bake
 /// What a function holds of, so that it is not paired with another chain.
 pub(super) fn paired(lobe: &Lobe) -> String {
     let (kernel, map) = (lobe.job.kernel, lobe.job.alpha_map.name());
-    format!("for chains prefiltered with the {} lobe {}, alpha = {map}", kernel.name(), kernel.formula())
+    format!("for chains prefiltered with the {} lobe {}, alpha = {map}", kernel.word(), kernel.formula())
 }
 
 /// The header of a width: what it is, its error and its cost.

@@ -10,7 +10,7 @@ use crate::scene::Scene;
 
 /// Notes what is emitted for a lobe, and what is left out.
 pub(super) fn enter(lobe: &Lobe, scene: &Scene, entries: &mut Entries) -> Result<(), BakeError> {
-    let (kernel, alpha_map) = (lobe.job.kernel.name(), scene.alpha.name());
+    let (kernel, alpha_map) = (lobe.job.kernel.word(), scene.alpha.name());
     for (fit, variation) in lobe.measured().filter(|(fit, _)| fit.emitted) {
         if let Some(entry) = FitEntry::new(EFFECT, alpha_map, &fit.approximation) {
             entries.fits.push(canonical(&entry.fetching(kernel, beside(variation, &lobe.least)))?);

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use crate::cli::CliError;
+use crate::cli::input::kernel;
 use crate::cli::options::{ThreadsOption, positive, smith};
 use crate::data::{AlphaMap, Smith, Use};
 use crate::effects::target::TargetSpec;
@@ -57,7 +58,7 @@ pub(in crate::cli) struct Options {
     /// Range of an input; without it roughness 0.02..1, mu 0.01..1, f0 0..1, ior 1..2, alpha_x and alpha_y 0.02..1
     #[arg(long, value_name = "INPUT=LOW..HIGH", value_parser = domain)]
     pub domain: Vec<(String, [f64; 2])>,
-    /// Value of an input that is a word (side, specular), or one number for an input
+    /// Value of an input that is a word (side, specular, kernel, which may be a .json file with its table), or one number for an input
     #[arg(long, value_name = "INPUT=VALUE", value_parser = fix)]
     pub fix: Vec<(String, String)>,
     /// The formula equals the truth, or VALUE, wherever the input has this value
@@ -183,7 +184,7 @@ impl Options {
         for (input, value) in &self.fix {
             let known = match value.parse::<f64>() {
                 Ok(x) => domain.insert(input.clone(), [x, x]).is_some(),
-                Err(_) => words.insert(input.clone(), value.clone()).is_some(),
+                Err(_) => words.insert(input.clone(), word(input, value)?).is_some(),
             };
             if known {
                 return Err(twice("--fix", input));
@@ -230,7 +231,7 @@ impl Options {
         }
         self.weight.iter().for_each(|w| push("--weight ", w.clone()));
         self.domain.iter().for_each(|(i, [a, b])| push("--domain ", format!("{i}={a}..{b}")));
-        self.fix.iter().for_each(|(i, v)| push("--fix ", format!("{i}={v}")));
+        self.fix.iter().for_each(|(i, v)| push("--fix ", format!("{i}={}", without_folder(i, v))));
         self.demands().iter().for_each(|d| push("--", demand_option(d)));
         if self.precision != [Precision::F32] {
             self.precision.iter().for_each(|p| push("--precision ", p.name().into()));
@@ -294,6 +295,17 @@ fn once<T: Copy + PartialEq>(values: &[T]) -> Vec<T> {
         }
     }
     kept
+}
+
+/// The word of an input: of a kernel in a file that of its table.
+fn word(input: &str, value: &str) -> Result<String, CliError> {
+    if input == "kernel" { Ok(kernel(value)?.word().into()) } else { Ok(value.into()) }
+}
+
+/// The value of an input, of a kernel in a file the file's name.
+fn without_folder<'a>(input: &str, value: &'a str) -> &'a str {
+    let file = || Path::new(value).file_name().and_then(|name| name.to_str());
+    if input == "kernel" { file().unwrap_or(value) } else { value }
 }
 
 /// The name and the text of the formula's file.

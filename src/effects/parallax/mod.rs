@@ -57,7 +57,7 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
             smith: Smith::default(),
             alpha_map: spec.alpha_map,
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
-            words: BTreeMap::from([("kernel".to_string(), spec.kernel.name().to_string())]),
+            words: BTreeMap::from([("kernel".to_string(), spec.kernel.word().to_string())]),
         },
         own: &HYPOTHESES,
         rivals: RIVALS.iter().filter(|rival| squared || !rival.takes("roughness")).collect(),

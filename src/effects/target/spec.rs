@@ -8,6 +8,7 @@ use crate::data::{AlphaMap, Smith, Use};
 use crate::effects::{Input, Quantity, Values};
 use crate::fit::{Domain, FitError, Hypothesis};
 use crate::math::ops;
+use crate::optics::kernel::Kernel;
 
 /// What to approximate, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +80,9 @@ pub(super) const ROUGHNESS: &str = "roughness";
 
 /// A ratio of distances.
 const RHO: &str = "rho";
+
+/// The input whose words may be tables of the user's.
+const KERNEL: &str = "kernel";
 
 impl Span {
     /// The range of an input where none is asked for, inside the range of the quantity's own: that of the published comparisons,
@@ -181,7 +185,8 @@ impl Target {
             let [quantity, first] = [spec.quantity.name, words.first().copied().unwrap_or_default()];
             refuse(format!("{quantity} is asked for at one of {known}; say which, as --fix {input}={first}"))
         })?;
-        let index = words.iter().position(|w| w == given);
+        let table = || Kernel::of(given).filter(|_| input == KERNEL).map(Kernel::index);
+        let index = words.iter().position(|w| w == given).or_else(table);
         let index = index.ok_or_else(|| refuse(format!("{given} is not one of {known}")))?;
         self.words.insert(input.into(), given.clone());
         Ok(Given::Constant(index as f64))

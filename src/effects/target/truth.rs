@@ -95,7 +95,8 @@ impl Target {
         match self.way() {
             Way::Evaluate => tolerance(self.quantity),
             Way::Albedo | Way::Split | Way::Average | Way::Sheen => TRUTH_ERROR,
-            Way::Footprint => footprint::TOLERANCE,
+            Way::Footprint if self.kernel().is_analytic() => footprint::TOLERANCE,
+            Way::Footprint => footprint::TABLE_TOLERANCE,
         }
     }
 
@@ -156,9 +157,7 @@ impl Target {
 
     /// The lobe that a chain is prefiltered with.
     pub fn kernel(&self) -> Kernel {
-        let word = self.words.get("kernel");
-        let named = |kernel: &Kernel| word.is_some_and(|word| word == kernel.name());
-        Kernel::ALL.into_iter().find(named).unwrap_or_default()
+        self.words.get("kernel").and_then(|word| Kernel::of(word)).unwrap_or_default()
     }
 
     /// Best widths, and whether they are saturated.

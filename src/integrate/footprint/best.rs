@@ -12,11 +12,16 @@ use crate::optics::kernel::Kernel;
 /// Steps of ln R: exp(-pi^2/h) is 2e-11 and 1e-14.
 const STEPS: [f64; 2] = [0.4, 0.3];
 
+/// Steps where the kernel is a table, piecewise smooth alone; finer by [`REFINED`] as often as [`REFINEMENTS`] until they agree.
+const TABLE_STEPS: [f64; 2] = [0.1, 0.07];
+const REFINED: f64 = 0.5;
+const REFINEMENTS: usize = 4;
+
 /// ln alpha' is sought this far on either side of a closed form, and farther where the distance still falls; and this far above 0, where
 /// a width is saturated.
 const REACH: f64 = 0.3;
 
-/// Widenings of the interval: the closed form is nowhere off by a factor of 10.
+/// Widenings of the interval: the closed form is nowhere off by a factor of 10 where lobes are as wide as they say.
 const WIDENINGS: usize = 8;
 
 /// Widths above 1 that count as 1, in the logarithm: what rounding leaves at alpha = rho = 1.
@@ -53,17 +58,43 @@ pub fn adjusted(kernel: Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result<
     if alpha == 0.0 {
         return Ok(Adjusted { alpha: 0.0, tv: 0.0, saturated: false, error: 0.0 });
     }
-    let [coarse, fine] = STEPS;
-    let (rough, (exact, saturated)) =
-        (search(kernel, alpha, rho, coarse)?.0, search(kernel, alpha, rho, fine)?);
+    let mut steps = steps(kernel);
+    let mut refinements = if kernel.is_analytic() { 0 } else { REFINEMENTS };
+    loop {
+        let found = by_steps(kernel, alpha, rho, steps)?;
+        if found.error <= tolerance {
+            return Ok(found);
+        }
+        if refinements == 0 {
+            let (place, reached) = (place(alpha, rho), found.error);
+            return Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance });
+        }
+        refinements -= 1;
+        steps = steps.map(|step| step * REFINED);
+    }
+}
+
+/// The best width by the rule of the second step; its distance from that by the first bounds the error.
+fn by_steps(
+    kernel: Kernel,
+    alpha: f64,
+    rho: f64,
+    [coarse, fine]: [f64; 2],
+) -> Result<Adjusted, IntegrateError> {
+    let rough = search(kernel, alpha, rho, coarse)?.0;
+    let (exact, saturated) = search(kernel, alpha, rho, fine)?;
     // tv changes by at most the relative change of alpha'
     let error = 2.0 * (rough / exact - 1.0).abs() + FLAT;
-    if error > tolerance {
-        let place = format!("alpha = {alpha}, rho = {rho}");
-        return Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached: error, tolerance });
-    }
     let tv = variation(kernel, &kernel.lobe(alpha), rho, &kernel.lobe(exact), exact.min(alpha * rho));
     Ok(Adjusted { alpha: exact, tv, saturated, error })
+}
+
+fn place(alpha: f64, rho: f64) -> String {
+    format!("alpha = {alpha}, rho = {rho}")
+}
+
+fn steps(kernel: Kernel) -> [f64; 2] {
+    if kernel.is_analytic() { STEPS } else { TABLE_STEPS }
 }
 
 /// The best width and whether it is saturated, by the coarser rule alone: for many points.
@@ -72,7 +103,7 @@ pub fn adjusted(kernel: Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result<
 /// As [`adjusted`].
 pub fn best(kernel: Kernel, alpha: f64, rho: f64) -> Result<(f64, bool), IntegrateError> {
     check(alpha, rho)?;
-    if alpha == 0.0 { Ok((0.0, false)) } else { search(kernel, alpha, rho, STEPS[0]) }
+    if alpha == 0.0 { Ok((0.0, false)) } else { search(kernel, alpha, rho, steps(kernel)[0]) }
 }
 
 /// The squared distance of two encircled energies over the wall, by ln alpha'.
@@ -100,8 +131,7 @@ impl CostFunction for Distance {
 }
 
 fn search(kernel: Kernel, alpha: f64, rho: f64, step: f64) -> Result<(f64, bool), IntegrateError> {
-    let not_finite =
-        || IntegrateError::NotFinite { quantity: QUANTITY, place: format!("alpha = {alpha}, rho = {rho}") };
+    let not_finite = || IntegrateError::NotFinite { quantity: QUANTITY, place: place(alpha, rho) };
     let guess = rho * alpha / (1.0 + alpha - rho * alpha).max(rho * alpha);
     let lobe = kernel.lobe(alpha);
     let target = radii(kernel, guess.min(alpha * rho), rho.max(1.0), step)
@@ -109,7 +139,11 @@ fn search(kernel: Kernel, alpha: f64, rho: f64, step: f64) -> Result<(f64, bool)
         .collect();
     let distance = Distance { kernel, target };
     let middle = ops::log(guess);
-    let [low, high] = bracket(&distance, middle);
+    let [low, high] = bracket(&distance, middle).ok_or_else(|| IntegrateError::NoMinimum {
+        quantity: QUANTITY,
+        place: place(alpha, rho),
+        what: "a width of the fetch",
+    })?;
     let solver = BrentOpt::new(low, high).set_tolerance(SOUGHT, SOUGHT);
     let outcome = Executor::new(distance, solver)
         .configure(|state| state.max_iters(ITERATIONS))
@@ -121,20 +155,15 @@ fn search(kernel: Kernel, alpha: f64, rho: f64, step: f64) -> Result<(f64, bool)
     Ok(if found > SATURATED { (1.0, true) } else { (ops::exp(found).min(1.0), false) })
 }
 
-/// An interval of ln alpha' about `middle` with a minimum inside, or at its upper end where that is saturated.
-fn bracket(distance: &Distance, middle: f64) -> [f64; 2] {
-    let (mut low, mut high) = (middle - REACH, (middle + REACH).min(REACH));
-    for _ in 0..WIDENINGS {
-        if distance.at(low) >= distance.at(low + 0.5 * REACH) {
-            break;
-        }
-        low -= REACH;
-    }
-    for _ in 0..WIDENINGS {
-        if high >= REACH || distance.at(high) >= distance.at(high - 0.5 * REACH) {
-            break;
-        }
-        high = (high + REACH).min(REACH);
-    }
-    [low, high]
+/// An interval of ln alpha' about `middle` with a minimum inside, or at its upper end where that is saturated; `None` where the distance
+/// falls on and on, as with a table whose lobes do not follow their widths.
+fn bracket(distance: &Distance, middle: f64) -> Option<[f64; 2]> {
+    let lows = std::iter::successors(Some(middle - REACH), |low| Some(low - REACH));
+    let highs =
+        std::iter::successors(Some((middle + REACH).min(REACH)), |high| Some((high + REACH).min(REACH)));
+    let low = lows.take(WIDENINGS + 1).find(|low| distance.at(*low) >= distance.at(low + 0.5 * REACH))?;
+    let high = highs
+        .take(WIDENINGS + 1)
+        .find(|high| *high >= REACH || distance.at(*high) >= distance.at(high - 0.5 * REACH))?;
+    Some([low, high])
 }

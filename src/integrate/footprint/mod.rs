@@ -30,6 +30,10 @@ pub const RHO: [f64; 2] = [1e-6, 1e3];
 /// The tolerance of a value when none is asked for.
 pub const TOLERANCE: f64 = 1e-7;
 
+/// How far [`best`] is from the best width at most, where the kernel is a table of a dozen angles or more; of a formula's lobe it is within
+/// [`TOLERANCE`].
+pub const TABLE_TOLERANCE: f64 = 1e-4;
+
 const QUANTITY: &str = "parallax-alpha";
 
 fn check(alpha: f64, rho: f64) -> Result<(), IntegrateError> {

@@ -1,79 +1,29 @@
-//! Lobes about an axis as cubemaps are prefiltered with them, by the share of energy inside a cone.
-//!
-//! theta is the angle from the axis, u = tan^2(theta/2), c = cos(theta) = (1 - u)/(1 + u), A = alpha^2; a lobe covers the hemisphere
-//! u <= 1 and holds energy 1 there. With dc = -2/(1 + u)^2 du the unnormalised densities over u are
-//!
-//!   `ndf`          D(theta):                    2/((1 + u) (1 - (1-A) c^2))^2,
-//!   `half`         D(theta/2):                  2/(A + u)^2,
-//!   `half-cosine`  D(theta/2) cos(theta):       (1 - u)/((A + u)^2 (1 + u)),
-//!
-//! and all three have elementary integrals. The last is what engines bake (view, normal and mirror direction taken for one, samples
-//! weighted by their cosine: Karis 2013).
+//! A lobe of some width: energies, densities, quantiles.
 
-use crate::math::gauss::Gauss;
-use crate::math::ops;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Which lobe.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kernel {
-    /// GGX's distribution of normals over the angle itself.
-    Ndf,
-    /// GGX's distribution over half the angle: reflection about the axis.
-    Half,
-    /// The same, weighted by the cosine: what prefiltering bakes.
-    #[default]
-    HalfCosine,
-}
-
-impl Kernel {
-    /// All of them.
-    pub const ALL: [Kernel; 3] = [Kernel::Ndf, Kernel::Half, Kernel::HalfCosine];
-
-    /// The word used in options, headers and names.
-    pub fn name(self) -> &'static str {
-        match self {
-            Kernel::Ndf => "ndf",
-            Kernel::Half => "half",
-            Kernel::HalfCosine => "half-cosine",
-        }
-    }
-
-    /// In a formula.
-    pub fn formula(self) -> &'static str {
-        match self {
-            Kernel::Ndf => "D(theta)",
-            Kernel::Half => "D(theta/2)",
-            Kernel::HalfCosine => "D(theta/2) cos(theta)",
-        }
-    }
-
-    /// The power of the tangent with which the energy outside a wide cone falls: the density at the horizon is 0 or not.
-    pub fn decay(self) -> f64 {
-        if self == Kernel::HalfCosine { 2.0 } else { 1.0 }
-    }
-
-    /// The lobe of a width alpha in (0, 2]: above 1 it is wider than any that a shader has, and rises towards the horizon.
-    pub fn lobe(self, alpha: f64) -> Lobe {
-        let mut lobe = Lobe { kernel: self, a2: alpha * alpha, whole: 1.0 };
-        lobe.whole = lobe.within(1.0);
-        lobe
-    }
-}
+use super::Kernel;
+use super::tabulated::Blend;
+use crate::math::gauss::Gauss;
+use crate::math::ops;
 
 /// A lobe of some width.
 #[derive(Clone, Copy, Debug)]
 pub struct Lobe {
-    kernel: Kernel,
+    form: Form,
     a2: f64,
     /// The unnormalised energy of the hemisphere.
     whole: f64,
+}
+
+/// What a kernel is of one width.
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    Ndf,
+    Half,
+    HalfCosine,
+    Table(Blend),
 }
 
 /// Widths whose square lies between this and its inverse are integrated by a rule: closed forms cancel at alpha = 1.
@@ -86,8 +36,20 @@ const QUANTILE_STEPS: usize = 200;
 static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(16));
 
 impl Lobe {
+    pub(super) fn new(kernel: Kernel, alpha: f64) -> Lobe {
+        let form = match kernel {
+            Kernel::Ndf => Form::Ndf,
+            Kernel::Half => Form::Half,
+            Kernel::HalfCosine => Form::HalfCosine,
+            Kernel::Tabulated(table) => Form::Table(table.blend(alpha)),
+        };
+        let mut lobe = Lobe { form, a2: alpha * alpha, whole: 1.0 };
+        lobe.whole = lobe.within(1.0);
+        lobe
+    }
+
     /// The share of energy inside a cone, by the tangent t >= 0 of its angle; an infinite tangent is the horizon, where it is 1.
-    /// Absolute error below 1e-14.
+    /// Absolute error below 1e-14, of a table's lobe as it is interpolated.
     pub fn encircled(&self, t: f64) -> f64 {
         self.within(half_tangent2(t)) / self.whole
     }
@@ -131,13 +93,14 @@ impl Lobe {
     /// Unnormalised density over u.
     fn density(&self, u: f64) -> f64 {
         let a2 = self.a2;
-        match self.kernel {
-            Kernel::Ndf => {
+        match &self.form {
+            Form::Ndf => {
                 let across = self.across(u) * (1.0 + u);
                 2.0 / (across * across)
             }
-            Kernel::Half => 2.0 / ((a2 + u) * (a2 + u)),
-            Kernel::HalfCosine => (1.0 - u) / ((a2 + u) * (a2 + u) * (1.0 + u)),
+            Form::Half => 2.0 / ((a2 + u) * (a2 + u)),
+            Form::HalfCosine => (1.0 - u) / ((a2 + u) * (a2 + u) * (1.0 + u)),
+            Form::Table(blend) => blend.density(a2, u),
         }
     }
 
@@ -149,15 +112,12 @@ impl Lobe {
     /// Unnormalised energy from the axis to u in [0, 1].
     fn within(&self, u: f64) -> f64 {
         let a2 = self.a2;
-        if self.kernel == Kernel::Half {
-            return 2.0 * u / (a2 * (a2 + u));
-        }
-        if (NEAR_ONE..=1.0 / NEAR_ONE).contains(&a2) {
-            return RULE.integrate(0.0, u, |v| self.density(v));
-        }
-        match self.kernel {
-            Kernel::Ndf => self.beyond(0.0) - self.beyond(u),
-            _ => {
+        match &self.form {
+            Form::Half => 2.0 * u / (a2 * (a2 + u)),
+            Form::Table(blend) => blend.within(a2, u),
+            _ if (NEAR_ONE..=1.0 / NEAR_ONE).contains(&a2) => RULE.integrate(0.0, u, |v| self.density(v)),
+            Form::Ndf => self.beyond(0.0) - self.beyond(u),
+            Form::HalfCosine => {
                 let rest = 1.0 - a2;
                 let logarithms = ops::log1p(u) - ops::log1p(u / a2);
                 2.0 / (rest * rest) * logarithms + (1.0 + a2) / rest * u / (a2 * (a2 + u))

@@ -1,0 +1,110 @@
+//! Lobes about an axis as cubemaps are prefiltered with them, by the share of energy inside a cone.
+//!
+//! theta is the angle from the axis, u = tan^2(theta/2), c = cos(theta) = (1 - u)/(1 + u), A = alpha^2; a lobe covers the hemisphere
+//! u <= 1 and holds energy 1 there. With dc = -2/(1 + u)^2 du the unnormalised densities over u are
+//!
+//!   `ndf`          D(theta):                    2/((1 + u) (1 - (1-A) c^2))^2,
+//!   `half`         D(theta/2):                  2/(A + u)^2,
+//!   `half-cosine`  D(theta/2) cos(theta):       (1 - u)/((A + u)^2 (1 + u)),
+//!
+//! and all three have elementary integrals. The last is what engines bake (view, normal and mirror direction taken for one, samples
+//! weighted by their cosine: Karis 2013). A renderer that bakes another lobe gives it as a table ([`tabulated`](tabulated())).
+
+mod lobe;
+mod tabulated;
+
+pub use lobe::Lobe;
+pub use tabulated::{ANGLES_MIN, TableError, TableLobe, Tabulated, tabulated};
+
+use serde::{Serialize, Serializer};
+
+/// Which lobe.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Kernel {
+    /// GGX's distribution of normals over the angle itself.
+    Ndf,
+    /// GGX's distribution over half the angle: reflection about the axis.
+    Half,
+    /// The same, weighted by the cosine: what prefiltering bakes.
+    #[default]
+    HalfCosine,
+    /// A table of the user's.
+    Tabulated(&'static Tabulated),
+}
+
+impl Kernel {
+    /// All that have a formula.
+    pub const ALL: [Kernel; 3] = [Kernel::Ndf, Kernel::Half, Kernel::HalfCosine];
+
+    /// The kernel of a word: one of those with a formula, or a table that was given in this process.
+    pub fn of(word: &str) -> Option<Kernel> {
+        let tables = tabulated::known().into_iter().map(Kernel::Tabulated);
+        Kernel::ALL.into_iter().chain(tables).find(|kernel| kernel.word() == word)
+    }
+
+    /// Its place among the kernels that this process knows: those with a formula, then tables as they were given.
+    pub fn index(self) -> usize {
+        match self {
+            Kernel::Ndf => 0,
+            Kernel::Half => 1,
+            Kernel::HalfCosine => 2,
+            Kernel::Tabulated(table) => Kernel::ALL.len() + table.index(),
+        }
+    }
+
+    /// The kernel of a place.
+    pub fn at(index: usize) -> Option<Kernel> {
+        let table = || tabulated::known().get(index - Kernel::ALL.len()).copied().map(Kernel::Tabulated);
+        Kernel::ALL.get(index).copied().or_else(table)
+    }
+
+    /// What functions are named by; two tables may have one name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kernel::Tabulated(table) => table.name(),
+            _ => self.word(),
+        }
+    }
+
+    /// The word used in options, headers and results, which no other kernel has: of a table its name with a hash of what it holds.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kernel::Ndf => "ndf",
+            Kernel::Half => "half",
+            Kernel::HalfCosine => "half-cosine",
+            Kernel::Tabulated(table) => table.word(),
+        }
+    }
+
+    /// In a formula.
+    pub fn formula(self) -> &'static str {
+        match self {
+            Kernel::Ndf => "D(theta)",
+            Kernel::Half => "D(theta/2)",
+            Kernel::HalfCosine => "D(theta/2) cos(theta)",
+            Kernel::Tabulated(table) => table.formula(),
+        }
+    }
+
+    /// The power of the tangent with which the energy outside a wide cone falls: the density at the horizon is 0 or not.
+    pub fn decay(self) -> f64 {
+        if self == Kernel::HalfCosine { 2.0 } else { 1.0 }
+    }
+
+    /// Whether its energy is an analytic function of the angle, on which rules of few nodes are exact.
+    pub fn is_analytic(self) -> bool {
+        !matches!(self, Kernel::Tabulated(_))
+    }
+
+    /// The lobe of a width alpha in (0, 2]: above 1 it is wider than any that a shader has, and rises towards the horizon.
+    pub fn lobe(self, alpha: f64) -> Lobe {
+        Lobe::new(self, alpha)
+    }
+}
+
+/// As its word.
+impl Serialize for Kernel {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.word())
+    }
+}
