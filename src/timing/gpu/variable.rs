@@ -13,6 +13,8 @@ pub(super) enum Variable {
     Ray,
     /// A direction less than a right angle from the ray, of unit length.
     Normal,
+    /// A direction less than a right angle from the normal, of unit length.
+    View,
     /// A place in the room.
     Place,
     /// What is the same for all pixels.
@@ -63,6 +65,7 @@ impl Variable {
             TypeInner::Vector { size: VectorSize::Tri, scalar: Scalar::F32 } => match name {
                 "ray" => Some(Variable::Ray),
                 "normal" => Some(Variable::Normal),
+                "view" => Some(Variable::View),
                 "place" => Some(Variable::Place),
                 _ => CORNERS.into_iter().find(|c| *c == name).map(|c| Variable::Held(Held::Corner(c))),
             },
@@ -75,12 +78,13 @@ impl Variable {
         let (roughness, low, high) = SCALARS[0];
         let mut made: Vec<Variable> = Vec::new();
         for input in inputs {
-            let before = match input {
-                Variable::Alpha => Some(Variable::Scalar(roughness, low, high)),
-                Variable::Normal => Some(Variable::Ray),
-                _ => None,
+            let before: &[Variable] = match input {
+                Variable::Alpha => &[Variable::Scalar(roughness, low, high)],
+                Variable::Normal => &[Variable::Ray],
+                Variable::View => &[Variable::Ray, Variable::Normal],
+                _ => &[],
             };
-            for variable in before.into_iter().chain([*input]) {
+            for variable in before.iter().copied().chain([*input]) {
                 if !made.contains(&variable) {
                     made.push(variable);
                 }
@@ -96,6 +100,7 @@ impl Variable {
             Variable::Alpha => "timed_alpha".into(),
             Variable::Ray => "timed_ray".into(),
             Variable::Normal => "timed_normal".into(),
+            Variable::View => "timed_view".into(),
             Variable::Place => "timed_place".into(),
             Variable::Held(Held::Corner(name)) => format!("timed.{name}.xyz"),
             Variable::Held(Held::Planes(_)) => "timed_planes".into(),
@@ -121,6 +126,7 @@ impl Variable {
             .into(),
             // Shorter than the ray: their sum is less than a right angle from it.
             Variable::Normal => "    let timed_lean = 0.8 * timed_base.yzx;\n".into(),
+            Variable::View => "    let timed_rise = 0.8 * timed_base.zxy;\n".into(),
             Variable::Place => {
                 "    let timed_from = vec3<f32>(timed_spot - 0.5, 0.5 - timed_spot.x);\n".into()
             }
@@ -141,6 +147,7 @@ impl Variable {
                     .into()
             }
             Variable::Normal => "        let timed_normal = normalize(timed_ray + timed_lean);\n".into(),
+            Variable::View => "        let timed_view = normalize(timed_normal + timed_rise);\n".into(),
             Variable::Place => {
                 "        let timed_place = timed_from + timed_turn * vec3<f32>(0.3, -0.2, 0.25);\n".into()
             }
@@ -153,7 +160,7 @@ impl Variable {
         let name = self.expression();
         match self {
             Variable::Scalar(..) | Variable::Alpha => Some(name),
-            Variable::Ray | Variable::Normal | Variable::Place => {
+            Variable::Ray | Variable::Normal | Variable::View | Variable::Place => {
                 Some(format!("{name}.x + {name}.y + {name}.z"))
             }
             Variable::Held(_) => None,
