@@ -56,8 +56,10 @@ pub enum GpuClock {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum GpuKind {
-    /// A plain texture fetch, to compare with.
+    /// A plain fetch from a texture of two or three axes, to compare with.
     Fetch,
+    /// A plain fetch from a cubemap, filtered between levels.
+    CubemapFetch,
     /// A fit, or a published formula.
     Fit,
     /// A table by its lookup, the fetch included.

@@ -15,7 +15,7 @@ pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> 
     let of = |kinds: &[GpuKind]| -> Vec<&GpuRow> {
         record.rows.iter().filter(|row| kinds.contains(&row.kind)).collect()
     };
-    let lookups = of(&[GpuKind::Lookup, GpuKind::LookupFetches]);
+    let lookups = of(&[GpuKind::CubemapFetch, GpuKind::Lookup, GpuKind::LookupFetches]);
     if !lookups.is_empty() {
         sections.push(plain("lookups", "Lookups of probes", LOOKUPS, &lookups));
     }

@@ -167,7 +167,10 @@ impl Collector {
             self.fetches.insert(texels.to_string(), self.jobs.all.len());
             self.jobs.all.push(Job {
                 name,
-                kind: GpuKind::Fetch,
+                kind: match texels.shape {
+                    Shape::Cube(..) => GpuKind::CubemapFetch,
+                    Shape::Flat(..) | Shape::Solid(..) => GpuKind::Fetch,
+                },
                 function: None,
                 ops: None,
                 fetches: 1,
