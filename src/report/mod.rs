@@ -63,7 +63,7 @@ pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
-    Spheres, Spread, Style, Worst, disc,
+    Spheres, Spread, Style, Tile, Worst, disc,
 };
 pub use timings::{
     TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,

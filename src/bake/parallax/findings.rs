@@ -98,13 +98,13 @@ fn row(spread: Spread) -> VariationRow {
 
 /// What the best width leaves, in every measure.
 fn least(lobe: &Lobe) -> Vec<Field> {
-    let measures: [(&str, fn(&Measures) -> f64); 4] = [
-        ("total variation", |m| m.tv),
-        ("root mean square difference", |m| m.l2),
-        ("largest difference", |m| m.max),
-        ("encircled energy", |m| m.encircled),
-    ];
-    measures.map(|(name, of)| field(lobe, name, false, |_, cell| of(&cell.least))).into()
+    let plane = |name: &str, of: fn(&Measures) -> f64| field(lobe, name, false, |_, cell| of(&cell.least));
+    vec![
+        plane("total variation", |least| least.tv),
+        plane("root mean square difference", |least| least.l2),
+        plane("largest difference", |least| least.max),
+        plane("encircled energy", |least| least.encircled),
+    ]
 }
 
 /// A field over the grid, roughness along x and rho along y.

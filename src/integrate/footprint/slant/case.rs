@@ -81,16 +81,6 @@ impl Case {
         Ok(Case { slant, kernel, alpha, stretch, wall, target, whitened })
     }
 
-    /// The wall.
-    pub fn wall(&self) -> &Wall {
-        &self.wall
-    }
-
-    /// The lobe's footprint.
-    pub fn target(&self) -> &Footprint {
-        &self.target
-    }
-
     /// The footprint of one fetch about the probe's ray to the place looked at, of a width in (0, 1].
     pub fn straight(&self, alpha: f64) -> Footprint {
         let probe = self.slant.probe_place();

@@ -39,12 +39,8 @@ fn served(lobe: &ParallaxLobe) -> Option<[f64; 4]> {
 /// All of the total variation, then every measure up to the largest that one fetch can serve.
 fn planes(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
     let fields: Vec<_> = lobe.least.iter().map(words::labelled).collect();
-    let map = |title: &str, i: usize| HeatMap {
-        marks: lobe.saturated.clone(),
-        size: (250.0, 200.0),
-        ..HeatMap::of(title, &fields[i])
-    };
-    let mut maps = vec![map("total variation, all of it", 0)];
+    let map = |title: &str, i: usize| HeatMap { size: (250.0, 200.0), ..HeatMap::of(title, &fields[i]) };
+    let mut maps = vec![HeatMap { marks: lobe.saturated.clone(), ..map("total variation, all of it", 0) }];
     for (i, max) in served(lobe).into_iter().flatten().enumerate().filter(|(_, max)| *max > 0.0) {
         let shade = Shade::Magnitude { min: 0.0, max: round_up(max, 1), spread: Spread::Linear };
         maps.push(HeatMap { shade, ..map(MEASURES[i].0, i) });
@@ -52,17 +48,15 @@ fn planes(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
     let told = MEASURES.map(|(name, what)| format!("{name}, {what}")).join("; ");
     let caption = format!(
         "What the best single fetch leaves, a number without unit in each measure: {told}. But for the first plane each ends at its largest that is not \
-         saturated. Rings: saturated, α′ = 1; beyond, a wider lobe is asked for than there is, and no choice of α′ helps."
+         saturated. Rings, in the first: saturated, α′ = 1; beyond, a wider lobe is asked for than there is, and no choice of α′ helps."
     );
     figures(&maps, &caption)
 }
 
 fn table(lobe: &ParallaxLobe) -> TextTable {
     let mut columns = vec![("name", false)];
-    for first in ["ρ < 1: L2 mean", "ρ > 1: L2 mean"] {
-        columns.extend(
-            [first, "max", "largest: mean", "max", "encircled: mean", "max"].map(|name| (name, true)),
-        );
+    for first in ["ρ < 1: L2", "ρ > 1: L2"] {
+        columns.extend([first, "max", "largest", "max", "encircled", "max"].map(|name| (name, true)));
     }
     let cells = |row: &Option<VariationRow>| -> Vec<String> {
         let figures = |row: &VariationRow| {
@@ -77,7 +71,7 @@ fn table(lobe: &ParallaxLobe) -> TextTable {
     let mut table = words::table(
         &columns,
         lobe.variations.iter().map(row).collect(),
-        "The other measures over the same cells; maxima are rounded up.",
+        "Mean and maximum of the other measures over the same cells; maxima are rounded up.",
     );
     table.muted = lobe.variations.iter().map(|v| v.published).collect();
     table
