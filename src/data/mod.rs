@@ -22,7 +22,7 @@ pub use cost::Cost;
 pub use decode::Decode;
 pub use layout::{Layout, Serves, VolumeLayout};
 pub use lobe::{AlphaMap, Smith};
-pub use lookup::ProbeLookup;
+pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use mips::{LOG_SCALE, MipChain, MipMap};
 pub use norm::Norm;
 pub use table::{Channel, Table, TableError, TexelFormat};

@@ -286,7 +286,9 @@ pub struct LookupFunction {
     pub proxy: String,
     /// `smooth` or `sharp`.
     pub edges: &'static str,
-    /// The power of smooth edges, a formula of alpha.
+    /// What the lobe of the surface is taken for: `mirror` or `fitted`.
+    pub lobe: &'static str,
+    /// The power of smooth edges, a formula of alpha, or of the `width` of the fitted lobe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub power: Option<String>,
     /// What it returns beside a direction: `width` or `mip`.

@@ -90,13 +90,14 @@ pub(super) fn unused(language: Language, arguments: &[&str], body: &str) -> Stri
     arguments.iter().filter(|name| !mentions(body, name)).map(line).collect()
 }
 
-/// Functions of coordinates, decodings and lookups, with their names in C. All but log2 and pow are exact on every machine; the last
+/// Functions of coordinates, decodings and lookups, with their names in C. All but exp2, log2 and pow are exact on every machine; the last
 /// bits of those are the machine's.
-const FUNCTIONS: [(&str, &str); 6] = [
+const FUNCTIONS: [(&str, &str); 7] = [
     ("sqrt", "sqrtf"),
     ("abs", "fabsf"),
     ("min", "fminf"),
     ("max", "fmaxf"),
+    ("exp2", "exp2f"),
     ("log2", "log2f"),
     ("pow", "powf"),
 ];

@@ -108,10 +108,15 @@ fn summary(job: &ParallaxJob) -> JobSummary {
         1 => ", and a lookup".into(),
         n => format!(", and {n} lookups"),
     };
+    let fitted = match job.lookups.iter().filter(|(lookup, _)| lookup.is_fitted()).count() {
+        0 => String::new(),
+        n if n == job.lookups.len() => " of the lobe fitted to GGX".into(),
+        n => format!(", {n} of the lobe fitted to GGX"),
+    };
     JobSummary {
         name: format!("parallax-{kernel}"),
         approximation: format!(
-            "fits of the width of a fetch from a {kernel} chain, {ops} operations, {}{chains}{lookups}",
+            "fits of the width of a fetch from a {kernel} chain, {ops} operations, {}{chains}{lookups}{fitted}",
             norms.join(" and ")
         ),
         ranges: BTreeMap::from([("rho", job.rho), ("roughness", job.roughness)]),

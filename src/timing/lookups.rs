@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use super::seconds;
-use crate::data::ProbeLookup;
-use crate::effects::parallax::{TapRule, Taps};
+use crate::data::{ProbeLookup, SurfaceLobe};
+use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
 use crate::effects::room::proxies::{Body, Tied};
 use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
 use crate::math::sobol::Sobol;
@@ -29,9 +29,9 @@ pub(super) fn lookups(scene: &Scene) -> Vec<TimedLookup> {
 fn timed(lookup: ProbeLookup) -> Option<TimedLookup> {
     let body = Body::new(&shape(lookup.planes), [0.1, -0.2, 0.05])?;
     let time = if lookup.smooth {
-        per_pixel(Tied { body, tie: Tied::FITTED }, lookup.taps)
+        per_pixel(Tied { body, tie: Tied::FITTED }, lookup)
     } else {
-        per_pixel(body, lookup.taps)
+        per_pixel(body, lookup)
     };
     Some(TimedLookup { lookup: lookup.text(), fetches: lookup.taps, nanoseconds: time * 1e9 })
 }
@@ -47,13 +47,18 @@ fn shape(planes: Option<u32>) -> Convex {
     Convex { planes: (0..planes).map(normal).collect() }
 }
 
-fn per_pixel<P: Proxy>(proxy: P, taps: u32) -> f64 {
-    let rule = match taps {
+fn per_pixel<P: Proxy>(proxy: P, wanted: ProbeLookup) -> f64 {
+    let rule = match wanted.taps {
         2 => TapRule::two(),
         3 => TapRule::three(),
         _ => TapRule::one(),
     };
-    let lookup = Taps { proxy, probe: [0.1, -0.2, 0.05], rule };
+    let shading = match wanted.lobe {
+        SurfaceLobe::Mirror => Shading::Mirror,
+        SurfaceLobe::Fitted => Shading::Fitted(LobeFit::of(wanted.taps)),
+    };
+    let (probe, ratio, width) = ([0.1, -0.2, 0.05], Ratio::Area, Width::Rational);
+    let lookup = Corrected { proxy, probe, shading, rule, ratio, width };
     let points = pixels();
     let time = seconds(|| {
         for seen in &points {

@@ -72,7 +72,7 @@ fn a_probe_is_fitted_certified_and_emitted_in_every_language() {
     }
     let page = String::from_utf8_lossy(&ROOM.files["reports/parallax.html"]).into_owned();
     assert!(
-        ["parallax_frostbite", "parallax_godot", "best width", "parallax_mip_log_7"]
+        ["parallax_frostbite", "parallax_godot", "best width", "parallax_mip_log_7", "of the other measures"]
             .iter()
             .all(|x| page.contains(x))
     );
@@ -167,20 +167,31 @@ fn a_promise_on_the_total_variation_is_kept_or_told() {
 fn lookups_are_on_the_page() {
     let baked = baked(
         r#"{"name": "hall", "max_ops": 9, "norms": ["max"], "mips": {"map": "linear", "count": 7},
-            "lookups": [{}, {"planes": 8, "edges": "sharp", "taps": 3}]}"#,
+            "lookups": [{}, {"planes": 8, "edges": "sharp", "taps": 3}, {"taps": 2, "lobe": "fitted"}]}"#,
     );
     let page = String::from_utf8_lossy(&baked.files["reports/parallax.html"]).into_owned();
     let section = &page[page.find("Lookups through a proxy").expect("a section")..];
     let manifest = manifest(&baked);
     let entries = manifest["lookups"].as_array().expect("lookups");
-    assert_eq!(entries.len(), 2);
+    let lobes: Vec<&str> = entries.iter().filter_map(|entry| entry["lobe"].as_str()).collect();
+    assert_eq!(lobes, ["mirror", "mirror", "fitted"]);
+    assert_eq!(
+        entries[2]["inputs"],
+        serde_json::json!(["place", "normal", "view", "alpha", "low", "high", "probe"])
+    );
     for entry in entries {
         let name = entry["function"].as_str().expect("a name");
         let row = &section[section.find(&format!(">{name}<")).expect("a row")..];
         let row = &row[..row.find("</tr>").expect("its end")];
         let proxy = entry["proxy"].as_str().expect("a proxy").replace('_', " ");
         let cost = |key: &str| entry["cost"][key].as_u64().expect("a number").to_string();
-        for told in [proxy, cost("ops"), cost("fetches"), entry["edges"].as_str().expect("edges").into()] {
+        for told in [
+            proxy,
+            cost("ops"),
+            cost("fetches"),
+            entry["edges"].as_str().expect("edges").into(),
+            entry["lobe"].as_str().expect("a lobe").into(),
+        ] {
             assert!(row.contains(&format!(">{told}<")), "{told} in {row}");
         }
         assert!(row.contains(entry["chain"].as_str().expect("a chain")), "{row}");

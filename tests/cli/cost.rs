@@ -5,9 +5,11 @@ use crate::common;
 use common::{lobefit, names, stderr};
 use serde_json::Value;
 
-/// Formulas of three operations over a narrow range.
+/// Formulas of three operations over a narrow range, and lookups of either lobe.
 const SCENE: &str = r#"{"schema_version": 1, "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
-  "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 3}}}]}"#;
+  "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 3}}}],
+  "probes": [{"name": "p", "norms": ["max"], "max_ops": 9,
+    "lookups": [{"taps": 3}, {"lobe": "fitted"}, {"taps": 3, "lobe": "fitted"}]}]}"#;
 
 /// A scene that calls for no effect.
 const SMOOTH: &[u8] = include_bytes!("../../examples/mirrors.json");
@@ -45,6 +47,13 @@ fn it_writes_positive_times_beside_a_bake_and_nothing_else() {
     for one in evaluations {
         positive(&serde_json::json!([one["nanoseconds"], one["max_error"]]));
     }
+
+    let lookups = times["lookups"].as_array().expect("a list");
+    assert_eq!(
+        lookups.iter().filter(|one| one["lookup"].to_string().contains("of the fitted lobe")).count(),
+        2
+    );
+    positive(&lookups.iter().map(|one| one["nanoseconds"].clone()).collect());
 
     assert!(run("bake", &["--out", "out", "--quiet"]).is_empty());
     assert!(run("cost", &["--out", "out", "--quiet"]).is_empty());

@@ -214,7 +214,7 @@ fn kernels_that_cannot_be_had_are_told_by_field() {
         ),
         (
             probe("p", "a.json", r#", "lookups": [{}, {"taps": 2}]"#),
-            "probes[0].lookups[1].taps: 2 fetches: rules of several fetches are fitted for half-cosine chains",
+            "probes[0].lookups[1].taps: 2 fetches: rules of several fetches are fitted for ndf, half and half-cosine chains",
         ),
     ] {
         let scene = format!(r#"{{"schema_version": 1, "materials": [], "probes": [{probes}]}}"#);

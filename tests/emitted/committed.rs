@@ -2,7 +2,26 @@
 
 use std::path::Path;
 
+use lobefit::effects::parallax::Width;
+use serde_json::Value;
+
 use crate::emit_support::{baked, say};
+
+/// What the study takes for the width of emitted lookups is the fit that the committed ones call.
+#[test]
+fn the_width_of_emitted_lookups_is_the_studys() {
+    let manifest: Value = serde_json::from_slice(&baked().0.files["manifest.json"]).expect("JSON");
+    let lookups = manifest["lookups"].as_array().expect("lookups");
+    assert!(lookups.iter().any(|one| one["lobe"] == "fitted"));
+    let fits = manifest["fits"].as_array().expect("fits");
+    for lookup in lookups {
+        let fit = fits.iter().find(|fit| fit["name"] == lookup["width"]).expect("the width");
+        assert_eq!(fit["hypothesis"], "parallax_cubic");
+        let ours = ["k", "c", "d"].map(|name| fit["coefficients"][name].as_f64().expect("a number") as f32);
+        let Width::Cubic { k, c, d } = Width::EMITTED else { panic!("another formula") };
+        assert_eq!([k, c, d].map(|x| x as f32), ours);
+    }
+}
 
 /// What `bake` writes; folders below hold what other commands and people write.
 const FOLDERS: [&str; 3] = ["tables", "fits", "reports"];

@@ -5,7 +5,7 @@ use crate::emit_support::compilers::{Target, glslang};
 use crate::emit_support::say;
 use crate::gpu_support::device::WORKGROUP;
 use crate::gpu_support::gpu;
-use crate::lookups::{EMITTED, Emitted, bytes, literal, points, text};
+use crate::lookups::{EMITTED, Emitted, bytes, literal, text};
 use lobefit::emit::code::Language;
 
 /// Numbers of a point, without its last.
@@ -43,7 +43,7 @@ fn called(language: Language, emitted: &Emitted) -> String {
     let three = if language == Language::Wgsl { "vec3<f32>" } else { three };
     let at = |k: usize| format!("test_points[i * {WIDTH}u + {k}u]");
     let vector = |k: usize| format!("{three}({}, {}, {})", at(k), at(k + 1), at(k + 2));
-    let normal = if taps == 1 { String::new() } else { format!("{}, ", vector(3)) };
+    let normal = if emitted.takes_normal() { format!("{}, ", vector(3)) } else { String::new() };
     let call = format!("{}({}, {normal}{}, {}, {names})", emitted.name(), vector(0), vector(6), at(9));
     let kind = match (language, taps) {
         (Language::Wgsl, _) => "let".to_string(),
@@ -110,7 +110,7 @@ fn lookups_fetch_on_a_device_what_those_of_the_study_do() {
     let Some(gpu) = gpu() else { return };
     for language in [Language::Wgsl, Language::Hlsl, Language::Glsl] {
         for emitted in EMITTED.iter() {
-            let points = points(&emitted.room);
+            let points = emitted.points();
             let source = shader(language, emitted, points.len());
             let module = match language {
                 Language::Wgsl => gpu.module(&source),

@@ -10,18 +10,17 @@ use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
 use emit_support::languages::{FAMILY, compile};
 use emit_support::programs::{compile_library, run};
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::ProbeLookup;
+use lobefit::data::{ProbeLookup, SurfaceLobe};
 use lobefit::effects::parallax::taps::horizon::{FADE, fade};
-use lobefit::effects::parallax::{Stretch, TapRule};
+use lobefit::effects::parallax::{LobeFit, Shading, ShadingLobe, Stretch, TapRule};
 use lobefit::effects::room::proxies::{Body, NEAREST, Tied};
-use lobefit::effects::room::{Exact, Fan, Fetch, Meeting, Proxy, Room, Tap, octagon, room_b};
+use lobefit::effects::room::{Meeting, Proxy, Room, Seen, octagon, room_b};
 use lobefit::emit::code::Language;
 use lobefit::fit::Hypothesis;
 use lobefit::math::sobol::Sobol;
-use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
+use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents};
 use lobefit::optics::kernel::Kernel;
 use lobefit::plan::plan;
-use lobefit::report::{Image, flip};
 use lobefit::scene::Scene;
 use serde_json::Value;
 
@@ -29,9 +28,13 @@ use serde_json::Value;
 const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [], "probes": [
     {"name": "a", "norms": ["max"], "max_ops": 13, "lookups": [
         {}, {"edges": "sharp"}, {"planes": 11}, {"planes": 11, "edges": "sharp"},
-        {"taps": 2}, {"taps": 3}, {"planes": 11, "taps": 3}, {"edges": "sharp", "taps": 2}]},
-    {"name": "b", "norms": ["max"], "max_ops": 13, "mips": {"map": "linear", "count": 7}, "lookups": [{}, {"taps": 3}]},
-    {"name": "c", "norms": ["max"], "max_ops": 13, "kernel": "ndf", "lookups": [{"planes": 14}]}]}"#;
+        {"taps": 2}, {"taps": 3}, {"planes": 11, "taps": 3}, {"edges": "sharp", "taps": 2},
+        {"lobe": "fitted"}, {"planes": 11, "edges": "sharp", "lobe": "fitted"}, {"taps": 2, "lobe": "fitted"},
+        {"planes": 11, "taps": 3, "lobe": "fitted"}, {"edges": "sharp", "taps": 3, "lobe": "fitted"}]},
+    {"name": "b", "norms": ["max"], "max_ops": 13, "mips": {"map": "linear", "count": 7},
+        "lookups": [{}, {"taps": 3}, {"taps": 3, "lobe": "fitted"}]},
+    {"name": "c", "norms": ["max"], "max_ops": 13, "kernel": "ndf", "lookups": [{"planes": 14}, {"taps": 2}]},
+    {"name": "d", "norms": ["max"], "max_ops": 13, "kernel": "half", "lookups": [{"edges": "sharp", "taps": 3}]}]}"#;
 
 pub static BAKED: LazyLock<Baked> = LazyLock::new(|| {
     let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
@@ -65,7 +68,7 @@ pub static EMITTED: LazyLock<Vec<Emitted>> = LazyLock::new(|| {
         let taps = entry["cost"]["fetches"].as_u64().expect("a number") as u32;
         Emitted {
             entry: entry.clone(),
-            lookup: ProbeLookup { planes, smooth: word("edges") == "smooth", taps },
+            lookup: ProbeLookup { planes, smooth: word("edges") == "smooth", taps, lobe: lobe(word("lobe")) },
             room: single(if planes.is_some() { octagon() } else { room_b() }),
             width: width.expect("a formula"),
         }
@@ -73,8 +76,12 @@ pub static EMITTED: LazyLock<Vec<Emitted>> = LazyLock::new(|| {
     manifest["lookups"].as_array().expect("lookups").iter().map(of).collect()
 });
 
+fn lobe(word: &str) -> SurfaceLobe {
+    [SurfaceLobe::Mirror, SurfaceLobe::Fitted].into_iter().find(|lobe| lobe.name() == word).expect("a lobe")
+}
+
 /// The room with its planes and its probe as f32 have them, which is what shaders are given.
-fn single(mut room: Room) -> Room {
+pub fn single(mut room: Room) -> Room {
     let f32 = |x: f64| f64::from(x as f32);
     room.probe = room.probe.map(f32);
     for wall in &mut room.walls {
@@ -115,7 +122,7 @@ impl Emitted {
     }
 }
 
-/// Place, the surface's normal, ray, alpha.
+/// Place, the surface's normal, the ray or for the fitted lobe the view, alpha.
 pub type Point = [f32; 10];
 
 /// Places all over a room and beyond, on its walls and edges, with rays of all directions, along axes, walls and as good as along them.
@@ -162,11 +169,52 @@ pub fn points(room: &Room) -> Vec<Point> {
     points
 }
 
+/// Sines and cosines between the normals and the views of surfaces: head on, close to that, at grazing angles, along the surface and below it.
+const TILTS: [[f64; 2]; 9] = [
+    [0.0, 1.0],
+    [1e-7, 1.0],
+    [1e-5, 1.0],
+    [1e-3, 1.0],
+    [1.0, 0.06],
+    [1.0, 0.021],
+    [1.0, 1e-4],
+    [1.0, 0.0],
+    [0.8, -0.6],
+];
+
+impl Emitted {
+    /// Points of its room; where it takes the view, a part of them with hard ones.
+    pub fn points(&self) -> Vec<Point> {
+        let mut points = points(&self.room);
+        if self.lookup.is_fitted() {
+            for (i, point) in points.iter_mut().enumerate() {
+                let Some([sine, cosine]) = TILTS.get(i % 16) else { continue };
+                let view = [6, 7, 8].map(|k| f64::from(point[k]));
+                let [across, _] = tangents(view);
+                let normal = normalise(plus(scaled(across, *sine), scaled(view, *cosine)));
+                (0..3).for_each(|k| point[3 + k] = normal[k] as f32);
+            }
+        }
+        points
+    }
+
+    /// The lobe that a point is looked up for.
+    fn lobe(&self, [place, normal, last]: [Vec3; 3], alpha: f64) -> ShadingLobe {
+        match self.lookup.lobe {
+            SurfaceLobe::Mirror => ShadingLobe { axis: last, alpha, axes: tangents(last) },
+            SurfaceLobe::Fitted => {
+                let seen = Seen { place, normal, view: last, alpha };
+                Shading::Fitted(LobeFit::of(self.lookup.taps)).lobe(&seen)
+            }
+        }
+    }
+}
+
 /// What is expected at a point, and how far f32 may be from it.
-struct Expected {
-    towards: Vec3,
-    width: f64,
-    weight: f64,
+pub struct Expected {
+    pub towards: Vec3,
+    pub width: f64,
+    pub weight: f64,
     allowed: f64,
 }
 
@@ -205,17 +253,18 @@ impl Emitted {
     }
 
     /// The fetches at a point; none where f32 may decide otherwise: which of two planes as near, which end of an axis that is as long is which.
-    fn all_expected(&self, point: &Point) -> Option<Vec<Expected>> {
-        let [place, normal, ray] = [0, 3, 6].map(|k| [0, 1, 2].map(|axis| f64::from(point[k + axis])));
-        let alpha = f64::from(point[9]);
+    pub fn all_expected(&self, point: &Point) -> Option<Vec<Expected>> {
+        let [place, normal, last] = [0, 3, 6].map(|k| [0, 1, 2].map(|axis| f64::from(point[k + axis])));
+        let lobe = self.lobe([place, normal, last], f64::from(point[9]));
+        let (ray, alpha) = (lobe.axis, lobe.alpha);
         let one = self.expected(place, ray, alpha, alpha)?;
-        let rule = match self.lookup.taps {
-            1 => return Some(vec![one]),
-            2 => TapRule::two(),
-            _ => TapRule::three(),
-        };
+        if self.lookup.taps == 1 {
+            return Some(vec![one]);
+        }
+        let kernel = self.entry["kernel"].as_str().and_then(Kernel::of).expect("a kernel");
+        let rule = TapRule::of(kernel, self.lookup.taps as usize).expect("a rule");
         let hit = self.proxy().meet(place, ray, alpha)?;
-        let stretch = Stretch::of_round(place, &hit, self.room.probe, alpha)?;
+        let stretch = Stretch::of_lobe(place, &hit, self.room.probe, alpha, lobe.axes)?;
         if stretch.growth < 1e-3 {
             return None;
         }
@@ -345,7 +394,7 @@ pub fn described(language: Language, k: usize, emitted: &Emitted) -> (String, St
 
 #[test]
 fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
-    assert_eq!(EMITTED.len(), 11);
+    assert_eq!(EMITTED.len(), 19);
     let rust = text(Language::Rust);
     compile_library(&rust);
     for language in [Language::Hlsl, Language::Glsl] {
@@ -353,7 +402,7 @@ fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
     }
     includes_in_cpp(&text(Language::C));
     for emitted in EMITTED.iter() {
-        let points = points(&emitted.room);
+        let points = emitted.points();
         emitted.agrees("rust", &points, &emitted.run_in_rust(&rust, &points));
         for language in FAMILY {
             let Some(found) = found(language, emitted, &points) else { continue };
@@ -372,154 +421,35 @@ pub fn found(language: Language, emitted: &Emitted, points: &[Point]) -> Option<
         }
         _ => format!("        const {three} {name}(p[{first}], p[{}], p[{}]);\n", first + 1, first + 2),
     };
-    let arguments = [("place", 0), ("ray", 6)].map(|(name, first)| argument(name, first)).concat();
+    let arguments =
+        [("place", 0), ("normal", 3), ("last", 6)].map(|(name, first)| argument(name, first)).concat();
     let parts = |name: &str| ["x", "y", "z", "w"].map(|part| format!("put({name}.{part}); ")).concat();
     let (name, taps) = (emitted.name(), emitted.lookup.taps);
-    let body = match taps {
-        1 => format!(
-            "{arguments}        const {four} fetch = {name}(place, ray, p[9], {names});\n        {}\n",
-            parts("fetch")
-        ),
+    let (unused, normal) = if emitted.takes_normal() { ("", "normal, ") } else { ("(void)normal;", "") };
+    let call = format!("{name}(place, {normal}last, p[9], {names})");
+    let put = match taps {
+        1 => format!("const {four} fetch = {call};\n        {}", parts("fetch")),
         _ => {
             let fetches: String = (0..taps).map(|i| parts(&format!("taps.fetch_{i}"))).collect();
             let weights: String = (0..taps).map(|i| format!("put(taps.weight_{i}); ")).collect();
-            format!(
-                "{arguments}{}        const parallax_taps_{taps} taps = {name}(place, normal, ray, p[9], {names});\n        {fetches}{weights}\n",
-                argument("normal", 3)
-            )
+            format!("const parallax_taps_{taps} taps = {call};\n        {fetches}{weights}")
         }
     };
+    let body = format!("{arguments}        {unused}{put}\n");
     let main = format!("{declared}{}", loops(10, &[body]));
     compilers::run(language, &text(language), &main, &bytes(points), Contraction::Off)
 }
 
-/// Every lookup names the lobe, the map and the chain that it is paired with, what it costs and what it is off by.
-#[test]
-fn lookups_say_what_they_hold_of() {
-    let texts = Language::ALL.map(text);
-    for emitted in EMITTED.iter() {
-        let entry = &emitted.entry;
-        let word = |key: &str| entry[key].as_str().expect("a word");
-        assert_eq!((word("effect"), word("alpha_map")), ("parallax", "roughness^2"));
-        let kernel = if word("function").starts_with("parallax_ndf_") { "ndf" } else { "half-cosine" };
-        assert_eq!(word("kernel"), kernel);
-        assert_eq!(entry["gives"] == "mip", entry.get("chain").is_some());
-        assert_eq!(entry.get("power").is_some(), emitted.lookup.smooth);
-        assert!(entry["cost"]["ops"].as_u64().is_some_and(|ops| (60..5000).contains(&ops)), "{entry}");
-        for text in &texts {
-            let start = text.find(&format!("{}(", emitted.name())).expect("the function");
-            let head = &text[text[..start].rfind("\n\n").expect("a header")..start];
-            let ops = match emitted.lookup.taps {
-                1 => format!("{} operations and 1 fetch; width by {}", entry["cost"]["ops"], word("width")),
-                n => {
-                    format!("{} operations and {n} fetches; width by {}", entry["cost"]["ops"], word("width"))
-                }
-            };
-            let pairing = format!("Pairing: for chains prefiltered with the {kernel} lobe");
-            let several = emitted.lookup.taps > 1;
-            let body = if emitted.lookup.planes.is_some() {
-                "place, planes, probe"
-            } else {
-                "place, low, high, probe"
-            };
-            let sum = match (several, entry["gives"] == "mip") {
-                (false, false) => "color = sample_level(env, fetch.xyz, mip_of(fetch.w))",
-                (false, true) => "color = sample_level(env, fetch.xyz, fetch.w)",
-                (true, false) => "color = sum weight_i * sample_level(env, fetch_i.xyz, mip_of(fetch_i.w))",
-                (true, true) => "color = sum weight_i * sample_level(env, fetch_i.xyz, fetch_i.w)",
-            };
-            for told in [
-                ops.as_str(),
-                pairing.as_str(),
-                body,
-                sum,
-                "alpha = roughness^2",
-                "total variation, rho < 1: mean",
-                "certified over roughness [0.1, 1] and rho [0.0625, 8]",
-                "strictly inside",
-                "does not lean",
-            ] {
-                assert!(head.contains(told), "{told} in {head}");
-            }
-            assert!(head.lines().all(|line| line.chars().count() <= 120), "{head}");
-        }
-    }
-}
-
-/// The floor of a room as fetches from its probe show it, in light that a screen has: by the emitted function, and by the study's lookup.
-#[test]
-fn pictures_by_emitted_lookups_are_those_of_the_study() {
-    const SIDE: usize = 28;
-    let room = single(octagon());
-    let (from, to) = ([-2.2, -0.9, 0.2], [0.7, 0.4, -1.5]);
-    let forward = normalise(minus(to, from));
-    let right = normalise([forward[1], -forward[0], 0.0]);
-    let up = lobefit::math::vector::cross(right, forward);
-    let point = |i: usize| {
-        let at = |k: usize| 0.7 * ((2 * k + 1) as f64 / SIDE as f64 - 1.0);
-        let ray = normalise(plus(forward, plus(scaled(right, at(i % SIDE)), scaled(up, -at(i / SIDE)))));
-        let place = plus(from, scaled(ray, (-1.5 - from[2]) / ray[2]));
-        let shown = ray[2] < 0.0 && room.walls.iter().all(|wall| wall.plane.depth(place) > -1e-6);
-        shown.then_some((place, ray))
-    };
-    let seen: Vec<Option<(Vec3, Vec3)>> = (0..SIDE * SIDE).map(point).collect();
-    let fan = Fan::new(Kernel::HalfCosine, 257, 1);
-    let exact = Exact { room: &room, fan: &fan };
-    let rust = text(Language::Rust);
-    for (name, taps) in
-        [("parallax_lookup_planes_11_smooth_1", 1_usize), ("parallax_lookup_planes_11_smooth_3", 3)]
-    {
-        let emitted = EMITTED.iter().find(|one| one.name() == name).expect("the lookup");
-        for roughness in [0.2_f32, 0.5, 0.9] {
-            let alpha = roughness * roughness;
-            let points: Vec<Point> = seen
-                .iter()
-                .flatten()
-                .map(|(place, ray)| {
-                    let [p, r] = [place, ray].map(|v| v.map(|x| x as f32));
-                    [p[0], p[1], p[2], 0.0, 0.0, 1.0, r[0], r[1], -r[2], alpha]
-                })
-                .collect();
-            let found = emitted.run_in_rust(&rust, &points);
-            let mut fetched =
-                points.iter().zip(found.chunks_exact(emitted.numbers())).map(|(point, found)| {
-                    let ours = emitted.all_expected(point)?;
-                    let fetch = |towards, alpha: f64, weight| {
-                        scaled(exact.fetch(&Tap { towards, alpha: alpha.max(1e-6), weight: 1.0 }), weight)
-                    };
-                    let theirs = (0..taps).fold([0.0; 3], |sum, i| {
-                        let [x, y, z, width] = [0, 1, 2, 3].map(|k| f64::from(found[4 * i + k]));
-                        let weight = if taps == 1 { 1.0 } else { f64::from(found[4 * taps + i]) };
-                        plus(sum, fetch([x, y, z], width, weight))
-                    });
-                    let ours = ours
-                        .iter()
-                        .fold([0.0; 3], |sum, one| plus(sum, fetch(one.towards, one.width, one.weight)));
-                    Some([ours, theirs])
-                });
-            let mut pixels: Vec<[Vec3; 2]> = Vec::new();
-            for one in &seen {
-                pixels.push(one.and_then(|_| fetched.next().flatten()).unwrap_or([[0.2; 3]; 2]));
-            }
-            let [ours, theirs] = [0, 1].map(|k| {
-                let image =
-                    Image { width: SIDE, height: SIDE, pixels: pixels.iter().map(|pair| pair[k]).collect() };
-                flip::shown(&image, 0.0)
-            });
-            let off = flip::ldr(&ours, &theirs, flip::PIXELS_PER_DEGREE).expect("a difference");
-            let worst = off.values.iter().fold(0.0_f64, |worst, x| worst.max(*x));
-            assert!(worst < 0.02, "{name}, roughness {roughness}: FLIP up to {worst}");
-            let different = pixels.windows(2).filter(|pair| pair[0] != pair[1]).count();
-            assert!(different > SIDE * SIDE / 3, "{name}: a picture of nothing");
-        }
-    }
-}
-
 impl Emitted {
+    /// Whether it is called with the surface's normal before the ray or the view.
+    pub fn takes_normal(&self) -> bool {
+        self.lookup.taps > 1 || self.lookup.is_fitted()
+    }
+
     /// What the Rust function returns.
-    fn run_in_rust(&self, rust: &str, points: &[Point]) -> Vec<f32> {
+    pub fn run_in_rust(&self, rust: &str, points: &[Point]) -> Vec<f32> {
         let (declared, names) = described(Language::Rust, 0, self);
-        let normal = if self.lookup.taps == 1 { "" } else { "[p[3], p[4], p[5]], " };
+        let normal = if self.takes_normal() { "[p[3], p[4], p[5]], " } else { "" };
         let call = format!(
             "lobefit::{}([p[0], p[1], p[2]], {normal}[p[6], p[7], p[8]], p[9], {names})",
             self.name()

@@ -281,6 +281,7 @@ fn it_names_and_describes_every_field() {
             "layout",
             "layout",
             "levels",
+            "lobe",
             "lookups",
             "map",
             "materials",

@@ -3,7 +3,7 @@
 use super::{EFFECT, Lobe, code};
 use crate::bake::BakeError;
 use crate::data::{MipChain, ProbeLookup};
-use crate::effects::parallax::{Gives, named};
+use crate::effects::parallax::{Gives, TapRule, named};
 use crate::effects::reflection::{Fit, FitStageError};
 use crate::effects::room::proxies::Tied;
 use crate::emit::header;
@@ -45,11 +45,14 @@ fn one(
         inputs: hypothesis.inputs().to_vec(),
         ops: hypothesis.tape().cost_ops(),
     };
+    let fetches = lookup.taps as usize;
     let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
     let mut wanted = Wanted {
         fetch: named(lobe.job.kernel, &fetch),
         name: named(lobe.job.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
         lookup,
+        rule: TapRule::of(lobe.job.kernel, fetches)
+            .ok_or(BakeError::NoRule { kernel: lobe.job.kernel.word(), fetches })?,
         header: Vec::new(),
         width: called(&best.hypothesis),
         level: level.map(called),
@@ -91,14 +94,15 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
 impl Lookup {
     /// Its entry in the manifest.
     pub fn entry(&self, kernel: &'static str, alpha_map: &'static str) -> LookupFunction {
-        let Wanted { name, lookup, width, level, power, .. } = &self.wanted;
+        let Wanted { name, lookup, width, level, .. } = &self.wanted;
         LookupFunction {
             effect: EFFECT,
             function: name.clone(),
             inputs: self.wanted.inputs(),
             proxy: lookup.shape(),
             edges: lookup.edges(),
-            power: lookup.smooth.then(|| power.formula()),
+            lobe: lookup.lobe.name(),
+            power: lookup.smooth.then(|| self.wanted.power_formula()),
             gives: if level.is_some() { "mip" } else { "width" },
             width: width.name.clone(),
             kernel,
@@ -115,6 +119,7 @@ impl Lookup {
             function: name.clone(),
             proxy: lookup.shape(),
             edges: lookup.edges().into(),
+            lobe: lookup.lobe.name().into(),
             fetches: lookup.taps,
             ops: self.ops,
             width: width.name.clone(),

@@ -1,8 +1,10 @@
 //! Functions that look a probe up through a proxy of its room, in every language.
 //!
-//! A lookup takes the shading point, the ray that it reflects and the width of its lobe, and returns what to fetch from the probe's
+//! A lookup takes the shading point, the ray that it reflects and the width of its lobe, or for the lobe that is fitted to GGX the surface's
+//! normal, the view and alpha, and returns what to fetch from the probe's
 //! prefiltered cubemap: a direction with the width of a lobe, or with the level that holds it where the chain is known.
 
+mod lobe;
 mod meet;
 mod rule;
 mod script;
@@ -10,10 +12,17 @@ mod several;
 mod single;
 
 use super::code::Language;
-use crate::data::{AlphaMap, ProbeLookup};
+use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
+use crate::effects::parallax::TapRule;
 use crate::effects::parallax::taps::horizon::FADE;
 use crate::effects::room::proxies::Tie;
 use crate::fit::FitError;
+
+/// What the ray of the mirror lobe is.
+const MIRROR: [&str; 2] = [
+    "ray is the reflected one, of unit length, and points away from the surface. The lobe is round about the ray:",
+    "it does not lean as the lobe of a surface does at grazing angles.",
+];
 
 /// A function of the file that a lookup calls: its name, its arguments in order.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +52,8 @@ pub struct Wanted {
     pub fetch: String,
     /// What it does.
     pub lookup: ProbeLookup,
+    /// Where its fetches go.
+    pub rule: TapRule,
     /// Its documentation.
     pub header: Vec<String>,
     /// The width of a fetch.
@@ -85,11 +96,12 @@ impl Wanted {
             None => "the width alpha of the lobe",
         };
         let several = self.lookup.taps > 1;
+        let lobe = match self.lookup.lobe {
+            SurfaceLobe::Mirror => "a lobe of width alpha about a ray from a place",
+            SurfaceLobe::Fitted => "what a GGX surface of width alpha reflects at a place",
+        };
         let mut lines = if several {
-            let first = format!(
-                "{} fetches from a probe for a lobe of width alpha about a ray from a place,",
-                self.lookup.taps
-            );
+            let first = format!("{} fetches from a probe for {lobe},", self.lookup.taps);
             let second = format!(
                 "along the axis that the wall stretches: directions (xyz) and {given} (w), with their weights."
             );
@@ -99,13 +111,14 @@ impl Wanted {
             vec![first, second, third]
         } else {
             vec![
-                "What to fetch from a probe for a lobe of width alpha about a ray from a place:".into(),
+                format!("What to fetch from a probe for {lobe}:"),
                 format!("the direction (xyz) and {given} (w)."),
             ]
         };
         lines.push(format!("The proxy is {}.", self.lookup.text()));
         lines.push(if self.lookup.smooth {
-            format!("Edges are smooth: the power of the proxy is {}.", self.power.formula())
+            let lobe = if self.lookup.is_fitted() { ", width that of the lobe" } else { "" };
+            format!("Edges are smooth: the power of the proxy is {}{lobe}.", self.power_formula())
         } else {
             "Edges are sharp: the width jumps where a ray passes from one plane to the next.".into()
         });
@@ -114,20 +127,29 @@ impl Wanted {
         lines
     }
 
+    /// The power of smooth edges, a formula of the lobe's width: of alpha, or of the `width` that the fitted lobe has.
+    pub fn power_formula(&self) -> String {
+        let formula = self.power.formula();
+        if self.lookup.is_fitted() { formula.replace("alpha", "width") } else { formula }
+    }
+
     /// What the arguments must be.
     fn frame(&self) -> Vec<String> {
         let (body, bound) = match self.lookup.planes {
             None => ("low, high", ""),
             Some(_) => ("planes", ", whose planes bound a body"),
         };
-        vec![
-            "ray is the reflected one, of unit length, and points away from the surface. The lobe is round about the ray:".into(),
-            "it does not lean as the lobe of a surface does at grazing angles.".into(),
-            format!("place, {body}, probe and ray are in one frame and one unit of length; the cubemap's axes are the frame's."),
+        let (mut lines, ray) = match self.lookup.lobe {
+            SurfaceLobe::Fitted => (lobe::lines(self.lookup.taps), "normal, view"),
+            SurfaceLobe::Mirror => (MIRROR.map(String::from).to_vec(), "ray"),
+        };
+        lines.extend([
+            format!("place, {body}, probe, {ray} are in one frame and one unit of length; the cubemap's axes are the frame's."),
             format!("probe is strictly inside the proxy{bound}: else values are not finite."),
             "Domain: alpha in [0, 1], a place inside. As the place comes to the wall that the ray meets, the width goes".into(),
             "to 0; a place outside is taken as on the wall. Cosines with the proxy's normal below 0.02 count as that.".into(),
-        ]
+        ]);
+        lines
     }
 
     /// How fetches become a colour.
@@ -141,9 +163,14 @@ impl Wanted {
         format!("Use: color = {sum}sample_level(env, {fetch}.xyz, {level}){note}")
     }
 
-    /// What several fetches are expected to be off by; nothing of one.
+    /// What several fetches are expected to be off by, and those of the fitted lobe; nothing of one about the ray.
     pub fn expected(&self) -> Vec<String> {
-        if self.lookup.taps > 1 { rule::expected(self.lookup.taps) } else { Vec::new() }
+        let taps = self.lookup.taps;
+        let mut lines = if self.lookup.is_fitted() { lobe::expected(taps) } else { Vec::new() };
+        if taps > 1 {
+            lines.extend(rule::expected(&self.rule));
+        }
+        lines
     }
 
     /// Operations of a call, those of the functions that it calls among them.
@@ -191,14 +218,21 @@ mod tests {
     fn names_are_free_in_every_language() {
         let called =
             |name: &str| Called { name: name.into(), inputs: vec!["alpha".into(), "rho".into()], ops: 1 };
-        for (planes, smooth, taps) in
-            [(None, true, 2), (None, false, 3), (Some(9), true, 3), (Some(9), false, 1)]
-        {
-            let lookup = ProbeLookup { planes, smooth, taps };
+        use SurfaceLobe::{Fitted, Mirror};
+        for (planes, smooth, taps, lobe) in [
+            (None, true, 2, Mirror),
+            (None, false, 3, Fitted),
+            (Some(9), true, 3, Mirror),
+            (Some(9), false, 1, Mirror),
+            (None, true, 1, Fitted),
+        ] {
+            let lookup = ProbeLookup { planes, smooth, taps, lobe };
+            let rule = [TapRule::one(), TapRule::two(), TapRule::three()][taps as usize - 1];
             let wanted = Wanted {
                 name: "lookup".into(),
                 fetch: "one_fetch".into(),
                 lookup,
+                rule,
                 header: Vec::new(),
                 width: called("f"),
                 level: Some(called("g")),

@@ -9,7 +9,7 @@
 //! | `each`, `end` | around what is done for each `plane` of `planes` |
 //! | `give E \| ...` | returns a number or a vector, or the fields of a structure |
 //!
-//! E is a shader's arithmetic on numbers and parts of vectors (`v.x`), with `sqrt abs min max pow log2`, comparisons, and
+//! E is a shader's arithmetic on numbers and parts of vectors (`v.x`), with `sqrt abs min max pow exp2 log2`, comparisons, and
 //! `choose(condition, a, b)` by itself, as an argument or in another `choose`.
 
 use crate::emit::code::{Language, wrapped};

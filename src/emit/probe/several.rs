@@ -2,19 +2,23 @@
 //! the rule of fetches, in f32.
 
 use super::script::{Kind, Routine};
-use super::{Wanted, meet, rule, single};
+use super::{Wanted, lobe, rule, single};
 use crate::effects::parallax::taps::horizon::{FADE, LEAST};
 
-/// The map of the lobe to the probe, as [`crate::optics::footprint::Stretch`] has it. The lobe's own axes are those of Duff et al. 2017; M^T M
+/// Axes of a round lobe about the ray: those of Duff et al. 2017.
+const ROUND: &str = "
+upright = choose(ray.z < 0.0, -1.0, 1.0)
+turned = -1.0 / (upright + ray.z)
+mixed = ray.x * ray.y * turned
+FIRST = 1.0 + upright * ray.x * ray.x * turned | upright * mixed | -upright * ray.x
+SECOND = mixed | upright + ray.y * ray.y * turned | -ray.y
+";
+
+/// The map of a lobe of half-axes `first` and `second` to the probe, as [`crate::optics::footprint::Stretch`] has it. M^T M
 /// over the root of its determinant, `shrunk` (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]; `shrunk` is
 /// (n.w_p)/(n.w_s), but where a grazing cosine counts as 0.02. With the growth over the lobe's width added, its larger eigenvalue is `large`
 /// and the difference of both 2 `off`, so that z^2 = 1 - small/large, `spread` squared, is 2 off/large without a difference.
 const STRETCH: &str = "
-upright = choose(ray.z < 0.0, -1.0, 1.0)
-turned = -1.0 / (upright + ray.z)
-mixed = ray.x * ray.y * turned
-first = 1.0 + upright * ray.x * ray.x * turned | upright * mixed | -upright * ray.x
-second = mixed | upright + ray.y * ray.y * turned | -ray.y
 slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here
 slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here
 between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z
@@ -51,11 +55,14 @@ spread = sqrt(2.0 * off / large)
 major = ending * (cosine * first.x + sine * second.x) | ending * (cosine * first.y + sine * second.y) | ending * (cosine * first.z + sine * second.z)
 ";
 
+/// The square of the length of `major`, which for a lobe that is not round is not 1.
+const REACH: &str = "
+reach = cosine * cosine * longer * longer + sine * sine * shorter * shorter
+";
+
 /// The lookup by several fetches.
 pub(super) fn lookup(wanted: &Wanted) -> Routine {
     let n = wanted.lookup.taps as usize;
-    let place = Kind::Numbers(3);
-    let start = [("place", place), ("normal", place), ("ray", place), ("alpha", Kind::Numbers(1))];
     let kept: Vec<String> = (0..n).map(|i| format!("share_{i} * kept_{i}")).collect();
     let list = |name: &str| (0..n).map(|i| format!("{name}_{i}")).collect::<Vec<_>>().join(" | ");
     let weight = |i: usize| {
@@ -64,10 +71,12 @@ pub(super) fn lookup(wanted: &Wanted) -> Routine {
     let body = [
         single::power(wanted),
         single::seen(wanted),
+        axes(wanted),
         STRETCH.into(),
-        rule::lines(n),
+        if wanted.lookup.is_fitted() { REACH.into() } else { String::new() },
+        rule::lines(&wanted.rule),
         RISING.into(),
-        (0..n).map(kept_share).collect(),
+        (0..n).map(|i| kept_share(wanted, i)).collect(),
         format!("whole = {}\nruled = min({:?} * whole, 1.0)\n", kept.join(" + "), (1.0 / LEAST) as f32),
         (0..n).map(|i| tap(wanted, i)).collect(),
         (0..n).map(weight).collect(),
@@ -76,10 +85,26 @@ pub(super) fn lookup(wanted: &Wanted) -> Routine {
     Routine {
         name: wanted.name.clone(),
         header: wanted.header.clone(),
-        arguments: start.into_iter().chain(meet::body(wanted.lookup)).collect(),
+        arguments: single::arguments(wanted, true),
         result: Kind::Taps(n),
-        body: body.concat(),
+        body: single::of_lobe(wanted, &body.concat()),
     }
+}
+
+/// The half-axes of the lobe.
+fn axes(wanted: &Wanted) -> String {
+    let named = |first: &str, second: &str| ROUND.replace("FIRST", first).replace("SECOND", second);
+    if wanted.lookup.is_fitted() {
+        named("base_1", "base_2") + lobe::axes()
+    } else {
+        named("first", "second")
+    }
+}
+
+/// 1 and the square of a tilt: that of the length of a ray tilted along `major`.
+fn tilted(wanted: &Wanted, tilt: &str) -> String {
+    let reach = if wanted.lookup.is_fitted() { " * reach" } else { "" };
+    format!("1.0 + {tilt} * {tilt}{reach}")
 }
 
 /// The cosines of the ray and of the axis that fetches are tilted along with the surface's normal.
@@ -89,20 +114,20 @@ rising = major.x * normal.x + major.y * normal.y + major.z * normal.z
 ";
 
 /// What share of its weight a fetch keeps above the surface, as [`horizon`](crate::effects::parallax::taps::horizon) has it.
-fn kept_share(i: usize) -> String {
+fn kept_share(wanted: &Wanted, i: usize) -> String {
     let steep = (1.0 / FADE) as f32;
-    format!(
-        "kept_{i} = min(max({steep:?} * (upward + tilt_{i} * rising) / sqrt(1.0 + tilt_{i} * tilt_{i}), 0.0), 1.0)\n"
-    )
+    let square = tilted(wanted, &format!("tilt_{i}"));
+    format!("kept_{i} = min(max({steep:?} * (upward + tilt_{i} * rising) / sqrt({square}), 0.0), 1.0)\n")
 }
 
-/// A fetch of the rule: its ray tilted along `major`, which is at right angles to the ray and of unit length.
+/// A fetch of the rule: its ray tilted along `major`, which is at right angles to the ray.
 fn tap(wanted: &Wanted, i: usize) -> String {
     let fetch = single::name(wanted);
     let passed = single::passed(wanted, &format!("place, ray_{i}, alpha_{i}"));
+    let square = tilted(wanted, &format!("bend_{i}"));
     format!(
         "bend_{i} = kept_{i} * tilt_{i}
-        unit_{i} = 1.0 / sqrt(1.0 + bend_{i} * bend_{i})
+        unit_{i} = 1.0 / sqrt({square})
         ray_{i} = (ray.x + bend_{i} * major.x) * unit_{i} | (ray.y + bend_{i} * major.y) * unit_{i} | (ray.z + bend_{i} * major.z) * unit_{i}
         alpha_{i} = alpha * (1.0 + kept_{i} * (own_{i} - 1.0))
         fetch_{i} :4 = {fetch}({passed})\n"

@@ -1,7 +1,7 @@
 //! One fetch, as scripts: along a ray, and along the reflected one.
 
 use super::script::{Kind, Routine};
-use super::{Wanted, meet};
+use super::{Wanted, lobe, meet};
 
 /// Least cosine of a ray to the proxy's normal.
 const GRAZING: &str = "0.02";
@@ -71,15 +71,31 @@ pub(super) fn fetch(wanted: &Wanted) -> Routine {
     }
 }
 
+/// The arguments of a lookup: the place, what its lobe is told by, the proxy. Several fetches of the mirror lobe take the normal too, for
+/// fetches that leave below the surface.
+pub(super) fn arguments(wanted: &Wanted, normal: bool) -> Vec<(&'static str, Kind)> {
+    let told: &[&str] = match (wanted.lookup.is_fitted(), normal) {
+        (true, _) => &["normal", "view"],
+        (false, true) => &["normal", "ray"],
+        (false, false) => &["ray"],
+    };
+    let places = ["place"].iter().chain(told).map(|name| (*name, Kind::Numbers(3)));
+    places.chain([("alpha", Kind::Numbers(1))]).chain(meet::body(wanted.lookup)).collect()
+}
+
+/// A script of a lobe of width `alpha` about `ray`, of the one that the lookup takes a surface's for.
+pub(super) fn of_lobe(wanted: &Wanted, script: &str) -> String {
+    if wanted.lookup.is_fitted() { lobe::of_this(wanted.lookup.taps, script) } else { script.into() }
+}
+
 /// The lookup by one fetch.
 pub(super) fn lookup(wanted: &Wanted) -> Routine {
-    let start = [("place", Kind::Numbers(3)), ("ray", Kind::Numbers(3)), ("alpha", Kind::Numbers(1))];
     let call = format!("fetch :4 = {}({})\ngive fetch", name(wanted), passed(wanted, "place, ray, alpha"));
     Routine {
         name: wanted.name.clone(),
         header: wanted.header.clone(),
-        arguments: start.into_iter().chain(meet::body(wanted.lookup)).collect(),
+        arguments: arguments(wanted, false),
         result: Kind::Numbers(4),
-        body: power(wanted) + &call,
+        body: of_lobe(wanted, &(power(wanted) + &call)),
     }
 }

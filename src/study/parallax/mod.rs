@@ -3,6 +3,7 @@
 
 mod chain;
 mod creases;
+mod measures;
 mod parameters;
 mod proxies;
 mod rooms;

@@ -12,4 +12,4 @@ mod shading;
 
 pub use corrected::{Corrected, Ratio, Uncorrected, Width};
 pub use faded::{Faded, Slant};
-pub use shading::{LobeFit, Shading, ShadingLobe};
+pub use shading::{LEAST_COSINE, LobeFit, NARROWEST, Shading, ShadingLobe};

@@ -99,8 +99,12 @@ pub struct FittedLobe {
     pub error: f64,
     /// Error with the constants that the methods have.
     pub shipped: f64,
+    /// The same by the width that lookups are emitted with.
+    pub emitted: f64,
     /// Error of the round lobe about the mirror ray.
     pub mirror: f64,
+    /// The same by the width that lookups are emitted with.
+    pub mirror_emitted: f64,
     /// Error of the round lobe about the published dominant direction.
     pub dominant: f64,
 }

@@ -3,10 +3,11 @@
 use super::super::words;
 use crate::report::{Block, LookupFinding, ParallaxLobe, Section};
 
-const COLUMNS: [(&str, bool); 7] = [
+const COLUMNS: [(&str, bool); 8] = [
     ("function", false),
     ("proxy", false),
     ("edges", false),
+    ("lobe", false),
     ("fetches", true),
     ("ops", true),
     ("width", false),
@@ -23,6 +24,7 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
             one.function.clone(),
             one.proxy.replace('_', " "),
             one.edges.clone(),
+            one.lobe.clone(),
             one.fetches.to_string(),
             one.ops.to_string(),
             one.width.clone(),
@@ -30,11 +32,12 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
         ]
     };
     let caption = "Operations of a call, those of the functions that it calls among them; the chain is the one whose levels are returned. What \
-                   one fetch is off by is said of its width, above.";
+                   one fetch is off by is said of its width, above. Lobes: `mirror` is round about the reflected ray; `fitted` leans and narrows as GGX \
+                   does, by normal and view.";
     Some(Section {
         id: "lookups".into(),
         title: "Lookups through a proxy".into(),
-        lead: "Where the reflected ray meets the proxy of the room, what to fetch from there, and in how many fetches.".into(),
+        lead: "Where the ray that a surface reflects meets the proxy of the room, what to fetch from there, and in how many fetches.".into(),
         blocks: vec![Block::Table(words::table(&COLUMNS, lobe.lookups.iter().map(row).collect(), caption))],
     })
 }

@@ -118,7 +118,7 @@ pub(super) fn findings(
         let (part, chain) = texels::parts(case, parameters)?;
         sizes.push(texels::size(case, parameters.first(), &chain, part.total.clone()));
         parts.push(part);
-        gains.extend(gains::gains(case, &case.exact, &chain));
+        gains.extend(gains::gains(case, &case.exact, &chain)?);
     }
     if let Some(case) = cases.first() {
         progress.stage("chains: maps and sizes");
@@ -131,8 +131,9 @@ pub(super) fn findings(
     for case in &cases {
         progress.stage(&format!("chains: viewpoints in room {}", case.room.name));
         policies.extend(viewpoints::compared(case, &laws, parameters)?);
-        let floors = parameters.floors.iter();
-        seams.extend(floors.map(|r| seams::seams(case, &laws, &parameters.view, *r)));
+        for roughness in &parameters.floors {
+            seams.push(seams::seams(case, &laws, &parameters.view, *roughness)?);
+        }
     }
     let of = |case: &Case| (case.room.name.clone(), case.rows.iter().map(|row| row.noise).collect());
     let noise = cases.iter().map(of).collect();

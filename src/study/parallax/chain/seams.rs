@@ -11,6 +11,7 @@ use crate::effects::room::{Fetch, Fineness, Patches, Room, Seen};
 use crate::math::vector::{Vec3, cross, dot, minus, normalise, plus, scaled};
 use crate::report::flip;
 use crate::report::{Image, SeamPicture, SeamRow};
+use crate::study::StudyError;
 
 /// A view of the floor.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -90,7 +91,12 @@ fn mirror(seen: &Seen) -> Vec3 {
 }
 
 /// Pictures of the floor of a room by every law of a bake, the reference first, with their creases.
-pub(super) fn seams(case: &Case, policies: &[Policy], view: &View, roughness: f64) -> SeamRow {
+pub(super) fn seams(
+    case: &Case,
+    policies: &[Policy],
+    view: &View,
+    roughness: f64,
+) -> Result<SeamRow, StudyError> {
     let alpha = roughness * roughness;
     let floor = Floor::new(case.room, view, alpha);
     let met = floor.met();
@@ -111,7 +117,7 @@ pub(super) fn seams(case: &Case, policies: &[Policy], view: &View, roughness: f6
     let own = detail(&reference, &met);
     let mut pictures = vec![row("traced from the floor (reference): its own", own, reference.clone())];
     for policy in policies {
-        let lookup = policy.lookup(case);
+        let lookup = policy.lookup(case)?;
         let exact = Integrated {
             probe: case.room.probe,
             proxy: &case.shape,
@@ -121,5 +127,5 @@ pub(super) fn seams(case: &Case, policies: &[Policy], view: &View, roughness: f6
         let shown = floor.shown(view.stops, |seen| exact.sum(&lookup.taps(seen)));
         pictures.push(row(&policy.name, creases(&shown, &reference, &met), shown));
     }
-    SeamRow { room: case.room.name.clone(), roughness, noise: [noise.edges, noise.elsewhere], pictures }
+    Ok(SeamRow { room: case.room.name.clone(), roughness, noise: [noise.edges, noise.elsewhere], pictures })
 }

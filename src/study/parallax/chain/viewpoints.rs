@@ -1,7 +1,8 @@
 //! From where the texels of a bake see the room: away from the edges of the proxy and near them.
 
+use super::super::measures::{gain, geometric_mean, relative, relative_where};
 use super::super::rooms::methods::{Method, Taken, smooth};
-use super::measure::{Case, all, gain, relative, shaded};
+use super::measure::{Case, shaded};
 use super::{Parameters, texels};
 use crate::effects::parallax::{Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
@@ -33,9 +34,9 @@ pub(super) struct Policy {
 
 impl Policy {
     /// Its lookup in a room.
-    pub fn lookup(&self, case: &Case) -> Box<dyn Lookup> {
+    pub fn lookup(&self, case: &Case) -> Result<Box<dyn Lookup>, StudyError> {
         match self.fetches {
-            Fetches::Slanted(slant) => Box::new(case.lookup(slant, Width::Rational)),
+            Fetches::Slanted(slant) => Ok(Box::new(case.lookup(slant, Width::Rational))),
             Fetches::Ruled { count, taken } => Method { taken, ..smooth(count) }.lookup(case.room),
         }
     }
@@ -82,7 +83,8 @@ fn errors(case: &Case, lookup: &dyn Lookup, fetch: &dyn Fetch) -> [Vec<f64>; 3] 
     let mut errors = [const { Vec::new() }; 3];
     for row in &case.rows {
         let found = shaded(row, lookup, fetch);
-        let over = |wanted: &dyn Fn(bool) -> bool| relative(&found, &row.light, |i| wanted(row.near[i]));
+        let over =
+            |wanted: &dyn Fn(bool) -> bool| relative_where(&found, &row.light, |i| wanted(row.near[i]));
         errors[0].push(over(&|_| true));
         errors[1].push(over(&|near| !near));
         errors[2].push(over(&|near| near));
@@ -112,8 +114,8 @@ pub(super) fn compared(
     let rival = case.lookup(Slant::Ignored, Width::Frostbite);
     let ([published, ..], [published_chain, ..]) = both(Viewpoint::Probe, &rival);
     let one = |policy: &Policy| {
-        let ([whole, far, near], [chain, ..]) = both(policy.viewpoint, policy.lookup(case).as_ref());
-        BakePolicy {
+        let ([whole, far, near], [chain, ..]) = both(policy.viewpoint, policy.lookup(case)?.as_ref());
+        Ok(BakePolicy {
             room: case.room.name.clone(),
             policy: policy.name.clone(),
             gain: gain(&published, &whole),
@@ -122,9 +124,9 @@ pub(super) fn compared(
             far,
             near,
             chain,
-        }
+        })
     };
-    Ok(policies.iter().map(one).collect())
+    policies.iter().map(one).collect()
 }
 
 /// Geometric mean over roughness of what a sliding bake is off by.
@@ -132,8 +134,7 @@ fn loss(case: &Case, widths: f64) -> f64 {
     let viewpoint = Viewpoint::Sliding { widths };
     let lookup = case.lookup(Slant::Whole, Width::Rational);
     let exact = Integrated { probe: case.room.probe, proxy: &case.shape, viewpoint, exact: &case.exact };
-    let logs = case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));
-    ops::exp(logs.sum::<f64>() / case.rows.len() as f64)
+    geometric_mean(case.rows.iter().map(|row| relative(&shaded(row, &lookup, &exact), &row.light)))
 }
 
 /// Golden sections until the parameter is known to a few percent: the minimum is flat.

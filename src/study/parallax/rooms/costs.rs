@@ -1,30 +1,34 @@
 //! What a lookup takes, by its emitted function.
 
-use crate::data::{AlphaMap, ProbeLookup};
-use crate::effects::parallax::HYPOTHESES;
+use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
+use crate::effects::parallax::{HYPOTHESES, TapRule};
 use crate::effects::room::proxies::Tied;
 use crate::emit::probe::{Called, Wanted};
 use crate::fit::Hypothesis;
 use crate::report::LookupCost;
 use crate::study::StudyError;
 
-/// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches; the width is that of the cheapest formula of the
+/// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches, of the mirror lobe and of the fitted one; the width is that of the cheapest formula of the
 /// catalogue, the rational one.
 pub(super) fn costs(planes: u32) -> Result<Vec<LookupCost>, StudyError> {
     let [entry, ..] = HYPOTHESES;
     let width = Hypothesis::parse(entry.file, entry.source)?;
     let shapes =
         [None, Some(planes)].into_iter().flat_map(|planes| [false, true].map(|smooth| (planes, smooth)));
-    let lookups =
-        shapes.flat_map(|(planes, smooth)| (1..=3).map(move |taps| ProbeLookup { planes, smooth, taps }));
-    lookups.map(|lookup| cost(lookup, &width)).collect()
+    let lobes = shapes.flat_map(|shape| [SurfaceLobe::Mirror, SurfaceLobe::Fitted].map(|lobe| (shape, lobe)));
+    let rules = [(1, TapRule::one()), (2, TapRule::two()), (3, TapRule::three())];
+    let lookups = lobes.flat_map(|((planes, smooth), lobe)| {
+        rules.map(|(taps, rule)| (ProbeLookup { planes, smooth, taps, lobe }, rule))
+    });
+    lookups.map(|(lookup, rule)| cost(lookup, rule, &width)).collect()
 }
 
-fn cost(lookup: ProbeLookup, width: &Hypothesis) -> Result<LookupCost, StudyError> {
+fn cost(lookup: ProbeLookup, rule: TapRule, width: &Hypothesis) -> Result<LookupCost, StudyError> {
     let wanted = Wanted {
         name: "lookup".into(),
         fetch: "fetch".into(),
         lookup,
+        rule,
         header: Vec::new(),
         width: Called {
             name: width.name().to_string(),

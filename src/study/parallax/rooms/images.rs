@@ -4,8 +4,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::super::creases::{Creases, creases, detail};
+use super::super::measures::relative;
 use super::methods::Method;
-use super::random::{halves, relative};
+use super::random::halves;
 use super::view::{Camera, Pixel, pixels};
 use crate::effects::room::{Fetch, Fineness, GgxRays, Lookup, Patches, Room, Seen};
 use crate::math::sum;
@@ -143,7 +144,8 @@ impl Column<'_> {
         let own = detail(&prepared[0], &met);
         all.detail[0].push(own.edges);
         all.detail[1].push(own.elsewhere);
-        let lookups: Vec<Box<dyn Lookup>> = methods.iter().map(|method| method.lookup(self.room)).collect();
+        let lookups = methods.iter().map(|method| method.lookup(self.room));
+        let lookups = lookups.collect::<Result<Vec<Box<dyn Lookup>>, _>>()?;
         let mut values: Vec<Vec<Vec3>> = lookups.iter().map(|lookup| self.fetched(lookup.as_ref())).collect();
         values.push(whole[0].clone());
         let mut shown = Vec::new();

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
 use crate::effects::room::proxies::{Body, Smooth, Tied};
 use crate::effects::room::{Lookup, Proxy, Room};
+use crate::study::StudyError;
 
 /// What a method takes the room for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -38,22 +39,19 @@ pub(in crate::study::parallax) struct Method {
 
 impl Method {
     /// Its lookup in a room.
-    pub fn lookup(&self, room: &Room) -> Box<dyn Lookup> {
-        match self.taken {
+    ///
+    /// # Errors
+    /// A probe that is not inside the room.
+    pub fn lookup(&self, room: &Room) -> Result<Box<dyn Lookup>, StudyError> {
+        let outside = || StudyError::Outside { room: room.name.clone(), probe: room.probe };
+        let body = Body::new(&room.shape(), room.probe).ok_or_else(outside)?;
+        Ok(match self.taken {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
-            Taken::Planes => self.corrected(room.shape(), room),
-            Taken::Smooth => self.smooth(room, |body| Tied { body, tie: Tied::FITTED }),
-            Taken::ByAlpha => self.smooth(room, |body| Smooth { body, power: Smooth::FITTED }),
-            Taken::ByEye => self.smooth(room, |body| Smooth { body, power: Smooth::BY_EYE }),
-        }
-    }
-
-    /// Without a probe inside there is nothing to be smooth about.
-    fn smooth<P: Proxy + 'static>(&self, room: &Room, proxy: impl Fn(Body) -> P) -> Box<dyn Lookup> {
-        match Body::new(&room.shape(), room.probe) {
-            Some(body) => self.corrected(proxy(body), room),
-            None => self.corrected(room.shape(), room),
-        }
+            Taken::Planes => self.corrected(body, room),
+            Taken::Smooth => self.corrected(Tied { body, tie: Tied::FITTED }, room),
+            Taken::ByAlpha => self.corrected(Smooth { body, power: Smooth::FITTED }, room),
+            Taken::ByEye => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
+        })
     }
 
     fn corrected<P: Proxy + 'static>(&self, proxy: P, room: &Room) -> Box<dyn Lookup> {

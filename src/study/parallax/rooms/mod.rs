@@ -60,7 +60,8 @@ pub(super) fn findings(
     let lobes = lobes::fitted(lobes)?;
     let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
     let rays = random::halves(random.directions);
-    let random = rooms.iter().map(|room| random::measured(room, methods, random, &rays)).collect();
+    let random = rooms.iter().map(|room| random::measured(room, methods, random, &rays));
+    let random = random.collect::<Result<_, StudyError>>()?;
     progress.stage("pictures in rooms");
     let pictures = images::pictures(rooms, methods, images)?;
     let costs = costs::costs(OCTAGON)?;

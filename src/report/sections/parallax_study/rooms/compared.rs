@@ -45,7 +45,7 @@ const PARTS: [(&str, &str, &str); 14] = [
     (
         "fitted lobe",
         "axis, size and squash of a GGX lobe by the constants below; rational, areas",
-        "ours; no emitted lookup has it",
+        "ours: emitted lookups of the fitted lobe",
     ),
     ("exact round lobe", "the lobe of width α traced from the shading point itself", "-"),
 ];

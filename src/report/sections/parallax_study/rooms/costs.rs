@@ -12,8 +12,8 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     Ok(Section {
         id: "costs".into(),
         title: "What a lookup takes".into(),
-        lead: "Fetches and arithmetic of a pixel, of the emitted functions that take the ratio of areas and the rational width. The axis and widths of \
-               the fitted lobe come on top: three powers for one fetch, four for several."
+        lead: "Fetches and arithmetic of a pixel, of the emitted functions that take the ratio of areas and the rational width. \
+               “Of the fitted lobe” is with axis, size and squash of a GGX lobe by normal, view and α; else of the round lobe about a given ray."
             .into(),
         blocks: vec![Block::Table(words::table(&columns, rooms.costs.iter().map(row).collect(), caption))],
     })

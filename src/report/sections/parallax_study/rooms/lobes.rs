@@ -13,18 +13,24 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         ("g, h", false),
         ("error", true),
         ("with the shipped constants", true),
+        ("as emitted", true),
         ("mirror direction", true),
+        ("as emitted", true),
         ("dominant direction", true),
     ];
     let list = |values: &[f64]| values.iter().map(|&x| significant(x, 4)).collect::<Vec<_>>().join(", ");
     let row = |lobe: &FittedLobe| {
         let mut cells =
             vec![lobe.fetches.to_string(), list(&lobe.lean), list(&lobe.narrow), list(&lobe.squash)];
-        cells.extend([lobe.error, lobe.shipped, lobe.mirror, lobe.dominant].map(|x| significant(x, 3)));
+        cells.extend(
+            [lobe.error, lobe.shipped, lobe.emitted, lobe.mirror, lobe.mirror_emitted, lobe.dominant]
+                .map(|x| significant(x, 4)),
+        );
         cells
     };
     let caption = "Errors: geometric mean over the roughnesses of the relative L2 against GGX at points of a room that is none of those above, \
-                   half of them on its walls, looked up through the smooth proxy.";
+                   half of them on its walls, looked up through the smooth proxy. Columns are of the rational width, as all lookups above; “as emitted” is the same \
+                   with the width that emitted lookups take, `parallax_cubic` of the built-in scene.";
     Ok(Section {
         id: "lobes".into(),
         title: "The lobe of a surface".into(),

@@ -1,0 +1,84 @@
+//! Lookups of the fitted lobe as emitted where it is hard: at grazing views, from below, and as alpha goes to 0.
+
+use crate::lookups::{EMITTED, Emitted, Point, text};
+use lobefit::emit::code::Language;
+use lobefit::math::ops::{pow, sincos};
+use lobefit::math::vector::{Vec3, length, minus, normalise};
+
+/// Steps of a path.
+const STEPS: usize = 4000;
+
+/// A surface in the middle of a hall and of a box, whose normal is no axis.
+const NORMAL: Vec3 = [0.48, 0.6, 0.64];
+
+fn smooth() -> impl Iterator<Item = &'static Emitted> {
+    EMITTED.iter().filter(|one| one.lookup.is_fitted() && one.lookup.smooth && one.entry["gives"] == "width")
+}
+
+/// What is fetched along a path: the weighted mean of the directions, and that of the widths.
+fn fetched(emitted: &Emitted, points: &[Point]) -> Vec<(Vec3, f64)> {
+    let taps = emitted.lookup.taps as usize;
+    let found = emitted.run_in_rust(&text(Language::Rust), points);
+    let mean = |numbers: &[f32]| {
+        assert!(numbers.iter().all(|x| x.is_finite()), "{}: {numbers:?}", emitted.name());
+        let number = |i: usize| f64::from(numbers[i]);
+        let weight = |i: usize| if taps == 1 { 1.0 } else { number(4 * taps + i) };
+        let sum = |k: usize| (0..taps).map(|i| weight(i) * number(4 * i + k)).sum::<f64>();
+        ([sum(0), sum(1), sum(2)], sum(3))
+    };
+    found.chunks_exact(emitted.numbers()).map(mean).collect()
+}
+
+/// The view whose cosine to the normal is the sine of `above`.
+fn point(above: f64, alpha: f64) -> Point {
+    let along = normalise([NORMAL[1], -NORMAL[0], 0.0]);
+    let (sine, cosine) = sincos(above);
+    let view = [0, 1, 2].map(|k| sine * NORMAL[k] + cosine * along[k]);
+    let [n, v] = [NORMAL, view].map(|v| v.map(|x| x as f32));
+    [0.5, -0.4, 0.2, n[0], n[1], n[2], v[0], v[1], v[2], alpha as f32]
+}
+
+/// A view that sinks below the surface changes what is fetched by little at every step of 0.00015 radians. Where fetches fade out close to
+/// the surface it changes fastest, by about 4 radians for one of the view.
+#[test]
+fn nothing_jumps_where_the_view_passes_the_surface() {
+    let alphas = [0.0, 0.01, 0.1, 0.4, 0.7, 1.0];
+    let above = |i: usize| 0.3 - 0.6 * i as f64 / STEPS as f64;
+    let paths: Vec<Point> =
+        alphas.iter().flat_map(|alpha| (0..=STEPS).map(move |i| point(above(i), *alpha))).collect();
+    for emitted in smooth() {
+        let found = fetched(emitted, &paths);
+        for (alpha, found) in alphas.iter().zip(found.chunks_exact(STEPS + 1)) {
+            for (i, pair) in found.windows(2).enumerate() {
+                let moved = length(minus(pair[0].0, pair[1].0));
+                let wider = (pair[0].1 - pair[1].1).abs();
+                let text = format!("{}, alpha {alpha}, {}: {moved}, {wider}", emitted.name(), above(i));
+                assert!(moved < 0.008 && wider < 0.008, "{text}");
+            }
+            // below, the ray rises as it sank above
+            let whole = length(minus(found[0].0, found[STEPS / 2].0));
+            assert!(whole > 1e-3, "{}, alpha {alpha}: nothing moves", emitted.name());
+        }
+    }
+}
+
+/// As alpha goes to 0 the direction goes to that of the mirror ray and the width to 0.
+#[test]
+fn narrow_lobes_are_mirrors() {
+    let alphas: Vec<f64> = (0..9).map(|i| pow(10.0, -f64::from(i))).chain([1e-20, 0.0]).collect();
+    let views = [1.57, 0.8, 0.1, 1e-3, -0.2];
+    let points: Vec<Point> =
+        views.iter().flat_map(|above| alphas.iter().map(|alpha| point(*above, *alpha))).collect();
+    for emitted in smooth() {
+        let found = fetched(emitted, &points);
+        for (above, found) in views.iter().zip(found.chunks_exact(alphas.len())) {
+            let mirror = found[alphas.len() - 1];
+            assert_eq!(mirror.1, 0.0, "{}", emitted.name());
+            for (alpha, (direction, width)) in alphas.iter().zip(found).skip(1) {
+                let off = length(minus(*direction, mirror.0));
+                let text = format!("{}, {above}, alpha {alpha}: {off}, {width}", emitted.name());
+                assert!(off < 1e-6 + 4.0 * alpha && *width <= 4.0 * alpha, "{text}");
+            }
+        }
+    }
+}
