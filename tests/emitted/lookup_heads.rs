@@ -49,7 +49,7 @@ fn lookups_say_what_they_hold_of() {
                     "0.222",
                 ],
                 (true, 2) => {
-                    &["normal and view", "0.8029 alpha^1.667 mu^0.0842", "0.149; for the round lobe", "0.199"]
+                    &["normal and view", "0.8029 alpha^1.667 mu^0.0842", "0.145; for the round lobe", "0.193"]
                 }
                 (true, _) => &[
                     "mu^(0.9976 - 0.9897 alpha)",
