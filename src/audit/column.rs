@@ -159,12 +159,4 @@ impl Column {
     pub fn is_fixed(self) -> bool {
         matches!(self, Column::At(_))
     }
-
-    /// Whether it is a loss, of which small values matter.
-    pub fn is_loss(self) -> bool {
-        matches!(
-            self,
-            Column::Loss | Column::LossRT | Column::AverageLoss | Column::NormalLoss | Column::Excess
-        )
-    }
 }

@@ -104,6 +104,16 @@ pub enum BakeError {
         /// The name.
         function: String,
     },
+    /// Several fetches from a chain of a kernel for which no rule says where they go.
+    #[error(
+        "lookups of {kernel} chains: no rule of {fetches} fetches is fitted for that lobe; give `taps` 1"
+    )]
+    NoRule {
+        /// The kernel's word.
+        kernel: &'static str,
+        /// Fetches asked for.
+        fetches: usize,
+    },
     /// A hypothesis whose function cannot be called so in an emitted language.
     #[error("{file}: {reason}")]
     Word {

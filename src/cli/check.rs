@@ -1,5 +1,7 @@
 //! `lobefit check`: do the files follow from their recipe?
 
+mod records;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -14,6 +16,7 @@ use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
 use crate::study::{self, Study};
+use records::{Record, records};
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -22,7 +25,10 @@ Examples:
   lobefit check --values 1e-6           accept decoded values within 1e-6 of each other
 
 Exit code 1 where a file is missing, extra or different; the message says how far it is off and where. A table whose
-texels break the error that its manifest states is never accepted, whatever --values says.";
+texels break the error that its manifest states is never accepted, whatever --values says.
+
+Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
+other code than the bake's are told of, and do not fail.";
 
 /// Largest file that is compared, bytes.
 const FILE_BYTES: u64 = 1 << 30;
@@ -56,24 +62,31 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
-    let (baked, differences, bad) = options.threads.install(|| {
+    let (baked, differences, ends, records) = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let strays = strays(&options.against, &baked)?;
         let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
         let mut differences = compare(&baked, &found, &strays, options.values, &progress);
-        let bad = differences.len();
+        let bake = differences.len();
         differences.extend(studies(&options.against)?);
-        Ok((baked, differences, bad))
+        let ends = [bake, differences.len()];
+        let (records, broken) = records(&options.against, &baked)?;
+        differences.extend(broken);
+        Ok((baked, differences, ends, records))
     })?;
     drop(progress);
     if options.json {
-        print_json(&Verdict { schema_version: 1, same: differences.is_empty(), differences: &differences })?;
+        let same = differences.is_empty();
+        print_json(&Verdict { schema_version: 1, same, differences: &differences, records: &records })?;
     } else if !options.quiet {
         for difference in &differences {
             print(format!("{difference}\n").as_bytes())?;
         }
-        let (files, studies) = differences.split_at(bad);
-        print(closing(&baked, files, studies.len(), options).as_bytes())?;
+        for note in records.iter().filter_map(Record::note) {
+            print(note.as_bytes())?;
+        }
+        let (studies, broken) = (ends[1] - ends[0], differences.len() - ends[1]);
+        print(closing(&baked, &differences[..ends[0]], [studies, broken], options).as_bytes())?;
     }
     Ok(if differences.is_empty() { Outcome::Done } else { Outcome::Failed })
 }
@@ -84,6 +97,9 @@ struct Verdict<'a> {
     schema_version: u32,
     same: bool,
     differences: &'a [Difference],
+    /// Times on graphics processors, those of other code among them.
+    #[serde(skip_serializing_if = "<[Record]>::is_empty")]
+    records: &'a [Record],
 }
 
 /// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's,
@@ -93,11 +109,13 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
     for place in SUBFOLDERS.into_iter().chain([MANIFEST]) {
         strays.extend(store::list(root, place)?);
     }
+    let all = strays.clone();
     strays.retain(|entry| {
         let name = entry.name.as_str();
         let allowed = name == "fits/hypotheses"
             || name.starts_with("fits/hypotheses/")
             || name.starts_with("reports/timings.")
+            || records::placed(entry, &all)
             || entry.kind == Kind::File
                 && Study::ALL.iter().any(|study| study.files().iter().any(|f| f == name));
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);
@@ -125,11 +143,17 @@ fn shown(options: &Options) -> String {
     visible(&options.against.display().to_string())
 }
 
-/// What was found, of the files of the bake and of the studies beside it.
-fn closing(baked: &Baked, differences: &[Difference], stale: usize, options: &Options) -> String {
+/// What was found, of the files of the bake, and of the studies and records beside it.
+fn closing(baked: &Baked, differences: &[Difference], beside: [usize; 2], options: &Options) -> String {
     let (folder, files) = (shown(options), baked.files.len());
     let extra = differences.iter().filter(|d| d.kind == bake::Kind::Extra).count();
     let more = if extra == 0 { String::new() } else { format!(", {extra} extra") };
+    let [stale, broken] = beside;
+    let records = match broken {
+        0 => String::new(),
+        1 => "; 1 record of times is broken".into(),
+        broken => format!("; {broken} records of times are broken"),
+    };
     let studies = match stale {
         0 => String::new(),
         1 => "; 1 study is not that of this version".into(),
@@ -140,5 +164,5 @@ fn closing(baked: &Baked, differences: &[Difference], stale: usize, options: &Op
         1 => format!("1 of {files} files in {folder} differs or is missing"),
         bad => format!("{bad} of {files} files in {folder} differ or are missing"),
     };
-    format!("{found}{more}{studies}\n")
+    format!("{found}{more}{studies}{records}\n")
 }

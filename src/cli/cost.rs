@@ -1,5 +1,9 @@
 //! `lobefit cost`: what accuracy costs in time.
 
+mod gpu;
+
+pub(super) use gpu::RECORD_BYTES;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -19,8 +23,20 @@ pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit cost                          measure, and write reports/timings.html and reports/timings.json
   lobefit cost scene.json --out assets --json
+  lobefit cost --gpu                    time the emitted WGSL on a graphics processor, and print it
+  lobefit cost --gpu --record reports/gpu/mine.json
+                                        and write it as a record, with its page mine.html beside it
+  lobefit cost --page reports/gpu/mine.json
+                                        write the page of a record again
 
-Seconds differ from run to run; `check` ignores reports/timings.*.";
+Seconds differ from run to run; `check` ignores reports/timings.*, and tells which rows of the records in reports/gpu/ are of
+other code than the bake's. --gpu is there in builds with the feature `gpu`: cargo build --release --features gpu.";
+
+/// The command that measures on the processor.
+const COMMAND: &str = "lobefit cost";
+
+/// What is said where there is nothing to measure.
+const NOTHING: &[u8] = b"the scene calls for no effect: nothing to measure, nothing written\n";
 
 /// Options of `cost`.
 #[derive(Args)]
@@ -28,8 +44,23 @@ pub(super) struct Options {
     #[command(flatten)]
     pub scene: SceneOption,
     /// Output folder, created if missing
-    #[arg(long, value_name = "DIR", default_value = ".")]
+    #[arg(long, value_name = "DIR", default_value = ".", conflicts_with_all = ["gpu", "page"])]
     pub out: PathBuf,
+    /// Time the emitted WGSL on a graphics processor instead; writes nothing without --record
+    #[arg(long)]
+    pub gpu: bool,
+    /// Take the first graphics processor whose name holds this
+    #[arg(long, value_name = "TEXT", requires = "gpu")]
+    pub adapter: Option<String>,
+    /// Fewer threads and repeats: for software drivers and for trying out
+    #[arg(long, requires = "gpu")]
+    pub reduced: bool,
+    /// Write the times to this file, whose name ends with .json, and their page beside it
+    #[arg(long, value_name = "FILE", requires = "gpu")]
+    pub record: Option<PathBuf>,
+    /// Write the page of a record again, and measure nothing
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["gpu", "scene", "json"])]
+    pub page: Option<PathBuf>,
     #[command(flatten)]
     pub threads: ThreadsOption,
     /// Print the measurements as JSON on standard output
@@ -41,6 +72,12 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
+    if let Some(record) = &options.page {
+        return gpu::page(options, record);
+    }
+    if options.gpu {
+        return gpu::run(options);
+    }
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
     let mut folder = Folder::open(&options.out)?;
@@ -51,7 +88,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");
-        let measured = timings(&input.scene, &baked, origin(&input)?, device())?;
+        let measured = timings(&input.scene, &baked, origin(&input, COMMAND)?, device())?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);
@@ -68,7 +105,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 /// The end for a scene that calls for no effect: there is nothing to measure and nothing is written.
 fn nothing(options: &Options, input: &Input) -> Result<Outcome, CliError> {
     if options.json {
-        let origin = origin(input)?;
+        let origin = origin(input, COMMAND)?;
         let empty = Timings {
             origin,
             device: device(),
@@ -80,7 +117,7 @@ fn nothing(options: &Options, input: &Input) -> Result<Outcome, CliError> {
         let files = report::timings_page(&empty).map_err(BakeError::from)?;
         print(json(&files.into_iter().map(|f| (f.path, f.bytes)).collect()))?;
     } else if !options.quiet {
-        print(b"the scene calls for no effect: nothing to measure, nothing written\n")?;
+        print(NOTHING)?;
     }
     Ok(Outcome::Done)
 }
@@ -90,12 +127,12 @@ fn json(files: &Files) -> &[u8] {
     files.get("reports/timings.json").map_or(&[], Vec::as_slice)
 }
 
-fn origin(input: &Input) -> Result<Origin, CliError> {
+fn origin(input: &Input, command: &str) -> Result<Origin, CliError> {
     Ok(Origin {
         scene: input.scene.name.clone(),
         recipe: recipe(&input.scene, &input.hypotheses)?.hash,
         tool: env!("CARGO_PKG_VERSION").into(),
-        command: "lobefit cost".into(),
+        command: command.into(),
     })
 }
 

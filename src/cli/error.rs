@@ -13,6 +13,7 @@ use crate::scene::SceneError;
 use crate::scene::escape::visible;
 use crate::store::StoreError;
 use crate::study::StudyError;
+use crate::timing::record::RecordError;
 
 /// Why a verb did not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -83,6 +84,18 @@ pub enum CliError {
     /// A study made nothing.
     #[error(transparent)]
     Study(#[from] StudyError),
+    /// Nothing was measured on a graphics processor.
+    #[cfg(feature = "gpu")]
+    #[error(transparent)]
+    Gpu(#[from] Box<crate::timing::gpu::GpuError>),
+    /// A record of times on a graphics processor that cannot be used.
+    #[error("{}: {source}", visible(file))]
+    Record {
+        /// The record as the user named it.
+        file: String,
+        /// What is wrong with it.
+        source: RecordError,
+    },
     /// The bake made nothing.
     #[error(transparent)]
     Bake(#[from] Box<BakeError>),

@@ -94,7 +94,7 @@ impl Domain {
         axes.chain(derived).collect()
     }
 
-    /// Columns of the inputs named in `inputs`, from columns of axis values (one per axis, in order), in f64.
+    /// Columns of the inputs named in `inputs`, from columns of axis values (one per axis, in order).
     ///
     /// # Errors
     /// An input that the domain does not give; another number of columns than axes.
@@ -104,29 +104,6 @@ impl Domain {
         inputs: &[String],
         axes: &[Vec<f64>],
     ) -> Result<Vec<Vec<f64>>, FitError> {
-        self.map_columns(function, inputs, axes, power)
-    }
-
-    /// The same in f32 arithmetic: the alpha that a shader computes from its roughness.
-    ///
-    /// # Errors
-    /// As [`Domain::columns`].
-    pub fn columns_f32(
-        &self,
-        function: &str,
-        inputs: &[String],
-        axes: &[Vec<f32>],
-    ) -> Result<Vec<Vec<f32>>, FitError> {
-        self.map_columns(function, inputs, axes, power)
-    }
-
-    fn map_columns<T: Copy>(
-        &self,
-        function: &str,
-        inputs: &[String],
-        axes: &[Vec<T>],
-        power: impl Fn(T, u32) -> T,
-    ) -> Result<Vec<Vec<T>>, FitError> {
         if axes.len() != self.axes.len() {
             let what = format!("{function}: columns of axis values");
             return Err(FitError::Shape { what, found: axes.len(), expected: self.axes.len() });

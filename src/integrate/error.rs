@@ -36,6 +36,16 @@ pub enum IntegrateError {
         /// Where.
         place: String,
     },
+    /// A search that cannot go on.
+    #[error("{quantity}: a search from {start:?}: {reason}")]
+    Search {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// The parameters that it began with.
+        start: Vec<f64>,
+        /// What stopped it.
+        reason: String,
+    },
     /// What is sought as a minimum has none where it is sought.
     #[error(
         "{quantity} at {place}: {what} is sought and none is the best: the error falls to the end of what is searched"

@@ -84,7 +84,7 @@ impl Stretch {
         let sign = if along(growths) < 0.0 { -1.0 } else { 1.0 };
         Some(Stretch {
             kappa,
-            area: near / far * (dot(hit.normal, seen).max(LEAST_COSINE) / steep).sqrt(),
+            area: area_ratio(hit.normal, (ray, near), (seen, far)),
             major: scaled(plus(scaled(axes[0], x), scaled(axes[1], y)), sign),
             length: ((1.0 - 1.0 / long) * (1.0 + 1.0 / long)).max(0.0).sqrt(),
             growth: along(growths).abs(),
@@ -130,6 +130,18 @@ impl Form {
         let (sine, cosine) = ops::sincos(0.5 * ops::atan2(self.r, self.q));
         Some(((large / small).max(1.0).sqrt(), [cosine, sine]))
     }
+}
+
+/// cos psi_p/cos psi_s of the unit rays from a shading point and from a probe to a place on a wall of that outward unit `normal`, cosines of
+/// at least [`LEAST_COSINE`].
+pub fn slant_ratio(normal: Vec3, from_place: Vec3, from_probe: Vec3) -> f64 {
+    dot(normal, from_probe).max(LEAST_COSINE) / dot(normal, from_place).max(LEAST_COSINE)
+}
+
+/// [`Stretch::area`] by a unit ray and its length > 0 from the shading point and another from the probe: rho by the root of the ratio of solid
+/// angles, (d_s/d_p) sqrt(cos psi_p/cos psi_s).
+pub fn area_ratio(normal: Vec3, from_place: (Vec3, f64), from_probe: (Vec3, f64)) -> f64 {
+    from_place.1 / from_probe.1 * slant_ratio(normal, from_place.0, from_probe.0).sqrt()
 }
 
 /// The width, at most 1, of a fetch that stands for a lobe of width `alpha` in [0, 1] whose footprint is `ratio` > 0 times as wide from

@@ -11,6 +11,7 @@ mod error;
 mod field;
 mod findings;
 pub mod flip;
+mod gpu;
 mod image;
 mod json;
 mod numbers;
@@ -57,11 +58,12 @@ pub use findings::{
     SeedSlant, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
 };
 pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
+pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use image::{Image, luminance};
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
-    Spheres, Spread, Style, Worst, disc,
+    Spheres, Spread, Style, Tile, Worst, disc,
 };
 pub use timings::{
     TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,
@@ -149,6 +151,16 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
     let figures = json::document("timings.json", timings)?;
     let text = html(&sections::of_timings(timings)?)?;
     Ok(vec![file("reports/timings.html", text.into_bytes()), file("reports/timings.json", figures)])
+}
+
+/// The page of times on a graphics processor as HTML, and its record as JSON; the page names the hash of the record's bytes.
+///
+/// # Errors
+/// As [`page`].
+pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
+    let figures = json::document("gpu.json", record)?;
+    let hash = blake3::hash(&figures).to_hex();
+    Ok((html(&sections::of_gpu(record, &hash)?)?, figures))
 }
 
 /// The page of a formula that the user fits, as HTML.

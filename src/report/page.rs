@@ -71,6 +71,13 @@ pub enum Block {
     },
     /// A table.
     Table(TextTable),
+    /// Blocks that are shown when their line is opened.
+    Fold {
+        /// The line.
+        summary: String,
+        /// What it opens.
+        blocks: Vec<Block>,
+    },
 }
 
 /// A table of text.

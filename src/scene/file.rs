@@ -13,7 +13,7 @@ use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
 use super::probe::Probe;
 use super::text;
-use super::value::{List, Maybe, ObjectOnly, Text, Word};
+use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
 use crate::data::{AlphaMap, Container, Smith};
 use crate::optics::kernel::Kernel;
 
@@ -201,8 +201,8 @@ impl Scene {
         for (i, probe) in self.probes.iter().enumerate() {
             if let Some((j, taps)) = probe.unruled() {
                 let message = format!(
-                    "{taps} fetches: rules of several fetches are fitted for half-cosine chains, and this probe's is of the kernel \
-                     `{}`; give 1",
+                    "{taps} fetches: rules of several fetches are fitted for ndf, half and half-cosine chains, and this probe's is of \
+                     the kernel `{}`; give 1",
                     probe.kernel.name()
                 );
                 return Err((format!("probes[{i}].lookups[{j}].taps"), message));
@@ -323,5 +323,11 @@ fn field_error(error: &serde_json::Error, path: &str, file: &str) -> SceneError 
     };
     // serde_path_to_error ends a path with "?" where the reader stood between two fields.
     let path = path.strip_suffix(".?").unwrap_or(path);
-    SceneError::Field { file: file.into(), at, path: path.into(), message: message.into() }
+    let (inner, message) = told(message);
+    let path = match (path, inner) {
+        (path, "") => path.into(),
+        ("" | ".", inner) => inner.into(),
+        (path, inner) => format!("{path}.{inner}"),
+    };
+    SceneError::Field { file: file.into(), at, path, message: message.into() }
 }

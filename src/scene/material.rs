@@ -8,7 +8,7 @@ use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
 use super::sheen::Sheen;
-use super::value::{Maybe, Text, Word, from_file};
+use super::value::{Maybe, Text, Word, about, from_file};
 use super::volume::VolumeLayout;
 use super::wants::{OpenWants, Wants};
 use crate::data::AlphaMap;
@@ -248,16 +248,18 @@ fn reflectance(kind: Kind, f0: Option<[f64; 3]>, ior: Option<[f64; 2]>) -> Resul
         (Kind::Metal | Kind::Dielectric, Some(f0), None) => Ok(Some(f0)),
         (Kind::Dielectric, None, Some([n, hi])) => {
             if n != hi {
-                return Err("ior: a dielectric has one index of refraction; a range is for glass".into());
+                return Err(about("ior", "a dielectric has one index of refraction; a range is for glass"));
             }
-            inside::<DielectricIor>(n, n).map_err(|e| format!("ior: {e}, where a dielectric's lies"))?;
+            inside::<DielectricIor>(n, n)
+                .map_err(|e| about("ior", format!("{e}, where a dielectric's lies")))?;
             Ok(Some([f0_of_ior(n); 3]))
         }
         (Kind::Glass, Some(_), _) => Err("`f0` is for metals and dielectrics; give the glass's `ior`".into()),
         (Kind::Glass, None, None) => Err("glass needs `ior`".into()),
         (Kind::Glass, None, Some(range)) => {
             for n in range {
-                inside::<GlassIor>(n, n).map_err(|e| format!("ior: {e}, where that of glass lies"))?;
+                inside::<GlassIor>(n, n)
+                    .map_err(|e| about("ior", format!("{e}, where that of glass lies")))?;
             }
             Ok(None)
         }
@@ -270,9 +272,11 @@ fn check_path_tracer(wants: &Wants, ior: Option<[f64; 2]>) -> Result<(), String>
     let path_tracer = wants.tables.iter().position(|t| t.layout == VolumeLayout::PathTracer);
     match path_tracer.filter(|_| highest > PATH_TRACER_IOR) {
         None => Ok(()),
-        Some(i) => Err(format!(
-            "wants.tables[{i}]: the path-tracer layout ends at ior {PATH_TRACER_IOR}, the material's at {highest}"
-        )),
+        Some(i) => {
+            let message =
+                format!("the path-tracer layout ends at ior {PATH_TRACER_IOR}, the material's at {highest}");
+            Err(about(format!("wants.tables[{i}]"), message))
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use super::limits;
 use super::material::rough_part;
 use super::name::Name;
 use super::number::{ErrorLimit, In, Levels, Ops, Planes, Ratio, Span, TapCount, Unit, Whole};
-use super::value::{List, Maybe, Text, Word, from_file};
+use super::value::{List, Maybe, Text, Word, about, from_file};
 use super::wants::norms;
 use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup, SurfaceLobe};
 use crate::integrate::footprint;
@@ -54,11 +54,10 @@ impl Probe {
         rough_part(self.roughness, map)
     }
 
-    /// The first lookup of several fetches, with their number, where no rule of several is fitted for the lobe: for the others than
-    /// half-cosine such a rule can be worse than one fetch.
+    /// The first lookup of several fetches, with their number, where no rule of several is fitted for the lobe: for one in a file.
     pub(super) fn unruled(&self) -> Option<(usize, u32)> {
         let several = self.lookups.iter().position(|lookup| lookup.taps > 1);
-        several.filter(|_| self.kernel != Kernel::HalfCosine).map(|j| (j, self.lookups[j].taps))
+        several.filter(|_| !self.kernel.is_analytic()).map(|j| (j, self.lookups[j].taps))
     }
 
     /// The first lookup of the fitted lobe, where it is fitted for another: with fetches of the half-cosine lobe.
@@ -130,7 +129,7 @@ struct LookupFile {
     /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing jumps there, or `sharp`; default `smooth`.
     #[serde(default)]
     edges: Maybe<Word<Edges>>,
-    /// Number of fetches: 1, or for half-cosine chains 2 or 3 along the axis that the wall stretches; default 1.
+    /// Number of fetches: 1, or where the kernel is no file 2 or 3 along the axis that the wall stretches; default 1.
     #[serde(default)]
     taps: Maybe<Whole<TapCount>>,
     /// What the lobe of a surface is taken for: `mirror`, round about the reflected ray, or for half-cosine chains `fitted`, leaning towards the
@@ -164,11 +163,13 @@ impl TryFrom<LookupFile> for ProbeLookup {
 fn lookups(list: Option<List<ProbeLookup, { limits::LOOKUPS_MAX }>>) -> Result<Vec<ProbeLookup>, String> {
     let Some(List(list)) = list else { return Ok(Vec::new()) };
     if list.is_empty() {
-        return Err("lookups: an empty list; leave the field out where none is wanted".into());
+        return Err(about("lookups", "the list is empty; leave the field out where none is wanted"));
     }
     let repeated = list.iter().enumerate().find(|(i, lookup)| list[..*i].contains(lookup));
     match repeated {
-        Some((i, lookup)) => Err(format!("lookups[{i}]: {} is in the list already", lookup.text())),
+        Some((i, lookup)) => {
+            Err(about(format!("lookups[{i}]"), format!("{} is in the list already", lookup.text())))
+        }
         None => Ok(list),
     }
 }
@@ -197,22 +198,23 @@ impl TryFrom<MipsFile> for MipChain {
         match (file.map.0, file.count.0, file.levels.0) {
             (Some(map), Some(count), None) => {
                 if map.0 == MipMap::Log && count.0 < 3 {
-                    return Err("count: a logarithmic chain has roughness 1 in its last level but one; give 3 or more".into());
+                    return Err(about(
+                        "count",
+                        "a logarithmic chain has roughness 1 in its last level but one; give 3 or more",
+                    ));
                 }
                 Ok(MipChain::Mapped { map: map.0, count: count.0 })
             }
             (None, None, Some(List(levels))) => {
                 let levels: Vec<f64> = levels.into_iter().map(|level| level.0).collect();
                 if levels.len() < limits::LEVELS_MIN {
-                    return Err(format!(
-                        "levels: {} where at least {} are called for",
-                        levels.len(),
-                        limits::LEVELS_MIN
-                    ));
+                    let (given, least) = (levels.len(), limits::LEVELS_MIN);
+                    return Err(about("levels", format!("{given} where at least {least} are called for")));
                 }
                 if let Some(i) = levels.windows(2).position(|pair| pair[1] - pair[0] < NARROWEST_STEP) {
                     let [low, high] = [levels[i], levels[i + 1]];
-                    return Err(format!("levels: {high} does not follow {low} by {NARROWEST_STEP} or more"));
+                    let message = format!("{high} does not follow {low} by {NARROWEST_STEP} or more");
+                    return Err(about(format!("levels[{}]", i + 1), message));
                 }
                 Ok(MipChain::Given(levels))
             }

@@ -10,6 +10,24 @@ use serde::de::value::StrDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use serde_json::Value;
 
+/// Between a field and the message about it, on their way through the reader's errors, which have no place for the first.
+const ABOUT: char = '\u{1f}';
+
+/// A message about a field inside of the object that is refused, `lookups[1]`; one about a field inside of that field goes on from there.
+pub(super) fn about(field: impl fmt::Display, message: impl fmt::Display) -> String {
+    let message = message.to_string();
+    let (inner, text) = told(&message);
+    let dot = if inner.is_empty() { "" } else { "." };
+    format!("{field}{dot}{inner}{ABOUT}{text}")
+}
+
+/// The field that a message is [`about`], empty for the whole object, and the message. The text of a scene, which a message may hold, names
+/// no field.
+pub(super) fn told(message: &str) -> (&str, &str) {
+    let named = |field: &str| field.chars().all(|c| c.is_ascii_alphanumeric() || "_.[]".contains(c));
+    message.split_once(ABOUT).filter(|(field, _)| named(field)).unwrap_or(("", message))
+}
+
 /// An optional field: absent, or a value. `null` is neither.
 pub(super) struct Maybe<T>(pub Option<T>);
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::limits::{VOLUME_CELLS, VOLUME_LINES};
 use super::material::Lobe;
 use super::number::{ErrorLimit, In, Numbers, VolumeAxisSize, Whole};
-use super::value::{Maybe, Word, from_file};
+use super::value::{Maybe, Word, about, from_file};
 use crate::data::TexelFormat;
 pub use crate::data::VolumeLayout;
 
@@ -78,26 +78,26 @@ impl TryFrom<VolumeFile> for OpenVolume {
         let limit = file.max_error.0.map(|e| e.0);
         if layout == VolumeLayout::PathTracer {
             if size.is_some() {
-                return Err("size: the path-tracer layout has its own; leave it out".into());
+                return Err(about("size", "the path-tracer layout has its own; leave it out"));
             }
             if limit.is_some() {
-                return Err(
-                    "max_error: the error of the path-tracer layout is reported, not chosen; leave it out"
-                        .into(),
-                );
+                let message = "the error of the path-tracer layout is reported, not chosen; leave it out";
+                return Err(about("max_error", message));
             }
         }
         if let Some([columns, rows, slices]) =
             size.filter(|size| size.iter().product::<usize>() > VOLUME_CELLS)
         {
-            return Err(format!("size: {columns}x{rows}x{slices} is more than {VOLUME_CELLS} texels"));
+            let message = format!("{columns}x{rows}x{slices} is more than {VOLUME_CELLS} texels");
+            return Err(about("size", message));
         }
         if let Some([columns, _, slices]) = size.filter(|[columns, _, slices]| {
             layout == VolumeLayout::Optimised && columns * slices > VOLUME_LINES
         }) {
-            return Err(format!(
-                "size: {columns} columns x {slices} slices of the optimised layout are more than {VOLUME_LINES}; rows cost less"
-            ));
+            let message = format!(
+                "{columns} columns x {slices} slices of the optimised layout are more than {VOLUME_LINES}; rows cost less"
+            );
+            return Err(about("size", message));
         }
         let max_error = limit.or_else(|| if size.is_none() { default_limit(layout) } else { None });
         Ok(OpenVolume { layout, size, format: file.format.0.map_or(TexelFormat::F16, |w| w.0), max_error })
@@ -116,7 +116,7 @@ impl OpenVolume {
     pub(super) fn of(self, lobe: Lobe) -> Result<VolumeWant, String> {
         let OpenVolume { layout, size, format, max_error } = self;
         if lobe == Lobe::Glass && layout == VolumeLayout::Azimuth {
-            return Err("layout: `azimuth` is for anisotropic materials; glass has none".into());
+            return Err(about("layout", "`azimuth` is for anisotropic materials; glass has none"));
         }
         Ok(VolumeWant { layout, size: size.unwrap_or_else(|| default_size(lobe, layout)), format, max_error })
     }

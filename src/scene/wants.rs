@@ -9,7 +9,7 @@ use super::limits;
 use super::material::Lobe;
 use super::name::HypothesisPath;
 use super::number::{AxisSize, ErrorLimit, In, Numbers, Ops, Whole};
-use super::value::{List, Maybe, Text, Word, from_file};
+use super::value::{List, Maybe, Text, Word, about, from_file};
 use super::volume::{OpenVolume, VolumeWant};
 use crate::data::TexelFormat;
 pub use crate::data::{Layout, Norm, Serves};
@@ -140,10 +140,10 @@ pub(super) fn norms(given: Option<List<Word<Norm>, 2>>) -> Result<Vec<Norm>, Str
     let given = given.map_or_else(|| vec![Norm::Max, Norm::Rms], |l| l.0.iter().map(|w| w.0).collect());
     let norms: BTreeSet<Norm> = given.iter().copied().collect();
     if norms.is_empty() {
-        return Err("norms: the list is empty; leave the field out for both".into());
+        return Err(about("norms", "the list is empty; leave the field out for both"));
     }
     if norms.len() != given.len() {
-        return Err(format!("norms: `{}` is there twice", given[0].name()));
+        return Err(about("norms[1]", format!("`{}` is there twice", given[0].name())));
     }
     Ok(norms.into_iter().collect())
 }
@@ -193,7 +193,7 @@ impl TryFrom<WantsFile> for OpenWants {
         }
         let tables = file.tables.0.map(|l| l.0);
         if tables.as_ref().is_some_and(Vec::is_empty) {
-            return Err("tables: the list is empty; leave the field out".into());
+            return Err(about("tables", "the list is empty; leave the field out"));
         }
         Ok(OpenWants { table, fit, tables: tables.unwrap_or_default() })
     }
@@ -214,25 +214,22 @@ impl OpenWants {
     pub(super) fn of(self, lobe: Lobe) -> Result<Wants, String> {
         let OpenWants { table, fit, tables } = self;
         if lobe == Lobe::Isotropic && !tables.is_empty() {
-            return Err("wants.tables: they are for anisotropic materials and for glass; give `anisotropy`, or ask for \
-                        `wants.table`"
-                .into());
+            let message = "they are for anisotropic materials and for glass; give `anisotropy`, or ask for `wants.table`";
+            return Err(about("wants.tables", message));
         }
         let isotropic = [("table", table.is_some()), ("fit", fit.is_some())];
         if let Some((field, _)) = isotropic.iter().find(|(_, wanted)| lobe == Lobe::Glass && *wanted) {
-            return Err(format!(
-                "wants.{field}: it is of lobes that only reflect; of glass ask for `wants.tables`"
-            ));
+            let message = "it is of lobes that only reflect; of glass ask for `wants.tables`";
+            return Err(about(format!("wants.{field}"), message));
         }
         let mut volumes: Vec<VolumeWant> = Vec::with_capacity(tables.len());
         for (i, open) in tables.into_iter().enumerate() {
-            let volume = open.of(lobe).map_err(|e| format!("wants.tables[{i}]: {e}"))?;
+            let volume = open.of(lobe).map_err(|e| about(format!("wants.tables[{i}]"), e))?;
             let same =
                 |v: &VolumeWant| (v.layout, v.size, v.format) == (volume.layout, volume.size, volume.format);
             if let Some(first) = volumes.iter().position(same) {
-                return Err(format!(
-                    "wants.tables[{i}]: it has the layout, size and format of wants.tables[{first}]"
-                ));
+                let message = format!("it has the layout, size and format of wants.tables[{first}]");
+                return Err(about(format!("wants.tables[{i}]"), message));
             }
             volumes.push(volume);
         }

@@ -104,6 +104,14 @@ pub enum StudyError {
         /// What the search came to.
         reason: String,
     },
+    /// A proxy is the planes about a probe.
+    #[error("room {room}: its probe at {probe:?} is not inside of all of its walls; move `probe`")]
+    Outside {
+        /// The room.
+        room: String,
+        /// Where its probe is.
+        probe: [f64; 3],
+    },
     /// The page refused its data.
     #[error(transparent)]
     Report(#[from] ReportError),

@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use super::seconds;
 use crate::data::{ProbeLookup, SurfaceLobe};
-use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Taps, Width};
+use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
 use crate::effects::room::proxies::{Body, Smooth};
 use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
 use crate::math::sobol::Sobol;
@@ -53,18 +53,12 @@ fn per_pixel<P: Proxy>(proxy: P, wanted: ProbeLookup) -> f64 {
         3 => TapRule::three(),
         _ => TapRule::one(),
     };
-    let probe = [0.1, -0.2, 0.05];
-    match wanted.lobe {
-        SurfaceLobe::Mirror => timed_at_pixels(&Taps { proxy, probe, rule }),
-        SurfaceLobe::Fitted => {
-            let shading = Shading::Fitted(LobeFit::of(wanted.taps));
-            let (ratio, width) = (Ratio::Area, Width::Rational);
-            timed_at_pixels(&Corrected { proxy, probe, shading, rule, ratio, width })
-        }
-    }
-}
-
-fn timed_at_pixels(lookup: &impl Lookup) -> f64 {
+    let shading = match wanted.lobe {
+        SurfaceLobe::Mirror => Shading::Mirror,
+        SurfaceLobe::Fitted => Shading::Fitted(LobeFit::of(wanted.taps)),
+    };
+    let (probe, ratio, width) = ([0.1, -0.2, 0.05], Ratio::Area, Width::Rational);
+    let lookup = Corrected { proxy, probe, shading, rule, ratio, width };
     let points = pixels();
     let time = seconds(|| {
         for seen in &points {

@@ -1,6 +1,9 @@
 //! Floor 7: what accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
 
+#[cfg(feature = "gpu")]
+pub mod gpu;
 mod lookups;
+pub mod record;
 mod tables;
 
 use std::hint::black_box;

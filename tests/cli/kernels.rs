@@ -12,7 +12,8 @@ use serde_json::{Value, json};
 fn phong(widths: &[f64]) -> Value {
     let lobe = |&alpha: &f64| {
         let power = 0.5 / (alpha * alpha) - 0.5;
-        let theta: Vec<f64> = (0..48).map(|i| f64::from(i * i) / 2209.0 * std::f64::consts::FRAC_PI_2).collect();
+        let theta: Vec<f64> =
+            (0..48).map(|i| f64::from(i * i) / 2209.0 * std::f64::consts::FRAC_PI_2).collect();
         let cosine = |theta: &f64| lobefit::math::ops::cos(*theta).max(0.0);
         let density: Vec<f64> = theta.iter().map(|t| lobefit::math::ops::pow(cosine(t), power)).collect();
         json!({"alpha": alpha, "theta": theta, "density": density})
@@ -213,7 +214,7 @@ fn kernels_that_cannot_be_had_are_told_by_field() {
         ),
         (
             probe("p", "a.json", r#", "lookups": [{}, {"taps": 2}]"#),
-            "probes[0].lookups[1].taps: 2 fetches: rules of several fetches are fitted for half-cosine chains",
+            "probes[0].lookups[1].taps: 2 fetches: rules of several fetches are fitted for ndf, half and half-cosine chains",
         ),
     ] {
         let scene = format!(r#"{{"schema_version": 1, "materials": [], "probes": [{probes}]}}"#);

@@ -12,5 +12,6 @@ mod fit;
 mod fit_ends;
 mod hypotheses;
 mod kernels;
+mod records;
 mod search;
 mod usage;

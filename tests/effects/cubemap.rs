@@ -141,7 +141,7 @@ fn texels_are_the_integral_of_the_lobe() {
             assert!(largest(found, wanted) < 0.01 * wanted[0], "{level} {face}: {found:?} {wanted:?}");
             // the rays of the kernel's own quantiles
             let rays = Rays::new(Kernel::HalfCosine, roughness * roughness, 16384, 5);
-            let other = lobefit::effects::room::lobe(&room, room.probe, towards, None, &rays);
+            let other = crate::rooms::lobe(&room, room.probe, towards, None, &rays);
             assert!(largest(found, other) < 0.01 * wanted[0], "{level} {face}: {found:?} {other:?}");
         }
     }

@@ -64,6 +64,15 @@ fn the_rational_form_keeps_its_bars_and_the_optimum_lies_below_it() {
     let least = grid().spread(&best, near).expect("measured").expect("cells");
     println!("optimum: {least:?}");
     assert!(close(least.mean, 0.0144, 1e-4) && close(least.max, 0.034, 1e-3), "{least:?}");
+    // the difference of encircled energies is what the best width makes least, in mean and cell by cell
+    let [mean, max] = least.encircled;
+    assert!(
+        0.0 < mean && mean < near_one.encircled[0] && max < near_one.encircled[1],
+        "{least:?} {near_one:?}"
+    );
+    for [mean, max] in [least.l2, least.largest, near_one.l2, near_one.largest] {
+        assert!(0.0 < mean && mean < max && max < 0.5, "{least:?} {near_one:?}");
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use lobefit::effects::parallax::{Corrected, Faded, Ratio, Shading, Slant, TapRule, Width, width};
 use lobefit::effects::room::cubemap::{Integrated, Viewpoint, direction, to_edge};
+use lobefit::effects::room::proxies::Body;
 use lobefit::effects::room::{Fan, Fetch, Lookup, Room, Seen, Tap, octagon, room_a, room_b};
 use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
 use lobefit::optics::kernel::Kernel;
@@ -134,7 +135,7 @@ fn ratios_that_do_not_fade_are_the_plain_ones() {
     for mirror in around() {
         for (slant, ratio) in [(Slant::Ignored, Ratio::Distance), (Slant::Whole, Ratio::Area)] {
             let plain = Corrected {
-                proxy: room.shape(),
+                proxy: Body::new(&room.shape(), room.probe).expect("a probe inside"),
                 probe: room.probe,
                 shading: Shading::Mirror,
                 rule: TapRule::one(),

@@ -11,7 +11,9 @@ fn lookups_say_what_they_hold_of() {
         let entry = &emitted.entry;
         let word = |key: &str| entry[key].as_str().expect("a word");
         assert_eq!((word("effect"), word("alpha_map")), ("parallax", "roughness^2"));
-        let kernel = if word("function").starts_with("parallax_ndf_") { "ndf" } else { "half-cosine" };
+        let named =
+            ["ndf", "half"].into_iter().find(|k| word("function").starts_with(&format!("parallax_{k}_")));
+        let kernel = named.unwrap_or("half-cosine");
         assert_eq!(word("kernel"), kernel);
         assert_eq!(entry["gives"] == "mip", entry.get("chain").is_some());
         assert_eq!(entry.get("power").is_some(), emitted.lookup.smooth);

@@ -19,6 +19,7 @@ use lobefit::emit::code::Language;
 use lobefit::fit::Hypothesis;
 use lobefit::math::sobol::Sobol;
 use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents};
+use lobefit::optics::kernel::Kernel;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use serde_json::Value;
@@ -32,7 +33,8 @@ const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [], "p
         {"planes": 11, "taps": 3, "lobe": "fitted"}, {"edges": "sharp", "taps": 3, "lobe": "fitted"}]},
     {"name": "b", "norms": ["max"], "max_ops": 13, "mips": {"map": "linear", "count": 7},
         "lookups": [{}, {"taps": 3}, {"taps": 3, "lobe": "fitted"}]},
-    {"name": "c", "norms": ["max"], "max_ops": 13, "kernel": "ndf", "lookups": [{"planes": 14}]}]}"#;
+    {"name": "c", "norms": ["max"], "max_ops": 13, "kernel": "ndf", "lookups": [{"planes": 14}, {"taps": 2}]},
+    {"name": "d", "norms": ["max"], "max_ops": 13, "kernel": "half", "lookups": [{"edges": "sharp", "taps": 3}]}]}"#;
 
 pub static BAKED: LazyLock<Baked> = LazyLock::new(|| {
     let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
@@ -255,11 +257,11 @@ impl Emitted {
         let lobe = self.lobe([place, normal, last], f64::from(point[9]));
         let (ray, alpha) = (lobe.axis, lobe.alpha);
         let one = self.expected(place, ray, alpha, alpha)?;
-        let rule = match self.lookup.taps {
-            1 => return Some(vec![one]),
-            2 => TapRule::two(),
-            _ => TapRule::three(),
-        };
+        if self.lookup.taps == 1 {
+            return Some(vec![one]);
+        }
+        let kernel = self.entry["kernel"].as_str().and_then(Kernel::of).expect("a kernel");
+        let rule = TapRule::of(kernel, self.lookup.taps as usize).expect("a rule");
         let hit = self.proxy().meet(place, ray, alpha)?;
         let stretch = Stretch::of_lobe(place, &hit, self.room.probe, alpha, lobe.axes)?;
         if stretch.growth < 1e-3 {
@@ -391,7 +393,7 @@ pub fn described(language: Language, k: usize, emitted: &Emitted) -> (String, St
 
 #[test]
 fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
-    assert_eq!(EMITTED.len(), 17);
+    assert_eq!(EMITTED.len(), 19);
     let rust = text(Language::Rust);
     compile_library(&rust);
     for language in [Language::Hlsl, Language::Glsl] {

@@ -2,6 +2,9 @@
 
 #[path = "../code_support/mod.rs"]
 mod code_support;
+#[cfg(feature = "gpu")]
+#[path = "../common/mod.rs"]
+mod common;
 #[path = "../emit_support/mod.rs"]
 mod emit_support;
 #[path = "../fit_support/mod.rs"]
@@ -18,6 +21,7 @@ mod fitted_lobe;
 mod formats;
 mod furnace;
 mod furnace_coupling;
+mod gpu_cost;
 mod gpu_lookups;
 mod gpu_shaders;
 mod gpu_volume;

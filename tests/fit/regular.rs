@@ -91,8 +91,8 @@ fn domains_are_checked() {
     let domain = axis().with_derived("alpha", "roughness", 4).unwrap();
     assert_eq!(domain.bounds()["alpha"], [0.00390625, 0.0625]);
     let names = ["alpha".to_string(), "roughness".to_string()];
-    let columns = domain.columns_f32("f", &names, &[vec![0.3, 0.4]]).unwrap();
-    assert_eq!(columns[0], [(0.3f32 * 0.3) * (0.3 * 0.3), (0.4f32 * 0.4) * (0.4 * 0.4)]);
+    let columns = domain.columns("f", &names, &[vec![0.3, 0.4]]).unwrap();
+    assert_eq!(columns[0], [(0.3 * 0.3) * (0.3 * 0.3), (0.4 * 0.4) * (0.4 * 0.4)]);
     let missing = domain.columns("f", &["mu".to_string()], &[vec![0.3]]).unwrap_err();
     assert_eq!(missing.to_string(), "f: input mu is not one of roughness, alpha");
 }

@@ -17,7 +17,7 @@ fn floors() -> BTreeMap<String, u32> {
         .collect()
 }
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -32,16 +32,16 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The text without comments (strings are kept: none of ours holds `crate::`, and a false alarm would be seen).
-fn code(text: &str) -> String {
+pub(crate) fn code(text: &str) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
-fn word(text: &str) -> &str {
+pub(crate) fn word(text: &str) -> &str {
     text.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default()
 }
 
 /// The first name of every path in `text`, which begins where a path to the crate's root ends: `a::b`, or `{a::b, c}`.
-fn heads(text: &str) -> Vec<String> {
+pub(crate) fn heads(text: &str) -> Vec<String> {
     let text = text.trim_start();
     let Some(group) = text.strip_prefix('{') else { return vec![word(text).to_owned()] };
     let mut names = Vec::new();

@@ -1,4 +1,5 @@
 //! The sources and the README themselves.
 
+mod cycles;
 mod floors;
 mod readme;

@@ -3,13 +3,15 @@
 
 use std::f64::consts::PI;
 
+use lobefit::integrate::IntegrateError;
 use lobefit::integrate::footprint::measures;
 use lobefit::integrate::footprint::slant::{
-    Case, Found, Nearest, Resolution, Slant, Stand, best_taps, best_width,
+    Case, Found, Nearest, Normal, Resolution, Slant, Stand, best_taps, best_width, least,
 };
 use lobefit::math::ops::{cos, sin, sincos};
 use lobefit::optics::footprint::RuleTap;
 use lobefit::optics::kernel::Kernel;
+use nalgebra::{DMatrix, DVector};
 
 fn degrees(x: f64) -> f64 {
     x * PI / 180.0
@@ -180,5 +182,39 @@ fn fetches_come_as_near_as_the_study_says() {
             }
             last = found.into_iter().map(Some).collect();
         }
+    }
+}
+
+/// (x - 3)^2 + (x y - 1)^2, and nothing of the third parameter.
+fn bent(p: &[f64]) -> Option<Normal> {
+    let (x, y) = (p[0], p[1]);
+    Normal::of(&[x - 3.0, x * y - 1.0], &[vec![1.0, y], vec![0.0, x], vec![0.0, 0.0]])
+}
+
+#[test]
+fn a_search_comes_to_rest_or_says_that_it_does_not() {
+    let found = least(bent, &[1.0, 2.0, 0.7], 100).expect("a search");
+    assert!(found.settled && found.value < 1e-12, "{found:?}");
+    assert!((found.at[0] - 3.0).abs() < 1e-5 && (found.at[1] - 1.0 / 3.0).abs() < 1e-5, "{found:?}");
+    assert_eq!(found.at[2], 0.7, "what has no effect stays");
+    let cut = least(bent, &[1.0, 2.0, 0.7], 2).expect("a search");
+    assert!(!cut.settled && cut.value > found.value, "{cut:?}");
+    // where nothing has an effect there is nothing to seek
+    let flat = least(|_| Normal::of(&[2.0], &[vec![0.0], vec![0.0]]), &[1.0, 1.0], 9).expect("a search");
+    assert!(flat.settled && flat.at == [1.0, 1.0] && flat.value == 4.0, "{flat:?}");
+}
+
+#[test]
+fn a_search_that_cannot_be_solved_is_an_error() {
+    let refused = least(|_| None, &[0.5], 9);
+    assert!(matches!(refused, Err(IntegrateError::Search { .. })), "{refused:?}");
+    // a Hessian of no sum of squares
+    let saddle = |p: &[f64]| {
+        let hessian = DMatrix::from_row_slice(2, 2, &[1.0, 9.0, 9.0, 1.0]) * -1.0;
+        Some(Normal { value: 2.0 + p[0], gradient: DVector::from_vec(vec![1.0, 1.0]), hessian })
+    };
+    let failed = least(saddle, &[0.25, 4.0], 9).expect_err("no step").to_string();
+    for part in ["slanted footprint", "[0.25, 4.0]", "not positive definite", "damped by up to"] {
+        assert!(failed.contains(part), "{failed}");
     }
 }

@@ -2,7 +2,8 @@
 
 use base64::Engine;
 use lobefit::report::{
-    Curves, Field, Figure, HeatMap, ReportError, Ruler, Series, Shade, SphereRow, Spheres, Spread, Style,
+    Cells, Curves, Field, Figure, Gallery, HeatMap, Image, ReportError, Ruler, Series, Shade, SphereRow,
+    Spheres, Spread, Style, Tile,
 };
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -109,4 +110,46 @@ fn curves_refuse_what_a_logarithmic_axis_cannot_show() {
     assert!(matches!(chart(0.0).svg(), Err(ReportError::Domain { .. })));
     assert!(matches!(chart(f64::NAN).svg(), Err(ReportError::NotFinite { .. })));
     assert!(matches!(Curves { series: Vec::new(), ..chart(8.0) }.svg(), Err(ReportError::Empty { .. })));
+}
+
+/// A picture, a map and nothing, each of one pixel.
+fn tiles(names: [&str; 3], values: Vec<f64>) -> Gallery {
+    let image = Image { width: 1, height: 1, pixels: vec![[1.0, 0.0, 0.0]] };
+    let shade = Shade::Magnitude { min: 0.0, max: 2.0, spread: Spread::Linear };
+    let tiles = vec![vec![Tile::Colours(image), Tile::Values(values), Tile::Nothing]];
+    Gallery {
+        title: "tiles".into(),
+        column_name: String::new(),
+        columns: names.map(String::from).into(),
+        rows: vec!["row".into()],
+        side: 1,
+        cell: 80.0,
+        cells: Cells::Tiles { tiles, shade, unit: "unit".into() },
+    }
+}
+
+#[test]
+fn colours_values_and_nothing_stand_side_by_side() -> Outcome {
+    let (width, pixels) = first_picture(&tiles(["a", "b", "c"], vec![5.0]).svg()?)?;
+    assert_eq!((width, &pixels[..]), (3, &[[255, 0, 0], [0xFD, 0xE7, 0x25], [0xD8; 3]][..]));
+    let (_, pixels) = first_picture(&tiles(["a", "b", "c"], vec![0.0]).svg()?)?;
+    assert_eq!(pixels[1], [0x44, 0x01, 0x54], "the darkest");
+    for values in [vec![], vec![1.0, 1.0], vec![f64::NAN]] {
+        let refused = tiles(["a", "b", "c"], values).svg().expect_err("refused").to_string();
+        assert!(refused.contains("row row, column b"), "{refused}");
+    }
+    Ok(())
+}
+
+#[test]
+fn long_names_of_columns_are_broken_into_lines() -> Outcome {
+    let height = |svg: &str| -> Result<f64, Box<dyn std::error::Error>> {
+        let height = svg.split_once(" height=\"").ok_or("no height")?.1;
+        Ok(height.split_once('"').ok_or("no end")?.0.parse()?)
+    };
+    let short = tiles(["a", "b", "c"], vec![1.0]).svg()?;
+    let long = tiles(["a", "3 fetches, fitted lobe", "c"], vec![1.0]).svg()?;
+    assert_eq!(height(&long)? - height(&short)?, 14.0, "one line more");
+    assert!(!long.contains("3 fetches, fitted lobe") && long.contains("3 fetches,"), "{long}");
+    Ok(())
 }

@@ -2,7 +2,7 @@
 
 use crate::report_support;
 
-use lobefit::report::{self, File, ReportError};
+use lobefit::report::{self, Block, File, Page, ReportError, Section, html};
 use report_support::{findings, timings};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -152,5 +152,32 @@ fn rings_of_fits_are_signed() -> Outcome {
     one.approximations[0].certificate.max_abs = 0.12345;
     let html = text(&report::page("reflection", &one)?, "reports/reflection.html")?;
     assert!(html.contains("\u{2212}0.124\n"), "the certificate's figure with the map's sign, away from zero");
+    Ok(())
+}
+
+#[test]
+fn folds_hold_blocks_and_one_another() -> Outcome {
+    let text = |text: &str| Block::Text { text: text.into() };
+    let inner = Block::Fold { summary: "inner".into(), blocks: vec![text("deep & hidden")] };
+    let blocks =
+        vec![text("open"), Block::Fold { summary: "a <b>".into(), blocks: vec![text("folded"), inner] }];
+    let section = Section { id: "one".into(), title: "One".into(), lead: "Lead.".into(), blocks };
+    let page =
+        Page { title: "t".into(), origin: findings().origin, lead: "l".into(), sections: vec![section] };
+    let html = html(&page)?;
+    let lines: Vec<&str> = html.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let wanted = [
+        "<p>open</p>",
+        "<details>",
+        "<summary>a &lt;b&gt;</summary>",
+        "<p>folded</p>",
+        "<details>",
+        "<summary>inner</summary>",
+        "<p>deep &amp; hidden</p>",
+        "</details>",
+        "</details>",
+        "</section>",
+    ];
+    assert!(lines.windows(wanted.len()).any(|lines| lines == wanted), "{lines:#?}");
     Ok(())
 }

@@ -103,11 +103,11 @@ fn texels_of_volumes_hold_at_the_limit_only() {
     read(&glasses(std::iter::once(volume("[256,256,64]", "")))).unwrap();
     for size in ["[256,256,65]", "[256,256,256]"] {
         let error = read(&glasses(std::iter::once(volume(size, "")))).unwrap_err();
-        assert!(error.contains("materials[0].wants.tables[0]: size: 256x256x"), "{error}");
+        assert!(error.contains("materials[0].wants.tables[0].size: 256x256x"), "{error}");
         assert!(error.ends_with(" is more than 4194304 texels"), "{error}");
     }
     let error = read(&glasses(std::iter::once(volume("[256,4,65]", "")))).unwrap_err();
-    let expected = "materials[0].wants.tables[0]: size: 256 columns x 65 slices of the optimised layout are more than 16384; rows cost less";
+    let expected = "materials[0].wants.tables[0].size: 256 columns x 65 slices of the optimised layout are more than 16384; rows cost less";
     assert!(error.contains(expected), "{error}");
     // Twice 2^22 for the two sides, once as f16 and once as f32, are 2^24.
     let (half, single) = (volume("[256,256,64]", ""), volume("[256,256,64]", r#","format":"f32""#));

@@ -9,6 +9,7 @@ use crate::bake::{BakeError, origin};
 use crate::effects::parallax::{Cell, LevelFunction, Spread, Variation};
 use crate::effects::reflection::{Fit, FitStageError};
 use crate::emit::code::{self, Language};
+use crate::integrate::footprint::Measures;
 use crate::plan::Effect;
 use crate::report::{
     ApproximationFinding, ChainFinding, EffectFinding, Field, ParallaxCurve, ParallaxFindings, ParallaxLobe,
@@ -61,7 +62,7 @@ fn of_lobe(lobe: &Lobe) -> Result<ParallaxLobe, BakeError> {
         approximations: lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation)).collect(),
         variations,
         saturated: saturated.map(|cell| (cell.roughness, cell.rho)).collect(),
-        least: field(lobe, "total variation", false, |_, cell| cell.least.tv),
+        least: least(lobe),
         maps: named.iter().map(|(fit, widths)| map(lobe, fit, widths)).collect::<Result<_, _>>()?,
         curves: CURVES.into_iter().map(|r| curve(lobe, r, &named)).collect(),
         chains: lobe.functions.iter().map(chain).collect(),
@@ -91,7 +92,19 @@ fn of_fit(fit: &Fit, variation: &Variation) -> VariationFinding {
 }
 
 fn row(spread: Spread) -> VariationRow {
-    VariationRow { mean: spread.mean, max: spread.max, at: place(&spread) }
+    let Spread { mean, max, l2, largest, encircled, .. } = spread;
+    VariationRow { mean, max, at: place(&spread), l2, largest, encircled }
+}
+
+/// What the best width leaves, in every measure.
+fn least(lobe: &Lobe) -> Vec<Field> {
+    let plane = |name: &str, of: fn(&Measures) -> f64| field(lobe, name, false, |_, cell| of(&cell.least));
+    vec![
+        plane("total variation", |least| least.tv),
+        plane("root mean square difference", |least| least.l2),
+        plane("largest difference", |least| least.max),
+        plane("encircled energy", |least| least.encircled),
+    ]
 }
 
 /// A field over the grid, roughness along x and rho along y.

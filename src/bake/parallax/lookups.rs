@@ -3,7 +3,7 @@
 use super::{EFFECT, Lobe, code};
 use crate::bake::BakeError;
 use crate::data::{MipChain, ProbeLookup};
-use crate::effects::parallax::{Gives, named};
+use crate::effects::parallax::{Gives, TapRule, named};
 use crate::effects::reflection::{Fit, FitStageError};
 use crate::effects::room::proxies::Smooth;
 use crate::emit::header;
@@ -45,11 +45,14 @@ fn one(
         inputs: hypothesis.inputs().to_vec(),
         ops: hypothesis.tape().cost_ops(),
     };
+    let fetches = lookup.taps as usize;
     let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
     let mut wanted = Wanted {
         fetch: named(lobe.job.kernel, &fetch),
         name: named(lobe.job.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
         lookup,
+        rule: TapRule::of(lobe.job.kernel, fetches)
+            .ok_or(BakeError::NoRule { kernel: lobe.job.kernel.word(), fetches })?,
         header: Vec::new(),
         width: called(&best.hypothesis),
         level: level.map(called),

@@ -36,7 +36,8 @@ impl Judge {
             spread(COUNT[1], region.span, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
         let cosines: Vec<Vec<f32>> =
             rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
-        let azimuths = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]);
+        // in an order of their own: in that of the cosines, which count along a row too, each azimuth goes with a mu
+        let azimuths = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
         let mut all = Vec::with_capacity(rows.len() * slices.len() * 2 * COUNT[2]);
         for &anisotropy in &slices {
             for (row, cosines) in rows.iter().zip(&cosines) {

@@ -36,7 +36,7 @@ pub struct Grid {
     pub cells: Vec<Cell>,
 }
 
-/// Total variation of a formula's fetches over some cells.
+/// What a formula's fetches are off by over some cells: the total variation, and mean and largest of the other measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// Mean.
@@ -47,6 +47,12 @@ pub struct Spread {
     pub at: [f64; 2],
     /// Number of cells.
     pub cells: usize,
+    /// Mean and largest of [`Measures::l2`].
+    pub l2: [f64; 2],
+    /// Of [`Measures::max`].
+    pub largest: [f64; 2],
+    /// Of [`Measures::encircled`].
+    pub encircled: [f64; 2],
 }
 
 impl Grid {
@@ -105,7 +111,7 @@ impl Grid {
         Ok(hypothesis.tape().evaluate(&inputs, coefficients)?.into_iter().map(f64::from).collect())
     }
 
-    /// The total variation of fetches of these widths, one for each cell, over the cells that are wanted; `None` where none is.
+    /// What fetches of these widths, one for each cell, are off by over the cells that are wanted; `None` where none is.
     ///
     /// # Errors
     /// A width outside of [1e-12, 1].
@@ -121,14 +127,22 @@ impl Grid {
             .filter(|(cell, _)| wanted(cell))
             .map(|(cell, width)| (cell, *width))
             .collect();
-        let one = |(cell, width): &(&Cell, f64)| Ok(measures(self.kernel, cell.alpha, cell.rho, *width)?.tv);
-        let tv = cells.par_iter().map(one).collect::<Result<Vec<f64>, IntegrateError>>()?;
-        let worst = (0..tv.len()).max_by(|a, b| tv[*a].total_cmp(&tv[*b]));
+        let one = |(cell, width): &(&Cell, f64)| measures(self.kernel, cell.alpha, cell.rho, *width);
+        let off = cells.par_iter().map(one).collect::<Result<Vec<Measures>, IntegrateError>>()?;
+        let of = |measure: fn(&Measures) -> f64| {
+            let sum: f64 = off.iter().map(measure).sum();
+            [sum / off.len() as f64, off.iter().map(measure).fold(0.0, f64::max)]
+        };
+        let worst = (0..off.len()).max_by(|a, b| off[*a].tv.total_cmp(&off[*b].tv));
+        let [mean, max] = of(|off| off.tv);
         Ok(worst.map(|worst| Spread {
-            mean: tv.iter().sum::<f64>() / tv.len() as f64,
-            max: tv[worst],
+            mean,
+            max,
             at: [cells[worst].0.roughness, cells[worst].0.rho],
-            cells: tv.len(),
+            cells: off.len(),
+            l2: of(|off| off.l2),
+            largest: of(|off| off.max),
+            encircled: of(|off| off.encircled),
         }))
     }
 }

@@ -20,7 +20,7 @@ pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use grid::{Cell, Grid, Spread};
 pub use lookups::{Corrected, Faded, LobeFit, Ratio, Shading, ShadingLobe, Slant, Uncorrected, Width};
-pub use taps::{RuleTap, Stretch, TapRule, Taps, width};
+pub use taps::{RuleTap, Stretch, TapRule, width};
 pub use variation::{Variation, variations};
 
 /// What to fit.

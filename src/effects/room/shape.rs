@@ -1,6 +1,5 @@
 //! Convex bodies by their planes.
 
-use super::lookup::{Meeting, Proxy};
 use crate::math::vector::{Vec3, cross, dot, normalise, plus, scaled};
 
 /// A plane: the half-space normal . x <= offset is inside.
@@ -85,12 +84,4 @@ fn meet([a, b, c]: [&Plane; 3]) -> Option<Vec3> {
     let volume = dot(a.normal, sides[0]);
     let sum = plus(plus(scaled(sides[0], a.offset), scaled(sides[1], b.offset)), scaled(sides[2], c.offset));
     (volume.abs() > 1e-9).then(|| scaled(sum, 1.0 / volume))
-}
-
-impl Proxy for Convex {
-    fn meet(&self, from: Vec3, towards: Vec3, _alpha: f64) -> Option<Meeting> {
-        let (distance, plane) = self.exit(from, towards)?;
-        let place = plus(from, scaled(towards, distance));
-        Some(Meeting { distance, place, normal: self.planes[plane].normal })
-    }
 }

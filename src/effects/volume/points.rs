@@ -31,8 +31,9 @@ impl Points {
     /// 2^log2 groups uniform in the region, half as many in the layer, as many about the critical angle of glass, and the edges.
     pub fn certification(region: &Region, log2: u32) -> Points {
         let mut points = Points { third: region.third, ..Points::default() };
-        let (base, third) =
-            (Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]), Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]));
+        let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
+        // a group's values lie one in each 1/GROUP of the span, in an order of their own
+        let third = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
         let spread = |group: u32| -> [f64; GROUP] {
             std::array::from_fn(|k| lerp(region.span, third.coordinate(group * GROUP as u32 + k as u32, 0)))
         };

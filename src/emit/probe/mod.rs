@@ -13,6 +13,7 @@ mod single;
 
 use super::code::Language;
 use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
+use crate::effects::parallax::TapRule;
 use crate::effects::parallax::taps::horizon::FADE;
 use crate::effects::room::proxies::Law;
 use crate::fit::FitError;
@@ -51,6 +52,8 @@ pub struct Wanted {
     pub fetch: String,
     /// What it does.
     pub lookup: ProbeLookup,
+    /// Where its fetches go.
+    pub rule: TapRule,
     /// Its documentation.
     pub header: Vec<String>,
     /// The width of a fetch.
@@ -165,7 +168,7 @@ impl Wanted {
         let taps = self.lookup.taps;
         let mut lines = if self.lookup.is_fitted() { lobe::expected(taps) } else { Vec::new() };
         if taps > 1 {
-            lines.extend(rule::expected(taps));
+            lines.extend(rule::expected(&self.rule));
         }
         lines
     }
@@ -224,10 +227,12 @@ mod tests {
             (None, true, 1, Fitted),
         ] {
             let lookup = ProbeLookup { planes, smooth, taps, lobe };
+            let rule = [TapRule::one(), TapRule::two(), TapRule::three()][taps as usize - 1];
             let wanted = Wanted {
                 name: "lookup".into(),
                 fetch: "one_fetch".into(),
                 lookup,
+                rule,
                 header: Vec::new(),
                 width: called("f"),
                 level: Some(called("g")),

@@ -1,7 +1,7 @@
 //! The rule of several fetches, as a script: the formulas of [`TapRule`] in f32, with its constants.
 
 use crate::effects::parallax::TapRule;
-use crate::effects::parallax::taps::expected::{EXPECTED, EXPECTED_OFF, EXPECTED_UP_TO};
+use crate::effects::parallax::taps::expected::{EXPECTED_UP_TO, Expected};
 
 /// Where the fetches lie and how wide they are, by z = `spread`, y = `skewed` and alpha; the constants by their names in [`TWO_NAMES`].
 const TWO: &str = "
@@ -48,10 +48,10 @@ const THREE_NAMES: [&str; 23] = [
 
 /// The lines that name, by `spread`, `growth`, `slope` and `alpha`, what the rule says of every fetch: the tangent `tilt_i`, the width over
 /// that of the lobe `own_i`, the share `share_i`.
-pub(super) fn lines(taps: usize) -> String {
-    let (script, names, rule) = match taps {
-        2 => (TWO, &TWO_NAMES[..], TapRule::two()),
-        _ => (THREE, &THREE_NAMES[..], TapRule::three()),
+pub(super) fn lines(rule: &TapRule) -> String {
+    let (script, names) = match rule.count() {
+        2 => (TWO, &TWO_NAMES[..]),
+        _ => (THREE, &THREE_NAMES[..]),
     };
     let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     let mut lines = String::new();
@@ -69,15 +69,12 @@ pub(super) fn lines(taps: usize) -> String {
         }
     }
     let bent = |i: usize| format!("tilt_{i} = raw_{i} / (1.0 + max(raw_{i} * slope, 0.0))\n");
-    lines + &(0..taps).map(bent).collect::<String>()
+    lines + &(0..rule.count()).map(bent).collect::<String>()
 }
 
 /// What the fetches are expected to be off by on one plane.
-pub(super) fn expected(taps: u32) -> Vec<String> {
-    let row = (taps as usize).wrapping_sub(1);
-    let (Some([p, s, q, r]), Some([narrow, wide])) = (EXPECTED.get(row), EXPECTED_OFF.get(row)) else {
-        return Vec::new();
-    };
+pub(super) fn expected(rule: &TapRule) -> Vec<String> {
+    let Expected { constants: [p, s, q, r], off: [narrow, wide] } = rule.expectation();
     let [low, high] = EXPECTED_UP_TO;
     vec![
         format!("Expected total variation from the lobe's footprint on one plane, the root mean square error {narrow} for alpha"),

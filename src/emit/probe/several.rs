@@ -74,7 +74,7 @@ pub(super) fn lookup(wanted: &Wanted) -> Routine {
         axes(wanted),
         STRETCH.into(),
         if wanted.lookup.is_fitted() { REACH.into() } else { String::new() },
-        rule::lines(n),
+        rule::lines(&wanted.rule),
         RISING.into(),
         (0..n).map(|i| kept_share(wanted, i)).collect(),
         format!("whole = {}\nruled = min({:?} * whole, 1.0)\n", kept.join(" + "), (1.0 / LEAST) as f32),

@@ -60,7 +60,7 @@ pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, Vol
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// What made a page: enough to make it again, and nothing that changes from run to run.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Origin {
     /// Name of the scene, as the user wrote it.
     pub scene: String,

@@ -32,8 +32,9 @@ pub struct ParallaxLobe {
     pub variations: Vec<VariationFinding>,
     /// Places whose fetches are saturated: roughness, rho.
     pub saturated: Vec<(f64, f64)>,
-    /// Total variation that the best width leaves, over roughness and rho.
-    pub least: Field,
+    /// What the best width leaves, over roughness and rho: total variation, root mean square difference, largest difference, difference of
+    /// the encircled energies.
+    pub least: Vec<Field>,
     /// Relative errors of fits over roughness and rho, 0 where a fetch is saturated.
     pub maps: Vec<ParallaxMap>,
     /// The best width over rho, one per roughness.
@@ -62,7 +63,7 @@ pub struct VariationFinding {
     pub farther: Option<VariationRow>,
 }
 
-/// Total variation over some cells.
+/// Total variation over some cells, and other measures.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct VariationRow {
     /// Mean.
@@ -71,6 +72,12 @@ pub struct VariationRow {
     pub max: f64,
     /// Where that is.
     pub at: Place,
+    /// Mean and largest of the root mean square difference of energies per area over that of the footprint asked for.
+    pub l2: [f64; 2],
+    /// Of the largest difference over the largest of what is asked for.
+    pub largest: [f64; 2],
+    /// Of the root of the integral over ln R of the squared difference of encircled energies.
+    pub encircled: [f64; 2],
 }
 
 /// The relative error of a fit.

@@ -9,8 +9,13 @@ use crate::report::{Image, ReportError, check};
 const NAMES: f64 = 150.0;
 const NAME_LINES: usize = 4;
 
-/// Pixels of the page between the top and the first row.
-const TOP: f64 = 48.0;
+/// Pixels of the page between the top and the first line of the columns' names, and between their lines; the most lines.
+const HEAD: f64 = 36.0;
+const LINE: f64 = 14.0;
+const HEAD_LINES: usize = 3;
+
+/// Grey of a place without a picture.
+const NOTHING: [u8; 3] = [0xd8; 3];
 
 /// What the pictures are, row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +31,40 @@ pub enum Cells {
         /// Label of the colour bar.
         unit: String,
     },
+    /// Colours and values beside one another.
+    Tiles {
+        /// `tiles[row][column]`.
+        tiles: Vec<Vec<Tile>>,
+        /// What the colours of values mean.
+        shade: Shade,
+        /// Label of the colour bar.
+        unit: String,
+    },
+}
+
+/// A picture among others.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Tile {
+    /// Linear RGB in [0, 1], encoded for the display by the curve of sRGB.
+    Colours(Image),
+    /// A square of values, row by row from the top.
+    Values(Vec<f64>),
+    /// No picture: grey.
+    Nothing,
+}
+
+impl Tile {
+    /// Encoded colour of a pixel.
+    fn pixel(&self, i: usize, shade: Shade, palette: &[u8]) -> [u8; 3] {
+        match self {
+            Tile::Colours(image) => image.pixels[i].map(encoded),
+            Tile::Values(values) => {
+                let level = usize::from(shade.level(values[i]));
+                [0, 1, 2].map(|channel| palette[3 * level + channel])
+            }
+            Tile::Nothing => NOTHING,
+        }
+    }
 }
 
 /// A table of pictures.
@@ -58,13 +97,20 @@ impl Figure for Gallery {
         }
         let left = names.max(font::width(&self.column_name, SMALL)?) + 12.0;
         let (width, height) = (self.columns.len() as f64 * self.cell, self.rows.len() as f64 * self.cell);
-        let frame = Frame { left, top: TOP, right: left + width, bottom: TOP + height };
+        let lines = self.heads()?.iter().map(Vec::len).max().unwrap_or_default();
+        let top = HEAD - 2.0 + LINE * lines.max(1) as f64;
+        let frame = Frame { left, top, right: left + width, bottom: top + height };
         let (under, bar) = self.pictures(frame)?;
         sheet(&self.title, (frame.right + bar, frame.bottom + 12.0), &under, |c| self.label(c, frame))
     }
 }
 
 impl Gallery {
+    /// The lines of the columns' names.
+    fn heads(&self) -> Result<Vec<Vec<String>>, ReportError> {
+        self.columns.iter().map(|name| font::wrap(name, SMALL, self.cell - 4.0, HEAD_LINES)).collect()
+    }
+
     fn check(&self) -> Result<(), ReportError> {
         let title = &self.title;
         check::filled(title, "columns", self.columns.len())?;
@@ -89,6 +135,14 @@ impl Gallery {
                 shape(values.len(), values.iter().map(Vec::len).collect())?;
                 all(values, |i, j, values| each(i, j, values, values.len()))
             }
+            Cells::Tiles { tiles, .. } => {
+                shape(tiles.len(), tiles.iter().map(Vec::len).collect())?;
+                all(tiles, |i, j, tile| match tile {
+                    Tile::Colours(image) => each(i, j, image.pixels.as_flattened(), image.pixels.len()),
+                    Tile::Values(values) => each(i, j, values, values.len()),
+                    Tile::Nothing => Ok(()),
+                })
+            }
         }
     }
 
@@ -104,6 +158,13 @@ impl Gallery {
             Cells::Values { values, shade, unit } => {
                 let levels = self.joined(values, |values, i| shade.level(values[i]));
                 let png = raster::png(&self.title, size, &levels, *shade)?;
+                let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, *shade)?;
+                Ok((under, colour_bar::space(frame, *shade, unit)?))
+            }
+            Cells::Tiles { tiles, shade, unit } => {
+                let palette = shade.palette();
+                let bytes = self.joined(tiles, |tile, i| tile.pixel(i, *shade, &palette));
+                let png = raster::rgb(&self.title, size, bytes.as_flattened())?;
                 let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, *shade)?;
                 Ok((under, colour_bar::space(frame, *shade, unit)?))
             }
@@ -127,21 +188,25 @@ impl Gallery {
     fn label(&self, canvas: &Canvas, frame: Frame) -> Result<(), ReportError> {
         let title = font::shorten(&self.title, TEXT, frame.right)?;
         canvas.text(&title, (4.0, 12.0), TEXT, Align::Left, INK)?;
-        canvas.text(&self.column_name, (frame.left - 8.0, 36.0), SMALL, Align::Right, INK)?;
-        for (j, name) in self.columns.iter().enumerate() {
+        canvas.text(&self.column_name, (frame.left - 8.0, HEAD), SMALL, Align::Right, INK)?;
+        for (j, lines) in self.heads()?.iter().enumerate() {
             let x = frame.left + (j as f64 + 0.5) * self.cell;
-            canvas.text(name, (x, 36.0), SMALL, Align::Centre, INK)?;
+            for (k, line) in lines.iter().enumerate() {
+                canvas.text(line, (x, HEAD + LINE * k as f64), SMALL, Align::Centre, INK)?;
+            }
         }
         for (i, row) in self.rows.iter().enumerate() {
             let y = frame.top + (i as f64 + 0.5) * self.cell;
             let lines = font::wrap(row, SMALL, NAMES, NAME_LINES)?;
             for (k, line) in lines.iter().enumerate() {
-                let lift = (k as f64 - (lines.len() - 1) as f64 / 2.0) * 14.0;
+                let lift = (k as f64 - (lines.len() - 1) as f64 / 2.0) * LINE;
                 canvas.text(line, (frame.left - 8.0, y + lift), SMALL, Align::Right, INK)?;
             }
         }
         match &self.cells {
-            Cells::Values { shade, unit, .. } => colour_bar::draw(canvas, frame, *shade, unit),
+            Cells::Values { shade, unit, .. } | Cells::Tiles { shade, unit, .. } => {
+                colour_bar::draw(canvas, frame, *shade, unit)
+            }
             Cells::Colours(_) => Ok(()),
         }
     }

@@ -22,7 +22,7 @@ pub(crate) use colour::LINES;
 pub use colour::Shade;
 pub use curves::{Annotation, Curves, Series, Style};
 pub(crate) use font::BYTES as FONT_BYTES;
-pub use gallery::{Cells, Gallery};
+pub use gallery::{Cells, Gallery, Tile};
 pub(crate) use heat_map::signed;
 pub use heat_map::{HeatMap, Worst};
 pub(crate) use scale::Scale;

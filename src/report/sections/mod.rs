@@ -8,6 +8,7 @@ mod coupling;
 mod coupling_study;
 mod fits;
 mod furnace;
+mod gpu;
 mod index;
 mod metals;
 mod own;
@@ -26,7 +27,7 @@ mod walks;
 mod words;
 
 use super::{
-    AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, Index, Page,
+    AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, GpuRecord, Index, Page,
     ParallaxFindings, ParallaxStudy, ReportError, SearchPage, Section, Timings, VolumeFindings,
 };
 use crate::effects::surface::SurfaceRows;
@@ -90,6 +91,11 @@ pub(crate) fn of_index(index: &Index) -> Result<Page, ReportError> {
 /// The page of a measurement of time.
 pub(crate) fn of_timings(timings: &Timings) -> Result<Page, ReportError> {
     timings::page(timings)
+}
+
+/// The page of times on a graphics processor, whose record has this hash.
+pub(crate) fn of_gpu(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> {
+    gpu::page(record, hash)
 }
 
 /// The page of a formula that the user fits.

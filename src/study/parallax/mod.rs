@@ -2,6 +2,7 @@
 //! what it covers (its `Parameters`) and computes its findings (`findings`).
 
 mod chain;
+mod measures;
 mod parameters;
 mod proxies;
 mod rooms;

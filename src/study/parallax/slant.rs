@@ -6,7 +6,6 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::bake::Progress;
-use crate::effects::parallax::taps::EXPECTED;
 use crate::effects::parallax::taps::expected::expected;
 use crate::effects::parallax::taps::fit::{Situation, fit, situations};
 use crate::effects::parallax::{RuleTap, TapRule};
@@ -34,8 +33,6 @@ pub(super) struct Parameters {
     /// Pixels of a footprint along the tilt and across it.
     pixels: [usize; 2],
     rules: [TapRule; 2],
-    /// Of the expected total variation of one fetch and of the rules.
-    expected: [[f64; 4]; 3],
     spread: Spread,
     fitted: Fitted,
 }
@@ -72,7 +69,6 @@ impl Parameters {
             drawn: if full { vec![(0.1, 60.0), (0.1, 72.0), (0.3, 72.0)] } else { vec![(0.1, 72.0)] },
             pixels: if full { [112, 64] } else { [28, 16] },
             rules: [TapRule::two(), TapRule::three()],
-            expected: EXPECTED,
             spread: Spread {
                 alphas: pick(&[0.01, 0.03, 0.08, 0.18, 0.35, 0.6], &[0.1]),
                 walls: if full { 300 } else { 4 },
@@ -257,22 +253,24 @@ fn refits(parameters: &Parameters) -> Result<(Vec<RuleRefit>, Vec<RuleExpectatio
             constants: rule.constants().to_vec(),
             refitted: found.rule.constants().to_vec(),
             sums: found.sums,
+            settled: found.settled,
             walls: all.len(),
         })
     };
     let [two, three] = &parameters.rules;
-    let expectation = |(rule, constants): (&TapRule, &[f64; 4])| {
-        let found = expected(rule, constants, &all, SEARCH)?;
+    let expectation = |rule: &TapRule| {
+        let constants = rule.expectation().constants;
+        let found = expected(rule, &constants, &all, SEARCH)?;
         Ok(RuleExpectation {
             count: rule.count(),
-            constants: *constants,
+            constants,
             refitted: found.constants,
             off: found.off,
             walls: all.len(),
         })
     };
     let expectations = [TapRule::one(), *two, *three];
-    let expectations = expectations.iter().zip(&parameters.expected).map(expectation);
+    let expectations = expectations.iter().map(expectation);
     let refits = parameters.rules.iter().map(refit).collect::<Result<_, IntegrateError>>()?;
     Ok((refits, expectations.collect::<Result<_, IntegrateError>>()?))
 }

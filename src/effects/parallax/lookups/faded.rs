@@ -4,7 +4,8 @@ use super::{Shading, Width};
 use crate::effects::room::cubemap::to_edge;
 use crate::effects::room::{Convex, Lookup, Seen, Tap};
 use crate::math::ops;
-use crate::math::vector::{Vec3, dot, length, minus, plus, scaled};
+use crate::math::vector::{Vec3, length, minus, plus, scaled};
+use crate::optics::footprint::slant_ratio;
 
 /// The power of the cosines in the ratio of the shading point's view of a wall to the probe's, rho = (d_s/d_p) (cos psi_p/cos psi_s)^(share/2).
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -20,9 +21,6 @@ pub enum Slant {
         widths: f64,
     },
 }
-
-/// Least cosine of a ray to a wall: that of [`Stretch`](super::super::Stretch).
-const GRAZING: f64 = 0.02;
 
 /// One fetch in the direction in which the probe sees what the lobe's axis meets.
 #[derive(Clone, Debug)]
@@ -62,7 +60,7 @@ impl Lookup for Faded {
             }
         };
         let normal = self.proxy.planes[wall].normal;
-        let slant = dot(normal, towards).max(GRAZING) / dot(normal, lobe.axis).max(GRAZING);
+        let slant = slant_ratio(normal, lobe.axis, towards);
         let alpha = self.width.of(lobe.alpha, distance / far * ops::pow(slant, 0.5 * share));
         vec![Tap { towards, alpha, weight: 1.0 }]
     }

@@ -9,18 +9,19 @@ use crate::integrate::footprint::slant::{Normal, least};
 use crate::math::ops;
 use crate::optics::footprint::Stretch;
 
-/// p, s, q, r of the expected total variation of 1, 2 and 3 fetches, the root of (p l/(1 + s l))^2 + (q g/(1 + r g))^2, l the logarithm of the
-/// footprint's length over its width, g = alpha [`Stretch::growth`]. Least squares over walls of the fit of the rules; a fit from them on
-/// ([`expected`], `lobefit report --study parallax`) lowers the error by about 1 %.
-pub const EXPECTED: [[f64; 4]; 3] =
-    [[0.417, 0.313, 0.782, 1.341], [0.352, 0.423, 0.548, 2.702], [0.249, 0.276, 0.459, 1.661]];
+/// The formula of an expected total variation and how far off it is.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Expected {
+    /// p, s, q, r of the root of (p l/(1 + s l))^2 + (q g/(1 + r g))^2, l the logarithm of the footprint's length over its width,
+    /// g = alpha [`Stretch::growth`]. Least squares over 1600 walls.
+    pub constants: [f64; 4],
+    /// Largest root mean square error at any width up to each of [`EXPECTED_UP_TO`], over other walls at every slant. Wide lobes of which much
+    /// misses the wall have no third input that would tell.
+    pub off: [f64; 2],
+}
 
-/// Widths up to which [`EXPECTED_OFF`] is stated; it starts at 0.01.
+/// Widths up to which [`Expected::off`] is stated; it starts at 0.01.
 pub const EXPECTED_UP_TO: [f64; 2] = [0.1, 0.8];
-
-/// Largest root mean square error of the expected total variation of 1, 2 and 3 fetches at any width up to each of [`EXPECTED_UP_TO`], over walls at
-/// every slant. Wide lobes of which much misses the wall have no third input that would tell.
-pub const EXPECTED_OFF: [[f64; 2]; 3] = [[0.025, 0.11], [0.05, 0.14], [0.06, 0.14]];
 
 /// The root of the sum of the squares of the part of the stretch and that of the growth, at most 1.
 pub(super) fn variation([p, s, q, r]: &[f64; 4], stretch: &Stretch, alpha: f64) -> f64 {
@@ -35,7 +36,7 @@ pub(super) fn variation([p, s, q, r]: &[f64; 4], stretch: &Stretch, alpha: f64) 
 /// Constants of an expected total variation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expectation {
-    /// As those of [`EXPECTED`].
+    /// As those of [`Expected`].
     pub constants: [f64; 4],
     /// Root mean square error, of the start and in the end.
     pub off: [f64; 2],
@@ -44,7 +45,7 @@ pub struct Expectation {
 /// Step of a difference of constants.
 const STEP: f64 = 1e-6;
 
-/// The constants that serve the situations best, by least squares from a start as of [`EXPECTED`].
+/// The constants that serve the situations best, by least squares from a start as of [`Expected`].
 ///
 /// # Errors
 /// A solver that fails; no situation.

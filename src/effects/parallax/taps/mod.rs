@@ -2,16 +2,15 @@
 //!
 //! Directions about the mirror ray, from the shading point through the wall to directions from the probe, are mapped by M; its singular
 //! values s1 >= s2 make the footprint an ellipse of stretch kappa = s1/s2 ([`Stretch`]). A [`TapRule`] lays fetches along the long axis; each
-//! is a ray of its own, traced to the proxy, narrowed or widened by its own ratio of footprints ([`width`]). [`Taps`] does so for a shading
-//! point.
+//! is a ray of its own, traced to the proxy, narrowed or widened by its own ratio of footprints ([`width`]);
+//! [`Corrected`](super::Corrected) does so for a shading point.
 
+pub mod constants;
 pub mod expected;
 pub mod fit;
 pub mod horizon;
-mod lookup;
 mod rule;
 
 pub use crate::optics::footprint::{RuleTap, Stretch, width};
-pub use expected::EXPECTED;
-pub use lookup::Taps;
-pub use rule::{THREE, TWO, TapRule};
+pub use constants::Constants;
+pub use rule::TapRule;

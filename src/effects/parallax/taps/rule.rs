@@ -15,23 +15,12 @@
 //! alpha^2 g g^T, then just makes up for kappa, the long axis turns by 90 degrees there, and with it what it grows by along itself.
 //!
 //! Last, a tilt of tangent t = c alpha becomes t/(1 + max(t s, 0)), s = [`Stretch::slope`]: no ray is tilted past the plane of the wall. The constants
-//! minimise, within 1 % over 140 walls, the squared H^-1 norms of the differences, each over the 3/4 power of that of one fetch, over walls at every slant to
-//! shading point and probe ([`super::fit`]; the study fits on from them). Of 3000 other walls the two serve 5 worse than one fetch does, by more than 0.001 in
-//! total variation, one of them by 0.12, the three 2, by less than 0.01. Two fail with azimuths near pi: at
-//! alpha 0.08, cosines of 0.68 to both and a ratio of 0.71 they leave 0.17 where one leaves 0.12.
+//! are fitted lobe by lobe ([`Constants`]). What two fail with on walls of half-cosine lobes is mostly at azimuths near pi.
 
-use super::expected::{self, EXPECTED};
+use super::constants::{Constants, HALF_COSINE, Three, Two};
+use super::expected::{self, Expected};
 use crate::optics::footprint::{RuleTap, Stretch};
-
-/// a, c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1.
-pub const TWO: [f64; 13] =
-    [-0.336, 1.591, -0.566, 0.474, 0.014, -0.241, -0.491, -1.254, 1.368, 1.549, -1.749, -0.232, 0.612];
-
-/// a, b0, b1, c0, c1, c2, d0, d1, e0, e1, e2, e3, n0, n1, f0, f1, g0, g1, g2, w0, w1, h0, h1.
-pub const THREE: [f64; 23] = [
-    -0.19, 2.538, -2.449, 2.697, -0.969, 0.743, -0.475, 0.415, 1.73, -0.961, -1.679, 1.282, -0.886, 0.909,
-    -0.236, -0.085, 0.077, -0.632, -0.283, -0.804, 1.239, 0.961, 0.698,
-];
+use crate::optics::kernel::Kernel;
 
 /// Largest skewness of the three.
 const MOST_SKEWED: f64 = 1.5;
@@ -47,9 +36,13 @@ const LEAST_LENGTH: f64 = 1e-6;
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct TapRule {
     count: usize,
-    /// Those of [`TWO`] or [`THREE`], then nothing.
-    constants: [f64; THREE.len()],
+    /// Those of [`Two`] or [`Three`], then nothing.
+    constants: [f64; MOST],
+    expected: Expected,
 }
+
+/// Most constants of a rule.
+const MOST: usize = size_of::<Three>() / size_of::<f64>();
 
 /// A lobe on a wall, as a rule sees it.
 struct Skew {
@@ -59,25 +52,41 @@ struct Skew {
 }
 
 impl TapRule {
+    /// The rule of 1, 2 or 3 fetches for chains of a kernel; `None` of another number, and of several where no rule is fitted for the kernel. One
+    /// fetch from a chain of such a kernel is expected to be as far off as one from half-cosine chains.
+    pub fn of(kernel: Kernel, fetches: usize) -> Option<TapRule> {
+        let constants = Constants::of(kernel);
+        match fetches {
+            1 => Some(TapRule::new(&[], 1, constants.unwrap_or(&HALF_COSINE))),
+            2 => constants.map(|constants| TapRule::new(&constants.two, 2, constants)),
+            3 => constants.map(|constants| TapRule::new(&constants.three, 3, constants)),
+            _ => None,
+        }
+    }
+
+    fn new(constants: &[f64], count: usize, of: &Constants) -> TapRule {
+        TapRule { count, constants: padded(constants), expected: of.expected[count - 1] }
+    }
+
     /// One fetch along the lobe's axis.
     pub fn one() -> TapRule {
-        TapRule { count: 1, constants: [0.0; THREE.len()] }
+        TapRule::new(&[], 1, &HALF_COSINE)
     }
 
-    /// Two fetches.
+    /// Two fetches from a half-cosine chain.
     pub fn two() -> TapRule {
-        TapRule { count: 2, constants: padded(&TWO) }
+        TapRule::new(&HALF_COSINE.two, 2, &HALF_COSINE)
     }
 
-    /// Three fetches.
+    /// Three fetches from a half-cosine chain.
     pub fn three() -> TapRule {
-        TapRule { count: 3, constants: THREE }
+        TapRule::new(&HALF_COSINE.three, 3, &HALF_COSINE)
     }
 
     /// The rule of as many fetches with other constants; `None` of another number of them.
     pub fn with(&self, constants: &[f64]) -> Option<TapRule> {
         let same = constants.len() == self.constants().len();
-        same.then(|| TapRule { count: self.count, constants: padded(constants) })
+        same.then(|| TapRule { constants: padded(constants), ..*self })
     }
 
     /// How many fetches.
@@ -85,11 +94,11 @@ impl TapRule {
         self.count
     }
 
-    /// The constants, as [`TWO`] and [`THREE`] name them.
+    /// The constants, in the order of [`Two`] and [`Three`].
     pub fn constants(&self) -> &[f64] {
         let used = match self.count {
-            2 => TWO.len(),
-            3 => THREE.len(),
+            2 => size_of::<Two>() / size_of::<f64>(),
+            3 => MOST,
             _ => 0,
         };
         &self.constants[..used]
@@ -115,19 +124,18 @@ impl TapRule {
         taps
     }
 
-    /// The rule of the fewest fetches, at most three, whose total variation from the lobe's footprint is expected to be at most `tv`.
-    pub fn select(stretch: &Stretch, alpha: f64, tv: f64) -> TapRule {
-        let rules = [TapRule::one(), TapRule::two()];
-        rules.into_iter().find(|rule| rule.expected(stretch, alpha) <= tv).unwrap_or_else(TapRule::three)
+    /// What the fetches are expected to be off by in total variation: 0 where there is no stretch and no growth.
+    pub fn expected(&self, stretch: &Stretch, alpha: f64) -> f64 {
+        expected::variation(&self.expected.constants, stretch, alpha)
     }
 
-    /// What the fetches are expected to be off by in total variation: 0 where there is no stretch and no growth. See [`EXPECTED`].
-    pub fn expected(&self, stretch: &Stretch, alpha: f64) -> f64 {
-        expected::variation(&EXPECTED[self.count.clamp(1, 3) - 1], stretch, alpha)
+    /// The formula of that, and how far off it is.
+    pub fn expectation(&self) -> &Expected {
+        &self.expected
     }
 }
 
-fn padded(constants: &[f64]) -> [f64; THREE.len()] {
+fn padded(constants: &[f64]) -> [f64; MOST] {
     std::array::from_fn(|i| constants.get(i).copied().unwrap_or(0.0))
 }
 

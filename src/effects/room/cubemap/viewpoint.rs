@@ -1,8 +1,8 @@
 //! From where a texel sees the room.
 
-use crate::effects::parallax::width;
 use crate::effects::room::{Convex, Plane};
 use crate::math::vector::{Vec3, dot, length, minus, plus, scaled};
+use crate::optics::footprint::{area_ratio, width};
 
 /// Where the lobe of a texel starts, its axis and its width.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,9 +39,6 @@ pub enum Viewpoint {
 /// How far above a wall a viewpoint may be at most, of the way to what is opposite.
 const REACH: f64 = 0.9;
 
-/// Least cosine between a ray of the probe and a wall: that of [`Stretch`](crate::effects::parallax::Stretch).
-const GRAZING: f64 = 0.02;
-
 impl Viewpoint {
     /// From where the texel of a direction is seen for a lobe of a width in (0, 1]. A direction in which the probe sees no plane, or one that
     /// it stands in, is seen from the probe.
@@ -68,8 +65,8 @@ impl Viewpoint {
             return ordinary;
         }
         let axis = scaled(ray, 1.0 / near);
-        let slant = dot(normal, axis).max(GRAZING) / dot(normal, towards).max(GRAZING);
-        Eye { place: eye, axis, alpha: width(alpha, far / near * slant.sqrt()) }
+        // from the probe to the eye, as a lookup goes from the shading point to the probe
+        Eye { place: eye, axis, alpha: width(alpha, area_ratio(normal, (towards, far), (axis, near))) }
     }
 }
 

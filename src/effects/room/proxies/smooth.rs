@@ -8,8 +8,9 @@ use crate::math::vector::{Vec3, normalise, plus, scaled};
 
 /// A body that a ray meets at t = (sum t_i^-p)^(-1/p), t_i the distances along the ray of the planes ahead: a smooth body about the
 /// shading point inside the planes, which it nears as p grows. With x = t R the body is g(x) = (sum (n_i.x/h_i)^p)^(1/p) = 1, h_i the
-/// planes' distances from the shading point, and its normal the gradient, along sum (t/t_i)^(p-1) n_i/h_i. Distance and normal have as many
-/// continuous derivatives as p - 1.
+/// planes' distances from the shading point, and its normal the gradient, along sum (t/t_i)^(p-1) n_i/h_i. Where a plane comes
+/// ahead its term starts as the p-th power of the cosine, in the normal as the (p-1)-th: of a whole p the distance has p - 1 continuous
+/// derivatives, the normal p - 2.
 ///
 /// All terms are scaled by the nearest plane's, so that no power overflows: a term is at most 1, p may be any finite number above 1.
 #[derive(Clone, Debug, PartialEq)]

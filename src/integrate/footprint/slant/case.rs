@@ -27,7 +27,7 @@ pub struct Off {
     pub l2: f64,
     /// Largest difference of the energies per area, over the target's largest.
     pub max: f64,
-    /// The H^-1 norm, which is minimised.
+    /// The H^-1 norm times sqrt(2 pi), which is minimised.
     pub distance: f64,
 }
 
@@ -79,16 +79,6 @@ impl Case {
         target.values.iter_mut().for_each(|value| *value /= whole);
         let whitened = wall.whitened(&target);
         Ok(Case { slant, kernel, alpha, stretch, wall, target, whitened })
-    }
-
-    /// The wall.
-    pub fn wall(&self) -> &Wall {
-        &self.wall
-    }
-
-    /// The lobe's footprint.
-    pub fn target(&self) -> &Footprint {
-        &self.target
     }
 
     /// The footprint of one fetch about the probe's ray to the place looked at, of a width in (0, 1].

@@ -62,23 +62,21 @@ pub struct Least {
 /// Minimises a sum of squares from a start; `squares` gives none where its parameters are refused. Deterministic.
 ///
 /// # Errors
-/// A start that is refused; a solver that fails.
+/// A start that is refused; normal equations that no damping makes solvable.
 pub fn least<F>(squares: F, start: &[f64], iterations: u64) -> Result<Least, IntegrateError>
 where
     F: Fn(&[f64]) -> Option<Normal>,
 {
-    let failed = |reason: &str| IntegrateError::NotFinite {
-        quantity: QUANTITY,
-        place: format!("a search from {start:?}: {reason}"),
-    };
-    let first = squares(start).ok_or_else(|| failed("the start is refused"))?;
+    let failed =
+        |reason: String| IntegrateError::Search { quantity: QUANTITY, start: start.to_vec(), reason };
+    let first = squares(start).ok_or_else(|| failed("the start is refused".into()))?;
     let solver = Steps { damping: FIRST_DAMPING, now: first.clone() };
     let outcome = Executor::new(Refusing(squares), solver)
         .configure(|state: Walk| state.param(start.to_vec()).cost(first.value).max_iters(iterations))
         .ctrlc(false)
         .timer(false)
         .run()
-        .map_err(|error| failed(&error.to_string()))?;
+        .map_err(|error| failed(error.to_string()))?;
     let settled = matches!(
         outcome.state.get_termination_status(),
         TerminationStatus::Terminated(TerminationReason::SolverConverged)
@@ -114,6 +112,7 @@ struct Steps {
 }
 
 impl Steps {
+    /// The damped step; `None` where the equations are not positive definite.
     fn step(&self) -> Option<DVector<f64>> {
         let mut damped = self.now.hessian.clone();
         let largest = damped.diagonal().max();
@@ -135,26 +134,32 @@ impl<F: Fn(&[f64]) -> Option<Normal>> Solver<Refusing<F>, Walk> for Steps {
         state: Walk,
     ) -> Result<(Walk, Option<KV>), Error> {
         let at = state.get_param().cloned().unwrap_or_default();
+        let settled = TerminationReason::SolverConverged;
+        // where nothing has an effect there are no equations to solve
+        let mut solved = self.now.gradient.iter().all(|g| *g == 0.0);
         for _ in 0..TRIALS {
-            let next: Option<Vec<f64>> = self.step().map(|step| {
-                at.iter().zip(step.iter()).map(|(p, d)| p + d.clamp(-LONGEST, LONGEST)).collect()
-            });
-            let tried = next.and_then(|next| {
-                let normal = problem.problem("squares_count", |f| Ok((f.0)(&next))).ok().flatten()?;
-                (normal.value < self.now.value).then_some((next, normal))
-            });
-            if let Some((next, normal)) = tried {
-                let gain = 1.0 - normal.value / self.now.value;
-                self.damping = (0.25 * self.damping).max(DAMPING[0]);
-                self.now = normal;
-                let state = state.param(next).cost(self.now.value);
-                let ended = gain < SETTLED;
-                let reason = TerminationReason::SolverConverged;
-                return Ok((if ended { state.terminate_with(reason) } else { state }, None));
+            if let Some(step) = self.step() {
+                solved = true;
+                let next: Vec<f64> =
+                    at.iter().zip(step.iter()).map(|(p, d)| p + d.clamp(-LONGEST, LONGEST)).collect();
+                let tried = problem.problem("squares_count", |f| Ok((f.0)(&next)))?;
+                if let Some(normal) = tried.filter(|normal| normal.value < self.now.value) {
+                    let gain = 1.0 - normal.value / self.now.value;
+                    self.damping = (0.25 * self.damping).max(DAMPING[0]);
+                    self.now = normal;
+                    let state = state.param(next).cost(self.now.value);
+                    return Ok((if gain < SETTLED { state.terminate_with(settled) } else { state }, None));
+                }
             }
             self.damping = (4.0 * self.damping).min(DAMPING[1]);
         }
+        if !solved {
+            let damping = self.damping;
+            return Err(Error::msg(format!(
+                "the normal equations are not positive definite, damped by up to {damping:e}"
+            )));
+        }
         // nothing near is lower
-        Ok((state.terminate_with(TerminationReason::SolverConverged), None))
+        Ok((state.terminate_with(settled), None))
     }
 }

@@ -142,7 +142,7 @@ impl Wall {
         [(out[0] * self.cell()).sqrt(), out[1], (out[2] * self.cell()).sqrt(), out[3]]
     }
 
-    /// Numbers whose squares sum to the square of 2 pi times the H^-1 norm of a footprint, int (encircled energy)^2 d ln R of a round one; linear
+    /// Numbers whose squares sum to 2 pi times the square of the H^-1 norm of a footprint, int (encircled energy)^2 d ln R of a round one; linear
     /// in it.
     pub fn whitened(&self, footprint: &Footprint) -> Vec<f64> {
         let (step, modes) = (self.resolution.step, self.waves.len());

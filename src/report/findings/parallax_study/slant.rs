@@ -114,6 +114,8 @@ pub struct RuleRefit {
     pub refitted: Vec<f64>,
     /// What is minimised, at both.
     pub sums: [f64; 2],
+    /// Whether the fit came to rest, not its iterations ran out.
+    pub settled: bool,
     /// Walls of the fit.
     pub walls: usize,
 }

@@ -2,6 +2,7 @@
 
 mod chains;
 mod lookups;
+mod measures;
 mod variation;
 mod widths;
 

@@ -1,9 +1,9 @@
 //! What a fetch of each formula's width is off by on the wall.
 
 use super::super::{figures, words};
+use super::measures;
 use crate::report::{
-    Block, Dot, HeatMap, ParallaxLobe, ReportError, Scatter, Section, Shade, Spread, VariationFinding,
-    VariationRow, check, numbers,
+    Block, Dot, ParallaxLobe, ReportError, Scatter, Section, Spread, VariationFinding, VariationRow, check,
 };
 
 const COLUMNS: [(&str, bool); 8] = [
@@ -38,7 +38,7 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
     let mut table = words::table(&COLUMNS, lobe.variations.iter().map(row).collect(), CAPTION);
     table.muted = lobe.variations.iter().map(|v| v.published).collect();
     blocks.push(Block::Table(table));
-    blocks.push(least(lobe)?);
+    blocks.extend(measures::blocks(lobe)?);
     Ok(Section {
         id: "variation".into(),
         title: "What a fetch is off by on the wall".into(),
@@ -85,28 +85,4 @@ fn row(v: &VariationFinding) -> Vec<String> {
     out.extend(cells(&v.nearer));
     out.extend(cells(&v.farther));
     out
-}
-
-/// The maps of the least total variation: all of it, and on a scale of the cells that one fetch can serve.
-fn least(lobe: &ParallaxLobe) -> Result<Block, ReportError> {
-    let field = words::labelled(&lobe.least);
-    let open = |v: &VariationFinding| {
-        [&v.nearer, &v.farther].into_iter().flatten().map(|row| row.max).reduce(f64::max)
-    };
-    let served = lobe.variations.last().and_then(open).filter(|max| *max > 0.0);
-    let map = |title: &str| HeatMap {
-        marks: lobe.saturated.clone(),
-        size: (360.0, 280.0),
-        ..HeatMap::of(title, &field)
-    };
-    let mut maps = vec![map("total variation of the best width")];
-    maps.extend(served.map(|max| HeatMap {
-        shade: Shade::Magnitude { min: 0.0, max: numbers::round_up(max, 1), spread: Spread::Linear },
-        ..map("the same, up to the largest not saturated")
-    }));
-    figures(
-        &maps,
-        "What the best single fetch leaves. Rings: saturated, α′ = 1; beyond, a wider lobe is asked for than there is, and no choice of \
-         α′ helps.",
-    )
 }

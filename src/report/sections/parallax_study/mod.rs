@@ -1,6 +1,7 @@
 //! The page of the study of lookups of a probe's cubemap, a file for each part.
 
 mod chain;
+mod fold;
 mod proxies;
 mod rooms;
 mod seed;
@@ -10,14 +11,16 @@ use crate::report::{Page, ParallaxStudy, ReportError};
 
 /// The page.
 pub(super) fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
-    let parts = [
+    // the answers first and open, then what they rest on
+    let rest = [
+        rooms::basis(&study.rooms)?,
         seed::sections(&study.seed)?,
         slant::sections(&study.slant)?,
-        rooms::sections(&study.rooms)?,
         proxies::sections(&study.proxies)?,
         chain::sections(&study.chain)?,
     ];
-    let sections = parts.into_iter().flatten().collect();
+    let mut sections = rooms::answers(&study.rooms)?;
+    sections.extend(rest.into_iter().flatten().map(|section| fold::after(0, section)));
     Ok(Page {
         title: "lobefit study: parallax".into(),
         origin: study.origin.clone(),

@@ -16,12 +16,17 @@ pub(super) fn sections(proxies: &ProxiesFindings) -> Result<Vec<Section>, Report
 /// The parameters over roughness.
 fn laws(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
     let charts: Vec<Curves> = proxies.families.iter().map(|family| parameter(proxies, family)).collect();
-    let columns = [("proxy", false), ("parameter", false), ("law", false)];
-    let row = |family: &ProxyFamily| vec![family.name.clone(), family.parameter.clone(), family.law.clone()];
+    let columns =
+        [("proxy", false), ("parameter", false), ("law", false), ("most that any value gains", true)];
+    let row = |family: &ProxyFamily| {
+        let mut cells = [&family.name, &family.parameter, &family.law].map(String::clone).to_vec();
+        cells.push(percent(most(family)));
+        cells
+    };
     let table = words::table(
         &columns,
         proxies.families.iter().map(row).collect(),
-        "Laws fitted for the smallest mean logarithm of the error over all rooms and roughnesses; a factor of 0 is the planes themselves: nothing gains.",
+        "Laws fitted for the smallest mean logarithm of the error over all rooms and roughnesses; a factor of 0 is the planes themselves: nothing gains. The most that any value gains: on the planes’ error, all rooms together, at the roughness where that is most.",
     );
     let caption = "The parameter of the smallest relative L2 error of one fetch (rational width, ratio of areas) against the same lobe traced from \
                    the shading point: of each room, of all together, and by the law. Where the error hardly depends on the parameter the best \
@@ -33,8 +38,45 @@ fn laws(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
             "Each family's parameter fitted at {} points of every room, directions evenly over the sphere.",
             proxies.points[0]
         ),
-        blocks: vec![figures(&charts, caption)?, Block::Table(table)],
+        blocks: std::iter::once(figures(&charts, caption)?)
+            .chain(proxies.families.iter().filter(|family| beside(family)).map(misfit))
+            .chain([Block::Table(table)])
+            .collect(),
     })
+}
+
+fn percent(x: f64) -> String {
+    format!("{} %", significant(100.0 * x, 2))
+}
+
+/// The most that one of the values tried takes from the planes' error, at any roughness.
+fn most(family: &ProxyFamily) -> f64 {
+    family.landscape.iter().flatten().map(|ratio| 1.0 - ratio).fold(0.0, f64::max)
+}
+
+/// Whether the law lies beside the best parameters: by more than half of the larger of both in the mean over roughness.
+fn beside(family: &ProxyFamily) -> bool {
+    let pairs = family.by_law.iter().zip(&family.best);
+    let off = pairs.map(|(law, best)| (law - best).abs() / law.max(*best).max(f64::MIN_POSITIVE));
+    off.sum::<f64>() > 0.5 * family.best.len() as f64
+}
+
+/// A gain of nothing: a tenth of a percent.
+const NOTHING: f64 = 1e-3;
+
+fn misfit(family: &ProxyFamily) -> Block {
+    let (name, most) = (&family.name, most(family));
+    let why = if most < NOTHING {
+        format!(
+            "None of the values tried gains more than {}: the marks are where the cubic through them dips between two, and mean nothing.",
+            percent(most)
+        )
+    } else {
+        format!("The best values tried gain up to {}, which the law misses.", percent(most))
+    };
+    Block::Text {
+        text: format!("The law of “{name}” is no fit of its marks and lies beside them. {why}")
+    }
 }
 
 fn parameter(proxies: &ProxiesFindings, family: &ProxyFamily) -> Curves {

@@ -3,8 +3,8 @@
 use super::super::{figures, words};
 use crate::report::numbers::{place, significant};
 use crate::report::{
-    Block, Curves, HeatMap, ReportError, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, Section, Series,
-    Shade, SlantFindings, SlantFootprints, SlantLobe, SlantRow, Spread, Style, check,
+    Block, Curves, HeatMap, PlacedTaps, ReportError, RuleCurves, RuleExpectation, RuleRefit, RuleSpread,
+    Section, Series, Shade, SlantFindings, SlantFootprints, SlantLobe, SlantRow, Spread, Style, check,
 };
 
 pub(super) fn sections(slant: &SlantFindings) -> Result<Vec<Section>, ReportError> {
@@ -78,14 +78,16 @@ fn table(lobe: &SlantLobe) -> crate::report::TextTable {
     let row = |row: &SlantRow| {
         let mut cells =
             vec![format!("{}°", place(row.slant)), tv(row.same), tv(row.best), significant(row.factor, 3)];
-        cells.extend(row.placed.iter().map(|placed| tv(placed.tv)));
+        let placed =
+            |placed: &PlacedTaps| format!("{}{}", tv(placed.tv), if placed.settled { "" } else { "*" });
+        cells.extend(row.placed.iter().map(placed));
         cells.extend(row.ruled.map(tv));
         cells
     };
     words::table(
         &columns,
         lobe.rows.iter().map(row).collect(),
-        "Total variation. Columns 2, 3, 4, 8: so many fetches placed for this wall.",
+        "Total variation. Columns 2, 3, 4, 8: so many fetches placed for this wall; * where that search was stopped after its last iteration, not at rest.",
     )
 }
 
@@ -119,8 +121,12 @@ fn maps(drawn: &SlantFootprints) -> Result<Block, ReportError> {
 
 fn rules(slant: &SlantFindings) -> Result<Section, ReportError> {
     let charts: Vec<Curves> = slant.rules.iter().flat_map(functions).collect();
-    let caption = "Tilts over α, widths over the lobe’s, and weights over the stretch κ, before a probe in front of the wall; near is the side of \
-                   the shading point.";
+    let caption = format!(
+        "Tilts over α, widths over the lobe’s, and weights over the stretch κ, before a probe in front of the wall; near is the side of the shading \
+         point. Tilts and widths are drawn where a fetch weighs {} % or more: as κ nears 1 the outer ones of three go far out while they \
+         lose their weight.",
+        place(100.0 * DRAWN)
+    );
     let columns = [
         ("α", true),
         ("walls", true),
@@ -150,7 +156,7 @@ fn rules(slant: &SlantFindings) -> Result<Section, ReportError> {
          the distances 0.15 to 2; none of these walls is one that the constants were fitted on. Expected within: root mean square error of the \
          total variation that the choice of the fewest fetches expects of one, two and three.",
     );
-    let mut blocks = vec![figures(&charts, caption)?, Block::Table(table)];
+    let mut blocks = vec![figures(&charts, &caption)?, Block::Table(table)];
     blocks.extend(slant.refits.iter().map(|refit| Block::Text { text: refitted(refit) }));
     blocks.extend(slant.expectations.iter().map(|of| Block::Text { text: expectation(of) }));
     Ok(Section {
@@ -165,12 +171,21 @@ fn rules(slant: &SlantFindings) -> Result<Section, ReportError> {
     })
 }
 
+/// Least weight of a fetch whose tilt and width are drawn.
+const DRAWN: f64 = 0.02;
+
 fn functions(rule: &RuleCurves) -> Vec<Curves> {
     let names: &[&str] = if rule.count == 2 { &["near", "far"] } else { &["near", "middle", "far"] };
     let chart = |what: &str, of: &dyn Fn(&crate::optics::footprint::RuleTap) -> f64| {
         let line = |(i, name): (usize, &&str)| Series {
             name: (*name).into(),
-            points: rule.kappa.iter().zip(&rule.taps).map(|(k, taps)| (*k, of(&taps[i]))).collect(),
+            points: rule
+                .kappa
+                .iter()
+                .zip(&rule.taps)
+                .filter(|(_, taps)| what == "weight" || taps[i].weight >= DRAWN)
+                .map(|(k, taps)| (*k, of(&taps[i])))
+                .collect(),
             style: Style::Line(i),
             end: None,
         };
@@ -190,11 +205,12 @@ fn functions(rule: &RuleCurves) -> Vec<Curves> {
 
 fn refitted(refit: &RuleRefit) -> String {
     format!(
-        "Rule of {}: {} constants, fitted over {} walls. A fit from them on changes what it minimises by {} %.",
+        "Rule of {}: {} constants, fitted over {} walls. A fit from them on changes what it minimises by {} % {}.",
         refit.count,
         refit.constants.len(),
         refit.walls,
-        significant(100.0 * (1.0 - refit.sums[1] / refit.sums[0]), 2)
+        significant(100.0 * (1.0 - refit.sums[1] / refit.sums[0]), 2),
+        if refit.settled { "and comes to rest" } else { "until its iterations end" }
     )
 }
 

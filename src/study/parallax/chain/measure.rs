@@ -6,7 +6,6 @@ use super::super::rooms::points::{self, points};
 use crate::effects::parallax::{Faded, Shading, Slant, Width};
 use crate::effects::room::cubemap::to_edge;
 use crate::effects::room::{Convex, Fan, Fetch, Lookup, Room, Seen};
-use crate::math::ops;
 use crate::math::vector::{plus, scaled};
 use crate::optics::kernel::Kernel;
 
@@ -71,32 +70,4 @@ fn nearness(shape: &Convex, seen: &Seen) -> f64 {
 /// What a lookup shades the points with.
 pub(super) fn shaded(row: &Row, lookup: &dyn Lookup, fetch: &dyn Fetch) -> Vec<[f64; 3]> {
     row.seen.par_iter().map(|seen| fetch.sum(&lookup.taps(seen))).collect()
-}
-
-/// Root of the sum of squares of the differences of a and b over that of the truth, over channels and those of the points that are wanted.
-pub(super) fn off(a: &[[f64; 3]], b: &[[f64; 3]], truth: &[[f64; 3]], wanted: impl Fn(usize) -> bool) -> f64 {
-    let (mut off, mut whole) = (0.0, 0.0);
-    for i in (0..truth.len()).filter(|i| wanted(*i)) {
-        for c in 0..3 {
-            off += (a[i][c] - b[i][c]) * (a[i][c] - b[i][c]);
-            whole += truth[i][c] * truth[i][c];
-        }
-    }
-    if whole > 0.0 { (off / whole).sqrt() } else { 0.0 }
-}
-
-/// The same of what is found from the truth.
-pub(super) fn relative(found: &[[f64; 3]], truth: &[[f64; 3]], wanted: impl Fn(usize) -> bool) -> f64 {
-    off(found, truth, truth, wanted)
-}
-
-/// Every point.
-pub(super) fn all(_: usize) -> bool {
-    true
-}
-
-/// Geometric mean of a over b.
-pub(super) fn gain(a: &[f64], b: &[f64]) -> f64 {
-    let logs: f64 = a.iter().zip(b).map(|(a, b)| ops::log(a / b)).sum();
-    ops::exp(logs / a.len() as f64)
 }

@@ -121,7 +121,7 @@ pub(super) fn findings(
         let (part, chain) = texels::parts(case, parameters, &fan)?;
         sizes.push(texels::size(case, parameters.first(), &chain, part.total.clone()));
         parts.push(part);
-        gains.extend(gains::gains(case, &Exact { room: case.room, fan: &fan }, &chain));
+        gains.extend(gains::gains(case, &Exact { room: case.room, fan: &fan }, &chain)?);
     }
     if let Some(case) = cases.first() {
         progress.stage("chains: maps and sizes");

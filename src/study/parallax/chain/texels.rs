@@ -1,6 +1,7 @@
 //! What a chain adds to the error of a lookup, part by part.
 
-use super::measure::{Case, KERNEL, Row, all, off, relative, shaded};
+use super::super::measures::{off, relative};
+use super::measure::{Case, KERNEL, Row, shaded};
 use super::{Engine, Parameters};
 use crate::data::MipChain;
 use crate::effects::parallax::{Slant, Width};
@@ -72,7 +73,7 @@ pub(super) fn parts(
     for row in &case.rows {
         let by = |fetch: &dyn Fetch| shaded(row, &lookup, fetch);
         let (truth, mixed, stored) = (by(&exact), by(&levels), by(&chain));
-        let off = |a: &[[f64; 3]], b: &[[f64; 3]]| off(a, b, &truth, all);
+        let off = |a: &[[f64; 3]], b: &[[f64; 3]]| off(a, b, &truth);
         let plain = by(&single);
         found.total.push(off(&stored, &truth));
         found.levels.push(off(&mixed, &truth));
@@ -104,8 +105,7 @@ pub(super) fn sizes(case: &Case, parameters: &Parameters, fan: &Fan) -> Result<V
     let truth: Vec<Vec<[f64; 3]>> = case.rows.iter().map(|row| shaded(row, &lookup, &exact)).collect();
     let one = |engine: &Engine| {
         let chain: Chain = bake(engine, parameters).chain(case.room)?;
-        let error =
-            |(row, truth): (&Row, &Vec<[f64; 3]>)| relative(&shaded(row, &lookup, &chain), truth, all);
+        let error = |(row, truth): (&Row, &Vec<[f64; 3]>)| relative(&shaded(row, &lookup, &chain), truth);
         Ok(size(case, engine, &chain, case.rows.iter().zip(&truth).map(error).collect()))
     };
     parameters.engines.iter().skip(1).map(one).collect()

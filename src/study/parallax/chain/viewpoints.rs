@@ -1,6 +1,7 @@
 //! From where the texels of a bake see the room: away from the edges of the proxy and near them.
 
-use super::measure::{Case, all, gain, relative, shaded};
+use super::super::measures::{gain, geometric_mean, relative, relative_where};
+use super::measure::{Case, shaded};
 use super::{Parameters, texels};
 use crate::effects::parallax::{Faded, Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
@@ -38,7 +39,8 @@ fn errors(case: &Case, lookup: &dyn Lookup, fetch: &dyn Fetch) -> [Vec<f64>; 3] 
     let mut errors = [const { Vec::new() }; 3];
     for row in &case.rows {
         let found = shaded(row, lookup, fetch);
-        let over = |wanted: &dyn Fn(bool) -> bool| relative(&found, &row.light, |i| wanted(row.near[i]));
+        let over =
+            |wanted: &dyn Fn(bool) -> bool| relative_where(&found, &row.light, |i| wanted(row.near[i]));
         errors[0].push(over(&|_| true));
         errors[1].push(over(&|near| !near));
         errors[2].push(over(&|near| near));
@@ -91,9 +93,7 @@ fn loss(cases: &[Case], fan: &Fan, widths: f64) -> Vec<f64> {
         let viewpoint = Viewpoint::Sliding { widths };
         let lookup = case.lookup(Slant::Whole, Width::Rational);
         let exact = Integrated { room: case.room, proxy: &case.shape, viewpoint, fan };
-        let logs =
-            case.rows.iter().map(|row| ops::log(relative(&shaded(row, &lookup, &exact), &row.light, all)));
-        ops::exp(logs.sum::<f64>() / case.rows.len() as f64)
+        geometric_mean(case.rows.iter().map(|row| relative(&shaded(row, &lookup, &exact), &row.light)))
     };
     cases.iter().map(of).collect()
 }

@@ -2,12 +2,12 @@
 
 use rayon::prelude::*;
 
+use super::super::measures::{relative, relative_where};
 use super::super::rooms::points::{self, Point};
-use crate::effects::parallax::width;
 use crate::effects::room::proxies::Body;
 use crate::effects::room::{Exact, Fan, Fetch, Meeting, Proxy, Room, Tap};
-use crate::math::sum;
-use crate::math::vector::{Vec3, dot, length, minus, plus, scaled};
+use crate::math::vector::{Vec3, length, minus, plus, scaled};
+use crate::optics::footprint::{area_ratio, width};
 
 /// Points of a room with the truth at a width.
 pub(super) struct Sample<'a> {
@@ -54,21 +54,10 @@ impl<'a> Sample<'a> {
 
     /// The error of a proxy.
     pub fn off(&self, proxy: &dyn Proxy) -> Off {
-        let fetched: Vec<[f64; 2]> = self.points.par_iter().map(|known| self.terms(proxy, known)).collect();
-        let total = |every: bool| {
-            let kept: Vec<&[f64; 2]> =
-                fetched.iter().zip(&self.points).filter(|(_, k)| every || k.edge).map(|(t, _)| t).collect();
-            let [error, size] = [0, 1].map(|i| sum::pairwise(&kept.iter().map(|t| t[i]).collect::<Vec<_>>()));
-            if size > 0.0 { (error / size).sqrt() } else { 0.0 }
-        };
-        Off { all: total(true), edges: total(false) }
-    }
-
-    /// Squares of the error and of the truth at a point.
-    fn terms(&self, proxy: &dyn Proxy, known: &Known) -> [f64; 2] {
-        let value = self.fetched(proxy, &known.point);
-        let off = minus(value, known.truth);
-        [dot(off, off), dot(known.truth, known.truth)]
+        let of = |known: &Known| (self.fetched(proxy, &known.point), known.truth);
+        let (fetched, truth): (Vec<Vec3>, Vec<Vec3>) = self.points.par_iter().map(of).unzip();
+        let edges = relative_where(&fetched, &truth, |i| self.points[i].edge);
+        Off { all: relative(&fetched, &truth), edges }
     }
 
     fn fetched(&self, proxy: &dyn Proxy, Point { place, mirror, .. }: &Point) -> [f64; 3] {
@@ -84,17 +73,13 @@ fn tap(proxy: &dyn Proxy, probe: Vec3, place: Vec3, ray: Vec3, alpha: f64) -> Ta
     Tap { towards, alpha: width(alpha, ratio), weight: 1.0 }
 }
 
-/// Least cosine to a proxy's normal: that of lookups, below which the footprint is as long as the wall.
-const LEAST_COSINE: f64 = 0.02;
-
 /// Direction and ratio of areas by the distance that a proxy states: that of a faded one is not the distance to its place. `None` where the
 /// place is the probe's own.
 pub(super) fn looked_up(hit: &Meeting, ray: Vec3, probe: Vec3) -> Option<(Vec3, f64)> {
     let away = minus(hit.place, probe);
     let distance = length(away);
     let towards = scaled(away, 1.0 / distance);
-    let [here, there] = [ray, towards].map(|v| dot(hit.normal, v).max(LEAST_COSINE));
-    (distance > 0.0).then(|| (towards, hit.distance / distance * (there / here).sqrt()))
+    (distance > 0.0).then(|| (towards, area_ratio(hit.normal, (ray, hit.distance), (towards, distance))))
 }
 
 /// Whether the axis of a lobe ends nearer to a second plane than the lobe is wide there.

@@ -1,7 +1,7 @@
 //! What a lookup takes, by its emitted function.
 
 use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
-use crate::effects::parallax::HYPOTHESES;
+use crate::effects::parallax::{HYPOTHESES, TapRule};
 use crate::effects::room::proxies::Smooth;
 use crate::emit::probe::{Called, Wanted};
 use crate::fit::Hypothesis;
@@ -16,17 +16,19 @@ pub(super) fn costs(planes: u32) -> Result<Vec<LookupCost>, StudyError> {
     let shapes =
         [None, Some(planes)].into_iter().flat_map(|planes| [false, true].map(|smooth| (planes, smooth)));
     let lobes = shapes.flat_map(|shape| [SurfaceLobe::Mirror, SurfaceLobe::Fitted].map(|lobe| (shape, lobe)));
+    let rules = [(1, TapRule::one()), (2, TapRule::two()), (3, TapRule::three())];
     let lookups = lobes.flat_map(|((planes, smooth), lobe)| {
-        (1..=3).map(move |taps| ProbeLookup { planes, smooth, taps, lobe })
+        rules.map(|(taps, rule)| (ProbeLookup { planes, smooth, taps, lobe }, rule))
     });
-    lookups.map(|lookup| cost(lookup, &width)).collect()
+    lookups.map(|(lookup, rule)| cost(lookup, rule, &width)).collect()
 }
 
-fn cost(lookup: ProbeLookup, width: &Hypothesis) -> Result<LookupCost, StudyError> {
+fn cost(lookup: ProbeLookup, rule: TapRule, width: &Hypothesis) -> Result<LookupCost, StudyError> {
     let wanted = Wanted {
         name: "lookup".into(),
         fetch: "fetch".into(),
         lookup,
+        rule,
         header: Vec::new(),
         width: Called {
             name: width.name().to_string(),

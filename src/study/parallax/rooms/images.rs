@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::super::measures::relative;
 use super::methods::Method;
-use super::random::{Tools, relative};
+use super::random::Tools;
 use super::smoothness::{Creases, creases};
 use super::view::{Camera, Pixel, pixels};
 use crate::effects::room::{Exact, Fetch, Lookup, Room, Seen};
@@ -123,7 +124,8 @@ impl Column<'_> {
             all.noise[r].push(0.5 * relative(a, b));
             all.flip_of_noise[r].push(self.flip(&self.displayed(a), &self.displayed(b))?.0);
         }
-        let lookups: Vec<Box<dyn Lookup>> = methods.iter().map(|method| method.lookup(self.room)).collect();
+        let lookups = methods.iter().map(|method| method.lookup(self.room));
+        let lookups = lookups.collect::<Result<Vec<Box<dyn Lookup>>, _>>()?;
         let mut values: Vec<Vec<Vec3>> = lookups.iter().map(|lookup| self.fetched(lookup.as_ref())).collect();
         values.push(whole[0].clone());
         let mut shown = Vec::new();

@@ -7,13 +7,13 @@ use argmin::solver::neldermead::NelderMead;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::super::measures::{geometric_mean, relative};
 use super::methods::{Method, smooth};
 use super::points::{self, Point};
-use super::random::{Reference, Tools, relative};
+use super::random::{Reference, Tools};
 use crate::effects::parallax::{LobeFit, Shading, Width};
 use crate::effects::room::{Exact, Fetch, Room, Seen, practice};
 use crate::math::vector::{Vec3, plus, scaled};
-use crate::math::{ops, sum};
 use crate::report::FittedLobe;
 use crate::study::{Size, StudyError};
 
@@ -69,22 +69,21 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// The geometric mean of the relative L2 over the roughnesses.
-    fn error(&self, shading: Shading) -> f64 {
+    fn error(&self, shading: Shading) -> Result<f64, StudyError> {
         self.error_with(shading, Width::Rational)
     }
 
     /// The same with a width of fetches.
-    fn error_with(&self, shading: Shading, width: Width) -> f64 {
+    fn error_with(&self, shading: Shading, width: Width) -> Result<f64, StudyError> {
         let method = Method { shading, width, ..smooth(self.fetches) };
         let (room, fan) = (&self.parameters.room, &self.tools.fan);
-        let (lookup, exact) = (method.lookup(room), Exact { room, fan });
+        let (lookup, exact) = (method.lookup(room)?, Exact { room, fan });
         let error = |column: &Column| {
             let values: Vec<Vec3> =
                 column.seen.par_iter().map(|seen| exact.sum(&lookup.taps(seen))).collect();
-            ops::log(relative(&values, &column.truth))
+            relative(&values, &column.truth)
         };
-        let logarithms: Vec<f64> = self.columns.iter().map(error).collect();
-        ops::exp(sum::mean(&logarithms))
+        Ok(geometric_mean(self.columns.iter().map(error)))
     }
 
     fn fitted(&self, start: &LobeFit, free: usize) -> Result<(LobeFit, f64), StudyError> {
@@ -104,7 +103,7 @@ impl Search<'_> {
             .map_err(|e| failed(e.to_string()))?;
         let best = outcome.state.get_best_param().ok_or_else(|| failed("no step was made".into()))?;
         let fit = named(best);
-        let error = self.error(Shading::Fitted(fit));
+        let error = self.error(Shading::Fitted(fit))?;
         if error.is_finite() { Ok((fit, error)) } else { Err(failed(format!("an error of {error}"))) }
     }
 }
@@ -117,7 +116,7 @@ impl CostFunction for &Search<'_> {
     type Output = f64;
 
     fn cost(&self, list: &Vec<f64>) -> Result<f64, argmin::core::Error> {
-        Ok(self.error(Shading::Fitted(named(list))))
+        Ok(self.error(Shading::Fitted(named(list)))?)
     }
 }
 
@@ -142,11 +141,11 @@ pub(super) fn fitted(parameters: &Parameters) -> Result<Vec<FittedLobe>, StudyEr
                 narrow: fit.narrow,
                 squash: fit.squash,
                 error,
-                shipped: of(Shading::Fitted(shipped)),
-                emitted: search.error_with(Shading::Fitted(shipped), Width::EMITTED),
-                mirror: of(Shading::Mirror),
-                mirror_emitted: search.error_with(Shading::Mirror, Width::EMITTED),
-                dominant: of(Shading::Dominant),
+                shipped: of(Shading::Fitted(shipped))?,
+                emitted: search.error_with(Shading::Fitted(shipped), Width::EMITTED)?,
+                mirror: of(Shading::Mirror)?,
+                mirror_emitted: search.error_with(Shading::Mirror, Width::EMITTED)?,
+                dominant: of(Shading::Dominant)?,
             })
         })
         .collect()

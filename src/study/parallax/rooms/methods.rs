@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
-use crate::effects::room::proxies::{Body, Law, Smooth};
+use crate::effects::room::proxies::{Body, Smooth};
 use crate::effects::room::{Lookup, Proxy, Room};
+use crate::study::StudyError;
 
 /// What a method takes the room for.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -36,21 +37,18 @@ pub(in crate::study::parallax) struct Method {
 
 impl Method {
     /// Its lookup in a room.
-    pub fn lookup(&self, room: &Room) -> Box<dyn Lookup> {
-        match self.taken {
+    ///
+    /// # Errors
+    /// A probe that is not inside the room.
+    pub fn lookup(&self, room: &Room) -> Result<Box<dyn Lookup>, StudyError> {
+        let outside = || StudyError::Outside { room: room.name.clone(), probe: room.probe };
+        let body = Body::new(&room.shape(), room.probe).ok_or_else(outside)?;
+        Ok(match self.taken {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
-            Taken::Planes => self.corrected(room.shape(), room),
-            Taken::Smooth => self.smooth(room, Smooth::FITTED),
-            Taken::ByEye => self.smooth(room, Smooth::BY_EYE),
-        }
-    }
-
-    /// Without a probe inside there is nothing to be smooth about.
-    fn smooth(&self, room: &Room, power: Law) -> Box<dyn Lookup> {
-        match Body::new(&room.shape(), room.probe) {
-            Some(body) => self.corrected(Smooth { body, power }, room),
-            None => self.corrected(room.shape(), room),
-        }
+            Taken::Planes => self.corrected(body, room),
+            Taken::Smooth => self.corrected(Smooth { body, power: Smooth::FITTED }, room),
+            Taken::ByEye => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
+        })
     }
 
     fn corrected<P: Proxy + 'static>(&self, proxy: P, room: &Room) -> Box<dyn Lookup> {

@@ -61,7 +61,8 @@ pub(super) fn findings(
     let lobes = lobes::fitted(lobes)?;
     let geometry = rooms.iter().map(|room| points::geometry(room, &random.points)).collect();
     let tools = random::Tools::new(random.directions);
-    let random = rooms.iter().map(|room| random::measured(room, methods, random, &tools)).collect();
+    let random = rooms.iter().map(|room| random::measured(room, methods, random, &tools));
+    let random = random.collect::<Result<_, StudyError>>()?;
     progress.stage("pictures in rooms");
     let pictures = images::pictures(rooms, methods, images)?;
     let costs = costs::costs(OCTAGON)?;

@@ -4,11 +4,11 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use crate::effects::parallax::Stretch;
-use crate::effects::room::{Convex, Proxy, Room};
+use crate::effects::room::{Convex, Room};
 use crate::math::ops;
 use crate::math::sobol::Sobol;
 use crate::math::vector::{Vec3, length, minus, plus, scaled, tangents, turned};
+use crate::optics::footprint::{Hit, Stretch};
 use crate::report::RoomGeometry;
 use crate::study::Size;
 
@@ -98,14 +98,12 @@ fn bounds(shape: &Convex, inside: Vec3) -> [Vec3; 2] {
 
 /// How points and probe lie to the walls.
 pub(in crate::study::parallax) fn geometry(room: &Room, parameters: &Parameters) -> RoomGeometry {
-    let shape = room.shape();
     let (mut rho, mut stretch) = (Vec::new(), Vec::new());
-    for point in points(room, parameters) {
-        let met = shape.meet(point.place, point.mirror, 0.0);
-        if let Some((met, seen)) =
-            met.and_then(|met| Some((met, Stretch::of(point.place, &met, room.probe)?)))
-        {
-            rho.push(met.distance / length(minus(met.place, room.probe)));
+    for Point { place, mirror, .. } in points(room, parameters) {
+        let (distance, wall) = room.exit(place, mirror);
+        let hit = Hit { place: plus(place, scaled(mirror, distance)), normal: room.walls[wall].plane.normal };
+        if let Some(seen) = Stretch::of(place, hit, room.probe) {
+            rho.push(distance / length(minus(hit.place, room.probe)));
             stretch.push(seen.kappa);
         }
     }

@@ -3,14 +3,15 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::super::measures::{geometric_mean, relative};
 use super::methods::{FROSTBITE, Method};
 use super::points::{self, Point};
-use crate::effects::room::{Exact, Fan, Fetch, GgxRays, Room, Seen};
+use crate::effects::room::{Exact, Fan, Fetch, GgxRays, Lookup, Room, Seen};
+use crate::math::sum;
 use crate::math::vector::{Vec3, minus, normalise, plus, scaled};
-use crate::math::{ops, sum};
 use crate::optics::kernel::Kernel;
 use crate::report::{RandomReference, RandomRoom, RandomRow};
-use crate::study::Size;
+use crate::study::{Size, StudyError};
 
 /// What is measured.
 #[derive(Clone, Debug, Serialize)]
@@ -88,13 +89,14 @@ pub(super) fn measured(
     methods: &[Method],
     parameters: &Parameters,
     tools: &Tools,
-) -> RandomRoom {
+) -> Result<RandomRoom, StudyError> {
     let points = points::points(room, &parameters.points);
+    let lookups = methods.iter().map(|method| method.lookup(room)).collect::<Result<Vec<_>, _>>()?;
     let references = Reference::ALL.map(|reference| {
         let columns: Vec<Column> = parameters
             .roughness
             .iter()
-            .map(|r| column(room, methods, (reference, r * r), &points, tools))
+            .map(|r| column(room, &lookups, (reference, r * r), &points, tools))
             .collect();
         let rows = methods.iter().enumerate().map(|(i, method)| RandomRow {
             name: method.name.clone(),
@@ -102,8 +104,8 @@ pub(super) fn measured(
             l2: columns.iter().map(|c| c.l2[i]).collect(),
             mae: columns.iter().map(|c| c.mae[i]).collect(),
             least_l2: columns.iter().map(|c| c.l2[FROSTBITE] / c.l2[i]).fold(f64::INFINITY, f64::min),
-            gain_l2: gain(columns.iter().map(|c| c.l2[FROSTBITE] / c.l2[i])),
-            gain_mae: gain(columns.iter().map(|c| c.mae[FROSTBITE] / c.mae[i])),
+            gain_l2: geometric_mean(columns.iter().map(|c| c.l2[FROSTBITE] / c.l2[i])),
+            gain_mae: geometric_mean(columns.iter().map(|c| c.mae[FROSTBITE] / c.mae[i])),
         });
         RandomReference {
             name: reference.name().into(),
@@ -111,17 +113,11 @@ pub(super) fn measured(
             rows: rows.collect(),
         }
     });
-    RandomRoom {
+    Ok(RandomRoom {
         room: room.name.clone(),
         roughness: parameters.roughness.clone(),
         references: references.into(),
-    }
-}
-
-/// The geometric mean.
-fn gain(ratios: impl Iterator<Item = f64>) -> f64 {
-    let logarithms: Vec<f64> = ratios.map(ops::log).collect();
-    ops::exp(sum::mean(&logarithms))
+    })
 }
 
 /// Errors of one roughness under one reference, by method.
@@ -133,12 +129,11 @@ struct Column {
 
 fn column(
     room: &Room,
-    methods: &[Method],
+    lookups: &[Box<dyn Lookup>],
     (reference, alpha): (Reference, f64),
     points: &[Point],
     tools: &Tools,
 ) -> Column {
-    let lookups: Vec<_> = methods.iter().map(|method| method.lookup(room)).collect();
     let exact = Exact { room, fan: &tools.fan };
     let all: Vec<([Vec3; 2], Vec<Vec3>)> = points
         .par_iter()
@@ -154,21 +149,13 @@ fn column(
     let truth: Vec<Vec3> = all.iter().map(|([a, b], _)| scaled(plus(*a, *b), 0.5)).collect();
     let of = |i: usize| -> Vec<Vec3> { all.iter().map(|(_, values)| values[i]).collect() };
     let halves = [0, 1].map(|half| all.iter().map(|(halves, _)| halves[half]).collect::<Vec<Vec3>>());
-    let indices = 0..methods.len();
+    let indices = 0..lookups.len();
     Column {
         // each half has twice the variance of the mean, their difference four times
         noise: 0.5 * relative(&halves[0], &halves[1]),
         l2: indices.clone().map(|i| relative(&of(i), &truth)).collect(),
         mae: indices.map(|i| shown(&of(i), &truth)).collect(),
     }
-}
-
-/// Root of the sum of squared differences over that of squares.
-pub(super) fn relative(values: &[Vec3], truth: &[Vec3]) -> f64 {
-    let square = |v: Vec3| v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-    let error: Vec<f64> = values.iter().zip(truth).map(|(v, t)| square(minus(*v, *t))).collect();
-    let whole: Vec<f64> = truth.iter().map(|t| square(*t)).collect();
-    (sum::mean(&error) / sum::mean(&whole)).sqrt()
 }
 
 /// Mean absolute difference of the channels through x/(1 + x).

@@ -9,20 +9,24 @@ mod smoothness;
 mod verdict;
 
 use super::super::words;
+use super::fold;
 use crate::report::numbers::significant;
 use crate::report::{Block, ReportError, RoomGeometry, RoomsFindings, Section, check};
 
-pub(super) fn sections(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
+/// What came of it.
+pub(super) fn answers(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
+    let references = rooms.random.iter().map(|room| room.references.len()).min().unwrap_or_default();
     Ok(vec![
-        geometry(&rooms.geometry)?,
-        compared::section(),
-        random::section(rooms)?,
-        lobes::section(rooms)?,
+        fold::after(1, verdict::section(rooms)?),
+        fold::after(references, random::section(rooms)?),
         pictures::section(rooms)?,
-        smoothness::section(rooms)?,
-        verdict::section(rooms)?,
-        costs::section(rooms)?,
+        fold::after(1, smoothness::section(rooms)?),
     ])
+}
+
+/// What is compared, where, and at what price.
+pub(super) fn basis(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
+    Ok(vec![compared::section(), geometry(&rooms.geometry)?, lobes::section(rooms)?, costs::section(rooms)?])
 }
 
 /// The rooms, and how points at random lie in them.

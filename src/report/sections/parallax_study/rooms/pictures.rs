@@ -1,10 +1,11 @@
 //! Pictures of a plane that reflects.
 
 use super::super::super::{figures, words};
+use super::super::fold;
 use crate::report::numbers::{place, significant};
 use crate::report::{
-    Block, Cells, Gallery, Image, ReportError, RoomPicture, RoomPictureRow, RoomPictures, RoomsFindings,
-    Section, Shade, Spread, TextTable, check,
+    Block, Cells, Gallery, ReportError, RoomPicture, RoomPictureRow, RoomPictures, RoomsFindings, Section,
+    Shade, Spread, TextTable, Tile, check,
 };
 
 /// FLIP that gets the lightest colour of a map.
@@ -17,13 +18,18 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     check::filled("pictures", "pictures", rooms.pictures.len())?;
     let mut blocks = Vec::new();
     for pictures in rooms.pictures.iter().filter(|pictures| !pictures.shown.is_empty()) {
-        blocks.push(Block::Heading { text: pictures.name.clone() });
-        blocks.extend(shown(pictures, &rooms.chosen)?);
+        let grids = pictures.shown.iter().map(|shown| grid(pictures, shown, &rooms.chosen));
+        let caption = format!(
+            "Above: the pictures through the tone mapper, at one exposure. Below: FLIP of each pixel against either reference; {LIMIT} and above in \
+             the lightest colour. A few of the methods; all are in the tables."
+        );
+        blocks.push(figures(&grids.collect::<Result<Vec<_>, _>>()?, &caption)?);
     }
-    for pictures in &rooms.pictures {
-        blocks.push(Block::Heading { text: format!("{}: mean FLIP", pictures.name) });
-        blocks.extend([0, 1].map(|reference| Block::Table(flips(pictures, reference))));
-    }
+    let tables = rooms.pictures.iter().flat_map(|pictures| {
+        let heading = Block::Heading { text: format!("{}: mean FLIP", pictures.name) };
+        std::iter::once(heading).chain([0, 1].map(|reference| Block::Table(flips(pictures, reference))))
+    });
+    blocks.push(fold::of("Mean FLIP of every method in every picture", tables.collect()));
     Ok(Section {
         id: "pictures".into(),
         title: "Pictures".into(),
@@ -36,54 +42,41 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
     })
 }
 
-/// The pictures of one camera with their maps, side by side.
-fn shown(pictures: &RoomPictures, chosen: &[String]) -> Result<Vec<Block>, ReportError> {
+/// The pictures of one camera at one roughness, the references first, and below each its maps.
+fn grid(pictures: &RoomPictures, shown: &RoomPicture, chosen: &[String]) -> Result<Gallery, ReportError> {
+    check::size("pictures", "references", shown.references.len(), REFERENCES.len())?;
+    for (field, count) in [("pictures", shown.pictures.len()), ("maps", shown.maps.len())] {
+        check::size("pictures", field, count, pictures.rows.len())?;
+    }
     let rows: Vec<usize> =
         (0..pictures.rows.len()).filter(|&i| chosen.contains(&pictures.rows[i].name)).collect();
-    let names = |with: &[&str]| -> Vec<String> {
-        let own = rows.iter().map(|&i| pictures.rows[i].name.clone());
-        with.iter().map(|name| format!("{name} (reference)")).chain(own).collect()
-    };
-    let columns = |each: &dyn Fn(&RoomPicture) -> Vec<Image>| -> Vec<Vec<Image>> {
-        transposed(pictures.shown.iter().map(each).collect())
-    };
-    let all = columns(&|shown: &RoomPicture| {
-        shown.references.iter().cloned().chain(rows.iter().map(|&i| shown.pictures[i].clone())).collect()
-    });
-    let mut figures_shown = vec![gallery(pictures, "as displayed", names(&REFERENCES), Cells::Colours(all))];
-    for (reference, name) in REFERENCES.iter().enumerate() {
-        let maps = |shown: &RoomPicture| -> Vec<Vec<f64>> {
-            rows.iter().map(|&i| shown.maps[i][reference].clone()).collect()
-        };
-        let values = transposed(pictures.shown.iter().map(maps).collect());
-        let shade = Shade::Magnitude { min: 0.0, max: LIMIT, spread: Spread::Linear };
-        let cells = Cells::Values { values, shade, unit: "FLIP".into() };
-        figures_shown.push(gallery(pictures, &format!("FLIP against {name}"), names(&[]), cells));
+    let references = REFERENCES.iter().map(|name| format!("{name} (reference)"));
+    let images = shown.references.iter().chain(rows.iter().map(|&i| &shown.pictures[i]));
+    let mut tiles = vec![images.cloned().map(Tile::Colours).collect::<Vec<Tile>>()];
+    for reference in 0..REFERENCES.len() {
+        let none = REFERENCES.iter().map(|_| Tile::Nothing);
+        tiles
+            .push(none.chain(rows.iter().map(|&i| Tile::Values(shown.maps[i][reference].clone()))).collect());
     }
-    let caption = format!(
-        "Left: the pictures through the tone mapper, at one exposure. Then FLIP of each pixel against either reference; {LIMIT} and above in the \
-         lightest colour. A few of the methods; all are in the tables."
-    );
-    Ok(vec![figures(&figures_shown, &caption)?])
-}
-
-fn gallery(pictures: &RoomPictures, what: &str, rows: Vec<String>, cells: Cells) -> Gallery {
-    Gallery {
-        title: format!("{}: {what}", pictures.name),
-        column_name: "roughness".into(),
-        columns: pictures.shown.iter().map(|shown| place(shown.roughness)).collect(),
-        rows,
+    Ok(Gallery {
+        title: format!("{}, roughness {}", pictures.name, place(shown.roughness)),
+        column_name: String::new(),
+        columns: references.chain(rows.iter().map(|&i| pictures.rows[i].name.clone())).collect(),
+        rows: std::iter::once("as displayed".into())
+            .chain(REFERENCES.iter().map(|name| format!("FLIP against {name}")))
+            .collect(),
         side: pictures.side,
-        cell: 108.0,
-        cells,
-    }
+        cell: CELL,
+        cells: Cells::Tiles {
+            tiles,
+            shade: Shade::Magnitude { min: 0.0, max: LIMIT, spread: Spread::Linear },
+            unit: "FLIP".into(),
+        },
+    })
 }
 
-/// Rows of columns from columns of rows.
-fn transposed<T: Clone>(columns: Vec<Vec<T>>) -> Vec<Vec<T>> {
-    let rows = columns.iter().map(Vec::len).min().unwrap_or_default();
-    (0..rows).map(|i| columns.iter().map(|column| column[i].clone()).collect()).collect()
-}
+/// Side of a picture on the page.
+const CELL: f64 = 108.0;
 
 fn flips(pictures: &RoomPictures, reference: usize) -> TextTable {
     let name = REFERENCES[reference];

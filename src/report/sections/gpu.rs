@@ -1,0 +1,214 @@
+//! The page of times on a graphics processor.
+
+use super::{figures, words};
+use crate::report::numbers::{grouped, significant};
+use crate::report::{
+    Block, Dot, GpuClock, GpuKind, GpuRecord, GpuRow, GpuSpread, Page, ReportError, Scatter, Section, Spread,
+    TextTable,
+};
+
+/// Pixels of a screen of 3840 by 2160.
+const SCREEN: f64 = 3840.0 * 2160.0;
+
+pub(super) fn page(record: &GpuRecord, hash: &str) -> Result<Page, ReportError> {
+    let mut sections = vec![measured(record, hash)];
+    let of = |kinds: &[GpuKind]| -> Vec<&GpuRow> {
+        record.rows.iter().filter(|row| kinds.contains(&row.kind)).collect()
+    };
+    let lookups = of(&[GpuKind::CubemapFetch, GpuKind::Lookup, GpuKind::LookupFetches]);
+    if !lookups.is_empty() {
+        sections.push(plain("lookups", "Lookups of probes", LOOKUPS, &lookups));
+    }
+    let tables = of(&[GpuKind::Fetch, GpuKind::Table]);
+    if !tables.is_empty() {
+        sections.push(plain("tables", "Fetches and lookups of tables", TABLES, &tables));
+    }
+    let fits = of(&[GpuKind::Fit]);
+    if !fits.is_empty() {
+        sections.push(charted(&fits)?);
+    }
+    let levels = of(&[GpuKind::Level]);
+    if !levels.is_empty() {
+        sections.push(plain("levels", "Levels of chains", LEVELS, &levels));
+    }
+    if !record.left_out.is_empty() {
+        sections.push(left_out(record));
+    }
+    Ok(Page {
+        title: format!("lobefit on {}", record.device.adapter),
+        origin: record.origin.clone(),
+        lead: "Time per evaluation of the emitted WGSL on one graphics processor. The times hold for the recipe above and for no other; \
+               `lobefit check` tells which functions have changed since."
+            .into(),
+        sections,
+    })
+}
+
+const LOOKUPS: &str = "From the shading point and the reflected ray to what is fetched, and the same with its fetches from a cubemap of 128 texels \
+    and 7 levels, filtered between levels. Beside them, one fetch of that cubemap along the uncorrected ray.";
+
+const TABLES: &str = "Plain fetches, at coordinates that need no arithmetic, and the lookups of tables: coordinates, the fetch, decoding.";
+
+const FITS: &str = "Formulas alone. Where a time is told from 0, the charts set it against the certified error: what an operation \
+    less is worth on this device.";
+
+const LEVELS: &str =
+    "From roughness to the level that holds it, back, and to the level that a corrected fetch takes.";
+
+fn measured(record: &GpuRecord, hash: &str) -> Section {
+    let (device, origin) = (&record.device, &record.origin);
+    let clock = match record.clock {
+        GpuClock::Timestamps => "the device's time stamps at the beginning and the end of a dispatch",
+        GpuClock::Wall => "wall time from submission to completion: the driver offers no time stamps",
+    };
+    let rows = vec![
+        ("Device".to_string(), format!("{} ({})", device.adapter, device.kind)),
+        ("Driver".into(), format!("{}, {}", device.driver, device.backend)),
+        ("Clock".into(), clock.into()),
+        (
+            "Work".into(),
+            format!(
+                "{} threads, {} pairs of dispatches a row{}",
+                grouped(u64::from(record.threads)),
+                record.repeats,
+                if record.reduced { "; reduced: to try out, not to quote" } else { "" }
+            ),
+        ),
+        ("Record".into(), hash.into()),
+        ("Method".into(), format!("version {}, lobefit {}", record.method, origin.tool)),
+    ];
+    Section {
+        id: "measured".into(),
+        title: "What was measured, and how".into(),
+        lead: "Each thread is a pixel of a square picture and evaluates a function many times in a loop, at inputs that differ from pixel to \
+               pixel and drift from turn to turn; results are summed and stored. Right before or after it the same loop runs without \
+               the function, and the difference is what an evaluation adds: throughput of a full device, not the time that one \
+               pixel waits. Rows take turns, so that a clock that changes meets all alike; figures are medians with quartiles."
+            .into(),
+        blocks: vec![Block::Facts { rows }],
+    }
+}
+
+fn plain(id: &str, title: &str, lead: &str, rows: &[&GpuRow]) -> Section {
+    let blocks = vec![Block::Table(table(rows))];
+    Section { id: id.into(), title: title.into(), lead: lead.into(), blocks }
+}
+
+fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
+    let mut blocks = Vec::new();
+    for group in groups(rows) {
+        blocks.extend(chart(&group)?);
+    }
+    blocks.push(Block::Table(table(rows)));
+    Ok(Section { id: "fits".into(), title: "Fits".into(), lead: FITS.into(), blocks })
+}
+
+/// Rows that approximate the same column of the same quantity for the same use: what may share a chart.
+fn groups<'a>(rows: &[&'a GpuRow]) -> Vec<Vec<&'a GpuRow>> {
+    let key = |row: &GpuRow| row.error.as_ref().map(|e| (e.quantity.clone(), e.column.clone(), e.used_as));
+    let mut groups: Vec<Vec<&GpuRow>> = Vec::new();
+    for row in rows.iter().filter(|row| row.error.is_some()) {
+        match groups.iter_mut().find(|group| key(group[0]) == key(row)) {
+            Some(group) => group.push(row),
+            None => groups.push(vec![row]),
+        }
+    }
+    groups
+}
+
+/// Time against error of a group; only the frontier and published formulas are named, the table names all.
+fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
+    let Some(first) = group[0].error.as_ref() else { return Ok(None) };
+    let dot = |row: &&GpuRow| {
+        let error = row.error.as_ref().filter(|error| error.max > 0.0 && row.resolved())?;
+        let x = picoseconds(row.nanoseconds.median);
+        Some(Dot { name: row.name.clone(), x, y: error.max, published: error.published, table: false })
+    };
+    let mut dots: Vec<Dot> = group.iter().filter_map(dot).collect();
+    if !words::worth_a_chart(&dots) {
+        return Ok(None);
+    }
+    let best = crate::report::plot::frontier(&dots);
+    for (_, dot) in dots.iter_mut().enumerate().filter(|(i, d)| !d.published && !best.contains(i)) {
+        dot.name.clear();
+    }
+    let metric = words::metric(first.used_as);
+    let scatter = Scatter {
+        title: format!("{} as {}", first.quantity, first.used_as.name()),
+        x: ("picoseconds per evaluation (square-root scale)".into(), Spread::Root),
+        y: (format!("largest {metric}"), Spread::Log),
+        size: (760.0, if dots.len() > 8 { 460.0 } else { 300.0 }),
+        dots,
+    };
+    let caption = format!(
+        "Largest {metric} against picoseconds: lower is more accurate, further left is faster. Named are the published formulas and \
+         ours that no other formula of ours beats in both, which the stairs join; the table names all."
+    );
+    figures(&[scatter], &caption).map(Some)
+}
+
+fn table(rows: &[&GpuRow]) -> TextTable {
+    let columns = [
+        ("name", false),
+        ("ops", true),
+        ("fetches", true),
+        ("ps per evaluation", true),
+        ("10^9 a second", true),
+        ("µs per 3840×2160", true),
+        ("× of the loop", true),
+        ("× of a fetch", true),
+    ];
+    let cells = rows.iter().map(|row| cells(row)).collect();
+    let mut table = words::table(
+        &columns,
+        cells,
+        "Medians, with the quartiles in brackets. `× of the loop`: the loop with the evaluation over the loop without. `× of a fetch`: over \
+         what a plain fetch of the kind adds, two-dimensional for formulas. A dash: not told from 0.",
+    );
+    table.muted = rows.iter().map(|row| row.error.as_ref().is_some_and(|error| error.published)).collect();
+    table
+}
+
+fn cells(row: &GpuRow) -> Vec<String> {
+    let told = |text: String| if row.resolved() { text } else { "–".into() };
+    let name = match row.kind {
+        GpuKind::LookupFetches => format!("{}, with its fetches", row.name),
+        _ => row.name.clone(),
+    };
+    let time = row.nanoseconds;
+    let time = GpuSpread {
+        low: picoseconds(time.low),
+        median: picoseconds(time.median),
+        high: picoseconds(time.high),
+    };
+    let frame = 1e-3 * row.nanoseconds.median * SCREEN;
+    vec![
+        name,
+        row.ops.map_or_else(|| "–".into(), |ops| ops.to_string()),
+        row.fetches.to_string(),
+        told(spread(time)),
+        row.evaluations_per_second.map_or_else(|| "–".into(), |rate| significant(1e-9 * rate, 3)),
+        told(significant(frame, 3)),
+        spread(row.ratio),
+        row.against.as_ref().map_or_else(|| "–".into(), |against| told(spread(against.ratio))),
+    ]
+}
+
+fn spread(spread: GpuSpread) -> String {
+    let [low, median, high] = [spread.low, spread.median, spread.high].map(|x| significant(x, 3));
+    format!("{median} [{low}, {high}]")
+}
+
+fn picoseconds(nanoseconds: f64) -> f64 {
+    1e3 * nanoseconds
+}
+
+fn left_out(record: &GpuRecord) -> Section {
+    let rows = record.left_out.iter().map(|out| vec![out.function.clone(), out.reason.clone()]).collect();
+    Section {
+        id: "left-out".into(),
+        title: "Not measured".into(),
+        lead: "Functions of the manifest that have no time above.".into(),
+        blocks: vec![Block::Table(words::table(&[("function", false), ("why", false)], rows, ""))],
+    }
+}

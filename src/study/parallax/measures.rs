@@ -1,0 +1,41 @@
+//! How far what is looked up is from what it stands for, in one number: what every part of the study states.
+
+use crate::math::vector::{Vec3, dot, minus};
+use crate::math::{ops, sum};
+
+/// Root of the sum of squares of the differences of a and b over that of the truth, over channels and points: relative L2. NaN of no points.
+pub(super) fn off(a: &[Vec3], b: &[Vec3], truth: &[Vec3]) -> f64 {
+    ratio(a.iter().zip(b).zip(truth).map(|((a, b), truth)| (minus(*a, *b), *truth)))
+}
+
+/// The same of what is found from the truth.
+pub(super) fn relative(found: &[Vec3], truth: &[Vec3]) -> f64 {
+    off(found, truth, truth)
+}
+
+/// The same over the points that are wanted; 0 where none is.
+pub(super) fn relative_where(found: &[Vec3], truth: &[Vec3], wanted: impl Fn(usize) -> bool) -> f64 {
+    let kept: Vec<usize> = (0..truth.len()).filter(|i| wanted(*i)).collect();
+    if kept.is_empty() {
+        return 0.0;
+    }
+    ratio(kept.into_iter().map(|i| (minus(found[i], truth[i]), truth[i])))
+}
+
+/// Of differences and what they are relative to.
+fn ratio(pairs: impl Iterator<Item = (Vec3, Vec3)>) -> f64 {
+    let (errors, sizes): (Vec<f64>, Vec<f64>) =
+        pairs.map(|(off, truth)| (dot(off, off), dot(truth, truth))).unzip();
+    (sum::pairwise(&errors) / sum::pairwise(&sizes)).sqrt()
+}
+
+/// The geometric mean of positive numbers, NaN of none: of errors, and of how many times smaller one is than another's.
+pub(super) fn geometric_mean(values: impl IntoIterator<Item = f64>) -> f64 {
+    let logarithms: Vec<f64> = values.into_iter().map(ops::log).collect();
+    ops::exp(sum::mean(&logarithms))
+}
+
+/// How many times smaller errors are than those of a rival at the same places: the geometric mean of the ratios.
+pub(super) fn gain(rival: &[f64], own: &[f64]) -> f64 {
+    geometric_mean(rival.iter().zip(own).map(|(rival, own)| rival / own))
+}

@@ -1,0 +1,79 @@
+//! Tables of three axes that cannot be made.
+
+use super::{ANISOTROPIC, Case, GLASS, case, material, refused, wants};
+
+/// Tables of three axes that cannot be made.
+fn not_a_volume() -> Vec<Case> {
+    let of = |fields: &str, wants: &str| material(&format!(r#"{fields},"wants":{{{wants}}}"#));
+    let tables = |fields: &str, tables: &str| of(fields, &format!("\"tables\":{tables}"));
+    vec![
+        case(
+            wants("{\"tables\":[{}]}"),
+            "materials[0].wants.tables: they are for anisotropic materials and for glass; give `anisotropy`, or ask for \
+             `wants.table`",
+        ),
+        case(
+            tables(r#""kind":"metal","f0":1,"roughness":1,"anisotropy":0"#, "[{}]"),
+            "wants.tables: they are for anisotropic materials and for glass",
+        ),
+        case(
+            of(GLASS, "\"table\":{}"),
+            "materials[0].wants.table: it is of lobes that only reflect; of glass ask for `wants.tables`",
+        ),
+        case(of(GLASS, "\"fit\":{}"), "materials[0].wants.fit: it is of lobes that only reflect"),
+        case(of(GLASS, "\"fit\":{},\"tables\":[{}]"), "materials[0].wants.fit: it is of lobes that only"),
+        case(
+            tables(GLASS, "[{},{\"layout\":\"azimuth\"}]"),
+            "materials[0].wants.tables[1].layout: `azimuth` is for anisotropic materials",
+        ),
+        case(
+            tables(r#""kind":"glass","ior":[1, 2.5],"roughness":1"#, "[{\"layout\":\"path-tracer\"}]"),
+            "materials[0].wants.tables[0]: the path-tracer layout ends at ior 2, the material's at 2.5",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"layout\":\"path-tracer\",\"size\":[64,64,32]}]"),
+            "materials[0].wants.tables[0].size: the path-tracer layout has its own; leave it out",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"layout\":\"path-tracer\",\"max_error\":1}]"),
+            "materials[0].wants.tables[0].max_error: the error of the path-tracer layout is reported, not chosen",
+        ),
+        case(tables(ANISOTROPIC, "[]"), "materials[0].wants.tables: the list is empty"),
+        case(tables(ANISOTROPIC, "{}"), "materials[0].wants.tables: invalid type: map"),
+        case(tables(ANISOTROPIC, "[null]"), "materials[0].wants.tables[0]: invalid type: null"),
+        case(tables(ANISOTROPIC, "[[]]"), "materials[0].wants.tables[0]: invalid type: sequence"),
+        case(tables(ANISOTROPIC, "[{},{},{},{},{}]"), "materials[0].wants.tables: more than 4 entries"),
+        case(
+            tables(ANISOTROPIC, "[{},{\"size\":[64,64,32],\"format\":\"f16\"}]"),
+            "materials[0].wants.tables[1]: it has the layout, size and format of wants.tables[0]",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"layout\":\"plain\"}]"),
+            "wants.tables[0].layout: unknown variant `plain`, expected one of `optimised`, `path-tracer`, `azimuth`",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"serves\":\"albedo\"}]"),
+            "wants.tables[0].serves: unknown field `serves`, expected one of `layout`, `size`, `format`, `max_error`",
+        ),
+        case(
+            tables(ANISOTROPIC, "[{\"format\":\"bc6h\"}]"),
+            "wants.tables[0].format: unknown variant `bc6h`",
+        ),
+        case(tables(ANISOTROPIC, "[{\"max_error\":0}]"), "wants.tables[0].max_error: 0 is outside (0, 1]"),
+        case(
+            tables(ANISOTROPIC, "[{\"size\":[64,64]}]"),
+            "wants.tables[0].size: 2 numbers where 3 are called for",
+        ),
+        case(tables(ANISOTROPIC, "[{\"size\":64}]"), "expected a list of 3 numbers in [4, 256]"),
+        case(tables(ANISOTROPIC, "[{\"size\":[64,64,3]}]"), "wants.tables[0].size[2]: 3 is outside [4, 256]"),
+        case(
+            tables(ANISOTROPIC, "[{\"size\":[256,256,256]}]"),
+            "materials[0].wants.tables[0].size: 256x256x256 is more than 4194304 texels",
+        ),
+    ]
+}
+
+#[test]
+fn tables_of_three_axes_that_cannot_be_made_are_refused() {
+    refused(not_a_volume());
+}

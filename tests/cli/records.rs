@@ -1,0 +1,235 @@
+//! Records of times on graphics processors: what `check` and `cost --page` make of them. Nothing here needs a device.
+
+use crate::common;
+
+use std::path::Path;
+
+use common::{lobefit, names, stderr};
+use lobefit::report::{GpuClock, GpuDevice, GpuKind, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION};
+use lobefit::timing::record::{Include, METHOD, page, read};
+use serde_json::{Value, json};
+
+/// Formulas of three operations over a narrow range.
+const SCENE: &[u8] = br#"{"schema_version": 1, "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
+  "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 3}}}]}"#;
+
+/// A scene whose bake takes no time: it calls for no effect.
+const SMOOTH: &[u8] = include_bytes!("../../examples/mirrors.json");
+
+fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+    run_on(SCENE, folder, arguments)
+}
+
+fn run_on(scene: &[u8], folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+    let output = lobefit(folder, arguments, scene);
+    let text = String::from_utf8(output.stdout.clone()).expect("text");
+    (output.status.code().expect("a code"), text, stderr(&output))
+}
+
+fn row(name: &str, function: Option<&str>, code: Option<String>) -> GpuRow {
+    let spread = |median: f64| GpuSpread { low: 0.9 * median, median, high: 1.1 * median };
+    GpuRow {
+        name: name.into(),
+        kind: if function.is_some() { GpuKind::Fit } else { GpuKind::Fetch },
+        function: function.map(String::from),
+        code,
+        ops: function.map(|_| 3),
+        fetches: u32::from(function.is_none()),
+        error: None,
+        evaluations: 64,
+        loop_nanoseconds: 0.001,
+        nanoseconds: spread(0.000_25),
+        ratio: spread(1.25),
+        evaluations_per_second: Some(4e12),
+        against: None,
+    }
+}
+
+fn record(rows: Vec<GpuRow>) -> GpuRecord {
+    GpuRecord {
+        origin: Origin {
+            scene: "test".into(),
+            recipe: "0".repeat(64),
+            tool: "0.1.0".into(),
+            command: "lobefit cost --gpu --record FILE.json".into(),
+        },
+        method: METHOD,
+        device: GpuDevice {
+            adapter: "Some <Device>".into(),
+            kind: "discrete".into(),
+            driver: "some driver 1.2".into(),
+            backend: "vulkan".into(),
+        },
+        clock: GpuClock::Timestamps,
+        threads: 1 << 22,
+        repeats: 15,
+        reduced: false,
+        rows,
+        left_out: Vec::new(),
+    }
+}
+
+fn put(folder: &Path, record: &GpuRecord) {
+    let (html, figures) = page(record).expect("a page");
+    std::fs::create_dir_all(folder.join("reports/gpu")).expect("a folder");
+    std::fs::write(folder.join("reports/gpu/device.json"), figures).expect("written");
+    std::fs::write(folder.join("reports/gpu/device.html"), html).expect("written");
+}
+
+#[test]
+fn check_tells_which_times_are_of_other_code_and_does_not_fail() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    assert_eq!(run(at, &["bake", "-", "--quiet"]).0, 0);
+    let include = Include::new(std::fs::read_to_string(at.join("fits/lobefit.wgsl")).expect("an include"));
+    let current = row("ggx_norm_r1", Some("ggx_norm_r1"), include.hash("ggx_norm_r1"));
+    assert!(current.code.is_some(), "the scene's bake has the function");
+    put(at, &record(vec![row("fetch", None, None), current.clone()]));
+    let (code, text, _) = run(at, &["check", "-"]);
+    assert_eq!(code, 0, "{text}");
+    assert!(!text.contains("note:") && text.contains("follow from their recipe"), "{text}");
+
+    let other = row("ggx_norm_r1", Some("ggx_norm_r1"), Some("0".repeat(64)));
+    let gone = row("gone", Some("no_such_function"), Some("0".repeat(64)));
+    put(at, &record(vec![current.clone(), other, gone]));
+    let (code, text, _) = run(at, &["check", "-"]);
+    assert_eq!(code, 0, "{text}");
+    assert!(
+        text.contains("reports/gpu/device.json: 2 of 3 times on Some <Device> are of other code"),
+        "{text}"
+    );
+    let verdict: Value = serde_json::from_str(&run(at, &["check", "-", "--json"]).1).expect("JSON");
+    assert_eq!(verdict["same"], true);
+    assert_eq!(verdict["records"][0]["stale"], json!(["ggx_norm_r1", "gone"]));
+
+    // Another way of measuring makes all of them others, plain fetches among them.
+    let old = GpuRecord { method: METHOD + 1, ..record(vec![row("fetch", None, None), current]) };
+    put(at, &old);
+    let (code, text, _) = run(at, &["check", "-"]);
+    assert_eq!(code, 0, "{text}");
+    assert!(text.contains("2 of 2 times"), "{text}");
+}
+
+#[test]
+fn check_fails_where_a_record_is_none_or_its_page_is_of_another() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    assert_eq!(run_on(SMOOTH, at, &["bake", "-", "--quiet"]).0, 0);
+    let path = |name: &str| at.join("reports/gpu").join(name);
+    put(at, &record(vec![row("fetch", None, None)]));
+    std::fs::write(path("device.html"), "another page").expect("written");
+    let (code, text, _) = run_on(SMOOTH, at, &["check", "-"]);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("make it with lobefit cost --page reports/gpu/device.json"), "{text}");
+    assert!(text.contains("1 record of times is broken"), "{text}");
+    let (code, text, error) = run_on(SMOOTH, at, &["cost", "--page", "reports/gpu/device.json"]);
+    assert_eq!((code, error.as_str()), (0, ""), "{text}");
+    assert_eq!(run_on(SMOOTH, at, &["check", "-"]).0, 0, "as the message says");
+
+    std::fs::write(path("device.json"), "{\"schema_version\": 1}").expect("written");
+    let (code, text, _) = run_on(SMOOTH, at, &["check", "-"]);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("reports/gpu/device.json: no record of lobefit cost --gpu --record"), "{text}");
+
+    std::fs::remove_file(path("device.json")).expect("removed");
+    let (code, text, _) = run_on(SMOOTH, at, &["check", "-"]);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("reports/gpu/device.html: extra"), "{text}");
+}
+
+#[test]
+fn a_page_is_written_again_from_its_record_and_from_nothing_else() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    let made = record(vec![row("fetch", None, None), row("a<b", Some("f"), Some("0".repeat(64)))]);
+    let (html, figures) = page(&made).expect("a page");
+    assert!(html.contains("a&lt;b") && html.contains("Some &lt;Device&gt;"), "names are escaped");
+    assert_eq!(read(&figures).expect("a record"), made);
+    std::fs::write(at.join("one.json"), &figures).expect("written");
+    let (code, _, error) = run(at, &["cost", "--page", "one.json"]);
+    assert_eq!((code, error.as_str()), (0, ""));
+    assert_eq!(std::fs::read_to_string(at.join("one.html")).expect("written"), html);
+    assert_eq!(std::fs::read(at.join("one.json")).expect("kept"), figures);
+
+    let changed = |key: &str, value: Value| {
+        let mut document: Value = serde_json::from_slice(&figures).expect("JSON");
+        *document.pointer_mut(key).expect("a key of the record") = value;
+        document.to_string()
+    };
+    for (text, expected) in [
+        ("{".to_string(), "no record of lobefit cost --gpu"),
+        (changed("/schema_version", json!(SCHEMA_VERSION + 1)), "schema_version 2, this version reads 1"),
+        (changed("/rows/1/loop_nanoseconds", json!(0.0)), "a<b: loop_nanoseconds is not a positive number"),
+        (changed("/rows/1/ratio/low", json!(-1.0)), "a<b: ratio is not a positive number"),
+        (changed("/clock", json!("sundial")), "sundial"),
+    ] {
+        std::fs::write(at.join("two.json"), &text).expect("written");
+        let (code, _, error) = run(at, &["cost", "--page", "two.json"]);
+        assert_eq!(code, 2, "{text}");
+        assert!(error.contains("two.json: ") && error.contains(expected), "{error}");
+        assert!(!names(at).contains(&"two.html".to_string()));
+    }
+}
+
+#[test]
+fn code_is_that_of_a_function_and_of_what_it_calls() {
+    let text = |inner: &str, head: &str| {
+        format!(
+            "{head}\nstruct pair {{\n    a: f32,\n}}\nfn inner(x: f32) -> f32 {{\n    {inner}\n}}\n\n\
+             fn outer(x: f32) -> pair {{\n    // a note\n    return pair(inner(x));\n}}\nfn apart() -> f32 {{\n    return 1.0;\n}}\n"
+        )
+    };
+    let hash = |text: String, name: &str| Include::new(text).hash(name);
+    let first = || text("return x;", "/// one head");
+    assert!(hash(first(), "outer").is_some());
+    assert_eq!(
+        hash(first(), "outer"),
+        hash(text("return x;", "/// another head"), "outer"),
+        "comments are none"
+    );
+    assert_ne!(hash(first(), "outer"), hash(text("return 2.0 * x;", ""), "outer"), "what it calls is of it");
+    assert_eq!(hash(first(), "apart"), hash(text("return 2.0 * x;", ""), "apart"), "and nothing else");
+    assert_eq!(hash(first(), "none"), None);
+    let code = Include::new(first()).code("outer").expect("a function");
+    assert!(code.contains("struct pair") && code.contains("fn inner") && !code.contains("apart"), "{code}");
+}
+
+#[test]
+fn quartiles_are_values_of_the_list() {
+    let spread = |values: &[f64]| GpuSpread::of(values).map(|s| [s.low, s.median, s.high]);
+    assert_eq!(spread(&[]), None);
+    assert_eq!(spread(&[2.0]), Some([2.0; 3]));
+    assert_eq!(spread(&[5.0, 1.0, 4.0, 2.0, 3.0]), Some([2.0, 3.0, 4.0]));
+    let all: Vec<f64> = (0..15).rev().map(f64::from).collect();
+    assert_eq!(spread(&all), Some([4.0, 7.0, 11.0]));
+}
+
+#[test]
+fn options_that_do_not_go_together_are_wrong_usage() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for arguments in [
+        &["cost", "--adapter", "x"][..],
+        &["cost", "--reduced"],
+        &["cost", "--record", "a.json"],
+        &["cost", "--gpu", "--out", "x"],
+        &["cost", "--gpu", "--page", "a.json"],
+        &["cost", "--page", "a.txt"],
+        &["cost", "--page", "no-such.json"],
+        #[cfg(feature = "gpu")]
+        &["cost", "-", "--gpu", "--record", "a.txt"],
+    ] {
+        let (code, text, error) = run(folder.path(), arguments);
+        assert_eq!((code, text.as_str()), (2, ""), "{arguments:?}: {error}");
+        assert!(!error.is_empty() && names(folder.path()).is_empty(), "{arguments:?}");
+    }
+}
+
+#[cfg(not(feature = "gpu"))]
+#[test]
+fn a_build_without_the_feature_says_how_to_get_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (code, text, error) = run(folder.path(), &["cost", "-", "--gpu", "--record", "a.json"]);
+    assert_eq!((code, text.as_str()), (2, ""), "{error}");
+    assert!(error.contains("cargo build --release --features gpu"), "{error}");
+    assert!(names(folder.path()).is_empty());
+}
