@@ -49,7 +49,7 @@ fn lookups_say_what_they_hold_of() {
                     "0.23.",
                 ],
                 (true, 2) => {
-                    &["normal and view", "1.1401 alpha^1.63 mu^-0.1866", "0.149; for the round", "0.202."]
+                    &["normal and view", "1.1401 alpha^1.63 mu^-0.1866", "0.149; for the round", "0.2."]
                 }
                 (true, _) => &[
                     "mu^(0.8534 - 1.2592 alpha)",

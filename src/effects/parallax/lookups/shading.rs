@@ -49,7 +49,8 @@ pub const LEAST_COSINE: f64 = 0.02;
 pub const NARROWEST: f64 = 0.05;
 
 impl LobeFit {
-    /// For one fetch: the lobe is round. These constants, and those below, are what study `parallax`, "The lobe of a surface", fits.
+    /// For one fetch: the lobe is round. These constants, and those below, are what study `parallax`, "The lobe of a surface", fits; those of
+    /// two fetches are of an earlier rule of two, and within 2 % of the fit's error in its room.
     pub const ONE: LobeFit =
         LobeFit { lean: [0.7323, 1.7068, -0.2953], narrow: [0.2586, 0.5576, 0.079], squash: [0.0, 0.0] };
 
@@ -81,7 +82,7 @@ impl LobeFit {
     pub fn expected(fetches: u32) -> [f64; 2] {
         match fetches {
             0 | 1 => [0.208, 0.23],
-            2 => [0.149, 0.202],
+            2 => [0.149, 0.2],
             _ => [0.126, 0.198],
         }
     }
