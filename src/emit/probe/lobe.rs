@@ -19,14 +19,15 @@ narrow = alpha * max(exp2((D - E * alpha) * log_mu) * (1.0 - F * alpha), NARROWE
 width = narrow / max(1.0 + alpha - narrow, narrow)
 ";
 
-/// The half-axes of the lobe, `first` towards the normal and `second` across, by those of a round one, `base_1` and `base_2`. Within a sine of 1e-6
-/// between axis and normal the lobe is round, and so they are any.
+/// The half-axes of the lobe, `first` towards the normal and `second` across, by those of a round one, `base_1` and `base_2`. Normal and
+/// view are on one side of the axis, and not both along it but head on (within a sine of 1e-6), where the lobe is round and so the half-axes are any.
 const AXES: &str = "
 squashed = min((G - H * SURFACE) * log_mu, 0.0)
 longer = exp2(-0.5 * squashed)
 shorter = 1.0 / longer
-inward_1 = normal.x * base_1.x + normal.y * base_1.y + normal.z * base_1.z
-inward_2 = normal.x * base_2.x + normal.y * base_2.y + normal.z * base_2.z
+aside = normal.x + view.x | normal.y + view.y | normal.z + view.z
+inward_1 = aside.x * base_1.x + aside.y * base_1.y + aside.z * base_1.z
+inward_2 = aside.x * base_2.x + aside.y * base_2.y + aside.z * base_2.z
 inward = sqrt(inward_1 * inward_1 + inward_2 * inward_2)
 tiny = max(inward, 0.000001)
 part_1 = choose(inward > 0.000001, inward_1 / tiny, 1.0)
@@ -81,7 +82,7 @@ pub(super) fn lines(taps: u32) -> Vec<String> {
     let mut lines = vec![
         "normal and view, towards the viewer, are of unit length. mu = normal.view counts as 0.02 below that; seen from".into(),
         "below, mu < 0, the mirror ray goes straight on. The lobe is that of GGX as study parallax fits it for this".into(),
-        "many fetches, at roughness 0.15 to 0.9 and mu of 0.05 and more; as alpha goes to 0 it is the mirror ray:".into(),
+        "many fetches, at roughness 0.15 to 0.9 and mu from 0 to 1; as alpha goes to 0 it is the mirror ray:".into(),
         format!("  its axis has a share min({a} alpha^{b} mu^{c}, 1) of the normal, the rest of the mirror ray;"),
         format!("  its footprint is max(mu^({d} {} alpha) (1 {} alpha), {NARROWEST}) times as wide as a round one's.", signed(e), signed(f)),
     ];

@@ -34,10 +34,10 @@ impl Parameters {
         let full = size == Size::Full;
         Parameters {
             room: practice(),
-            points: points::Parameters { count: if full { 200 } else { 24 }, margin: 0.1, seed: 7 },
+            points: points::Parameters { count: if full { 800 } else { 24 }, margin: 0.1, seed: 7 },
             roughness: vec![0.15, 0.25, 0.35, 0.5, 0.7, 0.9],
             directions: if full { 256 } else { 64 },
-            steps: if full { 220 } else { 6 },
+            steps: if full { 260 } else { 6 },
         }
     }
 }
