@@ -6,7 +6,7 @@ use super::{chain, proxies, rooms, seed, slant};
 use crate::study::Size;
 
 /// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
-const METHOD: u32 = 3;
+const METHOD: u32 = 4;
 
 /// Everything that the recipe covers beside the tool's version and the formulas, a field for each part.
 #[derive(Clone, Debug, Serialize)]
