@@ -69,11 +69,12 @@ impl Method {
 pub(in crate::study::parallax) const FROSTBITE: usize = 2;
 
 /// Those that charts and pictures show.
-const CHOSEN: [&str; 6] = [
+const CHOSEN: [&str; 7] = [
     "Frostbite",
     "rational, areas",
     "rational, areas, smooth",
     "3 fetches, smooth",
+    "3 fetches, dominant direction, smooth",
     "1 fetch, fitted lobe, smooth",
     "3 fetches, fitted lobe, smooth",
 ];
@@ -120,6 +121,7 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("2 fetches, smooth", Smooth, Mirror, 2, Area, Rational),
         method("3 fetches, smooth by α", ByAlpha, Mirror, 3, Area, Rational),
         method("3 fetches, smooth", Smooth, Mirror, 3, Area, Rational),
+        method("3 fetches, dominant direction, smooth", Smooth, Dominant, 3, Area, Rational),
         method("1 fetch, fitted lobe, smooth", Smooth, fitted[0], 1, Area, Rational),
         method("2 fetches, fitted lobe, smooth", Smooth, fitted[1], 2, Area, Rational),
         method("3 fetches, fitted lobe, smooth", Smooth, fitted[2], 3, Area, Rational),
