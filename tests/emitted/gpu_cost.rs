@@ -14,13 +14,13 @@ use lobefit::timing::gpu::{GpuError, Work, measure};
 use lobefit::timing::record::{missing as untimed, page, read, stale};
 use serde_json::Value;
 
-/// Fits of roughness, alpha, cosine and f0, and tables of two axes, of f16 and of f32, and of three.
+/// Fits of roughness, alpha, cosine and f0, and tables of two axes, of f16 and of f32, and of three, one with the azimuth.
 const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [
     {"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6],
      "wants": {"fit": {"norms": ["max"], "max_ops": 5}, "table": {"size": [8, 8]}}},
     {"name": "f", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6], "wants": {"table": {"size": [16, 8], "format": "f32"}}},
     {"name": "a", "kind": "metal", "f0": 0.9, "roughness": [0.5, 0.6], "anisotropy": [0.4, 0.6],
-     "wants": {"tables": [{"size": [4, 4, 4]}]}},
+     "wants": {"tables": [{"size": [4, 4, 4]}, {"layout": "azimuth", "size": [8, 4, 4]}]}},
     {"name": "g", "kind": "glass", "ior": [1.4, 1.6], "roughness": [0.5, 0.6], "wants": {"tables": [{"size": [4, 4, 4]}]}}]}"#;
 
 /// The record of a bake; none where there is no device and none is called for.
@@ -124,7 +124,7 @@ fn tables_and_fits_are_timed() {
     let Some(record) = measured(&baked) else { return };
     assert_whole(&baked, &record);
     let tables = record.rows.iter().filter(|row| row.kind == GpuKind::Table).count();
-    assert_eq!(tables + record.left_out.len(), 5, "{:?}", record.left_out);
+    assert_eq!(tables + record.left_out.len(), 6, "{:?}", record.left_out);
     for input in ["alpha", "mu", "f0", "roughness"] {
         let of = |name: &str| record.rows.iter().any(|row| row.function.as_deref() == Some(name));
         assert!(inputs(&baked, input).iter().any(|name| of(name)), "no fit of {input} is timed");
