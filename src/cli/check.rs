@@ -28,7 +28,7 @@ Exit code 1 where a file is missing, extra or different; the message says how fa
 texels break the error that its manifest states is never accepted, whatever --values says.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
-other code than the bake's are told of, and do not fail.";
+other code than the bake's, and functions that they lack, are told of, and do not fail.";
 
 /// Largest file that is compared, bytes.
 const FILE_BYTES: u64 = 1 << 30;

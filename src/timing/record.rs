@@ -7,9 +7,10 @@ use serde_json::Value;
 use crate::bake::Baked;
 use crate::emit::code::Language;
 use crate::report::{GpuRecord, ReportError, SCHEMA_VERSION, gpu_page};
+use crate::store::MANIFEST;
 
 /// Version of the way of measuring: to be raised when rows measured before and after cannot be compared.
-pub const METHOD: u32 = 1;
+pub const METHOD: u32 = 2;
 
 /// The folder of a bake in which records are looked for.
 pub const FOLDER: &str = "reports/gpu";
@@ -92,6 +93,38 @@ pub fn stale(record: &GpuRecord, baked: &Baked) -> Vec<String> {
     changed.map(|row| row.name.clone()).collect()
 }
 
+/// Functions of a bake's manifest of which a record says nothing: neither a time nor why there is none.
+pub fn missing(record: &GpuRecord, baked: &Baked) -> Vec<String> {
+    let timed = record.rows.iter().filter_map(|row| row.function.as_deref());
+    let known: BTreeSet<&str> =
+        timed.chain(record.left_out.iter().map(|out| out.function.as_str())).collect();
+    let Some(manifest) = Include::of(baked).and_then(|_| manifest(baked)) else { return Vec::new() };
+    let listed = |list: &str| manifest[list].as_array().cloned().unwrap_or_default();
+    let named = ["lookups", "fits", "mips"].into_iter().flat_map(listed);
+    let functions = named.filter_map(|entry| entry["function"].as_str().map(String::from));
+    let tables = listed("tables").into_iter().filter_map(|entry| entry["name"].as_str().map(lookup_of));
+    functions.chain(tables).filter(|function| !known.contains(function.as_str())).collect()
+}
+
+/// The emitted function that looks a table up.
+pub fn lookup_of(table: &str) -> String {
+    format!("{}_lookup", table.replace(|c: char| !c.is_ascii_alphanumeric(), "_"))
+}
+
+fn manifest(baked: &Baked) -> Option<Value> {
+    serde_json::from_slice(baked.files.get(MANIFEST)?).ok()
+}
+
+/// What a table's lookup fetches, by function: format and channels, which its code does not tell.
+fn texels(manifest: &Value) -> BTreeMap<String, String> {
+    let tables = manifest["tables"].as_array().into_iter().flatten();
+    let texel = |table: &Value| {
+        let function = lookup_of(table["name"].as_str()?);
+        Some((function, format!("{} {}", table["format"], table["channels"])))
+    };
+    tables.filter_map(texel).collect()
+}
+
 /// The emitted WGSL of a bake, item by item.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Include {
@@ -99,6 +132,8 @@ pub struct Include {
     pub text: String,
     /// Functions and structures by name, without comments.
     items: BTreeMap<String, String>,
+    /// Texels of tables by the function that fetches them.
+    texels: BTreeMap<String, String>,
 }
 
 impl Include {
@@ -106,7 +141,8 @@ impl Include {
     pub fn of(baked: &Baked) -> Option<Include> {
         let file = format!("fits/lobefit.{}", Language::Wgsl.extension());
         let bytes = baked.files.get(&file)?;
-        Some(Include::new(String::from_utf8_lossy(bytes).into_owned()))
+        let texels = manifest(baked).as_ref().map(texels).unwrap_or_default();
+        Some(Include { texels, ..Include::new(String::from_utf8_lossy(bytes).into_owned()) })
     }
 
     /// Of a text as this program prints it: items begin at the beginning of a line and end with a brace there.
@@ -127,7 +163,7 @@ impl Include {
                 inside = None;
             }
         }
-        Include { text, items }
+        Include { text, items, texels: BTreeMap::new() }
     }
 
     /// The code of a function and of all that it names, without comments; none where there is no such function.
@@ -142,9 +178,10 @@ impl Include {
         Some(needed.into_iter().filter_map(|name| self.items.get(name)).map(String::as_str).collect())
     }
 
-    /// Hash of [`Include::code`].
+    /// Hash of [`Include::code`], and of the texels where the function fetches from a table.
     pub fn hash(&self, function: &str) -> Option<String> {
-        Some(blake3::hash(self.code(function)?.as_bytes()).to_hex().to_string())
+        let code = self.code(function)? + self.texels.get(function).map_or("", String::as_str);
+        Some(blake3::hash(code.as_bytes()).to_hex().to_string())
     }
 }
 

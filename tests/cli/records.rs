@@ -5,8 +5,13 @@ use crate::common;
 use std::path::Path;
 
 use common::{lobefit, names, stderr};
-use lobefit::report::{GpuClock, GpuDevice, GpuKind, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION};
-use lobefit::timing::record::{Include, METHOD, page, read};
+use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::plan::plan;
+use lobefit::report::{
+    GpuClock, GpuDevice, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION,
+};
+use lobefit::scene::Scene;
+use lobefit::timing::record::{Include, METHOD, lookup_of, missing, page, read, stale};
 use serde_json::{Value, json};
 
 /// Formulas of three operations over a narrow range.
@@ -70,10 +75,25 @@ fn record(rows: Vec<GpuRow>) -> GpuRecord {
 }
 
 fn put(folder: &Path, record: &GpuRecord) {
+    put_as(folder, "device", record);
+}
+
+fn put_as(folder: &Path, stem: &str, record: &GpuRecord) {
     let (html, figures) = page(record).expect("a page");
-    std::fs::create_dir_all(folder.join("reports/gpu")).expect("a folder");
-    std::fs::write(folder.join("reports/gpu/device.json"), figures).expect("written");
-    std::fs::write(folder.join("reports/gpu/device.html"), html).expect("written");
+    let at = folder.join("reports/gpu");
+    std::fs::create_dir_all(&at).expect("a folder");
+    std::fs::write(at.join(format!("{stem}.json")), figures).expect("written");
+    std::fs::write(at.join(format!("{stem}.html")), html).expect("written");
+}
+
+/// A record that says of every fit of a bake but `timed` why it has no time.
+fn whole(folder: &Path, timed: &str, rows: Vec<GpuRow>) -> GpuRecord {
+    let manifest = std::fs::read(folder.join("manifest.json")).expect("a manifest");
+    let manifest: Value = serde_json::from_slice(&manifest).expect("JSON");
+    let fits = manifest["fits"].as_array().expect("fits").iter();
+    let others = fits.filter_map(|fit| fit["function"].as_str()).filter(|function| *function != timed);
+    let out = |function: &str| GpuLeftOut { function: function.into(), reason: "a test".into() };
+    GpuRecord { left_out: others.map(out).collect(), ..record(rows) }
 }
 
 #[test]
@@ -84,14 +104,14 @@ fn check_tells_which_times_are_of_other_code_and_does_not_fail() {
     let include = Include::new(std::fs::read_to_string(at.join("fits/lobefit.wgsl")).expect("an include"));
     let current = row("ggx_norm_r1", Some("ggx_norm_r1"), include.hash("ggx_norm_r1"));
     assert!(current.code.is_some(), "the scene's bake has the function");
-    put(at, &record(vec![row("fetch", None, None), current.clone()]));
+    put(at, &whole(at, "ggx_norm_r1", vec![row("fetch", None, None), current.clone()]));
     let (code, text, _) = run(at, &["check", "-"]);
     assert_eq!(code, 0, "{text}");
     assert!(!text.contains("note:") && text.contains("follow from their recipe"), "{text}");
 
     let other = row("ggx_norm_r1", Some("ggx_norm_r1"), Some("0".repeat(64)));
     let gone = row("gone", Some("no_such_function"), Some("0".repeat(64)));
-    put(at, &record(vec![current.clone(), other, gone]));
+    put(at, &whole(at, "ggx_norm_r1", vec![current.clone(), other, gone]));
     let (code, text, _) = run(at, &["check", "-"]);
     assert_eq!(code, 0, "{text}");
     assert!(
@@ -101,6 +121,16 @@ fn check_tells_which_times_are_of_other_code_and_does_not_fail() {
     let verdict: Value = serde_json::from_str(&run(at, &["check", "-", "--json"]).1).expect("JSON");
     assert_eq!(verdict["same"], true);
     assert_eq!(verdict["records"][0]["stale"], json!(["ggx_norm_r1", "gone"]));
+
+    // A function that came after the record.
+    put(at, &whole(at, "ggx_norm_r1", vec![row("fetch", None, None)]));
+    let (code, text, _) = run(at, &["check", "-"]);
+    assert_eq!(code, 0, "{text}");
+    let note = "1 of the bake's functions are not timed on Some <Device> (ggx_norm_r1); measure again";
+    assert!(text.contains(note), "{text}");
+    let verdict: Value = serde_json::from_str(&run(at, &["check", "-", "--json"]).1).expect("JSON");
+    assert_eq!(verdict["records"][0]["missing"], json!(["ggx_norm_r1"]));
+    assert_eq!(verdict["records"][0]["stale"], json!([]));
 
     // Another way of measuring makes all of them others, plain fetches among them.
     let old = GpuRecord { method: METHOD + 1, ..record(vec![row("fetch", None, None), current]) };
@@ -125,6 +155,20 @@ fn check_fails_where_a_record_is_none_or_its_page_is_of_another() {
     let (code, text, error) = run_on(SMOOTH, at, &["cost", "--page", "reports/gpu/device.json"]);
     assert_eq!((code, error.as_str()), (0, ""), "{text}");
     assert_eq!(run_on(SMOOTH, at, &["check", "-"]).0, 0, "as the message says");
+
+    // A figure that is not the record's, on a page that names it.
+    let html = std::fs::read_to_string(path("device.html")).expect("a page");
+    let edited = html.replacen("1.25", "1.24", 1);
+    assert_ne!(html, edited);
+    std::fs::write(path("device.html"), edited).expect("written");
+    let (code, text, _) = run_on(SMOOTH, at, &["check", "-"]);
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("not the page of reports/gpu/device.json"), "{text}");
+    std::fs::write(path("device.html"), html).expect("written");
+
+    put_as(at, "again.json", &record(vec![row("fetch", None, None)]));
+    let (code, text, _) = run_on(SMOOTH, at, &["check", "-"]);
+    assert_eq!(code, 0, "again.json.json has the page again.json.html: {text}");
 
     std::fs::write(path("device.json"), "{\"schema_version\": 1}").expect("written");
     let (code, text, _) = run_on(SMOOTH, at, &["check", "-"]);
@@ -192,6 +236,36 @@ fn code_is_that_of_a_function_and_of_what_it_calls() {
     assert_eq!(hash(first(), "none"), None);
     let code = Include::new(first()).code("outer").expect("a function");
     assert!(code.contains("struct pair") && code.contains("fn inner") && !code.contains("apart"), "{code}");
+}
+
+/// The bake of a table whose texels have a format.
+fn textured(format: &str) -> Baked {
+    let scene = format!(
+        r#"{{"schema_version": 1, "materials": [{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.5, 0.6],
+           "wants": {{"table": {{"size": [4, 4]{format}}}}}}}]}}"#
+    );
+    let scene = Scene::from_json(scene.as_bytes(), "test.json").expect("a scene");
+    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+}
+
+#[test]
+fn a_table_of_other_texels_makes_its_time_one_of_other_code() {
+    let [half, single] = ["", r#", "format": "f32""#].map(textured);
+    let table = |baked: &Baked| -> String {
+        let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"]).expect("JSON");
+        lookup_of(manifest["tables"][0]["name"].as_str().expect("a name"))
+    };
+    let include = |baked: &Baked| Include::of(baked).expect("an include");
+    let name = table(&half);
+    let of = |baked: &Baked| row(&name, Some(&name), include(baked).hash(&name));
+    assert!(of(&half).code.is_some());
+    let text = include(&half).text;
+    assert_ne!(of(&half).code, Include::new(text).hash(&name), "texels are of the hash");
+    assert_eq!(stale(&record(vec![of(&half)]), &half), Vec::<String>::new());
+    assert_eq!(missing(&record(vec![of(&half)]), &half), Vec::<String>::new());
+    assert_eq!(missing(&record(Vec::new()), &half), [name.as_str()]);
+    assert_eq!(stale(&record(vec![of(&half)]), &single), [name.as_str()]);
+    assert_eq!(missing(&record(vec![of(&half)]), &single).is_empty(), table(&single) == name);
 }
 
 #[test]

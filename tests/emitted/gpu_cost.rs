@@ -11,14 +11,17 @@ use lobefit::plan::plan;
 use lobefit::report::{GpuKind, GpuRecord, Origin};
 use lobefit::scene::Scene;
 use lobefit::timing::gpu::{GpuError, Work, measure};
-use lobefit::timing::record::{page, read, stale};
+use lobefit::timing::record::{missing as untimed, page, read, stale};
 use serde_json::Value;
 
-/// Fits with every kind of input, and tables of two and three axes, of f16 and of f32.
+/// Fits of roughness, alpha, cosine and f0, and tables of two axes, of f16 and of f32, and of three, one with the azimuth.
 const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [
     {"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6],
-     "wants": {"fit": {"norms": ["max"], "max_ops": 4}, "table": {"size": [8, 8]}}},
-    {"name": "f", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6], "wants": {"table": {"size": [16, 8], "format": "f32"}}}]}"#;
+     "wants": {"fit": {"norms": ["max"], "max_ops": 5}, "table": {"size": [8, 8]}}},
+    {"name": "f", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6], "wants": {"table": {"size": [16, 8], "format": "f32"}}},
+    {"name": "a", "kind": "metal", "f0": 0.9, "roughness": [0.5, 0.6], "anisotropy": [0.4, 0.6],
+     "wants": {"tables": [{"size": [4, 4, 4]}, {"layout": "azimuth", "size": [8, 4, 4]}]}},
+    {"name": "g", "kind": "glass", "ior": [1.4, 1.6], "roughness": [0.5, 0.6], "wants": {"tables": [{"size": [4, 4, 4]}]}}]}"#;
 
 /// The record of a bake; none where there is no device and none is called for.
 fn measured(baked: &Baked) -> Option<GpuRecord> {
@@ -50,6 +53,15 @@ fn wanted(baked: &Baked) -> Vec<(String, usize)> {
     once.map(|name| (name, 1)).chain(names("lookups", "function").into_iter().map(|name| (name, 2))).collect()
 }
 
+/// Fits that take an input.
+fn inputs(baked: &Baked, input: &str) -> Vec<String> {
+    let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"]).expect("JSON");
+    let fits = manifest["fits"].as_array().into_iter().flatten();
+    let takes =
+        |fit: &&Value| fit["inputs"].as_array().is_some_and(|all| all.iter().any(|name| name == input));
+    fits.filter(takes).map(|fit| fit["function"].as_str().expect("a name").to_owned()).collect()
+}
+
 fn assert_whole(baked: &Baked, record: &GpuRecord) {
     for (function, times) in wanted(baked) {
         let rows = record.rows.iter().filter(|row| row.function.as_ref() == Some(&function)).count();
@@ -71,6 +83,7 @@ fn assert_whole(baked: &Baked, record: &GpuRecord) {
         assert!(rate.is_none_or(|rate| rate > 0.0 && rate.is_finite()), "{}", row.name);
     }
     assert_eq!(stale(record, baked), Vec::<String>::new(), "measured from this bake");
+    assert_eq!(untimed(record, baked), Vec::<String>::new(), "all of it");
     let (html, figures) = page(record).expect("a page");
     assert_eq!(&read(&figures).expect("a record"), record);
     assert!(html.contains(&blake3::hash(&figures).to_hex().to_string()), "the page names its record");
@@ -111,7 +124,11 @@ fn tables_and_fits_are_timed() {
     let Some(record) = measured(&baked) else { return };
     assert_whole(&baked, &record);
     let tables = record.rows.iter().filter(|row| row.kind == GpuKind::Table).count();
-    assert_eq!(tables + record.left_out.len(), 2, "{:?}", record.left_out);
+    assert_eq!(tables + record.left_out.len(), 6, "{:?}", record.left_out);
+    for input in ["alpha", "mu", "f0", "roughness"] {
+        let of = |name: &str| record.rows.iter().any(|row| row.function.as_deref() == Some(name));
+        assert!(inputs(&baked, input).iter().any(|name| of(name)), "no fit of {input} is timed");
+    }
     assert!(record.rows.iter().any(|row| row.kind == GpuKind::Fit && row.error.is_some()));
     assert_eq!(record.rows[0].kind, GpuKind::Fetch, "what to compare with comes first");
 }

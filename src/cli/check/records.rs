@@ -25,23 +25,34 @@ pub(super) struct Record {
     pub rows: usize,
     /// Those whose code is not that of the bake.
     pub stale: Vec<String>,
+    /// Functions of the bake that are not in it.
+    pub missing: Vec<String>,
 }
 
 impl Record {
-    /// What is said of a record that is not of the bake's code; nothing of one that is.
+    /// What is said of a record that is not of the bake's code, or not of all of it; nothing of one that is.
     pub fn note(&self) -> Option<String> {
-        let first = self.stale.first()?;
-        let more = if self.stale.len() > 1 { ", ..." } else { "" };
-        Some(format!(
-            "note: {}: {} of {} times on {} are of other code than the bake's ({}{more}); measure again with lobefit cost --gpu \
-             --record\n",
-            visible(&self.file),
-            self.stale.len(),
-            self.rows,
-            visible(&self.device),
-            visible(first)
-        ))
+        let device = visible(&self.device);
+        let stale = some(&self.stale).map(|names| {
+            let count = self.stale.len();
+            format!("{count} of {} times on {device} are of other code than the bake's ({names})", self.rows)
+        });
+        let missing = some(&self.missing).map(|names| {
+            let count = self.missing.len();
+            format!("{count} of the bake's functions are not timed on {device} ({names})")
+        });
+        let told: Vec<String> = stale.into_iter().chain(missing).collect();
+        (!told.is_empty()).then(|| {
+            let (file, told) = (visible(&self.file), told.join("; "));
+            format!("note: {file}: {told}; measure again with lobefit cost --gpu --record\n")
+        })
     }
+}
+
+/// The first of some names; none of none.
+fn some(names: &[String]) -> Option<String> {
+    let more = if names.len() > 1 { ", ..." } else { "" };
+    names.first().map(|first| format!("{}{more}", visible(first)))
 }
 
 /// Whether an entry is in the place of a record, or of the page of one that is there.
@@ -58,27 +69,28 @@ pub(super) fn placed(entry: &Entry, all: &[Entry]) -> bool {
     }
 }
 
-/// The records that are there, and what is wrong with them: no record, or a page of another. Times of other code are nothing wrong, for
+/// The records that are there, and what is wrong with them: no record, or another page than its own. Times of other code are nothing wrong, for
 /// they are measured where there is a device; they are told of.
 pub(super) fn records(root: &Path, baked: &Baked) -> Result<(Vec<Record>, Vec<Difference>), CliError> {
     let (mut records, mut differences) = (Vec::new(), Vec::new());
     let entries = store::list(root, FOLDER)?;
     for entry in entries.iter().filter(|e| e.name.ends_with(".json") && placed(e, &entries)) {
         let file = entry.name.clone();
-        let page = format!("{}.html", file.trim_end_matches(".json"));
+        let page = format!("{}.html", file.strip_suffix(".json").unwrap_or(&file));
         let mut found = store::read_set(root, [file.as_str()], RECORD_BYTES)?;
         found.extend(store::read_set(root, [page.as_str()], PAGE_BYTES)?);
         let Some(bytes) = found.get(&file) else { continue };
         match record::read(bytes) {
             Ok(record) => {
-                let stale = record::stale(&record, baked);
-                let hash = blake3::hash(bytes).to_hex();
-                let named = |page: &Vec<u8>| page.windows(hash.len()).any(|w| w == hash.as_bytes());
-                if !found.get(&page).is_some_and(named) {
+                let (stale, missing) = (record::stale(&record, baked), record::missing(&record, baked));
+                let (html, figures) = record::page(&record)
+                    .map_err(|source| CliError::Record { file: file.clone(), source })?;
+                if *bytes != figures || found.get(&page).is_none_or(|page| page != html.as_bytes()) {
                     let detail = format!("not the page of {file}; make it with lobefit cost --page {file}");
                     differences.push(Difference::plain(&page, bake::Kind::Different, &detail));
                 }
-                records.push(Record { file, device: record.device.adapter, rows: record.rows.len(), stale });
+                let (device, rows) = (record.device.adapter, record.rows.len());
+                records.push(Record { file, device, rows, stale, missing });
             }
             Err(e) => differences.push(Difference::plain(&file, bake::Kind::Different, &e.to_string())),
         }

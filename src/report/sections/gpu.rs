@@ -83,7 +83,8 @@ fn measured(record: &GpuRecord, hash: &str) -> Section {
         lead: "Each thread is a pixel of a square picture and evaluates a function many times in a loop, at inputs that differ from pixel to \
                pixel and drift from turn to turn; results are summed and stored. Right before or after it the same loop runs without \
                the function, and the difference is what an evaluation adds: throughput of a full device, not the time that one \
-               pixel waits. Rows take turns, so that a clock that changes meets all alike; figures are medians with quartiles."
+               pixel waits. What runs beside the making of inputs adds nothing, and a compiler may unroll the shorter loop further: of \
+               little weight in lookups, but times of formulas of few operations are rough. Rows take turns, so that a clock that changes meets all alike; figures are medians with quartiles."
             .into(),
         blocks: vec![Block::Facts { rows }],
     }

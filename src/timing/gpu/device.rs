@@ -248,9 +248,9 @@ impl Gpu {
         Err(GpuError::Clock { adapter: self.info.adapter.clone(), doing: pass.name.clone() })
     }
 
-    /// An error where one of the first sums of a pass that has run is not finite.
+    /// An error where one of the sums of a pass that has run is not finite.
     pub fn check(&self, pass: &Pass) -> Result<(), GpuError> {
-        let size = pass.sums.size().min(1 << 16);
+        let size = pass.sums.size();
         let read = self.buffer(size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_buffer_to_buffer(&pass.sums, 0, &read, 0, size);

@@ -7,11 +7,12 @@ use serde::Deserialize;
 use super::GpuError;
 use super::shader::{Fetches, Shader};
 use super::texture::{Shape, Texels};
+use super::variable::Ranges;
 use crate::bake::Baked;
 use crate::data::Use;
 use crate::report::{self, GpuKind, GpuLeftOut};
 use crate::store::MANIFEST;
-use crate::timing::record::Include;
+use crate::timing::record::{Include, lookup_of};
 
 /// Levels of the cubemap that lookups fetch from, and texels along an edge of its first: 128 down to 2.
 pub(super) const LEVELS: u32 = 7;
@@ -77,7 +78,10 @@ struct Table {
 
 #[derive(Deserialize)]
 struct Axis {
+    name: String,
     size: u32,
+    min: f64,
+    max: f64,
 }
 
 #[derive(Deserialize)]
@@ -105,6 +109,7 @@ struct Fit {
 
 #[derive(Deserialize)]
 struct Certificate {
+    domain: Ranges,
     max_abs: f64,
 }
 
@@ -182,19 +187,20 @@ impl Collector {
         }
     }
 
-    /// A job of a function, without what it costs and approximates.
+    /// A job of a function over ranges of its arguments, without what it costs and approximates.
     fn job(
         &mut self,
         name: &str,
         kind: GpuKind,
         function: &str,
+        ranges: &Ranges,
         texture: Option<Texels>,
         fetches: Option<Fetches>,
     ) -> Result<&mut Job, GpuError> {
         let place = || GpuError::Bake { place: function.into(), reason: "not in the include file".into() };
         let hash = self.include.hash(function).ok_or_else(place)?;
         let code = self.include.code(function).ok_or_else(place)?;
-        let shader = Shader::of_function(&code, &self.module, function, texture, fetches)?;
+        let shader = Shader::of_function(&code, &self.module, function, ranges, texture, fetches)?;
         let beside = match texture.map(|texels| texels.shape) {
             Some(Shape::Solid(..)) => SOLID,
             Some(Shape::Cube(..)) => CUBE,
@@ -218,15 +224,15 @@ impl Collector {
 
     fn lookup(&mut self, lookup: &Lookup) -> Result<(), GpuError> {
         let fetches = Fetches { count: lookup.cost.fetches, levels: lookup.gives == "mip" };
-        let name = &lookup.function;
-        self.job(name, GpuKind::Lookup, name, None, None)?.ops = Some(lookup.cost.ops);
-        let job = self.job(name, GpuKind::LookupFetches, name, Some(CUBE), Some(fetches))?;
+        let (name, ranges) = (&lookup.function, Ranges::new());
+        self.job(name, GpuKind::Lookup, name, &ranges, None, None)?.ops = Some(lookup.cost.ops);
+        let job = self.job(name, GpuKind::LookupFetches, name, &ranges, Some(CUBE), Some(fetches))?;
         (job.ops, job.fetches) = (Some(lookup.cost.ops), lookup.cost.fetches);
         Ok(())
     }
 
     fn table(&mut self, table: &Table) -> Result<(), GpuError> {
-        let function = format!("{}_lookup", table.name.replace(|c: char| !c.is_ascii_alphanumeric(), "_"));
+        let function = lookup_of(&table.name);
         let sizes: Vec<u32> = table.axes.iter().map(|axis| axis.size).collect();
         let channels = table.channels.len() as u32;
         let shape = match sizes.as_slice() {
@@ -240,7 +246,8 @@ impl Collector {
             self.jobs.left_out.push(GpuLeftOut { function, reason });
             return Ok(());
         }
-        let job = self.job(&table.name, GpuKind::Table, &function, Some(texels), None)?;
+        let ranges = table.axes.iter().map(|axis| (axis.name.clone(), [axis.min, axis.max])).collect();
+        let job = self.job(&table.name, GpuKind::Table, &function, &ranges, Some(texels), None)?;
         (job.ops, job.fetches) = (Some(table.cost.ops), table.cost.fetches);
         job.error = Some(report::GpuError {
             quantity: table.quantity.clone(),
@@ -253,7 +260,7 @@ impl Collector {
     }
 
     fn fit(&mut self, fit: &Fit) -> Result<(), GpuError> {
-        let job = self.job(&fit.name, GpuKind::Fit, &fit.function, None, None)?;
+        let job = self.job(&fit.name, GpuKind::Fit, &fit.function, &fit.certificate.domain, None, None)?;
         (job.ops, job.fetches) = (Some(fit.cost.ops), fit.cost.fetches);
         job.error = Some(report::GpuError {
             quantity: fit.quantity.clone(),
@@ -266,7 +273,8 @@ impl Collector {
     }
 
     fn mip(&mut self, mip: &Mip) -> Result<(), GpuError> {
-        self.job(&mip.function, GpuKind::Level, &mip.function, None, None)?.ops = Some(mip.ops);
+        self.job(&mip.function, GpuKind::Level, &mip.function, &Ranges::new(), None, None)?.ops =
+            Some(mip.ops);
         Ok(())
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::GpuError;
 use super::device::{UNIFORM_BYTES, WORKGROUP};
 use super::texture::{Shape, Texels};
-use super::variable::{Held, Variable};
+use super::variable::{Held, Ranges, Variable};
 
 /// The room about a probe: low and high corner, the probe; and what planes a proxy of planes has, at the distance 1.5 of the probe.
 const ROOM: [[f32; 3]; 3] = [[-2.0, -1.5, -1.2], [2.0, 1.6, 1.3], [0.2, -0.1, 0.05]];
@@ -41,11 +41,12 @@ struct Evaluation {
 }
 
 impl Shader {
-    /// Of an emitted function, whose code and that of all that it calls is given. With `fetches` what it returns is fetched and summed with its weights.
+    /// Of an emitted function, whose code and that of all that it calls is given, in ranges of its arguments. With `fetches` what it returns is fetched and summed with its weights.
     pub fn of_function(
         code: &str,
         module: &naga::Module,
         function: &str,
+        ranges: &Ranges,
         texture: Option<Texels>,
         fetches: Option<Fetches>,
     ) -> Result<Shader, GpuError> {
@@ -55,7 +56,7 @@ impl Shader {
         let mut inputs = Vec::new();
         for argument in &found.arguments {
             let name = argument.name.as_deref().unwrap_or_default();
-            let of = Variable::of(name, &module.types[argument.ty].inner);
+            let of = Variable::of(name, &module.types[argument.ty].inner, ranges);
             inputs.push(of.ok_or_else(|| wrong(format!("no values are known for the argument `{name}`")))?);
         }
         let result = found.result.as_ref().ok_or_else(|| wrong("it returns nothing".into()))?;
@@ -138,6 +139,7 @@ struct timed_block {{
     step: f32,
     evaluations: u32,
     side: u32,
+    zero: f32,
 }}
 @group(0) @binding(0) var<storage, read_write> timed_sums: array<f32>;
 @group(0) @binding(1) var<uniform> timed: timed_block;
@@ -156,7 +158,7 @@ fn timed_main(@builtin(global_invocation_id) timed_id: vec3<u32>) {{
     )
 }
 
-/// The uniforms of a shader that does so many evaluations over a square of pixels.
+/// The uniforms of a shader that does so many evaluations over a square of pixels; the last is 0.
 pub(super) fn uniforms(evaluations: u32, side: u32) -> [u8; UNIFORM_BYTES] {
     let corners = ROOM.iter().flat_map(|[x, y, z]| [*x, *y, *z, 0.0]);
     let floats = corners.chain([1.0 / evaluations as f32]).map(f32::to_bits);

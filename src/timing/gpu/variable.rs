@@ -1,14 +1,19 @@
 //! What timed functions are given.
 
+use std::collections::BTreeMap;
+
 use naga::{ArraySize, Scalar, TypeInner, VectorSize};
+
+/// Ranges of a function's arguments by name, as the manifest has them.
+pub(super) type Ranges = BTreeMap<String, [f64; 2]>;
 
 /// An argument of an emitted function, or a coordinate of a plain fetch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Variable {
-    /// A number in a range.
+    /// A number in a range, whose ends may be one.
     Scalar(&'static str, f64, f64),
-    /// The square of the roughness.
-    Alpha,
+    /// The square of a roughness, in a range.
+    Alpha(f64, f64),
     /// A direction, of unit length.
     Ray,
     /// A direction less than a right angle from the ray, of unit length.
@@ -34,7 +39,7 @@ pub(super) enum Held {
     Sampler,
 }
 
-/// The numbers that functions take, and ranges inside the domains of all of them.
+/// The numbers that functions take, and their ranges where the manifest has none: those of lookups and levels, which hold for all.
 const SCALARS: [(&str, f64, f64); 8] = [
     ("roughness", 0.15, 1.0),
     ("mu", 0.05, 1.0),
@@ -49,18 +54,23 @@ const SCALARS: [(&str, f64, f64); 8] = [
 const CORNERS: [&str; 3] = ["low", "high", "probe"];
 
 impl Variable {
-    /// The argument of a name and type; none that this program emits has another.
-    pub fn of(name: &str, ty: &TypeInner) -> Option<Variable> {
+    /// The argument of a name and type, in its range; none that this program emits has another.
+    pub fn of(name: &str, ty: &TypeInner, ranges: &Ranges) -> Option<Variable> {
         match ty {
             TypeInner::Image { .. } => Some(Variable::Held(Held::Texture)),
             TypeInner::Sampler { .. } => Some(Variable::Held(Held::Sampler)),
             TypeInner::Array { size: ArraySize::Constant(n), .. } if name == "planes" => {
                 Some(Variable::Held(Held::Planes(n.get())))
             }
-            TypeInner::Scalar(Scalar::F32) if name == "alpha" => Some(Variable::Alpha),
+            TypeInner::Scalar(Scalar::F32) if name == "alpha" => {
+                let (_, low, high) = SCALARS[0];
+                let [low, high] = ranges.get(name).copied().unwrap_or([low * low, high * high]);
+                Some(Variable::Alpha(low, high))
+            }
             TypeInner::Scalar(Scalar::F32) => {
                 let known = SCALARS.into_iter().find(|(known, ..)| *known == name);
-                known.map(|(name, low, high)| Variable::Scalar(name, low, high))
+                let [low, high] = ranges.get(name).copied().or(known.map(|(_, low, high)| [low, high]))?;
+                known.map(|(name, ..)| Variable::Scalar(name, low, high))
             }
             TypeInner::Vector { size: VectorSize::Tri, scalar: Scalar::F32 } => match name {
                 "ray" => Some(Variable::Ray),
@@ -75,17 +85,17 @@ impl Variable {
 
     /// Everything that is made to have some inputs, each after what it is made from.
     pub fn made(inputs: &[Variable]) -> Vec<Variable> {
-        let (roughness, low, high) = SCALARS[0];
         let mut made: Vec<Variable> = Vec::new();
         for input in inputs {
-            let before: &[Variable] = match input {
-                Variable::Alpha => &[Variable::Scalar(roughness, low, high)],
-                Variable::Normal => &[Variable::Ray],
-                Variable::View => &[Variable::Ray, Variable::Normal],
-                _ => &[],
+            let before = match *input {
+                Variable::Alpha(low, high) => vec![Variable::Scalar(SCALARS[0].0, low.sqrt(), high.sqrt())],
+                Variable::Normal => vec![Variable::Ray],
+                Variable::View => vec![Variable::Ray, Variable::Normal],
+                _ => Vec::new(),
             };
-            for variable in before.iter().copied().chain([*input]) {
-                if !made.contains(&variable) {
+            for variable in before.into_iter().chain([*input]) {
+                // By name: the roughness of an alpha is the roughness that is given beside it.
+                if made.iter().all(|known| known.expression() != variable.expression()) {
                     made.push(variable);
                 }
             }
@@ -97,7 +107,7 @@ impl Variable {
     pub fn expression(&self) -> String {
         match self {
             Variable::Scalar(name, ..) => format!("timed_{name}"),
-            Variable::Alpha => "timed_alpha".into(),
+            Variable::Alpha(..) => "timed_alpha".into(),
             Variable::Ray => "timed_ray".into(),
             Variable::Normal => "timed_normal".into(),
             Variable::View => "timed_view".into(),
@@ -114,8 +124,8 @@ impl Variable {
         match self {
             Variable::Scalar(name, low, high) => {
                 let spots = ["timed_spot.x", "timed_spot.y", "(1.0 - timed_spot.x)", "(1.0 - timed_spot.y)"];
-                let half = 0.5 * (high - low);
-                format!("    let timed_start_{name} = {low:?} + {half:?} * {};\n", spots[index % spots.len()])
+                let half = half(*low, *high);
+                format!("    let timed_start_{name} = {low:?} + {half} * {};\n", spots[index % spots.len()])
             }
             // A sphere over the picture; a drift shorter than its radius leaves no direction without a length.
             Variable::Ray => "    let timed_around = 6.2831855 * timed_spot.x;
@@ -130,7 +140,7 @@ impl Variable {
             Variable::Place => {
                 "    let timed_from = vec3<f32>(timed_spot - 0.5, 0.5 - timed_spot.x);\n".into()
             }
-            Variable::Alpha | Variable::Held(_) => String::new(),
+            Variable::Alpha(..) | Variable::Held(_) => String::new(),
         }
     }
 
@@ -138,10 +148,10 @@ impl Variable {
     pub fn turn(&self) -> String {
         match self {
             Variable::Scalar(name, low, high) => {
-                let half = 0.5 * (high - low);
-                format!("        let timed_{name} = timed_start_{name} + {half:?} * timed_turn;\n")
+                let half = half(*low, *high);
+                format!("        let timed_{name} = timed_start_{name} + {half} * timed_turn;\n")
             }
-            Variable::Alpha => "        let timed_alpha = timed_roughness * timed_roughness;\n".into(),
+            Variable::Alpha(..) => "        let timed_alpha = timed_roughness * timed_roughness;\n".into(),
             Variable::Ray => {
                 "        let timed_ray = normalize(timed_base + timed_turn * vec3<f32>(0.4, -0.3, 0.2));\n"
                     .into()
@@ -159,11 +169,17 @@ impl Variable {
     pub fn summed(&self) -> Option<String> {
         let name = self.expression();
         match self {
-            Variable::Scalar(..) | Variable::Alpha => Some(name),
+            Variable::Scalar(..) | Variable::Alpha(..) => Some(name),
             Variable::Ray | Variable::Normal | Variable::View | Variable::Place => {
                 Some(format!("{name}.x + {name}.y + {name}.z"))
             }
             Variable::Held(_) => None,
         }
     }
+}
+
+/// Half of a range as an expression. That of a range of one value is a zero that no compiler knows, so that a function is not
+/// specialised to the value.
+fn half(low: f64, high: f64) -> String {
+    if low < high { format!("{:?}", 0.5 * (high - low)) } else { "timed.zero".into() }
 }
