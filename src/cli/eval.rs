@@ -12,6 +12,7 @@ use super::output::{Outcome, print};
 use super::points::{self, Points};
 use crate::data::Smith;
 use crate::effects::{self, Quantity};
+use crate::integrate::footprint;
 use crate::store;
 use rayon::prelude::*;
 
@@ -67,7 +68,7 @@ pub(super) struct Options {
     /// Shadowing form: correlated or separable
     #[arg(long, value_name = "S", value_parser = smith, default_value = "correlated")]
     pub smith: Smith,
-    /// Largest error to accept of a value; without it, the quantity's own promise
+    /// Largest error to accept of a value; without it, the quantity's own promise (1e-4 where the kernel is a table, 1e-3 of one that ends with a jump)
     #[arg(long, value_name = "T", value_parser = positive)]
     pub tolerance: Option<f64>,
     /// How the truth is computed
@@ -92,11 +93,12 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(message.into()));
     }
     let name = points_name(&options.points);
+    let mut tolerance = options.quantity.tolerance();
     let mut points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
     if let Some(word) = &options.kernel {
-        fix_kernel(&mut points, word, options.quantity)?;
+        tolerance = tolerance.max(fix_kernel(&mut points, word, options.quantity)?);
     }
-    let values = options.threads.install(|| evaluate(options, &points))?;
+    let values = options.threads.install(|| evaluate(options, tolerance, &points))?;
     let csv = points.with_columns(options.quantity, &values)?;
     match &options.out {
         Some(path) => store::write(path, &csv).map(drop)?,
@@ -105,8 +107,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-/// Gives every point the kernel of a word.
-fn fix_kernel(points: &mut Points, word: &str, quantity: &Quantity) -> Result<(), CliError> {
+/// Gives every point the kernel of a word; its usual tolerance.
+fn fix_kernel(points: &mut Points, word: &str, quantity: &Quantity) -> Result<f64, CliError> {
     let Some(column) = quantity.inputs.iter().position(|input| input.name == "kernel") else {
         return Err(CliError::Usage(format!(
             "--kernel: {} has no kernel; parallax-alpha has",
@@ -117,19 +119,18 @@ fn fix_kernel(points: &mut Points, word: &str, quantity: &Quantity) -> Result<()
         let message = "--kernel: the points have a column `kernel` too; give one of them";
         return Err(CliError::Usage(message.into()));
     }
-    points.fix(column, input::kernel(word)?.index() as f64);
-    Ok(())
+    let kernel = input::kernel(word)?;
+    points.fix(column, kernel.index() as f64);
+    Ok(footprint::usual_tolerance(kernel))
 }
 
 /// Samples of a point where none are asked for.
 const SAMPLES: u64 = 1 << 20;
 
-/// The outputs at every row, in order.
-fn evaluate(options: &Options, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
+/// The outputs at every row, in order; to the `usual` tolerance where none is asked for.
+fn evaluate(options: &Options, usual: f64, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
     let method = match options.method {
-        Method::Quadrature => effects::Method::Quadrature {
-            tolerance: options.tolerance.unwrap_or(options.quantity.tolerance()),
-        },
+        Method::Quadrature => effects::Method::Quadrature { tolerance: options.tolerance.unwrap_or(usual) },
         Method::MonteCarlo => effects::Method::MonteCarlo {
             samples: options.samples.unwrap_or(SAMPLES),
             seed: options.seed.unwrap_or(0),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use lobefit::integrate::footprint::{TABLE_TOLERANCE, TOLERANCE, adjusted, best, measures};
+use lobefit::integrate::footprint::{TOLERANCE, adjusted, best, measures, quick_error, usual_tolerance};
 use lobefit::math::ops::{atan, cos, exp, log, pow, tan};
 use lobefit::optics::kernel::{Kernel, TableLobe, tabulated};
 
@@ -140,27 +140,68 @@ fn brute(alpha: f64, rho: f64) -> f64 {
     widths.min_by(|a, b| distance(*a).total_cmp(&distance(*b))).unwrap_or(1.0)
 }
 
-/// What is promised holds: the error stated bounds the distance to a rule of steps four times as fine, and `best` is near it.
+/// A Gaussian that is cut at 1.5 alpha, and a cone: their densities end with a jump.
+fn cut(name: &str, flat: bool) -> Kernel {
+    let lobe = |alpha: f64| {
+        let theta: Vec<f64> = (0..40).map(|i| 1.5 * alpha * f64::from(i) / 39.0).collect();
+        let of = |t: &f64| if flat { 1.0 } else { exp(-t * t / (alpha * alpha)) };
+        let density = theta.iter().map(of).collect();
+        TableLobe { alpha, theta, density }
+    };
+    tabulated(name, &[0.04, 0.2, 1.0].map(lobe)).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// What is promised holds: the error stated bounds the distance to a rule of much finer steps, and that of `best` is what is said of it.
 #[test]
 fn errors_of_a_table_are_bounds() {
     let coarse = phong(&widths(5), 12);
-    let mut worst = 0.0_f64;
-    for alpha in widths(9) {
-        for rho in [0.2, 0.9, 1.4] {
-            let [loose, tight] = [1e-4, 1e-6].map(|t| adjusted(coarse, alpha, rho, t));
-            let (loose, tight) =
-                (loose.unwrap_or_else(|e| panic!("{e}")), tight.unwrap_or_else(|e| panic!("{e}")));
-            assert!(loose.error <= 1e-4 && tight.error <= 1e-6);
-            assert!(
-                (loose.alpha / tight.alpha - 1.0).abs() <= loose.error + tight.error,
-                "alpha {alpha}, rho {rho}: {loose:?} {tight:?}"
-            );
-            let quick = best(coarse, alpha, rho).unwrap_or_else(|e| panic!("{e}")).0;
-            worst = worst.max((quick / tight.alpha - 1.0).abs());
+    for (name, kernel, fine) in
+        [("coarse", coarse, 1e-5), ("cut", cut("cut", false), 1e-3), ("cone", cut("cone", true), 1e-3)]
+    {
+        let mut worst = 0.0_f64;
+        for alpha in widths(7) {
+            for rho in [0.2, 0.3, 0.9, 1.4] {
+                let [loose, tight] = [10.0 * fine, fine].map(|t| adjusted(kernel, alpha, rho, t));
+                let (loose, tight) =
+                    (loose.unwrap_or_else(|e| panic!("{e}")), tight.unwrap_or_else(|e| panic!("{e}")));
+                assert!(loose.error <= 10.0 * fine && tight.error <= fine);
+                let apart = (loose.alpha / tight.alpha - 1.0).abs();
+                assert!(
+                    apart <= loose.error + tight.error,
+                    "{name}, alpha {alpha}, rho {rho}: {loose:?} {tight:?}"
+                );
+                let quick = best(kernel, alpha, rho).unwrap_or_else(|e| panic!("{e}")).0;
+                worst = worst.max((quick / tight.alpha - 1.0).abs());
+            }
         }
+        println!("best widths of a {name} table by the quick rule: within {worst:.1e}");
+        assert!(worst < quick_error(kernel), "{name}: {worst}");
     }
-    println!("best widths of a coarse table by the quick rule: within {worst:.1e}");
-    assert!(worst < TABLE_TOLERANCE);
+    assert!(!coarse.is_cut() && cut("cone", true).is_cut());
+    assert_eq!([coarse, cut("cut", false)].map(usual_tolerance), [1e-4, 1e-3]);
+}
+
+/// The total variation of lobes with noise from angle to angle is that of a sum of steps much finer than the noise.
+#[test]
+fn noise_of_a_table_is_seen_in_the_total_variation() {
+    let noisy = table("noisy", &widths(6), 400, |alpha, theta| {
+        let noise = lobefit::math::ops::sin(1e5 * theta / alpha + 7.0 * alpha);
+        ggx(alpha, theta) * cos(theta).max(0.0) * (1.0 + 0.02 * noise)
+    });
+    for (alpha, rho, fetched) in [(0.2, 0.5, 0.11), (0.2, 1.05, 0.21), (0.7, 0.9, 0.6)] {
+        let found = measures(noisy, alpha, rho, fetched).unwrap_or_else(|e| panic!("{e}")).tv;
+        let (target, fetch) = (noisy.lobe(alpha), noisy.lobe(fetched));
+        let off = |k: i32| {
+            let radius = exp(5e-4 * f64::from(k));
+            target.encircled(radius / rho) - fetch.encircled(radius)
+        };
+        let sum: f64 = (-30_000..20_000).map(|k| (off(k + 1) - off(k)).abs()).sum();
+        assert!(
+            (found / (0.5 * sum) - 1.0).abs() < 0.03,
+            "alpha {alpha}, rho {rho}: {found} against {}",
+            0.5 * sum
+        );
+    }
 }
 
 #[test]

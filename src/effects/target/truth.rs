@@ -93,10 +93,9 @@ impl Target {
     /// A bound on the error of the truths.
     pub fn truth_error(&self) -> f64 {
         match self.way() {
-            Way::Evaluate => tolerance(self.quantity),
+            Way::Evaluate => self.tolerance(),
             Way::Albedo | Way::Split | Way::Average | Way::Sheen => TRUTH_ERROR,
-            Way::Footprint if self.kernel().is_analytic() => footprint::TOLERANCE,
-            Way::Footprint => footprint::TABLE_TOLERANCE,
+            Way::Footprint => footprint::quick_error(self.kernel()),
         }
     }
 
@@ -160,6 +159,11 @@ impl Target {
         self.words.get("kernel").and_then(|word| Kernel::of(word)).unwrap_or_default()
     }
 
+    /// What an evaluation must keep: a table's lobes are not known as well.
+    fn tolerance(&self) -> f64 {
+        tolerance(self.quantity).max(footprint::usual_tolerance(self.kernel()))
+    }
+
     /// Best widths, and whether they are saturated.
     fn adjusted(&self, points: &Points) -> Result<Vec<(f64, bool)>, TargetError> {
         let [alpha, rho] = ["alpha", "rho"].map(|name| points.column(name).unwrap_or_default());
@@ -175,7 +179,7 @@ impl Target {
     /// The column by [`Quantity::evaluate`], point by point.
     fn evaluated(&self, points: &Points) -> Result<Vec<f64>, TargetError> {
         let output = self.quantity.outputs.iter().position(|o| *o == self.column).unwrap_or(0);
-        let method = Method::Quadrature { tolerance: tolerance(self.quantity) };
+        let method = Method::Quadrature { tolerance: self.tolerance() };
         let one = |i: usize| {
             let inputs: Vec<f64> = (0..self.given.len()).map(|k| self.input(points, k, i)).collect();
             Ok(self.quantity.evaluate(self.smith, &inputs, method)?[output])

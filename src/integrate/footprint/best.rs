@@ -12,10 +12,15 @@ use crate::optics::kernel::Kernel;
 /// Steps of ln R: exp(-pi^2/h) is 2e-11 and 1e-14.
 const STEPS: [f64; 2] = [0.4, 0.3];
 
-/// Steps where the kernel is a table, piecewise smooth alone; finer by [`REFINED`] as often as [`REFINEMENTS`] until they agree.
-const TABLE_STEPS: [f64; 2] = [0.1, 0.07];
-const REFINED: f64 = 0.5;
-const REFINEMENTS: usize = 4;
+/// Where the kernel is a table, piecewise smooth alone, the first step, of one that ends with a jump and of any other, and what each is of the one
+/// before: at most so many.
+const TABLE_STEP: f64 = 0.1;
+const CUT_STEP: f64 = 0.02;
+const REFINED: f64 = 0.7;
+const REFINEMENTS: usize = 16;
+
+/// How many times the largest difference between the last three such widths their error is at most.
+const SAFETY: f64 = 10.0;
 
 /// ln alpha' is sought this far on either side of a closed form, and farther where the distance still falls; and this far above 0, where
 /// a width is saturated.
@@ -58,43 +63,55 @@ pub fn adjusted(kernel: Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result<
     if alpha == 0.0 {
         return Ok(Adjusted { alpha: 0.0, tv: 0.0, saturated: false, error: 0.0 });
     }
-    let mut steps = steps(kernel);
-    let mut refinements = if kernel.is_analytic() { 0 } else { REFINEMENTS };
-    loop {
-        let found = by_steps(kernel, alpha, rho, steps)?;
-        if found.error <= tolerance {
-            return Ok(found);
-        }
-        if refinements == 0 {
-            let (place, reached) = (place(alpha, rho), found.error);
-            return Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance });
-        }
-        refinements -= 1;
-        steps = steps.map(|step| step * REFINED);
+    let (exact, saturated, error) = if kernel.is_analytic() {
+        let rough = search(kernel, alpha, rho, STEPS[0])?.0;
+        let (exact, saturated) = search(kernel, alpha, rho, STEPS[1])?;
+        // tv changes by at most the relative change of alpha'
+        (exact, saturated, 2.0 * (rough / exact - 1.0).abs() + FLAT)
+    } else {
+        of_table(kernel, alpha, rho, tolerance)?
+    };
+    if error > tolerance {
+        let place = place(alpha, rho);
+        return Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached: error, tolerance });
     }
+    let tv = variation(kernel, &kernel.lobe(alpha), rho, &kernel.lobe(exact), exact.min(alpha * rho));
+    Ok(Adjusted { alpha: exact, tv, saturated, error })
 }
 
-/// The best width by the rule of the second step; its distance from that by the first bounds the error.
-fn by_steps(
+/// The best width, whether it is saturated, and its error, by finer and finer steps until that is within a tolerance or there are enough of them.
+fn of_table(
     kernel: Kernel,
     alpha: f64,
     rho: f64,
-    [coarse, fine]: [f64; 2],
-) -> Result<Adjusted, IntegrateError> {
-    let rough = search(kernel, alpha, rho, coarse)?.0;
-    let (exact, saturated) = search(kernel, alpha, rho, fine)?;
-    // tv changes by at most the relative change of alpha'
-    let error = 2.0 * (rough / exact - 1.0).abs() + FLAT;
-    let tv = variation(kernel, &kernel.lobe(alpha), rho, &kernel.lobe(exact), exact.min(alpha * rho));
-    Ok(Adjusted { alpha: exact, tv, saturated, error })
+    tolerance: f64,
+) -> Result<(f64, bool, f64), IntegrateError> {
+    let mut step = quick_step(kernel);
+    let mut widths: Vec<f64> = Vec::new();
+    loop {
+        let (width, saturated) = search(kernel, alpha, rho, step)?;
+        widths.push(width);
+        step *= REFINED;
+        let [.., a, b, c] = widths[..] else { continue };
+        let apart = (a / c - 1.0).abs().max((b / c - 1.0).abs()).max((a / b - 1.0).abs());
+        let error = SAFETY * apart + FLAT;
+        if error <= tolerance || widths.len() == REFINEMENTS {
+            return Ok((c, saturated, error));
+        }
+    }
 }
 
 fn place(alpha: f64, rho: f64) -> String {
     format!("alpha = {alpha}, rho = {rho}")
 }
 
-fn steps(kernel: Kernel) -> [f64; 2] {
-    if kernel.is_analytic() { STEPS } else { TABLE_STEPS }
+/// The step of the quick rule.
+fn quick_step(kernel: Kernel) -> f64 {
+    match (kernel.is_analytic(), kernel.is_cut()) {
+        (true, _) => STEPS[0],
+        (false, false) => TABLE_STEP,
+        (false, true) => CUT_STEP,
+    }
 }
 
 /// The best width and whether it is saturated, by the coarser rule alone: for many points.
@@ -103,7 +120,7 @@ fn steps(kernel: Kernel) -> [f64; 2] {
 /// As [`adjusted`].
 pub fn best(kernel: Kernel, alpha: f64, rho: f64) -> Result<(f64, bool), IntegrateError> {
     check(alpha, rho)?;
-    if alpha == 0.0 { Ok((0.0, false)) } else { search(kernel, alpha, rho, steps(kernel)[0]) }
+    if alpha == 0.0 { Ok((0.0, false)) } else { search(kernel, alpha, rho, quick_step(kernel)) }
 }
 
 /// The squared distance of two encircled energies over the wall, by ln alpha'.

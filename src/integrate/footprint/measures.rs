@@ -4,8 +4,17 @@ use super::{check, radii};
 use crate::integrate::IntegrateError;
 use crate::optics::kernel::{Kernel, Lobe};
 
-/// Step of ln R: between neighbours the densities cross at most once.
+/// Step of ln R: between neighbours the densities cross at most once, where they have a formula.
 const STEP: f64 = 0.1;
+
+/// Steps of a table's lobes, finer the more angles it has, so that what crosses twice in one is less than its noise from angle to angle.
+const TABLE_STEPS: [f64; 2] = [0.005, 0.1];
+const ANGLES_A_STEP: f64 = 4.0;
+
+fn step(kernel: Kernel) -> f64 {
+    let [least, most] = TABLE_STEPS;
+    kernel.angles().map_or(STEP, |angles| (ANGLES_A_STEP / angles as f64).clamp(least, most))
+}
 
 /// Halvings that place a crossing; the variation is flat there.
 const HALVINGS: u32 = 30;
@@ -38,7 +47,8 @@ pub fn measures(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> Result<Me
     let (target, fetch) = (kernel.lobe(alpha), kernel.lobe(fetched));
     let narrowest = fetched.min(alpha * rho);
     let (mut square, mut whole, mut largest, mut peak, mut encircled) = (0.0, 0.0, 0.0_f64, 0.0_f64, 0.0);
-    for radius in radii(kernel, narrowest, rho.max(1.0), STEP) {
+    let step = step(kernel);
+    for radius in radii(kernel, narrowest, rho.max(1.0), step) {
         // energy per area is its slope over ln R by 2 pi R^2; dA = 2 pi R^2 d ln R
         let area = radius * radius;
         let (seen, fetched) = (target.slope(radius / rho) / area, fetch.slope(radius) / area);
@@ -48,7 +58,7 @@ pub fn measures(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> Result<Me
         largest = largest.max(off.abs());
         peak = peak.max(seen);
         let energy = target.encircled(radius / rho) - fetch.encircled(radius);
-        encircled += energy * energy * STEP;
+        encircled += energy * energy * step;
     }
     Ok(Measures {
         tv: variation(kernel, &target, rho, &fetch, narrowest),
@@ -67,7 +77,7 @@ pub(super) fn variation(kernel: Kernel, target: &Lobe, rho: f64, fetch: &Lobe, n
         total += (extreme - last).abs();
         last = extreme;
     };
-    let nodes = radii(kernel, narrowest, rho.max(1.0), STEP);
+    let nodes = radii(kernel, narrowest, rho.max(1.0), step(kernel));
     for (left, right) in nodes.clone().zip(nodes.skip(1)) {
         let rising = slope(left) > 0.0;
         if rising == (slope(right) > 0.0) {

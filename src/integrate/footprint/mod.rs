@@ -30,9 +30,24 @@ pub const RHO: [f64; 2] = [1e-6, 1e3];
 /// The tolerance of a value when none is asked for.
 pub const TOLERANCE: f64 = 1e-7;
 
-/// How far [`best`] is from the best width at most, where the kernel is a table of a dozen angles or more; of a formula's lobe it is within
-/// [`TOLERANCE`].
-pub const TABLE_TOLERANCE: f64 = 1e-4;
+/// The tolerance of a value of a kernel when none is asked for; coarser where it is a table, and where that ends with a jump, as a cone.
+pub fn usual_tolerance(kernel: Kernel) -> f64 {
+    match (kernel.is_analytic(), kernel.is_cut()) {
+        (true, _) => TOLERANCE,
+        (false, false) => 1e-4,
+        (false, true) => 1e-3,
+    }
+}
+
+/// How far [`best`] is from the best width at most: of a lobe with a formula, of a table of a dozen angles or more, and of one whose density ends with
+/// a jump, as a cone's.
+pub fn quick_error(kernel: Kernel) -> f64 {
+    match (kernel.is_analytic(), kernel.is_cut()) {
+        (true, _) => TOLERANCE,
+        (false, false) => 1e-4,
+        (false, true) => 1e-2,
+    }
+}
 
 const QUANTITY: &str = "parallax-alpha";
 

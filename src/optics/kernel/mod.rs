@@ -96,6 +96,19 @@ impl Kernel {
         !matches!(self, Kernel::Tabulated(_))
     }
 
+    /// Whether its density jumps to 0 before the horizon, as that of a cone does.
+    pub fn is_cut(self) -> bool {
+        matches!(self, Kernel::Tabulated(table) if table.is_cut())
+    }
+
+    /// Angles of its table, of the lobe that has most of them; none of one with a formula.
+    pub fn angles(self) -> Option<usize> {
+        match self {
+            Kernel::Tabulated(table) => Some(table.angles()),
+            _ => None,
+        }
+    }
+
     /// The lobe of a width alpha in (0, 2]: above 1 it is wider than any that a shader has, and rises towards the horizon.
     pub fn lobe(self, alpha: f64) -> Lobe {
         Lobe::new(self, alpha)

@@ -87,6 +87,9 @@ const WIDEST: f64 = 1e-9;
 /// Least step of x between angles: below it densities over x are rounding.
 const CLOSEST: f64 = 1e-12;
 
+/// Least jump of a density at its end, over its largest.
+const JUMP: f64 = 1e-3;
+
 /// Hexadecimal digits of a table's hash in its word.
 const DIGITS: usize = 12;
 
@@ -173,6 +176,14 @@ impl Tabulated {
 
     pub(super) fn index(&self) -> usize {
         self.index
+    }
+
+    pub(super) fn is_cut(&self) -> bool {
+        self.shapes.iter().any(Shape::is_cut)
+    }
+
+    pub(super) fn angles(&self) -> usize {
+        self.shapes.iter().map(|shape| shape.nodes.len()).max().unwrap_or(0)
     }
 
     /// The lobe of a width above 0.
@@ -290,6 +301,12 @@ impl Shape {
             node.slope /= whole;
         }
         Ok(Shape { ln_alpha: ops::log(lobe.alpha), nodes })
+    }
+
+    /// Whether the density jumps to 0 before the horizon, by a part of its largest that shows.
+    fn is_cut(&self) -> bool {
+        let most = self.nodes.iter().map(|node| node.density).fold(0.0, f64::max);
+        self.nodes.last().is_some_and(|last| 1.0 - last.x > CLOSEST && last.density > JUMP * most)
     }
 
     /// The nodes about x and where it is between them; `None` beyond the last.
