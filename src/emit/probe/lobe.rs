@@ -8,7 +8,7 @@ use crate::effects::parallax::lookups::{LEAST_COSINE, NARROWEST};
 /// as n and the mirror ray are at most at right angles: below the surface (mu < 0) that ray goes straight on, -v.
 const AXIS: &str = "
 mu = normal.x * view.x + normal.y * view.y + normal.z * view.z
-log_mu = log2(max(abs(mu), LEAST))
+log_mu = log2(min(max(abs(mu), LEAST), 1.0))
 blend = min(A * exp2(B * log2(max(alpha, 0.00000001)) + C * log_mu), 1.0)
 rest = 1.0 - blend
 lifted = blend + 2.0 * rest * max(mu, 0.0)
