@@ -3,7 +3,8 @@
 use crate::lookups::{EMITTED, Emitted, Point, text};
 use lobefit::emit::code::Language;
 use lobefit::math::ops::{pow, sincos};
-use lobefit::math::vector::{Vec3, length, minus, normalise};
+use lobefit::math::vector::{Vec3, cross, length, minus, normalise};
+use std::f64::consts::FRAC_PI_2;
 
 /// Steps of a path.
 const STEPS: usize = 4000;
@@ -29,36 +30,79 @@ fn fetched(emitted: &Emitted, points: &[Point]) -> Vec<(Vec3, f64)> {
     found.chunks_exact(emitted.numbers()).map(mean).collect()
 }
 
-/// The view whose cosine to the normal is the sine of `above`.
-fn point(above: f64, alpha: f64) -> Point {
-    let along = normalise([NORMAL[1], -NORMAL[0], 0.0]);
+/// The view on a side of the surface whose cosine to the normal is the sine of `above`.
+fn point(side: Vec3, above: f64, alpha: f64) -> Point {
     let (sine, cosine) = sincos(above);
-    let view = [0, 1, 2].map(|k| sine * NORMAL[k] + cosine * along[k]);
+    let view = [0, 1, 2].map(|k| sine * NORMAL[k] + cosine * side[k]);
     let [n, v] = [NORMAL, view].map(|v| v.map(|x| x as f32));
     [0.5, -0.4, 0.2, n[0], n[1], n[2], v[0], v[1], v[2], alpha as f32]
 }
 
-/// A view that sinks below the surface changes what is fetched by little at every step of 0.00015 radians. Where fetches fade out close to
-/// the surface it changes fastest, by about 4 radians for one of the view.
+/// Two sides of the surface at right angles.
+fn sides() -> [Vec3; 2] {
+    let side = normalise([NORMAL[1], -NORMAL[0], 0.0]);
+    [side, cross(NORMAL, side)]
+}
+
+/// Widths of the surface on a path.
+const ALPHAS: [f64; 7] = [0.0, 0.01, 0.03, 0.1, 0.4, 0.7, 1.0];
+
+/// A path for every width: the view that is `turn` away from an angle above the surface, or on the other side of it.
+fn paths(view: impl Fn(f64) -> (Vec3, f64)) -> Vec<Point> {
+    let turn = |i: usize| 0.3 - 0.6 * i as f64 / STEPS as f64;
+    let points = ALPHAS.iter().flat_map(|alpha| (0..=STEPS).map(move |i| (turn(i), *alpha)));
+    points
+        .map(|(turn, alpha)| {
+            let (side, above) = view(turn);
+            point(side, above, alpha)
+        })
+        .collect()
+}
+
+/// Checks that every step of 0.00015 radians changes what is fetched by less than ten times that, and returns what it is at both ends and in
+/// the middle.
+fn moves_by_little(emitted: &Emitted, paths: &[Point]) -> Vec<[Vec3; 3]> {
+    let found = fetched(emitted, paths);
+    let path = |(alpha, found): (&f64, &[(Vec3, f64)])| {
+        for (i, pair) in found.windows(2).enumerate() {
+            let moved = length(minus(pair[0].0, pair[1].0));
+            let wider = (pair[0].1 - pair[1].1).abs();
+            let text = format!("{}, alpha {alpha}, step {i}: {moved}, {wider}", emitted.name());
+            assert!(moved < 0.0015 && wider < 0.0015, "{text}");
+        }
+        [0, STEPS / 2, STEPS].map(|i| found[i].0)
+    };
+    ALPHAS.iter().zip(found.chunks_exact(STEPS + 1)).map(path).collect()
+}
+
+/// A view that sinks below the surface. Where fetches fade out close to the surface what is fetched changes fastest, by about 4 radians for
+/// one of the view.
 #[test]
 fn nothing_jumps_where_the_view_passes_the_surface() {
-    let alphas = [0.0, 0.01, 0.1, 0.4, 0.7, 1.0];
-    let above = |i: usize| 0.3 - 0.6 * i as f64 / STEPS as f64;
-    let paths: Vec<Point> =
-        alphas.iter().flat_map(|alpha| (0..=STEPS).map(move |i| point(above(i), *alpha))).collect();
+    let [side, _] = sides();
+    let paths = paths(|turn| (side, turn));
     for emitted in smooth() {
-        let found = fetched(emitted, &paths);
-        for (alpha, found) in alphas.iter().zip(found.chunks_exact(STEPS + 1)) {
-            for (i, pair) in found.windows(2).enumerate() {
-                let moved = length(minus(pair[0].0, pair[1].0));
-                let wider = (pair[0].1 - pair[1].1).abs();
-                let text = format!("{}, alpha {alpha}, {}: {moved}, {wider}", emitted.name(), above(i));
-                assert!(moved < 0.008 && wider < 0.008, "{text}");
-            }
-            // below, the ray rises as it sank above
-            let whole = length(minus(found[0].0, found[STEPS / 2].0));
-            // the axis of the widest lobe of one fetch is the normal there
+        for (alpha, [first, middle, _]) in ALPHAS.iter().zip(moves_by_little(emitted, &paths)) {
+            // below, the ray rises as it sank above; the axis of the widest lobe of one fetch is the normal there
+            let whole = length(minus(first, middle));
             assert!(whole > 1e-3 || *alpha == 1.0, "{}, alpha {alpha}: nothing moves", emitted.name());
+        }
+    }
+}
+
+/// A view that comes to the normal, or to its opposite, on one side and leaves it on another: the plane of incidence turns at once by a right
+/// angle, about a lobe that is round there.
+#[test]
+fn nothing_jumps_where_the_plane_of_incidence_turns() {
+    let [side, other] = sides();
+    for end in [FRAC_PI_2, -FRAC_PI_2] {
+        let view = |turn: f64| (if turn > 0.0 { side } else { other }, end - turn.abs().copysign(end));
+        let paths = paths(view);
+        for emitted in smooth() {
+            for (alpha, [first, _, last]) in ALPHAS.iter().zip(moves_by_little(emitted, &paths)) {
+                let whole = length(minus(first, last));
+                assert!(whole > 1e-3 || *alpha == 1.0, "{}, alpha {alpha}: nothing moves", emitted.name());
+            }
         }
     }
 }
@@ -67,9 +111,10 @@ fn nothing_jumps_where_the_view_passes_the_surface() {
 #[test]
 fn narrow_lobes_are_mirrors() {
     let alphas: Vec<f64> = (0..9).map(|i| pow(10.0, -f64::from(i))).chain([1e-20, 0.0]).collect();
-    let views = [1.57, 0.8, 0.1, 1e-3, -0.2];
+    let views = [1.57, 0.8, 0.1, 1e-3, -0.2, -1.57];
+    let [side, _] = sides();
     let points: Vec<Point> =
-        views.iter().flat_map(|above| alphas.iter().map(|alpha| point(*above, *alpha))).collect();
+        views.iter().flat_map(|above| alphas.iter().map(|alpha| point(side, *above, *alpha))).collect();
     for emitted in smooth() {
         let found = fetched(emitted, &points);
         for (above, found) in views.iter().zip(found.chunks_exact(alphas.len())) {

@@ -169,8 +169,9 @@ pub fn points(room: &Room) -> Vec<Point> {
     points
 }
 
-/// Sines and cosines between the normals and the views of surfaces: head on, close to that, at grazing angles, along the surface and below it.
-const TILTS: [[f64; 2]; 9] = [
+/// Sines and cosines between the normals and the views of surfaces: head on, close to that, at grazing angles, along the surface, below it and
+/// straight below.
+const TILTS: [[f64; 2]; 12] = [
     [0.0, 1.0],
     [1e-7, 1.0],
     [1e-5, 1.0],
@@ -180,6 +181,9 @@ const TILTS: [[f64; 2]; 9] = [
     [1.0, 1e-4],
     [1.0, 0.0],
     [0.8, -0.6],
+    [1e-3, -1.0],
+    [1e-5, -1.0],
+    [0.0, -1.0],
 ];
 
 impl Emitted {

@@ -3,12 +3,12 @@
 use crate::effects::parallax::LobeFit;
 use crate::effects::parallax::lookups::{LEAST_COSINE, NARROWEST};
 
-/// `ray`, the axis, and `width` by the constants of [`LobeFit`]. The powers of mu share its logarithm; alpha is at least 1e-8 in its
+/// `ray`, the axis, and `width` by the constants of [`LobeFit`]. The powers of |mu| share its logarithm; alpha is at least 1e-8 in its
 /// own, where the share of the normal is below 1e-10. (1 - share) (2 mu n - v) + share n is a sum of n and v; its length is at least the root of 1/2,
 /// as n and the mirror ray are at most at right angles: below the surface (mu < 0) that ray goes straight on, -v.
 const AXIS: &str = "
 mu = normal.x * view.x + normal.y * view.y + normal.z * view.z
-log_mu = log2(min(max(mu, LEAST), 1.0))
+log_mu = log2(min(max(abs(mu), LEAST), 1.0))
 blend = min(A * exp2(B * log2(max(alpha, 0.00000001)) + C * log_mu), 1.0)
 rest = 1.0 - blend
 lifted = blend + 2.0 * rest * max(mu, 0.0)
@@ -20,7 +20,8 @@ width = narrow / max(1.0 + alpha - narrow, narrow)
 ";
 
 /// The half-axes of the lobe, `first` towards the normal and `second` across, by those of a round one, `base_1` and `base_2`. Normal and
-/// view are on one side of the axis, and not both along it but head on (within a sine of 1e-6), where the lobe is round and so the half-axes are any.
+/// view are on one side of the axis, and not both along it but head on and from straight below (within a sine of 1e-6), where the lobe is round and so
+/// the half-axes are any.
 const AXES: &str = "
 squashed = min((G - H * SURFACE) * log_mu, 0.0)
 longer = exp2(-0.5 * squashed)
@@ -80,9 +81,10 @@ pub(super) fn lines(taps: u32) -> Vec<String> {
     let [g, h] = fit.squash;
     let signed = |x: f64| if x < 0.0 { format!("+ {}", -x) } else { format!("- {x}") };
     let mut lines = vec![
-        "normal and view, towards the viewer, are of unit length. mu = normal.view counts as 0.02 below that; seen from".into(),
-        "below, mu < 0, the mirror ray goes straight on. The lobe is that of GGX as study parallax fits it for this".into(),
-        "many fetches, at roughness 0.15 to 0.9 and mu from 0 to 1; as alpha goes to 0 it is the mirror ray:".into(),
+        "normal and view, towards the viewer, are of unit length; mu is |normal.view|, at least 0.02. Seen from below,".into(),
+        "normal.view < 0, the view counts as mirrored in the surface. The lobe is that of GGX, within 1 % of the error of".into(),
+        "what study parallax fits for this many fetches at roughness 0.15 to 0.9 and mu from 0 to 1; as alpha goes to 0".into(),
+        "it is the mirror ray:".into(),
         format!("  its axis has a share min({a} alpha^{b} mu^{c}, 1) of the normal, the rest of the mirror ray;"),
         format!("  its footprint is max(mu^({d} {} alpha) (1 {} alpha), {NARROWEST}) times as wide as a round one's.", signed(e), signed(f)),
     ];
@@ -100,6 +102,6 @@ pub(super) fn expected(taps: u32) -> Vec<String> {
     let [ours, mirror] = LobeFit::expected(taps);
     vec![
         "Expected error of radiance against GGX (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of the".into(),
-        format!("  fit, fetches integrated): {ours}; for the round lobe about the mirror ray {mirror}."),
+        format!("  fit, with smooth edges of a box, fetches integrated): {ours}; for the round lobe about the mirror ray {mirror}."),
     ]
 }

@@ -104,8 +104,9 @@ fn lookups(timings: &Timings) -> Section {
     Section {
         id: "lookups".into(),
         title: "Lookups of probes: nanoseconds per pixel".into(),
-        lead: "From shading point and view to directions, widths and weights, on one core of this machine in f64, one pixel after the other. The \
-               texture's fetches come on top; operations of the emitted functions are in the manifest."
+        lead: "From shading point and view to directions, widths and weights, on one core of this machine in f64, one pixel after the other, with \
+               the rational width and the rule of half-cosine chains where an emitted lookup may have others. The texture's \
+               fetches come on top; operations of the emitted functions are in the manifest."
             .into(),
         blocks: vec![Block::Table(words::table(&columns, rows, "Mean over places, normals, views and widths at random."))],
     }

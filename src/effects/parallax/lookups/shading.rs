@@ -25,13 +25,14 @@ pub enum Shading {
     /// Round about the dominant direction of Lagarde and de Rousiers 2014, listing 21, taken in alpha: the normal and the mirror ray mixed by
     /// (1 - alpha)(sqrt(1 - alpha) + alpha).
     Dominant,
-    /// Round about the mirror ray, narrower by the root of n.v: the Jacobian of the half vector, n.v across the plane of incidence and 1 along.
+    /// Round about the mirror ray, narrower by the root of n.v, which is at least [`LEAST_COSINE`]: the Jacobian of the half vector, n.v across
+    /// the plane of incidence and 1 along.
     RootCosine,
     /// As constants say that were fitted to the lobe of GGX.
     Fitted(LobeFit),
 }
 
-/// Constants of a lobe over alpha and mu = n.v.
+/// Constants of a lobe over alpha and mu = |n.v|.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct LobeFit {
     /// Share of the normal mixed into the mirror ray: `min(1, lean[0] alpha^lean[1] mu^lean[2])`.
@@ -42,15 +43,15 @@ pub struct LobeFit {
     pub squash: [f64; 2],
 }
 
-/// Least cosine n.v in a power: 1/mu has no bound.
+/// Least cosine n.v in a power: 1/mu has no bound, and a lobe has a width.
 pub const LEAST_COSINE: f64 = 0.02;
 
 /// Least footprint ratio of a fitted lobe.
 pub const NARROWEST: f64 = 0.05;
 
 impl LobeFit {
-    /// For one fetch: the lobe is round. These constants, and those below, are what study `parallax`, "The lobe of a surface", fits; those of
-    /// two fetches are of an earlier rule of two, and within 2 % of the fit's error in its room.
+    /// For one fetch: the lobe is round. The error of these constants, and of those below, is within 1 % of that of what study `parallax`, "The
+    /// lobe of a surface", fits: beside its least error others are next to as good, and those shipped do not follow every change of a rule.
     pub const ONE: LobeFit =
         LobeFit { lean: [0.7323, 1.7068, -0.2953], narrow: [0.2586, 0.5576, 0.079], squash: [0.0, 0.0] };
 
@@ -78,7 +79,8 @@ impl LobeFit {
     }
 
     /// What lookups of that many fetches are expected to be off by in relative L2 against GGX, the geometric mean over roughness 0.15 to 0.9: of this
-    /// lobe, and of the round one about the mirror ray. As the study finds in the room that the constants are fitted in.
+    /// lobe, and of the round one about the mirror ray. As the study finds in the room
+    /// that the constants are fitted in, with smooth edges of its box.
     pub fn expected(fetches: u32) -> [f64; 2] {
         match fetches {
             0 | 1 => [0.205, 0.225],
@@ -87,9 +89,9 @@ impl LobeFit {
         }
     }
 
-    /// Share of the normal in the axis, ratio of the footprint, width across over width along.
+    /// Share of the normal in the axis, ratio of the footprint, width across over width along; at n.v below 0 as at -n.v.
     pub fn at(&self, alpha: f64, mu: f64) -> [f64; 3] {
-        let mu = mu.clamp(LEAST_COSINE, 1.0);
+        let mu = mu.abs().clamp(LEAST_COSINE, 1.0);
         let power = |exponent: f64| ops::pow(mu, exponent);
         let [a, b, c] = self.lean;
         let lean = (a * ops::pow(alpha, b) * power(c)).clamp(0.0, 1.0);
@@ -101,8 +103,8 @@ impl LobeFit {
 }
 
 impl Shading {
-    /// The lobe at a shading point. Where that is seen from below, the mirror ray goes straight on: it stays above the surface, and does
-    /// not jump where n.v changes its sign.
+    /// The lobe at a shading point. Where that is seen from below, the mirror ray goes straight on, and a fitted lobe is that of the view
+    /// mirrored in the surface: it stays above that, and does not jump where n.v changes its sign.
     pub fn lobe(&self, seen: &Seen) -> ShadingLobe {
         let alpha = seen.alpha;
         let mu = dot(seen.normal, seen.view);
@@ -110,11 +112,12 @@ impl Shading {
         let (share, ratio, squash) = match self {
             Shading::Mirror => (0.0, 1.0, 1.0),
             Shading::Dominant => (1.0 - (1.0 - alpha) * ((1.0 - alpha).sqrt() + alpha), 1.0, 1.0),
-            Shading::RootCosine => (0.0, mu.max(0.0).sqrt(), 1.0),
+            Shading::RootCosine => (0.0, mu.max(LEAST_COSINE).sqrt(), 1.0),
             Shading::Fitted(fit) => fit.at(alpha, mu).into(),
         };
         let axis = normalise(plus(scaled(seen.normal, share), scaled(mirror, 1.0 - share)));
-        // normal and view are on one side of the axis: one of both has a part across it but head on, where the lobe is round
+        // normal and view are on one side of the axis: one of both has a part across it but head on and from straight below, where the lobe
+        // is round
         let across = cross(axis, plus(seen.normal, seen.view));
         let root = squash.sqrt();
         let axes = if length(across) > STRAIGHT {
