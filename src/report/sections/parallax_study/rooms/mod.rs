@@ -20,7 +20,7 @@ pub(super) fn answers(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError
         fold::after(1, verdict::section(rooms)?),
         fold::after(references, random::section(rooms)?),
         pictures::section(rooms)?,
-        fold::after(1, smoothness::section(rooms)?),
+        fold::after(3, smoothness::section(rooms)?),
     ])
 }
 

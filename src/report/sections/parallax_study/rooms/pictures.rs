@@ -76,7 +76,7 @@ fn grid(pictures: &RoomPictures, shown: &RoomPicture, chosen: &[String]) -> Resu
 }
 
 /// Side of a picture on the page.
-const CELL: f64 = 108.0;
+const CELL: f64 = 98.0;
 
 fn flips(pictures: &RoomPictures, reference: usize) -> TextTable {
     let name = REFERENCES[reference];
