@@ -38,7 +38,7 @@ Quantities (input columns: appended columns):
 alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass, [1e-6, 1] for sheen);
 mu is in [0, 1] (from 1e-6 for glass), ior in [1, 4], f0 in [0, 1]; Monte Carlo takes no zeros (but mu of sheen). Other
 columns are kept as they are. `error` bounds the distance of every value from the truth; with Monte Carlo it is four
-standard errors.";
+standard errors. Of a kernel's table that is the truth of the lobes as they are interpolated: between few widths they may differ by more.";
 
 /// How the truth is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

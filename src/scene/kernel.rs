@@ -93,8 +93,9 @@ impl TextRule for FunctionPart {
     }
 }
 
-/// The lobe that a renderer's cubemaps are prefiltered with, as a table: its weight over the angle at some widths. Between widths its energy is
-/// interpolated over that of GGX's lobe D(theta/2) of the width; below the narrowest it is that of the narrowest, made narrower so.
+/// The lobe that a renderer's cubemaps are prefiltered with, as a table: its weight over the angle at some widths. With x the energy that
+/// GGX's lobe D(theta/2) of the same width holds inside an angle, its density over x is interpolated: between angles by monotone cubics, between widths
+/// linearly in ln alpha; below the narrowest width the density over x is that of the narrowest. A dozen widths or more leave 0.001 of the energy.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Kernel")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a kernel")]

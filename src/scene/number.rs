@@ -60,7 +60,7 @@ intervals! {
     /// A GGX width above a mirror's.
     Width = 0.0, 1.0, true, "(0, 1]";
     /// An angle from the axis of a lobe, radians; its end is rounded up to any 7 digits.
-    QuarterTurn = 0.0, 1.570797, false, "[0, pi/2]";
+    QuarterTurn = 0.0, 1.570797, false, "[0, pi/2], in radians";
     /// Weights of a lobe.
     NotNegative = 0.0, 1e30, false, "[0, 1e30]";
     /// Versions of the scene format.

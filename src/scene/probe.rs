@@ -111,8 +111,8 @@ struct ProbeFile {
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Maybe<List<Word<Norm>, 2>>,
-    /// Functions that look it up, each with its proxy of the room and its number of fetches; default none. They take the width from the most
-    /// accurate fit and return directions with widths, or with levels where `mips` is given.
+    /// Functions that look it up, each with its proxy of the room and its number of fetches; default none. They take the width from the fit
+    /// of the least largest relative error and return directions with widths, or with levels where `mips` is given.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     lookups: Maybe<List<ProbeLookup, { limits::LOOKUPS_MAX }>>,

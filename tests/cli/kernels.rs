@@ -143,6 +143,19 @@ fn eval_and_fit_take_a_table() {
     assert!(json.contains("phong@") && json.contains("kernel=mine.json"), "{json}");
 }
 
+/// Functions that a search finds for a table are named by its name.
+#[test]
+fn a_search_takes_a_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    write(folder.path(), "mine.json", &phong(&WIDTHS));
+    let fix = ["--fix", "kernel=mine.json", "--max-ops", "3", "--width", "1", "--helpers", "none"];
+    let output =
+        lobefit(folder.path(), &[&["fit", "--search", "--to", "parallax-alpha"], &fix[..]].concat(), b"");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let told = String::from_utf8(output.stdout).expect("text");
+    assert!(told.contains("parallax_alpha_alpha_adjusted_parallax_phong_"), "{told}");
+}
+
 #[test]
 fn kernels_that_are_no_kernels_are_refused() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -171,7 +184,7 @@ fn kernels_that_are_no_kernels_are_refused() {
         ),
         (set("/lobes/2/theta/0", json!(0.001)), "lobes[2].theta: the first angle is 0.001"),
         (set("/lobes/2/theta/4", json!(1.5)), "lobes[2].theta: "),
-        (set("/lobes/2/theta/47", json!(1.6)), "lobes[2].theta[47]: 1.6 is outside [0, pi/2]"),
+        (set("/lobes/2/theta/47", json!(1.6)), "lobes[2].theta[47]: 1.6 is outside [0, pi/2], in radians"),
         (set("/lobes/2/theta/1", json!(1e-9)), "lobes[2].theta: 0.000000001 is too close to 0"),
         (set("/lobes/2/theta", json!([0, 1])), "lobes[2].theta: 2 angles where at least 8 are called for"),
         (set("/lobes/3/density", json!([1, 1])), "lobes[3].density: 2 densities at 48 angles"),
@@ -180,6 +193,12 @@ fn kernels_that_are_no_kernels_are_refused() {
         (
             set("/lobes/3/density/0", json!(1e31)),
             "lobes[3].density[0]: 10000000000000000000000000000000 is outside [0, 1e30]",
+        ),
+        (
+            with(
+                &|file| file["lobes"][3] = json!({"alpha": 0.4, "theta": file["lobes"][1]["theta"], "density": file["lobes"][1]["density"]}),
+            ),
+            "lobes[3].density: half of the energy is within",
         ),
         (with(&|file| file["lobes"][0]["width"] = json!(1)), "lobes[0].width: unknown field `width`"),
     ] {

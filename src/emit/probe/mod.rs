@@ -98,7 +98,7 @@ impl Wanted {
         let several = self.lookup.taps > 1;
         let lobe = match self.lookup.lobe {
             SurfaceLobe::Mirror => "a lobe of width alpha about a ray from a place",
-            SurfaceLobe::Fitted => "what a GGX surface of width alpha reflects at a place",
+            SurfaceLobe::Fitted => "what a GGX surface of width alpha reflects at a place over its albedo",
         };
         let mut lines = if several {
             let first = format!("{} fetches from a probe for {lobe},", self.lookup.taps);
@@ -160,7 +160,8 @@ impl Wanted {
             None => (format!("mip_of({fetch}.w)"), ", mip_of the level of a width"),
         };
         let sum = if self.lookup.taps > 1 { "sum weight_i * " } else { "" };
-        format!("Use: color = {sum}sample_level(env, {fetch}.xyz, {level}){note}")
+        let albedo = if self.lookup.is_fitted() { ", times the albedo f0 A + B" } else { "" };
+        format!("Use: color = {sum}sample_level(env, {fetch}.xyz, {level}){note}{albedo}")
     }
 
     /// What several fetches are expected to be off by, and those of the fitted lobe; nothing of one about the ray.

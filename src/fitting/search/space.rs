@@ -7,6 +7,7 @@ use crate::effects::target::{Target, TargetError, TargetSpec};
 use crate::fit::search::{Anchor, SearchAxis, SearchSamples, Space};
 use crate::fit::{FitError, Hypothesis};
 use crate::fitting::{Demand, FittingError};
+use crate::optics::kernel::Kernel;
 
 /// Highest powers of roughness (alpha^4) and of the other inputs in a term.
 const DEGREES: [u8; 2] = [8, 5];
@@ -35,8 +36,13 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
 
 /// `ggx_reflection_e_normalisation`: quantity, column, use.
 pub(super) fn name(target: &Target) -> String {
-    let words = target.words.values().map(String::as_str);
-    let parts = [target.quantity.name, target.column, target.used_as.name()].into_iter().chain(words);
+    // of a table its name: the hash in its word is none of a function
+    let words = target
+        .words
+        .values()
+        .map(|word| Kernel::of(word).map_or_else(|| word.clone(), |kernel| kernel.name().to_string()));
+    let parts = [target.quantity.name, target.column, target.used_as.name()].map(String::from);
+    let parts = parts.into_iter().chain(words);
     parts.collect::<Vec<_>>().join("_").replace('-', "_").to_lowercase()
 }
 

@@ -102,7 +102,9 @@ static TABLES: Mutex<Vec<&'static Tabulated>> = Mutex::new(Vec::new());
 /// Widths or angles that do not rise, a density that is negative, a lobe without energy.
 pub fn tabulated(name: &str, lobes: &[TableLobe]) -> Result<Kernel, TableError> {
     check_widths(lobes)?;
-    let shapes = lobes.iter().enumerate().map(|(i, lobe)| Shape::new(i, lobe)).collect::<Result<_, _>>()?;
+    let shapes: Vec<Shape> =
+        lobes.iter().enumerate().map(|(i, lobe)| Shape::new(i, lobe)).collect::<Result<_, _>>()?;
+    check_shapes(lobes, &shapes)?;
     let hash = hash(name, lobes);
     let word = format!("{name}@{}", &hash[..DIGITS]);
     let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
@@ -157,6 +159,18 @@ fn check_widths(lobes: &[TableLobe]) -> Result<(), TableError> {
         return fail(lobes.len() - 1, message);
     }
     Ok(())
+}
+
+/// Refuses lobes that do not widen: the cone of half of the energy is larger the larger the width.
+fn check_shapes(lobes: &[TableLobe], shapes: &[Shape]) -> Result<(), TableError> {
+    let half: Vec<f64> =
+        lobes.iter().zip(shapes).map(|(lobe, shape)| shape.median(lobe.alpha * lobe.alpha)).collect();
+    let Some(i) = half.windows(2).position(|pair| pair[1] <= pair[0]) else { return Ok(()) };
+    let [before, after] = [half[i], half[i + 1]].map(|u| 2.0 * ops::atan(u.sqrt()));
+    let message = format!(
+        "half of the energy is within {after:.4} radians of the axis, of the lobe before within {before:.4}: lobes widen with alpha"
+    );
+    Err(TableError { lobe: i + 1, field: Some("density"), message })
 }
 
 impl Tabulated {
@@ -307,6 +321,17 @@ impl Shape {
     fn is_cut(&self) -> bool {
         let most = self.nodes.iter().map(|node| node.density).fold(0.0, f64::max);
         self.nodes.last().is_some_and(|last| 1.0 - last.x > CLOSEST && last.density > JUMP * most)
+    }
+
+    /// The u of the cone that holds half of the energy, to 1e-9.
+    fn median(&self, a2: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 1.0);
+        while high - low > 1e-9 {
+            let middle = 0.5 * (low + high);
+            if self.energy(middle) < 0.5 { low = middle } else { high = middle }
+        }
+        // x of that, back to u
+        a2 * high / (1.0 + a2 - high)
     }
 
     /// The nodes about x and where it is between them; `None` beyond the last.

@@ -31,8 +31,8 @@ pub(super) fn section(lobe: &ParallaxLobe) -> Result<Section, ReportError> {
     .collect();
     if !charts.is_empty() {
         let caption = "Mean total variation over the cells against operations per evaluation; lower is nearer to the wanted footprint, \
-                       published formulas are grey. No formula of α′ can lie below the best width, whose figures stand in the last row \
-                       of the table.";
+                       published formulas are grey. The best width, in the last row of the table, has the least difference of encircled energy: a \
+                       formula may lie a little below its total variation.";
         blocks.push(figures(&charts, caption)?);
     }
     let mut table = words::table(&COLUMNS, lobe.variations.iter().map(row).collect(), CAPTION);

@@ -24,9 +24,16 @@ pub(super) fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
     Ok(Page {
         title: "lobefit study: parallax".into(),
         origin: study.origin.clone(),
-        lead: "The prefiltered cubemap of a probe, looked up from shading points elsewhere in a room: what each way to correct direction and \
-               roughness is off by, against lobes traced from the shading point. Figures in full digits: results.json, in this folder."
-            .into(),
+        lead: lead(study),
         sections,
     })
+}
+
+const LEAD: &str = "The prefiltered cubemap of a probe, looked up from shading points elsewhere in a room: what each way to correct direction and \
+     roughness is off by, against lobes traced from the shading point. Figures in full digits: results.json, in this folder.";
+
+const REDUCED: &str = "REDUCED SIZE, for tests: few points, small pictures, few roughnesses. What it says of better and worse is not the study's.";
+
+fn lead(study: &ParallaxStudy) -> String {
+    if study.origin.command.contains("--reduced") { format!("{REDUCED} {LEAD}") } else { LEAD.into() }
 }
