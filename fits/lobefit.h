@@ -2073,14 +2073,15 @@ static inline parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
 /// probe is strictly inside the proxy: else values are not finite.
 /// Domain: alpha in [0, 1], a place inside. As the place comes to the wall that the ray meets, the width goes
 /// to 0; a place outside is taken as on the wall. Cosines with the proxy's normal below 0.02 count as that.
-/// Use: color = sum weight_i * sample_level(env, fetch_i.xyz, fetch_i.w), times the albedo f0 A + B
+/// Use: color = sum weight_i * sample_level(env, fetch_i.xyz, fetch_i.w)
+///   The surface reflects that times its albedo, f0 A + B of the split sum.
 /// Pairing: for chains prefiltered with the half-cosine lobe D(theta/2) cos(theta), alpha = roughness^2
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
 /// 1740 operations and 3 fetches; width by parallax_cubic
-/// Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of the
-///   fit, with smooth edges of a box, fetches integrated): 0.122; for the round lobe about the mirror ray 0.195.
+/// Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of
+///   the fit, with smooth edges of a box, fetches integrated): 0.122; for the round lobe about the mirror ray 0.195.
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
 /// up to 0.1, 0.138 up to 0.8: the root of (0.205 l/(1 + 0.105 l))^2 + (1.388 g/(1 + 6.18 g))^2,
 ///   l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the

@@ -101,7 +101,7 @@ pub(super) fn lines(taps: u32) -> Vec<String> {
 pub(super) fn expected(taps: u32) -> Vec<String> {
     let [ours, mirror] = LobeFit::expected(taps);
     vec![
-        "Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of the".into(),
-        format!("  fit, with smooth edges of a box, fetches integrated): {ours}; for the round lobe about the mirror ray {mirror}."),
+        "Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of".into(),
+        format!("  the fit, with smooth edges of a box, fetches integrated): {ours}; for the round lobe about the mirror ray {mirror}."),
     ]
 }

@@ -124,6 +124,9 @@ impl Wanted {
         });
         lines.extend(self.frame());
         lines.push(self.sum());
+        if self.lookup.is_fitted() {
+            lines.push("  The surface reflects that times its albedo, f0 A + B of the split sum.".into());
+        }
         lines
     }
 
@@ -160,8 +163,7 @@ impl Wanted {
             None => (format!("mip_of({fetch}.w)"), ", mip_of the level of a width"),
         };
         let sum = if self.lookup.taps > 1 { "sum weight_i * " } else { "" };
-        let albedo = if self.lookup.is_fitted() { ", times the albedo f0 A + B" } else { "" };
-        format!("Use: color = {sum}sample_level(env, {fetch}.xyz, {level}){note}{albedo}")
+        format!("Use: color = {sum}sample_level(env, {fetch}.xyz, {level}){note}")
     }
 
     /// What several fetches are expected to be off by, and those of the fitted lobe; nothing of one about the ray.
