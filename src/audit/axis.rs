@@ -1,6 +1,6 @@
 //! How an axis of somebody's table may be read: which input runs along it, what its coordinate means, and where texel i lies.
 
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// An input of a quantity that may run along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -5,7 +5,7 @@ use super::axis::{AxisReading, Input, SITINGS, Scale, Siting};
 use super::column::Column;
 use super::truth::{Lobe, Truth};
 use crate::data::Smith;
-use crate::integrate::glass::Side;
+use lobefit_truth::integrate::glass::Side;
 
 /// One way to read a table.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use super::truth::Truth;
 use super::verdict::{long, opening};
 use super::{Audit, AuditError, Fit, Pins, candidates, finish};
 use crate::foreign::Step;
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// Most axes of a table of which this is tried: of three every try takes seconds, and pictures have two.
 const AXES: usize = 2;

@@ -1,6 +1,6 @@
 //! Why nothing can be said of a table or function.
 
-use crate::integrate::IntegrateError;
+use lobefit_truth::integrate::IntegrateError;
 
 /// Why an audit has no verdict.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

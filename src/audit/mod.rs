@@ -1,4 +1,4 @@
-//! Floor 6: somebody else's table or shader function against the truth. Every convention that tables are made with is tried (which input
+//! Somebody else's table or shader function against the truth. Every convention that tables are made with is tried (which input
 //! runs along which axis, what its coordinate means, where texel i lies, which lobe, what a channel holds); the one that fits best is
 //! judged exactly, and what is wrong under it is named.
 //!
@@ -47,10 +47,10 @@ pub use verdict::limit_judged;
 
 use crate::data::{Place, Smith};
 use crate::effects::Quantity;
-use crate::integrate::glass::Side;
 use defects::grain;
 use errors::Residuals;
 use judge::judge;
+use lobefit_truth::integrate::glass::Side;
 use lookup::Points;
 use sample::{Candidate, Sample};
 use truth::Truth;

@@ -198,7 +198,7 @@ pub(super) fn fit_columns(
     let product = ranks.iter().fold(1.0, |p: f64, r| p * r);
     // A reading that takes texels out of the domain must not gain by it.
     let share = texels.len() as f64 / base.len() as f64;
-    let rank = crate::math::ops::pow(product, 1.0 / ranks.len().max(1) as f64) / share;
+    let rank = lobefit_math::ops::pow(product, 1.0 / ranks.len().max(1) as f64) / share;
     let (columns, misfits) = (fits.iter().map(|f| f.map(|f| f.0)), fits.iter().map(|f| f.map(|f| f.1)));
     Some(Fitted { columns: columns.collect(), misfits: misfits.collect(), rank, texels: texels.len() })
 }

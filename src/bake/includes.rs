@@ -3,10 +3,10 @@
 
 use super::context::Context;
 use super::part::Part;
-use crate::emit::code::Language;
-use crate::emit::comment::comment;
 use crate::emit::compensation;
 use crate::emit::lookup::helpers;
+use lobefit_shade::code::Language;
+use lobefit_shade::comment::comment;
 
 /// Path of a language's include file.
 pub fn path(language: Language) -> String {

@@ -7,11 +7,11 @@ use serde_json::Value;
 
 use super::includes::{path, section};
 use super::part::Part;
-use crate::emit::code::Language;
 use crate::emit::header::Recipe;
 use crate::emit::manifest::Entries;
 use crate::plan::EffectName;
 use crate::store::{self, Files, MANIFEST, StoreError};
+use lobefit_shade::code::Language;
 
 /// Largest file that is kept, bytes.
 const FILE_BYTES: u64 = 1 << 30;

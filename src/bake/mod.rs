@@ -1,4 +1,4 @@
-//! Floor 6: the main job. A plan becomes a bundle of files in memory, which `bake` writes and `check` compares: the same
+//! The main job. A plan becomes a bundle of files in memory, which `bake` writes and `check` compares: the same
 //! scene gives the same bytes.
 
 mod compare;
@@ -20,10 +20,8 @@ use crate::data::TableError;
 use crate::effects::reflection::{Counter, Dropped, Fit, FitStageError};
 use crate::effects::surface::SurfaceError;
 use crate::effects::volume::{LookupError, VolumeError};
-use crate::emit::code;
 use crate::emit::container::ContainerError;
 use crate::emit::exr::ExrError;
-use crate::integrate::IntegrateError;
 use crate::plan::{EffectName, Plan};
 use crate::report::{Origin, ReportError};
 use crate::scene::Scene;
@@ -32,6 +30,8 @@ pub use compare::{Difference, Kind, compare};
 use context::Context;
 pub use context::{Progress, Silent};
 pub use kept::{KeptError, kept};
+use lobefit_shade::code;
+use lobefit_truth::integrate::IntegrateError;
 pub use part::Part;
 pub use recipe::{TOOL, UserHypothesis, recipe};
 pub use reflection::BakedTable;

@@ -4,10 +4,11 @@
 use super::{BakeError, UserHypothesis};
 use crate::effects::reflection::FitStageError;
 use crate::effects::{catalogue_names, parallax};
-use crate::emit::code::Language;
 use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
-use crate::emit::{code, compensation, coupling};
-use crate::fit::Hypothesis;
+use crate::emit::{compensation, coupling};
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code;
+use lobefit_shade::code::Language;
 
 /// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
 const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];

@@ -8,11 +8,11 @@ use serde_json::Value;
 use super::BakeError;
 use super::context::Context;
 use super::includes;
-use crate::emit::code::Language;
 use crate::emit::manifest::{Entries, Include, LeftOut, Manifest, SCHEMA_VERSION};
 use crate::plan::{EffectName, Plan};
 use crate::report::{self, EffectFinding, Index, IndexRow, Origin};
 use crate::store::{Files, MANIFEST};
+use lobefit_shade::code::Language;
 
 /// The contribution of one effect. The same recipe gives the same part, so one that an older bake left on the disk stands for
 /// the one that would be made.

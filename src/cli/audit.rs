@@ -18,9 +18,9 @@ use crate::audit::{self, Audit, Column, Pins, Scale, Shipped, Siting};
 use crate::data::Smith;
 use crate::effects::Quantity;
 use crate::foreign::{self, Hints, RawFormat};
-use crate::integrate::glass::Side;
 use crate::report::{self, AuditFindings};
 use crate::store::{self, Files, Folder, StoreError};
+use lobefit_truth::integrate::glass::Side;
 use words::{Size, axis, column, raw_format, setting, side, siting, size, wanted};
 
 pub(super) const EXAMPLES: &str = "\

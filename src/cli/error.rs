@@ -5,7 +5,6 @@ use std::io;
 use super::points::PointsError;
 use crate::audit::AuditError;
 use crate::bake::{BakeError, KeptError};
-use crate::fit::FitError;
 use crate::fitting::FittingError;
 use crate::foreign::ForeignError;
 use crate::report::ReportError;
@@ -14,6 +13,8 @@ use crate::scene::escape::visible;
 use crate::store::StoreError;
 use crate::study::StudyError;
 use crate::timing::record::RecordError;
+use lobefit_fit::FitError;
+use lobefit_shade::ShadeError;
 
 /// Why a verb did not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -99,6 +100,12 @@ pub enum CliError {
     /// The bake made nothing.
     #[error(transparent)]
     Bake(#[from] Box<BakeError>),
+}
+
+impl From<ShadeError> for CliError {
+    fn from(error: ShadeError) -> Self {
+        FitError::from(error).into()
+    }
 }
 
 impl CliError {

@@ -12,8 +12,8 @@ use super::output::{Outcome, print};
 use super::points::{self, Points};
 use crate::data::Smith;
 use crate::effects::{self, Quantity};
-use crate::integrate::footprint;
 use crate::store;
+use lobefit_truth::integrate::footprint;
 use rayon::prelude::*;
 
 pub(super) const EXAMPLES: &str = "\

@@ -8,11 +8,12 @@ use super::CliError;
 use super::options::SceneOption;
 use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
 use crate::effects::reflection::FitStageError;
-use crate::fit::{FitError, Hypothesis};
-use crate::optics::kernel::Kernel;
 use crate::plan::Plan;
 use crate::scene::{self, Scene, limits};
 use crate::store;
+use lobefit_fit::FitError;
+use lobefit_shade::{Hypothesis, ShadeError};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// A scene and what it refers to.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,12 +50,13 @@ fn hypothesis_file(error: &mut BakeError) -> Option<&mut String> {
     match error {
         BakeError::Name { file, .. } | BakeError::Word { file, .. } => Some(file),
         BakeError::Fit(error) => match error {
-            FitStageError::Fit(
-                FitError::Syntax { place, .. }
-                | FitError::Dialect { place, .. }
-                | FitError::Irregular { place, .. },
-            ) => Some(&mut place.file),
-            FitStageError::Fit(FitError::TooLarge { file, .. }) => Some(file),
+            FitStageError::Fit(FitError::Shade(error)) => match error {
+                ShadeError::Syntax { place, .. }
+                | ShadeError::Dialect { place, .. }
+                | ShadeError::Irregular { place, .. } => Some(&mut place.file),
+                ShadeError::TooLarge { file, .. } => Some(file),
+                _ => None,
+            },
             FitStageError::NotConverged { hypothesis, .. }
             | FitStageError::RunAway { hypothesis, .. }
             | FitStageError::NoInputs { hypothesis, .. }

@@ -1,7 +1,7 @@
 //! What the channels of a table mean.
 
 use super::{Layout, Serves, Surface, VolumeLayout};
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// How values follow from the channels of a texel. Another meaning is another variant: its channels, its formula, its f32
 /// arithmetic here and the lines that the emitted code has for it.

@@ -1,6 +1,7 @@
-//! Floor 1: the nouns of the program. Everything that stands in for a truth, a table, a fit or somebody else's
+//! The nouns of the program. Everything that stands in for a truth, a table, a fit or somebody else's
 //! code, is an [`Approximation`]: it approximates a quantity, has a [`Certificate`] and a [`Cost`].
 
+mod alpha_map;
 mod approximation;
 mod axis;
 mod certificate;
@@ -8,12 +9,11 @@ mod container;
 mod cost;
 mod decode;
 mod layout;
-mod lobe;
 mod lookup;
 mod mips;
-mod norm;
 mod table;
 
+pub use alpha_map::AlphaMap;
 pub use approximation::{Approximation, Form, Formula, Source, Use};
 pub use axis::{Axis, Expression, Registration, Surface, Warp};
 pub use certificate::{Certificate, Place};
@@ -21,8 +21,8 @@ pub use container::Container;
 pub use cost::Cost;
 pub use decode::Decode;
 pub use layout::{Layout, Serves, VolumeLayout};
-pub use lobe::{AlphaMap, Smith};
+pub use lobefit_fit::Norm;
+pub use lobefit_truth::optics::Smith;
 pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use mips::{LOG_SCALE, MipChain, MipMap};
-pub use norm::Norm;
 pub use table::{Channel, Table, TableError, TexelFormat};

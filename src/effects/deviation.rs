@@ -1,7 +1,7 @@
 //! How far a stand-in is off: the figures that tables of all effects are measured in.
 
 use crate::data::{Channel, Place, Table};
-use crate::math::sum;
+use lobefit_math::sum;
 
 /// Error of a lookup over a point set.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! The files of the catalogue. They are what a person writes; they are compiled in, so that nothing depends on the working directory.
 
-use crate::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
 
 /// One WGSL file of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

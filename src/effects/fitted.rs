@@ -6,7 +6,8 @@ use super::reflection::{
 use super::target::{Sampled, Target, TargetSpec};
 use super::{Entry, Keeps, Kept, Safe};
 use crate::data::{Approximation, Certificate, Cost, Form, Norm, Source};
-use crate::fit::{Constraint, Domain, FitError, Hypothesis, Options, Samples, measure_first, round_up};
+use lobefit_fit::{Constraint, Options, Samples};
+use lobefit_shade::{Domain, Hypothesis, ShadeError, measure_first, round_up};
 use rayon::prelude::*;
 
 /// What to fit.
@@ -74,7 +75,7 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     Ok(FitSet { fits, dropped })
 }
 
-fn parse<'a>(entries: impl Iterator<Item = &'a Entry>) -> Result<Vec<Hypothesis>, FitError> {
+fn parse<'a>(entries: impl Iterator<Item = &'a Entry>) -> Result<Vec<Hypothesis>, ShadeError> {
     entries.map(|entry| Hypothesis::parse(entry.file, entry.source)).collect()
 }
 

@@ -7,10 +7,9 @@
 use std::collections::BTreeMap;
 
 use crate::data::AlphaMap;
-use crate::fit::{
-    Condition, Constraint, Domain, FitError, Hypothesis, RangeProof, prove_range, prove_regular,
-};
-use crate::math::chebyshev;
+use lobefit_fit::{Condition, Constraint, FitError};
+use lobefit_math::chebyshev;
+use lobefit_shade::{Domain, Hypothesis, RangeProof, ShadeError, prove_range, prove_regular};
 
 /// Where a shader may call a formula of roughness, mu and f0.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,8 +59,8 @@ impl Keeps {
         let (exact, domain) = (exact.collect::<Vec<f64>>(), self.domain(&safe)?);
         match prove_regular(hypothesis.tape(), &exact, &domain) {
             Ok(()) => {}
-            Err(error @ FitError::Irregular { .. }) => return Ok(Kept::Unproven(error.to_string())),
-            Err(error) => return Err(error),
+            Err(error @ ShadeError::Irregular { .. }) => return Ok(Kept::Unproven(error.to_string())),
+            Err(error) => return Err(error.into()),
         }
         if let Some(told) = self.too_bright(hypothesis, coefficients)? {
             return Ok(Kept::Unproven(told));
@@ -131,14 +130,9 @@ impl Keeps {
         BTreeMap::from([of("f0", [0.0, self.f0]), of("mu", [0.0, 1.0]), of("roughness", [lowest, largest])])
     }
 
-    fn domain(&self, safe: &Safe) -> Result<Domain, FitError> {
+    fn domain(&self, safe: &Safe) -> Result<Domain, ShadeError> {
         let axes: Vec<(&str, f64, f64)> = safe.iter().map(|(name, [a, b])| (name.as_str(), *a, *b)).collect();
-        let power = match self.alpha_map {
-            AlphaMap::Roughness => 1,
-            AlphaMap::RoughnessSquared => 2,
-            AlphaMap::RoughnessFourth => 4,
-        };
-        Domain::new(&axes)?.with_derived("alpha", "roughness", power)
+        Domain::new(&axes)?.with_derived("alpha", "roughness", self.alpha_map.power())
     }
 
     fn input(&self, name: &str, [roughness, mu, f0]: [f32; 3]) -> f32 {

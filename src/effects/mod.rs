@@ -1,4 +1,4 @@
-//! Floor 4: the catalogue of effects. Each has its quantities, default tables, hypotheses and published rivals, and knows how
+//! The catalogue of effects. Each has its quantities, default tables, hypotheses and published rivals, and knows how
 //! to measure an approximation of its quantities against the truth.
 
 pub mod anisotropy;

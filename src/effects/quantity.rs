@@ -1,11 +1,11 @@
 //! The quantities by name: what `eval` asks for and gives.
 
 use crate::data::Smith;
-use crate::integrate::coupling::Specular;
-use crate::integrate::glass::Side;
-use crate::integrate::monte_carlo::{self, Run};
-use crate::integrate::{IntegrateError, aniso, coupling, footprint, glass, reflection, sheen};
-use crate::optics::kernel::Kernel;
+use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::integrate::monte_carlo::{self, Run};
+use lobefit_truth::integrate::{IntegrateError, aniso, coupling, footprint, glass, reflection, sheen};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// What an input may be.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! The functions that compensate a lobe with a value of its table, in every language (Turquin, "Practical multiple
 //! scattering compensation for microfacet models", 2019).
 
-use super::code::Language;
-use super::comment::comment;
 use super::spelling::{argument, expression, finish, head, part, vector};
+use lobefit_shade::code::Language;
+use lobefit_shade::comment::comment;
 
 /// A lobe that is compensated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -1,9 +1,9 @@
 //! The functions around the coupling factors, in every language: the exact factor from E and B, and a base under a lobe.
 
-use super::code::Language;
-use super::comment::comment;
 use super::spelling::{argument, declare, expression, finish, head, part, vector};
-use crate::integrate::coupling::Specular;
+use lobefit_shade::code::Language;
+use lobefit_shade::comment::comment;
+use lobefit_truth::integrate::coupling::Specular;
 
 /// 1/pi, of Lambert's lobe.
 const INVERSE_PI: &str = "0.31830987";

@@ -1,7 +1,5 @@
-//! Floor 5: tables and fits to bytes, one file per format. Nothing here touches the file system.
+//! Tables and fits to bytes, one file per format. Nothing here touches the file system.
 
-pub mod code;
-pub mod comment;
 pub mod compensation;
 pub mod container;
 pub mod coupling;

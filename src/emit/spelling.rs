@@ -1,6 +1,6 @@
 //! How the languages write what the functions of tables and compensations are made of.
 
-use super::code::{Language, decimal};
+use lobefit_shade::code::{Language, decimal};
 
 /// A vector type of 2 to 4 floats, and the type of one.
 pub(super) fn vector(language: Language, n: usize) -> String {

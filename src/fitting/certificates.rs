@@ -2,7 +2,7 @@
 
 use crate::data::{Certificate, Place};
 use crate::effects::target::{Sampled, Target};
-use crate::fit::{FitError, Hypothesis, Measured, Precision, measure_in, round_up};
+use lobefit_shade::{Hypothesis, Measured, Precision, ShadeError, measure_in, round_up};
 
 /// A certificate in one arithmetic, at points that the formula was not fitted on.
 ///
@@ -14,7 +14,7 @@ pub(super) fn certificate(
     target: &Target,
     measured: &Sampled,
     precision: Precision,
-) -> Result<Certificate, FitError> {
+) -> Result<Certificate, ShadeError> {
     let inputs = measured.inputs(hypothesis.name(), hypothesis.inputs())?;
     let (all, uniform) = measure_in(
         hypothesis.tape(),

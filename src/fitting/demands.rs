@@ -2,7 +2,8 @@
 
 use super::FittingError;
 use crate::effects::target::Target;
-use crate::fit::{Condition, Constraint, Hypothesis};
+use lobefit_fit::{Condition, Constraint};
+use lobefit_shade::Hypothesis;
 
 /// A demand on the formula's own value.
 #[derive(Clone, Debug, PartialEq)]

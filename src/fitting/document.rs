@@ -6,12 +6,13 @@ use serde_json::{Value, json};
 use super::{Certified, Demand, Fitting, FittingError, Job, Proof, pictures, printed, words};
 use crate::data::Certificate;
 use crate::effects::target::Target;
-use crate::emit::code::Language;
 use crate::emit::header::Recipe;
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
-use crate::fit::{Gap, Precision};
 use crate::report::{self, FitCard, FitPage, Origin};
 use crate::store::Files;
+use lobefit_fit::Gap;
+use lobefit_shade::Precision;
+use lobefit_shade::code::Language;
 
 /// Tool and version.
 pub(super) const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
@@ -121,7 +122,7 @@ pub(super) fn as_object(value: &impl Serialize) -> Result<serde_json::Map<String
     serde_json::from_str(&serde_json::to_string(value)?)
 }
 
-fn failed(precision: Precision, error: &crate::fit::FitError) -> Value {
+fn failed(precision: Precision, error: &lobefit_shade::ShadeError) -> Value {
     json!({"precision": precision.name(), "error": error.to_string()})
 }
 
@@ -139,7 +140,7 @@ fn solver(fit: &Certified) -> Value {
         Gap::Local(gap) => ("local", Some(gap)),
         Gap::Unknown => ("unknown", None),
     };
-    let stage = |s: &crate::fit::Stage| {
+    let stage = |s: &lobefit_fit::Stage| {
         let [method, end, ..] = words::stage(s, !fitted.constraints.is_empty());
         json!({"method": method, "end": end, "max": s.max, "rms": s.rms})
     };

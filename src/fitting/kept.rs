@@ -3,7 +3,8 @@
 
 use super::{Demand, FittingError};
 use crate::effects::target::{Sampled, Target};
-use crate::fit::{Condition, Constraint, Domain, FitError, Held, Hypothesis, RangeProof, Tape, prove_range};
+use lobefit_fit::{Condition, Constraint, FitError, Held};
+use lobefit_shade::{Domain, Hypothesis, RangeProof, Tape, prove_range};
 
 /// A violation below this part of the values is that of f32's own rounding, a few units in the last place of a value of 1.
 const ROUNDING: f64 = 1e-6;

@@ -1,4 +1,4 @@
-//! Floor 6: a formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page. [`fit`] measures,
+//! A formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page. [`fit`] measures,
 //! [`files`] makes what is written of it; nothing here touches the file system.
 
 mod certificates;
@@ -24,9 +24,10 @@ pub use perceptual::Perceptual;
 pub use summary::summary;
 
 use crate::effects::target::{Target, TargetError, TargetSpec};
-use crate::emit::code::{CodeError, Language};
-use crate::fit::{FitError, Fitted, Goal, Hypothesis, Place, Precision, Termination};
 use crate::report::ReportError;
+use lobefit_fit::{FitError, Fitted, Goal, Termination};
+use lobefit_shade::code::{CodeError, Language};
+use lobefit_shade::{Hypothesis, Place, Precision, ShadeError};
 
 /// What to fit, and how.
 #[derive(Clone, Debug)]
@@ -124,6 +125,12 @@ pub enum FittingError {
     Json(#[from] serde_json::Error),
 }
 
+impl From<ShadeError> for FittingError {
+    fn from(error: ShadeError) -> Self {
+        FitError::from(error).into()
+    }
+}
+
 impl FittingError {
     /// Refuses a formula of which some parameters are determined nowhere. An end that is no halt is told of as such.
     fn of_rank(hypothesis: &Hypothesis, fitted: &Fitted) -> Result<(), FittingError> {
@@ -144,7 +151,7 @@ impl FittingError {
     }
 
     /// The measurement that failed, and the proof if it failed before.
-    fn uncertified(hypothesis: &Hypothesis, proof: &Proof, error: &FitError) -> FittingError {
+    fn uncertified(hypothesis: &Hypothesis, proof: &Proof, error: &ShadeError) -> FittingError {
         let reason = match proof {
             Proof::NotProven(pole) => format!("not proven finite in its domain: {pole}; measured, {error}"),
             Proof::Regular => format!("no certificate: {error}"),

@@ -8,10 +8,8 @@ use super::weight::Weight;
 use super::{FittingError, Job, words};
 use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
 use crate::effects::target::{Sampled, Target};
-use crate::fit::{
-    Constraint, Domain, FitError, Fitted, Goal, Hypothesis, Options, Precision, Samples, optimise,
-    prove_regular, round_to_f32,
-};
+use lobefit_fit::{Constraint, FitError, Fitted, Goal, Options, Samples, optimise, round_to_f32};
+use lobefit_shade::{Domain, Hypothesis, Precision, ShadeError, prove_regular};
 
 /// Whether a formula has been proven to stay finite in its domain, by interval arithmetic.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +17,7 @@ pub enum Proof {
     /// No divisor reaches 0 (each keeps its sign), no root of a negative number, nothing overflows.
     Regular,
     /// Not proven: where, and what may happen.
-    NotProven(FitError),
+    NotProven(ShadeError),
 }
 
 /// What the weighted errors of a fit come to, at points that are spread evenly over the domain whatever the norm is.
@@ -53,7 +51,7 @@ pub struct Certified {
     /// Whether it is finite everywhere.
     pub proof: Proof,
     /// Certificates in every arithmetic, or why there is none.
-    pub certificates: Vec<(Precision, Result<Certificate, FitError>)>,
+    pub certificates: Vec<(Precision, Result<Certificate, ShadeError>)>,
     /// What its author may want to change in the formula, each a sentence.
     pub notes: Vec<String>,
     /// Why it cannot be relied on, each a sentence; none if it can.
@@ -94,7 +92,7 @@ pub(super) fn fit_one(
     let weighted = weight.map(|weight| weighted(&hypothesis, &exact, target, weight)).transpose()?;
     let proof =
         prove_regular(hypothesis.tape(), &exact, &domain).map_or_else(Proof::NotProven, |()| Proof::Regular);
-    let certificates: Vec<(Precision, Result<Certificate, FitError>)> = job
+    let certificates: Vec<(Precision, Result<Certificate, ShadeError>)> = job
         .precisions
         .iter()
         .map(|p| (*p, certificate(&hypothesis, &coefficients, target, measured, *p)))
@@ -153,8 +151,8 @@ pub(super) fn obedient(
     };
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let mut best = search(constraints).map_err(|error| match error {
-        FitError::NotFinite { .. } | FitError::Solver { .. } => {
-            prove_regular(tape, &hypothesis.starts(), domain).err().unwrap_or(error)
+        FitError::Shade(ShadeError::NotFinite { .. }) | FitError::Solver { .. } => {
+            prove_regular(tape, &hypothesis.starts(), domain).err().map_or(error, FitError::from)
         }
         FitError::Undefined { place, function, value, at } if !tape.is_free_at(&place) => {
             FitError::UndefinedAlways { place, function, value, at }

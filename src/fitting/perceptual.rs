@@ -14,10 +14,10 @@
 
 use std::f64::consts::PI;
 
-use crate::math::ops;
 use crate::report::flip::sensitivity;
 use crate::report::luminance;
 use crate::report::render::{Environment, diffuse_light};
+use lobefit_math::ops;
 
 /// Steps of mu in [0, 1], and azimuths at each, at which the environment's light is averaged.
 const STEPS: usize = 32;

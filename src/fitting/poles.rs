@@ -5,7 +5,8 @@ use super::one::obedient;
 use super::vanished::Obedient;
 use super::{Demand, FittingError, demands};
 use crate::effects::target::{Sampled, Target};
-use crate::fit::{Constraint, Domain, Hypothesis, Options, Samples, prove_regular};
+use lobefit_fit::{Constraint, Options, Samples};
+use lobefit_shade::{Domain, Hypothesis, prove_regular};
 
 /// A search, and the constraints at more places that it has to keep.
 pub(super) struct Searched {

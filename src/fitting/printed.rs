@@ -2,10 +2,10 @@
 
 use super::{Certified, Fitting, FittingError, Job, words};
 use crate::data::Certificate;
-use crate::emit::code::{self, Language};
-use crate::emit::comment::comment;
 use crate::emit::header::{self, Recipe};
-use crate::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::{self, Language};
+use lobefit_shade::comment::comment;
 
 /// Refuses a formula whose name a language has taken, before anything is computed.
 pub(super) fn check(language: Language, hypothesis: &Hypothesis) -> Result<(), FittingError> {

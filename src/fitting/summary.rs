@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::{Certified, Fitting, FittingError, Job, Proof, printed, words};
-use crate::emit::code::Language;
 use crate::emit::header::{operations, place, short};
+use lobefit_shade::code::Language;
 
 /// The fits in words, each with its code.
 pub fn summary(job: &Job, fitting: &Fitting) -> Result<String, FittingError> {

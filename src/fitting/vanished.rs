@@ -1,7 +1,8 @@
 //! Coefficients that have come out as nothing: set to exactly 0, and told, so that the author drops their terms.
 
 use super::kept::{self, Kept};
-use crate::fit::{Constraint, Domain, FitError, Fitted, Hypothesis, Samples};
+use lobefit_fit::{Constraint, FitError, Fitted, Samples};
+use lobefit_shade::{Domain, Hypothesis};
 
 /// A coefficient whose whole effect on every sample is below this part of the largest error is rounding of the solver.
 const NOTHING: f64 = 1e-6;

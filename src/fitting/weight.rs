@@ -2,7 +2,7 @@
 
 use super::{FittingError, Perceptual};
 use crate::effects::target::{Sampled, Target};
-use crate::fit::{FitError, Hypothesis, Op};
+use lobefit_shade::{Hypothesis, Op, ShadeError};
 
 /// What the errors are multiplied with.
 #[derive(Clone, Debug)]
@@ -122,9 +122,9 @@ impl Expression {
 }
 
 /// What the front end says, with the column of the expression itself.
-fn placed(error: &FitError) -> String {
+fn placed(error: &ShadeError) -> String {
     match error {
-        FitError::Syntax { place, message } | FitError::Dialect { place, message } => {
+        ShadeError::Syntax { place, message } | ShadeError::Dialect { place, message } => {
             format!("column {}: {message}", place.column.saturating_sub(BEFORE.len()).max(1))
         }
         other => other.to_string(),

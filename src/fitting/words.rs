@@ -5,7 +5,7 @@ use super::one::Weighted;
 use super::weight::PERCEPTUAL;
 use crate::data::Use;
 use crate::effects::target::Target;
-use crate::fit::{Fitted, Gap, Goal, Method, Stage, Termination};
+use lobefit_fit::{Fitted, Gap, Goal, Method, Stage, Termination};
 
 /// `max`, `rms`, `p=8`: as on the command line.
 pub(super) fn goal(goal: Goal) -> String {

@@ -7,8 +7,8 @@ use super::job::{CouplingJob, Limit};
 use super::merge::{hull, promise, rough, strictest, widened};
 use super::reflection::range_text;
 use super::work;
-use crate::integrate::coupling::Specular;
 use crate::scene::{Base, Material, Scene};
+use lobefit_truth::integrate::coupling::Specular;
 
 /// A diffuse base under a rough lobe.
 struct Coupled<'a> {

@@ -2,10 +2,10 @@
 
 use super::effect::EffectName;
 use crate::data::{AlphaMap, MipChain, ProbeLookup, Smith, TexelFormat};
-use crate::integrate::coupling::Specular;
-use crate::integrate::glass::Side;
-use crate::optics::kernel::Kernel;
 use crate::scene::{Layout, Norm, Serves, VolumeLayout};
+use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no second
 /// dimension to fit, so it is widened about itself to this width; the figure is a choice, small beside the

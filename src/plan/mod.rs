@@ -1,4 +1,4 @@
-//! Floor 5: a scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is planned
+//! A scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is planned
 //! that no material needs; jobs that several materials share are planned once.
 
 mod coupling;
@@ -46,11 +46,11 @@ pub struct Plan {
     #[serde(skip)]
     pub sheen: Option<SheenJob>,
     /// The fits of the coupling of diffuse bases, one job for each kind of specular lobe above them, in the order of
-    /// [`Specular::ALL`](crate::integrate::coupling::Specular::ALL).
+    /// [`Specular::ALL`](lobefit_truth::integrate::coupling::Specular::ALL).
     #[serde(skip)]
     pub couplings: Vec<CouplingJob>,
     /// The fits of the probes' lookups, one job for each kind of lobe that a chain is prefiltered with, in the order of
-    /// [`Kernel`](crate::optics::kernel::Kernel).
+    /// [`Kernel`](lobefit_truth::optics::kernel::Kernel).
     #[serde(skip)]
     pub parallaxes: Vec<ParallaxJob>,
 }

@@ -7,9 +7,9 @@ use super::job::{Limit, ParallaxJob};
 use super::merge::{hull, promise, strictest, widened};
 use super::reflection::range_text;
 use super::work;
-use crate::integrate::footprint;
-use crate::optics::kernel::Kernel;
 use crate::scene::{Probe, Scene};
+use lobefit_truth::integrate::footprint;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Narrowest range of ratios of a job: its ends are this factor apart, a choice as that of roughness is.
 const RHO_FACTOR_MIN: f64 = 1.01;

@@ -9,9 +9,9 @@ use super::merge::{hull, rough, strictest, widened_in};
 use super::reflection::range_text;
 use super::work;
 use crate::data::{AlphaMap, Smith, TexelFormat};
-use crate::integrate::glass::Side;
 use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
 use crate::scene::{Lobe, Material, Scene, VolumeLayout, VolumeWant};
+use lobefit_truth::integrate::glass::Side;
 
 /// The different tables of three axes that rough materials want, in order of first mention.
 pub(super) fn volumes(scene: &Scene) -> Vec<VolumeJob> {

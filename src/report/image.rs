@@ -1,6 +1,6 @@
 //! A picture in linear light.
 
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// Pixels of linear RGB with the primaries of sRGB (IEC 61966-2-1), row by row from the top.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,4 +1,4 @@
-//! Floor 5: what was found out, as pictures and pages. Plain data in, bytes out; nothing is measured here.
+//! What was found out, as pictures and pages. Plain data in, bytes out; nothing is measured here.
 //!
 //! [`index`] is the overview of a bake, [`page`] shows the [`Findings`] of one of its effects, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a
 //! [`Page`], a list of [`Section`]s of [`Block`]s; a new effect adds a section from the figures there are

@@ -7,7 +7,7 @@ use super::number::{ErrorLimit, In, Numbers, Ops, Unit, Whole};
 use super::value::{List, Maybe, Word, from_file};
 use super::wants::norms;
 use crate::data::Norm;
-use crate::integrate::coupling::Specular;
+use lobefit_truth::integrate::coupling::Specular;
 
 /// A diffuse base: Lambert's lobe under the specular one.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -15,7 +15,7 @@ use super::probe::Probe;
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
 use crate::data::{AlphaMap, Container, Smith};
-use crate::optics::kernel::Kernel;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Domain of mu for fits where the scene gives none.
 const DEFAULT_MU: [f64; 2] = [0.01, 1.0];

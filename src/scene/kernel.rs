@@ -11,7 +11,7 @@ use super::limits;
 use super::name;
 use super::number::{In, NotNegative, QuarterTurn, Version, Whole, Width};
 use super::value::{List, Text, TextRule, from_file};
-use crate::optics::kernel::{self, Kernel, TableLobe};
+use lobefit_truth::optics::kernel::{self, Kernel, TableLobe};
 
 /// A word, or the path of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,7 +106,7 @@ struct KernelFile {
     /// What functions for such chains are named by: small letters, digits and single hyphens, at most 32, a letter first.
     name: Text<FunctionPart>,
     /// The lobe at some widths, the narrowest first; the last is of alpha 1.
-    lobes: List<TableLobe, { limits::KERNEL_LOBES }>,
+    lobes: List<Lobe, { limits::KERNEL_LOBES }>,
 }
 
 /// The lobe of one width.
@@ -122,19 +122,22 @@ struct LobeFile {
     density: List<In<NotNegative>, { limits::KERNEL_ANGLES }>,
 }
 
-impl TryFrom<LobeFile> for TableLobe {
+/// A lobe as read.
+struct Lobe(TableLobe);
+
+impl TryFrom<LobeFile> for Lobe {
     type Error = String;
 
     fn try_from(file: LobeFile) -> Result<Self, String> {
-        Ok(TableLobe {
+        Ok(Lobe(TableLobe {
             alpha: file.alpha.0,
             theta: file.theta.0.into_iter().map(|x| x.0).collect(),
             density: file.density.0.into_iter().map(|x| x.0).collect(),
-        })
+        }))
     }
 }
 
-from_file!(TableLobe, LobeFile);
+from_file!(Lobe, LobeFile);
 
 /// Reads the table of a kernel; `file` is its name in messages.
 ///
@@ -142,7 +145,8 @@ from_file!(TableLobe, LobeFile);
 /// What is no such table, with its place and field.
 pub fn kernel(bytes: &[u8], file: &str) -> Result<Kernel, SceneError> {
     let table: KernelFile = read_object(bytes, file)?;
-    kernel::tabulated(&table.name.0, &table.lobes.0).map_err(|error| SceneError::Whole {
+    let lobes: Vec<TableLobe> = table.lobes.0.into_iter().map(|lobe| lobe.0).collect();
+    kernel::tabulated(&table.name.0, &lobes).map_err(|error| SceneError::Whole {
         file: file.into(),
         path: error.path(),
         message: error.message,

@@ -12,7 +12,7 @@ use super::value::{Maybe, Text, Word, about, from_file};
 use super::volume::VolumeLayout;
 use super::wants::{OpenWants, Wants};
 use crate::data::AlphaMap;
-use crate::optics::fresnel::f0_of_ior;
+use lobefit_truth::optics::fresnel::f0_of_ior;
 
 /// What a material is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]

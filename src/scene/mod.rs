@@ -1,4 +1,4 @@
-//! Floor 4: bytes to a validated scene, which owns every limit on input.
+//! Bytes to a validated scene, which owns every limit on input.
 //!
 //! A scene is JSON of our own (`lobefit schema` prints its JSON Schema). Unknown and repeated fields, `null`, negative
 //! zero and anything out of range are refused with file, line, column and field. Nothing here opens a file.

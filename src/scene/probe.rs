@@ -11,8 +11,8 @@ use super::number::{ErrorLimit, In, Levels, Ops, Planes, Ratio, Span, TapCount, 
 use super::value::{List, Maybe, Text, Word, about, from_file};
 use super::wants::norms;
 use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup, SurfaceLobe};
-use crate::integrate::footprint;
-use crate::optics::kernel::Kernel;
+use lobefit_truth::integrate::footprint;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Roughness where the scene gives none: below it a fetch is as sharp as the texels.
 const ROUGHNESS: [f64; 2] = [0.1, 1.0];

@@ -1,4 +1,4 @@
-//! Floor 5: the only module that touches the file system: bounded reads, atomic writes, sets of files whose manifest
+//! The only module that touches the file system: bounded reads, atomic writes, sets of files whose manifest
 //! is written last.
 //!
 //! A file is written as a temporary file beside its destination, synchronised, renamed over it, and the folder is

@@ -1,4 +1,4 @@
-//! Floor 7: the long studies, whose pages are committed with the hash of their recipe and which no bake waits for. [`run`] makes the files of
+//! The long studies, whose pages are committed with the hash of their recipe and which no bake waits for. [`run`] makes the files of
 //! one in memory: the same parameters give the same bytes for any number of threads.
 
 mod coupling;
@@ -8,12 +8,13 @@ use crate::bake::Progress;
 use crate::effects::reflection::FitStageError;
 use crate::effects::room::cubemap::CubemapError;
 use crate::effects::surface::SurfaceError;
-use crate::fit::FitError;
 use crate::fitting::FittingError;
-use crate::integrate::IntegrateError;
 use crate::report::flip::FlipError;
 use crate::report::{ReportError, study_folder};
 use crate::store::Files;
+use lobefit_fit::FitError;
+use lobefit_shade::ShadeError;
+use lobefit_truth::integrate::IntegrateError;
 
 /// A study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,6 +119,12 @@ pub enum StudyError {
     /// Parameters could not be put into JSON.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
+}
+
+impl From<ShadeError> for StudyError {
+    fn from(error: ShadeError) -> Self {
+        FitError::from(error).into()
+    }
 }
 
 /// The files of a study, by path relative to the folder of a bake.

@@ -7,11 +7,11 @@ use crate::data::{ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
 use crate::effects::room::proxies::{Body, Tied};
 use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
-use crate::math::sobol::Sobol;
-use crate::math::vector::{Vec3, dot, normalise, scaled};
 use crate::plan;
 use crate::report::TimedLookup;
 use crate::scene::Scene;
+use lobefit_math::sobol::Sobol;
+use lobefit_math::vector::{Vec3, dot, normalise, scaled};
 
 /// Pixels that a time is the mean of.
 const PIXELS: u32 = 1 << 12;

@@ -1,4 +1,4 @@
-//! Floor 7: what accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
+//! What accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
 
 #[cfg(feature = "gpu")]
 pub mod gpu;
@@ -13,11 +13,11 @@ use crate::bake::{BakeError, Baked, BakedVolume};
 use crate::data::{AlphaMap, Approximation, Smith, Source};
 use crate::effects::reflection::{Fit, Lookup, POINTS, PointSet, Region, SAMPLERS, certification};
 use crate::effects::volume;
-use crate::integrate::monte_carlo::{self, Run};
-use crate::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
-use crate::integrate::{IntegrateError, PanelRule};
 use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
 use crate::scene::Scene;
+use lobefit_truth::integrate::monte_carlo::{self, Run};
+use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
+use lobefit_truth::integrate::{IntegrateError, PanelRule};
 
 /// Runs of which the median is taken.
 const RUNS: usize = 5;

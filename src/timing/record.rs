@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use crate::bake::Baked;
-use crate::emit::code::Language;
 use crate::report::{GpuRecord, ReportError, SCHEMA_VERSION, gpu_page};
 use crate::store::MANIFEST;
+use lobefit_shade::code::Language;
 
 /// Version of the way of measuring: to be raised when rows measured before and after cannot be compared.
 pub const METHOD: u32 = 2;

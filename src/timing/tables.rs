@@ -6,8 +6,8 @@ use super::seconds;
 use crate::data::Smith;
 use crate::effects::volume::{DRAWN, SOURCES_SAMPLES, Third, estimate};
 use crate::effects::{anisotropy, glass};
-use crate::integrate::{IntegrateError, Path};
 use crate::report::{TimedEstimator, TimedTableRun, TimedTables};
+use lobefit_truth::integrate::{IntegrateError, Path};
 
 /// Accuracies asked for.
 const TOLERANCES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-7];

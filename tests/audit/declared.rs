@@ -7,7 +7,7 @@ use lobefit::audit::{AuditError, Column, Declared, Shipped, declared};
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
 use lobefit::foreign::{ForeignTable, Hints, read_table};
-use lobefit::integrate::reflection::{self, Effort};
+use lobefit_truth::integrate::reflection::{self, Effort};
 
 const DFG: &[u8] = include_bytes!("../../tables/ggx-dfg-correlated-32x32.exr");
 const AZIMUTH: &[u8] = include_bytes!("../../tables/ggx-aniso-azimuth-correlated-64x16x16.exr");

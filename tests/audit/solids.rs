@@ -6,10 +6,10 @@ use lobefit::audit::{
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
 use lobefit::foreign::Step;
-use lobefit::integrate::aniso::table::{Columns, Grid, tabulate};
-use lobefit::integrate::glass::Side;
-use lobefit::integrate::glass::table::{Energies, Kernel};
-use lobefit::integrate::sheen;
+use lobefit_truth::integrate::aniso::table::{Columns, Grid, tabulate};
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::integrate::glass::table::{Energies, Kernel};
+use lobefit_truth::integrate::sheen;
 
 fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> Shipped {
     let channels = vec![ShippedChannel { name: "0".into(), values }];

@@ -6,8 +6,8 @@ use lobefit::audit::{
 use lobefit::data::Smith;
 use lobefit::effects::Quantity;
 use lobefit::foreign::Step;
-use lobefit::integrate::reflection::{self, Effort, albedo, split};
-use lobefit::math::ops;
+use lobefit_math::ops;
+use lobefit_truth::integrate::reflection::{self, Effort, albedo, split};
 
 /// A channel: its name and its value at a texel.
 type Channel<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);

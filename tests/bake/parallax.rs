@@ -4,11 +4,11 @@ use std::sync::LazyLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::Use;
-use lobefit::integrate::footprint::{adjusted, measures};
-use lobefit::math::ops;
-use lobefit::optics::kernel::Kernel;
 use lobefit::plan::{EffectName, Plan, plan};
 use lobefit::scene::Scene;
+use lobefit_math::ops;
+use lobefit_truth::integrate::footprint::{adjusted, measures};
+use lobefit_truth::optics::kernel::Kernel;
 use serde_json::{Value, json};
 
 fn scene(probes: &str) -> Scene {

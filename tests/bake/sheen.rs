@@ -5,11 +5,11 @@ use std::sync::LazyLock;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
 use lobefit::effects::reflection::Fit;
-use lobefit::fit::Hypothesis;
-use lobefit::integrate::reflection::{TOLERANCE, reflection};
-use lobefit::integrate::sheen::albedo;
 use lobefit::plan::{EffectName, Plan, plan};
 use lobefit::scene::Scene;
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
+use lobefit_truth::integrate::sheen::albedo;
 use serde_json::{Value, json};
 
 fn scene(material: &str) -> Scene {

@@ -8,8 +8,8 @@ use std::sync::OnceLock;
 use lobefit::bake::Baked;
 use lobefit::data::Smith;
 use lobefit::effects::volume::{Lookup, Point};
-use lobefit::integrate::glass::Side;
-use lobefit::math::ops;
+use lobefit_math::ops;
+use lobefit_truth::integrate::glass::Side;
 use volume_support::{
     ANISO, AZIMUTH, GLASS, Read, aspect, baked, lerp, manifest, small, spread, true_aniso, true_glass,
 };

@@ -4,7 +4,7 @@ use crate::common;
 
 use common::{lobefit, names, stderr};
 use lobefit::data::Smith;
-use lobefit::integrate::reflection::{Effort, split};
+use lobefit_truth::integrate::reflection::{Effort, split};
 use serde_json::Value;
 
 /// An array in C of E at end points of roughness and mu.

@@ -40,7 +40,7 @@ fn roughest() -> String {
 
 /// ln(x) of the same library that the program uses.
 fn ln(x: f64) -> f64 {
-    lobefit::math::ops::log(x)
+    lobefit_math::ops::log(x)
 }
 
 /// Rows in need of care: smooth, grazing, in the layer mu ~ alpha, easy.

@@ -14,8 +14,8 @@ fn phong(widths: &[f64]) -> Value {
         let power = 0.5 / (alpha * alpha) - 0.5;
         let theta: Vec<f64> =
             (0..48).map(|i| f64::from(i * i) / 2209.0 * std::f64::consts::FRAC_PI_2).collect();
-        let cosine = |theta: &f64| lobefit::math::ops::cos(*theta).max(0.0);
-        let density: Vec<f64> = theta.iter().map(|t| lobefit::math::ops::pow(cosine(t), power)).collect();
+        let cosine = |theta: &f64| lobefit_math::ops::cos(*theta).max(0.0);
+        let density: Vec<f64> = theta.iter().map(|t| lobefit_math::ops::pow(cosine(t), power)).collect();
         json!({"alpha": alpha, "theta": theta, "density": density})
     };
     json!({"schema_version": 1, "name": "phong", "lobes": widths.iter().map(lobe).collect::<Vec<_>>()})
@@ -52,7 +52,7 @@ fn the_example_is_a_power_of_the_cosine() {
             .iter()
             .zip(lobe["density"].as_array().expect("densities"));
         for (theta, density) in pairs.map(|(theta, density)| (number(theta), number(density))) {
-            let cosine = lobefit::math::ops::pow(lobefit::math::ops::cos(theta), power);
+            let cosine = lobefit_math::ops::pow(lobefit_math::ops::cos(theta), power);
             assert!(
                 (density - cosine).abs() <= 1e-5 * cosine + 1e-300,
                 "{alpha}, {theta}: {density} {cosine}"

@@ -1,7 +1,7 @@
 //! Formulas that use everything in the dialect, and their values: what the tests of printed code share.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
-use lobefit::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
 
 use crate::fit_support::{folder, hypothesis, parse};
 

@@ -8,9 +8,9 @@ use lobefit::effects::room::cubemap::{
     solid_angle,
 };
 use lobefit::effects::room::{Fetch, Patches, Rays, Room, Tap, octagon, room_a, room_b};
-use lobefit::math::ops;
-use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
-use lobefit::optics::kernel::Kernel;
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
+use lobefit_truth::optics::kernel::Kernel;
 
 fn bake(size: usize, levels: u32, source: Source) -> Bake {
     Bake {

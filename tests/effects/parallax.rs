@@ -6,8 +6,8 @@ use lobefit::data::{AlphaMap, Norm};
 use lobefit::effects::Entry;
 use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, ParallaxSpec, RIVALS, Spread, fit_all};
 use lobefit::effects::reflection::Counter;
-use lobefit::fit::Hypothesis;
-use lobefit::optics::kernel::Kernel;
+use lobefit_shade::Hypothesis;
+use lobefit_truth::optics::kernel::Kernel;
 
 fn grid() -> &'static Grid {
     static GRID: OnceLock<Grid> = OnceLock::new();

@@ -1,8 +1,8 @@
 //! Lobes integrated by the edges of patches.
 
 use lobefit::effects::room::{Fan, Fetch, Fineness, Patches, Room, Tap, octagon, practice, room_a, room_b};
-use lobefit::math::vector::{Vec3, dot, length, minus, normalise, scaled};
-use lobefit::optics::kernel::Kernel;
+use lobefit_math::vector::{Vec3, dot, length, minus, normalise, scaled};
+use lobefit_truth::optics::kernel::Kernel;
 
 fn rooms() -> [Room; 4] {
     [room_a(), room_b(), octagon(), practice()]

@@ -2,9 +2,9 @@
 
 use lobefit::effects::room::proxies::{Body, Faded, Law, NEAREST, Pushed, Rounded, Smooth, Tied};
 use lobefit::effects::room::{Convex, Meeting, Plane, Proxy, Room, octagon, room_a, room_b};
-use lobefit::math::ops;
-use lobefit::math::sobol::Sobol;
-use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
+use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
 
 const POINTS: u32 = 3000;
 

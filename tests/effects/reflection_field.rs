@@ -2,7 +2,7 @@
 
 use lobefit::data::Smith;
 use lobefit::effects::reflection::TRUTH_ERROR;
-use lobefit::integrate::reflection::{Effort, albedo, reflection, split};
+use lobefit_truth::integrate::reflection::{Effort, albedo, reflection, split};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -15,7 +15,7 @@ fn eight_nodes_a_panel_are_within_the_stated_error() {
             .map(|index| {
                 let mut random = Pcg64::seed_from_u64(7_000_000 + index);
                 let mut log = || random.random::<f64>() * -4.0 * std::f64::consts::LN_10;
-                let (alpha, near) = (lobefit::math::ops::exp(log()), lobefit::math::ops::exp(log()));
+                let (alpha, near) = (lobefit_math::ops::exp(log()), lobefit_math::ops::exp(log()));
                 let mu = if index % 2 == 0 { near } else { (1.0 - near).max(1e-4) };
                 let truth = reflection(smith, alpha, mu, 1e-10).expect("in the domain");
                 let effort = &Effort::ladder()[0];

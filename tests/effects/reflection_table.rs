@@ -4,7 +4,7 @@ use lobefit::data::{AlphaMap, Layout, Serves, Smith, TexelFormat};
 use lobefit::effects::reflection::{
     Counter, Errors, Field, Region, TableSpec, build, certification, measure,
 };
-use lobefit::integrate::reflection::{TOLERANCE, reflection};
+use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 
 fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> TableSpec {
     TableSpec {

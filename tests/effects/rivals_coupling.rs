@@ -13,9 +13,9 @@ use lobefit::data::Smith;
 use lobefit::effects::Entry;
 use lobefit::effects::coupling::{OWN_SPECULAR, RIVALS};
 use lobefit::effects::reflection::BLEND_RIVALS;
-use lobefit::integrate::coupling::Specular;
-use lobefit::math::gauss::Gauss;
-use lobefit::math::ops;
+use lobefit_math::gauss::Gauss;
+use lobefit_math::ops;
+use lobefit_truth::integrate::coupling::Specular;
 use rivals_support::forms::{BIASES, NORMALISATIONS};
 use rivals_support::{Grid, differs, evaluate, figures};
 
@@ -239,7 +239,7 @@ fn formulas_of_the_light_are_their_means() {
             let f = f64::from(f0);
             let at = |name: &str| {
                 let hypothesis =
-                    lobefit::fit::Hypothesis::parse(pure(name).file, pure(name).source).expect("parses");
+                    lobefit_shade::Hypothesis::parse(pure(name).file, pure(name).source).expect("parses");
                 let column = |input: &String| {
                     vec![[mu, f0, a][["mu", "f0", "alpha"].iter().position(|n| n == input).expect("known")]]
                 };

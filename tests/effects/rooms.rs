@@ -5,8 +5,8 @@ use lobefit::effects::room::proxies::{Body, Smooth};
 use lobefit::effects::room::{
     Exact, Fan, Fetch, GgxRays, Lookup, Outlook, Rays, Room, Seen, Tap, octagon, practice, room_a, room_b,
 };
-use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents, turned};
-use lobefit::optics::kernel::Kernel;
+use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents, turned};
+use lobefit_truth::optics::kernel::Kernel;
 
 const COUNT: u32 = 203;
 

@@ -8,13 +8,13 @@ use lobefit::effects::surface::measure::{self, Rules, TOLERANCE};
 use lobefit::effects::surface::{
     Albedos, Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material, Surface, SurfaceError,
 };
-use lobefit::fit::Hypothesis;
-use lobefit::integrate::coupling::{self, Specular};
-use lobefit::integrate::reflection;
-use lobefit::math::gauss::Gauss;
-use lobefit::math::ops;
-use lobefit::math::sobol::Sobol;
-use lobefit::optics::{fresnel, ggx};
+use lobefit_math::gauss::Gauss;
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::coupling::{self, Specular};
+use lobefit_truth::integrate::reflection;
+use lobefit_truth::optics::{fresnel, ggx};
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 

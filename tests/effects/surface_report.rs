@@ -2,8 +2,8 @@
 
 use lobefit::effects::surface::table::Grid;
 use lobefit::effects::surface::{Coupling, SurfaceRows, Wanted};
-use lobefit::integrate::walk::Walks;
 use lobefit::report::{Block, Origin, Page, Section, TextTable, html, surface_sections};
+use lobefit_truth::integrate::walk::Walks;
 
 fn rows() -> SurfaceRows {
     let wanted = Wanted {

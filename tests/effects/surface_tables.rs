@@ -15,11 +15,11 @@ use lobefit::effects::surface::{
     Albedos, Coupling, Factor, FactorAt, Lobe, Material, Surface, SurfaceRows, Wanted, cost, fingerprint,
     formula,
 };
-use lobefit::fit::Hypothesis;
-use lobefit::integrate::walk::Walks;
-use lobefit::math::gauss::Gauss;
-use lobefit::optics::multiscatter::{self, Bounces};
-use lobefit::optics::{diffuse, fresnel};
+use lobefit_math::gauss::Gauss;
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::walk::Walks;
+use lobefit_truth::optics::multiscatter::{self, Bounces};
+use lobefit_truth::optics::{diffuse, fresnel};
 
 fn row<'a>(rows: &'a [ReciprocityRow], lobe: Lobe, coupling: Option<&Coupling>) -> &'a ReciprocityRow {
     let name = coupling.map(|c| c.name().to_string());

@@ -8,10 +8,10 @@ use lobefit::effects::parallax::taps::horizon::fade;
 use lobefit::effects::parallax::{Corrected, Ratio, RuleTap, Shading, Stretch, TapRule, Width, width};
 use lobefit::effects::room::proxies::{Body, Tied};
 use lobefit::effects::room::{Lookup, Plane, Proxy, Seen, room_b};
-use lobefit::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
-use lobefit::math::ops::{log, sincos};
-use lobefit::math::vector::{dot, length, normalise};
-use lobefit::optics::kernel::Kernel;
+use lobefit_math::ops::{log, sincos};
+use lobefit_math::vector::{dot, length, normalise};
+use lobefit_truth::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
+use lobefit_truth::optics::kernel::Kernel;
 
 const RULES: [fn() -> TapRule; 3] = [TapRule::one, TapRule::two, TapRule::three];
 
@@ -168,8 +168,8 @@ fn what_is_expected_is_off_by_what_is_stated() {
 fn rules_are_for_lobes_with_a_formula() {
     let theta: Vec<f64> = (0..8).map(|i| 0.2 * f64::from(i)).collect();
     let density = theta.iter().map(|theta| 1.5 - theta).collect();
-    let lobe = lobefit::optics::kernel::TableLobe { alpha: 1.0, theta, density };
-    let table = lobefit::optics::kernel::tabulated("cone", &[lobe]).expect("a kernel");
+    let lobe = lobefit_truth::optics::kernel::TableLobe { alpha: 1.0, theta, density };
+    let table = lobefit_truth::optics::kernel::tabulated("cone", &[lobe]).expect("a kernel");
     assert_eq!([1, 2, 3].map(|fetches| TapRule::of(table, fetches).is_some()), [true, false, false]);
     assert_eq!([0, 4].map(|fetches| TapRule::of(Kernel::Half, fetches)), [None, None]);
 }
@@ -286,7 +286,7 @@ fn the_stretch_is_that_of_differences() {
             length([0, 1, 2].map(|i| q[i] - s[i])) / length([0, 1, 2].map(|i| q[i] - p[i])),
         )
     };
-    let minor = lobefit::math::vector::cross(ray, stretch.major);
+    let minor = lobefit_math::vector::cross(ray, stretch.major);
     let rate = |axis| {
         let (a, b) = (mapped(axis, 1e-5), mapped(axis, -1e-5));
         (length([0, 1, 2].map(|i| a.0[i] - b.0[i])) / 2e-5, log(a.1 / b.1) / 2e-5)
@@ -335,7 +335,7 @@ fn a_lookup_drops_what_leaves_below_the_surface() {
     assert!(
         Stretch::of(
             [0.0; 3],
-            lobefit::optics::footprint::Hit { place: [0.0; 3], normal: [0.0, 0.0, 1.0] },
+            lobefit_truth::optics::footprint::Hit { place: [0.0; 3], normal: [0.0, 0.0, 1.0] },
             [1.0; 3]
         )
         .is_none()

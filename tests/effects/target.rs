@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit::effects::target::{Points, Sampled, Target, TargetError, TargetSpec};
 use lobefit::effects::{Method, Quantity};
-use lobefit::fit::Hypothesis;
-use lobefit::integrate::IntegrateError;
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::IntegrateError;
 
 fn spec(quantity: &str) -> TargetSpec {
     TargetSpec {

@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit::effects::Quantity;
 use lobefit::effects::target::{Target, TargetSpec};
-use lobefit::fit::{Goal, Hypothesis, Precision};
 use lobefit::fitting::{Job, fit};
-use lobefit::integrate::coupling::{Specular, TOLERANCE, coupling};
+use lobefit_fit::Goal;
+use lobefit_shade::{Hypothesis, Precision};
+use lobefit_truth::integrate::coupling::{Specular, TOLERANCE, coupling};
 
 fn spec(quantity: &str, specular: Option<&str>) -> TargetSpec {
     TargetSpec {

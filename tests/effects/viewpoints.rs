@@ -4,8 +4,8 @@ use lobefit::effects::parallax::{Corrected, Faded, Ratio, Shading, Slant, TapRul
 use lobefit::effects::room::cubemap::{Integrated, Viewpoint, direction, to_edge};
 use lobefit::effects::room::proxies::Body;
 use lobefit::effects::room::{Fetch, Lookup, Patches, Room, Seen, Tap, octagon, room_a, room_b};
-use lobefit::math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
-use lobefit::optics::kernel::Kernel;
+use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Directions all around, none of them along an edge.
 fn around() -> impl Iterator<Item = Vec3> {

@@ -2,8 +2,8 @@
 
 use lobefit::data::{AlphaMap, Axis, Smith, Surface};
 use lobefit::effects::volume::{Node, VolumePlan, aniso_axes, check, glass_axes};
-use lobefit::integrate::IntegrateError;
-use lobefit::integrate::reflection::{Effort, albedo};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::reflection::{Effort, albedo};
 
 /// A trilinear lookup in f64, clamped to the edge.
 fn lookup(axes: &[Axis; 3], texels: &[f64], values: [f64; 3], surface: Surface<f32>) -> f64 {

@@ -1,6 +1,6 @@
 //! How far two machines may lie apart: a running error analysis of a formula's tape at one point.
 
-use lobefit::fit::{BinaryOp, Op, Tape, UnaryOp};
+use lobefit_shade::{BinaryOp, Op, Tape, UnaryOp};
 
 /// Largest relative error of one operation.
 #[derive(Clone, Copy)]

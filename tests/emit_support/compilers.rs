@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use lobefit::emit::code::Language;
+use lobefit_shade::code::Language;
 
 use super::missing;
 

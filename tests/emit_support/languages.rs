@@ -1,7 +1,7 @@
 //! Whole files of emitted code as programs: every function that a file holds is called.
 
 use lobefit::data::{Decode, Table};
-use lobefit::emit::code::Language;
+use lobefit_shade::code::Language;
 
 use super::compilers::{Contraction, Target, glslang, loops, run};
 

@@ -5,7 +5,7 @@ use lobefit::data::{
     Warp,
 };
 use lobefit::effects::volume::Point;
-use lobefit::math::ops;
+use lobefit_math::ops;
 
 /// Columns, rows and slices: no two alike, so that a transposition shows.
 pub const SIZE: [usize; 3] = [5, 4, 3];

@@ -10,12 +10,12 @@ use emit_support::programs::{compile_library, run};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
 use lobefit::effects::reflection::Fit;
-use lobefit::emit::code::Language;
-use lobefit::integrate::Estimate;
-use lobefit::integrate::coupling::{Specular, Split, factor};
-use lobefit::integrate::reflection::{TOLERANCE, reflection};
 use lobefit::plan::{EffectName, Plan, plan};
 use lobefit::scene::Scene;
+use lobefit_shade::code::Language;
+use lobefit_truth::integrate::Estimate;
+use lobefit_truth::integrate::coupling::{Specular, Split, factor};
+use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 use serde_json::{Value, json};
 
 fn scene(materials: &str) -> Scene {

@@ -1,9 +1,9 @@
 //! Lookups of the fitted lobe as emitted where it is hard: at grazing views, from below, and as alpha goes to 0.
 
 use crate::lookups::{EMITTED, Emitted, Point, text};
-use lobefit::emit::code::Language;
-use lobefit::math::ops::{pow, sincos};
-use lobefit::math::vector::{Vec3, cross, length, minus, normalise};
+use lobefit_math::ops::{pow, sincos};
+use lobefit_math::vector::{Vec3, cross, length, minus, normalise};
+use lobefit_shade::code::Language;
 use std::f64::consts::FRAC_PI_2;
 
 /// Steps of a path.

@@ -21,9 +21,9 @@ use lobefit::effects::glass::Truth;
 use lobefit::effects::volume::{Point, Points, Region, Third, aspect, measure};
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
-use lobefit::integrate::aniso::aniso;
-use lobefit::integrate::glass::{Side, glass};
-use lobefit::math::ops;
+use lobefit_math::ops;
+use lobefit_truth::integrate::aniso::aniso;
+use lobefit_truth::integrate::glass::{Side, glass};
 use rayon::prelude::*;
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];

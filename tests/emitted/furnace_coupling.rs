@@ -25,9 +25,9 @@ use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Decode, Smith, Use};
 use lobefit::effects::reflection::Fit;
 use lobefit::emit::lookup::Readable;
-use lobefit::integrate::coupling::Specular;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
+use lobefit_truth::integrate::coupling::Specular;
 use serde_json::Value;
 use textbook::{Facets, Hemisphere, Vector, direction, schlick};
 
@@ -466,7 +466,7 @@ fn the_reciprocal_material_is_reciprocal_and_white() {
         best.hypothesis.name(),
     );
     const WIDTH: usize = 9;
-    let rule = lobefit::math::gauss::Gauss::new(24);
+    let rule = lobefit_math::gauss::Gauss::new(24);
     let lights: Vec<f32> = rule.nodes.iter().map(|x| (0.5 * (1.0 + x)) as f32).collect();
     let manifest = Emitted::baked();
     let views = views(&manifest.of_use("coupling"));

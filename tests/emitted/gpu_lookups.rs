@@ -6,7 +6,7 @@ use crate::emit_support::say;
 use crate::gpu_support::device::WORKGROUP;
 use crate::gpu_support::gpu;
 use crate::lookups::{EMITTED, Emitted, bytes, literal, text};
-use lobefit::emit::code::Language;
+use lobefit_shade::code::Language;
 
 /// Numbers of a point, without its last.
 const WIDTH: usize = 10;

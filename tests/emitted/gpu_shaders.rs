@@ -10,7 +10,7 @@ use emit_support::compilers::{Target, glslang};
 use emit_support::{Points, emitted, say, text};
 use gpu_support::device::WORKGROUP;
 use gpu_support::gpu;
-use lobefit::emit::code::Language;
+use lobefit_shade::code::Language;
 
 /// A compute shader that writes the values of all functions at a point, one after another.
 fn shader(language: Language, points: usize) -> String {

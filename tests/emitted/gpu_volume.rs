@@ -12,10 +12,10 @@ use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Axis, Decode, Warp};
 use lobefit::effects::volume::{Lookup, Point};
-use lobefit::emit::code::Language;
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
-use lobefit::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::Language;
 
 /// A texture unit keeps 8 bits of an interpolation weight, rounded or cut off: it is within one step of the exact weight.
 const WEIGHT: f64 = 1.0 / 256.0;

@@ -11,7 +11,7 @@ use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Serves, Use};
 use lobefit::effects::reflection::{Counter, Field, Fit, Lookup};
-use lobefit::emit::code::Language;
+use lobefit_shade::code::Language;
 
 /// Classes of functions, and the most units in the last place that may lie between the CPU and any device that keeps to WGSL:
 /// the largest bound of [`emit_support::accuracy`] over the functions and points, which the test computes and compares. What is

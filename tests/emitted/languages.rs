@@ -11,9 +11,9 @@ use emit_support::languages::{FAMILY, compile};
 use emit_support::programs::compile_library;
 use emit_support::say;
 use fit_support::parse;
-use lobefit::emit::code::{Language, Printed, print};
-use lobefit::emit::comment::comment;
-use lobefit::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::{Language, Printed, print};
+use lobefit_shade::comment::comment;
 
 /// How far, in ulp, functions may lie from the tape whose transcendental functions are the platform's.
 const TRANSCENDENTAL: f64 = 4.0;

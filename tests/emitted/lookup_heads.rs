@@ -1,7 +1,7 @@
 //! What the heads of lookups say: which chain they belong to, what they cost and what they are off by.
 
 use crate::lookups::{EMITTED, text};
-use lobefit::emit::code::Language;
+use lobefit_shade::code::Language;
 
 /// Every lookup names the lobe, the map and the chain that it is paired with, what it costs and what it is off by.
 #[test]

@@ -2,10 +2,10 @@
 
 use crate::lookups::{EMITTED, Point, single, text};
 use lobefit::effects::room::{Exact, Fan, Fetch, Tap, octagon};
-use lobefit::emit::code::Language;
-use lobefit::math::vector::{Vec3, cross, minus, normalise, plus, scaled};
-use lobefit::optics::kernel::Kernel;
 use lobefit::report::{Image, flip};
+use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
+use lobefit_shade::code::Language;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// The floor of a room as fetches from its probe show it, in light that a screen has: by the emitted function, and by the study's lookup.
 #[test]

@@ -10,11 +10,11 @@ use emit_support::languages::{FAMILY, compile};
 use emit_support::programs::{compile_library, run};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{MipChain, MipMap};
-use lobefit::emit::code::Language;
-use lobefit::fit::Hypothesis;
-use lobefit::math::ops;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
+use lobefit_math::ops;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::Language;
 use serde_json::Value;
 
 /// Probes of all kinds of chains, one of another lobe.

@@ -13,11 +13,11 @@ use emit_support::{Looked, Points, baked, baked_tables, emitted, manifest, other
 use lobefit::data::Serves;
 use lobefit::effects::parallax::PREFIX;
 use lobefit::effects::reflection::Fit;
-use lobefit::emit::code::Language;
 use lobefit::emit::compensation::NAMES;
 use lobefit::emit::coupling;
 use lobefit::emit::lookup::helpers;
-use lobefit::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::Language;
 
 #[test]
 fn naga_validates_the_whole_wgsl_file_and_finds_the_functions_of_the_manifest() {

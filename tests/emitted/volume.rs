@@ -9,10 +9,10 @@ use emit_support::say;
 use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surface, texel, to_look_up};
 use lobefit::data::{Axis, Decode, Registration, Surface, TexelFormat, Warp};
 use lobefit::effects::volume::{Lookup, Point};
-use lobefit::emit::code::Language;
 use lobefit::emit::compensation::{self, Compensation, NAMES};
 use lobefit::emit::lookup::{Readable, helpers};
-use lobefit::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::Language;
 
 fn readable(solid: &Solid) -> Readable<'_> {
     Readable { table: &solid.table, decode: solid.decode, header: &[] }

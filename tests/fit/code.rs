@@ -8,8 +8,8 @@ use std::process::Command;
 
 use code_support::{POINTS, all, columns, named, points, starts, values};
 use fit_support::{hypothesis, parse};
-use lobefit::emit::code::{CodeError, Language, Printed, print};
-use lobefit::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::{CodeError, Language, Printed, print};
 
 fn print_rust(hypothesis: &Hypothesis) -> Printed {
     let header = [format!("The function {}.", hypothesis.name())];

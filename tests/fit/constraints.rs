@@ -4,10 +4,10 @@
 use crate::fit_support;
 
 use fit_support::{furnace, hypothesis, parse};
-use lobefit::fit::{
-    Condition, Constraint, FitError, Fitted, Gap, Goal, Hypothesis, Options, Samples, Termination, optimise,
-    round_to_f32,
+use lobefit_fit::{
+    Condition, Constraint, FitError, Fitted, Gap, Goal, Options, Samples, Termination, optimise, round_to_f32,
 };
+use lobefit_shade::Hypothesis;
 
 const LINE: &str = "override a: f32 = 0.3; override b: f32 = 0.9; fn f(x: f32) -> f32 { return a + b * x; }";
 

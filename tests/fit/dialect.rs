@@ -3,7 +3,7 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{FitError, Hypothesis, Limits};
+use lobefit_shade::{Hypothesis, Limits, ShadeError};
 
 /// Sources that are WGSL but no hypotheses: source, line, column, excerpt, part of the message.
 const REFUSED: [(&str, usize, usize, &str, &str); 26] = [
@@ -114,7 +114,7 @@ fn what_the_dialect_leaves_out_is_refused_with_its_place() {
         let text = error.to_string();
         assert!(text.starts_with("user.wgsl:"), "{text}");
         assert!(text.contains(message), "{source}\n{text}");
-        let (FitError::Dialect { place, .. } | FitError::Syntax { place, .. }) = error else {
+        let (ShadeError::Dialect { place, .. } | ShadeError::Syntax { place, .. }) = error else {
             panic!("{source}: {error:?}")
         };
         if !excerpt.is_empty() {
@@ -148,7 +148,7 @@ fn what_is_not_wgsl_is_refused_with_its_place() {
         let error = Hypothesis::parse("user.wgsl", source).expect_err(source);
         let text = error.to_string();
         assert!(text.contains(message), "{source}\n{text}");
-        let (FitError::Dialect { place, .. } | FitError::Syntax { place, .. }) = error else {
+        let (ShadeError::Dialect { place, .. } | ShadeError::Syntax { place, .. }) = error else {
             panic!("{source}: {error:?}")
         };
         assert_eq!((place.line, place.column), (line, column), "{text}");
@@ -158,7 +158,7 @@ fn what_is_not_wgsl_is_refused_with_its_place() {
 #[test]
 fn sizes_are_limited() {
     let kind = |source: &str| match Hypothesis::parse("big.wgsl", source) {
-        Err(FitError::TooLarge { what, limit, found, .. }) => {
+        Err(ShadeError::TooLarge { what, limit, found, .. }) => {
             assert!(found > limit);
             what
         }
@@ -236,7 +236,7 @@ fn damaged_sources_are_refused_without_a_panic() {
         let text: String = damaged.into_iter().collect();
         match Hypothesis::parse("damaged.wgsl", &text) {
             Ok(_) => {}
-            Err(FitError::Syntax { message, .. }) if message.contains("front end failed") => {
+            Err(ShadeError::Syntax { message, .. }) if message.contains("front end failed") => {
                 panic!("the front end failed on\n{text}")
             }
             Err(_) => refused += 1,

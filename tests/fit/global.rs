@@ -4,7 +4,7 @@
 use crate::fit_support;
 
 use fit_support::{furnace, hypothesis, parse};
-use lobefit::fit::{
+use lobefit_fit::{
     Condition, Constraint, Fitted, Gap, Method, Norm, Options, Samples, Termination, optimise,
 };
 

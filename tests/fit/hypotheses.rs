@@ -4,7 +4,8 @@
 use crate::fit_support;
 
 use fit_support::{albedo, folder, furnace, hypothesis};
-use lobefit::fit::{Domain, Norm, Options, optimise, prove_regular, round_to_f32};
+use lobefit_fit::{Norm, Options, optimise, round_to_f32};
+use lobefit_shade::{Domain, prove_regular};
 
 /// The default scene's domain.
 fn domain() -> Domain {
@@ -302,7 +303,7 @@ fn the_average_albedo_is_fitted_to_a_ten_thousandth() {
     };
     assert!((average(1.0) - 4.0 / 3.0 * (1.0 - std::f64::consts::LN_2)).abs() < 2e-6);
     let roughness: Vec<f64> = (0..200).map(|i| 0.02 + 0.98 * f64::from(i) / 199.0).collect();
-    let samples = lobefit::fit::Samples {
+    let samples = lobefit_fit::Samples {
         scale: vec![1.0; roughness.len()],
         target: roughness.iter().map(|r| average(r * r)).collect(),
         inputs: vec![roughness.clone(), roughness.iter().map(|r| r * r).collect()],

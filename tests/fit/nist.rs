@@ -9,7 +9,7 @@ use crate::fit_support;
 use std::path::PathBuf;
 
 use fit_support::parse;
-use lobefit::fit::{Norm, Options, Samples, optimise};
+use lobefit_fit::{Norm, Options, Samples, optimise};
 
 /// One dataset as published.
 struct Dataset {

@@ -31,7 +31,7 @@ fn the_weight_is_the_mean_square_of_flips_colour_difference() {
     let light = |n: [f64; 3]| luminance(diffuse_light(&environment, n));
     let normals = |mu: f64| {
         (0..64).map(move |k| {
-            let (s, c) = lobefit::math::ops::sincos(std::f64::consts::TAU * (f64::from(k) + 0.5) / 64.0);
+            let (s, c) = lobefit_math::ops::sincos(std::f64::consts::TAU * (f64::from(k) + 0.5) / 64.0);
             let r = (1.0 - mu * mu).sqrt();
             [r * c, r * s, mu]
         })
@@ -40,7 +40,7 @@ fn the_weight_is_the_mean_square_of_flips_colour_difference() {
     let grey = |y: f64| Image::of(8, 8, |_, _| [y; 3]);
     let seen = |y: f64| {
         let map = flip::ldr(&grey(y), &grey(y * (1.0 - 1e-4)), flip::PIXELS_PER_DEGREE).expect("a map");
-        lobefit::math::ops::pow(map.mean(), 2.0 / 0.7)
+        lobefit_math::ops::pow(map.mean(), 2.0 / 0.7)
     };
     let weight = Perceptual::new();
     for mu in [0.125, 0.5, 0.875] {

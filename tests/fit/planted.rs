@@ -4,7 +4,7 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{Goal, Options, Samples, optimise};
+use lobefit_fit::{Goal, Options, Samples, optimise};
 
 /// A congruential generator (Knuth's MMIX): the same models on every run.
 struct Random(u64);

@@ -4,7 +4,7 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{
+use lobefit_fit::{
     Condition, Constraint, FitError, Fitted, Gap, Goal, Options, Samples, Termination, optimise,
 };
 

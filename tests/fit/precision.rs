@@ -4,7 +4,7 @@ use crate::fit_support;
 
 use fit_support::parse;
 use half::f16;
-use lobefit::fit::{FitError, Hypothesis, Op, Precision, measure_in};
+use lobefit_shade::{Hypothesis, Op, Precision, ShadeError, measure_in};
 
 /// Points on [0, 1], exact in f16.
 fn points() -> Vec<f32> {
@@ -71,7 +71,7 @@ fn what_the_cost_model_fuses_is_contracted_and_keeps_its_value() {
         let count = contracted.ops().iter().filter(|op| matches!(op, Op::Fma(..))).count();
         assert_eq!(count, fused, "{expression}: {:?}", contracted.ops());
         for x in points() {
-            let at = |tape: &lobefit::fit::Tape| tape.at(&[f64::from(x)], &[0.7]);
+            let at = |tape: &lobefit_shade::Tape| tape.at(&[f64::from(x)], &[0.7]);
             assert!((at(h.tape()) - at(&contracted)).abs() < 1e-15, "{expression} at {x}");
         }
     }
@@ -83,7 +83,7 @@ fn halves_that_overflow_are_refused_by_name() {
         let h = parse(source);
         let measured = measure_in(h.tape(), &[coefficient], &[vec![x]], &[1.0], &[0.0], 1, Precision::F16);
         let error = measured.unwrap_err();
-        assert!(matches!(error, FitError::Unrepresentable { .. } | FitError::Unmeasurable { .. }));
+        assert!(matches!(error, ShadeError::Unrepresentable { .. } | ShadeError::Unmeasurable { .. }));
         error.to_string()
     };
     let line = "override a: f32; fn f(x: f32) -> f32 { return a * x; }";

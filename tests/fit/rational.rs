@@ -2,10 +2,11 @@
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
+use lobefit_shade::ShadeError;
 
 use fit_support::{furnace, hypothesis, parse};
-use lobefit::fit::rational::{Optimum, Rational, Row, minimax};
-use lobefit::fit::{FitError, Norm, Options, Samples, Termination, optimise};
+use lobefit_fit::rational::{Optimum, Rational, Row, minimax};
+use lobefit_fit::{FitError, Norm, Options, Samples, Termination, optimise};
 
 /// Points of [a, b], denser towards the ends.
 fn nodes(a: f64, b: f64, n: usize) -> Vec<f64> {
@@ -203,7 +204,10 @@ fn bad_problems_are_named() {
         refused(&|p| p.numerator[4 * 7 + 2] = f64::INFINITY).to_string(),
         "numerator, sample 7: value inf is not finite"
     );
-    assert!(matches!(refused(&|p| p.scale.truncate(3)), FitError::Shape { found: 3, expected: 50, .. }));
+    assert!(matches!(
+        refused(&|p| p.scale.truncate(3)),
+        FitError::Shade(ShadeError::Shape { found: 3, expected: 50, .. })
+    ));
     assert!(matches!(
         refused(&|p| p.denominator[4 * 9..4 * 10].fill(0.0)),
         FitError::NoDenominator { sample: 9 }
@@ -223,7 +227,10 @@ fn bad_problems_are_named() {
     });
     assert_eq!(error, FitError::Degenerate { parameter: 1 });
     let short = Row { coefficients: vec![1.0], bound: 0.0, equal: false };
-    assert!(matches!(minimax(&good, &[short], None), Err(FitError::Shape { found: 1, expected: 3, .. })));
+    assert!(matches!(
+        minimax(&good, &[short], None),
+        Err(FitError::Shade(ShadeError::Shape { found: 1, expected: 3, .. }))
+    ));
 }
 
 #[test]

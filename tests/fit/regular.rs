@@ -3,7 +3,8 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{Domain, FitError, RangeProof, prove_range, prove_regular};
+
+use lobefit_shade::{Domain, RangeProof, ShadeError, prove_range, prove_regular};
 
 fn domain() -> Domain {
     Domain::new(&[("roughness", 0.02, 1.0), ("mu", 0.0, 1.0)])
@@ -11,7 +12,7 @@ fn domain() -> Domain {
         .unwrap()
 }
 
-fn prove(body: &str) -> Result<(), FitError> {
+fn prove(body: &str) -> Result<(), ShadeError> {
     let hypothesis =
         parse(&format!("fn f(roughness: f32, alpha: f32, mu: f32) -> f32 {{\n    return {body};\n}}"));
     prove_regular(hypothesis.tape(), &[], &domain())
@@ -59,7 +60,7 @@ fn poles_are_found_and_placed() {
         ("select(0.0, 1.0 / (mu - 0.5), mu > 0.2)", "1.0 / (mu - 0.5)", "divide by zero"),
     ] {
         let error = prove(body).expect_err(body);
-        let FitError::Irregular { place, function, at, .. } = &error else { panic!("{error}") };
+        let ShadeError::Irregular { place, function, at, .. } = &error else { panic!("{error}") };
         assert_eq!((place.line, place.excerpt.as_str(), function.as_str()), (2, part, "f"), "{body}");
         assert!(at.contains("mu = "), "{at}");
         assert!(error.to_string().contains(hazard), "{error}");

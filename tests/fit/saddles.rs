@@ -4,7 +4,7 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{Condition, Constraint, Fitted, Goal, Options, Samples, Termination, optimise};
+use lobefit_fit::{Condition, Constraint, Fitted, Goal, Options, Samples, Termination, optimise};
 
 fn curve(n: usize, f: impl Fn(f64) -> f64) -> Samples {
     let x: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();

@@ -4,8 +4,8 @@
 use crate::fit_support;
 
 use fit_support::albedo;
-use lobefit::fit::FitError;
-use lobefit::fit::search::{
+use lobefit_fit::FitError;
+use lobefit_fit::search::{
     Aid, Anchor, Found, Helper, Link, Pair, PairSamples, Pairing, Progress, SearchAxis, SearchSamples,
     Second, Space, scout, search, search_pair,
 };

@@ -4,10 +4,8 @@
 use crate::fit_support;
 
 use fit_support::{furnace, hypothesis, parse};
-use lobefit::fit::{
-    FitError, Fitted, Goal, Hypothesis, Norm, Options, Samples, Termination, measure, optimise, round_to_f32,
-    round_up,
-};
+use lobefit_fit::{FitError, Fitted, Goal, Norm, Options, Samples, Termination, optimise, round_to_f32};
+use lobefit_shade::{Hypothesis, ShadeError, measure, round_up};
 
 fn grid(n: usize) -> Vec<f64> {
     (0..n).map(|i| i as f64 / (n - 1) as f64).collect()
@@ -322,7 +320,10 @@ fn bounds_are_rounded_up() {
 #[test]
 fn rounding_refuses_what_is_no_f32() {
     assert_eq!(round_to_f32(&[0.1, 1e-31, -1e-40]).unwrap(), [0.1, 0.0, 0.0]);
-    assert!(matches!(round_to_f32(&[1.0, 1e39]), Err(FitError::NotFinite { index: 1, .. })));
+    assert!(matches!(
+        round_to_f32(&[1.0, 1e39]),
+        Err(FitError::Shade(ShadeError::NotFinite { index: 1, .. }))
+    ));
     assert!(round_to_f32(&[f64::NAN]).is_err());
 }
 

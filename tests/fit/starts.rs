@@ -4,7 +4,7 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{Condition, Constraint, Goal, Options, Samples, optimise};
+use lobefit_fit::{Condition, Constraint, Goal, Options, Samples, optimise};
 
 fn grid(f: impl Fn(f64, f64) -> f64) -> Samples {
     let at = |i: usize| 0.05 + 0.95 * i as f64 / 15.0;

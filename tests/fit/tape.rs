@@ -4,7 +4,7 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit::fit::{Interval, Tape};
+use lobefit_shade::{Interval, Tape};
 
 /// A function of two inputs and two parameters, written by hand.
 type ByHand = fn(f64, f64, f64, f64) -> f64;

@@ -4,7 +4,8 @@
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use lobefit::fit::{Hypothesis, Samples};
+use lobefit_fit::Samples;
+use lobefit_shade::Hypothesis;
 
 /// The folder of hypotheses.
 pub fn folder() -> PathBuf {

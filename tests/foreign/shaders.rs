@@ -1,7 +1,7 @@
 //! Shader functions of WGSL and GLSL as tapes: published formulas, written here in a shader's own ways, against plain Rust.
 
 use lobefit::foreign::{ShaderFunction, ShaderLanguage, read_functions};
-use lobefit::math::ops::{exp2f, powf};
+use lobefit_math::ops::{exp2f, powf};
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 

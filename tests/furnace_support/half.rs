@@ -10,7 +10,7 @@
 //! takes that end, the midpoint rule the azimuth, whose analytic strip is about 1/T wide.
 
 use lobefit::data::Smith;
-use lobefit::math::ops;
+use lobefit_math::ops;
 
 /// The albedo with F = 1, and its part weighted by Schlick's (1 - v.h)^5.
 #[derive(Clone, Copy, Debug)]

@@ -4,9 +4,9 @@ pub mod tables;
 pub mod textbook;
 
 use lobefit::effects::volume::Point;
-use lobefit::emit::code::Language;
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::{Readable, helpers};
+use lobefit_shade::code::Language;
 
 use crate::emit_support::{programs, solid};
 

@@ -2,9 +2,9 @@
 
 use lobefit::data::{AlphaMap, Axis, Channel, Smith, Surface, Table, TexelFormat};
 use lobefit::effects::volume::{Azimuth, aniso_axes, aspect, azimuth_axes, glass_axes};
-use lobefit::integrate::aniso::table::{self as aniso, Columns, Grid};
-use lobefit::integrate::glass::table::{self as glass, GlassGrid};
-use lobefit::math::ops;
+use lobefit_math::ops;
+use lobefit_truth::integrate::aniso::table::{self as aniso, Columns, Grid};
+use lobefit_truth::integrate::glass::table::{self as glass, GlassGrid};
 use rayon::prelude::*;
 
 const ROUGHNESS: [f64; 2] = [0.02, 1.0];

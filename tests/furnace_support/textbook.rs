@@ -4,8 +4,8 @@
 //! masking-shadowing function in microfacet-based BRDFs", 2014.
 
 use lobefit::data::Smith;
-use lobefit::math::gauss::Gauss;
-use lobefit::math::ops;
+use lobefit_math::gauss::Gauss;
+use lobefit_math::ops;
 
 /// A direction: x, y, and z along the normal.
 pub type Vector = [f64; 3];

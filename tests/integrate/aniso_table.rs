@@ -1,10 +1,10 @@
 //! Tables of the anisotropic reflection lobe against the reference integrator, symmetries, bits and costs.
 
 use lobefit::data::Smith;
-use lobefit::integrate::Path;
-use lobefit::integrate::aniso::table::{self, Azimuthal, Columns, Grid, Tabulated};
-use lobefit::integrate::aniso::{self};
-use lobefit::integrate::{IntegrateError, PanelRule, reflection};
+use lobefit_truth::integrate::Path;
+use lobefit_truth::integrate::aniso::table::{self, Azimuthal, Columns, Grid, Tabulated};
+use lobefit_truth::integrate::aniso::{self};
+use lobefit_truth::integrate::{IntegrateError, PanelRule, reflection};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -130,7 +130,7 @@ fn points_agree_with_the_reference() {
     let mut random = Pcg64::seed_from_u64(5);
     for smith in BOTH {
         for _ in 0..60 {
-            let power = |x: f64, u: f64| lobefit::math::ops::pow(x, u);
+            let power = |x: f64, u: f64| lobefit_math::ops::pow(x, u);
             let (alpha, aspect) = (power(0.01, random.random()), power(0.1, 0.5 * random.random::<f64>()));
             let (mu, phi) = (power(0.01, random.random()), 3.0 * random.random::<f64>());
             let alpha = [alpha / aspect, alpha * aspect];
@@ -188,7 +188,7 @@ fn the_azimuthal_interpolant_keeps_its_tolerance() {
         let fast = Azimuthal::new(smith, alphas, [0.1_f64.sqrt(), 1.0], mus, 1e-5).expect("an interpolant");
         assert!(fast.worst() <= 1e-5);
         for i in 0..60 {
-            let power = |x: f64, u: f64| lobefit::math::ops::pow(x, u);
+            let power = |x: f64, u: f64| lobefit_math::ops::pow(x, u);
             let (alpha, mu) = (power(4e-4, random.random()), power(1e-3, random.random()));
             // Aspects and their inverses.
             let aspect = if i == 0 { 1.0 } else { power(0.1, random.random::<f64>() - 0.5) };

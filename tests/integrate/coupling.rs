@@ -1,9 +1,9 @@
 //! The diffuse factors against their textbook forms: spec + factor = 1, by quadrature and with sampled albedos.
 
 use lobefit::data::Smith;
-use lobefit::integrate::coupling::{Specular, TOLERANCE, coupling};
-use lobefit::integrate::monte_carlo::{self, sobol};
-use lobefit::integrate::reflection::{self, reflection};
+use lobefit_truth::integrate::coupling::{Specular, TOLERANCE, coupling};
+use lobefit_truth::integrate::monte_carlo::{self, sobol};
+use lobefit_truth::integrate::reflection::{self, reflection};
 
 const SPECULARS: [Specular; 3] = [Specular::Single, Specular::Normalised, Specular::Compensated];
 const ALPHAS: [f64; 6] = [0.0, 1e-4, 0.01, 0.2, 0.6, 1.0];

@@ -6,7 +6,7 @@
 )]
 
 use lobefit::data::Smith;
-use lobefit::integrate::reflection::{Effort, TOLERANCE, at_effort, loss, reflection, split};
+use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, at_effort, loss, reflection, split};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;

@@ -1,9 +1,9 @@
 //! `parallax-alpha` and its lobes against independent means: adaptive quadrature of densities, a brute search of the best width, and
 //! the properties that hold whatever the numbers are.
 
-use lobefit::integrate::footprint::{Adjusted, TOLERANCE, adjusted, best, measures};
-use lobefit::math::ops::{atan, cos, exp, exp2, log, sin, tan};
-use lobefit::optics::kernel::Kernel;
+use lobefit_math::ops::{atan, cos, exp, exp2, log, sin, tan};
+use lobefit_truth::integrate::footprint::{Adjusted, TOLERANCE, adjusted, best, measures};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Simpson's rule, halved until it is exact: nothing of the library's rules.
 fn simpson(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> f64 {

@@ -5,11 +5,11 @@
 )]
 
 use lobefit::data::Smith;
-use lobefit::integrate::IntegrateError;
-use lobefit::integrate::Path;
-use lobefit::integrate::glass::table::{Effort, Energies, GlassGrid, Kernel, MU, Tabulated, tabulate};
-use lobefit::integrate::glass::{Side, glass};
-use lobefit::math::gauss::Gauss;
+use lobefit_math::gauss::Gauss;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::Path;
+use lobefit_truth::integrate::glass::table::{Effort, Energies, GlassGrid, Kernel, MU, Tabulated, tabulate};
+use lobefit_truth::integrate::glass::{Side, glass};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 

@@ -2,9 +2,11 @@
 
 use std::f64::consts::PI;
 
-use lobefit::integrate::footprint::{TOLERANCE, adjusted, best, measures, quick_error, usual_tolerance};
-use lobefit::math::ops::{atan, cos, exp, log, pow, tan};
-use lobefit::optics::kernel::{Kernel, TableLobe, tabulated};
+use lobefit_math::ops::{atan, cos, exp, log, pow, tan};
+use lobefit_truth::integrate::footprint::{
+    TOLERANCE, adjusted, best, measures, quick_error, usual_tolerance,
+};
+use lobefit_truth::optics::kernel::{Kernel, TableLobe, tabulated};
 
 /// A lobe that is none of GGX's, and vanishes at the horizon but at alpha 1: cos^n(theta), n = 1/(2 A) - 1/2. Its energy is 1 - cos^(n+1).
 fn power(alpha: f64) -> f64 {
@@ -185,7 +187,7 @@ fn errors_of_a_table_are_bounds() {
 #[test]
 fn noise_of_a_table_is_seen_in_the_total_variation() {
     let noisy = table("noisy", &widths(6), 400, |alpha, theta| {
-        let noise = lobefit::math::ops::sin(1e5 * theta / alpha + 7.0 * alpha);
+        let noise = lobefit_math::ops::sin(1e5 * theta / alpha + 7.0 * alpha);
         ggx(alpha, theta) * cos(theta).max(0.0) * (1.0 + 0.02 * noise)
     });
     for (alpha, rho, fetched) in [(0.2, 0.5, 0.11), (0.2, 1.05, 0.21), (0.7, 0.9, 0.6)] {

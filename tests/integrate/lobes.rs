@@ -5,11 +5,11 @@
 )]
 
 use lobefit::data::Smith;
-use lobefit::integrate::aniso::{self, aniso};
-use lobefit::integrate::glass::{self, Side, glass};
-use lobefit::integrate::monte_carlo::{self, Sampled, sobol};
-use lobefit::integrate::reflection::reflection;
-use lobefit::math::gauss::Gauss;
+use lobefit_math::gauss::Gauss;
+use lobefit_truth::integrate::aniso::{self, aniso};
+use lobefit_truth::integrate::glass::{self, Side, glass};
+use lobefit_truth::integrate::monte_carlo::{self, Sampled, sobol};
+use lobefit_truth::integrate::reflection::reflection;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;

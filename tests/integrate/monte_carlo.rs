@@ -1,8 +1,8 @@
 //! Two routes: quadrature over polar angles in closed azimuth, and Monte Carlo over visible normals or over lights.
 
 use lobefit::data::Smith;
-use lobefit::integrate::monte_carlo::{self, Draw, Points, Run, Sampled};
-use lobefit::integrate::reflection::{TOLERANCE, average, reflection};
+use lobefit_truth::integrate::monte_carlo::{self, Draw, Points, Run, Sampled};
+use lobefit_truth::integrate::reflection::{TOLERANCE, average, reflection};
 
 fn run(samples: u64, seed: u64, points: Points, draw: Draw) -> Run {
     Run { samples, seed, points, draw }

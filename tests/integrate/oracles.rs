@@ -5,7 +5,7 @@
 )]
 
 use lobefit::data::Smith;
-use lobefit::integrate::reflection::{TOLERANCE, average, reflection};
+use lobefit_truth::integrate::reflection::{TOLERANCE, average, reflection};
 
 const BOTH: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 
@@ -118,7 +118,7 @@ fn albedo_and_loss_close() {
 /// E_avg by another rule over another variable: Gauss in ln(mu) over octaves, from the quantity itself.
 #[test]
 fn averages_are_the_means_of_the_quantity() {
-    let rule = lobefit::math::gauss::Gauss::new(24);
+    let rule = lobefit_math::gauss::Gauss::new(24);
     for smith in BOTH {
         for alpha in [1e-4, 1e-3, 0.03, 0.2, 0.5, 0.9, 1.0] {
             let (mut e_avg, mut loss_avg) = (0.0, 0.0);
@@ -147,7 +147,7 @@ fn averages_are_the_means_of_the_quantity() {
     }
 }
 
-fn at(smith: Smith, alpha: f64, mu: f64) -> lobefit::integrate::reflection::Reflection {
+fn at(smith: Smith, alpha: f64, mu: f64) -> lobefit_truth::integrate::reflection::Reflection {
     reflection(smith, alpha, mu.min(1.0), TOLERANCE).expect("in the domain")
 }
 

@@ -6,10 +6,10 @@
 
 use std::f64::consts::PI;
 
-use lobefit::integrate::monte_carlo::{self, sobol};
-use lobefit::integrate::sheen::{TOLERANCE, albedo, sheen};
-use lobefit::math::gauss::Gauss;
-use lobefit::math::{ops, panels};
+use lobefit_math::gauss::Gauss;
+use lobefit_math::{ops, panels};
+use lobefit_truth::integrate::monte_carlo::{self, sobol};
+use lobefit_truth::integrate::sheen::{TOLERANCE, albedo, sheen};
 use rayon::prelude::*;
 
 const ALPHAS: [f64; 9] = [1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.2, 0.45, 0.8, 1.0];

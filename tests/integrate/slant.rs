@@ -3,14 +3,14 @@
 
 use std::f64::consts::PI;
 
-use lobefit::integrate::IntegrateError;
-use lobefit::integrate::footprint::measures;
-use lobefit::integrate::footprint::slant::{
+use lobefit_math::ops::{cos, sin, sincos};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::footprint::measures;
+use lobefit_truth::integrate::footprint::slant::{
     Case, Found, Nearest, Normal, Resolution, Slant, Stand, best_taps, best_width, least,
 };
-use lobefit::math::ops::{cos, sin, sincos};
-use lobefit::optics::footprint::RuleTap;
-use lobefit::optics::kernel::Kernel;
+use lobefit_truth::optics::footprint::RuleTap;
+use lobefit_truth::optics::kernel::Kernel;
 use nalgebra::{DMatrix, DVector};
 
 fn degrees(x: f64) -> f64 {
@@ -58,7 +58,7 @@ fn variation(target: impl Fn([f64; 2]) -> f64, fetch: impl Fn([f64; 2]) -> f64, 
     let reach = 11.0;
     let node = |i: usize| {
         let s = reach * (2.0 * (i as f64 + 0.5) / n as f64 - 1.0);
-        let (e, f) = (lobefit::math::ops::exp(s), lobefit::math::ops::exp(-s));
+        let (e, f) = (lobefit_math::ops::exp(s), lobefit_math::ops::exp(-s));
         (scale * 0.5 * (e - f), scale * 0.5 * (e + f))
     };
     let nodes: Vec<(f64, f64)> = (0..n).map(node).collect();

@@ -1,11 +1,11 @@
 //! The random walk on the Smith microsurface.
 
 use lobefit::data::Smith;
-use lobefit::integrate::monte_carlo::Sampled;
-use lobefit::integrate::reflection;
-use lobefit::integrate::walk::{BINS, Walks, walk};
-use lobefit::math::ops;
-use lobefit::optics::fresnel;
+use lobefit_math::ops;
+use lobefit_truth::integrate::monte_carlo::Sampled;
+use lobefit_truth::integrate::reflection;
+use lobefit_truth::integrate::walk::{BINS, Walks, walk};
+use lobefit_truth::optics::fresnel;
 
 const WALKS: Walks = Walks { paths: 1 << 18, seed: 7 };
 

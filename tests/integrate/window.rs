@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use lobefit::integrate::footprint::window::{Ordinate, fits, ordinate, slanted};
-use lobefit::optics::kernel::Kernel;
+use lobefit_truth::integrate::footprint::window::{Ordinate, fits, ordinate, slanted};
+use lobefit_truth::optics::kernel::Kernel;
 
 #[test]
 fn offsets_are_those_of_the_study() {

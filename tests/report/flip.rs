@@ -3,9 +3,9 @@
 use crate::flip_support;
 
 use flip_support::{NAMES, SIZE, pair};
-use lobefit::math::ops;
 use lobefit::report::Image;
 use lobefit::report::flip::{FlipError, PIXELS_PER_DEGREE, Reference, hdr, ldr, sensitivity};
+use lobefit_math::ops;
 use serde_json::Value;
 
 const ORACLE: &str = include_str!("../oracle/flip/flip-evaluator-1.7.json");

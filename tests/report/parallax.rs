@@ -7,8 +7,8 @@ use std::path::Path;
 use common::{lobefit, names, stderr};
 use lobefit::effects::parallax::LobeFit;
 use lobefit::effects::room::proxies::Tied;
-use lobefit::math::ops::log;
 use lobefit::study::{Size, Study};
+use lobefit_math::ops::log;
 use serde_json::Value;
 
 /// A scene whose bake takes no time: it calls for no effect.

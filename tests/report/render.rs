@@ -3,11 +3,11 @@
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 use lobefit::data::Smith;
-use lobefit::integrate::reflection::reflection;
-use lobefit::math::ops;
-use lobefit::optics::ggx::{self, Vec3};
 use lobefit::report::Image;
 use lobefit::report::render::{Environment, Halves, Materials, Settings, diffuse_light, inside, spheres};
+use lobefit_math::ops;
+use lobefit_truth::integrate::reflection::reflection;
+use lobefit_truth::optics::ggx::{self, Vec3};
 
 const SETTINGS: Settings =
     Settings { side: 21, radius: 9.0, samples: 64, lamp_samples: 16, background: [0.25; 3] };

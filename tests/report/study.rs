@@ -8,11 +8,11 @@ use std::path::Path;
 use common::{lobefit, names, stderr};
 use lobefit::cli::CliError;
 use lobefit::data::Smith;
-use lobefit::integrate::coupling::{Specular, Split, factor};
-use lobefit::integrate::reflection::reflection;
-use lobefit::math::ops;
 use lobefit::store;
 use lobefit::study::{Size, Study, StudyError, stale};
+use lobefit_math::ops;
+use lobefit_truth::integrate::coupling::{Specular, Split, factor};
+use lobefit_truth::integrate::reflection::reflection;
 use serde_json::Value;
 
 const RESULTS: &str = "reports/studies/coupling/results.json";

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use lobefit::data::{
     AlphaMap, Axis, Certificate, Cost, Registration, Smith, Surface, TexelFormat, Use, Warp,
 };
-use lobefit::math::ops;
 use lobefit::report::*;
+use lobefit_math::ops;
 
 /// A stand-in with the shape of GGX's E: the closed form mu ln(1 + 1/mu) of the loss at alpha = 1, and for small
 /// alpha a valley of depth 0.11 at mu = 1.11 alpha.

@@ -8,8 +8,8 @@ pub mod page;
 
 use lobefit::data::Smith;
 use lobefit::effects::Entry;
-use lobefit::fit::Hypothesis;
-use lobefit::integrate::reflection::{Effort, split};
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::reflection::{Effort, split};
 use rayon::prelude::*;
 
 /// Points per axis: roughness over [0.02, 1], mu over [0.01, 1], ends included.

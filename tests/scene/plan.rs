@@ -1,8 +1,8 @@
 //! Scenes to plans: merging, ranges, what is left out and why.
 
-use lobefit::integrate::coupling::Specular;
 use lobefit::plan::{EffectName, Plan, plan};
 use lobefit::scene::{Norm, Scene};
+use lobefit_truth::integrate::coupling::Specular;
 
 fn scene(text: &str) -> Scene {
     Scene::from_json(text.as_bytes(), "test").unwrap_or_else(|e| panic!("{e}\n{text}"))

@@ -4,9 +4,9 @@ use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::data::{AlphaMap, Container, Smith, TexelFormat};
-use lobefit::integrate::glass::Side;
 use lobefit::plan::{EffectName, Plan, VolumeJob, VolumeSpan, plan};
 use lobefit::scene::{Lobe, Scene, VolumeLayout};
+use lobefit_truth::integrate::glass::Side;
 use serde_json::{Value, json};
 
 fn scene(text: &str) -> Scene {

@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::Smith;
 use lobefit::emit::exr;
-use lobefit::integrate::aniso::aniso;
-use lobefit::integrate::glass::{Side, glass};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit::store::Files;
+use lobefit_truth::integrate::aniso::aniso;
+use lobefit_truth::integrate::glass::{Side, glass};
 use serde_json::Value;
 
 /// Every effect in little time: narrow ranges, few texels. `{more}` stands for further fields.

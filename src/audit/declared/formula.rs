@@ -1,6 +1,6 @@
 //! Formulas of a file's own statement: `sqrt(mu * (1 + l) / (mu + l))`, with `+ - * / ^`, brackets, `sqrt` and `log2`.
 
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// A formula.
 #[derive(Clone, Debug, PartialEq)]

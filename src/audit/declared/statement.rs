@@ -3,7 +3,7 @@
 use super::formula::Formula;
 use crate::audit::Siting;
 use crate::data::Smith;
-use crate::integrate::glass::Side;
+use lobefit_truth::integrate::glass::Side;
 
 /// One axis.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use crate::data::Smith;
 use crate::effects::volume::aspect;
-use crate::integrate::aniso::table::{Columns, Grid, tabulate};
+use lobefit_truth::integrate::aniso::table::{Columns, Grid, tabulate};
 
 /// Least alpha_x and alpha_y: smaller ones are raised, as tables do.
 const FLOOR: f64 = 1e-4;

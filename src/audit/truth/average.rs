@@ -7,8 +7,8 @@ use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use crate::data::Smith;
-use crate::integrate::reflection::{self, Effort, albedo};
-use crate::math::{chebyshev, ops};
+use lobefit_math::{chebyshev, ops};
+use lobefit_truth::integrate::reflection::{self, Effort, albedo};
 
 /// Least alpha of the interpolant in ln(alpha); below it the lobe is a mirror to 1e-8.
 const LEAST: f64 = 1e-6;

@@ -9,8 +9,8 @@ use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use crate::data::Smith;
 use crate::effects::volume::aspect;
-use crate::integrate::aniso::table::Azimuthal;
-use crate::math::ops;
+use lobefit_math::ops;
+use lobefit_truth::integrate::aniso::table::Azimuthal;
 
 /// Least alpha and mu that are judged: below it the interpolant over all of its four inputs needs more nodes than it has.
 const LEAST: f64 = 1e-3;

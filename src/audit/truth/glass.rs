@@ -8,9 +8,9 @@ use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use crate::data::Smith;
-use crate::integrate::IntegrateError;
-use crate::integrate::glass::table::{Energies, Kernel};
-use crate::integrate::glass::{self, Side};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::glass::table::{Energies, Kernel};
+use lobefit_truth::integrate::glass::{self, Side};
 
 /// Least alpha that is judged, beside 0: that of the kernel of tables.
 const KERNEL_ALPHA: f64 = 4e-4;

@@ -19,7 +19,7 @@ use super::AuditError;
 use super::axis::Input;
 use super::column::Column;
 use crate::data::Smith;
-use crate::integrate::glass::Side;
+use lobefit_truth::integrate::glass::Side;
 
 /// Which lobe a truth is of.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,8 +8,8 @@ use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use crate::data::Smith;
-use crate::integrate::reflection::{Effort, SMALLEST_ALPHA, split};
-use crate::math::{chebyshev, ops};
+use lobefit_math::{chebyshev, ops};
+use lobefit_truth::integrate::reflection::{Effort, SMALLEST_ALPHA, split};
 
 /// Least alpha and mu of the interpolant.
 const LEAST: f64 = 1e-6;

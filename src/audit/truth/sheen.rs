@@ -7,8 +7,8 @@ use super::{Lobe, Once, Truth, Values, once};
 use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
-use crate::integrate::sheen::{SMALLEST_ALPHA, albedo};
-use crate::math::ops;
+use lobefit_math::ops;
+use lobefit_truth::integrate::sheen::{SMALLEST_ALPHA, albedo};
 
 /// Least alpha that is judged: below it E at grazing view has no bound.
 const LEAST_ALPHA: f64 = 1e-4;

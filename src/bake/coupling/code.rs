@@ -6,9 +6,9 @@ use super::{Lobe, rule};
 use crate::bake::BakeError;
 use crate::effects::coupling::AnyF0;
 use crate::effects::reflection::Fit;
-use crate::emit::code::{self, Language};
 use crate::emit::{coupling, header};
-use crate::integrate::coupling::Specular;
+use lobefit_shade::code::{self, Language};
+use lobefit_truth::integrate::coupling::Specular;
 
 /// Text by language; empty where nothing is emitted.
 pub fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {

@@ -7,14 +7,14 @@ use crate::bake::reflection::{Selected, chosen, grazing, left_out, selected};
 use crate::bake::{BakeError, origin};
 use crate::data::Use;
 use crate::effects::reflection::Fit;
-use crate::emit::code::{self, Language};
-use crate::integrate::coupling::Specular;
 use crate::plan::Effect;
 use crate::report::{
     AnyF0Finding, ApproximationFinding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe,
     CouplingPanel, CouplingReciprocity, EffectFinding, FitFinding, FurnaceRow, Ruler,
 };
 use crate::scene::Scene;
+use lobefit_shade::code::{self, Language};
+use lobefit_truth::integrate::coupling::Specular;
 
 /// Side of the maps' grids.
 const MAP: usize = 64;

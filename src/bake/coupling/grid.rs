@@ -4,9 +4,9 @@ use crate::bake::BakeError;
 use crate::bake::context::Context;
 use crate::data::Smith;
 use crate::effects::reflection::{Field as Truth, Fit, FitStageError, PointSet, Region, TRUTH_ERROR};
-use crate::integrate::Estimate;
-use crate::integrate::coupling::{Specular, Split, factor};
 use crate::report::{Field, FitCurve, Ruler};
+use lobefit_truth::integrate::Estimate;
+use lobefit_truth::integrate::coupling::{Specular, Split, factor};
 
 /// A grid, mu along rows, with E and B.
 pub struct Grid {

@@ -7,7 +7,7 @@ use crate::data::AlphaMap;
 use crate::effects::reflection::Region;
 use crate::effects::surface::table::{Grid, ReciprocityRow, rows_of};
 use crate::effects::surface::{Coupling, Factor, Lobe as Drawn};
-use crate::integrate::coupling::Specular;
+use lobefit_truth::integrate::coupling::Specular;
 
 /// Roughness and cosines, as far as they lie in the region: a few, since every material is integrated over the hemisphere as it is drawn.
 /// The study has them all.

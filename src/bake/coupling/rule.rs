@@ -3,9 +3,9 @@
 use crate::bake::BakeError;
 use crate::effects::reflection::{Fit, FitStageError, PointSet, Region};
 use crate::emit::coupling::{RuleError, average, average_nodes, floor};
-use crate::fit::round_up;
-use crate::math::chebyshev;
-use crate::math::gauss::Gauss;
+use lobefit_math::chebyshev;
+use lobefit_math::gauss::Gauss;
+use lobefit_shade::round_up;
 
 /// Places of roughness, values of f0, and nodes of the rule that takes the integral's place: the emitted one has four.
 const ROUGHNESS: usize = 33;

@@ -11,12 +11,12 @@ use crate::effects::coupling::CouplingSpec;
 use crate::effects::reflection::{
     Field, FitStageError, Lookup, PointSet, Region, TableSpec, build, certification, lookup_ops,
 };
-use crate::emit::code::Language;
 use crate::emit::coupling::exact;
-use crate::fit::{Hypothesis, round_up};
-use crate::integrate::Estimate;
-use crate::integrate::coupling::{Split, factor};
 use crate::report::{AnyF0Finding, ApproximationFinding};
+use lobefit_shade::code::Language;
+use lobefit_shade::{Hypothesis, round_up};
+use lobefit_truth::integrate::Estimate;
+use lobefit_truth::integrate::coupling::{Split, factor};
 
 /// Texels along mu and along roughness, and what two channels of f16 take.
 const SIDE: usize = 64;

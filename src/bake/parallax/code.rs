@@ -6,8 +6,8 @@ use super::Lobe;
 use crate::bake::BakeError;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
 use crate::effects::reflection::Fit;
-use crate::emit::code::{self, Language};
 use crate::emit::{header, probe};
+use lobefit_shade::code::{self, Language};
 
 /// Text by language; empty where nothing is emitted.
 pub(super) fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {

@@ -8,14 +8,14 @@ use crate::bake::reflection::left_out;
 use crate::bake::{BakeError, origin};
 use crate::effects::parallax::{Cell, LevelFunction, Spread, Variation};
 use crate::effects::reflection::{Fit, FitStageError};
-use crate::emit::code::{self, Language};
-use crate::integrate::footprint::Measures;
 use crate::plan::Effect;
 use crate::report::{
     ApproximationFinding, ChainFinding, EffectFinding, Field, ParallaxCurve, ParallaxFindings, ParallaxLobe,
     ParallaxMap, Ruler, VariationFinding, VariationRow,
 };
 use crate::scene::Scene;
+use lobefit_shade::code::{self, Language};
+use lobefit_truth::integrate::footprint::Measures;
 
 /// Published formulas that have maps and curves.
 const SHOWN: [&str; 2] = ["parallax_frostbite", "parallax_scaled"];

@@ -40,7 +40,7 @@ fn one(
     let identifier =
         chain.and_then(|chain| identifiers.iter().find(|(known, _)| known == chain)).map(|(_, name)| name);
     let suffix = identifier.map_or_else(String::new, |name| format!("_{name}"));
-    let called = |hypothesis: &crate::fit::Hypothesis| Called {
+    let called = |hypothesis: &lobefit_shade::Hypothesis| Called {
         name: hypothesis.name().to_string(),
         inputs: hypothesis.inputs().to_vec(),
         ops: hypothesis.tape().cost_ops(),

@@ -6,10 +6,10 @@ use super::tables::BakedTable;
 use crate::bake::BakeError;
 use crate::data::Decode;
 use crate::effects::reflection::Fit;
-use crate::emit::code::{self, Language};
 use crate::emit::compensation::saturating;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
+use lobefit_shade::code::{self, Language};
 
 /// Text by language; empty where there is nothing to include.
 pub fn section(tables: &[BakedTable], fits: &[Fit]) -> Result<BTreeMap<Language, String>, BakeError> {

@@ -12,13 +12,13 @@ use crate::bake::{BakeError, origin};
 use crate::data::{Place, Serves, Smith, Use};
 use crate::effects::Deviation;
 use crate::effects::reflection::{Dropped, Fit, Region, Study, studies};
-use crate::emit::code::{self, Language};
 use crate::plan::{Effect, Plan};
 use crate::report::{
     self, ApproximationFinding, AverageFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings,
     FitFinding, Furnace, LeftOut, Marked, StudySeries, TableFinding,
 };
 use crate::scene::Scene;
+use lobefit_shade::code::{self, Language};
 
 /// How often the furnace's departure from white is amplified.
 const AMPLIFICATION: f64 = 10.0;

@@ -7,9 +7,9 @@ use crate::bake::BakeError;
 use crate::bake::context::Context;
 use crate::data::{Serves, Smith};
 use crate::effects::reflection::{Field as Truth, Fit, Judged, Lookup, PointSet, Region, error_map};
-use crate::integrate::IntegrateError;
-use crate::integrate::reflection::{TOLERANCE, average};
 use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::reflection::{TOLERANCE, average};
 
 /// Side of the maps' grids.
 const MAP: usize = 64;

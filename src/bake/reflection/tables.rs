@@ -10,8 +10,8 @@ use crate::data::{
 use crate::effects::reflection::{
     Counter, Errors, Field, PointSet, Region, TableSpec, build, certification, lookup_ops, measure,
 };
-use crate::fit::round_up;
 use crate::plan::{JUDGED_MU, TableJob};
+use lobefit_shade::round_up;
 
 /// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 17;

@@ -7,11 +7,11 @@ use crate::bake::reflection::{chosen, grazing, left_out, selected};
 use crate::bake::{BakeError, origin};
 use crate::data::Use;
 use crate::effects::reflection::{Dropped, Fit, FitStageError, PointSet, Region};
-use crate::emit::code::{self, Language};
-use crate::integrate::sheen::albedo;
 use crate::plan::Effect;
 use crate::report::{ApproximationFinding, EffectFinding, Field, Findings, FitCurve, FitFinding, Ruler};
 use crate::scene::Scene;
+use lobefit_shade::code::{self, Language};
+use lobefit_truth::integrate::sheen::albedo;
 
 /// Side of the maps' grids.
 const MAP: usize = 64;

@@ -9,11 +9,11 @@ use crate::bake::context::Context;
 use crate::bake::part::canonical;
 use crate::data::Container;
 use crate::effects::Deviation;
-use crate::emit::code::Language;
 use crate::emit::header;
 use crate::emit::lookup::Readable;
 use crate::emit::manifest::{Entries, LookupEntry, TableEntry, TableError};
 use crate::store::Files;
+use lobefit_shade::code::Language;
 
 /// Every table in every container.
 pub fn tables(

@@ -11,10 +11,10 @@ use crate::data::{Smith, VolumeLayout};
 use crate::effects::Deviation;
 use crate::effects::volume::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
 use crate::emit::manifest::Entries;
-use crate::integrate::glass::Side;
 use crate::plan::{Effect, VolumeJob};
 use crate::report::{EffectFinding, ErrorFigure, Field, Ruler, SourcesFinding, VolumeFindings, VolumeTable};
 use crate::scene::Scene;
+use lobefit_truth::integrate::glass::Side;
 
 /// Side of the maps.
 const MAP: usize = 32;

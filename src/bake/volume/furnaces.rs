@@ -7,8 +7,8 @@ use super::readings::as_the_sources_read;
 use crate::bake::BakeError;
 use crate::data::VolumeLayout;
 use crate::effects::volume::{Lookup, Third};
-use crate::integrate::glass::Side;
 use crate::report::{Furnace, FurnaceFinding, FurnaceRow, Ruler};
+use lobefit_truth::integrate::glass::Side;
 
 /// How often the furnace's departure from white is amplified.
 const AMPLIFICATION: f64 = 20.0;

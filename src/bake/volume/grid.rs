@@ -4,8 +4,8 @@ use crate::bake::BakeError;
 use crate::data::Smith;
 use crate::effects::volume::{Lookup, Points, Region, Third, error_map};
 use crate::effects::{anisotropy, glass};
-use crate::integrate::glass::Side;
 use crate::report::{Field, Ruler};
+use lobefit_truth::integrate::glass::Side;
 
 /// The truth on one grid.
 pub struct Grid {

@@ -9,9 +9,9 @@ use crate::data::{
 };
 use crate::effects::volume::{Errors, Made, Points, Region, Spec, Third, measure};
 use crate::effects::{anisotropy, glass};
-use crate::fit::round_up;
-use crate::integrate::glass::Side;
 use crate::plan::{JUDGED_MU, VolumeJob, VolumeSpan};
+use lobefit_shade::round_up;
+use lobefit_truth::integrate::glass::Side;
 
 /// 2^12 groups of eight uniform points of glass, half as many in the layer and about the critical angle, and the edges.
 const LOG2_GROUPS: u32 = 12;

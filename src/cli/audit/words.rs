@@ -4,7 +4,7 @@ use crate::audit::{Column, SCALES, SITINGS, Scale, Siting};
 use crate::cli::options::quantity;
 use crate::effects::Quantity;
 use crate::foreign::RawFormat;
-use crate::integrate::glass::Side;
+use lobefit_truth::integrate::glass::Side;
 
 /// Texels along each axis.
 #[derive(Clone)]

@@ -11,12 +11,13 @@ use crate::cli::options::{ThreadsOption, positive, smith};
 use crate::data::{AlphaMap, Smith, Use};
 use crate::effects::target::TargetSpec;
 use crate::effects::{QUANTITIES, Quantity};
-use crate::emit::code::Language;
-use crate::fit::{Goal, Hypothesis, Precision};
 use crate::fitting::search::{AidKind, Aids, SearchJob};
 use crate::fitting::{Demand, Job};
 use crate::scene::limits;
 use crate::store;
+use lobefit_fit::Goal;
+use lobefit_shade::code::Language;
+use lobefit_shade::{Hypothesis, Precision};
 
 /// Starting points where no number is asked for.
 const STARTS: u16 = 8;

@@ -4,10 +4,10 @@ use super::Options;
 use crate::cli::CliError;
 use crate::cli::output::{Outcome, print, say};
 use crate::cli::progress::Spinner;
-use crate::fit::search::Progress;
 use crate::fitting::search::{self, SearchJob};
 use crate::scene::escape::visible;
 use crate::store::Folder;
+use lobefit_fit::search::Progress;
 
 pub(super) fn run(options: &Options, job: &SearchJob) -> Result<Outcome, CliError> {
     let mut folder = options.out.as_deref().map(Folder::open_flat).transpose()?;

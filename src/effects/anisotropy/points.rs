@@ -2,7 +2,7 @@
 //! with cosines of its own, since the truth is cheapest on such a grid.
 
 use crate::effects::volume::{Point, Points, Region, Third, aspect};
-use crate::math::sobol::Sobol;
+use lobefit_math::sobol::Sobol;
 
 /// Roughnesses, anisotropies, and cosines of each kind: uniform, and in the layer mu ~ alpha.
 const COUNT: [usize; 3] = [96, 24, 40];
@@ -43,7 +43,7 @@ impl Judge {
             for (row, cosines) in rows.iter().zip(&cosines) {
                 for &mu in cosines {
                     let phi = std::f64::consts::FRAC_PI_2 * azimuths.coordinate(all.len() as u32, 0);
-                    let cosine = crate::math::ops::cos(phi);
+                    let cosine = lobefit_math::ops::cos(phi);
                     let cos2_phi = match all.len() % 16 {
                         _ if !azimuth => 1.0,
                         0 => 0.0,

@@ -9,8 +9,8 @@ use crate::effects::volume::{
     ANISO_SAMPLES, Azimuth, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, aniso_axes,
     aspect, azimuth_axes, channel, check,
 };
-use crate::integrate::aniso::table::{Columns, Grid, Tabulated, mean, tabulate, tabulate_on};
-use crate::integrate::{IntegrateError, Path};
+use lobefit_truth::integrate::aniso::table::{Columns, Grid, Tabulated, mean, tabulate, tabulate_on};
+use lobefit_truth::integrate::{IntegrateError, Path};
 
 /// Largest error of a texel of the sources' layout.
 const SAMPLED: f64 = 1e-6;

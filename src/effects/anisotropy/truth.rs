@@ -5,9 +5,9 @@ use rayon::prelude::*;
 use super::points::Judge;
 use crate::data::Smith;
 use crate::effects::volume::{Made, Point, Points, Region, aspect};
-use crate::integrate::IntegrateError;
-use crate::integrate::aniso::table::{Azimuthal, Columns, Grid, tabulate};
-use crate::math::ops;
+use lobefit_math::ops;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::aniso::table::{Azimuthal, Columns, Grid, tabulate};
 
 /// Tolerance of the means that lookups are judged against.
 const JUDGED: f64 = 1e-6;

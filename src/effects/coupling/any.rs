@@ -4,8 +4,8 @@ use super::CouplingSpec;
 use crate::data::Place;
 use crate::effects::reflection::{Counter, Fit, FitStageError};
 use crate::effects::target::{Sampled, Target};
-use crate::fit::{measure, round_up};
-use crate::math::chebyshev;
+use lobefit_math::chebyshev;
+use lobefit_shade::{measure, round_up};
 
 /// The largest error of a factor that was found over all f0 in [0, 1], and where.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::rivals::{LIGHTS, OWN_SPECULAR, RIVALS};
 use crate::effects::entry::{Entry, own};
-use crate::integrate::coupling::Specular;
+use lobefit_truth::integrate::coupling::Specular;
 
 const NORMALISED: [Entry; 8] = own![
     "coupling_normalised_7",
@@ -58,7 +58,7 @@ pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::Hypothesis;
+    use lobefit_shade::Hypothesis;
 
     #[test]
     fn functions_are_named_like_their_files_and_ours_like_their_cost() {

@@ -13,9 +13,9 @@ use super::reflection::{Counter, FitSet, FitStageError, Region};
 use super::target::TargetSpec;
 use super::{Keeps, Quantity};
 use crate::data::{AlphaMap, Norm, Smith, Use};
-use crate::integrate::coupling::Specular;
 pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
+use lobefit_truth::integrate::coupling::Specular;
 pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS, light_ops};
 
 /// Largest f0 for which a factor under a bare lobe is proven not to be negative: beyond any dielectric's.

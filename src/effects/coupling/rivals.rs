@@ -2,8 +2,9 @@
 //! published comparison.
 
 use crate::effects::entry::{Entry, published};
-use crate::fit::{FitError, Hypothesis};
-use crate::integrate::coupling::Specular;
+use lobefit_fit::FitError;
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::coupling::Specular;
 
 /// The factor, or its mean over the lights of a white environment where it depends on the light.
 pub const RIVALS: [Entry; 8] = published![

@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use crate::data::Smith;
 use crate::effects::volume::{Made, Points};
-use crate::integrate::IntegrateError;
-use crate::integrate::glass::Side;
-use crate::integrate::glass::table::{Energies, Kernel};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::integrate::glass::table::{Energies, Kernel};
 
 pub use path_tracer::{
     NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid,

@@ -5,8 +5,8 @@ use crate::data::{Smith, Table, VolumeLayout};
 use crate::effects::volume::{
     GLASS_SAMPLES, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, channel, check, glass_axes,
 };
-use crate::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
-use crate::integrate::{IntegrateError, Path};
+use lobefit_truth::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
+use lobefit_truth::integrate::{IntegrateError, Path};
 
 /// Largest error of a texel of the sources' layout.
 const SAMPLED: f64 = 1e-6;

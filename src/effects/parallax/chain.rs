@@ -5,8 +5,9 @@ use super::grid::{Cell, Grid};
 use super::{named, source};
 use crate::data::{AlphaMap, LOG_SCALE, MipChain, MipMap, Norm, Place};
 use crate::effects::reflection::{Fit, FitStageError, searched};
-use crate::fit::{Domain, FitError, Hypothesis, Samples, round_up};
-use crate::math::ops;
+use lobefit_fit::{FitError, Samples};
+use lobefit_math::ops;
+use lobefit_shade::{Domain, Hypothesis, ShadeError, round_up};
 
 /// What a function gives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,7 +182,7 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
 }
 
 /// The box of a grid's cells.
-fn domain(grid: &Grid) -> Result<Domain, FitError> {
+fn domain(grid: &Grid) -> Result<Domain, ShadeError> {
     let hull = |of: fn(&Cell) -> f64| {
         let values = grid.cells.iter().map(of);
         (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))

@@ -4,11 +4,12 @@ use rayon::prelude::*;
 
 use crate::data::AlphaMap;
 use crate::effects::reflection::FitStageError;
-use crate::fit::{FitError, Hypothesis};
-use crate::integrate::IntegrateError;
-use crate::integrate::footprint::{self, Measures, measures};
-use crate::math::ops;
-use crate::optics::kernel::Kernel;
+use lobefit_fit::FitError;
+use lobefit_math::ops;
+use lobefit_shade::{Hypothesis, ShadeError};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::footprint::{self, Measures, measures};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// One pair of a roughness and a ratio of distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,7 +101,7 @@ impl Grid {
                 "rho" => Some(cell.rho as f32),
                 _ => None,
             };
-            let unknown = || FitError::UnknownInput {
+            let unknown = || ShadeError::UnknownInput {
                 function: hypothesis.name().into(),
                 input: name.clone(),
                 given: "alpha, roughness, rho".into(),

@@ -6,10 +6,10 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::data::Smith;
-use crate::integrate::monte_carlo::{self, Draw, Points, Run};
-use crate::integrate::reflection::{Effort, TOLERANCE, Work, albedo_work, reflection};
-use crate::integrate::{IntegrateError, PanelRule};
-use crate::optics::ggx;
+use lobefit_truth::integrate::monte_carlo::{self, Draw, Points, Run};
+use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, Work, albedo_work, reflection};
+use lobefit_truth::integrate::{IntegrateError, PanelRule};
+use lobefit_truth::optics::ggx;
 
 /// Error against evaluations at one point.
 #[derive(Clone, Debug, PartialEq)]

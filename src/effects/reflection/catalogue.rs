@@ -68,7 +68,7 @@ pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::Hypothesis;
+    use lobefit_shade::Hypothesis;
 
     #[test]
     fn functions_are_named_like_their_files() {

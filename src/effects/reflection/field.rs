@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::PointSet;
 use crate::data::Smith;
-use crate::integrate::reflection::{Effort, albedo, split};
+use lobefit_truth::integrate::reflection::{Effort, albedo, split};
 
 /// Largest error of a truth in a field, eight nodes a panel: measured 6.1e-8 over alpha and mu in [1e-4, 1], held by
 /// `tests/effects/reflection_field.rs`. The texels of tables are made with sixteen and are better.

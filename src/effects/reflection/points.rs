@@ -2,7 +2,7 @@
 
 use super::Region;
 use crate::data::Place;
-use crate::math::sobol::Sobol;
+use lobefit_math::sobol::Sobol;
 
 /// Inputs as a shader has them, in f32.
 #[derive(Clone, Debug, Default, PartialEq)]

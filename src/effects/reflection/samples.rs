@@ -4,10 +4,11 @@ use rayon::prelude::*;
 
 use super::{Counter, Field, PointSet, Region, certification};
 use crate::data::{Norm, Smith, Use};
-use crate::fit::{FitError, Hypothesis, Samples};
-use crate::integrate::IntegrateError;
-use crate::integrate::reflection::{TOLERANCE, average};
-use crate::math::chebyshev::{self, Chebyshev};
+use lobefit_fit::{FitError, Samples};
+use lobefit_math::chebyshev::{self, Chebyshev};
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::reflection::{TOLERANCE, average};
 
 /// 2^20 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 20;
@@ -176,13 +177,13 @@ pub(in crate::effects) fn interpolant(
     region: &Region,
     counter: &Counter,
 ) -> Result<impl Fn(f64) -> f64 + Sync + use<>, IntegrateError> {
-    let [low, high] = region.alpha().map(|a| crate::math::ops::log(a.max(AVERAGE_SMALLEST)));
+    let [low, high] = region.alpha().map(|a| lobefit_math::ops::log(a.max(AVERAGE_SMALLEST)));
     let nodes = chebyshev::nodes(low, high, AVERAGE_NODES);
     counter.add(nodes.len());
-    let value = |x: &f64| average(smith, crate::math::ops::exp(*x).min(1.0), TOLERANCE).map(|v| v.e_avg);
+    let value = |x: &f64| average(smith, lobefit_math::ops::exp(*x).min(1.0), TOLERANCE).map(|v| v.e_avg);
     let values: Vec<Result<f64, IntegrateError>> = nodes.par_iter().map(value).collect();
     let interpolant = Chebyshev::new(low, high, values.into_iter().collect::<Result<_, _>>()?);
-    Ok(move |alpha: f64| interpolant.at(crate::math::ops::log(alpha.max(AVERAGE_SMALLEST)).clamp(low, high)))
+    Ok(move |alpha: f64| interpolant.at(lobefit_math::ops::log(alpha.max(AVERAGE_SMALLEST)).clamp(low, high)))
 }
 
 impl Data for AverageData {
@@ -231,7 +232,7 @@ mod tests {
             let [low, high] = region.alpha();
             for i in 0..200 {
                 let t = (f64::from(i) + 0.37) / 200.0;
-                let alpha = crate::math::ops::pow(low, 1.0 - t) * crate::math::ops::pow(high, t);
+                let alpha = lobefit_math::ops::pow(low, 1.0 - t) * lobefit_math::ops::pow(high, t);
                 let exact = average(smith, alpha, TOLERANCE).expect("in the domain").e_avg;
                 assert!((truth(alpha) - exact).abs() < 1e-9, "{smith:?} {alpha}: {} {exact}", truth(alpha));
             }

@@ -8,7 +8,7 @@
 //!   bias = B/E - (1 - mu)^5,   E = 1 - loss,   B = E (bias + (1 - mu)^5),
 //!
 //! which vanishes with alpha away from the layer and depends on mu/alpha alone inside it. The texels are not samples: they are
-//! optimised so that the largest error of the bilinear lookup is smallest ([`crate::fit::texels`]).
+//! optimised so that the largest error of the bilinear lookup is smallest ([`lobefit_fit::texels`]).
 //!
 //! The plain layouts hold what engines hold today, E or (A, B) sampled at texel centres over the whole of roughness [0, 1].
 
@@ -19,8 +19,8 @@ use crate::data::{
     AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, TableError, TexelFormat,
     Warp,
 };
-use crate::fit::texels::{self, TexelSample};
-use crate::integrate::reflection::{Effort, albedo, split};
+use lobefit_fit::texels::{self, TexelSample};
+use lobefit_truth::integrate::reflection::{Effort, albedo, split};
 
 /// What to bake.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +110,7 @@ impl Node {
 
     /// The encoded bias for a lookup whose albedo is `e`.
     fn bias(&self, e: f64) -> f64 {
-        self.b / e - crate::optics::fresnel::schlick_weight(1.0 - self.mu)
+        self.b / e - lobefit_truth::optics::fresnel::schlick_weight(1.0 - self.mu)
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::light::{Checker, Panel, Room, Wall};
 use super::shape::{Convex, Plane};
-use crate::math::vector::{Vec3, cross, normalise};
+use lobefit_math::vector::{Vec3, cross, normalise};
 
 const UP: Vec3 = [0.0, 0.0, 1.0];
 

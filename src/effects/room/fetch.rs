@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use crate::math::ops;
-use crate::math::sobol::Sobol;
-use crate::math::vector::Vec3;
-use crate::optics::kernel::Kernel;
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
+use lobefit_math::vector::Vec3;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Directions about the axis z drawn by the energy of a lobe, each of the same weight.
 #[derive(Clone, Debug, PartialEq)]

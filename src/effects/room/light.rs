@@ -1,7 +1,7 @@
 //! The light of a room.
 
 use super::shape::{Convex, Plane};
-use crate::math::vector::{Vec3, dot, plus, scaled};
+use lobefit_math::vector::{Vec3, dot, plus, scaled};
 
 /// A pattern of squares over a wall's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]

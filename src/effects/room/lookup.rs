@@ -1,7 +1,7 @@
 //! What a shader does at a shading point with the cubemap of a probe.
 
-use crate::math::vector::{Vec3, plus, scaled};
-use crate::optics::footprint::Hit;
+use lobefit_math::vector::{Vec3, plus, scaled};
+use lobefit_truth::optics::footprint::Hit;
 
 /// A shading point.
 #[derive(Clone, Copy, Debug, PartialEq)]

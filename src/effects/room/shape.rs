@@ -1,6 +1,6 @@
 //! Convex bodies by their planes.
 
-use crate::math::vector::{Vec3, cross, dot, normalise, plus, scaled};
+use lobefit_math::vector::{Vec3, cross, dot, normalise, plus, scaled};
 
 /// A plane: the half-space normal . x <= offset is inside.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]

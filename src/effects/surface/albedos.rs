@@ -4,11 +4,11 @@ use rayon::prelude::*;
 
 use super::SurfaceError;
 use crate::data::Smith;
-use crate::integrate::reflection::{self, Effort};
-use crate::math::gauss::Gauss;
-use crate::math::panels;
-use crate::math::piecewise::{self, Piecewise};
-use crate::optics::fresnel;
+use lobefit_math::gauss::Gauss;
+use lobefit_math::panels;
+use lobefit_math::piecewise::{self, Piecewise};
+use lobefit_truth::integrate::reflection::{self, Effort};
+use lobefit_truth::optics::fresnel;
 
 /// Range of alpha of a surface. At 0 the lobe is a mirror, which has no BRDF.
 pub const ALPHA: [f64; 2] = [1e-4, 1.0];

@@ -5,8 +5,8 @@ use serde::Serialize;
 
 use super::{Lobe, Material, Surface, SurfaceError};
 use crate::data::AlphaMap;
-use crate::integrate::walk::{CHANNELS, Walked, Walks, walk};
-use crate::optics::fresnel;
+use lobefit_truth::integrate::walk::{CHANNELS, Walked, Walks, walk};
+use lobefit_truth::optics::fresnel;
 
 /// A metal by its complex index of refraction in red, green and blue; k = 0 is a dielectric, of which only the reflected part is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

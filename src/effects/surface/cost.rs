@@ -6,7 +6,8 @@
 use super::SurfaceError;
 use super::material::{Coupling, Factor, Lobe};
 use crate::data::Cost;
-use crate::fit::{FitError, Hypothesis};
+use lobefit_shade::Hypothesis;
+use lobefit_shade::ShadeError;
 
 /// Arguments of every formula. `specular` is D V F, `diffuse` rho/pi, `fresnel` F(v.h); a and b are texels of A and B at l and v, `series`
 /// the colour of the second lobe, `second` that over pi times the average loss, `scale` one over what a coupling divides by.
@@ -44,7 +45,7 @@ pub fn cost(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Cost, SurfaceErro
 /// # Errors
 /// A formula that does not parse, a defect of this program.
 pub fn formula(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Hypothesis, SurfaceError> {
-    let parsed: Result<Hypothesis, FitError> = Hypothesis::parse("shade.wgsl", &source(lobe, coupling));
+    let parsed: Result<Hypothesis, ShadeError> = Hypothesis::parse("shade.wgsl", &source(lobe, coupling));
     parsed.map_err(|e| SurfaceError::Formula(Box::new(e)))
 }
 

@@ -9,7 +9,7 @@ use super::measure::Rules;
 use super::table::Grid;
 use super::{Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::Smith;
-use crate::integrate::Estimate;
+use lobefit_truth::integrate::Estimate;
 
 /// Albedos of the base that are compared.
 pub const ALBEDOS: [f64; 6] = [0.0, 0.2, 0.5, 0.8, 0.95, 1.0];

@@ -1,7 +1,7 @@
 //! What can go wrong with a surface.
 
-use crate::fit::FitError;
-use crate::integrate::IntegrateError;
+use lobefit_shade::ShadeError;
+use lobefit_truth::integrate::IntegrateError;
 
 /// Why there is no surface or no measure of it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -71,7 +71,7 @@ pub enum SurfaceError {
     },
     /// A formula whose cost is counted does not parse, a defect of this program.
     #[error("surface: {0}")]
-    Formula(Box<FitError>),
+    Formula(Box<ShadeError>),
     /// A truth that a measure compares with cannot be integrated.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),

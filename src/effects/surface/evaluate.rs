@@ -6,10 +6,10 @@ use std::sync::Arc;
 use super::SurfaceError;
 use super::albedos::{Albedos, Column};
 use super::material::{Base, Coupling, FactorAt, Fresnel, Lobe, Material};
-use crate::math::vector::dot;
-use crate::optics::ggx::{self, Vec3};
-use crate::optics::multiscatter::{self, Bounces};
-use crate::optics::{diffuse, fresnel};
+use lobefit_math::vector::dot;
+use lobefit_truth::optics::ggx::{self, Vec3};
+use lobefit_truth::optics::multiscatter::{self, Bounces};
+use lobefit_truth::optics::{diffuse, fresnel};
 
 /// A material ready to be evaluated.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::cost::source;
 use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::Smith;
-use crate::optics::ggx::Vec3;
+use lobefit_truth::optics::ggx::Vec3;
 
 /// Where materials are evaluated: rough enough for light of several bounces, at a reflectance of a dielectric and two of metals, over a grey base.
 const ALPHA: f64 = 0.36;

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{Albedos, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::{AlphaMap, Smith};
-use crate::optics::fresnel;
+use lobefit_truth::optics::fresnel;
 
 /// Cosines that are compared: 1/50 to 1.
 const COSINES: usize = 50;

@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::data::Smith;
-use crate::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
 
 use super::SurfaceError;
 use super::albedos::{ALPHA, IOR, check};

@@ -5,12 +5,12 @@ use std::sync::OnceLock;
 
 use super::albedos::FIRST_PANEL;
 use super::{Facet, Parts, Surface, SurfaceError};
-use crate::integrate::Estimate;
-use crate::integrate::reflection::Effort;
-use crate::integrate::reflection::hemisphere::{Hemisphere, Ring};
-use crate::math::gauss::Gauss;
-use crate::math::{ops, panels};
-use crate::optics::ggx::Vec3;
+use lobefit_math::gauss::Gauss;
+use lobefit_math::{ops, panels};
+use lobefit_truth::integrate::Estimate;
+use lobefit_truth::integrate::reflection::Effort;
+use lobefit_truth::integrate::reflection::hemisphere::{Hemisphere, Ring};
+use lobefit_truth::optics::ggx::Vec3;
 
 /// Error bound that a furnace measurement must reach.
 pub const TOLERANCE: f64 = 1e-6;

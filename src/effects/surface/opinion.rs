@@ -9,10 +9,10 @@ use serde::Serialize;
 use super::colour::Metal;
 use super::{Albedos, Lobe, Material, Surface, SurfaceError};
 use crate::data::{AlphaMap, Smith};
-use crate::integrate::walk::{BINS, BOUNCES, Walked, Walks, walk};
-use crate::math::gauss::Gauss;
-use crate::math::ops;
-use crate::optics::fresnel;
+use lobefit_math::gauss::Gauss;
+use lobefit_math::ops;
+use lobefit_truth::integrate::walk::{BINS, BOUNCES, Walked, Walks, walk};
+use lobefit_truth::optics::fresnel;
 
 /// A walk of white facets from one view.
 #[derive(Clone, Debug, PartialEq, Serialize)]

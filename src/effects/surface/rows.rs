@@ -10,8 +10,8 @@ use super::opinion::{BounceRow, ViewRow, bounce_table, view_table};
 use super::table::{Grid, ReciprocityRow, rows_with};
 use super::{Coupling, Factor, Lobe, SurfaceError};
 use crate::data::Smith;
-use crate::fit::Hypothesis;
-use crate::integrate::walk::Walks;
+use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::walk::Walks;
 
 /// f0 of the dielectric whose base is darkened: that of an index of refraction of 1.5.
 const DARK_F0: f64 = 0.04;

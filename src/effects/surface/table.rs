@@ -9,7 +9,7 @@ use super::cost::cost;
 use super::measure::{self, Pair, Rules};
 use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::{AlphaMap, Smith};
-use crate::integrate::Estimate;
+use lobefit_truth::integrate::Estimate;
 
 /// Where surfaces are measured.
 #[derive(Clone, Debug, PartialEq, Serialize)]

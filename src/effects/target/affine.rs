@@ -1,6 +1,6 @@
 //! Whether a formula is affine in one of its inputs.
 
-use crate::fit::{BinaryOp, Op, Tape, UnaryOp};
+use lobefit_shade::{BinaryOp, Op, Tape, UnaryOp};
 
 /// How an operation depends on an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,7 +43,7 @@ pub(super) fn affine_in(tape: &Tape, input: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::Hypothesis;
+    use lobefit_shade::Hypothesis;
 
     #[test]
     fn blends_are_affine_in_f0_and_powers_of_it_are_not() {

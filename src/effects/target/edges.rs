@@ -3,8 +3,8 @@
 use super::spec::ROUGHNESS;
 use super::{Span, Target, TargetError};
 use crate::effects::Values;
-use crate::fit::FitError;
-use crate::math::chebyshev;
+use lobefit_math::chebyshev;
+use lobefit_shade::ShadeError;
 
 /// Places per axis of the lattices of constraints.
 const NODES: usize = 17;
@@ -175,14 +175,14 @@ impl Target {
         function: &str,
         places: &[Vec<f64>],
         f0: &[f64],
-    ) -> Result<Columns, FitError> {
+    ) -> Result<Columns, ShadeError> {
         // As Target::at has them: all places for each f0 in turn.
         let rows: Vec<Vec<f64>> = f0.iter().flat_map(|f0| places.iter().map(|p| with(p, *f0))).collect();
         self.transposed(names, function, &rows)
     }
 
     /// Columns of the formula's inputs, from rows of all axes and f0, rounded as a shader has them.
-    fn transposed(&self, names: &[String], function: &str, rows: &[Vec<f64>]) -> Result<Columns, FitError> {
+    fn transposed(&self, names: &[String], function: &str, rows: &[Vec<f64>]) -> Result<Columns, ShadeError> {
         let axis = |k: usize| rows.iter().map(|row| row[k] as f32).collect::<Vec<f32>>();
         let wide = |column: Vec<f32>| -> Vec<f64> { column.into_iter().map(f64::from).collect() };
         let find = |name: &str| self.axes.iter().position(|a| a.name == name);
@@ -192,7 +192,7 @@ impl Target {
                 let roughness = find(ROUGHNESS).map(axis).unwrap_or_default();
                 Ok(wide(roughness.into_iter().map(|r| self.alpha_map.alpha_f32(r)).collect()))
             }
-            name => find(name).map(|k| wide(axis(k))).ok_or_else(|| FitError::UnknownInput {
+            name => find(name).map(|k| wide(axis(k))).ok_or_else(|| ShadeError::UnknownInput {
                 function: function.into(),
                 input: name.into(),
                 given: self.inputs().join(", "),

@@ -1,7 +1,8 @@
 //! What can be wrong with a target.
 
-use crate::fit::{FitError, Place};
-use crate::integrate::IntegrateError;
+use lobefit_fit::FitError;
+use lobefit_shade::{Place, ShadeError};
+use lobefit_truth::integrate::IntegrateError;
 
 /// A target that makes no sense, or whose truth cannot be had.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -89,6 +90,12 @@ pub enum TargetError {
     /// A truth could not be integrated somewhere in the domain.
     #[error("{}", without_truth(.0))]
     Integrate(#[from] IntegrateError),
+}
+
+impl From<ShadeError> for TargetError {
+    fn from(error: ShadeError) -> Self {
+        FitError::from(error).into()
+    }
 }
 
 impl TargetError {

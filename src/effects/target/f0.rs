@@ -1,7 +1,7 @@
 //! The values of f0 that stand for all.
 
 use super::Span;
-use crate::math::chebyshev;
+use lobefit_math::chebyshev;
 
 /// How the values of f0 are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use super::spec::{ROUGHNESS, Span};
 use crate::data::{AlphaMap, Place};
 use crate::effects::reflection::{PointSet, Region, certification, edged, uniform};
-use crate::math::chebyshev;
-use crate::math::recurrence::Recurrence;
+use lobefit_math::chebyshev;
+use lobefit_math::recurrence::Recurrence;
 
 /// Inputs as a shader has them, in f32, by name.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,7 +5,8 @@ use super::points::{self, Points};
 use super::truth::Truth;
 use super::{Target, TargetError};
 use crate::data::{AlphaMap, Use};
-use crate::fit::{FitError, Samples};
+use lobefit_fit::{FitError, Samples};
+use lobefit_shade::ShadeError;
 
 /// Points with the residual `scale f - target` of the use.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,9 +24,9 @@ impl Sampled {
     ///
     /// # Errors
     /// An input that the target does not have.
-    pub fn inputs(&self, function: &str, names: &[String]) -> Result<Vec<Vec<f32>>, FitError> {
+    pub fn inputs(&self, function: &str, names: &[String]) -> Result<Vec<Vec<f32>>, ShadeError> {
         let column = |name: &String| {
-            self.points.column(name).map(<[f32]>::to_vec).ok_or_else(|| FitError::UnknownInput {
+            self.points.column(name).map(<[f32]>::to_vec).ok_or_else(|| ShadeError::UnknownInput {
                 function: function.into(),
                 input: name.clone(),
                 given: self.points.columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>().join(", "),

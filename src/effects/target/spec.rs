@@ -6,9 +6,9 @@ use super::TargetError;
 use super::affine::affine_in;
 use crate::data::{AlphaMap, Smith, Use};
 use crate::effects::{Input, Quantity, Values};
-use crate::fit::{Domain, FitError, Hypothesis};
-use crate::math::ops;
-use crate::optics::kernel::Kernel;
+use lobefit_math::ops;
+use lobefit_shade::{Domain, Hypothesis, ShadeError};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// What to approximate, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -293,17 +293,16 @@ impl Target {
     ///
     /// # Errors
     /// A domain that [`Domain`] refuses.
-    pub fn domain(&self) -> Result<Domain, FitError> {
+    pub fn domain(&self) -> Result<Domain, ShadeError> {
         let spans = self.spans();
         let axes: Vec<(&str, f64, f64)> =
             spans.iter().map(|s| (s.name.as_str(), s.range[0], s.range[1])).collect();
         let domain = Domain::new(&axes)?;
-        let power = match self.alpha_map {
-            AlphaMap::Roughness => 1,
-            AlphaMap::RoughnessSquared => 2,
-            AlphaMap::RoughnessFourth => 4,
-        };
-        if self.has_alpha() { domain.with_derived("alpha", ROUGHNESS, power) } else { Ok(domain) }
+        if self.has_alpha() {
+            domain.with_derived("alpha", ROUGHNESS, self.alpha_map.power())
+        } else {
+            Ok(domain)
+        }
     }
 }
 
@@ -417,7 +416,7 @@ const ROUNDED: f64 = 1e-6;
 
 /// To three digits, upwards: what a person would type.
 fn up(x: f64) -> f64 {
-    crate::fit::round_up(x, 3)
+    lobefit_shade::round_up(x, 3)
 }
 
 /// The roughness of an alpha.

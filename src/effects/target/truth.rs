@@ -8,8 +8,8 @@ use super::{Target, TargetError};
 use crate::data::Use;
 use crate::effects::reflection::{Counter, Field, PointSet, Region, TRUTH_ERROR, average_truth};
 use crate::effects::{Method, Quantity, Values};
-use crate::integrate::{IntegrateError, footprint, sheen};
-use crate::optics::kernel::Kernel;
+use lobefit_truth::integrate::{IntegrateError, footprint, sheen};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// The truth at points, before its use.
 pub(super) enum Truth {

@@ -6,7 +6,7 @@
 //! mu ~ alpha_v, the loss is a cubic of t within 3e-3 (at alpha = 1 and a ratio of 10; 7e-4 for alpha up to 0.2), where a cubic of
 //! cos(2 phi) leaves 0.04.
 
-use crate::math::{chebyshev, ops};
+use lobefit_math::{chebyshev, ops};
 
 /// Samples in t of the least squares that yields the cubic.
 const SAMPLES: usize = 8;

@@ -10,8 +10,8 @@ use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 
 use super::{Node, VolumePlan};
-use crate::fit::volume::Wanted;
-use crate::integrate::IntegrateError;
+use lobefit_fit::volume::Wanted;
+use lobefit_truth::integrate::IntegrateError;
 
 /// Lines of alpha that are integrated whole.
 const LINES: usize = 24;

@@ -4,9 +4,9 @@ use rayon::prelude::*;
 
 use super::Third;
 use crate::data::Smith;
-use crate::integrate::IntegrateError;
-use crate::integrate::glass::Side;
-use crate::integrate::monte_carlo::{self, Draw, Points, Run};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::integrate::monte_carlo::{self, Draw, Points, Run};
 
 /// Samples a texel in the sources.
 pub const SOURCES_SAMPLES: f64 = 1e7;

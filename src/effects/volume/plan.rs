@@ -7,9 +7,9 @@
 use rayon::prelude::*;
 
 use crate::data::{AlphaMap, Axis, Surface};
-use crate::fit::volume::{self, Lattice, Wanted};
-use crate::math::chebyshev::{self, Chebyshev};
-use crate::math::ops;
+use lobefit_fit::volume::{self, Lattice, Wanted};
+use lobefit_math::chebyshev::{self, Chebyshev};
+use lobefit_math::ops;
 
 /// A point at which the truth is wanted.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@
 
 use super::{Point, Region, Third};
 use crate::data::Place;
-use crate::math::ops;
-use crate::math::sobol::Sobol;
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
 
 /// Points that share roughness and mu.
 pub const GROUP: usize = 8;

@@ -58,7 +58,7 @@ pub struct Made {
 pub enum VolumeError {
     /// A truth could not be integrated.
     #[error(transparent)]
-    Integrate(#[from] crate::integrate::IntegrateError),
+    Integrate(#[from] lobefit_truth::integrate::IntegrateError),
     /// A table's shape or values.
     #[error(transparent)]
     Table(#[from] TableError),
@@ -83,7 +83,7 @@ pub(in crate::effects) fn channel(name: &str, texels: Vec<f64>) -> Channel {
 /// Nodes in ln(alpha) for targets that are interpolated to about 1e-4, which [`check`](super::check) measures: E has its nearest singularities at imaginary part pi/2
 /// (alpha^2 negative), so n nodes on a range of half length h leave exp(-n asinh(pi/(2 h))); at least 8.
 pub(in crate::effects) fn alpha_nodes(alpha: [f64; 2]) -> usize {
-    use crate::math::ops;
+    use lobefit_math::ops;
     let rate = ops::asinh(std::f64::consts::PI / ops::log(alpha[1] / alpha[0]).max(1e-3));
     ((ops::log(2e4) / rate).ceil() as usize).max(8)
 }

@@ -2,8 +2,8 @@
 
 use super::functions::numbers;
 use super::{LETTERS, Readable, decoding};
-use crate::emit::code::Language;
 use crate::emit::spelling::{argument, declare, head, part, vector};
+use lobefit_shade::code::Language;
 
 const C: Language = Language::C;
 

@@ -1,8 +1,8 @@
 //! The functions of a table that all languages have alike: its coordinates and its decoding.
 
 use super::{LETTERS, Readable, comment, coordinates, decoding};
-use crate::emit::code::Language;
 use crate::emit::spelling::{argument, declare, expression, finish, head, part, unused, vector};
+use lobefit_shade::code::Language;
 
 /// The functions of a table in a language.
 pub(super) fn print(readable: &Readable, language: Language) -> String {

@@ -7,10 +7,10 @@ mod functions;
 mod rust;
 mod sampled;
 
-use super::code::Language;
-use super::comment::comment;
 use super::spelling::mentions;
 use crate::data::{Axis, Decode, Expression, Table};
+use lobefit_shade::code::Language;
+use lobefit_shade::comment::comment;
 
 pub use c::HELPER_PREFIX as C_HELPER_PREFIX;
 pub use rust::HELPER_NAMES as RUST_HELPER_NAMES;

@@ -3,8 +3,8 @@
 use super::functions::numbers;
 use super::{LETTERS, Readable, decoding};
 use crate::data::Table;
-use crate::emit::code::Language;
 use crate::emit::spelling::{argument, head, vector};
+use lobefit_shade::code::Language;
 
 /// Names of the cells' parts along an axis: the texel, the step to the next, the fraction between.
 const CELLS: [[&str; 3]; 3] = [["column", "right", "fx"], ["row", "down", "fy"], ["slice", "deep", "fz"]];

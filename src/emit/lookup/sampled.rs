@@ -3,8 +3,8 @@
 use super::functions::numbers;
 use super::{LETTERS, Readable, decoding};
 use crate::data::TexelFormat;
-use crate::emit::code::Language;
 use crate::emit::spelling::{argument, declare, head, vector};
+use lobefit_shade::code::Language;
 
 /// What picks a texel's channels from the four that are fetched.
 const SWIZZLES: [&str; 4] = [".x", ".xy", ".xyz", ""];

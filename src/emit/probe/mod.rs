@@ -11,12 +11,12 @@ mod script;
 mod several;
 mod single;
 
-use super::code::Language;
 use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::TapRule;
 use crate::effects::parallax::taps::horizon::FADE;
 use crate::effects::room::proxies::Tie;
-use crate::fit::FitError;
+use lobefit_fit::FitError;
+use lobefit_shade::code::Language;
 
 /// What the ray of the mirror lobe is.
 const MIRROR: [&str; 2] = [
@@ -214,7 +214,7 @@ pub fn print(language: Language, lookups: &[Wanted]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::emit::code::taken;
+    use lobefit_shade::code::taken;
 
     /// The scripts' names are words of no language.
     #[test]

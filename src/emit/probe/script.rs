@@ -12,10 +12,11 @@
 //! E is a shader's arithmetic on numbers and parts of vectors (`v.x`), with `sqrt abs min max pow exp2 log2`, comparisons, and
 //! `choose(condition, a, b)` by itself, as an argument or in another `choose`.
 
-use crate::emit::code::{Language, wrapped};
-use crate::emit::comment::comment;
 use crate::emit::spelling::{argument, expression, head, mentions, vector};
-use crate::fit::{FitError, Hypothesis};
+use lobefit_fit::FitError;
+use lobefit_shade::Hypothesis;
+use lobefit_shade::code::{Language, wrapped};
+use lobefit_shade::comment::comment;
 
 /// The type of an argument or a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Two or three fetches along the axis that the proxy stretches, as a script: the formulas of [`crate::optics::footprint::Stretch`] and of
+//! Two or three fetches along the axis that the proxy stretches, as a script: the formulas of [`lobefit_truth::optics::footprint::Stretch`] and of
 //! the rule of fetches, in f32.
 
 use super::script::{Kind, Routine};
@@ -14,7 +14,7 @@ FIRST = 1.0 + upright * ray.x * ray.x * turned | upright * mixed | -upright * ra
 SECOND = mixed | upright + ray.y * ray.y * turned | -ray.y
 ";
 
-/// The map of a lobe of half-axes `first` and `second` to the probe, as [`crate::optics::footprint::Stretch`] has it. M^T M
+/// The map of a lobe of half-axes `first` and `second` to the probe, as [`lobefit_truth::optics::footprint::Stretch`] has it. M^T M
 /// over the root of its determinant, `shrunk` (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]; `shrunk` is
 /// (n.w_p)/(n.w_s), but where a grazing cosine counts as 0.02. With the growth over the lobe's width added, its larger eigenvalue is `large`
 /// and the difference of both 2 `off`, so that z^2 = 1 - small/large, `spread` squared, is 2 off/large without a difference.

@@ -4,8 +4,8 @@ use super::SearchJob;
 use super::space;
 use crate::data::Use;
 use crate::effects::target::{Target, TargetError};
-use crate::fit::search::{Aid, Helper, Link, Progress, SearchAxis, SearchSamples, Space, Trial, scout};
 use crate::fitting::FittingError;
+use lobefit_fit::search::{Aid, Helper, Link, Progress, SearchAxis, SearchSamples, Space, Trial, scout};
 
 /// A kind of function beside sums of powers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,8 +13,9 @@ use super::certificates::certificate;
 use super::{Demand, FittingError};
 use crate::data::Certificate;
 use crate::effects::target::{Sampled, Target, TargetSpec};
-use crate::fit::search::{Found, Progress, search};
-use crate::fit::{FitError, Hypothesis, Precision, prove_regular};
+use lobefit_fit::FitError;
+use lobefit_fit::search::{Found, Progress, search};
+use lobefit_shade::{Hypothesis, Precision, ShadeError, prove_regular};
 
 /// What to search.
 #[derive(Clone, Debug)]
@@ -107,7 +108,7 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
     for form in found {
         let coefficients: Vec<f32> = form.hypothesis.parameters().iter().map(|p| p.start).collect();
         let exact: Vec<f64> = form.hypothesis.starts();
-        if let Err(FitError::Irregular { .. }) =
+        if let Err(ShadeError::Irregular { .. }) =
             prove_regular(form.hypothesis.tape(), &exact, &target.domain()?)
         {
             // Not to be had in the whole domain: the search proves what it can, the certificate needs all.
@@ -155,6 +156,6 @@ fn certified(
     coefficients: &[f32],
     target: &Target,
     measured: &Sampled,
-) -> Result<Certificate, FitError> {
+) -> Result<Certificate, ShadeError> {
     certificate(hypothesis, coefficients, target, measured, Precision::F32)
 }

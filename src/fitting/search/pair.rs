@@ -18,11 +18,11 @@ use super::{Frontier, SearchJob, Tried};
 use crate::data::Use;
 use crate::effects::Quantity;
 use crate::effects::target::{Span, Target, TargetError, TargetSpec};
-use crate::fit::FitError;
-use crate::fit::search::{
+use crate::fitting::FittingError;
+use lobefit_fit::FitError;
+use lobefit_fit::search::{
     Anchor, Found, Pair, PairSamples, Pairing, Progress, SearchSamples, Second, Space, search, search_pair,
 };
-use crate::fitting::FittingError;
 
 /// Values of f0 where an error that is not affine in it is searched.
 const CURVED: usize = 5;

@@ -4,10 +4,10 @@ use super::Rival;
 use crate::data::{AlphaMap, Smith, Use};
 use crate::effects::target::{Sampled, Target};
 use crate::effects::{coupling, reflection, sheen};
-use crate::fit::{Hypothesis, Precision};
 use crate::fitting::FittingError;
 use crate::fitting::certificates::certificate;
-use crate::integrate::coupling::Specular;
+use lobefit_shade::{Hypothesis, Precision};
+use lobefit_truth::integrate::coupling::Specular;
 
 /// How the names begin of the catalogue's formulas for a use of a quantity.
 fn prefix(target: &Target) -> Option<&'static str> {

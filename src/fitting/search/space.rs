@@ -4,10 +4,11 @@ use super::SearchJob;
 use crate::data::{AlphaMap, Use};
 use crate::effects::Values;
 use crate::effects::target::{Target, TargetError, TargetSpec};
-use crate::fit::search::{Anchor, SearchAxis, SearchSamples, Space};
-use crate::fit::{FitError, Hypothesis};
 use crate::fitting::{Demand, FittingError};
-use crate::optics::kernel::Kernel;
+use lobefit_fit::FitError;
+use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};
+use lobefit_shade::Hypothesis;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Highest powers of roughness (alpha^4) and of the other inputs in a term.
 const DEGREES: [u8; 2] = [8, 5];

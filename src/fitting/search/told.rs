@@ -8,12 +8,12 @@ use super::{Point, SearchJob, Searched, Tried};
 use crate::data::Approximation;
 use crate::emit::header::{place, short};
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
-use crate::fit::Goal;
 use crate::fitting::document::{TOOL, as_object, hash, of_target};
 use crate::fitting::one::approximation;
 use crate::fitting::{FittingError, words};
 use crate::report::{self, Dot, Origin, SearchPage, SearchRow};
 use crate::store::Files;
+use lobefit_fit::Goal;
 
 /// A table of the frontier, then each formula.
 pub fn summary(searched: &Searched) -> String {

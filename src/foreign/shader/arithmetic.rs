@@ -4,8 +4,8 @@ use naga::{BinaryOperator, Expression, Handle, RelationalFunction, Span, UnaryOp
 
 use super::value::{Maker, Value};
 use super::walk::{ONLY, Walk};
-use crate::fit::{BinaryOp, Node, UnaryOp};
 use crate::foreign::ForeignError;
+use lobefit_shade::{BinaryOp, Node, UnaryOp};
 
 /// The operands of an expression whose value follows from theirs, in order.
 pub(super) fn operands(expression: &Expression) -> Vec<Handle<Expression>> {

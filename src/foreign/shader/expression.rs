@@ -8,8 +8,8 @@ use super::ShaderLanguage as Language;
 use super::value::Value;
 use super::walk::{Frame, ONLY, Walk};
 use super::{arithmetic, math};
-use crate::fit::Node;
 use crate::foreign::{ForeignError, limits};
+use lobefit_shade::Node;
 
 impl<'a> Walk<'a> {
     /// The value of an expression that has been walked, or needs no walk.

@@ -5,8 +5,8 @@ use naga::{MathFunction, Span};
 use super::arithmetic::{dot, truncated};
 use super::value::Value;
 use super::walk::{ONLY, Walk};
-use crate::fit::{BinaryOp, Node, Op, UnaryOp, power_steps};
 use crate::foreign::ForeignError;
+use lobefit_shade::{BinaryOp, Node, Op, UnaryOp, power_steps};
 
 /// Largest exponent that is multiplied out, as in hypotheses.
 const POWER: u32 = 16;

@@ -16,7 +16,7 @@ mod walk;
 use naga::{Function, Handle, Module};
 
 use super::{ForeignError, Spot};
-use crate::fit::Tape;
+use lobefit_shade::Tape;
 use source::Source;
 use walk::Walk;
 

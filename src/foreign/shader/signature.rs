@@ -4,8 +4,8 @@ use naga::{Function, Handle, ScalarKind, Span, Type, TypeInner, VectorSize};
 
 use super::value::Value;
 use super::walk::Walk;
-use crate::fit::{Node, Op};
 use crate::foreign::ForeignError;
+use lobefit_shade::{Node, Op};
 
 /// The arguments of a function.
 pub(super) struct Signature {

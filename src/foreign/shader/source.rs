@@ -7,9 +7,9 @@ use naga::{Module, ShaderStage, Span};
 use super::ShaderLanguage;
 use super::cut::Cut;
 use super::items::{items, plain_arguments};
-use crate::fit::Place;
 use crate::foreign::text::{called, nesting};
 use crate::foreign::{ForeignError, Spot, limits};
+use lobefit_shade::Place;
 
 /// A shader source.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Values while a shader function is walked: nodes of a tape, numbers known now, and lists of them.
 
-use crate::fit::{Assembler, BinaryOp, Node, Op, UnaryOp};
+use lobefit_shade::{Assembler, BinaryOp, Node, Op, UnaryOp};
 
 /// A value of a shader.
 #[derive(Clone, Debug, PartialEq)]

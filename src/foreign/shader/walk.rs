@@ -4,8 +4,8 @@ use naga::{Block, Expression, Function, Handle, Module, Span, Statement, SwitchV
 
 use super::source::Source;
 use super::value::{Maker, Pointer, Value};
-use crate::fit::Node;
 use crate::foreign::{ForeignError, limits};
+use lobefit_shade::Node;
 
 /// What has happened when a block has run.
 #[derive(Clone, Copy, Debug, PartialEq)]

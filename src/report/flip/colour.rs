@@ -1,6 +1,6 @@
 //! The colour spaces of FLIP, and the distance in the last of them.
 
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// xy of the primaries of sRGB.
 const PRIMARIES: [[f64; 2]; 3] = [[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]];

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use super::ErrorMap;
 use super::colour::{difference, largest, opponent, seen};
 use super::filter::{Filters, Plane};
-use crate::math::ops;
 use crate::report::image::Image;
+use lobefit_math::ops;
 
 /// LDR-FLIP of two pictures whose channels lie in [0, 1]: the difference in colour, raised to 1 less the difference in features.
 pub(super) fn map(reference: &Image, test: &Image, filters: &Filters) -> ErrorMap {

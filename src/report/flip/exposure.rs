@@ -3,8 +3,8 @@
 use super::difference::Seen;
 use super::filter::Filters;
 use super::{ErrorMap, FlipError, light, resolution};
-use crate::math::ops;
 use crate::report::image::{Image, luminance};
+use lobefit_math::ops;
 
 /// Narkowicz's fit of the ACES film curve with the exposure of 0.6 that goes before it, (k0 x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5):
 /// the tone mapper of the paper.

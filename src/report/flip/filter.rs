@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// A plane of values, row by row.
 pub(super) type Plane = Vec<f64>;

@@ -33,7 +33,7 @@ pub struct ErrorMap {
 impl ErrorMap {
     /// Mean over the pixels.
     pub fn mean(&self) -> f64 {
-        crate::math::sum::mean(&self.values)
+        lobefit_math::sum::mean(&self.values)
     }
 }
 

@@ -5,8 +5,8 @@ use plotters::style::RGBColor;
 use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
 use super::legend::{Key, Legend};
 use super::{Figure, LINES, Scale, Spread, axes, font, labels};
-use crate::math::ops;
 use crate::report::{ReportError, check};
+use lobefit_math::ops;
 
 /// How a series is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

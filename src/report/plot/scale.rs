@@ -1,7 +1,7 @@
 //! From physical values to positions, with the ticks that people expect.
 
-use crate::math::ops;
 use crate::report::numbers;
+use lobefit_math::ops;
 
 /// How values are spread along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::math::ops;
-use crate::optics::ggx::Vec3;
+use lobefit_math::ops;
+use lobefit_truth::optics::ggx::Vec3;
 
 /// Density cosine/pi.
 pub(super) fn cosine(u: f64, v: f64) -> Vec3 {

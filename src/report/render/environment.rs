@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use super::directions::cone;
-use crate::math::ops;
-use crate::math::vector::{Vec3, dot, normalise, plus, tangents, turned};
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, dot, normalise, plus, tangents, turned};
 
 /// A round light at infinity: the same radiance within an angle about a direction.
 #[derive(Clone, Debug, PartialEq, Serialize)]

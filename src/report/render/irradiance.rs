@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use super::environment::{Environment, Lamp};
-use crate::math::gauss::Gauss;
-use crate::math::ops;
-use crate::math::vector::{Vec3, dot, normalise, plus, scaled};
+use lobefit_math::gauss::Gauss;
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
 
 /// Nodes of each panel over the height of the sky.
 const NODES: usize = 24;

@@ -9,10 +9,10 @@ use super::directions::cosine;
 use super::environment::Aimed;
 use super::sphere::{Pixel, Place, pixel};
 use super::{Environment, Materials};
-use crate::math::sobol::Sobol;
-use crate::math::vector::{Vec3, normalise, plus, scaled};
-use crate::optics::ggx;
 use crate::report::image::Image;
+use lobefit_math::sobol::Sobol;
+use lobefit_math::vector::{Vec3, normalise, plus, scaled};
+use lobefit_truth::optics::ggx;
 
 /// How spheres are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -48,7 +48,7 @@ impl Halves {
         let pairs = || a.pixels.iter().flatten().zip(b.pixels.iter().flatten());
         let error: Vec<f64> = pairs().map(|(a, b)| (a - b) * (a - b) / 4.0).collect();
         let light: Vec<f64> = pairs().map(|(a, b)| (a + b) * (a + b) / 4.0).collect();
-        [&error, &light].map(|x| crate::math::sum::pairwise(x))
+        [&error, &light].map(|x| lobefit_math::sum::pairwise(x))
     }
 }
 

@@ -15,7 +15,7 @@ pub use environment::{Environment, Lamp};
 pub use irradiance::diffuse_light;
 pub use lit::{Halves, Settings, inside, spheres};
 
-use crate::optics::ggx::Vec3;
+use lobefit_truth::optics::ggx::Vec3;
 
 /// Materials to be shown side by side.
 pub trait Materials: Sync {

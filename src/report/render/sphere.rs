@@ -1,6 +1,6 @@
 //! Which points of a sphere a pixel sees, from afar and along z.
 
-use crate::math::vector::{Vec3, cross, dot, normalise, plus, scaled, tangents};
+use lobefit_math::vector::{Vec3, cross, dot, normalise, plus, scaled, tangents};
 
 /// Places per pixel and axis where the sphere's edge passes.
 const EDGE: usize = 4;

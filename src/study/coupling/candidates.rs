@@ -9,10 +9,11 @@ use crate::effects::reflection::{Counter, Fit, Region};
 use crate::effects::surface::{Base, Coupling, Factor, Lobe, Material};
 use crate::effects::target::TargetSpec;
 use crate::effects::{Entry, Quantity};
-use crate::fit::{Goal, Hypothesis, Precision};
 use crate::fitting::{Job, fit};
-use crate::integrate::coupling::Specular;
 use crate::study::{Size, StudyError};
+use lobefit_fit::Goal;
+use lobefit_shade::{Hypothesis, Precision};
+use lobefit_truth::integrate::coupling::Specular;
 
 /// Places in the list of the reference, and of the reference that is reciprocal.
 pub(super) const REFERENCE: usize = 0;

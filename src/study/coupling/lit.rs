@@ -9,11 +9,11 @@ use super::candidates::{Candidate, RECIPROCAL, REFERENCE};
 use super::parameters::Lit;
 use crate::data::{AlphaMap, Smith};
 use crate::effects::surface::{Albedos, Base, Coupling, Facet, Side, Surface};
-use crate::optics::ggx::Vec3;
 use crate::report::flip::{self, ErrorMap};
 use crate::report::render::{Materials, inside, spheres};
 use crate::report::{Image, LitRow, LitStrip};
 use crate::study::StudyError;
+use lobefit_truth::optics::ggx::Vec3;
 
 /// Spheres of every lobe and reflectance.
 pub(super) fn strips(lit: &Lit, compared: &[Compared]) -> Result<Vec<LitStrip>, StudyError> {
@@ -71,7 +71,7 @@ fn column(
     let mean = |map: &ErrorMap| {
         let on: Vec<f64> =
             map.values.iter().zip(&sphere).filter(|(_, inside)| **inside).map(|(v, _)| *v).collect();
-        crate::math::sum::mean(&on)
+        lobefit_math::sum::mean(&on)
     };
     let measured: Vec<Result<Measured, StudyError>> = shown
         .par_iter()

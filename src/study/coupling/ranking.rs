@@ -9,9 +9,9 @@ use crate::data::{AlphaMap, Smith};
 use crate::effects::surface::measure::{self, Pair};
 use crate::effects::surface::{Albedos, Lobe, Material, Surface, cost};
 use crate::fitting::Perceptual;
-use crate::math::sum::mean;
 use crate::report::{FurnaceStrip, LitRow, LitStrip, Ranked, Ranking};
 use crate::study::StudyError;
+use lobefit_math::sum::mean;
 
 /// One ranking for each lobe, over the reflectances of dielectrics, for which the fits are made.
 pub(super) fn rankings(

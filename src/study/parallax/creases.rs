@@ -1,7 +1,7 @@
 //! Creases: errors in the second differences of what is displayed, on the edges of the proxy and elsewhere.
 
-use crate::math::sum;
 use crate::report::{Image, displayed};
+use lobefit_math::sum;
 
 /// Mean absolute second difference, in steps of displayed luminance in [0, 1], over three pixels in a row or a column. 0 where a picture has none.
 #[derive(Clone, Copy, Debug, PartialEq)]

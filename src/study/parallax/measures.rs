@@ -1,7 +1,7 @@
 //! How far what is looked up is from what it stands for, in one number: what every part of the study states.
 
-use crate::math::vector::{Vec3, dot, minus};
-use crate::math::{ops, sum};
+use lobefit_math::vector::{Vec3, dot, minus};
+use lobefit_math::{ops, sum};
 
 /// Root of the sum of squares of the differences of a and b over that of the truth, over channels and points: relative L2. NaN of no points.
 pub(super) fn off(a: &[Vec3], b: &[Vec3], truth: &[Vec3]) -> f64 {

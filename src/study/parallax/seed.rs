@@ -6,11 +6,11 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::bake::Progress;
-use crate::integrate::IntegrateError;
-use crate::integrate::footprint::window::{Ordinate, WindowFit, fits, ordinate, profile, slanted};
-use crate::optics::kernel::Kernel;
 use crate::report::{SeedCell, SeedFindings, SeedFit, SeedSlant};
 use crate::study::{Size, StudyError};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::footprint::window::{Ordinate, WindowFit, fits, ordinate, profile, slanted};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// What this part covers.
 #[derive(Clone, Debug, Serialize)]

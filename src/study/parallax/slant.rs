@@ -9,14 +9,16 @@ use crate::bake::Progress;
 use crate::effects::parallax::taps::expected::expected;
 use crate::effects::parallax::taps::fit::{Situation, fit, situations};
 use crate::effects::parallax::{RuleTap, TapRule};
-use crate::integrate::IntegrateError;
-use crate::integrate::footprint::slant::{Case, Found, Nearest, Resolution, Slant, best_taps, best_width};
-use crate::optics::kernel::Kernel;
 use crate::report::{
     Field, PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, Ruler, SlantFindings,
     SlantFootprints, SlantLobe, SlantRow,
 };
 use crate::study::{Size, StudyError};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::footprint::slant::{
+    Case, Found, Nearest, Resolution, Slant, best_taps, best_width,
+};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// What this part covers.
 #[derive(Clone, Debug, Serialize)]

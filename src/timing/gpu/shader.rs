@@ -175,7 +175,7 @@ pub(super) fn planes(count: u32) -> Vec<f32> {
         let up = 1.0 - (2.0 * f64::from(i) + 1.0) / f64::from(count);
         let around = (1.0 - up * up).sqrt();
         let angle = 2.399_963_229_728_653 * f64::from(i);
-        let (sine, cosine) = (crate::math::ops::sin(angle), crate::math::ops::cos(angle));
+        let (sine, cosine) = (lobefit_math::ops::sin(angle), lobefit_math::ops::cos(angle));
         [around * cosine, around * sine, up, 1.5].map(|x| x as f32)
     };
     (0..count).flat_map(normal).collect()

@@ -4,7 +4,7 @@ use super::shading::{Shading, ShadingLobe};
 use crate::effects::parallax::taps::horizon::fade;
 use crate::effects::parallax::{RuleTap, Stretch, TapRule, width};
 use crate::effects::room::{Lookup, Meeting, Proxy, Seen, Tap};
-use crate::math::vector::{Vec3, length, minus, normalise, plus, scaled};
+use lobefit_math::vector::{Vec3, length, minus, normalise, plus, scaled};
 
 /// How much wider a lobe looks from the probe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]

@@ -2,8 +2,8 @@
 
 use crate::effects::parallax::width;
 use crate::effects::room::Seen;
-use crate::math::ops;
-use crate::math::vector::{Vec3, cross, dot, length, minus, normalise, plus, scaled, tangents};
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, cross, dot, length, minus, normalise, plus, scaled, tangents};
 
 /// A lobe about an axis, round or not.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@
 //! 0.063; ndf 8, 0.045; three: 2, 0.01; 1, 0.007; none.
 
 use super::expected::Expected;
-use crate::optics::kernel::Kernel;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Constants of two fetches: a, c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1 of [`TapRule`](super::TapRule).
 pub type Two = [f64; 13];

@@ -4,10 +4,10 @@ use rayon::prelude::*;
 
 use super::fit::Situation;
 use super::rule::TapRule;
-use crate::integrate::IntegrateError;
-use crate::integrate::footprint::slant::{Normal, least};
-use crate::math::ops;
-use crate::optics::footprint::Stretch;
+use lobefit_math::ops;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::footprint::slant::{Normal, least};
+use lobefit_truth::optics::footprint::Stretch;
 
 /// The formula of an expected total variation and how far off it is.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]

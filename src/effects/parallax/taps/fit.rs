@@ -6,12 +6,12 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::rule::TapRule;
-use crate::integrate::IntegrateError;
-use crate::integrate::footprint::slant::{Case, Normal, Resolution, Slant, Stand, least};
-use crate::math::ops;
-use crate::math::sobol::Sobol;
-use crate::optics::footprint::RuleTap;
-use crate::optics::kernel::Kernel;
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::footprint::slant::{Case, Normal, Resolution, Slant, Stand, least};
+use lobefit_truth::optics::footprint::RuleTap;
+use lobefit_truth::optics::kernel::Kernel;
 
 /// A lobe on a wall with how hard it is for one fetch.
 #[derive(Clone, Debug)]

@@ -5,8 +5,8 @@
 //! S/[`LEAST`]) it weighs (1 - g) w + w f/max(S, LEAST), and these weights sum to 1. Above FADE nothing changes; where nothing is left, S = 0, all
 //! fetches are the lobe's own one. All of it is continuous in c.
 
-use crate::math::vector::{Vec3, dot, normalise, plus, scaled};
-use crate::optics::footprint::RuleTap;
+use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
+use lobefit_truth::optics::footprint::RuleTap;
 
 /// Cosine to the surface's normal below which a fetch loses weight: three degrees above the surface.
 pub const FADE: f64 = 0.05;

@@ -11,6 +11,6 @@ pub mod fit;
 pub mod horizon;
 mod rule;
 
-pub use crate::optics::footprint::{RuleTap, Stretch, width};
 pub use constants::Constants;
+pub use lobefit_truth::optics::footprint::{RuleTap, Stretch, width};
 pub use rule::TapRule;

@@ -19,8 +19,8 @@
 
 use super::constants::{Constants, HALF_COSINE, Three, Two};
 use super::expected::{self, Expected};
-use crate::optics::footprint::{RuleTap, Stretch};
-use crate::optics::kernel::Kernel;
+use lobefit_truth::optics::footprint::{RuleTap, Stretch};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Largest skewness of the three.
 const MOST_SKEWED: f64 = 1.5;

@@ -4,7 +4,7 @@ use super::{FitSpec, FitStageError};
 use crate::data::{Approximation, Certificate, Cost, Form, Formula, Place, Source};
 use crate::effects::reflection::Region;
 use crate::effects::reflection::samples::Data;
-use crate::fit::{Hypothesis, measure_first, round_up};
+use lobefit_shade::{Hypothesis, measure_first, round_up};
 
 /// A formula with its coefficients.
 pub fn formula(hypothesis: &Hypothesis, coefficients: &[f32], norm: &str) -> Formula {

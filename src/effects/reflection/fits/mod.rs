@@ -15,8 +15,9 @@ use super::{PointSet, Region};
 use crate::data::{Approximation, Form, Norm, Smith};
 use crate::effects::Safe;
 use crate::effects::target::TargetError;
-use crate::fit::{FitError, Hypothesis, Termination};
-use crate::integrate::IntegrateError;
+use lobefit_fit::{FitError, Termination};
+use lobefit_shade::{Hypothesis, ShadeError};
+use lobefit_truth::integrate::IntegrateError;
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -163,17 +164,23 @@ impl Fit {
     }
 
     /// Its values in f32 at the points of a set; f0 = 1.
-    pub fn values(&self, points: &PointSet) -> Result<Vec<f32>, FitError> {
+    pub fn values(&self, points: &PointSet) -> Result<Vec<f32>, ShadeError> {
         self.values_for(points, 1.0)
     }
 
     /// Its values in f32 at the points of a set, for one f0.
-    pub fn values_for(&self, points: &PointSet, f0: f32) -> Result<Vec<f32>, FitError> {
+    pub fn values_for(&self, points: &PointSet, f0: f32) -> Result<Vec<f32>, ShadeError> {
         let column = |name: &String| match name.as_str() {
             "f0" => vec![f0; points.len()],
             name => points.column(name),
         };
         let inputs: Vec<Vec<f32>> = self.hypothesis.inputs().iter().map(column).collect();
         self.hypothesis.tape().evaluate(&inputs, &self.coefficients())
+    }
+}
+
+impl From<ShadeError> for FitStageError {
+    fn from(error: ShadeError) -> Self {
+        FitError::from(error).into()
     }
 }

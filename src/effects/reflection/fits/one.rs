@@ -2,24 +2,21 @@
 
 use super::certified::{certified, formula};
 use super::{Fit, FitSpec, FitStageError};
-use crate::data::{AlphaMap, Norm, Source};
+use crate::data::{Norm, Source};
 use crate::effects::Entry;
 use crate::effects::reflection::Region;
 use crate::effects::reflection::samples::Data;
-use crate::fit::{
-    Constraint, Domain, FitError, Hypothesis, Options, Samples, Termination, optimise, prove_regular,
-    round_to_f32,
-};
+use lobefit_fit::{Constraint, FitError, Options, Samples, Termination, optimise, round_to_f32};
+use lobefit_shade::{Domain, Hypothesis, ShadeError, prove_regular};
 
 /// The box of inputs, alpha following from roughness.
-fn domain(region: &Region) -> Result<Domain, FitError> {
-    let power = match region.alpha_map {
-        AlphaMap::Roughness => 1,
-        AlphaMap::RoughnessSquared => 2,
-        AlphaMap::RoughnessFourth => 4,
-    };
+fn domain(region: &Region) -> Result<Domain, ShadeError> {
     let ([r0, r1], [m0, m1]) = (region.roughness, region.mu);
-    Domain::new(&[("roughness", r0, r1), ("mu", m0, m1)])?.with_derived("alpha", "roughness", power)
+    Domain::new(&[("roughness", r0, r1), ("mu", m0, m1)])?.with_derived(
+        "alpha",
+        "roughness",
+        region.alpha_map.power(),
+    )
 }
 
 /// What a search found: coefficients rounded to f32 and proven regular, under the name of their norm.
@@ -50,7 +47,7 @@ pub(in crate::effects) fn searched_within(
     let fitted = optimise(hypothesis, samples, constraints, options);
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
     let fitted = fitted.map_err(|error| {
-        prove_regular(hypothesis.tape(), &hypothesis.starts(), domain).err().unwrap_or(error)
+        prove_regular(hypothesis.tape(), &hypothesis.starts(), domain).err().map_or(error, FitError::from)
     })?;
     if !fitted.termination.is_converged() {
         // A pole that the search ran into says more than how the search ended.

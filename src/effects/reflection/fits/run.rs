@@ -12,7 +12,8 @@ use crate::effects::reflection::Counter;
 use crate::effects::reflection::RIVALS;
 use crate::effects::reflection::catalogue::{AVERAGES, NORMALISATIONS, SEEDS};
 use crate::effects::reflection::samples::{AverageData, Data, FitData};
-use crate::fit::{FitError, Hypothesis};
+use lobefit_fit::FitError;
+use lobefit_shade::{Hypothesis, ShadeError};
 
 /// Fits and measures everything that the spec asks for: ours in the catalogue's order, the user's, the source's published formulas, and
 /// the rivals for comparison. Counts the truths that it needs. A hypothesis of the catalogue that does not converge, or has a
@@ -64,7 +65,7 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
     Ok(FitSet { fits, dropped })
 }
 
-fn parse(entries: &[Entry]) -> Result<Vec<Hypothesis>, FitError> {
+fn parse(entries: &[Entry]) -> Result<Vec<Hypothesis>, ShadeError> {
     entries.iter().map(|entry| Hypothesis::parse(entry.file, entry.source)).collect()
 }
 
@@ -122,7 +123,7 @@ pub(in crate::effects) fn kept(
                 error @ (FitStageError::NotConverged { .. }
                 | FitStageError::RunAway { .. }
                 | FitStageError::Unkept { .. }
-                | FitStageError::Fit(FitError::Irregular { .. })),
+                | FitStageError::Fit(FitError::Shade(ShadeError::Irregular { .. }))),
             ) => dropped.push(Dropped {
                 hypothesis: hypothesis.name().to_string(),
                 norm: norm.name(),

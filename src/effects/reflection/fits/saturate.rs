@@ -4,7 +4,7 @@ use super::certified::certified;
 use super::{Fit, FitSpec, FitStageError};
 use crate::data::{Form, Source};
 use crate::effects::reflection::samples::FitData;
-use crate::fit::Hypothesis;
+use lobefit_shade::Hypothesis;
 
 /// 1 + f0 (N - 1), which is exact where f0 = 1 wherever N is. With F the furnace error of N, its relative error against
 /// 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so N's certificate stands for it.

@@ -9,9 +9,9 @@ use super::faces::{centre, direction, interval, solid_angle};
 use super::{Chain, CubemapError, Edges, Format, Level, Viewpoint};
 use crate::data::MipChain;
 use crate::effects::room::{Convex, Fan, Outlook, Rays, Room};
-use crate::math::ops;
-use crate::math::vector::{Vec3, plus, scaled, tangents, turned};
-use crate::optics::kernel::Kernel;
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, plus, scaled, tangents, turned};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// Most rays of a texel over those of the first level's.
 const MOST_TIMES: usize = 16;

@@ -4,7 +4,7 @@ use super::CubemapError;
 use super::level::{Edges, Format, Level};
 use crate::data::MipChain;
 use crate::effects::room::{Fetch, Tap};
-use crate::math::vector::{Vec3, plus, scaled};
+use lobefit_math::vector::{Vec3, plus, scaled};
 
 /// Levels by a map of roughness r, the lobe of each having the width alpha = r^2.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Directions and places on the faces of a cube, in the order and orientation of Direct3D, Vulkan and OpenGL: +x, -x, +y, -y, +z, -z.
 
-use crate::math::ops;
-use crate::math::vector::{Vec3, dot, normalise, plus, scaled};
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
 
 /// Of every face the direction to its centre, and those in which its coordinates s and t grow (OpenGL 4.6, table 8.19).
 const FACES: [[Vec3; 3]; 6] = [

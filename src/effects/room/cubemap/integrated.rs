@@ -2,7 +2,7 @@
 
 use super::viewpoint::Viewpoint;
 use crate::effects::room::{Convex, Fetch, Patches, Tap};
-use crate::math::vector::Vec3;
+use lobefit_math::vector::Vec3;
 
 /// Fetches without texels or levels.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@ use half::f16;
 
 use super::CubemapError;
 use super::faces::{centre, direction, face_of};
-use crate::math::vector::Vec3;
+use lobefit_math::vector::Vec3;
 
 /// What a channel of a texel is stored in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]

@@ -1,8 +1,8 @@
 //! From where a texel sees the room.
 
 use crate::effects::room::{Convex, Plane};
-use crate::math::vector::{Vec3, dot, length, minus, plus, scaled};
-use crate::optics::footprint::{area_ratio, width};
+use lobefit_math::vector::{Vec3, dot, length, minus, plus, scaled};
+use lobefit_truth::optics::footprint::{area_ratio, width};
 
 /// Where the lobe of a texel starts, its axis and its width.
 #[derive(Clone, Copy, Debug, PartialEq)]

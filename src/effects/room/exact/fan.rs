@@ -7,10 +7,10 @@ use super::super::lookup::{Fetch, Tap};
 use super::outlook::{LANES, Outlook};
 use multiversion::multiversion;
 
-use crate::math::ops;
-use crate::math::sobol::Sobol;
-use crate::math::vector::{Vec3, dot, plus, scaled, tangents};
-use crate::optics::kernel::Kernel;
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
+use lobefit_math::vector::{Vec3, dot, plus, scaled, tangents};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// ln of the widths between which directions are tabulated, and steps between them. Below the narrowest the tangents are in proportion to
 /// alpha, but for A/(1 - energy) = 1e-10 times the number of directions.

@@ -1,7 +1,7 @@
 //! A room as it is seen from a place, in a frame.
 
 use super::super::light::{Panel, Room, Wall};
-use crate::math::vector::{Vec3, dot, length, plus, scaled};
+use lobefit_math::vector::{Vec3, dot, length, plus, scaled};
 
 /// Directions that are met at once.
 pub(super) const LANES: usize = 8;

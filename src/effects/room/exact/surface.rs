@@ -6,10 +6,10 @@ use super::super::light::Room;
 use super::super::lookup::Seen;
 use super::outlook::Outlook;
 use crate::data::Smith;
-use crate::math::ops;
-use crate::math::sobol::Sobol;
-use crate::math::vector::{Vec3, dot, normalise, plus, scaled, tangents};
-use crate::optics::ggx;
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
+use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled, tangents};
+use lobefit_truth::optics::ggx;
 
 /// Points for visible normals, azimuth of the cap and height in it; and points on panels.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use super::super::lookup::{Meeting, Proxy};
 use super::super::shape::{Convex, Plane};
-use crate::math::vector::{Vec3, dot, plus, scaled};
+use lobefit_math::vector::{Vec3, dot, plus, scaled};
 
 /// Distance of a plane that a shading point is on or outside of, over the probe's distance to it: far above the rounding of f32
 /// coordinates (6e-8 of a room), far below what is seen.

@@ -1,6 +1,6 @@
 //! How a proxy's parameter follows the width of the lobe.
 
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// A parameter over alpha, the GGX width in (0, 1].
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]

@@ -3,7 +3,7 @@
 use super::super::lookup::{Meeting, Proxy};
 use super::body::Body;
 use super::law::Law;
-use crate::math::vector::{Vec3, minus, plus, scaled};
+use lobefit_math::vector::{Vec3, minus, plus, scaled};
 
 /// The planes, met no nearer than a least distance along the ray (Unity's `minProjectionDistance`). A huge one is no correction: the
 /// looked-up direction goes to the ray's and the ratio of distances to 1. Edges stay where they are.

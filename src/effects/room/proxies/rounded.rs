@@ -3,7 +3,7 @@
 use super::super::lookup::{Meeting, Proxy};
 use super::body::{Body, NEAREST};
 use super::law::Law;
-use crate::math::vector::{Vec3, normalise, plus, scaled};
+use lobefit_math::vector::{Vec3, normalise, plus, scaled};
 
 /// The body {x: sum max(0, n_i.x - o_i + r)^2 <= r^2}, o_i the planes' offsets: of a box the box with edges and corners rounded by the
 /// radius r, its Minkowski offset from the box that is smaller by r on all sides. Of other planes it is not an offset (whose edges and

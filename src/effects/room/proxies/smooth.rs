@@ -3,8 +3,8 @@
 use super::super::lookup::{Meeting, Proxy};
 use super::body::Body;
 use super::law::Law;
-use crate::math::ops;
-use crate::math::vector::{Vec3, normalise, plus, scaled};
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, normalise, plus, scaled};
 
 /// A body that a ray meets at t = (sum t_i^-p)^(-1/p), t_i the distances along the ray of the planes ahead: a smooth body about the
 /// shading point inside the planes, which it nears as p grows. With x = t R the body is g(x) = (sum (n_i.x/h_i)^p)^(1/p) = 1, h_i the

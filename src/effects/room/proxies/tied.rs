@@ -3,8 +3,8 @@
 use super::super::lookup::{Meeting, Proxy};
 use super::body::Body;
 use super::smooth::blended;
-use crate::math::ops;
-use crate::math::vector::{Vec3, dot, plus, scaled};
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, dot, plus, scaled};
 
 /// The power of a p-norm, clamp(`over`/(alpha^`power` s), [`Tie::LEAST`], [`Tie::MOST`]), s the spread of the planes ahead.
 ///

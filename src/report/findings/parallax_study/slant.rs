@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::optics::footprint::RuleTap;
 use crate::report::Field;
+use lobefit_truth::optics::footprint::RuleTap;
 
 /// One fetch and more on slanted walls.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -40,7 +40,7 @@ fn summary(study: &CouplingStudy, lobe: &str) -> TextTable {
     columns.extend(strips.iter().map(|s| (format!("f0 {}", place(s.f0)), true)));
     let names: Vec<&String> = strips.first().map_or(Vec::new(), |s| s.rows.iter().map(|r| &r.name).collect());
     let cell = |strip: &&LitStrip, i: usize| {
-        let flip = strip.rows.get(i).map_or(0.0, |r| crate::math::sum::mean(&r.flip));
+        let flip = strip.rows.get(i).map_or(0.0, |r| lobefit_math::sum::mean(&r.flip));
         significant(flip, 3)
     };
     let row = |(i, name): (usize, &&String)| {

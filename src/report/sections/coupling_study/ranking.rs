@@ -1,11 +1,11 @@
 //! Couplings by what is seen of them and by what they lose.
 
 use super::super::{figures, words};
-use crate::math::ops;
 use crate::report::numbers::{bound, place, significant};
 use crate::report::{
     Block, CouplingStudy, Dot, Ranked, Ranking, ReportError, Scatter, Section, Spread, TextTable, check,
 };
+use lobefit_math::ops;
 
 pub(super) fn section(study: &CouplingStudy) -> Result<Section, ReportError> {
     check::filled("study", "rankings", study.rankings.len())?;

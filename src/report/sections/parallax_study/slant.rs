@@ -176,7 +176,7 @@ const DRAWN: f64 = 0.02;
 
 fn functions(rule: &RuleCurves) -> Vec<Curves> {
     let names: &[&str] = if rule.count == 2 { &["near", "far"] } else { &["near", "middle", "far"] };
-    let chart = |what: &str, of: &dyn Fn(&crate::optics::footprint::RuleTap) -> f64| {
+    let chart = |what: &str, of: &dyn Fn(&lobefit_truth::optics::footprint::RuleTap) -> f64| {
         let line = |(i, name): (usize, &&str)| Series {
             name: (*name).into(),
             points: rule

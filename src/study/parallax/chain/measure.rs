@@ -7,8 +7,8 @@ use super::super::rooms::points::{self, points};
 use crate::effects::parallax::{Faded, Shading, Slant, Width};
 use crate::effects::room::cubemap::to_edge;
 use crate::effects::room::{Convex, Fetch, Fineness, Lookup, Patches, Room, Seen};
-use crate::math::vector::{plus, scaled};
-use crate::optics::kernel::Kernel;
+use lobefit_math::vector::{plus, scaled};
+use lobefit_truth::optics::kernel::Kernel;
 
 /// What all engines bake.
 pub(super) const KERNEL: Kernel = Kernel::HalfCosine;

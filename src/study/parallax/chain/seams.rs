@@ -8,10 +8,10 @@ use super::measure::Case;
 use super::viewpoints::Policy;
 use crate::effects::room::cubemap::Integrated;
 use crate::effects::room::{Fetch, Fineness, Patches, Room, Seen};
-use crate::math::vector::{Vec3, cross, dot, minus, normalise, plus, scaled};
 use crate::report::flip;
 use crate::report::{Image, SeamPicture, SeamRow};
 use crate::study::StudyError;
+use lobefit_math::vector::{Vec3, cross, dot, minus, normalise, plus, scaled};
 
 /// A view of the floor.
 #[derive(Clone, Copy, Debug, Serialize)]

@@ -7,9 +7,9 @@ use crate::data::MipChain;
 use crate::effects::parallax::{Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Edges, Format, Source, Viewpoint};
 use crate::effects::room::{Fetch, Patches, Room, Tap};
-use crate::math::vector::{plus, scaled};
 use crate::report::{ChainParts, ChainSize};
 use crate::study::StudyError;
+use lobefit_math::vector::{plus, scaled};
 
 /// The bake of an engine's chain.
 pub(super) fn bake(engine: &Engine, parameters: &Parameters) -> Bake {

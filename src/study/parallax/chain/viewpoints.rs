@@ -7,9 +7,9 @@ use super::{Parameters, texels};
 use crate::effects::parallax::{Slant, Width};
 use crate::effects::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
 use crate::effects::room::{Fetch, Lookup};
-use crate::math::ops;
 use crate::report::{BakePolicy, SlideLaw};
 use crate::study::StudyError;
+use lobefit_math::ops;
 
 /// How a bake is looked up.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use super::errors::looked_up;
 use crate::effects::room::proxies::Body;
 use crate::effects::room::{Meeting, Proxy, Room};
-use crate::math::ops;
-use crate::math::vector::{Vec3, length, minus, normalise, plus, scaled, tangents};
 use crate::report::ProxyCrossing;
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, length, minus, normalise, plus, scaled, tangents};
 
 /// Turns of a ray about axes through a place: each passes over several edges.
 const AXES: [Vec3; 3] = [[0.1, -0.2, 1.0], [1.0, 0.3, 0.2], [-0.2, 1.0, 0.1]];

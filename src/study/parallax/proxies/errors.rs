@@ -6,8 +6,8 @@ use super::super::measures::{relative, relative_where};
 use super::super::rooms::points::{self, Point};
 use crate::effects::room::proxies::Body;
 use crate::effects::room::{Fetch, Meeting, Patches, Proxy, Room, Tap};
-use crate::math::vector::{Vec3, length, minus, plus, scaled};
-use crate::optics::footprint::{area_ratio, width};
+use lobefit_math::vector::{Vec3, length, minus, plus, scaled};
+use lobefit_truth::optics::footprint::{area_ratio, width};
 
 /// Points of a room with the truth at a width.
 pub(super) struct Sample<'a> {

@@ -2,7 +2,7 @@
 
 use super::families::Family;
 use crate::effects::room::proxies::Law;
-use crate::math::ops;
+use lobefit_math::ops;
 
 /// The logarithm of the error over the parameter, tabulated at a family's values for widths.
 pub(super) struct Landscape {

@@ -12,13 +12,13 @@ use super::rooms::points;
 use crate::bake::Progress;
 use crate::effects::room::proxies::{Body, Law, Smooth, Tied};
 use crate::effects::room::{Patches, Proxy, Room, octagon, practice, room_a, room_b};
-use crate::math::ops;
-use crate::math::vector::Vec3;
 use crate::report::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 use crate::study::{Size, StudyError};
 use errors::{Off, Sample};
 use families::Family;
 use law::Landscape;
+use lobefit_math::ops;
+use lobefit_math::vector::Vec3;
 
 /// What this part covers.
 #[derive(Clone, Debug, Serialize)]

@@ -4,9 +4,9 @@ use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::{HYPOTHESES, TapRule};
 use crate::effects::room::proxies::Tied;
 use crate::emit::probe::{Called, Wanted};
-use crate::fit::Hypothesis;
 use crate::report::LookupCost;
 use crate::study::StudyError;
+use lobefit_shade::Hypothesis;
 
 /// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches, of the mirror lobe and of the fitted one; the width is that of the cheapest formula of the
 /// catalogue, the rational one.

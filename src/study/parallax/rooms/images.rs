@@ -9,11 +9,11 @@ use super::methods::Method;
 use super::random::halves;
 use super::view::{Camera, Pixel, pixels};
 use crate::effects::room::{Fetch, Fineness, GgxRays, Lookup, Patches, Room, Seen};
-use crate::math::sum;
-use crate::math::vector::{Vec3, plus, scaled};
 use crate::report::flip::{self, ErrorMap};
 use crate::report::{Image, RoomPicture, RoomPictureRow, RoomPictures};
 use crate::study::{Size, StudyError};
+use lobefit_math::sum;
+use lobefit_math::vector::{Vec3, plus, scaled};
 
 /// What is pictured.
 #[derive(Clone, Debug, Serialize)]

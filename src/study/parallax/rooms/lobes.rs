@@ -13,9 +13,9 @@ use super::points::{self, Point};
 use super::random::{Reference, halves};
 use crate::effects::parallax::{LobeFit, Shading, Width};
 use crate::effects::room::{Fetch, GgxRays, Patches, Room, Seen, practice};
-use crate::math::vector::{Vec3, plus, scaled};
 use crate::report::FittedLobe;
 use crate::study::{Size, StudyError};
+use lobefit_math::vector::{Vec3, plus, scaled};
 
 /// What is fitted, and where.
 #[derive(Clone, Debug, Serialize)]

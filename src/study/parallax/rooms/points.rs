@@ -5,12 +5,12 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use crate::effects::room::{Convex, Room};
-use crate::math::ops;
-use crate::math::sobol::Sobol;
-use crate::math::vector::{Vec3, length, minus, plus, scaled, tangents, turned};
-use crate::optics::footprint::{Hit, Stretch};
 use crate::report::RoomGeometry;
 use crate::study::Size;
+use lobefit_math::ops;
+use lobefit_math::sobol::Sobol;
+use lobefit_math::vector::{Vec3, length, minus, plus, scaled, tangents, turned};
+use lobefit_truth::optics::footprint::{Hit, Stretch};
 
 /// Which points.
 #[derive(Clone, Debug, Serialize)]

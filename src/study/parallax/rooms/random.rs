@@ -7,10 +7,10 @@ use super::super::measures::{geometric_mean, relative};
 use super::methods::{FROSTBITE, Method};
 use super::points::{self, Point};
 use crate::effects::room::{Fetch, Fineness, GgxRays, Lookup, Patches, Room, Seen};
-use crate::math::sum;
-use crate::math::vector::{Vec3, minus, normalise, plus, scaled};
 use crate::report::{RandomReference, RandomRoom, RandomRow};
 use crate::study::{Size, StudyError};
+use lobefit_math::sum;
+use lobefit_math::vector::{Vec3, minus, normalise, plus, scaled};
 
 /// What is measured.
 #[derive(Clone, Debug, Serialize)]
@@ -59,7 +59,7 @@ impl Reference {
             Reference::Lobe => Seen { place, normal: mirror, view: mirror, alpha },
             Reference::Surface => {
                 let view =
-                    normalise(minus(scaled(normal, 2.0 * crate::math::vector::dot(normal, mirror)), mirror));
+                    normalise(minus(scaled(normal, 2.0 * lobefit_math::vector::dot(normal, mirror)), mirror));
                 Seen { place, normal, view, alpha }
             }
         }

@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::effects::room::Room;
-use crate::math::ops;
-use crate::math::vector::{Vec3, cross, minus, normalise, plus, scaled};
+use lobefit_math::ops;
+use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
 
 /// A camera above a level plane that reflects.
 #[derive(Clone, Debug, Serialize)]

@@ -12,11 +12,11 @@ use std::f64::consts::PI;
 use multiversion::multiversion;
 
 use super::Fineness;
-use crate::math::lanes::{F8, ln, sum};
-use crate::math::ops;
-use crate::math::vector::Vec3;
+use lobefit_math::lanes::{F8, ln, sum};
+use lobefit_math::ops;
+use lobefit_math::vector::Vec3;
 
-pub(super) use crate::math::lanes::LANES;
+pub(super) use lobefit_math::lanes::LANES;
 
 /// An edge between patches.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! Lobes integrated in a room without samples.
 //!
 //! A room is made of patches of even light, so that what a lobe sees of it is a sum over the edges between them. With phi the azimuth about the
-//! lobe's axis, E the share of its energy inside a cone ([`Lobe::encircled`](crate::optics::kernel::Lobe::encircled)) and G = 1 - E, the energy in a
+//! lobe's axis, E the share of its energy inside a cone ([`Lobe::encircled`](lobefit_truth::optics::kernel::Lobe::encircled)) and G = 1 - E, the energy in a
 //! patch is the integral of E dphi/(2 pi) around it (Green's theorem on the sphere), and the mean radiance
 //!
 //!   L(axis) - sum over edges of (L left - L right) int G dphi/(2 pi),
@@ -15,8 +15,8 @@ mod walls;
 use super::super::light::Room;
 use super::super::lookup::{Fetch, Tap};
 use super::super::shape::Plane;
-use crate::math::vector::{Vec3, dot, normalise, plus, scaled, tangents};
 use flux::{Block, View, total};
+use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled, tangents};
 
 /// How finely edges are divided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]

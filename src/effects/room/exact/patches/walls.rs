@@ -3,7 +3,7 @@
 use super::super::super::light::{Room, Wall};
 use super::super::super::shape::Plane;
 use super::flux::{Block, Edge};
-use crate::math::vector::{Vec3, cross, dot, minus, plus, scaled};
+use lobefit_math::vector::{Vec3, cross, dot, minus, plus, scaled};
 
 /// How far beside an edge its light is looked at, in metres.
 const BESIDE: f64 = 1e-6;

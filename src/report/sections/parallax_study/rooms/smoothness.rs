@@ -1,12 +1,12 @@
 //! Creases on the edges of the proxy.
 
 use super::super::super::{figures, words};
-use crate::math::sum::mean;
 use crate::report::numbers::place;
 use crate::report::{
     Block, Curves, ReportError, RoomPictureRow, RoomPictures, RoomsFindings, Section, Series, Spread, Style,
     TextTable, check,
 };
+use lobefit_math::sum::mean;
 
 /// Of the issue: creases on edges over those elsewhere.
 const BAR: f64 = 1.2;

@@ -1,0 +1,20 @@
+//! Coefficients, forms and texels by optimisation. Knows nothing of optics: data are residuals `scale * f - target`, and a
+//! hypothesis is any formula of the shader language.
+//!
+//! [`optimise`] finds a formula's coefficients, [`rational`] the globally best ones of forms that are a quotient of linear ones,
+//! [`mod@search`] the forms themselves. [`texels`] and [`volume`] do for tables what [`optimise`] does for formulas.
+
+mod error;
+mod norm;
+pub mod rational;
+pub mod search;
+mod solve;
+pub mod texels;
+pub mod volume;
+
+pub use error::FitError;
+pub use norm::Norm;
+pub use solve::{
+    Condition, Constraint, Fitted, Gap, Goal, Held, Method, Options, Samples, Stage, Termination, optimise,
+    residual_range, round_to_f32,
+};

@@ -1,0 +1,136 @@
+//! Functions of the inputs that may be factors of a form's terms.
+
+use lobefit_math::ops;
+
+/// A kind of helper; `axis` counts from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Helper {
+    /// 1 - x: one operation.
+    Complement {
+        /// Axis of x.
+        axis: u8,
+    },
+    /// sqrt(x): four operations.
+    Root {
+        /// Axis of x.
+        axis: u8,
+    },
+    /// 2^(-k x) with a constant k: five operations.
+    Decay {
+        /// Axis of x.
+        axis: u8,
+        /// Power of x.
+        power: u8,
+    },
+    /// 1 / (x + k y^p) with a constant k: five operations. With p the power that makes both of one order, x and y^p times this are
+    /// homogeneous of degree 0.
+    Reciprocal {
+        /// Axis of x.
+        x: u8,
+        /// Axis of y.
+        y: u8,
+        /// p.
+        power: u8,
+    },
+    /// 1 / sqrt(x + k y^p) with a constant k: five operations.
+    RootReciprocal {
+        /// Axis of x.
+        x: u8,
+        /// Axis of y.
+        y: u8,
+        /// p.
+        power: u8,
+    },
+}
+
+/// A helper with its constant, in units of 2^(1/4): k = 2^(step/4). 0 where it has none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Instance {
+    pub kind: Helper,
+    pub step: i8,
+}
+
+/// Steps of a constant that are tried first.
+const FIRST: [i8; 4] = [-4, 0, 4, 8];
+
+/// Largest magnitude of a step.
+const LAST: i8 = 24;
+
+impl Helper {
+    /// Whether it has a constant.
+    pub(super) fn has_constant(self) -> bool {
+        !matches!(self, Helper::Complement { .. } | Helper::Root { .. })
+    }
+
+    /// What a search begins with.
+    pub(super) fn instances(self) -> Vec<Instance> {
+        if !self.has_constant() {
+            return vec![Instance { kind: self, step: 0 }];
+        }
+        FIRST.iter().map(|step| Instance { kind: self, step: *step }).collect()
+    }
+
+    /// What it is, for documentation.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Helper::Complement { .. } => "the complement of an input",
+            Helper::Root { .. } => "the root of an input",
+            Helper::Decay { .. } => "an exponential",
+            Helper::Reciprocal { .. } => "a reciprocal",
+            Helper::RootReciprocal { .. } => "an inverse square root",
+        }
+    }
+
+    /// Name in a formula.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Helper::Complement { .. } => "rest",
+            Helper::Root { .. } => "root",
+            Helper::Decay { .. } => "decay",
+            Helper::Reciprocal { .. } => "inverse",
+            Helper::RootReciprocal { .. } => "inverse_root",
+        }
+    }
+}
+
+impl Instance {
+    /// Its constant.
+    pub fn constant(self) -> f64 {
+        ops::exp2(f64::from(self.step) / 4.0)
+    }
+
+    /// The same with a constant next to its own.
+    pub fn neighbours(self) -> Vec<Instance> {
+        if !self.kind.has_constant() {
+            return Vec::new();
+        }
+        let steps = [-3, -1, 1, 3].map(|d| self.step + d);
+        steps.into_iter().filter(|s| s.abs() <= LAST).map(|step| Instance { step, ..self }).collect()
+    }
+
+    /// Its values, from the axes' columns. None where they are not finite.
+    pub fn column(self, axes: &[Vec<f64>]) -> Option<Vec<f64>> {
+        let k = self.constant();
+        let column: Vec<f64> = match self.kind {
+            Helper::Complement { axis } => axes[axis as usize].iter().map(|x| 1.0 - x).collect(),
+            Helper::Root { axis } => axes[axis as usize].iter().map(|x| x.sqrt()).collect(),
+            Helper::Decay { axis, power } => {
+                axes[axis as usize].iter().map(|x| ops::exp2(-k * raised(*x, power))).collect()
+            }
+            Helper::Reciprocal { x, y, power } => {
+                let pairs = axes[x as usize].iter().zip(&axes[y as usize]);
+                pairs.map(|(x, y)| 1.0 / (x + k * raised(*y, power))).collect()
+            }
+            Helper::RootReciprocal { x, y, power } => {
+                let pairs = axes[x as usize].iter().zip(&axes[y as usize]);
+                pairs.map(|(x, y)| 1.0 / (x + k * raised(*y, power)).sqrt()).collect()
+            }
+        };
+        column.iter().all(|v| v.is_finite()).then_some(column)
+    }
+}
+
+/// x^n by multiplication.
+pub(super) fn raised(x: f64, n: u8) -> f64 {
+    (0..n).fold(1.0, |product, _| product * x)
+}

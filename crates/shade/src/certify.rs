@@ -1,0 +1,318 @@
+//! The measured error of a formula in a shader's arithmetic, with its coefficients as emitted.
+
+use half::f16;
+
+use super::tape::{Node, Op, Real};
+use super::{ShadeError, Tape};
+use lobefit_math::lanes;
+
+/// Points whose squares are summed before they join the total: bounds the rounding error of a sum of millions.
+const RUN: usize = 4096;
+
+/// 1 less some roundings.
+const BELOW: f64 = 1.0 - 1e-15;
+
+/// The arithmetic that a formula is measured in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Precision {
+    /// f32, every operation rounded.
+    #[default]
+    F32,
+    /// f32, products contracted into the additions that use them (see [`Tape::contracted`]).
+    F32Fused,
+    /// f16: inputs, coefficients and every operation rounded to half precision, subnormals kept.
+    F16,
+    /// f16, contracted.
+    F16Fused,
+}
+
+impl Precision {
+    /// All of them.
+    pub const ALL: [Precision; 4] =
+        [Precision::F32, Precision::F32Fused, Precision::F16, Precision::F16Fused];
+
+    /// The word used in certificates and options: `f32`, `f32-fma`, `f16`, `f16-fma`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F32Fused => "f32-fma",
+            Precision::F16 => "f16",
+            Precision::F16Fused => "f16-fma",
+        }
+    }
+
+    /// Whether products are contracted.
+    pub fn is_fused(self) -> bool {
+        matches!(self, Precision::F32Fused | Precision::F16Fused)
+    }
+
+    /// Whether it is half precision.
+    pub fn is_half(self) -> bool {
+        matches!(self, Precision::F16 | Precision::F16Fused)
+    }
+}
+
+/// Error of a formula over a set of points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Largest |scale f - target|.
+    pub max_abs: f64,
+    /// Largest |scale f - target| / |target|, over the points where the target is not 0 to a shader: at least the smallest normal f32.
+    pub max_rel: f64,
+    /// Root of the mean square.
+    pub rms: f64,
+    /// Signed mean.
+    pub mean: f64,
+    /// Index of the point where `max_abs` is attained, the first of equals.
+    pub worst: usize,
+    /// Number of points.
+    pub points: usize,
+}
+
+/// Measures `scale f - target` with f evaluated in f32 at f32 points (one column per input) and the rest in f64;
+/// a formula without inputs has the same value at every point of the target.
+///
+/// The furnace error of a normalisation N has scale E and target 1; the error of a value scale 1 and target the
+/// truth. The result does not depend on the number of threads.
+///
+/// # Errors
+/// No points; columns or coefficients of the wrong number or length; truth or result that is not finite, with its
+/// index.
+pub fn measure(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    scale: &[f64],
+    target: &[f64],
+) -> Result<Measured, ShadeError> {
+    Ok(measure_first(tape, coefficients, inputs, scale, target, target.len())?.0)
+}
+
+/// [`measure`] over all points and over the `first` of them, from one evaluation: where the others are there to find the
+/// largest error and would spoil a mean.
+///
+/// # Errors
+/// As [`measure`]; `first` is 0.
+pub fn measure_first(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    scale: &[f64],
+    target: &[f64],
+    first: usize,
+) -> Result<(Measured, Measured), ShadeError> {
+    measure_in(tape, coefficients, inputs, scale, target, first, Precision::F32)
+}
+
+/// [`measure_first`] in another arithmetic; scale, target and the error itself are always f64.
+///
+/// In f16 the points are rounded to half precision first, so that the error is also that of the input: what a shader sees that
+/// keeps its variables in f16.
+///
+/// # Errors
+/// As [`measure_first`]; in f16 a coefficient, a literal or an input beyond 65504, which is infinite there.
+pub fn measure_in(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    scale: &[f64],
+    target: &[f64],
+    first: usize,
+    precision: Precision,
+) -> Result<(Measured, Measured), ShadeError> {
+    let given = tape.check_shape(inputs, coefficients)?;
+    // A formula without inputs has one value, whatever the number of points.
+    let points = if inputs.is_empty() { target.len() } else { given };
+    let shape = |what: &str, found, expected| ShadeError::Shape {
+        what: format!("{}: {what}", tape.function()),
+        found,
+        expected,
+    };
+    if points == 0 || first == 0 {
+        return Err(shape("points to measure at", 0, 1));
+    }
+    for (name, column) in [("scale", scale), ("target", target)] {
+        if column.len() != points {
+            return Err(shape(name, column.len(), points));
+        }
+    }
+    let mut values = values(tape, coefficients, inputs, precision)?;
+    if let ([value], true) = (values.as_slice(), inputs.is_empty()) {
+        values = vec![*value; points];
+    }
+    let finite = |column: &str, index: usize, value: f64| {
+        if value.is_finite() {
+            return Ok(value);
+        }
+        let column = format!("{}: {column}", tape.function());
+        Err(ShadeError::NotFinite { column, index, value })
+    };
+    let mut errors = Vec::with_capacity(points);
+    for (i, value) in values.iter().enumerate() {
+        if !value.is_finite() {
+            return Err(unmeasurable(tape, coefficients, inputs, i, precision));
+        }
+        errors.push(finite("scale", i, scale[i])? * value - finite("target", i, target[i])?);
+    }
+    let first = first.min(points);
+    Ok(summarise(&errors, target, first))
+}
+
+/// The formula's values in an arithmetic.
+fn values(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    precision: Precision,
+) -> Result<Vec<f64>, ShadeError> {
+    let contracted = precision.is_fused().then(|| tape.contracted());
+    let tape = contracted.as_ref().unwrap_or(tape);
+    if !precision.is_half() {
+        return Ok(tape.evaluate(inputs, coefficients)?.into_iter().map(f64::from).collect());
+    }
+    let scale = "scale the formula";
+    let half = |what: &str, numbers: &[f32], remedy| {
+        to_half(numbers).map_err(|x| ShadeError::Unrepresentable {
+            function: tape.function().to_string(),
+            what: format!("{what}{x}"),
+            precision,
+            remedy,
+        })
+    };
+    for (node, op) in (0..).zip(tape.ops()) {
+        if let Op::Literal(x) = op {
+            let place = tape.place(node);
+            half(&format!("at {}:{}, the literal ", place.line, place.column), &[*x], scale)?;
+        }
+    }
+    let coefficients = half("coefficient ", coefficients, scale)?;
+    let columns = tape.inputs().iter().zip(inputs);
+    let inputs = columns.map(|(name, column)| half(&format!("input {name} = "), column, "narrow the domain"));
+    let inputs = inputs.collect::<Result<Vec<_>, ShadeError>>()?;
+    Ok(tape.evaluate(&inputs, &coefficients)?.into_iter().map(f16::to_f64).collect())
+}
+
+/// Numbers rounded to half precision, or the first that is infinite there.
+fn to_half(numbers: &[f32]) -> Result<Vec<f16>, f32> {
+    let one = |&x: &f32| Some(f16::literal(x)).filter(|rounded| rounded.is_finite()).ok_or(x);
+    numbers.iter().map(one).collect()
+}
+
+/// Which part of a formula is not finite at a point, where its value is not.
+fn unmeasurable(
+    tape: &Tape,
+    coefficients: &[f32],
+    inputs: &[Vec<f32>],
+    index: usize,
+    precision: Precision,
+) -> ShadeError {
+    let contracted = precision.is_fused().then(|| tape.contracted());
+    let tape = contracted.as_ref().unwrap_or(tape);
+    let point: Vec<f32> = inputs.iter().map(|column| column[index]).collect();
+    let (node, value) = if precision.is_half() {
+        let half = |numbers: &[f32]| numbers.iter().map(|&x| f16::literal(x)).collect::<Vec<_>>();
+        first_not_finite(tape, &half(coefficients), &half(&point), f16::to_f64)
+    } else {
+        first_not_finite(tape, coefficients, &point, f64::from)
+    };
+    let named = tape.inputs().iter().zip(&point).map(|(name, x)| format!("{name} = {x}"));
+    let at = if point.is_empty() { "every point".into() } else { named.collect::<Vec<_>>().join(", ") };
+    let place = Box::new(tape.place(node).clone());
+    ShadeError::Unmeasurable { place, function: tape.function().to_string(), precision, value, at }
+}
+
+/// The first operation that is not finite at a point, or the last of all, with its value.
+fn first_not_finite<R: Real>(
+    tape: &Tape,
+    coefficients: &[R],
+    point: &[R],
+    wide: impl Fn(R) -> f64,
+) -> (Node, f64) {
+    let mut values: Vec<R> = Vec::with_capacity(tape.ops().len());
+    let mut found = (0, f64::NAN);
+    for (node, op) in (0..).zip(tape.ops()) {
+        let value = op.evaluate(point, coefficients, &values);
+        found = (node, wide(value));
+        if !found.1.is_finite() {
+            break;
+        }
+        values.push(value);
+    }
+    found
+}
+
+/// The errors of all points and of the `first` of them.
+fn summarise(errors: &[f64], target: &[f64], first: usize) -> (Measured, Measured) {
+    let mut sums = Sums::default();
+    sums.add(&errors[..first], &target[..first]);
+    let head = sums.measured();
+    sums.add(&errors[first..], &target[first..]);
+    (sums.measured(), head)
+}
+
+/// What is known of the errors so far.
+#[derive(Default)]
+struct Sums {
+    max_abs: f64,
+    max_rel: f64,
+    worst: usize,
+    squares: f64,
+    total: f64,
+    points: usize,
+}
+
+impl Sums {
+    fn add(&mut self, errors: &[f64], target: &[f64]) {
+        for (errors, target) in errors.chunks(RUN).zip(target.chunks(RUN)) {
+            self.largest(errors, target);
+            self.squares += lanes::total(errors, |e| e * e);
+            self.total += lanes::total(errors, |e| e);
+            self.points += errors.len();
+        }
+    }
+
+    fn largest(&mut self, errors: &[f64], target: &[f64]) {
+        for (i, (error, target)) in errors.iter().zip(target).enumerate() {
+            let (error, target) = (error.abs(), target.abs());
+            if error > self.max_abs {
+                (self.max_abs, self.worst) = (error, self.points + i);
+            }
+            // The product spares a division wherever the ratio cannot be larger; its rounding is made good by the margin.
+            if error >= self.max_rel * target * BELOW && target >= f64::from(f32::MIN_POSITIVE) {
+                self.max_rel = self.max_rel.max(error / target);
+            }
+        }
+    }
+
+    fn measured(&self) -> Measured {
+        let count = self.points as f64;
+        Measured {
+            max_abs: self.max_abs,
+            max_rel: self.max_rel,
+            rms: (self.squares / count).sqrt(),
+            mean: self.total / count,
+            worst: self.worst,
+            points: self.points,
+        }
+    }
+}
+
+/// The smallest number of `digits` significant decimal digits that is not below `x`: how a bound is printed.
+///
+/// Values that are not finite or not positive are returned as they are.
+pub fn round_up(x: f64, digits: usize) -> f64 {
+    let digits = digits.max(1);
+    if !x.is_finite() || x <= 0.0 {
+        return x;
+    }
+    let text = format!("{x:.*e}", digits - 1);
+    let Some((mantissa, exponent)) = text.split_once('e') else { return x };
+    let (Ok(rounded), Ok(exponent)) = (text.parse::<f64>(), exponent.parse::<i32>()) else { return x };
+    if rounded >= x {
+        return rounded;
+    }
+    let whole: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let Ok(whole) = whole.parse::<u64>() else { return x };
+    let up = format!("{}e{}", whole + 1, exponent - (digits as i32 - 1));
+    up.parse().unwrap_or(x)
+}

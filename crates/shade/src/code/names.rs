@@ -1,0 +1,139 @@
+//! Names in the printed code: the hypothesis's own, unless the language has taken them.
+
+use std::collections::BTreeMap;
+
+use super::CodeError;
+use super::words::Words;
+use crate::{Formula, Function};
+
+/// The printed names of one formula.
+pub(super) struct Names {
+    words: &'static Words,
+    /// Of the functions, in order.
+    pub functions: Vec<String>,
+    /// Of the functions that the language lacks, by what they compute (`pow5`, `mix`).
+    pub helpers: BTreeMap<String, String>,
+}
+
+impl Names {
+    /// The formula keeps its name; its helpers get it as a prefix, so that files can hold many formulas.
+    ///
+    /// # Errors
+    /// The formula's name is a word of the language, or no name in it.
+    pub fn of(formula: &Formula, words: &'static Words) -> Result<Names, CodeError> {
+        let main = &formula.main().name;
+        let language = words.language.title();
+        if words.takes_function(main) {
+            return Err(CodeError::Name { function: main.clone(), language });
+        }
+        if words.spelled(main) != *main {
+            return Err(CodeError::Letters { function: main.clone(), language });
+        }
+        let last = formula.functions.len() - 1;
+        let name = |(index, function): (usize, &Function)| {
+            let prefixed = function.name.starts_with(&format!("{main}_"));
+            let name = words.spelled(&function.name);
+            if index == last || prefixed { name } else { format!("{main}_{}", name.trim_start_matches('_')) }
+        };
+        let mut functions: Vec<String> = Vec::new();
+        for named in formula.functions.iter().enumerate().map(name) {
+            let unique = free(&named, |n| words.takes_function(n) || functions.iter().any(|f| f == n));
+            functions.push(unique);
+        }
+        Ok(Names { words, functions, helpers: BTreeMap::new() })
+    }
+
+    /// Names a function that the language lacks, with the formula's name as prefix.
+    pub fn help(&mut self, main: &str, base: &str) {
+        let name = free(&format!("{main}_{base}"), |n| self.functions.iter().any(|f| f == n));
+        self.helpers.insert(base.to_string(), name);
+    }
+
+    /// Names of a function's variables.
+    pub fn variables(&self, function: &Function) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for variable in &function.variables {
+            let taken = |n: &str| {
+                self.words.takes(n)
+                    || names.iter().chain(&self.functions).chain(self.helpers.values()).any(|m| m == n)
+            };
+            names.push(free(&self.words.spelled(&variable.name), taken));
+        }
+        names
+    }
+}
+
+/// `name`, or with an underscore and, if need be, a number after it, so that it is not taken.
+pub(super) fn free(name: &str, taken: impl Fn(&str) -> bool) -> String {
+    let stem = name.trim_end_matches('_');
+    let numbered = (2..).map(|number| format!("{stem}_{number}"));
+    let mut candidates = [name.to_string(), format!("{stem}_")].into_iter().chain(numbered);
+    // Only finitely many names are taken.
+    candidates.find(|candidate| !taken(candidate)).unwrap_or_default()
+}
+
+/// Names of the Greek letters from alpha and Alpha on; U+03C2 is the other form of sigma.
+const GREEK: &str =
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma
+    tau upsilon phi chi psi omega";
+
+/// A name in ASCII: Greek letters by their names, other letters by their code points.
+pub(super) fn ascii(name: &str) -> String {
+    let mut text = String::new();
+    for c in name.chars() {
+        match greek(c) {
+            Some(letter) => text.push_str(&letter),
+            None if c.is_ascii() => text.push(c),
+            None => text.push_str(&format!("u{:x}", u32::from(c))),
+        }
+    }
+    text
+}
+
+/// A name without what C's family keeps for itself.
+pub(super) fn plain(name: &str) -> String {
+    let mut text = name.to_string();
+    while text.contains("__") {
+        text = text.replace("__", "_");
+    }
+    let capital = |c: char| c.is_ascii_uppercase();
+    let kept = text.strip_prefix('_').is_some_and(|rest| rest.starts_with(capital));
+    if kept || text.starts_with("gl_") { format!("v_{}", text.trim_start_matches('_')) } else { text }
+}
+
+fn greek(c: char) -> Option<String> {
+    let named = |first: char| {
+        let index = u32::from(c).checked_sub(u32::from(first))?;
+        GREEK.split_whitespace().nth(index as usize)
+    };
+    if let Some(letter) = named('α') {
+        return Some(letter.to_string());
+    }
+    let letter = named('Α')?;
+    Some(format!("{}{}", letter[..1].to_ascii_uppercase(), &letter[1..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_become_plain_and_free() {
+        for (name, expected) in [
+            ("alpha", "alpha"),
+            ("α2", "alpha2"),
+            ("Ω", "Omega"),
+            ("ς", "sigma"),
+            ("größe", "gruf6udfe"),
+            ("a__b___c", "a_b_c"),
+            ("_Big", "v_Big"),
+            ("_small", "_small"),
+            ("gl_x", "v_gl_x"),
+        ] {
+            assert_eq!(plain(&ascii(name)), expected);
+        }
+        assert_eq!(free("box", |n| n == "box"), "box_");
+        assert_eq!(free("mut_", |n| n == "mut_"), "mut_2");
+        assert_eq!(free("x", |n| ["x", "x_", "x_2"].contains(&n)), "x_3");
+    }
+}

@@ -1,0 +1,138 @@
+//! `ggx-glass`: energy that a rough dielectric interface reflects (R) and transmits (T), from either side, with exact Fresnel
+//! and total internal reflection. Isotropic GGX; energy, so no 1/eta^2; a ray that leaves on the wrong side counts 0.
+//!
+//! Facets are swept in polar coordinates about the view: the angle theta_d between view and facet normal, on which Fresnel,
+//! the half angle of the reflection and the deviation of the refraction depend alone (`sweep`), and the azimuth psi about the
+//! view, in which the heights of facet, mirrored and refracted direction are all linear in cos(psi) (`ring`).
+//!
+//! Ends of the domain: alpha = 0 is the smooth interface, R = F(mu), T = 1 - F(mu). ior = 1 has R = 0 and T = G2/G1 of the
+//! straight-through direction: (1 + L)/(1 + 2 L) for the correlated form and 1/(1 + L) for the separable one, not 1.
+
+mod interface;
+mod ring;
+mod sweep;
+pub mod table;
+
+pub use interface::Side;
+
+use super::{Estimate, IntegrateError, PanelRule};
+use crate::optics::Smith;
+use interface::Interface;
+
+/// Range of alpha, beside 0.
+pub const ALPHA: [f64; 2] = [1e-4, 1.0];
+
+/// Smallest cosine: at grazing the polar form about the view has no facets' plane to turn about.
+pub const SMALLEST_MU: f64 = 1e-6;
+
+/// Largest index of refraction.
+pub const LARGEST_IOR: f64 = 4.0;
+
+/// Tolerance of a value when none is asked for: the promise for alpha and mu in [1e-3, 1] and ior in [1, 3].
+pub const TOLERANCE: f64 = 1e-8;
+
+/// `ggx-glass` at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Glass {
+    /// Reflected energy.
+    pub r: f64,
+    /// Transmitted energy.
+    pub t: f64,
+    /// R + T.
+    pub e: f64,
+    /// 1 - E, computed directly.
+    pub loss: f64,
+    /// Bound on the absolute error of each of the four.
+    pub error: f64,
+    /// Bound on the relative error of the loss.
+    pub loss_error: f64,
+}
+
+const QUANTITY: &str = "ggx-glass";
+
+/// Integrates `ggx-glass` at alpha in {0} or [1e-4, 1], mu in [1e-6, 1] and ior = n_inside/n_outside in [1, 4]; `side` is where the
+/// ray comes from.
+pub fn glass(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    ior: f64,
+    side: Side,
+    tolerance: f64,
+) -> Result<Glass, IntegrateError> {
+    check(alpha, mu, ior)?;
+    let interface = Interface::new(ior, side);
+    if alpha == 0.0 {
+        let r = interface.fresnel(mu);
+        return Ok(Glass { r, t: 1.0 - r, e: 1.0, loss: 0.0, error: f64::EPSILON, loss_error: 0.0 });
+    }
+    let mut reached = f64::INFINITY;
+    for n in [8, 16] {
+        let value = at(smith, alpha, mu, interface, &PanelRule::new(n), &PanelRule::new(2 * n))?;
+        reached = value.error;
+        if value.error <= tolerance {
+            return Ok(value);
+        }
+    }
+    let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {ior:?}, {}", side.name());
+    Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
+}
+
+/// Refuses inputs outside the domain.
+pub(super) fn check(alpha: f64, mu: f64, ior: f64) -> Result<(), IntegrateError> {
+    let refuse =
+        |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
+    if !(alpha == 0.0 || (ALPHA[0]..=ALPHA[1]).contains(&alpha)) {
+        return refuse("alpha", alpha, "is neither 0 nor in [1e-4, 1]");
+    }
+    if !(SMALLEST_MU..=1.0).contains(&mu) {
+        return refuse("mu", mu, "is outside [1e-6, 1]");
+    }
+    if !(1.0..=LARGEST_IOR).contains(&ior) {
+        return refuse("ior", ior, "is outside [1, 4]");
+    }
+    Ok(())
+}
+
+/// The values by one rule of `n` nodes a panel, as their own bound: for checks of the bound.
+pub fn with_nodes(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    ior: f64,
+    side: Side,
+    n: usize,
+) -> Result<Glass, IntegrateError> {
+    check(alpha, mu, ior)?;
+    let rule = PanelRule::new(n);
+    at(smith, alpha, mu, Interface::new(ior, side), &rule, &rule)
+}
+
+/// Values of the finer rule with bounds from the pair.
+fn at(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    interface: Interface,
+    coarse: &PanelRule,
+    fine: &PanelRule,
+) -> Result<Glass, IntegrateError> {
+    let [a, b] = [coarse, fine].map(|rule| sweep::energies(smith, alpha, mu, interface, rule));
+    let estimate = |i: usize, scale: f64| Estimate::from_pair(a[i], b[i], scale).with_rounding(4.0, scale);
+    let (r, t) = (estimate(0, 1.0), estimate(1, 1.0));
+    let scale = if b[2] > 0.0 { b[2] } else { 1.0 };
+    let loss = estimate(2, scale);
+    let value = Glass {
+        r: r.value,
+        t: t.value,
+        e: r.value + t.value,
+        loss: loss.value,
+        error: (r.error + t.error).max(loss.error),
+        loss_error: loss.error / scale,
+    };
+    if [value.e, value.loss, value.error].iter().all(|x| x.is_finite()) {
+        return Ok(value);
+    }
+    let place = format!("alpha = {alpha:?}, mu = {mu:?}, ior = {:?}", interface.ior);
+    Err(IntegrateError::NotFinite { quantity: QUANTITY, place })
+}

@@ -1,0 +1,142 @@
+//! E = R + T of one lobe from one direction, for a list of indices of refraction and both sides.
+
+use super::effort::Effort;
+use super::ends::{self, Seen};
+use super::lobe::Lobe;
+use super::reflect::Reflection;
+use super::rules::Rules;
+use super::transmit::Sweep;
+use crate::integrate::{IntegrateError, Path};
+use crate::optics::Smith;
+use crate::optics::ggx;
+
+/// Range of a cosine. The lower end leaves room below 1e-3, where lookups are judged, for the texel that a lookup at that edge
+/// blends with.
+pub const MU: [f64; 2] = [2e-4, 1.0];
+
+/// Below this ior - 1 the limit stands: E has slopes up to 1e5 there (at grazing, where a refraction by less than mu matters).
+const STRAIGHT: f64 = 1e-14;
+
+/// Reflected and transmitted energy, from outside and from inside.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energies {
+    /// Reflected.
+    pub r: [f64; 2],
+    /// Transmitted.
+    pub t: [f64; 2],
+}
+
+impl Energies {
+    /// R + T from outside and from inside.
+    pub fn e(&self) -> [f64; 2] {
+        [self.r[0] + self.t[0], self.r[1] + self.t[1]]
+    }
+}
+
+/// The integrals for one shadowing form and one tolerance.
+#[derive(Debug)]
+pub struct Kernel {
+    smith: Smith,
+    effort: Effort,
+    path: Path,
+    rules: Rules,
+    /// Values of rings to Legendre series: see [`Rules::series`].
+    series: Vec<Vec<f64>>,
+}
+
+impl Kernel {
+    /// A kernel of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in [`MU`] and ior in [1, 3].
+    pub fn new(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
+        let (effort, rules) = (Effort::of(tolerance)?, Rules::new());
+        let series = rules.series(effort.ring_panel);
+        Ok(Kernel { smith, effort, path: Path::Best, rules, series })
+    }
+
+    /// A kernel with more nodes on shorter panels than [`Kernel::new`]: for checks.
+    pub fn finer(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
+        let kernel = Kernel::new(smith, tolerance)?;
+        let finer = kernel.effort.finer();
+        kernel.with(finer)
+    }
+
+    /// The same kernel on another compiled form of its loops: the results are the same bits.
+    pub fn on(self, path: Path) -> Kernel {
+        Kernel { path, ..self }
+    }
+
+    /// Its numbers of nodes.
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    /// The same kernel with other numbers of nodes: for studies of convergence.
+    ///
+    /// # Errors
+    /// [`IntegrateError::Option`] for an effort outside what [`Effort`] states.
+    pub fn with(self, effort: Effort) -> Result<Kernel, IntegrateError> {
+        effort.check()?;
+        let series = self.rules.series(effort.ring_panel);
+        Ok(Kernel { effort, series, ..self })
+    }
+
+    /// R and T from both sides for every index of refraction into `out`, of the same length; returns the number of integrand
+    /// evaluations.
+    pub fn energies(
+        &self,
+        alpha: f64,
+        mu: f64,
+        iors: &[f64],
+        out: &mut [Energies],
+    ) -> Result<u64, IntegrateError> {
+        check(alpha, mu, iors)?;
+        let lobe = Lobe::new(self.smith, alpha, mu);
+        let Kernel { effort, path, rules, series, .. } = self;
+        let rings = Reflection::new(&lobe, effort, rules, series, *path);
+        let mut sweep = Sweep::with_capacity(6 * effort.panel * iors.len());
+        let mut ends = Vec::with_capacity(2 * iors.len());
+        for ior in iors {
+            for seen in [Seen::outside(*ior), Seen::inside(*ior)] {
+                if ior - 1.0 >= STRAIGHT {
+                    for stretch in ends::stretches(&lobe, seen).iter().flatten() {
+                        ends::append(&mut sweep, stretch, seen, effort, rules);
+                    }
+                }
+                ends.push(sweep.u.len());
+            }
+        }
+        sweep.pad();
+        let mut values = Vec::with_capacity(sweep.u.len());
+        let evaluations = path.transmit(&lobe, rules, effort.azimuth, &sweep, &mut values);
+        let mut start = 0;
+        for ((ior, ends), e) in iors.iter().zip(ends.chunks(2)).zip(out) {
+            let transmitted =
+                [values[start..ends[0]].iter().sum::<f64>(), values[ends[0]..ends[1]].iter().sum()];
+            start = ends[1];
+            if ior - 1.0 < STRAIGHT {
+                *e = Energies { r: [0.0; 2], t: [ggx::lit_given_visible(self.smith, alpha, mu, mu); 2] };
+                continue;
+            }
+            let outside = rings.passed_outside(Seen::outside(*ior), *path);
+            let inside = rings.passed_inside(&lobe, Seen::inside(*ior), effort, rules, *path);
+            *e = Energies { r: [rings.whole - outside, rings.whole - inside], t: transmitted };
+        }
+        Ok(evaluations + rings.evaluations)
+    }
+}
+
+/// Refuses inputs outside the domain.
+fn check(alpha: f64, mu: f64, iors: &[f64]) -> Result<(), IntegrateError> {
+    let refuse =
+        |input, value, domain| Err(IntegrateError::Domain { quantity: "ggx-glass", input, value, domain });
+    // A roughness rounded to f32 may make an alpha just below 4e-4.
+    if !(3.99e-4..=1.0).contains(&alpha) {
+        return refuse("alpha", alpha, "is outside [4e-4, 1] of a table");
+    }
+    if !(MU[0]..=MU[1]).contains(&mu) {
+        return refuse("mu", mu, "is outside [2e-4, 1] of a table");
+    }
+    match iors.iter().find(|ior| !(1.0..=3.0).contains(*ior)) {
+        Some(ior) => refuse("ior", *ior, "is outside [1, 3] of a table"),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,59 @@
+//! The same loops compiled for several instruction sets, and the choice among them at run time.
+//!
+//! The loops are plain arithmetic on `[f64; 8]`: no fused operations, no reassociation, so every path gives the same bits.
+
+use multiversion::multiversion;
+
+use super::ends::Seen;
+use super::lobe::Lobe;
+use super::rules::Rules;
+use super::transmit::{self, Sweep};
+use super::{reflect, rings};
+use crate::integrate::Path;
+use lobefit_math::lanes::F8;
+
+/// Three compiled forms of one function, and the choice by [`Path`].
+macro_rules! forms {
+    ($name:ident in $forms:ident, $body:path, ($($argument:ident: $kind:ty),*) -> $result:ty) => {
+        mod $forms {
+            use super::*;
+
+            #[multiversion(targets(
+                "x86_64+avx+avx2+bmi1+bmi2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl",
+                "x86_64+avx+avx2+bmi1+bmi2"
+            ))]
+            pub(super) fn best($($argument: $kind),*) -> $result {
+                $body($($argument),*)
+            }
+
+            #[multiversion(targets("x86_64+avx+avx2+bmi1+bmi2"))]
+            pub(super) fn avx2($($argument: $kind),*) -> $result {
+                $body($($argument),*)
+            }
+
+            pub(super) fn baseline($($argument: $kind),*) -> $result {
+                $body($($argument),*)
+            }
+        }
+
+        impl Path {
+            #[inline]
+            pub(super) fn $name(self, $($argument: $kind),*) -> $result {
+                match self {
+                    Path::Best => $forms::best($($argument),*),
+                    Path::Avx2 => $forms::avx2($($argument),*),
+                    Path::Baseline => $forms::baseline($($argument),*),
+                }
+            }
+        }
+    };
+}
+
+forms!(transmit in transmit_forms, transmit::transmit, (
+    lobe: &Lobe, rules: &Rules, inner: [f64; 2], sweep: &Sweep, values: &mut Vec<f64>
+) -> u64);
+forms!(rings in rings_forms, rings::rings, (
+    lobe: &Lobe, rules: &Rules, nodes: usize, u: &[f64], values: &mut Vec<f64>
+) -> u64);
+forms!(passed in passed_forms, reflect::passed, (seen: Seen, cosine: &[F8], share: &[F8]) -> f64);
+forms!(near in near_forms, reflect::near, (lobe: &Lobe, seen: Seen, series: &[f64], nodes: [&[f64]; 3]) -> f64);

@@ -1,0 +1,17 @@
+//! A quantity at a point, integrated to a value with an error bound.
+
+pub mod aniso;
+pub mod coupling;
+mod error;
+mod estimate;
+pub mod footprint;
+pub mod glass;
+pub mod monte_carlo;
+mod path;
+pub mod reflection;
+pub mod sheen;
+pub mod walk;
+
+pub use error::IntegrateError;
+pub use estimate::{Estimate, PanelRule};
+pub use path::Path;

@@ -1,0 +1,115 @@
+//! Monte Carlo for the anisotropic and the glass lobe: visible normals, textbook Fresnel and refraction as vectors.
+
+use super::{Points, Run, Sampled, Weights, check_samples, column, replicas};
+use crate::integrate::IntegrateError;
+use crate::integrate::aniso::check as check_aniso;
+use crate::integrate::glass::{Side, check as check_glass};
+use crate::optics::Smith;
+use crate::optics::ggx::{self, Vec3};
+use lobefit_math::ops;
+use lobefit_math::sobol::DIMENSIONS;
+
+/// `ggx-reflection-aniso` by Monte Carlo: E and loss; without phi, the third coordinate draws the view's azimuth.
+pub fn aniso(
+    smith: Smith,
+    alpha: [f64; 2],
+    mu: f64,
+    phi: Option<f64>,
+    run: Run,
+) -> Result<[Sampled; 2], IntegrateError> {
+    check_aniso(alpha, mu, phi)?;
+    check_positive("ggx-reflection-aniso", &[("alpha_x", alpha[0]), ("alpha_y", alpha[1]), ("mu", mu)])?;
+    check_samples(run)?;
+    let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
+    let means = replicas(run, |x| {
+        let (sin_phi, cos_phi) = ops::sincos(phi.unwrap_or(2.0 * std::f64::consts::PI * x[2]));
+        let view = [sine * cos_phi, sine * sin_phi, mu];
+        let light = ggx::mirror(view, ggx::visible_normal(alpha, view, x[0], x[1])).0;
+        if light[2] <= 0.0 {
+            return [0.0, 1.0, 0.0];
+        }
+        let (kept, lost) = shadowing(smith, alpha, view, light);
+        [kept, lost, 0.0]
+    });
+    Ok([column(&means, run.samples, |w| w[0]), column(&means, run.samples, |w| w[1])])
+}
+
+/// `ggx-glass` by Monte Carlo: R, T and loss.
+pub fn glass(
+    smith: Smith,
+    alpha: f64,
+    mu: f64,
+    ior: f64,
+    side: Side,
+    run: Run,
+) -> Result<[Sampled; 3], IntegrateError> {
+    check_glass(alpha, mu, ior)?;
+    check_positive("ggx-glass", &[("alpha", alpha)])?;
+    check_samples(run)?;
+    let eta = match side {
+        Side::Outside => 1.0 / ior,
+        Side::Inside => ior,
+    };
+    let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
+    let means = replicas(run, |x| one_of_glass(smith, alpha, eta, view, x));
+    Ok([0, 1, 2].map(|i| column(&means, run.samples, |w| w[i])))
+}
+
+/// Reflected, transmitted and lost energy of one visible normal.
+fn one_of_glass(smith: Smith, alpha: f64, eta: f64, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
+    let normal = ggx::visible_normal([alpha; 2], view, x[0], x[1]);
+    let (mirrored, cosine) = ggx::mirror(view, normal);
+    let square = 1.0 - eta * eta * (1.0 - cosine * cosine);
+    let (reflectance, refracted) = if square <= 0.0 {
+        (1.0, None)
+    } else {
+        let cosine_t = square.sqrt();
+        let s = (eta * cosine - cosine_t) / (eta * cosine + cosine_t);
+        let p = (cosine - eta * cosine_t) / (cosine + eta * cosine_t);
+        let along = eta * cosine - cosine_t;
+        let light = [0, 1, 2].map(|i| along * normal[i] - eta * view[i]);
+        (0.5 * (s * s + p * p), Some(light))
+    };
+    let (mut kept_r, mut kept_t, mut lost) = (0.0, 0.0, 0.0);
+    if mirrored[2] > 0.0 {
+        let (kept, shadowed) = shadowing(smith, [alpha; 2], view, mirrored);
+        kept_r = reflectance * kept;
+        lost += reflectance * shadowed;
+    } else {
+        lost += reflectance;
+    }
+    match refracted {
+        Some(light) if light[2] < 0.0 => {
+            let (kept, shadowed) = shadowing(smith, [alpha; 2], view, light);
+            kept_t = (1.0 - reflectance) * kept;
+            lost += (1.0 - reflectance) * shadowed;
+        }
+        _ => lost += 1.0 - reflectance,
+    }
+    [kept_r, kept_t, lost]
+}
+
+/// G2/G1(v) and its complement for a direction on either side of the surface.
+fn shadowing(smith: Smith, alpha: [f64; 2], view: Vec3, light: Vec3) -> (f64, f64) {
+    let (of_view, of_light) = (ggx::lambda_towards(alpha, view), ggx::lambda_towards(alpha, light));
+    match smith {
+        Smith::Correlated => {
+            let total = 1.0 + of_view + of_light;
+            ((1.0 + of_view) / total, of_light / total)
+        }
+        Smith::Separable => (1.0 / (1.0 + of_light), of_light / (1.0 + of_light)),
+    }
+}
+
+fn check_positive(quantity: &'static str, inputs: &[(&'static str, f64)]) -> Result<(), IntegrateError> {
+    let domain = "is a limit that Monte Carlo cannot sample; use quadrature";
+    match inputs.iter().find(|(_, value)| *value == 0.0) {
+        None => Ok(()),
+        Some((input, value)) => Err(IntegrateError::Domain { quantity, input, value: *value, domain }),
+    }
+}
+
+/// The settings of a second opinion: scrambled Sobol points.
+pub fn sobol(samples: u64, seed: u64) -> Run {
+    Run { samples, seed, points: Points::Sobol, draw: super::Draw::VisibleNormal }
+}

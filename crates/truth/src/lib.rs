@@ -1,0 +1,5 @@
+//! BRDF quantities with their errors, for renderers and their tests: [`optics`] has the pure models, each with its limits and its
+//! source; [`integrate`] integrates them by quadrature to a value with an error, and by Monte Carlo as the second opinion.
+
+pub mod integrate;
+pub mod optics;

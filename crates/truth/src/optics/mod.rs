@@ -1,0 +1,12 @@
+//! Pure models of optics. Each function states its domain, its limits and its source.
+
+pub mod diffuse;
+pub mod footprint;
+pub mod fresnel;
+pub mod ggx;
+pub mod kernel;
+pub mod multiscatter;
+pub mod sheen;
+mod smith;
+
+pub use smith::Smith;

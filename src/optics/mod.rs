@@ -1,9 +1,0 @@
-//! Floor 2: pure models of optics. Each function states its domain, its limits and its source.
-
-pub mod diffuse;
-pub mod footprint;
-pub mod fresnel;
-pub mod ggx;
-pub mod kernel;
-pub mod multiscatter;
-pub mod sheen;
