@@ -1,8 +1,8 @@
 //! The include files: one per language, everything that the scene called for and nothing else. Each effect has a section of its
 //! own between marks, so that a bake of some effects can keep the sections of the others.
 
-use super::context::Context;
 use super::part::Part;
+use crate::effects::context::Context;
 use crate::emit::compensation;
 use crate::emit::lookup::helpers;
 use lobefit_shade::code::Language;

@@ -2,40 +2,28 @@
 //! scene gives the same bytes.
 
 mod compare;
-mod containers;
-mod context;
-mod coupling;
 mod includes;
 mod kept;
 mod names;
 mod opening;
-mod parallax;
 mod part;
 mod recipe;
-mod reflection;
-mod sheen;
-mod volume;
 
-use crate::data::TableError;
-use crate::effects::reflection::{Counter, Dropped, Fit, FitStageError};
-use crate::effects::surface::SurfaceError;
-use crate::effects::volume::{LookupError, VolumeError};
-use crate::emit::container::ContainerError;
-use crate::emit::exr::ExrError;
+pub use crate::effects::BakeError;
+use crate::effects::context::Context;
+pub use crate::effects::context::{Progress, Silent, UserHypothesis};
+use crate::effects::origin;
+pub use crate::effects::reflection::bake::BakedTable;
+use crate::effects::reflection::{Counter, Dropped, Fit};
+pub use crate::effects::volume::bake::BakedVolume;
+use crate::effects::{coupling, parallax, reflection, sheen, volume};
 use crate::plan::{EffectName, Plan};
-use crate::report::{Origin, ReportError};
 use crate::scene::Scene;
 use crate::store::Files;
 pub use compare::{Difference, Kind, compare};
-use context::Context;
-pub use context::{Progress, Silent};
 pub use kept::{KeptError, kept};
-use lobefit_shade::code;
-use lobefit_truth::integrate::IntegrateError;
 pub use part::Part;
-pub use recipe::{TOOL, UserHypothesis, recipe};
-pub use reflection::BakedTable;
-pub use volume::BakedVolume;
+pub use recipe::{TOOL, recipe};
 
 /// What a bake made.
 #[derive(Debug)]
@@ -59,7 +47,7 @@ pub struct Baked {
 impl Baked {
     /// Adds the fits of one of an effect's jobs. A published formula is measured for each of them; one entry is enough where names are
     /// asked for.
-    fn take(&mut self, fits: Vec<Fit>, dropped: Vec<Dropped>) {
+    pub(crate) fn take(&mut self, fits: Vec<Fit>, dropped: Vec<Dropped>) {
         for fit in fits {
             if !self.fits.iter().any(|known| known.approximation.name == fit.approximation.name) {
                 self.fits.push(fit);
@@ -67,76 +55,6 @@ impl Baked {
         }
         self.dropped.extend(dropped);
     }
-}
-
-/// Why a bake made nothing.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum BakeError {
-    /// A hypothesis or a fit.
-    #[error(transparent)]
-    Fit(#[from] FitStageError),
-    /// A table's shape or values.
-    #[error(transparent)]
-    Table(#[from] TableError),
-    /// An image could not be encoded or decoded.
-    #[error(transparent)]
-    Exr(#[from] ExrError),
-    /// A truth could not be integrated.
-    #[error(transparent)]
-    Integrate(#[from] IntegrateError),
-    /// A function could not be printed.
-    #[error(transparent)]
-    Code(#[from] code::CodeError),
-    /// The report refused its data.
-    #[error(transparent)]
-    Report(#[from] ReportError),
-    /// A document could not be put into JSON.
-    #[error("cannot write JSON: {0}")]
-    Json(#[from] serde_json::Error),
-    /// A hypothesis has the name of another function.
-    #[error(
-        "{file}: function `{function}` has, or leads to, the name of another emitted function; rename it"
-    )]
-    Name {
-        /// The hypothesis' file.
-        file: String,
-        /// The name.
-        function: String,
-    },
-    /// Several fetches from a chain of a kernel for which no rule says where they go.
-    #[error(
-        "lookups of {kernel} chains: no rule of {fetches} fetches is fitted for that lobe; give `taps` 1"
-    )]
-    NoRule {
-        /// The kernel's word.
-        kernel: &'static str,
-        /// Fetches asked for.
-        fetches: usize,
-    },
-    /// A hypothesis whose function cannot be called so in an emitted language.
-    #[error("{file}: {reason}")]
-    Word {
-        /// The hypothesis' file.
-        file: String,
-        /// What the printer says.
-        reason: String,
-    },
-    /// A whole material.
-    #[error(transparent)]
-    Surface(#[from] SurfaceError),
-    /// A table of three axes.
-    #[error(transparent)]
-    Volume(#[from] VolumeError),
-    /// A table cannot be looked up.
-    #[error(transparent)]
-    Lookup(#[from] LookupError),
-    /// A table cannot be put into a file.
-    #[error(transparent)]
-    Container(#[from] ContainerError),
-    /// A defect of this program.
-    #[error("internal error: {0}")]
-    Internal(String),
 }
 
 /// What to bake of a plan.
@@ -176,21 +94,28 @@ pub fn bake(
     for effect in plan.effects.iter().filter(|e| wanted(e.effect)) {
         match effect.effect {
             EffectName::Reflection => {
-                parts.push(reflection::part(scene, plan, effect, hypotheses, &mut baked, &mut context)?);
+                parts.push(reflection::bake::part(
+                    scene,
+                    plan,
+                    effect,
+                    hypotheses,
+                    &mut baked,
+                    &mut context,
+                )?);
             }
             EffectName::Anisotropy | EffectName::Glass => {
-                parts.push(volume::part(scene, plan, effect, &mut baked, &mut context)?);
+                parts.push(volume::bake::part(scene, plan, effect, &mut baked, &mut context)?);
             }
             EffectName::DiffuseCoupling => {
-                parts.push(coupling::part(scene, &plan.couplings, effect, &mut baked, &mut context)?);
+                parts.push(coupling::bake::part(scene, &plan.couplings, effect, &mut baked, &mut context)?);
             }
             EffectName::Sheen => {
                 let job = plan.sheen.as_ref();
                 let job = job.ok_or_else(|| BakeError::Internal("a sheen without a job".into()))?;
-                parts.push(sheen::part(scene, job, effect, &mut baked, &mut context)?);
+                parts.push(sheen::bake::part(scene, job, effect, &mut baked, &mut context)?);
             }
             EffectName::Parallax => {
-                parts.push(parallax::part(scene, &plan.parallaxes, effect, &mut baked, &mut context)?);
+                parts.push(parallax::bake::part(scene, &plan.parallaxes, effect, &mut baked, &mut context)?);
             }
             other => {
                 return Err(BakeError::Internal(format!("no bake of the effect {}", other.name())));
@@ -204,13 +129,4 @@ pub fn bake(
     baked.truths = context.counter.total();
     baked.broken = context.broken;
     Ok(baked)
-}
-
-fn origin(scene: &Scene, context: &Context) -> Origin {
-    Origin {
-        scene: scene.name.clone(),
-        recipe: context.recipe.hash.clone(),
-        tool: env!("CARGO_PKG_VERSION").into(),
-        command: context.recipe.command.clone(),
-    }
 }

@@ -2,10 +2,11 @@
 //! Refused before anything is integrated.
 
 use super::{BakeError, UserHypothesis};
+use crate::effects::coupling::emitted as coupling;
 use crate::effects::reflection::FitStageError;
 use crate::effects::{catalogue_names, parallax};
+use crate::emit::compensation;
 use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
-use crate::emit::{compensation, coupling};
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code;
 use lobefit_shade::code::Language;

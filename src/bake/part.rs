@@ -2,13 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
 use serde_json::Value;
 
 use super::BakeError;
-use super::context::Context;
 use super::includes;
-use crate::emit::manifest::{Entries, Include, LeftOut, Manifest, SCHEMA_VERSION};
+use crate::effects::context::Context;
+use crate::emit::manifest::{Entries, Include, LeftOut, Manifest, SCHEMA_VERSION, canonical};
 use crate::plan::{EffectName, Plan};
 use crate::report::{self, EffectFinding, Index, IndexRow, Origin};
 use crate::store::{Files, MANIFEST};
@@ -28,11 +27,6 @@ pub struct Part {
     pub code: BTreeMap<Language, String>,
     /// Its tables and pages.
     pub files: Files,
-}
-
-/// A value as it reads back from JSON text: f32 in their shortest digits, keys in order.
-pub fn canonical(value: &impl Serialize) -> Result<Value, serde_json::Error> {
-    serde_json::from_str(&serde_json::to_string(value)?)
 }
 
 /// Every file of a bake: those of the parts, the include files, the overview, the manifest.

@@ -1,17 +1,8 @@
 //! What makes a bake again.
 
-use crate::effects::catalogue_sources;
+use crate::effects::{UserHypothesis, catalogue_sources};
 use crate::emit::header::Recipe;
 use crate::scene::Scene;
-
-/// A hypothesis of the user's.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UserHypothesis {
-    /// File, as named in the scene.
-    pub file: String,
-    /// WGSL source.
-    pub source: String,
-}
 
 /// Tool and version.
 pub const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));

@@ -3,9 +3,12 @@
 
 pub mod anisotropy;
 mod catalogue;
+mod containers;
+pub mod context;
 pub mod coupling;
 mod deviation;
 mod entry;
+mod error;
 mod fitted;
 pub mod glass;
 mod keeps;
@@ -19,7 +22,9 @@ pub mod target;
 pub mod volume;
 
 pub use catalogue::{catalogue_names, catalogue_sources};
+pub use context::{UserHypothesis, origin};
 pub use deviation::{Deviation, Rounding};
 pub use entry::Entry;
+pub use error::BakeError;
 pub use keeps::{Keeps, Kept, Safe};
 pub use quantity::{Input, Method, QUANTITIES, Quantity, Values};

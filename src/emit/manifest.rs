@@ -75,6 +75,11 @@ impl Entries {
     }
 }
 
+/// A value as it reads back from JSON text: f32 in their shortest digits, keys in order.
+pub fn canonical(value: &impl Serialize) -> Result<Value, serde_json::Error> {
+    serde_json::from_str(&serde_json::to_string(value)?)
+}
+
 /// One table.
 #[derive(Clone, Debug, Serialize)]
 pub struct TableEntry {

@@ -2,15 +2,13 @@
 
 pub mod compensation;
 pub mod container;
-pub mod coupling;
 pub mod dds;
 pub mod exr;
 pub mod header;
 pub mod lookup;
 pub mod manifest;
 pub mod npy;
-pub mod probe;
 pub mod raw;
 pub mod sidecar;
-mod spelling;
+pub(crate) mod spelling;
 mod texels;

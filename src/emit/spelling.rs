@@ -3,7 +3,7 @@
 use lobefit_shade::code::{Language, decimal};
 
 /// A vector type of 2 to 4 floats, and the type of one.
-pub(super) fn vector(language: Language, n: usize) -> String {
+pub(crate) fn vector(language: Language, n: usize) -> String {
     match (language, n) {
         (Language::Rust | Language::Wgsl, 1) => "f32".into(),
         (_, 1) => "float".into(),
@@ -16,7 +16,7 @@ pub(super) fn vector(language: Language, n: usize) -> String {
 }
 
 /// Channel `i` of a vector.
-pub(super) fn part(language: Language, vector: &str, i: usize) -> String {
+pub(crate) fn part(language: Language, vector: &str, i: usize) -> String {
     match language {
         Language::Rust => format!("{vector}[{i}]"),
         _ => format!("{vector}.{}", &"xyzw"[i..=i]),
@@ -24,7 +24,7 @@ pub(super) fn part(language: Language, vector: &str, i: usize) -> String {
 }
 
 /// An argument with its type.
-pub(super) fn argument(language: Language, name: &str, kind: &str) -> String {
+pub(crate) fn argument(language: Language, name: &str, kind: &str) -> String {
     match language {
         Language::Rust | Language::Wgsl => format!("{name}: {kind}"),
         // The star of a pointer stands at the name.
@@ -37,7 +37,7 @@ pub(super) fn argument(language: Language, name: &str, kind: &str) -> String {
 const WIDTH: usize = 120;
 
 /// The lines that open a function.
-pub(super) fn head(language: Language, name: &str, arguments: &[String], result: &str) -> String {
+pub(crate) fn head(language: Language, name: &str, arguments: &[String], result: &str) -> String {
     let (start, end) = match language {
         Language::Rust => (format!("pub fn {name}("), format!(") -> {result} {{\n")),
         Language::Wgsl => (format!("fn {name}("), format!(") -> {result} {{\n")),
@@ -58,7 +58,7 @@ fn within(start: &str, list: &[String], end: &str, indent: &str) -> String {
 }
 
 /// The line that names a value of a type.
-pub(super) fn declare(language: Language, kind: &str, name: &str, value: &str) -> String {
+pub(crate) fn declare(language: Language, kind: &str, name: &str, value: &str) -> String {
     match language {
         Language::Rust | Language::Wgsl => format!("    let {name} = {value};\n"),
         Language::Glsl => format!("    {kind} {name} = {value};\n"),
@@ -67,7 +67,7 @@ pub(super) fn declare(language: Language, kind: &str, name: &str, value: &str) -
 }
 
 /// The lines that return a number or a vector of numbers, which C gives the name `name`.
-pub(super) fn finish(language: Language, name: &str, values: &[String]) -> String {
+pub(crate) fn finish(language: Language, name: &str, values: &[String]) -> String {
     let kind = vector(language, values.len());
     let (start, end) = match (language, values.len()) {
         (Language::Rust, 1) => ("    ".into(), "\n".into()),
@@ -81,7 +81,7 @@ pub(super) fn finish(language: Language, name: &str, values: &[String]) -> Strin
 }
 
 /// The lines that use the arguments which a body does not mention, where compilers ask for it.
-pub(super) fn unused(language: Language, arguments: &[&str], body: &str) -> String {
+pub(crate) fn unused(language: Language, arguments: &[&str], body: &str) -> String {
     let line = |name: &&str| match language {
         Language::Rust => format!("    let _ = {name};\n"),
         Language::C => format!("    (void){name};\n"),
@@ -103,7 +103,7 @@ const FUNCTIONS: [(&str, &str); 7] = [
 ];
 
 /// An expression of a shader's arithmetic, as [`crate::data::Axis::expression`] writes it, in a language.
-pub(super) fn expression(language: Language, text: &str) -> String {
+pub(crate) fn expression(language: Language, text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
@@ -146,7 +146,7 @@ fn spelled(language: Language, word: &str) -> String {
 }
 
 /// Whether a text holds a word.
-pub(super) fn mentions(text: &str, word: &str) -> bool {
+pub(crate) fn mentions(text: &str, word: &str) -> bool {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|w| w == word)
 }
 

@@ -6,7 +6,7 @@
 //! of threads: rows of pictures are computed in parallel and joined in order, coordinates have fixed decimals, and
 //! nothing reads a clock.
 
-mod check;
+pub(crate) mod check;
 mod error;
 mod field;
 mod findings;
@@ -14,26 +14,23 @@ pub mod flip;
 mod gpu;
 mod image;
 mod json;
-mod numbers;
+pub(crate) mod numbers;
 mod page;
-mod plot;
+pub(crate) mod plot;
 pub mod render;
-mod sections;
+pub(crate) mod sections;
 mod timings;
+
+use serde::Serialize;
 
 use crate::effects::surface::SurfaceRows;
 
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
-    AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
-    CouplingReciprocity,
-};
-pub use findings::{
-    ApproximationFinding, AverageFinding, AverageFit, AzimuthFinding, AzimuthWay, ChannelFinding,
-    EffectFinding, ErrorFigure, Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace,
-    FurnaceFinding, FurnaceRow, Index, IndexRow, LeftOut, Marked, Origin, SCHEMA_VERSION, SearchPage,
-    SearchRow, SliceCurve, SourcesFinding, Study, StudySeries, TableFinding, VolumeFindings, VolumeTable,
+    ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure, Findings,
+    FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, Index, IndexRow, LeftOut, Marked,
+    Origin, SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study, StudySeries, TableFinding,
 };
 pub use findings::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
@@ -41,10 +38,6 @@ pub use findings::{
 };
 pub use findings::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
-};
-pub use findings::{
-    ChainFinding, LookupFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap,
-    VariationFinding, VariationRow,
 };
 pub use findings::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
@@ -84,52 +77,17 @@ pub struct File {
 /// # Errors
 /// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
 pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError> {
-    let figures = json::document(&format!("{effect}.json"), findings)?;
-    let text = html(&sections::of_findings(effect, findings)?)?;
-    Ok(vec![
-        file(&format!("reports/{effect}.html"), text.into_bytes()),
-        file(&format!("reports/{effect}.json"), figures),
-    ])
+    files(effect, &sections::of_findings(effect, findings)?, findings)
 }
 
-/// The same of an effect whose tables have three axes.
+/// `reports/<effect>.html` of a page of sections, and `reports/<effect>.json` of its figures.
 ///
 /// # Errors
 /// As [`page`].
-pub fn volume_page(findings: &VolumeFindings) -> Result<Vec<File>, ReportError> {
-    let effect = &findings.effect.effect;
-    let figures = json::document(&format!("{effect}.json"), findings)?;
-    let text = html(&sections::of_volumes(findings)?)?;
+pub fn files(effect: &str, page: &Page, figures: &impl Serialize) -> Result<Vec<File>, ReportError> {
+    let figures = json::document(&format!("{effect}.json"), figures)?;
     Ok(vec![
-        file(&format!("reports/{effect}.html"), text.into_bytes()),
-        file(&format!("reports/{effect}.json"), figures),
-    ])
-}
-
-/// The same of the coupling of diffuse bases.
-///
-/// # Errors
-/// As [`page`].
-pub fn coupling_page(findings: &CouplingFindings) -> Result<Vec<File>, ReportError> {
-    let effect = &findings.effect.effect;
-    let figures = json::document(&format!("{effect}.json"), findings)?;
-    let text = html(&sections::of_coupling(findings)?)?;
-    Ok(vec![
-        file(&format!("reports/{effect}.html"), text.into_bytes()),
-        file(&format!("reports/{effect}.json"), figures),
-    ])
-}
-
-/// The same of lookups of prefiltered probes.
-///
-/// # Errors
-/// As [`page`].
-pub fn parallax_page(findings: &ParallaxFindings) -> Result<Vec<File>, ReportError> {
-    let effect = &findings.effect.effect;
-    let figures = json::document(&format!("{effect}.json"), findings)?;
-    let text = html(&sections::of_parallax(findings)?)?;
-    Ok(vec![
-        file(&format!("reports/{effect}.html"), text.into_bytes()),
+        file(&format!("reports/{effect}.html"), html(page)?.into_bytes()),
         file(&format!("reports/{effect}.json"), figures),
     ])
 }

@@ -8,7 +8,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::Baked;
-use super::context::Progress;
+use crate::effects::context::Progress;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Files};
 

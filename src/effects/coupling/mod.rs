@@ -3,8 +3,18 @@
 //! A factor stands for every albedo of the base: with albedo c the base sends back factor c, and the error of the factor counts c times.
 
 mod any;
+pub mod bake;
 mod catalogue;
+mod code;
+pub mod emitted;
+mod findings;
+mod grid;
+mod page;
+mod reciprocity;
+pub mod results;
 mod rivals;
+mod rule;
+mod table;
 
 use std::collections::BTreeMap;
 

@@ -1,9 +1,13 @@
 //! The effect `parallax`: a prefiltered cubemap looked up where a ray meets the proxy of a room. Quantity `parallax-alpha`.
 
+pub mod bake;
 mod catalogue;
 mod chain;
 mod grid;
 pub mod lookups;
+mod page;
+pub mod probe;
+pub mod results;
 mod source;
 pub mod taps;
 mod variation;

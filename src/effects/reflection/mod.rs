@@ -1,6 +1,7 @@
 //! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities `ggx-reflection` and `ggx-average`.
 
 mod accuracy;
+pub mod bake;
 mod catalogue;
 mod decode;
 mod field;

@@ -1,6 +1,8 @@
 //! The effect `sheen`: the rim of cloth. Quantity `sheen-charlie`.
 
+pub mod bake;
 mod catalogue;
+mod page;
 
 use std::collections::BTreeMap;
 

@@ -11,13 +11,16 @@
 
 mod axes;
 mod azimuth;
+pub mod bake;
 mod check;
 mod estimator;
 mod lookup;
 mod measure;
+mod page;
 mod plan;
 mod points;
 mod region;
+pub mod results;
 mod spec;
 
 pub use axes::{aniso_axes, azimuth_axes, glass_axes};

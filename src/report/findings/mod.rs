@@ -3,16 +3,13 @@
 
 mod approximation;
 mod audit;
-mod coupling;
 mod coupling_study;
 mod furnace;
 mod index;
 mod own;
-mod parallax;
 mod parallax_study;
 mod search;
 mod table;
-mod volume;
 
 use std::collections::BTreeMap;
 
@@ -25,20 +22,12 @@ pub use audit::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
     AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
 };
-pub use coupling::{
-    AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
-    CouplingReciprocity,
-};
 pub use coupling_study::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
-pub use parallax::{
-    ChainFinding, LookupFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap,
-    VariationFinding, VariationRow,
-};
 pub use parallax_study::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow,
     SlideLaw,
@@ -54,7 +43,6 @@ pub use parallax_study::{
 pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
-pub use volume::{AzimuthFinding, AzimuthWay, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable};
 
 /// Version of the shape of the reports' JSON files.
 pub const SCHEMA_VERSION: u32 = 1;

@@ -19,7 +19,7 @@ const COLUMNS: [(&str, bool); 10] = [
     ("source", false),
 ];
 
-pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
     if findings.approximations.is_empty() {
         return Ok(None);
     }

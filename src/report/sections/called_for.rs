@@ -13,12 +13,12 @@ const COLUMNS: [(&str, bool); 7] = [
     ("error of what", false),
 ];
 
-pub(super) fn section(findings: &Findings) -> Result<Section, ReportError> {
+pub(crate) fn section(findings: &Findings) -> Result<Section, ReportError> {
     Ok(of(&findings.effects, &findings.left_out))
 }
 
 /// The effects, and what was left out.
-pub(super) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
+pub(crate) fn of(effects: &[EffectFinding], left_out: &[LeftOut]) -> Section {
     let mut blocks = Vec::new();
     if effects.is_empty() {
         let text = "The scene calls for no effect: nothing was integrated, fitted or emitted.".into();

@@ -10,7 +10,7 @@ use crate::report::{
 /// Fits that may share one chart of curves before colours repeat.
 const TOGETHER: usize = 6;
 
-pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
     if findings.fits.is_empty() && findings.averages.is_none() {
         return Ok(None);
     }

@@ -5,7 +5,7 @@ use crate::report::{
     Block, Findings, Furnace, FurnaceRow, ReportError, Section, Shade, SphereRow, Spheres, check, numbers,
 };
 
-pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
     let Some(furnace) = &findings.furnace else { return Ok(None) };
     let limit = limit(furnace)?;
     let plain =
@@ -29,7 +29,7 @@ pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
 }
 
 /// The spheres of one condition: as they are, amplified, and in figures.
-pub(super) fn panel(title: &str, furnace: &Furnace) -> Result<Vec<Block>, ReportError> {
+pub(crate) fn panel(title: &str, furnace: &Furnace) -> Result<Vec<Block>, ReportError> {
     let limit = limit(furnace)?;
     let plain = spheres(
         &format!("{title}, unamplified"),

@@ -1,34 +1,31 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
-mod approximations;
+pub(crate) mod approximations;
 mod audit;
 mod averages;
-mod called_for;
-mod coupling;
+pub(crate) mod called_for;
 mod coupling_study;
-mod fits;
-mod furnace;
+pub(crate) mod fits;
+pub(crate) mod furnace;
 mod gpu;
 mod index;
 mod metals;
 mod own;
-mod parallax;
 mod parallax_study;
-mod reciprocity;
+pub(crate) mod reciprocity;
 mod search;
 mod selection;
 mod study;
 mod surfaces;
-mod tables;
+pub(crate) mod tables;
 mod timed_tables;
 mod timings;
-mod volumes;
 mod walks;
-mod words;
+pub(crate) mod words;
 
 use super::{
-    AuditFindings, Block, CouplingFindings, CouplingStudy, Figure, Findings, FitPage, GpuRecord, Index, Page,
-    ParallaxFindings, ParallaxStudy, ReportError, SearchPage, Section, Timings, VolumeFindings,
+    AuditFindings, Block, CouplingStudy, Figure, Findings, FitPage, GpuRecord, Index, Page, ParallaxStudy,
+    ReportError, SearchPage, Section, Timings,
 };
 use crate::effects::surface::SurfaceRows;
 
@@ -50,30 +47,6 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
         ),
         sections,
     })
-}
-
-/// The page of an effect whose tables have three axes.
-pub(crate) fn of_volumes(findings: &VolumeFindings) -> Result<Page, ReportError> {
-    let effect = &findings.effect.effect;
-    Ok(Page {
-        title: format!("lobefit report: {}: {effect}", findings.origin.scene),
-        origin: findings.origin.clone(),
-        lead: format!(
-            "What the scene called for, the tables made for it with their measured errors, and what a shader gets from each \
-             layout. Figures in full digits: {effect}.json, in this folder."
-        ),
-        sections: volumes::sections(findings)?,
-    })
-}
-
-/// The page of the coupling of diffuse bases.
-pub(crate) fn of_coupling(findings: &CouplingFindings) -> Result<Page, ReportError> {
-    coupling::page(findings)
-}
-
-/// The page of lookups of prefiltered probes.
-pub(crate) fn of_parallax(findings: &ParallaxFindings) -> Result<Page, ReportError> {
-    parallax::page(findings)
 }
 
 /// The overview of a bake.
@@ -129,7 +102,7 @@ pub(crate) fn of_surfaces(rows: &SurfaceRows) -> Result<Vec<Section>, ReportErro
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.
-fn figures<F: Figure + Sync>(figures: &[F], caption: &str) -> Result<Block, ReportError> {
+pub(crate) fn figures<F: Figure + Sync>(figures: &[F], caption: &str) -> Result<Block, ReportError> {
     use rayon::prelude::*;
     let svg: Vec<Result<String, ReportError>> = figures.par_iter().map(Figure::svg).collect();
     Ok(Block::Figures { svg: svg.into_iter().collect::<Result<_, _>>()?, caption: caption.into() })

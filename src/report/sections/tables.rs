@@ -11,7 +11,7 @@ use crate::report::{
 const COLUMNS: [(&str, bool); 4] = [("error of", false), ("max", true), ("RMS", true), ("where", false)];
 
 /// The truths over their inputs.
-pub(super) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError> {
+pub(crate) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError> {
     if findings.truths.is_empty() {
         return Ok(None);
     }
@@ -59,7 +59,7 @@ fn landscape(findings: &Findings) -> String {
 }
 
 /// The tables: texels, errors, lookup error over the domain.
-pub(super) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
     if findings.tables.is_empty() {
         return Ok(None);
     }
@@ -128,7 +128,7 @@ fn texels(table: &TableFinding, channel: &ChannelFinding) -> Field {
 }
 
 /// An axis in words.
-pub(super) fn axis(a: &Axis) -> String {
+pub(crate) fn axis(a: &Axis) -> String {
     let name = words::symbol(&a.name);
     let ends = [a.min, a.max].map(|x| brief(x, 3));
     let registration = a.registration.name();
@@ -155,7 +155,7 @@ fn facts(table: &TableFinding) -> Vec<(String, String)> {
 }
 
 /// Errors of a table, told apart.
-pub(super) fn errors_of(errors: &[(String, ErrorFigure)]) -> crate::report::TextTable {
+pub(crate) fn errors_of(errors: &[(String, ErrorFigure)]) -> crate::report::TextTable {
     let row = |(what, figure): &(String, ErrorFigure)| {
         vec![
             what.clone(),

@@ -1,9 +1,9 @@
 //! What a lookup takes, by its emitted function.
 
 use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
+use crate::effects::parallax::probe::{Called, Wanted};
 use crate::effects::parallax::{HYPOTHESES, TapRule};
 use crate::effects::room::proxies::Tied;
-use crate::emit::probe::{Called, Wanted};
 use crate::report::LookupCost;
 use crate::study::StudyError;
 use lobefit_shade::Hypothesis;

@@ -1,0 +1,85 @@
+//! The section of this effect in the include files: under each kind of lobe its factors, the exact one from E and B, and a material.
+
+use std::collections::BTreeMap;
+
+use super::bake::Lobe;
+use super::rule;
+use crate::effects::BakeError;
+use crate::effects::coupling::AnyF0;
+use crate::effects::coupling::emitted as coupling;
+use crate::effects::reflection::Fit;
+use crate::emit::header;
+use lobefit_shade::code::{self, Language};
+use lobefit_truth::integrate::coupling::Specular;
+
+/// Text by language; empty where nothing is emitted.
+pub fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {
+    let mut texts = BTreeMap::new();
+    for language in Language::ALL {
+        let mut text = String::new();
+        for lobe in lobes {
+            text += &in_language(language, lobe)?;
+        }
+        if !text.is_empty() {
+            texts.insert(language, text);
+        }
+    }
+    Ok(texts)
+}
+
+fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
+    let mut text = String::new();
+    for (fit, any) in lobe.measured().filter(|(fit, _)| fit.emitted) {
+        let lines = lines(lobe, fit, any);
+        let function = code::print(language, &fit.hypothesis, &fit.coefficients(), &lines)?.text;
+        text += &format!("\n{function}");
+    }
+    let specular = lobe.spec.specular;
+    if let Some(best) = lobe.best() {
+        text += &format!("\n{}", coupling::exact(language, specular));
+        let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
+        text += &format!("\n{}", coupling::coupled(language, specular, name, inputs));
+        if specular == Specular::Single {
+            let error = rule::error(&lobe.spec.region, lobe.spec.f0, best)?;
+            text += &format!("\n{}", coupling::reciprocal(language, name, inputs, error));
+        }
+    }
+    Ok(text)
+}
+
+/// The header of a factor: what it is, its error and its cost.
+fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
+    let a = &fit.approximation;
+    let mut lines: Vec<String> = fit.hypothesis.doc().to_vec();
+    if !lines.is_empty() {
+        lines.push(String::new());
+    }
+    let (smith, ops) = (a.smith.name(), header::operations(a.cost.ops));
+    lines.push(format!(
+        "{} {}, specular {}, smith {smith}; {ops}; constants fitted for the smallest {} error",
+        a.quantity,
+        a.column,
+        lobe.spec.specular.name(),
+        fit.norm()
+    ));
+    lines.extend(header::certificate_lines(
+        "of the factor: of the furnace, the lobe exact and the base white",
+        &a.certificate,
+    ));
+    lines.push(format!(
+        "over f0 in [0, 1]: max {}, the largest found at {} places of roughness and mu for {}",
+        any.max,
+        any.places,
+        any.f0.words()
+    ));
+    lines.push(format!("  worst at {}", header::place(&any.at)));
+    if let Some(safe) = &fit.safe {
+        let ranges: Vec<String> =
+            safe.iter().map(|(name, [low, high])| format!("{name} [{low}, {high}]")).collect();
+        lines.push(format!(
+            "proven, rounding included: no pole and no value below 0 for {}",
+            ranges.join(", ")
+        ));
+    }
+    lines
+}

@@ -1,0 +1,53 @@
+//! The factor beside 1 - Fresnel, with and without light that is scattered more than once.
+
+use crate::effects::coupling::results::{CouplingCurves, CouplingPanel};
+use crate::report::sections::{figures, words};
+use crate::report::{Curves, ReportError, Section, Series, Spread, Style, check, numbers};
+
+pub(super) fn section(curves: &CouplingCurves) -> Result<Section, ReportError> {
+    let (section, mu) = ("coupling curves", &curves.mu);
+    check::increasing(section, "mu", mu)?;
+    check::size(section, "fresnel", curves.fresnel.len(), mu.len())?;
+    for (name, factors) in curves.panels.iter().flat_map(|panel| &panel.factors) {
+        check::size(section, name, factors.len(), mu.len())?;
+    }
+    let charts: Vec<Curves> = curves.panels.iter().map(|panel| chart(curves, panel)).collect();
+    let caption = format!(
+        "True factors at f0 = {}, against 1 − F(μ) (heavy), which sees the macroscopic normal alone and is what a smooth surface \
+         leaves. The rougher the surface, the flatter the factor: facets are never seen at grazing. Above the others lies the factor \
+         under a bare lobe (single), since what that loses between facets is handed to the base: above that under a compensated one by less \
+         than f0 (1 − E), which hides one line behind the other where f0 is small.",
+        numbers::place(curves.f0)
+    );
+    Ok(Section {
+        id: "factor".into(),
+        title: "The factor against 1 − Fresnel".into(),
+        lead: "A lobe that is divided by its albedo E (normalised) leaves (1 − f0)(1 − B/E); one that is multiplied by 1 + f0 (1/E − 1) \
+               (compensated) and a bare one (single) leave more."
+            .into(),
+        blocks: vec![figures(&charts, &caption)?],
+    })
+}
+
+fn chart(curves: &CouplingCurves, panel: &CouplingPanel) -> Curves {
+    let points = |values: &[f64]| curves.mu.iter().copied().zip(values.iter().copied()).collect();
+    let line = |name: &str, values: &[f64], style: Style| Series {
+        name: name.into(),
+        points: points(values),
+        style,
+        end: None,
+    };
+    let mut series = vec![line("1 − F(μ)", &curves.fresnel, Style::Truth)];
+    let factors = panel.factors.iter().enumerate();
+    series.extend(factors.map(|(i, (name, values))| line(name, values, Style::Line(i))));
+    Curves {
+        title: format!("roughness {}", numbers::place(panel.roughness)),
+        x: (words::axis("mu"), Spread::Linear),
+        y: ("factor".into(), Spread::Linear),
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: Some((0.0, 1.0)),
+        size: (300.0, 190.0),
+    }
+}

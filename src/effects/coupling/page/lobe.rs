@@ -1,0 +1,70 @@
+//! The bases under one kind of lobe: what accuracy costs, and fits beside the truth.
+
+use crate::effects::coupling::results::{AnyF0Finding, CouplingLobe};
+use crate::report::sections::{approximations, fits, tables, words};
+use crate::report::{Block, Findings, Origin, ReportError, Section, check, numbers};
+
+/// Their sections, with the kind of lobe in title and anchor.
+pub(super) fn sections(lobe: &CouplingLobe, origin: &Origin) -> Result<Vec<Section>, ReportError> {
+    let findings = Findings {
+        origin: origin.clone(),
+        effects: Vec::new(),
+        left_out: Vec::new(),
+        tables: Vec::new(),
+        truths: vec![lobe.truth.clone()],
+        approximations: lobe.approximations.clone(),
+        fits: lobe.fits.clone(),
+        averages: None,
+        furnace: None,
+        studies: Vec::new(),
+    };
+    let mut sections = Vec::new();
+    if let Some(mut costs) = approximations::section(&findings)? {
+        costs.blocks.push(anywhere(lobe)?);
+        sections.push(costs);
+    }
+    sections.extend(tables::truths(&findings)?.map(|section| truth(section, lobe)));
+    sections.extend(fits::section(&findings)?);
+    for section in &mut sections {
+        section.id = format!("{}-{}", section.id, lobe.specular);
+        section.title = format!("{}, {} lobe", section.title, lobe.specular);
+    }
+    Ok(sections)
+}
+
+/// The map of the factor, told as what it is.
+fn truth(mut section: Section, lobe: &CouplingLobe) -> Section {
+    let caption = format!(
+        "The factor at f0 = {} under a lobe that is multiplied by {}: where it is 1, all light reaches the base. Face on it is about 1 − f0; at \
+         grazing a smooth lobe takes nearly all of the light, a rough one much less, since few of its facets are seen at grazing.",
+        numbers::place(lobe.f0),
+        lobe.multiplier
+    );
+    for block in &mut section.blocks {
+        if let Block::Figures { caption: told, .. } = block {
+            told.clone_from(&caption);
+        }
+    }
+    section
+}
+
+/// What each factor is worth at every f0, not the scene's alone.
+fn anywhere(lobe: &CouplingLobe) -> Result<Block, ReportError> {
+    let section = format!("{} lobe", lobe.specular);
+    check::size(&section, "anywhere", lobe.anywhere.len(), lobe.approximations.len())?;
+    let row = |any: &AnyF0Finding| {
+        vec![any.name.clone(), words::max(any.max), words::place(&any.at), any.looked_at.clone()]
+    };
+    let rows = lobe.anywhere.iter().map(row);
+    let places = lobe.anywhere.first().map_or(0, |any| any.places);
+    let caption = format!(
+        "Largest error found over f0 in [0, 1]: what a factor that was fitted for the scene's f0 is worth where a texture says otherwise. \
+         Looked for at {} places of roughness and mu; at each, every f0 means the exact largest value of an error that is a parabola in f0, \
+         else so many values were tried.",
+        numbers::grouped(places)
+    );
+    let columns = [("name", false), ("max, any f0", true), ("where", false), ("f0 tried", false)];
+    let mut table = words::table(&columns, rows.collect(), &caption);
+    table.muted = lobe.approximations.iter().map(|a| a.published).collect();
+    Ok(Block::Table(table))
+}

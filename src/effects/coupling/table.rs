@@ -1,0 +1,135 @@
+//! The factor by a table of (A, B) as engines hold it, beside the formulas.
+
+use std::collections::BTreeMap;
+
+use super::bake::Lobe;
+use crate::data::{Approximation, Certificate, Cost, Form, Layout, Serves, Source, Table, TexelFormat, Use};
+use crate::effects::BakeError;
+use crate::effects::Deviation;
+use crate::effects::context::Context;
+use crate::effects::coupling::CouplingSpec;
+use crate::effects::coupling::emitted::exact;
+use crate::effects::coupling::results::AnyF0Finding;
+use crate::effects::reflection::{
+    Field, FitStageError, Lookup, PointSet, Region, TableSpec, build, certification, lookup_ops,
+};
+use crate::report::ApproximationFinding;
+use lobefit_shade::code::Language;
+use lobefit_shade::{Hypothesis, round_up};
+use lobefit_truth::integrate::Estimate;
+use lobefit_truth::integrate::coupling::{Split, factor};
+
+/// Texels along mu and along roughness, and what two channels of f16 take.
+const SIDE: usize = 64;
+const BYTES: u64 = 4 * (SIDE * SIDE) as u64;
+
+/// Binary logarithm of the points that it is measured at: a table's error is smooth, and this is a comparison.
+const LOG2: u32 = 14;
+
+/// Values of f0 of the error over all; the error is a parabola in it.
+const ANY: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
+
+/// The exact factor from a lookup of E and B, measured over the lobe's domain and over all f0.
+pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, AnyF0Finding), BakeError> {
+    let CouplingSpec { specular, smith, region, f0, .. } = &lobe.spec;
+    let spec = TableSpec {
+        name: format!("coupling_table_{SIDE}x{SIDE}"),
+        smith: *smith,
+        alpha_map: region.alpha_map,
+        size: [SIDE; 2],
+        format: TexelFormat::F16,
+        layout: Layout::Plain,
+        serves: Serves::SplitSum,
+        region: *region,
+    };
+    let table = build(&spec, &context.counter)?;
+    let quantised = table.quantised();
+    let measured = Measured::new(lobe, &quantised, context);
+    let here = measured.over(&[f0[0], f0[1]]);
+    let any = measured.over(&ANY);
+    let text = exact(Language::Wgsl, *specular);
+    let formula = Hypothesis::parse("coupling_table.wgsl", &text).map_err(FitStageError::from)?;
+    let ops = lookup_ops(spec.layout, spec.serves) + formula.tape().cost_ops();
+    let approximation = Approximation {
+        name: spec.name.clone(),
+        quantity: "diffuse-coupling".into(),
+        column: "factor".into(),
+        used_as: Use::Coupling,
+        smith: *smith,
+        source: Source::Published(
+            "1 - E from table: the exact factor of (A, B) at texel centres, f16".into(),
+        ),
+        certificate: Certificate {
+            max_abs: round_up(here.max, 4),
+            max_rel: round_up(here.max_rel, 4),
+            rms: here.rms,
+            mean: here.mean,
+            at: here.at,
+            domain: domain(region, *f0),
+            precision: "f16 texels, f32 lookup".into(),
+            points: 2 * measured.points.len() as u64,
+        },
+        cost: Cost { ops, fetches: 1, bytes: BYTES },
+        form: Form::Table(table),
+    };
+    let finding = AnyF0Finding {
+        name: spec.name,
+        max: round_up(any.max, 4),
+        at: any.at,
+        places: measured.points.len() as u64,
+        looked_at: format!("{} values of f0", ANY.len()),
+    };
+    Ok((ApproximationFinding::from(&approximation), finding))
+}
+
+fn domain(region: &Region, f0: [f64; 2]) -> BTreeMap<String, [f64; 2]> {
+    let ranges = [("alpha", region.alpha()), ("f0", f0), ("mu", region.mu), ("roughness", region.roughness)];
+    ranges.into_iter().map(|(name, range)| (name.to_string(), range)).collect()
+}
+
+/// E and B of a table and the truth at points.
+struct Measured<'a> {
+    lobe: &'a Lobe,
+    points: PointSet,
+    truth: Field,
+    found: Vec<(f32, f32)>,
+}
+
+impl Measured<'_> {
+    fn new<'a>(lobe: &'a Lobe, table: &Table, context: &Context) -> Measured<'a> {
+        let points = certification(&lobe.spec.region, LOG2);
+        let truth = Field::split(lobe.spec.smith, &points, &context.counter);
+        let lookup = Lookup::new(table, Layout::Plain, Serves::SplitSum);
+        let at = |i: usize| {
+            let split = lookup.at(points.roughness[i], points.alpha[i], points.mu[i]);
+            (split.e, split.b)
+        };
+        let found = (0..points.len()).map(at).collect();
+        Measured { lobe, points, truth, found }
+    }
+
+    /// The factor's errors at all points for each f0 in turn.
+    fn over(&self, f0: &[f64]) -> Deviation {
+        let specular = self.lobe.spec.specular;
+        let of = |e: f64, b: f64, f0: f64| {
+            let with = |value| Estimate { value, error: 0.0 };
+            factor(&Split { e: with(e), a: with(e - b), loss: with(1.0 - e) }, f0, specular).value
+        };
+        let (mut errors, mut truths) = (Vec::new(), Vec::new());
+        for f0 in f0 {
+            let pairs = self.found.iter().zip(self.truth.e.iter().zip(&self.truth.b));
+            for ((e, b), (true_e, true_b)) in pairs {
+                let truth = of(*true_e, *true_b, *f0);
+                errors.push(of(f64::from(*e), f64::from(*b), *f0) - truth);
+                truths.push(truth);
+            }
+        }
+        let n = self.points.len();
+        let place = |i: usize| {
+            let mut place = self.points.place(i % n);
+            place.insert("f0".into(), f0[i / n]);
+            place
+        };
+        Deviation::of(&errors, &truths, |i| i % n < self.points.uniform, place)
+    }
+}

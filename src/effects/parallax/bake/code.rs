@@ -1,0 +1,121 @@
+//! The section of this effect in the include files: under each lobe its fits, then the functions of its chains.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::Lobe;
+use crate::effects::BakeError;
+use crate::effects::parallax::probe;
+use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
+use crate::effects::reflection::Fit;
+use crate::emit::header;
+use lobefit_shade::code::{self, Language};
+
+/// Text by language; empty where nothing is emitted.
+pub(super) fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {
+    let mut texts = BTreeMap::new();
+    for language in Language::ALL {
+        let (mut text, mut known) = (String::new(), BTreeSet::new());
+        let lookups: Vec<probe::Wanted> =
+            lobes.iter().flat_map(|lobe| &lobe.lookups).map(|l| l.wanted.clone()).collect();
+        for lobe in lobes {
+            for (fit, variation) in lobe.measured().filter(|(fit, _)| fit.emitted) {
+                let lines = lines(lobe, fit, variation);
+                let function = code::print(language, &fit.hypothesis, &fit.coefficients(), &lines)?.text;
+                text += &format!("\n{function}");
+            }
+            for one in &lobe.functions {
+                if known.insert(one.hypothesis.name().to_string()) {
+                    let lines = level_lines(lobe, one);
+                    let function = code::print(language, &one.hypothesis, &one.coefficients, &lines)?.text;
+                    text += &format!("\n{function}");
+                }
+            }
+        }
+        text += &probe::print(language, &lookups);
+        if !text.is_empty() {
+            texts.insert(language, text);
+        }
+    }
+    Ok(texts)
+}
+
+/// What a function holds of, so that it is not paired with another chain.
+pub(super) fn paired(lobe: &Lobe) -> String {
+    let (kernel, map) = (lobe.job.kernel, lobe.job.alpha_map.name());
+    format!("for chains prefiltered with the {} lobe {}, alpha = {map}", kernel.word(), kernel.formula())
+}
+
+/// The header of a width: what it is, its error and its cost.
+fn lines(lobe: &Lobe, fit: &Fit, variation: &Variation) -> Vec<String> {
+    let a = &fit.approximation;
+    let mut lines: Vec<String> = fit.hypothesis.doc().to_vec();
+    if !lines.is_empty() {
+        lines.push(String::new());
+    }
+    let ops = header::operations(a.cost.ops);
+    lines.push(format!("{} {}, {}", a.quantity, a.column, paired(lobe)));
+    lines.push(format!("{ops}; constants fitted for the smallest {} error", fit.norm()));
+    lines.extend(header::certificate_lines(
+        "of the width, relative to the best one, where that is below 1",
+        &a.certificate,
+    ));
+    let rows = [
+        ("rho < 1", variation.nearer, lobe.least.nearer),
+        ("rho > 1", variation.farther, lobe.least.farther),
+    ];
+    for (where_, spread, least) in rows {
+        if let (Some(spread), Some(least)) = (spread, least) {
+            lines.push(total(where_, &spread, &least));
+        }
+    }
+    lines
+}
+
+pub(super) fn total(where_: &str, spread: &Spread, least: &Spread) -> String {
+    let [mean, max, least_mean, least_max] =
+        [spread.mean, spread.max, least.mean, least.max].map(header::short);
+    format!(
+        "total variation, {where_}: mean {mean}, max {max}; the best width leaves {least_mean}, {least_max}"
+    )
+}
+
+/// The header of a function of levels.
+fn level_lines(lobe: &Lobe, one: &LevelFunction) -> Vec<String> {
+    let (chain, widest) = (one.chain.text(), one.chain.widest());
+    let by = lobe.best().map_or("", |fit| &fit.approximation.name);
+    let mut lines = match one.gives {
+        Gives::Level => {
+            vec![format!("Level of a roughness: {chain}. Domain: roughness [0, 1], else the nearer end.")]
+        }
+        Gives::Roughness => {
+            vec![format!("Roughness of a level: {chain}. Domain: mip [0, {widest}], else the nearer end.")]
+        }
+        Gives::Adjusted => vec![
+            format!(
+                "Level to fetch for a lobe of level mip, seen from rho times the probe's distance: {chain}."
+            ),
+            format!("The width is that of {by}; at rho = 1 the level is mip."),
+        ],
+        Gives::Bias => one.hypothesis.doc().to_vec(),
+    };
+    let error = match one.gives {
+        Gives::Level => "of the map, in levels",
+        Gives::Roughness => "of the level there and back, in levels",
+        Gives::Adjusted | Gives::Bias => "in levels, against the best width where that is below 1",
+    };
+    if matches!(one.gives, Gives::Adjusted | Gives::Bias) {
+        let [roughness, rho] = [lobe.job.roughness, lobe.job.rho];
+        lines.push(format!(
+            "{}; roughness [{}, {}], rho [{}, {}]",
+            paired(lobe),
+            roughness[0],
+            roughness[1],
+            rho[0],
+            rho[1]
+        ));
+    }
+    let (max, at) = (one.error.max, header::place(&one.error.at));
+    let ops = header::operations(one.hypothesis.tape().cost_ops());
+    lines.push(format!("{ops}; error ({error}): max {max} at {at}; {} points in f32", one.error.points));
+    lines
+}

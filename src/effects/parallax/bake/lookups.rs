@@ -1,0 +1,129 @@
+//! The lookups of a kind of lobe: what is emitted, with what is said of it.
+
+use super::{EFFECT, Lobe, code};
+use crate::data::{MipChain, ProbeLookup};
+use crate::effects::BakeError;
+use crate::effects::parallax::probe::{Called, Wanted};
+use crate::effects::parallax::results::LookupFinding;
+use crate::effects::parallax::{Gives, TapRule, named};
+use crate::effects::reflection::{Fit, FitStageError};
+use crate::effects::room::proxies::Tied;
+use crate::emit::header;
+use crate::emit::manifest::{CostEntry, LookupFunction};
+
+/// A lookup with its cost.
+pub(super) struct Lookup {
+    pub wanted: Wanted,
+    chain: Option<MipChain>,
+    ops: u32,
+}
+
+/// Those that the probes want, by the best fit; none where no fit is emitted.
+pub(super) fn of(lobe: &Lobe, identifiers: &[(MipChain, String)]) -> Result<Vec<Lookup>, BakeError> {
+    let Some(best) = lobe.best() else { return Ok(Vec::new()) };
+    let one = |(lookup, chain): &(ProbeLookup, Option<MipChain>)| {
+        one(lobe, best, *lookup, chain.as_ref(), identifiers)
+    };
+    lobe.job.lookups.iter().map(one).collect()
+}
+
+fn one(
+    lobe: &Lobe,
+    best: &Fit,
+    lookup: ProbeLookup,
+    chain: Option<&MipChain>,
+    identifiers: &[(MipChain, String)],
+) -> Result<Lookup, BakeError> {
+    let level = chain.and_then(|chain| {
+        lobe.functions.iter().find(|f| f.gives == Gives::Level && f.chain == *chain).map(|f| &f.hypothesis)
+    });
+    let identifier =
+        chain.and_then(|chain| identifiers.iter().find(|(known, _)| known == chain)).map(|(_, name)| name);
+    let suffix = identifier.map_or_else(String::new, |name| format!("_{name}"));
+    let called = |hypothesis: &lobefit_shade::Hypothesis| Called {
+        name: hypothesis.name().to_string(),
+        inputs: hypothesis.inputs().to_vec(),
+        ops: hypothesis.tape().cost_ops(),
+    };
+    let fetches = lookup.taps as usize;
+    let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
+    let mut wanted = Wanted {
+        fetch: named(lobe.job.kernel, &fetch),
+        name: named(lobe.job.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
+        lookup,
+        rule: TapRule::of(lobe.job.kernel, fetches)
+            .ok_or(BakeError::NoRule { kernel: lobe.job.kernel.word(), fetches })?,
+        header: Vec::new(),
+        width: called(&best.hypothesis),
+        level: level.map(called),
+        alpha_map: lobe.job.alpha_map,
+        power: Tied::FITTED,
+    };
+    let ops = wanted.operations().map_err(FitStageError::from)?;
+    wanted.header = header(lobe, &wanted, chain, ops);
+    Ok(Lookup { wanted, chain: chain.cloned(), ops })
+}
+
+/// What it does, what it must be paired with, what it costs, and what it is off by.
+fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> Vec<String> {
+    let fetches = wanted.lookup.taps;
+    let mut lines = wanted.lines();
+    lines.push(format!("Pairing: {}", code::paired(lobe)));
+    lines.extend(chain.map(|chain| format!("  {}", chain.text())));
+    let [roughness, rho] = [lobe.job.roughness, lobe.job.rho].map(|[lo, hi]| format!("[{lo}, {hi}]"));
+    lines.push(format!(
+        "The width is certified over roughness {roughness} and rho {rho}, the distance of the place"
+    ));
+    lines.push("over that of the probe, from what both see; beyond them it is a formula alone.".into());
+    let plural = if fetches == 1 { "fetch" } else { "fetches" };
+    lines.push(format!("{} and {fetches} {plural}; width by {}", header::operations(ops), wanted.width.name));
+    lines.extend(wanted.expected());
+    let measured = lobe.measured().find(|(fit, _)| fit.approximation.name == wanted.width.name);
+    if let Some((_, variation)) = measured {
+        let rows = [
+            ("rho < 1", variation.nearer, lobe.least.nearer),
+            ("rho > 1", variation.farther, lobe.least.farther),
+        ];
+        let rows = rows.into_iter().filter_map(|(name, spread, least)| Some((name, spread?, least?)));
+        lines.push("Of one fetch whose ray meets the wall at a right angle, unsaturated:".into());
+        lines.extend(rows.map(|(name, spread, least)| format!("  {}", code::total(name, &spread, &least))));
+    }
+    lines
+}
+
+impl Lookup {
+    /// Its entry in the manifest.
+    pub fn entry(&self, kernel: &'static str, alpha_map: &'static str) -> LookupFunction {
+        let Wanted { name, lookup, width, level, .. } = &self.wanted;
+        LookupFunction {
+            effect: EFFECT,
+            function: name.clone(),
+            inputs: self.wanted.inputs(),
+            proxy: lookup.shape(),
+            edges: lookup.edges(),
+            lobe: lookup.lobe.name(),
+            power: lookup.smooth.then(|| self.wanted.power_formula()),
+            gives: if level.is_some() { "mip" } else { "width" },
+            width: width.name.clone(),
+            kernel,
+            alpha_map,
+            chain: self.chain.as_ref().map(MipChain::text),
+            cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+        }
+    }
+
+    /// What its page says of it.
+    pub fn finding(&self) -> LookupFinding {
+        let Wanted { name, lookup, width, .. } = &self.wanted;
+        LookupFinding {
+            function: name.clone(),
+            proxy: lookup.shape(),
+            edges: lookup.edges().into(),
+            lobe: lookup.lobe.name().into(),
+            fetches: lookup.taps,
+            ops: self.ops,
+            width: width.name.clone(),
+            chain: self.chain.as_ref().map(MipChain::text),
+        }
+    }
+}

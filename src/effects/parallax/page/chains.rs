@@ -1,0 +1,39 @@
+//! The functions of the levels of chains.
+
+use crate::effects::parallax::results::ParallaxLobe;
+use crate::report::sections::words;
+use crate::report::{Block, Section};
+
+const COLUMNS: [(&str, bool); 6] = [
+    ("function", false),
+    ("chain", false),
+    ("gives", false),
+    ("ops", true),
+    ("max, levels", true),
+    ("where", false),
+];
+
+/// Nothing where no chain was asked for.
+pub(super) fn section(lobe: &ParallaxLobe) -> Option<Section> {
+    if lobe.chains.is_empty() {
+        return None;
+    }
+    let row = |one: &crate::effects::parallax::results::ChainFinding| {
+        vec![
+            one.function.clone(),
+            one.chain.clone(),
+            one.gives.clone(),
+            one.ops.to_string(),
+            words::max(one.max),
+            words::place(&one.at),
+        ]
+    };
+    let caption = "Errors in levels, in f32: of `mip` against the map itself, of `roughness` of the way there and back, of the others \
+                   against the level that holds the best width, where a fetch is not saturated and the chain holds the roughness.";
+    Some(Section {
+        id: "levels".into(),
+        title: "Levels of the chain".into(),
+        lead: "From the level of a lobe to the level to fetch, by the most accurate of the fits.".into(),
+        blocks: vec![Block::Table(words::table(&COLUMNS, lobe.chains.iter().map(row).collect(), caption))],
+    })
+}

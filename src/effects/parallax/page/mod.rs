@@ -1,0 +1,56 @@
+//! The page of lookups of prefiltered probes.
+
+mod chains;
+mod lookups;
+mod measures;
+mod variation;
+mod widths;
+
+use crate::effects::parallax::results::{ParallaxFindings, ParallaxLobe};
+use crate::report::sections::{approximations, called_for};
+use crate::report::{Findings, Origin, Page, ReportError, Section};
+
+/// The whole page.
+pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
+    let mut sections = vec![called_for::of(std::slice::from_ref(&findings.effect), &findings.left_out)];
+    for one in &findings.lobes {
+        sections.extend(of_lobe(one, &findings.origin)?);
+    }
+    Ok(Page {
+        title: format!("lobefit report: {}: {}", findings.origin.scene, findings.effect.effect),
+        origin: findings.origin.clone(),
+        lead: format!(
+            "How wide a lobe to fetch from a prefiltered probe so that it covers the wall as a lobe of the shading point does: the \
+             width α′ by the lobe's α and ρ, the shading point's distance from the wall over the probe's; every formula of it with \
+             its measured error and its cost. Figures in full digits: {}.json, in this folder.",
+            findings.effect.effect
+        ),
+        sections,
+    })
+}
+
+/// The sections of a lobe, with its name in title and anchor.
+fn of_lobe(lobe: &ParallaxLobe, origin: &Origin) -> Result<Vec<Section>, ReportError> {
+    let findings = Findings {
+        origin: origin.clone(),
+        effects: Vec::new(),
+        left_out: Vec::new(),
+        tables: Vec::new(),
+        truths: Vec::new(),
+        approximations: lobe.approximations.clone(),
+        fits: Vec::new(),
+        averages: None,
+        furnace: None,
+        studies: Vec::new(),
+    };
+    let mut sections = vec![variation::section(lobe)?];
+    sections.extend(approximations::section(&findings)?);
+    sections.push(widths::section(lobe)?);
+    sections.extend(chains::section(lobe));
+    sections.extend(lookups::section(lobe));
+    for section in &mut sections {
+        section.id = format!("{}-{}", section.id, lobe.kernel);
+        section.title = format!("{}, {} chains", section.title, lobe.kernel);
+    }
+    Ok(sections)
+}

@@ -1,0 +1,191 @@
+//! Table jobs to measured tables.
+
+use std::collections::BTreeMap;
+
+use crate::data::{
+    Approximation, Certificate, Channel, Cost, Form, Layout, Serves, Smith, Source, Table, Use,
+};
+use crate::effects::BakeError;
+use crate::effects::context::Context;
+use crate::effects::reflection::{
+    Counter, Errors, Field, PointSet, Region, TableSpec, build, certification, lookup_ops, measure,
+};
+use crate::plan::{JUDGED_MU, TableJob};
+use lobefit_shade::round_up;
+
+/// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
+const LOG2_POINTS: u32 = 17;
+
+/// Squares tried in turn where the scene leaves the size open.
+const SIZES: [usize; 4] = [16, 32, 64, 128];
+
+/// A baked table: the approximation holds its quantised texels.
+#[derive(Clone, Debug)]
+pub struct BakedTable {
+    /// The table as an approximation: certificate of the lookup, cost, texels.
+    pub approximation: Approximation,
+    /// Its errors, told apart.
+    pub errors: Errors,
+    /// Coordinates.
+    pub layout: Layout,
+    /// Use.
+    pub serves: Serves,
+    /// Region in which it was measured.
+    pub region: Region,
+}
+
+impl BakedTable {
+    /// The quantised table.
+    pub fn table(&self) -> Option<&Table> {
+        match &self.approximation.form {
+            Form::Table(table) => Some(table),
+            Form::Formula(_) => None,
+        }
+    }
+}
+
+/// Points and truth over one region, shared by the tables that are judged there.
+struct Judge {
+    smith: Smith,
+    region: Region,
+    split: bool,
+    points: PointSet,
+    truth: Field,
+}
+
+/// Bakes the jobs in order. A promise that a table does not keep is noted in the context.
+pub fn bake_tables(jobs: &[TableJob], context: &mut Context) -> Result<Vec<BakedTable>, BakeError> {
+    let mut judges: Vec<Judge> = Vec::new();
+    let mut baked = Vec::new();
+    for job in jobs {
+        context.progress.stage(&format!("table {}", job.name));
+        let judge = judge(job, jobs, &mut judges, context);
+        let table = bake_table(job, judge, context)?;
+        if let Some(limit) = job.max_error.filter(|limit| table.errors.lookup.max > *limit) {
+            context.broken.push(format!(
+                "table {}: lookup error {} exceeds the max_error {limit} of {}",
+                table.approximation.name,
+                table.errors.lookup.max,
+                job.limited_by(),
+            ));
+        }
+        baked.push(table);
+    }
+    Ok(baked)
+}
+
+fn region(job: &TableJob) -> Region {
+    Region { roughness: job.roughness, mu: JUDGED_MU, alpha_map: job.alpha_map }
+}
+
+/// The judge of a job's region, made when it is first needed; with B if any table judged there holds it.
+fn judge<'a>(job: &TableJob, jobs: &[TableJob], judges: &'a mut Vec<Judge>, context: &Context) -> &'a Judge {
+    let (smith, region_of_job) = (job.smith, region(job));
+    let known = judges.iter().position(|j| j.smith == smith && j.region == region_of_job);
+    let index = known.unwrap_or_else(|| {
+        let same = |other: &&TableJob| other.smith == smith && region(other) == region_of_job;
+        let split = jobs.iter().filter(same).any(|other| other.serves == Serves::SplitSum);
+        let points = certification(&region_of_job, LOG2_POINTS);
+        let truth = if split {
+            Field::split(smith, &points, &context.counter)
+        } else {
+            Field::albedo(smith, &points, &context.counter)
+        };
+        judges.push(Judge { smith, region: region_of_job, split, points, truth });
+        judges.len() - 1
+    });
+    debug_assert!(judges[index].split || job.serves == Serves::Albedo, "a split table needs B");
+    &judges[index]
+}
+
+fn bake_table(job: &TableJob, judge: &Judge, context: &Context) -> Result<BakedTable, BakeError> {
+    let sizes: Vec<[usize; 2]> = match (job.columns, job.rows) {
+        (Some(columns), Some(rows)) => vec![[columns, rows]],
+        _ => SIZES.map(|n| [n, n]).to_vec(),
+    };
+    let mut last = None;
+    for size in sizes {
+        let spec = spec(job, judge.region, size);
+        let table = build(&spec, &context.counter)?;
+        let errors = measure(&table, job.layout, job.serves, &judge.points, &judge.truth);
+        let enough = job.max_error.is_none_or(|limit| errors.lookup.max <= limit);
+        last = Some(finish(job, judge.region, &table, errors));
+        if enough {
+            break;
+        }
+    }
+    last.ok_or_else(|| BakeError::Internal("a table job has no size to try".into()))
+}
+
+fn spec(job: &TableJob, region: Region, size: [usize; 2]) -> TableSpec {
+    TableSpec {
+        name: job.name.replace("auto", &format!("{}x{}", size[0], size[1])),
+        smith: job.smith,
+        alpha_map: job.alpha_map,
+        size,
+        format: job.format,
+        layout: job.layout,
+        serves: job.serves,
+        region,
+    }
+}
+
+fn finish(job: &TableJob, region: Region, table: &Table, mut errors: Errors) -> BakedTable {
+    let lookups = [&mut errors.lookup, &mut errors.lookup_8_bit, &mut errors.lookup_e];
+    for lookup in lookups.into_iter().chain(&mut errors.lookup_b) {
+        lookup.max = round_up(lookup.max, 4);
+    }
+    for rounding in &mut errors.quantisation {
+        rounding.max = round_up(rounding.max, 4);
+    }
+    let certificate = Certificate {
+        max_abs: errors.lookup.max,
+        max_rel: round_up(errors.lookup.max_rel, 4),
+        rms: errors.lookup.rms,
+        mean: errors.lookup.mean,
+        at: errors.lookup.at.clone(),
+        domain: ranges(&region),
+        precision: format!("{} texels, f32 lookup", table.format.name()),
+        points: errors.points as u64,
+    };
+    let (column, used_as) = match job.serves {
+        Serves::Albedo => ("E", Use::Value),
+        Serves::SplitSum => ("E, A, B", Use::F0Blend),
+    };
+    let cost = Cost { ops: lookup_ops(job.layout, job.serves), fetches: 1, bytes: table.bytes() };
+    let approximation = Approximation {
+        name: table.name.clone(),
+        quantity: table.quantity.clone(),
+        column: column.into(),
+        used_as,
+        smith: table.smith,
+        source: Source::Fitted,
+        form: Form::Table(table.quantised()),
+        certificate,
+        cost,
+    };
+    BakedTable { approximation, errors, layout: job.layout, serves: job.serves, region }
+}
+
+/// The region by input, as certificates state it.
+pub fn ranges(region: &Region) -> BTreeMap<String, [f64; 2]> {
+    let inputs = [("alpha", region.alpha()), ("mu", region.mu), ("roughness", region.roughness)];
+    inputs.into_iter().map(|(name, range)| (name.to_string(), range)).collect()
+}
+
+/// Points that tell whether other texels keep a stated error: as many as that was measured at.
+const LOG2_RECHECK: u32 = LOG2_POINTS;
+
+/// The lookup error of a table with other texels, channels found by name; none if one is missing.
+pub fn measured_again(baked: &BakedTable, channels: &[Channel]) -> Option<f64> {
+    let mut table = baked.table()?.clone();
+    for channel in &mut table.channels {
+        channel.texels = channels.iter().find(|c| c.name == channel.name)?.texels.clone();
+    }
+    let (points, counter) = (certification(&baked.region, LOG2_RECHECK), Counter::default());
+    let truth = match baked.serves {
+        Serves::SplitSum => Field::split(table.smith, &points, &counter),
+        Serves::Albedo => Field::albedo(table.smith, &points, &counter),
+    };
+    Some(measure(&table, baked.layout, baked.serves, &points, &truth).lookup.max)
+}

@@ -1,0 +1,186 @@
+//! What the bake of an effect found out, for its page.
+
+use serde_json::Value;
+
+use super::grid::{Grid, grazing};
+use super::tables::Judge;
+use super::{BakedVolume, azimuth, furnaces};
+use crate::data::{Smith, VolumeLayout};
+use crate::effects::Deviation;
+use crate::effects::context::Context;
+use crate::effects::volume::results::{SourcesFinding, VolumeFindings, VolumeTable};
+use crate::effects::volume::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
+use crate::effects::{BakeError, origin};
+use crate::emit::manifest::Entries;
+use crate::plan::{Effect, VolumeJob};
+use crate::report::{EffectFinding, ErrorFigure, Field, Ruler};
+use crate::scene::Scene;
+use lobefit_truth::integrate::glass::Side;
+
+/// Side of the maps.
+const MAP: usize = 32;
+
+/// Values of the third input at which pictures are drawn, as far as they lie in the range.
+fn wanted(third: Third) -> &'static [f64] {
+    match third {
+        Third::Anisotropy => &[0.0, 0.5, 1.0],
+        Third::Ior => &[1.1, 1.5, 2.0],
+    }
+}
+
+/// The findings of the effect.
+pub fn findings(
+    scene: &Scene,
+    effect: &Effect,
+    jobs: &[&VolumeJob],
+    tables: &[BakedVolume],
+    judges: &[Judge],
+    entries: &Entries,
+    context: &Context,
+) -> Result<VolumeFindings, BakeError> {
+    let mut shown = Vec::new();
+    let mut truths: Vec<Field> = Vec::new();
+    let mut maps: Vec<(Smith, Region, Vec<Grid>)> = Vec::new();
+    let own = || tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).map(|t| t.region.roughness);
+    let alike = own().all(|roughness| own().next() == Some(roughness));
+    for (baked, entry) in tables.iter().zip(&entries.tables) {
+        let key = (baked.approximation.smith, baked.region);
+        let known = maps.iter().position(|(smith, region, _)| (*smith, *region) == key);
+        let index = match known {
+            Some(known) => known,
+            None => {
+                let roughness = Ruler::even("roughness", key.1.roughness[0], key.1.roughness[1], MAP);
+                let grids = Grid::all(key.0, &key.1, &roughness, &grazing(&key.1, MAP), &thirds(&key.1))?;
+                maps.push((key.0, key.1, grids));
+                maps.len() - 1
+            }
+        };
+        let grids = &maps[index].2;
+        let rows = if alike { String::new() } else { roughness_text(baked.region.roughness) };
+        if baked.layout != VolumeLayout::PathTracer {
+            for grid in grids {
+                let name = named(grid, baked, "E") + &rows;
+                if truths.iter().all(|t| t.name != name) {
+                    truths.push(grid.albedo(&name, baked.side));
+                }
+            }
+        }
+        shown.push(shown_table(baked, entry, grids)?);
+    }
+    let measured = tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer);
+    let measured_error = measured.map(|t| t.errors.lookup.max).reduce(f64::max);
+    Ok(VolumeFindings {
+        origin: origin(scene, context),
+        effect: EffectFinding {
+            effect: effect.effect.name().into(),
+            because: effect.because.clone(),
+            ranges: effect.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
+            approximation: effect.approximation.clone(),
+            expected_error: expected(jobs),
+            measured_error,
+            metric: "lookup error of the worst table in a layout of ours".into(),
+        },
+        sources: sources(tables)?,
+        furnaces: furnaces::findings(tables)?,
+        azimuth: azimuth::findings(tables, judges)?,
+        tables: shown,
+        truths,
+    })
+}
+
+/// The largest error that the scene allows a table in a layout of ours; none where one has no limit.
+fn expected(jobs: &[&VolumeJob]) -> Option<f64> {
+    let own: Vec<Option<f64>> =
+        jobs.iter().filter(|job| job.layout != VolumeLayout::PathTracer).map(|job| job.max_error).collect();
+    if own.is_empty() {
+        None
+    } else {
+        own.into_iter().try_fold(0.0_f64, |worst, limit| limit.map(|e| worst.max(e)))
+    }
+}
+
+/// The wanted values in the range, or its ends.
+pub fn thirds(region: &Region) -> Vec<f64> {
+    let inside = |x: &&f64| (region.span[0]..=region.span[1]).contains(*x);
+    let values: Vec<f64> = wanted(region.third).iter().filter(inside).copied().collect();
+    if values.is_empty() { region.span.to_vec() } else { values }
+}
+
+/// `, roughness 0.2 to 0.6`: tells apart what was made in several ranges.
+pub fn roughness_text([low, high]: [f64; 2]) -> String {
+    format!(", roughness {low} to {high}")
+}
+
+/// `E, ior 1.5, inside`.
+fn named(grid: &Grid, baked: &BakedVolume, what: &str) -> String {
+    let side = baked.side.map_or_else(String::new, |side| format!(", {}", side.name()));
+    format!("{what}, {} {}{side}", baked.region.third.name(), grid.third)
+}
+
+fn shown_table(baked: &BakedVolume, entry: &Value, grids: &[Grid]) -> Result<VolumeTable, BakeError> {
+    let table = baked.table().ok_or_else(|| BakeError::Internal("a volume without a table".into()))?;
+    let lookup = Lookup::new(table, baked.decode)?;
+    // A map at one azimuth would not tell of a table that resolves it: its section does.
+    let maps = if baked.layout == VolumeLayout::Azimuth { &[] } else { grids };
+    let files = entry["files"].as_array().into_iter().flatten();
+    let formulas: Vec<String> =
+        baked.decode.formulas().iter().map(|(name, formula)| format!("{name} = {formula}")).collect();
+    Ok(VolumeTable {
+        name: table.name.clone(),
+        files: files.filter_map(|f| f.as_str().map(String::from)).collect(),
+        quantity: table.quantity.clone(),
+        smith: table.smith,
+        alpha_map: table.alpha_map,
+        axes: table.axes.clone(),
+        channels: table.channels.iter().map(|c| c.name.clone()).collect(),
+        decode: formulas.join(", "),
+        note: baked.note().unwrap_or_default().into(),
+        format: table.format,
+        bytes: table.bytes(),
+        ops: baked.approximation.cost.ops,
+        evaluations: baked.made.evaluations,
+        errors: errors(baked),
+        lookup_error: maps
+            .iter()
+            .map(|g| g.errors(&named(g, baked, "error of E"), &lookup, baked.side))
+            .collect(),
+    })
+}
+
+/// The errors of a table, one line each.
+fn errors(baked: &BakedVolume) -> Vec<(String, ErrorFigure)> {
+    let e = &baked.errors;
+    let lookup = |what: &str, error: &Deviation| {
+        (what.to_string(), ErrorFigure { max: error.max, rms: Some(error.rms), at: error.at.clone() })
+    };
+    let integration = ErrorFigure { max: e.integration, rms: None, at: crate::data::Place::new() };
+    let mut lines = vec![(
+        "integration (texels and the truth that judges them: worst checked, or tolerance)".to_string(),
+        integration,
+    )];
+    for r in &e.quantisation {
+        let figure = ErrorFigure { max: r.max, rms: Some(r.rms), at: r.at.clone() };
+        lines.push((format!("quantisation of {}", r.channel), figure));
+    }
+    lines.push(lookup("lookup of E", &e.lookup));
+    lines.push(lookup("lookup of E, weights of 8 bits", &e.lookup_8_bit));
+    lines
+}
+
+/// The sources' method beside ours, where their layout was baked.
+fn sources(tables: &[BakedVolume]) -> Result<Option<SourcesFinding>, BakeError> {
+    let theirs: Vec<&BakedVolume> = tables.iter().filter(|t| t.layout == VolumeLayout::PathTracer).collect();
+    let Some(first) = theirs.first() else { return Ok(None) };
+    let texels =
+        theirs.iter().filter_map(|t| t.table()).map(|t| t.size().iter().product::<usize>() as u64).sum();
+    let samples = SOURCES_SAMPLES * texels as f64;
+    // The tables of glass share their integrals; tables in another format have theirs again.
+    let jobs = || theirs.iter().filter(|t| t.side != Some(Side::Inside)).map(|t| t.made);
+    Ok(Some(SourcesFinding {
+        texels,
+        evaluations: jobs().map(|made| made.evaluations).sum(),
+        worst: jobs().map(|made| made.integration).fold(0.0, f64::max),
+        samples,
+        noise: estimate(first.region.third)? / SOURCES_SAMPLES.sqrt(),
+    }))
+}

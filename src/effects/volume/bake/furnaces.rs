@@ -1,0 +1,132 @@
+//! Spheres under every condition: what each layout gives, and what the sources' reading of theirs gives.
+
+use super::BakedVolume;
+use super::findings::{roughness_text, thirds};
+use super::grid::{Grid, grazing};
+use super::readings::as_the_sources_read;
+use crate::data::VolumeLayout;
+use crate::effects::BakeError;
+use crate::effects::volume::results::FurnaceFinding;
+use crate::effects::volume::{Lookup, Third};
+use crate::report::{Furnace, FurnaceRow, Ruler};
+use lobefit_truth::integrate::glass::Side;
+
+/// How often the furnace's departure from white is amplified.
+const AMPLIFICATION: f64 = 20.0;
+
+/// Roughness of the furnace's spheres, and cosines of each.
+const SPHERES: [f64; 7] = [0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0];
+const COSINES: usize = 64;
+
+/// Fewest spheres of a picture that several tables share.
+const SHARED: usize = 3;
+
+/// Tables of one side that hold the same roughnesses, at one value of the third input.
+struct Group<'a> {
+    /// Roughness that all of them hold.
+    roughness: [f64; 2],
+    tables: Vec<&'a BakedVolume>,
+}
+
+/// A picture for each value of the third input, each side, and each group of tables that hold them: no lookup is drawn where its
+/// table would be clamped.
+pub fn findings(tables: &[BakedVolume]) -> Result<Vec<FurnaceFinding>, BakeError> {
+    // With the azimuth in the table there is no mean to compensate by.
+    let means = || tables.iter().filter(|t| t.layout != VolumeLayout::Azimuth);
+    let mut values: Vec<f64> = means().flat_map(|t| thirds(&t.region)).collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    let mut found = Vec::new();
+    for third in values {
+        for side in [None, Some(Side::Outside), Some(Side::Inside)] {
+            let holds =
+                |t: &&BakedVolume| t.side == side && (t.region.span[0]..=t.region.span[1]).contains(&third);
+            let groups = groups(means().filter(holds));
+            for group in &groups {
+                found.push(furnace(group, third, side, groups.len() > 1)?);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Each table in the first group whose spheres it shares.
+fn groups<'a>(tables: impl Iterator<Item = &'a BakedVolume>) -> Vec<Group<'a>> {
+    let mut groups: Vec<Group> = Vec::new();
+    for table in tables {
+        let [low, high] = table.region.roughness;
+        let common = |g: &Group| [low.max(g.roughness[0]), high.min(g.roughness[1])];
+        let shares = |g: &Group| g.roughness == [low, high] || inside(common(g)).len() >= SHARED;
+        match groups.iter_mut().find(|group| shares(group)) {
+            Some(group) => {
+                group.roughness = common(group);
+                group.tables.push(table);
+            }
+            None => groups.push(Group { roughness: [low, high], tables: vec![table] }),
+        }
+    }
+    groups
+}
+
+fn furnace(
+    group: &Group,
+    third: f64,
+    side: Option<Side>,
+    told_apart: bool,
+) -> Result<FurnaceFinding, BakeError> {
+    let first = group.tables.first().ok_or_else(|| BakeError::Internal("a furnace without tables".into()))?;
+    let (roughness, mu) = (spheres(group.roughness), grazing(&first.region, COSINES));
+    let mut rows: Vec<FurnaceRow> = Vec::new();
+    for baked in &group.tables {
+        let Some(table) = baked.table() else { continue };
+        let (smith, region) = (baked.approximation.smith, &baked.region);
+        let grids = Grid::all(smith, region, &roughness, &mu, &[third])?;
+        let (grid, alpha) = (&grids[0], region.alpha_map.name());
+        let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());
+        if rows.iter().all(|row| row.name != uncompensated) {
+            rows.push(FurnaceRow { name: uncompensated, factors: grid.furnace(side) });
+        }
+        let compensated =
+            |name: String, lookup: &Lookup| FurnaceRow { name, factors: grid.compensated(lookup, side) };
+        let name = called(group, baked);
+        rows.push(compensated(format!("{name}, as registered"), &Lookup::new(table, baked.decode)?));
+        if baked.layout == VolumeLayout::PathTracer {
+            let misread = as_the_sources_read(table, region.third, third);
+            rows.push(compensated(
+                format!("{name}, as the sources read it"),
+                &Lookup::new(&misread, baked.decode)?,
+            ));
+        }
+    }
+    let side = side.map_or_else(String::new, |side| format!(", from {}", side.name()));
+    let range = if told_apart { roughness_text(group.roughness) } else { String::new() };
+    let title = match first.region.third {
+        Third::Anisotropy => format!("Metal, anisotropy {third} (mean over the azimuth){range}"),
+        Third::Ior => format!("Glass, index of refraction {third}{side}{range}"),
+    };
+    let furnace = Furnace { roughness: roughness.values, mu: mu.values, rows, amplification: AMPLIFICATION };
+    Ok(FurnaceFinding { title, furnace })
+}
+
+/// The layout, or where another table of the group has the same one, the table's name.
+fn called(group: &Group, baked: &BakedVolume) -> String {
+    match group.tables.iter().filter(|t| t.layout == baked.layout).count() {
+        1 => format!("{} layout", baked.layout.name()),
+        _ => baked.approximation.name.clone(),
+    }
+}
+
+/// The roughnesses of the spheres that lie in a range.
+fn inside([low, high]: [f64; 2]) -> Vec<f64> {
+    SPHERES.into_iter().filter(|r| (low..=high).contains(r)).collect()
+}
+
+/// The roughnesses of the spheres that lie in the range, or an even division of it.
+fn spheres(range: [f64; 2]) -> Ruler {
+    let values = inside(range);
+    if values.len() < SHARED {
+        Ruler::even("roughness", range[0], range[1], 5)
+    } else {
+        Ruler { name: "roughness".into(), values }
+    }
+}

@@ -1,0 +1,97 @@
+//! The truth over roughness and mu at some values of the third input: what pictures are drawn from.
+
+use crate::data::Smith;
+use crate::effects::BakeError;
+use crate::effects::volume::{Lookup, Points, Region, Third, error_map};
+use crate::effects::{anisotropy, glass};
+use crate::report::{Field, Ruler};
+use lobefit_truth::integrate::glass::Side;
+
+/// The truth on one grid.
+pub struct Grid {
+    /// The third input.
+    pub third: f64,
+    /// Ruler of roughness.
+    pub roughness: Ruler,
+    /// Ruler of mu.
+    pub mu: Ruler,
+    points: Points,
+    truths: Vec<Vec<f64>>,
+}
+
+impl Grid {
+    /// A grid per value of the third input.
+    pub fn all(
+        smith: Smith,
+        region: &Region,
+        roughness: &Ruler,
+        mu: &Ruler,
+        thirds: &[f64],
+    ) -> Result<Vec<Grid>, BakeError> {
+        let grid = |third: &f64| {
+            let points = Points::grid(region, &roughness.values, &mu.values, *third);
+            let truths = match region.third {
+                Third::Ior => {
+                    let truth = glass::Truth::at(smith, &points)?;
+                    vec![truth.outside, truth.inside]
+                }
+                Third::Anisotropy => {
+                    vec![anisotropy::means_on(smith, &points, roughness.values.len())?]
+                }
+            };
+            Ok(Grid { third: *third, roughness: roughness.clone(), mu: mu.clone(), points, truths })
+        };
+        thirds.iter().map(grid).collect()
+    }
+
+    fn truth(&self, side: Option<Side>) -> &[f64] {
+        &self.truths[usize::from(side == Some(Side::Inside))]
+    }
+
+    /// The truth as a picture.
+    pub fn albedo(&self, name: &str, side: Option<Side>) -> Field {
+        self.field(name, false, self.truth(side).iter().copied())
+    }
+
+    /// Signed errors of a lookup as a picture.
+    pub fn errors(&self, name: &str, lookup: &Lookup, side: Option<Side>) -> Field {
+        self.field(name, true, error_map(lookup, &self.points, self.truth(side)).into_iter())
+    }
+
+    fn field(&self, name: &str, signed: bool, values: impl Iterator<Item = f64>) -> Field {
+        Field {
+            name: name.into(),
+            unit: String::new(),
+            signed,
+            x: self.roughness.clone(),
+            y: self.mu.clone(),
+            values: values.map(|v| v as f32).collect(),
+        }
+    }
+
+    /// E over mu, by roughness.
+    pub fn furnace(&self, side: Option<Side>) -> Vec<Vec<f64>> {
+        self.columns(self.truth(side).to_vec())
+    }
+
+    /// E / lookup over mu, by roughness.
+    pub fn compensated(&self, lookup: &Lookup, side: Option<Side>) -> Vec<Vec<f64>> {
+        let pairs = self.points.all.iter().zip(self.truth(side));
+        self.columns(pairs.map(|(point, e)| e / f64::from(lookup.at(point))).collect())
+    }
+
+    fn columns(&self, values: Vec<f64>) -> Vec<Vec<f64>> {
+        let n = self.roughness.values.len();
+        (0..n).map(|c| values.iter().skip(c).step_by(n).copied().collect()).collect()
+    }
+}
+
+/// `n` cosines of a region, quadratically denser towards grazing.
+pub fn grazing(region: &Region, n: usize) -> Ruler {
+    let [low, high] = region.mu;
+    let at = |i: usize| {
+        let t = i as f64 / (n - 1) as f64;
+        low + (high - low) * t * t
+    };
+    Ruler { name: "mu".into(), values: (0..n).map(at).collect() }
+}
