@@ -6,6 +6,9 @@
 //! value with an error), `lobefit-shade` (the shader language: parse, evaluate, bound, count, print) and `lobefit-fit` (solver,
 //! search, texels). `math` is a package of its own so that neither `shade` nor `fit` can reach optics through it.
 //!
+//! Above it, each with a binary that [`cli`] runs for its verb: `lobefit-audit` (other people's tables and shader functions
+//! against the truth).
+//!
 //! A module imports only from the floors below it (`tests/house/floors.rs` reads the imports and fails on an edge that
 //! runs upward).
 //!
@@ -16,24 +19,20 @@
 //! | 2 | [`scene`] | bytes to a validated scene; owns all limits on input |
 //! | 3 | [`plan`] | scene to jobs, and to effects left out with the reason |
 //! | 3 | [`emit`] | tables, fits, lookups and compensations to bytes, one file per format |
-//! | 3 | [`foreign`] | bytes of other people's tables and shader functions to plain values and tapes |
 //! | 3 | [`report`] | results to plots, renders and pages |
 //! | 3 | [`store`] | the only module that touches the file system |
-//! | 4 | [`audit`] | somebody else's table or shader function against the truth |
 //! | 4 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
 //! | 4 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
 //! | 5 | [`study`] | the long studies: rendered spheres and random walks, outside `bake` |
 //! | 5 | [`timing`] | what accuracy costs in seconds |
 //! | 6 | [`cli`] | one file per verb |
 
-pub mod audit;
 pub mod bake;
 pub mod cli;
 pub mod data;
 pub mod effects;
 pub mod emit;
 pub mod fitting;
-pub mod foreign;
 pub mod plan;
 pub mod report;
 pub mod scene;

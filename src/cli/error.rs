@@ -3,10 +3,8 @@
 use std::io;
 
 use super::points::PointsError;
-use crate::audit::AuditError;
 use crate::bake::{BakeError, KeptError};
 use crate::fitting::FittingError;
-use crate::foreign::ForeignError;
 use crate::report::ReportError;
 use crate::scene::SceneError;
 use crate::scene::escape::visible;
@@ -15,6 +13,14 @@ use crate::study::StudyError;
 use crate::timing::record::RecordError;
 use lobefit_fit::FitError;
 use lobefit_shade::ShadeError;
+
+/// An error of a package whose verb this package runs: its message, and the exit code for it.
+pub trait PackageError: std::error::Error + Send + Sync + 'static {
+    /// 1 a check or promise failed, 2 bad input or usage, 3 cannot write.
+    fn exit_code(&self) -> u8 {
+        2
+    }
+}
 
 /// Why a verb did not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -67,12 +73,28 @@ pub enum CliError {
         /// What the system said.
         reason: String,
     },
-    /// A table or shader of somebody else's that cannot be read.
-    #[error(transparent)]
-    Foreign(#[from] Box<ForeignError>),
-    /// A table or shader of which nothing can be said.
-    #[error(transparent)]
-    Audit(#[from] Box<AuditError>),
+    /// A verb of a package above this one ended early.
+    #[error("{0}")]
+    Package(Box<dyn PackageError>),
+    /// The binary of a verb's package is not there.
+    #[error(
+        "{package} is not built: build it with `cargo build --release -p {package}`, or put the program {package} beside {program} \
+         or on PATH"
+    )]
+    NotBuilt {
+        /// The package, and its binary.
+        package: &'static str,
+        /// The running program.
+        program: String,
+    },
+    /// The binary of a verb's package is there and cannot be run.
+    #[error("cannot run {}: {reason}", visible(program))]
+    NotRun {
+        /// Path of the binary.
+        program: String,
+        /// The system's message.
+        reason: io::Error,
+    },
     /// A page could not be made.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -115,6 +137,7 @@ impl CliError {
             CliError::Output(_) => 3,
             CliError::Store(error) if error.is_write() => 3,
             CliError::Fitting(error) if matches!(**error, FittingError::Uncertified { .. }) => 1,
+            CliError::Package(error) => error.exit_code(),
             // A study has no input: what it does not reach is a promise of ours.
             CliError::Study(_) => 1,
             _ => 2,
@@ -130,18 +153,6 @@ impl From<FittingError> for CliError {
             FittingError::Weight { .. } => CliError::Usage(format!("--{error}")),
             _ => CliError::Fitting(Box::new(error)),
         }
-    }
-}
-
-impl From<ForeignError> for CliError {
-    fn from(error: ForeignError) -> CliError {
-        CliError::Foreign(Box::new(error))
-    }
-}
-
-impl From<AuditError> for CliError {
-    fn from(error: AuditError) -> CliError {
-        CliError::Audit(Box::new(error))
     }
 }
 

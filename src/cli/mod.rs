@@ -2,19 +2,19 @@
 //!
 //! Exit codes: 0 done; 1 a check or promise failed; 2 bad input or usage; 3 cannot write.
 
-mod audit;
 mod bake;
 mod check;
 mod cost;
 mod error;
 mod eval;
+mod external;
 mod fit;
 mod input;
-mod options;
-mod output;
+pub mod options;
+pub mod output;
 mod plan;
 mod points;
-mod progress;
+pub mod progress;
 mod report;
 mod schema;
 
@@ -23,7 +23,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-pub use error::CliError;
+pub use error::{CliError, PackageError};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -61,8 +61,8 @@ enum Verb {
     #[command(after_help = fit::EXAMPLES)]
     Fit(Box<fit::Options>),
     /// Measure a table or shader function that somebody ships against the truth
-    #[command(after_help = audit::EXAMPLES)]
-    Audit(Box<audit::Options>),
+    #[command(disable_help_flag = true)]
+    Audit(external::Words),
     /// Measure what accuracy costs in time
     #[command(after_help = cost::EXAMPLES)]
     Cost(cost::Options),
@@ -76,7 +76,7 @@ enum Verb {
 
 /// Runs the program on its arguments (the first is its own name).
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let cli = match Cli::try_parse_from(arguments) {
+    let cli = match Cli::try_parse_from(external::help_of_verb(arguments)) {
         Ok(cli) => cli,
         Err(usage) => return output::usage(&usage),
     };
@@ -86,7 +86,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Check(options) => check::run(&options),
         Verb::Eval(options) => eval::run(&options),
         Verb::Fit(options) => fit::run(&options),
-        Verb::Audit(options) => audit::run(&options),
+        Verb::Audit(external) => external::run("lobefit-audit", &external.words),
         Verb::Cost(options) => cost::run(&options),
         Verb::Report(options) => report::run(&options),
         Verb::Schema(options) => schema::run(&options),

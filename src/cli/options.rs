@@ -12,14 +12,14 @@ use crate::scene::limits;
 
 /// The scene of a verb.
 #[derive(Args)]
-pub(super) struct SceneOption {
+pub struct SceneOption {
     /// Scene file (JSON; `-`: standard input); without it, the built-in scene
     pub scene: Option<PathBuf>,
 }
 
 /// The worker threads of a verb. They change how long it takes and no byte of what it writes.
 #[derive(Args)]
-pub(super) struct ThreadsOption {
+pub struct ThreadsOption {
     /// Worker threads, 1 to 256; without it, one per core
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,
@@ -27,10 +27,7 @@ pub(super) struct ThreadsOption {
 
 impl ThreadsOption {
     /// Runs work on the threads asked for.
-    pub(super) fn install<T: Send>(
-        &self,
-        work: impl FnOnce() -> Result<T, CliError> + Send,
-    ) -> Result<T, CliError> {
+    pub fn install<T: Send>(&self, work: impl FnOnce() -> Result<T, CliError> + Send) -> Result<T, CliError> {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let threads = self.threads.unwrap_or(cores.min(limits::THREADS));
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -46,7 +43,7 @@ fn threads(text: &str) -> Result<usize, String> {
 }
 
 /// The name of an effect.
-pub(super) fn effect(text: &str) -> Result<EffectName, String> {
+pub fn effect(text: &str) -> Result<EffectName, String> {
     EffectName::from_name(text).ok_or_else(|| {
         let names: Vec<&str> = EffectName::ALL.into_iter().map(EffectName::name).collect();
         format!("no such effect; the effects are {}", names.join(", "))
@@ -54,7 +51,7 @@ pub(super) fn effect(text: &str) -> Result<EffectName, String> {
 }
 
 /// The quantity of a name.
-pub(super) fn quantity(name: &str) -> Result<&'static Quantity, String> {
+pub fn quantity(name: &str) -> Result<&'static Quantity, String> {
     Quantity::find(name).ok_or_else(|| {
         let names: Vec<&str> = QUANTITIES.iter().map(|q| q.name).collect();
         format!("no such quantity in this version; the quantities are {}", names.join(", "))
@@ -62,7 +59,7 @@ pub(super) fn quantity(name: &str) -> Result<&'static Quantity, String> {
 }
 
 /// A shadowing form.
-pub(super) fn smith(text: &str) -> Result<Smith, String> {
+pub fn smith(text: &str) -> Result<Smith, String> {
     [Smith::Correlated, Smith::Separable]
         .into_iter()
         .find(|s| s.name() == text)
@@ -70,7 +67,7 @@ pub(super) fn smith(text: &str) -> Result<Smith, String> {
 }
 
 /// A finite number above 0.
-pub(super) fn positive(text: &str) -> Result<f64, String> {
+pub fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(x) if x.is_finite() && x > 0.0 => Ok(x),
         _ => Err("a finite number above 0 is called for".into()),
@@ -78,7 +75,7 @@ pub(super) fn positive(text: &str) -> Result<f64, String> {
 }
 
 /// A finite number, 0 or above.
-pub(super) fn not_negative(text: &str) -> Result<f64, String> {
+pub fn not_negative(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(x) if x.is_finite() && x >= 0.0 => Ok(x),
         _ => Err("a finite number, 0 or above, is called for".into()),

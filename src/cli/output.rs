@@ -9,7 +9,7 @@ use super::CliError;
 
 /// How a verb ended that did its work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
+pub enum Outcome {
     /// All is well: exit code 0.
     Done,
     /// A check or promise failed, and the verb has said which: exit code 1.
@@ -17,7 +17,7 @@ pub(super) enum Outcome {
 }
 
 /// Writes a result to standard output. A reader that has gone away is no error: it has what it wanted.
-pub(super) fn print(bytes: &[u8]) -> Result<(), CliError> {
+pub fn print(bytes: &[u8]) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(CliError::Output(e)),
@@ -26,19 +26,19 @@ pub(super) fn print(bytes: &[u8]) -> Result<(), CliError> {
 }
 
 /// Writes a result to standard output as JSON, one document with a line end.
-pub(super) fn print_json(value: &impl Serialize) -> Result<(), CliError> {
+pub fn print_json(value: &impl Serialize) -> Result<(), CliError> {
     let mut text = serde_json::to_vec_pretty(value)?;
     text.push(b'\n');
     print(&text)
 }
 
 /// Says something on standard error; where nobody can read it, nothing can be done about that.
-pub(super) fn say(text: &str) {
+pub fn say(text: &str) {
     let _ = writeln!(io::stderr().lock(), "{text}");
 }
 
 /// The exit code of a verb, after its error was said.
-pub(super) fn finish(done: Result<Outcome, CliError>) -> ExitCode {
+pub fn finish(done: Result<Outcome, CliError>) -> ExitCode {
     match done {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Failed) => ExitCode::from(1),
@@ -50,7 +50,7 @@ pub(super) fn finish(done: Result<Outcome, CliError>) -> ExitCode {
 }
 
 /// Help and version on standard output with exit code 0, wrong usage on standard error with exit code 2.
-pub(super) fn usage(error: &clap::Error) -> ExitCode {
+pub fn usage(error: &clap::Error) -> ExitCode {
     // Help into a closed pipe is as fine as any other output into one.
     let _ = error.print();
     if error.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS }

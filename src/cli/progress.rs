@@ -9,11 +9,11 @@ use crate::bake::Progress;
 use crate::plan::Plan;
 
 /// A bar on standard error with the stage's name; nothing where standard error is no terminal, or quiet is asked for.
-pub(super) struct Bar(ProgressBar);
+pub struct Bar(ProgressBar);
 
 impl Bar {
     /// Starts the bar of a plan's stages and `more` of the verb's own.
-    pub(super) fn new(quiet: bool, plan: &Plan, more: usize) -> Bar {
+    pub fn new(quiet: bool, plan: &Plan, more: usize) -> Bar {
         let shown = !quiet && std::io::stderr().is_terminal();
         let target = if shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some((stages(plan) + more) as u64), target);
@@ -44,11 +44,11 @@ impl Progress for Bar {
 }
 
 /// A spinner with the stage's name, for a verb whose stages are not counted beforehand.
-pub(super) struct Spinner(ProgressBar);
+pub struct Spinner(ProgressBar);
 
 impl Spinner {
     /// Starts it; nothing is shown where standard error is no terminal, or quiet is asked for.
-    pub(super) fn new(quiet: bool) -> Spinner {
+    pub fn new(quiet: bool) -> Spinner {
         let shown = !quiet && std::io::stderr().is_terminal();
         let bar = if shown { ProgressBar::new_spinner() } else { ProgressBar::hidden() };
         if shown {
@@ -58,7 +58,7 @@ impl Spinner {
     }
 
     /// Names the stage that begins.
-    pub(super) fn stage(&self, name: &str) {
+    pub fn stage(&self, name: &str) {
         self.0.set_message(name.to_string());
     }
 }

@@ -3,7 +3,7 @@
 use super::ReportError;
 
 /// Every value is finite and there is at least one.
-pub(crate) fn values(section: &str, field: &str, values: &[f64]) -> Result<(), ReportError> {
+pub fn values(section: &str, field: &str, values: &[f64]) -> Result<(), ReportError> {
     filled(section, field, values.len())?;
     match values.iter().position(|v| !v.is_finite()) {
         Some(i) => Err(not_finite(section, &format!("{field}[{i}]"))),
@@ -12,12 +12,12 @@ pub(crate) fn values(section: &str, field: &str, values: &[f64]) -> Result<(), R
 }
 
 /// The value is finite.
-pub(crate) fn finite(section: &str, field: &str, value: f64) -> Result<(), ReportError> {
+pub fn finite(section: &str, field: &str, value: f64) -> Result<(), ReportError> {
     if value.is_finite() { Ok(()) } else { Err(not_finite(section, field)) }
 }
 
 /// A list has at least one entry.
-pub(crate) fn filled(section: &str, field: &str, len: usize) -> Result<(), ReportError> {
+pub fn filled(section: &str, field: &str, len: usize) -> Result<(), ReportError> {
     if len > 0 {
         return Ok(());
     }
@@ -25,7 +25,7 @@ pub(crate) fn filled(section: &str, field: &str, len: usize) -> Result<(), Repor
 }
 
 /// A list has the expected number of entries.
-pub(crate) fn size(section: &str, field: &str, found: usize, expected: usize) -> Result<(), ReportError> {
+pub fn size(section: &str, field: &str, found: usize, expected: usize) -> Result<(), ReportError> {
     if found == expected {
         return Ok(());
     }
@@ -33,7 +33,7 @@ pub(crate) fn size(section: &str, field: &str, found: usize, expected: usize) ->
 }
 
 /// Values are finite, non-empty and strictly increasing.
-pub(crate) fn increasing(section: &str, field: &str, list: &[f64]) -> Result<(), ReportError> {
+pub fn increasing(section: &str, field: &str, list: &[f64]) -> Result<(), ReportError> {
     values(section, field, list)?;
     match list.windows(2).position(|w| w[1] <= w[0]) {
         Some(i) => Err(domain(section, &format!("{field}[{}]", i + 1), "does not increase")),
@@ -42,7 +42,7 @@ pub(crate) fn increasing(section: &str, field: &str, list: &[f64]) -> Result<(),
 }
 
 /// The error for a field that breaks its domain.
-pub(crate) fn domain(section: &str, field: &str, problem: &str) -> ReportError {
+pub fn domain(section: &str, field: &str, problem: &str) -> ReportError {
     ReportError::Domain { section: section.into(), field: field.into(), problem: problem.into() }
 }
 

@@ -16,8 +16,11 @@ struct Document<'a, T> {
     data: &'a T,
 }
 
-/// The bytes of a JSON document; a number that is not finite is an error with its path.
-pub(crate) fn document<T: Serialize>(name: &str, data: &T) -> Result<Vec<u8>, ReportError> {
+/// The bytes of a JSON document.
+///
+/// # Errors
+/// A number that is not finite, with its path.
+pub fn document<T: Serialize>(name: &str, data: &T) -> Result<Vec<u8>, ReportError> {
     let document = Document { schema_version: SCHEMA_VERSION, data };
     let refused = |e: serde_json::Error| ReportError::Drawing { section: name.into(), reason: e.to_string() };
     let mut bytes = Vec::new();

@@ -6,7 +6,7 @@
 //! of threads: rows of pictures are computed in parallel and joined in order, coordinates have fixed decimals, and
 //! nothing reads a clock.
 
-pub(crate) mod check;
+pub mod check;
 mod error;
 mod field;
 mod findings;
@@ -14,7 +14,7 @@ pub mod flip;
 mod gpu;
 mod image;
 mod json;
-pub(crate) mod numbers;
+pub mod numbers;
 mod page;
 pub(crate) mod plot;
 pub mod render;
@@ -33,10 +33,6 @@ pub use findings::{
     Origin, SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study, StudySeries, TableFinding,
 };
 pub use findings::{
-    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
-};
-pub use findings::{
     BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
 };
 pub use findings::{
@@ -53,11 +49,13 @@ pub use findings::{
 pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use image::{Image, displayed, luminance};
+pub use json::document;
 pub use page::{Block, Page, Section, TextTable, html};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
-    Spheres, Spread, Style, Tile, Worst, disc,
+    Spheres, Spread, Style, Tile, Worst, disc, signed,
 };
+pub use sections::{figures, words};
 pub use timings::{
     TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,
     Timings,
@@ -135,14 +133,6 @@ pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
 /// As [`page`].
 pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
     html(&sections::of_search(findings)?)
-}
-
-/// The page of an audit as HTML, and its figures as JSON.
-///
-/// # Errors
-/// As [`page`].
-pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
-    Ok((html(&sections::of_audit(audit)?)?, json::document("audit.json", audit)?))
 }
 
 /// Where the files of a study lie, relative to the folder of a bake.

@@ -1,12 +1,12 @@
 //! Numbers as people read them: few digits, and never a maximum that is printed smaller than it is.
 
 /// `x` with `digits` significant digits, rounded to nearest; plain between 1e-3 and 1e5, else `1.2e-5`.
-pub(crate) fn significant(x: f64, digits: usize) -> String {
+pub fn significant(x: f64, digits: usize) -> String {
     layout(&format!("{x:.*e}", digits.max(1) - 1))
 }
 
 /// As [`significant`], rounded away from zero, so that a bound stays a bound.
-pub(crate) fn bound(x: f64, digits: usize) -> String {
+pub fn bound(x: f64, digits: usize) -> String {
     let nearest = format!("{x:.*e}", digits.max(1) - 1);
     match nearest.parse::<f64>() {
         Ok(value) if value.abs() < x.abs() => layout(&next_up(&nearest)),
@@ -15,12 +15,12 @@ pub(crate) fn bound(x: f64, digits: usize) -> String {
 }
 
 /// As [`significant`], without trailing zeros: for places and settings, which are exact.
-pub(crate) fn brief(x: f64, digits: usize) -> String {
+pub fn brief(x: f64, digits: usize) -> String {
     trimmed(&significant(x, digits))
 }
 
 /// As [`bound`], without trailing zeros.
-pub(crate) fn brief_bound(x: f64, digits: usize) -> String {
+pub fn brief_bound(x: f64, digits: usize) -> String {
     trimmed(&bound(x, digits))
 }
 
@@ -33,7 +33,7 @@ fn trimmed(text: &str) -> String {
 }
 
 /// `x` rounded away from zero to `digits` significant digits.
-pub(crate) fn round_up(x: f64, digits: usize) -> f64 {
+pub fn round_up(x: f64, digits: usize) -> f64 {
     let nearest = format!("{x:.*e}", digits.max(1) - 1);
     let up = |text: &str| text.parse().unwrap_or(x);
     let value: f64 = up(&nearest);
@@ -41,12 +41,12 @@ pub(crate) fn round_up(x: f64, digits: usize) -> f64 {
 }
 
 /// `x` rounded to nearest with `digits` significant digits.
-pub(crate) fn rounded(x: f64, digits: usize) -> f64 {
+pub fn rounded(x: f64, digits: usize) -> f64 {
     format!("{x:.*e}", digits.max(1) - 1).parse().unwrap_or(x)
 }
 
 /// An integer with thin groups of thousands: `10 000 000`.
-pub(crate) fn grouped(n: u64) -> String {
+pub fn grouped(n: u64) -> String {
     let digits = n.to_string();
     let mut out = String::new();
     for (i, c) in digits.chars().enumerate() {
@@ -59,7 +59,7 @@ pub(crate) fn grouped(n: u64) -> String {
 }
 
 /// A signed number for a colour bar or tick: minus sign U+2212, no trailing zeros.
-pub(crate) fn tick(x: f64) -> String {
+pub fn tick(x: f64) -> String {
     if x == 0.0 {
         return "0".into();
     }
@@ -71,12 +71,12 @@ pub(crate) fn tick(x: f64) -> String {
 }
 
 /// As [`tick`], with at most 6 significant digits: for places that a scene gives.
-pub(crate) fn place(x: f64) -> String {
+pub fn place(x: f64) -> String {
     tick(rounded(x, 6))
 }
 
 /// A text, each decimal fraction in it with at most 6 significant digits; numbers inside names stay.
-pub(crate) fn shortened(text: &str) -> String {
+pub fn shortened(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
@@ -97,7 +97,7 @@ pub(crate) fn shortened(text: &str) -> String {
 }
 
 /// `2×10⁻⁴`, `10⁻⁴`, for axis labels.
-pub(crate) fn power_of_ten(size: f64) -> String {
+pub fn power_of_ten(size: f64) -> String {
     let text = format!("{size:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let raised = superscript(exponent);

@@ -3,11 +3,11 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod audit;
 mod bad_points;
 mod bad_scenes;
 mod cost;
 mod eval;
+mod external;
 mod fit;
 mod fit_ends;
 mod hypotheses;

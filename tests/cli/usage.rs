@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use common::{lobefit, names, stderr};
 use serde_json::Value;
 
-const VERBS: [&str; 7] = ["plan", "bake", "check", "eval", "audit", "cost", "schema"];
+const VERBS: [&str; 7] = ["plan", "bake", "check", "eval", "fit", "cost", "schema"];
 
 #[test]
 fn wrong_usage_is_exit_2_and_writes_nothing() {

@@ -4,9 +4,20 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+/// The program under test and the arguments that it takes: a package above `lobefit` has a binary for one verb, which takes what
+/// follows the verb.
+fn program<'a>(arguments: &'a [&'a str]) -> (&'static str, &'a [&'a str]) {
+    match (option_env!("CARGO_BIN_EXE_lobefit"), option_env!("CARGO_BIN_EXE_lobefit-audit")) {
+        (Some(program), _) => (program, arguments),
+        (None, Some(program)) => (program, &arguments[1..]),
+        (None, None) => panic!("a package without a program"),
+    }
+}
+
 /// Runs the program in a folder, with bytes on its standard input.
 pub fn lobefit(folder: &Path, arguments: &[&str], input: &[u8]) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_lobefit"))
+    let (program, arguments) = program(arguments);
+    let mut child = Command::new(program)
         .args(arguments)
         .current_dir(folder)
         .stdin(Stdio::piped())

@@ -2,7 +2,6 @@
 //! as it is to `reports/<effect>.json`.
 
 mod approximation;
-mod audit;
 mod coupling_study;
 mod furnace;
 mod index;
@@ -18,10 +17,6 @@ use serde::{Deserialize, Serialize};
 use super::Field;
 
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
-pub use audit::{
-    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
-    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
-};
 pub use coupling_study::{
     CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
 };

@@ -126,7 +126,7 @@ impl Figure for HeatMap<'_> {
 }
 
 /// Symmetric limits that hold `peak`, small errors spread apart; a field of zeros gets limits of 1e-12.
-pub(crate) fn signed(peak: f64) -> Shade {
+pub fn signed(peak: f64) -> Shade {
     Shade::Signed { limit: numbers::round_up(peak.max(1e-12), 2), spread: Spread::Root }
 }
 

@@ -1,7 +1,6 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
 pub(crate) mod approximations;
-mod audit;
 mod averages;
 pub(crate) mod called_for;
 mod coupling_study;
@@ -21,11 +20,11 @@ pub(crate) mod tables;
 mod timed_tables;
 mod timings;
 mod walks;
-pub(crate) mod words;
+pub mod words;
 
 use super::{
-    AuditFindings, Block, CouplingStudy, Figure, Findings, FitPage, GpuRecord, Index, Page, ParallaxStudy,
-    ReportError, SearchPage, Section, Timings,
+    Block, CouplingStudy, Figure, Findings, FitPage, GpuRecord, Index, Page, ParallaxStudy, ReportError,
+    SearchPage, Section, Timings,
 };
 use crate::effects::surface::SurfaceRows;
 
@@ -81,11 +80,6 @@ pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
     search::page(findings)
 }
 
-/// The page of an audit.
-pub(crate) fn of_audit(findings: &AuditFindings) -> Result<Page, ReportError> {
-    audit::page(findings)
-}
-
 /// The page of the study of diffuse couplings.
 pub(crate) fn of_coupling_study(study: &CouplingStudy) -> Result<Page, ReportError> {
     coupling_study::page(study)
@@ -102,7 +96,10 @@ pub(crate) fn of_surfaces(rows: &SurfaceRows) -> Result<Vec<Section>, ReportErro
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.
-pub(crate) fn figures<F: Figure + Sync>(figures: &[F], caption: &str) -> Result<Block, ReportError> {
+///
+/// # Errors
+/// What a figure says of its data.
+pub fn figures<F: Figure + Sync>(figures: &[F], caption: &str) -> Result<Block, ReportError> {
     use rayon::prelude::*;
     let svg: Vec<Result<String, ReportError>> = figures.par_iter().map(Figure::svg).collect();
     Ok(Block::Figures { svg: svg.into_iter().collect::<Result<_, _>>()?, caption: caption.into() })

@@ -7,7 +7,7 @@ use crate::report::numbers::{bound, brief, significant};
 use crate::report::{Dot, Field, Ruler, TextTable};
 
 /// Name of an input as its symbol.
-pub(crate) fn symbol(name: &str) -> &str {
+pub fn symbol(name: &str) -> &str {
     match name {
         "mu" => "μ",
         "alpha" => "α",
@@ -18,7 +18,7 @@ pub(crate) fn symbol(name: &str) -> &str {
 }
 
 /// Name of an axis with what it means.
-pub(crate) fn axis(name: &str) -> String {
+pub fn axis(name: &str) -> String {
     match name {
         "mu" => "μ (cosine of view angle)".into(),
         "alpha" => "α (GGX width)".into(),
@@ -28,19 +28,19 @@ pub(crate) fn axis(name: &str) -> String {
 }
 
 /// A field with its axes named for readers.
-pub(crate) fn labelled(field: &Field) -> Field {
+pub fn labelled(field: &Field) -> Field {
     let named = |r: &Ruler| Ruler { name: axis(&r.name), values: r.values.clone() };
     Field { x: named(&field.x), y: named(&field.y), ..field.clone() }
 }
 
 /// `μ 0.1, roughness 0.36`.
-pub(crate) fn place(at: &Place) -> String {
+pub fn place(at: &Place) -> String {
     let parts: Vec<String> = at.iter().map(|(k, v)| format!("{}\u{a0}{}", symbol(k), brief(*v, 3))).collect();
     if parts.is_empty() { "–".into() } else { parts.join(", ") }
 }
 
 /// `μ 0.01 to 1, roughness 0.02 to 1`.
-pub(crate) fn ranges(ranges: &BTreeMap<String, [f64; 2]>) -> String {
+pub fn ranges(ranges: &BTreeMap<String, [f64; 2]>) -> String {
     let one = |(k, [a, b]): (&String, &[f64; 2])| {
         format!("{}\u{a0}{}\u{a0}to\u{a0}{}", symbol(k), brief(*a, 3), brief(*b, 3))
     };
@@ -48,27 +48,27 @@ pub(crate) fn ranges(ranges: &BTreeMap<String, [f64; 2]>) -> String {
 }
 
 /// A maximum, rounded up.
-pub(crate) fn max(x: f64) -> String {
+pub fn max(x: f64) -> String {
     bound(x, 3)
 }
 
 /// A mean or root mean square.
-pub(crate) fn mean(x: f64) -> String {
+pub fn mean(x: f64) -> String {
     significant(x, 3)
 }
 
 /// `1 operation`, `13 operations`.
-pub(crate) fn operations(n: u32) -> String {
+pub fn operations(n: u32) -> String {
     count(n as usize, "operation", "operations")
 }
 
 /// A number with its noun.
-pub(crate) fn count(n: usize, one: &str, many: &str) -> String {
+pub fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }
 
 /// What the error of a use is.
-pub(crate) fn metric(used_as: Use) -> &'static str {
+pub fn metric(used_as: Use) -> &'static str {
     match used_as {
         Use::Value => "absolute error",
         Use::Normalisation => "furnace error |E\u{a0}N\u{a0}−\u{a0}1|",
@@ -79,12 +79,12 @@ pub(crate) fn metric(used_as: Use) -> &'static str {
 }
 
 /// Whether points tell more than their rows in a table: three or more, not all at one place of the horizontal axis.
-pub(crate) fn worth_a_chart(dots: &[Dot]) -> bool {
+pub fn worth_a_chart(dots: &[Dot]) -> bool {
     dots.len() >= 3 && dots.iter().any(|d| d.x != dots[0].x)
 }
 
 /// A table without muted rows; `true` marks columns of figures.
-pub(crate) fn table(columns: &[(&str, bool)], rows: Vec<Vec<String>>, caption: &str) -> TextTable {
+pub fn table(columns: &[(&str, bool)], rows: Vec<Vec<String>>, caption: &str) -> TextTable {
     let muted = vec![false; rows.len()];
     let columns = columns.iter().map(|(name, figures)| (name.to_string(), *figures)).collect();
     TextTable { columns, rows, muted, caption: caption.into() }

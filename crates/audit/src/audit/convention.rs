@@ -1,0 +1,195 @@
+//! A whole convention, what of it is given, and how well one fits.
+
+use super::AuditError;
+use super::axis::{AxisReading, Input, SITINGS, Scale, Siting};
+use super::column::Column;
+use super::truth::{Lobe, Truth};
+use lobefit::data::Smith;
+use lobefit_truth::integrate::glass::Side;
+
+/// One way to read a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Convention {
+    /// How every axis is read, in the table's order.
+    pub axes: Vec<AxisReading>,
+    /// Which lobe.
+    pub lobe: Lobe,
+    /// What every channel holds; none for one that is not judged.
+    pub columns: Vec<Option<Column>>,
+}
+
+impl Convention {
+    /// Whether two differ in clamps alone.
+    pub fn like(&self, other: &Convention) -> bool {
+        self.lobe == other.lobe
+            && self.columns == other.columns
+            && self.axes.len() == other.axes.len()
+            && self.axes.iter().zip(&other.axes).all(|(a, b)| a.like(b))
+    }
+}
+
+/// What the user says of a table: everything else is tried.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Pins {
+    /// Scale of every axis and whether it is reversed.
+    pub axes: Option<Vec<(Scale, bool)>>,
+    /// Siting of every axis, or one for all.
+    pub sitings: Option<Vec<Siting>>,
+    /// Shadowing form.
+    pub smith: Option<Smith>,
+    /// Side of the ray.
+    pub side: Option<Side>,
+    /// What the channels hold, in their order.
+    pub meanings: Option<Vec<Column>>,
+    /// The one column that is asked for.
+    pub column: Option<Column>,
+    /// Of a function: what the names of its arguments tell.
+    pub roles: Option<Vec<Option<Input>>>,
+    /// Of a function: its argument that is named for an index of refraction was given 1/ior, as
+    /// [`sampled_inverse`](super::sampled_inverse) does.
+    pub inverse: bool,
+}
+
+impl Pins {
+    /// Whether nothing but the column is given.
+    pub fn is_free(&self) -> bool {
+        Pins { column: None, inverse: false, ..self.clone() } == Pins::default()
+    }
+
+    /// Refuses what cannot be meant for a table of this many axes and channels.
+    pub(super) fn check(&self, truth: &dyn Truth, axes: usize, channels: usize) -> Result<(), AuditError> {
+        let refuse =
+            |option, value: String, reason: String| Err(AuditError::Option { option, value, reason });
+        if let Some(given) = &self.axes {
+            let names = given.iter().map(|(s, _)| s.name()).collect::<Vec<_>>().join(",");
+            if given.len() != axes {
+                return refuse("--axes", names, format!("the table has {axes} axes"));
+            }
+            let mut inputs: Vec<Input> = given.iter().map(|(s, _)| s.input()).collect();
+            let mut wanted = truth.inputs().to_vec();
+            inputs.sort();
+            wanted.sort();
+            if inputs != wanted {
+                let wanted: Vec<&str> = wanted.iter().map(|i| i.name()).collect();
+                let reason = format!("{} has the inputs {}", truth.quantity(), wanted.join(", "));
+                return refuse("--axes", names, reason);
+            }
+        }
+        if let Some(given) = &self.sitings
+            && given.len() != 1
+            && given.len() != axes
+        {
+            let names = given.iter().map(|s| s.name()).collect::<Vec<_>>().join(",");
+            return refuse("--registration", names, format!("one word or {axes} are called for"));
+        }
+        if let Some(given) = &self.meanings
+            && given.len() != channels
+        {
+            let names = given.iter().map(|c| c.name()).collect::<Vec<_>>().join(",");
+            return refuse(
+                "--meaning",
+                names,
+                format!(
+                    "{channels} channels vary; a word for each of those is called for, or one for every channel"
+                ),
+            );
+        }
+        let unknown = |c: &&Column| !truth.columns().contains(c);
+        if let Some(bad) = self.meanings.iter().flatten().chain(&self.column).find(unknown) {
+            let names: Vec<&str> = truth.columns().iter().map(|c| c.name()).collect();
+            let reason = format!("{} has {}", truth.quantity(), names.join(", "));
+            return refuse("--meaning", bad.name().into(), reason);
+        }
+        Ok(())
+    }
+
+    /// The ways to read axis `axis` as an input.
+    pub(super) fn readings(&self, axis: usize, input: Input) -> Vec<AxisReading> {
+        let scales: Vec<(Scale, bool)> = match (&self.axes, &self.roles) {
+            (Some(given), _) => {
+                given.get(axis).copied().filter(|(s, _)| s.input() == input).into_iter().collect()
+            }
+            (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten(), self.inverse),
+            (None, None) => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
+        };
+        let sitings: Vec<Siting> = match &self.sitings {
+            Some(given) if given.len() == 1 => given.clone(),
+            Some(given) => given.get(axis).copied().into_iter().collect(),
+            None => SITINGS.to_vec(),
+        };
+        let both = |(scale, reversed): (Scale, bool)| {
+            sitings.iter().map(move |siting| AxisReading::new(scale, *siting, reversed)).collect::<Vec<_>>()
+        };
+        scales.into_iter().flat_map(both).collect()
+    }
+
+    /// The lobes to be tried, by their place.
+    pub(super) fn lobes(&self, truth: &dyn Truth) -> Vec<usize> {
+        let fits = |l: &Lobe| {
+            self.smith.is_none_or(|s| l.smith.is_none_or(|own| own == s))
+                && self.side.is_none_or(|s| l.side.is_none_or(|own| own == s))
+        };
+        (0..truth.lobes().len()).filter(|i| fits(&truth.lobes()[*i])).collect()
+    }
+}
+
+/// What an argument may be given for an input: nobody passes the root of a cosine, and one that is named for a cosine is one.
+fn argument(input: Input, role: Option<Input>, inverse: bool) -> Vec<(Scale, bool)> {
+    match (input, role) {
+        (_, Some(role)) if role != input => Vec::new(),
+        (Input::Mu, Some(_)) => vec![(Scale::Mu, false)],
+        (Input::Mu, None) => vec![(Scale::Mu, false), (Scale::Mu, true), (Scale::Theta, false)],
+        (Input::Ior, Some(_)) => vec![(if inverse { Scale::Eta } else { Scale::Ior }, false)],
+        _ => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
+    }
+}
+
+/// How well values fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Misfit {
+    /// Root mean square.
+    pub rms: f64,
+    /// Root mean square of the four fifths that fit best.
+    pub trimmed: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// Share of the texels that the trimmed figure keeps, in fifths.
+const KEPT_FIFTHS: usize = 4;
+
+impl Misfit {
+    /// Of errors, none of them NaN; an empty list fits perfectly.
+    pub(super) fn of(errors: &[f64]) -> Misfit {
+        let mut squares: Vec<f64> = errors.iter().map(|e| e * e).collect();
+        let n = squares.len().max(1);
+        let kept = squares.len() * KEPT_FIFTHS / 5;
+        let max = squares.iter().copied().fold(0.0, f64::max).sqrt();
+        let all: f64 = squares.iter().sum();
+        if kept > 0 && kept < squares.len() {
+            squares.select_nth_unstable_by(kept, f64::total_cmp);
+        }
+        let least: f64 = squares[..kept].iter().sum();
+        Misfit { rms: (all / n as f64).sqrt(), trimmed: (least / kept.max(1) as f64).sqrt(), max }
+    }
+
+    /// A bound of the rank of errors with these squares, from below: none of those that the trimmed figure leaves out is above the largest.
+    pub(super) fn least_rank(squares: impl Iterator<Item = f64>) -> f64 {
+        let (mut n, mut sum, mut most) = (0, 0.0, 0.0_f64);
+        for square in squares {
+            (n, sum, most) = (n + 1, sum + square, most.max(square));
+        }
+        let kept = n * KEPT_FIFTHS / 5;
+        // A part in 1e9 of the sum covers its rounding, which takes another order here than in the figure.
+        let least = (sum * (1.0 - 1e-9) - (n - kept) as f64 * most).max(0.0);
+        let (rms, trimmed) =
+            ((sum * (1.0 - 1e-9) / n.max(1) as f64).sqrt(), (least / kept.max(1) as f64).sqrt());
+        ((trimmed + 1e-9) * (rms + 1e-9)).sqrt()
+    }
+
+    /// What conventions are ranked by: the geometric mean of both root mean squares. A table of which a part is stale fits its true convention in
+    /// the trimmed figure, one with a wrong clamp shows in the other; 1e-9 keeps an exact fit from hiding what else is wrong.
+    pub(super) fn rank(&self) -> f64 {
+        ((self.trimmed + 1e-9) * (self.rms + 1e-9)).sqrt()
+    }
+}

@@ -1,0 +1,135 @@
+//! The same for the report.
+
+use super::{Declared, Held};
+use crate::audit::shipped::place;
+use crate::audit::verdict::number;
+use crate::report::{
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditErrors, AuditFindings, AuditHeld,
+};
+use lobefit::report::{Field, Origin, Ruler};
+
+/// Places of the third input that are shown, and curves.
+const SLICES: usize = 3;
+const CURVES: usize = 4;
+
+/// The findings on a file that says what it is; `holds` says what the file is.
+pub fn findings(
+    found: &Declared,
+    origin: Origin,
+    file: &str,
+    holds: &str,
+    limit: Option<f64>,
+) -> AuditFindings {
+    let axes = found.axes.iter().map(|[letter, name, siting, formula]| AuditAxis {
+        axis: letter.clone(),
+        coordinate: format!("{name}, {formula}; {siting}"),
+        reversed: false,
+        registration: String::new(),
+        clamp: None,
+    });
+    let held = |h: &Held| AuditHeld {
+        channel: h.column.name().into(),
+        holds: h.column.name().into(),
+        max: h.max,
+        rms: h.rms,
+    };
+    AuditFindings {
+        origin,
+        file: file.into(),
+        holds: holds.into(),
+        quantity: found.quantity.into(),
+        verdict: found.verdict.clone(),
+        fits: if found.holds() { "whole" } else { "none" }.into(),
+        max_error: found.worst(),
+        plain: None,
+        limit,
+        passed: found.passes(limit),
+        margin: None,
+        truth_error: found.truth_error,
+        stated: true,
+        conventions: vec![AuditConvention {
+            axes: axes.collect(),
+            lobe: found.lobe.clone(),
+            channels: found.held.iter().map(held).collect(),
+            rank: found.held.iter().map(|h| h.rms).fold(0.0, f64::max),
+        }],
+        channels: found.held.iter().map(|h| channel(found, h)).collect(),
+        furnace: None,
+    }
+}
+
+fn channel(found: &Declared, held: &Held) -> AuditChannel {
+    let all = held.errors.len();
+    let mut errors = held.errors.iter().map(|e| e.abs()).collect::<Vec<f64>>();
+    errors.sort_by(f64::total_cmp);
+    AuditChannel {
+        name: held.column.name().into(),
+        holds: held.column.words(),
+        fits: if found.holds() { "whole" } else { "none" }.into(),
+        texels: AuditErrors {
+            max: held.max,
+            rms: held.rms,
+            mean: held.mean,
+            median: errors[all / 2],
+            texel: Vec::new(),
+            at: held.at.clone(),
+            value: held.value,
+            truth: held.truth,
+            judged: all,
+            all,
+        },
+        defects: Vec::new(),
+        lookup: None,
+        plain_lookup: None,
+        maps: maps(found, held),
+        curves: curves(found, held),
+    }
+}
+
+/// First input along columns, the second along rows, some places of the third.
+fn maps(found: &Declared, held: &Held) -> Vec<Field> {
+    let [(x, xs), (y, ys), ..] = found.places.as_slice() else { return Vec::new() };
+    let plane = xs.len() * ys.len();
+    let slices = held.errors.len() / plane.max(1);
+    let count = slices.min(SLICES);
+    let shown = (0..count).map(|k| k * (slices - 1) / (count - 1).max(1));
+    let field = |k: usize| Field {
+        name: slice(found, held, k),
+        unit: String::new(),
+        signed: true,
+        x: Ruler { name: (*x).into(), values: xs.clone() },
+        y: Ruler { name: (*y).into(), values: ys.clone() },
+        values: held.errors[k * plane..][..plane].iter().map(|e| *e as f32).collect(),
+    };
+    shown.map(field).collect()
+}
+
+/// Name of a slice: its places along the inputs after the second.
+fn slice(found: &Declared, held: &Held, k: usize) -> String {
+    let after = found.places.iter().skip(2);
+    let sizes: Vec<usize> = after.clone().map(|p| p.1.len()).collect();
+    let at = place(k, &sizes);
+    let told: Vec<String> =
+        after.zip(at).map(|((name, list), i)| format!("{name} {}", number(list[i]))).collect();
+    if told.is_empty() {
+        format!("error of {}", held.column.name())
+    } else {
+        format!("error, {}", told.join(", "))
+    }
+}
+
+/// Along the second input (mu of two inputs, alpha of three), for some places of the first.
+fn curves(found: &Declared, held: &Held) -> Vec<AuditCurve> {
+    let [(x, xs), (y, ys), ..] = found.places.as_slice() else { return Vec::new() };
+    let one = |i: usize| {
+        let line: Vec<usize> = (0..ys.len()).map(|j| j * xs.len() + i).collect();
+        AuditCurve {
+            title: format!("{x} {}", number(xs[i])),
+            x: (*y).into(),
+            at: ys.clone(),
+            truth: line.iter().map(|k| held.truths[*k]).collect(),
+            held: line.iter().map(|k| held.truths[*k] + held.errors[*k]).collect(),
+        }
+    };
+    (0..CURVES).map(|k| one(k * (xs.len() - 1) / (CURVES - 1))).collect()
+}

@@ -1,0 +1,384 @@
+//! A table that says itself what it is, as those that this tool writes do: what it says is read, and then held against the truth. It is
+//! looked up as its statement says, between its texels too, all over the domain that it claims.
+
+mod domain;
+mod findings;
+mod formula;
+mod statement;
+mod words;
+
+pub use findings::findings as declared_findings;
+
+use super::axis::Siting;
+use super::column::Column;
+use super::lookup::fetch;
+use super::shipped::Shipped;
+use super::truth::{Truth, Values, azimuth};
+use super::{AuditError, FITS};
+use domain::Domain;
+use formula::Formula;
+use lobefit::data::{Place, Smith};
+use lobefit::effects::Quantity;
+use statement::{Axis, Statement};
+
+/// How much larger than claimed an error may be: it is looked for at other places than the file's maker did.
+const SLACK: f64 = 1.2;
+
+/// The quantity of which tables may depend on the azimuth of the view.
+const AZIMUTHAL: &str = "ggx-reflection-aniso";
+
+/// Error of a column as the statement says that it is looked up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Held {
+    /// Column.
+    pub column: Column,
+    /// Largest magnitude.
+    pub max: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// Signed mean.
+    pub mean: f64,
+    /// Where the largest is.
+    pub at: Place,
+    /// What the table gives there.
+    pub value: f64,
+    /// What is true there.
+    pub truth: f64,
+    /// Signed errors, in the truth's order of inputs.
+    pub errors: Vec<f64>,
+    /// The truth at the same places.
+    pub truths: Vec<f64>,
+}
+
+impl Held {
+    /// Whether it is the column at all, whatever its file claims: by the root mean square, as the columns of any table.
+    fn fits(&self, truth_error: f64) -> bool {
+        self.rms <= FITS * self.spread() + truth_error
+    }
+
+    /// Difference of the largest and the smallest truth.
+    pub fn spread(&self) -> f64 {
+        let truths = || self.truths.iter().copied();
+        truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// What came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Declared {
+    /// File and array.
+    pub what: String,
+    /// Quantity.
+    pub quantity: &'static str,
+    /// Shadowing form and side.
+    pub lobe: String,
+    /// Every axis: its letter, what runs along it, its siting and its formula.
+    pub axes: Vec<[String; 4]>,
+    /// Texels along every axis.
+    pub size: Vec<usize>,
+    /// Columns that it decodes to.
+    pub held: Vec<Held>,
+    /// Names of the truth's inputs and the places along each.
+    pub places: Vec<(&'static str, Vec<f64>)>,
+    /// What its axes cover without its claiming anything of it, for which it passes no limit: `alpha below 0.02`.
+    pub beyond: Vec<String>,
+    /// What it claims where the truth is not had, so that it was not judged.
+    pub cut: Vec<String>,
+    /// Largest error that it claims.
+    pub claimed: f64,
+    /// What would make it true, where it is not: the other registration or shadowing form under which it is as good as claimed.
+    pub instead: Option<String>,
+    /// Bound of the truth's own error.
+    pub truth_error: f64,
+    /// All of it in a paragraph.
+    pub verdict: String,
+}
+
+impl Declared {
+    /// Largest error of any column.
+    pub fn worst(&self) -> f64 {
+        self.held.iter().map(|h| h.max).fold(0.0, f64::max)
+    }
+
+    /// Whether it is what it says: it keeps its claim, and is no further off than any table of the quantity may be.
+    pub fn holds(&self) -> bool {
+        self.keeps() && self.held.iter().all(|h| h.fits(self.truth_error))
+    }
+
+    /// Whether no error is larger than it claims.
+    pub fn keeps(&self) -> bool {
+        self.worst() <= SLACK * self.claimed + self.truth_error
+    }
+
+    /// Whether it is what it says, and within a limit wherever its axes lead.
+    pub fn passes(&self, limit: Option<f64>) -> bool {
+        self.holds() && limit.is_none_or(|l| self.worst() <= l && self.beyond.is_empty())
+    }
+}
+
+/// Holds a table against the truth as its own `statement` says that it is looked up; of the columns, only `wanted` if it is given.
+///
+/// # Errors
+/// [`AuditError::Statement`] where what it says cannot be read, speaks of another size, depends on more than the quantity's inputs, leaves no
+/// range of an input to judge, or decodes to what is no number; a statement of another quantity; a truth that cannot be had.
+pub fn declared(
+    table: &Shipped,
+    quantity: &Quantity,
+    wanted: Option<Column>,
+    statement: &str,
+) -> Result<Declared, AuditError> {
+    let odd = |reason: String| AuditError::Statement { what: table.what.clone(), reason };
+    let said = Statement::parse(statement).map_err(odd)?;
+    let shipped = agreed(table, quantity, &said)?;
+    let pins = super::Pins { side: said.side, ..super::Pins::default() };
+    let truth: Box<dyn Truth> = match said.azimuth {
+        true if quantity.name == AZIMUTHAL => Box::new(azimuth(&[Smith::Correlated, Smith::Separable])),
+        true => return Err(odd(format!("{} does not depend on the azimuth of the view", quantity.name))),
+        false => super::truth_of(&shipped, quantity, &pins)?,
+    };
+    let truth = truth.as_ref();
+    let Domain { places, beyond, cut } = Domain::new(truth, &said).map_err(odd)?;
+    let lobe =
+        |smith: Option<Smith>| truth.lobes().iter().position(|l| l.smith.is_none() || l.smith == smith);
+    let own = lobe(said.smith).ok_or_else(|| odd("its line `smith` names no shadowing form".into()))?;
+    let at: Vec<&[f64]> = places.iter().map(|p| p.1.as_slice()).collect();
+    let base = truth.exact(own, &at)?;
+    let look = Look { table: &shipped, said: &said, places: &places, wanted };
+    let sitings: Vec<Siting> = said.axes.iter().map(|a| a.siting).collect();
+    let held = look.errors(truth, &base, &sitings).map_err(odd)?;
+    let mut found = Declared {
+        what: shipped.what.clone(),
+        quantity: truth.quantity(),
+        lobe: truth.lobes()[own].words(),
+        axes: said.axes.iter().zip(&shipped.axes).map(|(a, letter)| words::axis(a, letter)).collect(),
+        size: shipped.size.clone(),
+        held,
+        claimed: said.claimed,
+        instead: None,
+        truth_error: truth.bound(),
+        verdict: String::new(),
+        places: places.clone(),
+        beyond,
+        cut,
+    };
+    if !found.holds() {
+        let limit = SLACK * said.claimed + truth.bound();
+        found.instead = instead(&look, truth, own, &base, limit)?;
+    }
+    found.verdict = words::paragraph(&found);
+    Ok(found)
+}
+
+/// The table in the size that the statement gives it, if the file and the question allow it.
+fn agreed(table: &Shipped, quantity: &Quantity, said: &Statement) -> Result<Shipped, AuditError> {
+    if said.quantity != quantity.name {
+        let reason = format!("{} says that it holds {}: audit it as that", table.what, said.quantity);
+        return Err(AuditError::Option { option: "--as", value: quantity.name.into(), reason });
+    }
+    let size: Vec<usize> = said.axes.iter().map(|a| a.size).collect();
+    let texels = size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s));
+    if texels != Some(table.size.iter().product()) || size.first() != table.size.first() {
+        let reason = format!("it speaks of {size:?} texels, the file holds {:?}", table.size);
+        return Err(AuditError::Statement { what: table.what.clone(), reason });
+    }
+    let axes = Shipped::axes_of(size.len());
+    Shipped { size, axes, ..table.clone() }.checked()
+}
+
+/// Lookups as the statement says.
+struct Look<'a> {
+    table: &'a Shipped,
+    said: &'a Statement,
+    places: &'a [(&'static str, Vec<f64>)],
+    wanted: Option<Column>,
+}
+
+impl Look<'_> {
+    /// The columns under these sitings.
+    fn errors(&self, truth: &dyn Truth, base: &Values, sitings: &[Siting]) -> Result<Vec<Held>, String> {
+        let columns = self.columns(truth)?;
+        let dims: Vec<usize> = self.places.iter().map(|p| p.1.len()).collect();
+        let mut values = vec![Vec::with_capacity(base.len()); columns.len()];
+        for i in 0..base.len() {
+            let inputs = self.inputs(i, &dims);
+            let decoded = self.decoded(&inputs, sitings)?;
+            for (list, (column, k)) in values.iter_mut().zip(&columns) {
+                let value = decoded[*k];
+                if !value.is_finite() {
+                    let name = column.name();
+                    return Err(format!("its `decode` of {name} gives {value} at {inputs:?}"));
+                }
+                list.push(value);
+            }
+        }
+        let one = |((column, _), values): (&(Column, usize), Vec<f64>)| {
+            let truths: Vec<f64> = base.iter().map(|b| column.value(*b)).collect();
+            let errors: Vec<f64> = values.iter().zip(&truths).map(|(v, t)| v - t).collect();
+            let worst =
+                (0..errors.len()).fold(0, |w, i| if errors[i].abs() > errors[w].abs() { i } else { w });
+            let n = errors.len() as f64;
+            Held {
+                column: *column,
+                max: errors[worst].abs(),
+                rms: (errors.iter().map(|e| e * e).sum::<f64>() / n).sqrt(),
+                mean: errors.iter().sum::<f64>() / n,
+                at: self.inputs(worst, &dims).into_iter().map(|(name, x)| (name.to_string(), x)).collect(),
+                value: values[worst],
+                truth: truths[worst],
+                errors,
+                truths,
+            }
+        };
+        Ok(columns.iter().zip(values).map(one).collect())
+    }
+
+    /// The columns that are asked for, with their places in `decode`.
+    fn columns(&self, truth: &dyn Truth) -> Result<Vec<(Column, usize)>, String> {
+        let column = |name: &str| truth.columns().iter().copied().find(|c| c.name() == name);
+        let all = self.said.decode.iter().enumerate().filter_map(|(k, (name, _))| Some((column(name)?, k)));
+        let found: Vec<(Column, usize)> = all.filter(|(c, _)| self.wanted.is_none_or(|w| w == *c)).collect();
+        if found.is_empty() { Err("it decodes to no column that is asked for".into()) } else { Ok(found) }
+    }
+
+    fn inputs(&self, i: usize, dims: &[usize]) -> Vec<(&'static str, f64)> {
+        let places = super::shipped::place(i, dims);
+        self.places.iter().zip(places).map(|((name, list), k)| (*name, list[k])).collect()
+    }
+
+    /// What the channels decode to at inputs.
+    fn decoded(&self, inputs: &[(&'static str, f64)], sitings: &[Siting]) -> Result<Vec<f64>, String> {
+        let input = |name: &str| inputs.iter().find(|(n, _)| *n == name).map(|(_, x)| *x);
+        let roughness = input("alpha").and_then(|alpha| self.roughness(alpha));
+        let known = |name: &str| if name == "roughness" { roughness } else { input(name) };
+        let mut at = Vec::new();
+        for ((axis, siting), n) in self.said.axes.iter().zip(sitings).zip(&self.table.size) {
+            let u = coordinate(axis, &known)
+                .filter(|u| u.is_finite())
+                .ok_or_else(|| format!("its coordinate `{}` has no value at {inputs:?}", axis.text))?;
+            at.push(siting.position(u, *n));
+        }
+        let texel = |name: &str| {
+            let channel = self.table.channels.iter().find(|c| c.name == name)?;
+            Some(fetch(&channel.values, &self.table.size, &at))
+        };
+        let excepted = |name: &str| {
+            let here = self.said.exceptions.iter().find(|e| e.name == name && input(&e.at.0) == Some(e.at.1));
+            here.map(|e| e.value)
+        };
+        // A channel may bear the name of what it decodes to: `E = E`.
+        let made = made(&self.said.decode, &excepted, &|n| texel(n).or_else(|| known(n)));
+        let value = |(name, value): (&(String, Formula), Option<f64>)| {
+            value.ok_or_else(|| format!("its `decode` of {} names what is not there", name.0))
+        };
+        self.said.decode.iter().zip(made).map(value).collect()
+    }
+
+    /// The roughness of an alpha: the alpha maps are powers, which rise on [0, 1], so that halving finds it to the last digits.
+    fn roughness(&self, alpha: f64) -> Option<f64> {
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..64 {
+            let middle = 0.5 * (low + high);
+            let of = self.said.alpha.value(&|name| (name == "roughness").then_some(middle))?;
+            if !of.is_finite() {
+                return None;
+            }
+            if of < alpha { low = middle } else { high = middle }
+        }
+        Some(high)
+    }
+}
+
+/// u of an axis.
+fn coordinate(axis: &Axis, known: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+    made(&axis.coordinate, &|_| None, known).first().copied().flatten()
+}
+
+/// Values of definitions, in their order, each of which may use others of them, besides what is `known`; what is `excepted` has that value
+/// whatever its formula. Each is made once; none where a name has no value.
+fn made(
+    definitions: &[(String, Formula)],
+    excepted: &dyn Fn(&str) -> Option<f64>,
+    known: &dyn Fn(&str) -> Option<f64>,
+) -> Vec<Option<f64>> {
+    let mut values: Vec<Option<f64>> = vec![None; definitions.len()];
+    loop {
+        let open: Vec<usize> = (0..values.len()).filter(|k| values[*k].is_none()).collect();
+        for k in &open {
+            let (name, formula) = &definitions[*k];
+            let other =
+                |n: &str| definitions.iter().zip(&values).find(|(d, _)| d.0 == n).and_then(|(_, x)| *x);
+            values[*k] = excepted(name).or_else(|| formula.value(&|n| other(n).or_else(|| known(n))));
+        }
+        if open.iter().all(|k| values[*k].is_none()) {
+            return values;
+        }
+    }
+}
+
+/// Least share of the points that two lobes together explain, where each explains a part of a table that neither explains.
+const EXPLAINED: f64 = 0.9;
+
+/// Least share of the points that the other lobe alone explains.
+const OTHER_ALONE: f64 = 0.05;
+
+/// Of a table of two lobes, how many points are as good as claimed under the other one, in words.
+fn parts(
+    look: &Look,
+    truth: &dyn Truth,
+    bases: [&Values; 2],
+    sitings: &[Siting],
+    limit: f64,
+) -> Option<String> {
+    let [own, other] = bases.map(|base| look.errors(truth, base, sitings).ok());
+    let (own, other) = (own?, other?);
+    let all = own.first()?.errors.len();
+    let good = |held: &[Held], i: usize| held.iter().all(|h| h.errors[i].abs() <= limit);
+    let count = |fits: &dyn Fn(usize) -> bool| (0..all).filter(|i| fits(*i)).count();
+    let either = count(&|i| good(&own, i) || good(&other, i));
+    let (alone, here) = (count(&|i| !good(&own, i) && good(&other, i)), count(&|i| good(&own, i)));
+    let told = either as f64 >= EXPLAINED * all as f64 && alone as f64 >= OTHER_ALONE * all as f64;
+    told.then(|| {
+        format!(
+            "{alone} of {all} points, and is so at {here}: a part of the table was made with the other form"
+        )
+    })
+}
+
+/// The registration, of one axis or of all, or the shadowing form under which the table is as good as it claims.
+fn instead(
+    look: &Look,
+    truth: &dyn Truth,
+    own: usize,
+    base: &Values,
+    limit: f64,
+) -> Result<Option<String>, AuditError> {
+    let fits = |base: &Values, sitings: &[Siting]| {
+        let fits = |h: &Held| h.max <= limit && h.fits(truth.bound());
+        look.errors(truth, base, sitings).is_ok_and(|held| held.iter().all(fits))
+    };
+    let said: Vec<Siting> = look.said.axes.iter().map(|a| a.siting).collect();
+    let at: Vec<&[f64]> = look.places.iter().map(|p| p.1.as_slice()).collect();
+    for lobe in (0..truth.lobes().len()).filter(|l| *l != own) {
+        let other = truth.exact(lobe, &at)?;
+        let words = truth.lobes()[lobe].words();
+        if fits(&other, &said) {
+            return Ok(Some(words));
+        }
+        if let Some(counts) = parts(look, truth, [base, &other], &said, limit) {
+            return Ok(Some(format!("{words} at {counts}")));
+        }
+    }
+    for siting in super::SITINGS {
+        if fits(base, &vec![siting; said.len()]) {
+            return Ok(Some(format!("{} along every axis", siting.words())));
+        }
+        for k in 0..said.len() {
+            let mut one = said.clone();
+            one[k] = siting;
+            if fits(base, &one) {
+                return Ok(Some(format!("{} along {}", siting.words(), look.table.axes[k])));
+            }
+        }
+    }
+    Ok(None)
+}

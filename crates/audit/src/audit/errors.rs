@@ -1,0 +1,113 @@
+//! The error of a channel at its texels under one reading, and what it tells of how the table was made.
+
+use super::column::Column;
+use super::judge::Judgement;
+use super::sample::Sample;
+use super::shipped::place;
+use lobefit::data::Place;
+
+/// Error figures with the worst texel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TexelErrors {
+    /// Largest magnitude.
+    pub max: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// Signed mean.
+    pub mean: f64,
+    /// Median magnitude.
+    pub median: f64,
+    /// Texel of the largest, by axis.
+    pub texel: Vec<usize>,
+    /// Its inputs.
+    pub at: Place,
+    /// What the table holds there.
+    pub value: f64,
+    /// What is true there.
+    pub truth: f64,
+    /// Texels judged, and texels in all.
+    pub texels: [usize; 2],
+    /// Texels that were not looked at, of a table of three axes with more than [`super::JUDGED_TEXELS`].
+    pub unsampled: usize,
+}
+
+/// A channel beside its truth at the texels that are judged.
+pub(super) struct Residuals<'a> {
+    pub sample: &'a Sample,
+    pub judgement: &'a Judgement,
+    pub column: Column,
+    /// Values of the channel at every texel of the sample.
+    pub values: &'a [f64],
+    /// Signed errors there; 0 where a texel is not judged.
+    pub errors: Vec<f64>,
+    /// Places of the judged texels.
+    pub judged: Vec<usize>,
+}
+
+impl<'a> Residuals<'a> {
+    pub(super) fn new(
+        sample: &'a Sample,
+        judgement: &'a Judgement,
+        column: Column,
+        values: &'a [f64],
+    ) -> Residuals<'a> {
+        let judged: Vec<usize> = (0..values.len()).filter(|i| judgement.judged[*i]).collect();
+        let mut errors = vec![0.0; values.len()];
+        for i in &judged {
+            errors[*i] = values[*i] - column.value(judgement.base[*i]);
+        }
+        Residuals { sample, judgement, column, values, errors, judged }
+    }
+
+    /// The truth of the channel at a texel.
+    pub(super) fn truth(&self, i: usize) -> f64 {
+        self.column.value(self.judgement.base[i])
+    }
+
+    /// Difference of the largest and the smallest truth: what errors are compared with.
+    pub(super) fn spread(&self) -> f64 {
+        let truths = || self.judged.iter().map(|i| self.truth(*i));
+        truths().fold(f64::NEG_INFINITY, f64::max) - truths().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Median magnitude of the errors.
+    pub(super) fn median(&self) -> f64 {
+        median(self.judged.iter().map(|i| self.errors[*i].abs()).collect())
+    }
+
+    /// Index along every axis of the table.
+    pub(super) fn texel(&self, i: usize) -> Vec<usize> {
+        let places = place(i, &self.sample.dims());
+        places.iter().zip(&self.sample.at).map(|(k, at)| at[*k]).collect()
+    }
+
+    /// The figures, with the inputs of a texel as `at` gives them.
+    pub(super) fn figures(&self, at: impl Fn(&[usize]) -> Place) -> TexelErrors {
+        let worst = self.judged.iter().fold(self.judged[0], |worst, i| {
+            if self.errors[*i].abs() > self.errors[worst].abs() { *i } else { worst }
+        });
+        let n = self.judged.len() as f64;
+        let texel = self.texel(worst);
+        TexelErrors {
+            max: self.errors[worst].abs(),
+            rms: (self.judged.iter().map(|i| self.errors[*i] * self.errors[*i]).sum::<f64>() / n).sqrt(),
+            mean: self.judged.iter().map(|i| self.errors[*i]).sum::<f64>() / n,
+            median: self.median(),
+            at: at(&texel),
+            texel,
+            value: self.values[worst],
+            truth: self.truth(worst),
+            texels: [self.judged.len(), self.sample.size.iter().product()],
+            unsampled: self.sample.size.iter().product::<usize>() - self.values.len(),
+        }
+    }
+}
+
+/// Median of a list; 0 of none.
+pub(super) fn median(mut list: Vec<f64>) -> f64 {
+    if list.is_empty() {
+        return 0.0;
+    }
+    let middle = list.len() / 2;
+    *list.select_nth_unstable_by(middle, f64::total_cmp).1
+}

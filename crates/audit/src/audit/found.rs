@@ -1,0 +1,160 @@
+//! What an audit finds out, as plain data.
+
+use super::column::Column;
+use super::convention::{Convention, Misfit};
+use super::defects::Defect;
+use super::errors::TexelErrors;
+use super::lookup::LookupErrors;
+use super::mixed::Mixed;
+use super::plain::Plain;
+use super::shipped::Source;
+use lobefit::data::Place;
+
+/// How a table fits its best convention, the better first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fit {
+    /// Its errors are small beside the spread of the truth.
+    Whole,
+    /// A part of it fits and the rest does not: stale or damaged.
+    Part,
+    /// It fits none.
+    None,
+}
+
+/// A convention that was tried.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tried {
+    /// The convention.
+    pub convention: Convention,
+    /// Figures of the channels that are judged, by channel.
+    pub misfits: Vec<Option<Misfit>>,
+    /// What it ranks by.
+    pub rank: f64,
+}
+
+/// The furnace: E over the E that the table makes the shader believe, less 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Furnace {
+    /// Least and largest; infinite where the table's E is 0 or less.
+    pub range: [f64; 2],
+    /// Where the magnitude is largest; the first such place.
+    pub at: Place,
+    /// Texels where the table's E is 0 or less, of which no compensation can be made.
+    pub dark: usize,
+}
+
+/// A channel under the best convention.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelAudit {
+    /// Its name.
+    pub name: String,
+    /// What it holds; none if it is constant or not asked for.
+    pub column: Option<Column>,
+    /// Its value, if it is constant and was not asked for.
+    pub constant: Option<f64>,
+    /// Its errors at the texels, where it is judged.
+    pub errors: Option<TexelErrors>,
+    /// How it fits.
+    pub fit: Fit,
+    /// Signed errors of the texels, the first axis fastest, of at most 64 (three axes) or 4096 places along each; empty if not judged.
+    pub map: Vec<f64>,
+    /// The truth at those texels.
+    pub truth: Vec<f64>,
+    /// What is wrong with it.
+    pub defects: Vec<Defect>,
+    /// Its lookup with the best registration.
+    pub lookup: Option<LookupErrors>,
+    /// Its lookup as a texture unit does it without a remap of the coordinates.
+    pub plain_lookup: Option<LookupErrors>,
+}
+
+/// What was found out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Audit {
+    /// File and array.
+    pub what: String,
+    /// Quantity.
+    pub quantity: &'static str,
+    /// What the values are of.
+    pub source: Source,
+    /// Size of the table without axes of one texel.
+    pub size: Vec<usize>,
+    /// Names of its axes.
+    pub axes: Vec<String>,
+    /// Places along every axis at which the maps are given.
+    pub places: Vec<Vec<usize>>,
+    /// How the whole fits: as its worst channel.
+    pub fit: Fit,
+    /// The conventions, the best first.
+    pub tried: Vec<Tried>,
+    /// Rank of the next that differs over that of the first; infinite if there is none.
+    pub margin: f64,
+    /// Whether part of the convention was given by the user.
+    pub pinned: bool,
+    /// Whether the user said which channels are meant: others may be constant.
+    pub excused: bool,
+    /// The reading of somebody who is told nothing, where the best one is another that nobody said is meant.
+    pub plain: Option<Plain>,
+    /// The channels.
+    pub channels: Vec<ChannelAudit>,
+    /// The furnace, where the channels make an albedo.
+    pub furnace: Option<Furnace>,
+    /// The parts of a table that was made with two shadowing forms; the best convention is that of the larger part.
+    pub mixed: Option<Mixed>,
+    /// Bound of the truth's own error.
+    pub truth_error: f64,
+    /// All of it in a paragraph.
+    pub verdict: String,
+}
+
+impl Audit {
+    /// Of two audits of the same function, whose arguments were given other things, the one that fits better, with the conventions of both.
+    pub fn beside(self, other: Audit) -> Audit {
+        let (mut best, rest) =
+            if other.tried[0].rank < self.tried[0].rank { (other, self) } else { (self, other) };
+        best.tried.extend(rest.tried);
+        best.tried.sort_by(|a, b| a.rank.total_cmp(&b.rank));
+        best.tried.truncate(super::TOLD);
+        best.margin = super::margin(&best.tried.iter().map(|t| t.rank).collect::<Vec<_>>());
+        best.verdict = super::verdict::paragraph(&best);
+        best
+    }
+
+    /// The best convention.
+    pub fn best(&self) -> &Convention {
+        &self.tried[0].convention
+    }
+
+    /// Largest error at a texel of any judged channel.
+    pub fn worst(&self) -> f64 {
+        self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
+    }
+
+    /// What was not judged, for which it passes no limit: texels that were not sampled, or constant channels that no option leaves out.
+    pub fn unjudged(&self) -> Option<String> {
+        let sampled = |c: &ChannelAudit| c.errors.as_ref().map_or(0, |e| e.unsampled);
+        if let Some(n) = self.channels.iter().map(sampled).max().filter(|n| *n > 0) {
+            return Some(format!("{n} texels were not sampled: audit the table in slices"));
+        }
+        let dead = self.channels.iter().filter(|c| c.constant.is_some() && !self.excused);
+        let names: Vec<&str> = dead.map(|c| c.name.as_str()).collect();
+        let advice = "give --meaning for every channel to judge it, or for those that vary to leave it out";
+        (!names.is_empty()).then(|| format!("channel {} is constant: {advice}", names.join(", ")))
+    }
+
+    /// Largest error as the table will be read: plainly, but for what the user said of it.
+    pub fn worst_as_read(&self) -> f64 {
+        self.plain.as_ref().map_or(0.0, |p| p.max).max(self.worst())
+    }
+
+    /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by more than the limit, as it is best read
+    /// and as it will be read. With nothing given by the user and no limit an audit only tells.
+    pub fn passes(&self, limit: Option<f64>) -> bool {
+        match limit {
+            Some(limit) => {
+                self.fit == Fit::Whole && self.worst_as_read() <= limit && self.unjudged().is_none()
+            }
+            None => !self.pinned || self.fit != Fit::None,
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! A shader function as a table: its values at texel centres of the unit square (or cube) of its arguments, in f32 as a shader computes
+//! them. What the arguments mean is then found as the axes of a table are.
+
+use super::AuditError;
+use super::arguments::{Feed, feeds};
+use super::axis::Scale;
+use super::shipped::{Shipped, ShippedChannel, Source, place};
+use crate::foreign::{ShaderFunction, Step};
+use lobefit::effects::Quantity;
+
+/// Places along every argument: of one, two and three.
+const PLACES: [usize; 3] = [512, 128, 20];
+
+/// Values that an argument for F0 takes, one after the other: f0 A + B at 0 is B, and at 1 it is E.
+const BLENDS: [(f32, &str); 2] = [(0.0, "at F0 = 0"), (1.0, "at F0 = 1")];
+
+/// A function over as many arguments as the quantity has inputs; `set` gives others a value, by name, and `axes` says what the
+/// remaining ones are given, if the user does.
+///
+/// An argument runs over 0 to 1, one that is an index of refraction (by its name, if the quantity has one, or by `axes`) over 1 to 2. One whose name says that it is an
+/// F0 or a colour is taken at 0 and at 1, alpha beside a roughness is its square, and a normal and a view are two unit vectors.
+///
+/// # Errors
+/// More or fewer arguments left than inputs; a value that is no number; an argument that is not there.
+pub fn sampled(
+    function: &ShaderFunction,
+    quantity: &Quantity,
+    set: &[(String, f64)],
+    axes: &[Scale],
+) -> Result<Shipped, AuditError> {
+    of_feeds(function, feeds(function, quantity, set, axes, false)?)
+}
+
+/// The same with the argument that is named for an index of refraction running over 1/ior from 1/2 to 1, for
+/// [`Pins::inverse`](super::Pins::inverse); none of a function that has no such argument.
+///
+/// # Errors
+/// As of [`sampled`].
+pub fn sampled_inverse(
+    function: &ShaderFunction,
+    quantity: &Quantity,
+    set: &[(String, f64)],
+) -> Result<Option<Shipped>, AuditError> {
+    let (names, feeds) = feeds(function, quantity, set, &[], true)?;
+    if !feeds.iter().any(|feed| matches!(feed, Feed::Eta(_))) {
+        return Ok(None);
+    }
+    of_feeds(function, (names, feeds)).map(Some)
+}
+
+fn of_feeds(
+    function: &ShaderFunction,
+    (names, feeds): (Vec<String>, Vec<Feed>),
+) -> Result<Shipped, AuditError> {
+    let n = PLACES[names.len() - 1];
+    let size = vec![n; names.len()];
+    let places: Vec<Vec<usize>> = (0..size.iter().product()).map(|i| place(i, &size)).collect();
+    let centre = |i: usize| (i as f32 + 0.5) / n as f32;
+    let blended = feeds.contains(&Feed::Blend);
+    let blends: &[(f32, &str)] = if blended { &BLENDS } else { &BLENDS[..1] };
+    let mut channels: Vec<ShippedChannel> = Vec::new();
+    for (f0, words) in blends {
+        let column = |feed: &Feed| -> Vec<f32> {
+            places.iter().map(|p| feed.value(&|axis| centre(p[axis]), *f0)).collect()
+        };
+        let columns: Vec<Vec<f32>> = feeds.iter().map(column).collect();
+        for (k, tape) in function.components.iter().enumerate() {
+            let values = tape.evaluate(&columns, &[]).map_err(|e| AuditError::Evaluate {
+                function: function.name.clone(),
+                reason: e.to_string(),
+            })?;
+            let values: Vec<f64> = values.into_iter().map(f64::from).collect();
+            let component = component(function, k);
+            let name = if blended { format!("{component} {words}") } else { component };
+            // A grey result is one channel, not three.
+            if !channels.iter().any(|c| c.values == values) {
+                channels.push(ShippedChannel { name, values });
+            }
+        }
+    }
+    Ok(Shipped {
+        what: function.name.clone(),
+        size,
+        axes: names,
+        source: Source::Function,
+        channels,
+        step: Step::None,
+    })
+}
+
+/// Name of a scalar of the result.
+fn component(function: &ShaderFunction, k: usize) -> String {
+    match (function.results.get(k).map_or("", String::as_str), function.components.len()) {
+        ("", 1) => "result".to_string(),
+        ("", _) => k.to_string(),
+        (name, _) => name.to_string(),
+    }
+}

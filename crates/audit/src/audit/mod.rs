@@ -1,0 +1,443 @@
+//! Somebody else's table or shader function against the truth. Every convention that tables are made with is tried (which input
+//! runs along which axis, what its coordinate means, where texel i lies, which lobe, what a channel holds); the one that fits best is
+//! judged exactly, and what is wrong under it is named.
+//!
+//! Conventions are ranked by the geometric mean of two root mean squares of the texels' errors, of all and of the best four fifths
+//! ([`Misfit`]). A table *fits* a convention if its error is small beside the spread of the truth ([`FITS`]); it is *in no doubt*
+//! if the next convention ranks [`CLEAR`] times worse.
+
+mod arguments;
+mod axis;
+mod column;
+mod convention;
+mod declared;
+mod defects;
+mod encoded;
+mod error;
+mod errors;
+mod found;
+mod function;
+mod judge;
+mod lookup;
+mod mixed;
+mod page;
+mod plain;
+mod sample;
+mod screen;
+mod shipped;
+mod truth;
+mod verdict;
+
+pub use axis::{AxisReading, Input, SCALES, SITINGS, Scale, Siting};
+pub use column::Column;
+pub use convention::{Convention, Misfit, Pins};
+pub use declared::{Declared, Held, declared, declared_findings};
+pub use defects::Defect;
+pub use error::AuditError;
+pub use errors::TexelErrors;
+pub use found::{Audit, ChannelAudit, Fit, Furnace, Tried};
+pub use function::{sampled, sampled_inverse};
+pub use lookup::LookupErrors;
+pub use mixed::Mixed;
+pub use page::findings;
+pub use plain::Plain;
+pub use shipped::{MOST_TEXELS, Shipped, ShippedChannel, Source};
+pub use truth::Lobe;
+pub use verdict::limit_judged;
+
+use defects::grain;
+use errors::Residuals;
+use judge::judge;
+use lobefit::data::{Place, Smith};
+use lobefit::effects::Quantity;
+use lobefit_truth::integrate::glass::Side;
+use lookup::Points;
+use sample::{Candidate, Sample};
+use truth::Truth;
+
+/// Largest root mean square, beside the spread of the truth, with which a channel fits a convention. Published tables that are what they say
+/// leave up to 0.014 (the LTC magnitude, sampled without the lobe's tail); tables of something else left 0.05 and more.
+pub const FITS: f64 = 0.02;
+
+/// The same of a function, which is an approximation. Published ones leave up to 0.08 against the lobe that they were fitted to; those that
+/// leave more (0.16, 0.2, 0.36) were fitted to something else and misread by as much as another convention is.
+pub const FUNCTION_FITS: f64 = 0.1;
+
+/// How much worse the next convention must rank for the best to be in no doubt.
+pub const CLEAR: f64 = 2.0;
+
+/// Conventions that are told of.
+const TOLD: usize = 10;
+
+/// Places along every axis: in the sieve, in a round by the quick truth, in the first exact one, in the last, and where the best is judged
+/// (2 axes or fewer, and 3).
+const SIEVE: [usize; 2] = [10, 6];
+const QUICK_ROUND: [usize; 2] = [24, 12];
+const ROUND: [usize; 2] = [24, 9];
+const LAST: [usize; 2] = [4096, 16];
+const WHOLE: [usize; 2] = [4096, 64];
+
+/// Most texels of a table of three axes that are all judged: every one is an integral of its own. A larger one is judged at 64 places along
+/// each axis, and passes no limit.
+pub const JUDGED_TEXELS: usize = 1 << 19;
+
+/// Conventions after the quick round.
+const QUICK_KEPT: [usize; 2] = [80, 12];
+
+/// Conventions after the first exact round.
+const ROUND_KEPT: [usize; 2] = [40, 12];
+
+/// Conventions that rank this many times worse than the best go into the last round with the figures of the one before.
+const FAR: [f64; 2] = [f64::INFINITY, 4.0];
+
+/// Quantities that are audited, and the number of their inputs.
+pub const AUDITED: [(&str, usize); 5] = [
+    ("ggx-reflection", 2),
+    ("ggx-reflection-aniso", 3),
+    ("ggx-average", 1),
+    ("ggx-glass", 3),
+    ("sheen-charlie", 2),
+];
+
+/// Conventions of which clamps are tried.
+const CLAMPED: [usize; 2] = [TOLD, 1];
+
+/// Audits a table as a quantity. `progress` is told the stages.
+///
+/// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or options that contradict it.
+pub fn audit(
+    shipped: &Shipped,
+    quantity: &Quantity,
+    pins: &Pins,
+    progress: &dyn Fn(&str),
+) -> Result<Audit, AuditError> {
+    let table = shipped.checked()?;
+    let live = table.live(pins.meanings.as_ref().map(Vec::len))?;
+    progress("truth");
+    let truth = truth_of(&table, quantity, pins)?;
+    let truth = truth.as_ref();
+    check_axes(&table, truth)?;
+    pins.check(truth, table.size.len(), live.len())?;
+    let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
+    let roles = table.axes.iter().map(role).collect();
+    let sampled = Pins { sitings: Some(vec![Siting::Centre]), roles: Some(roles), ..pins.clone() };
+    let tried = if table.source == Source::Function { &sampled } else { pins };
+    let (found, sieved) = candidates(truth, &table, &live, tried, progress)?;
+    progress("errors under the best convention");
+    let mut done = finish(truth, &table, &live, pins, &found, None)?;
+    let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
+    let odd = done.fit != Fit::Whole || done.channels.iter().any(part);
+    if odd && table.source == Source::Table {
+        progress("whether it is of two lobes");
+        if let Some((found, parts)) = of_two_lobes(truth, &table, &live, pins, [found, sieved])? {
+            done = finish(truth, &table, &live, pins, &found, Some(parts))?;
+        }
+    }
+    if let Some(told) = encoded::srgb(truth, &table, &live, tried, &done)? {
+        done.verdict = format!("{} {told}", done.verdict);
+    }
+    Ok(done)
+}
+
+/// The truth that the user asks for; only the lobes that may be meant are integrated.
+fn truth_of(table: &Shipped, quantity: &Quantity, pins: &Pins) -> Result<Box<dyn Truth>, AuditError> {
+    let smiths: Vec<Smith> = pins.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
+    Ok(match quantity.name {
+        "ggx-reflection" => Box::new(truth::reflection(&smiths)?),
+        "ggx-average" => Box::new(truth::average(&smiths)?),
+        "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
+        "sheen-charlie" => Box::new(truth::sheen()?),
+        "ggx-glass" => {
+            let sides = pins.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
+            let lobe = |smith: &Smith| {
+                sides.iter().map(|side| Lobe { smith: Some(*smith), side: Some(*side) }).collect::<Vec<_>>()
+            };
+            Box::new(truth::glass(smiths.iter().flat_map(lobe).collect())?)
+        }
+        other => {
+            return Err(AuditError::Option {
+                option: "--as",
+                value: other.into(),
+                reason: format!(
+                    "{}: nothing of it can be audited; {} can",
+                    table.what,
+                    AUDITED.map(|a| a.0).join(", ")
+                ),
+            });
+        }
+    })
+}
+
+fn check_axes(table: &Shipped, truth: &dyn Truth) -> Result<(), AuditError> {
+    let (axes, inputs) = (table.size.len(), truth.inputs().len());
+    if axes == inputs {
+        return Ok(());
+    }
+    let advice = match (axes, inputs) {
+        (1, _) => "a table over roughness alone may be meant --as ggx-average",
+        (2, 1) => "a table over mu and roughness may be meant --as ggx-reflection",
+        (3, 2) => "give --layer to choose a slice",
+        _ => "give --size WxHxD as the table is laid out",
+    };
+    Err(AuditError::Axes {
+        what: table.what.clone(),
+        size: table.size.clone(),
+        quantity: truth.quantity(),
+        inputs,
+        names: truth.inputs().iter().map(|i| i.name()).collect::<Vec<_>>().join(", "),
+        advice,
+    })
+}
+
+/// The conventions with that first which tells the two parts of a table apart, if it is of two; `found` and what the sieve let through.
+fn of_two_lobes(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    pins: &Pins,
+    [mut found, sieved]: [Vec<Candidate>; 2],
+) -> Result<Option<(Vec<Candidate>, Mixed)>, AuditError> {
+    let class = usize::from(table.size.len() == 3);
+    let some = Sample::new(table, live, QUICK_ROUND[class], false);
+    let all = Sample::new(table, live, whole(&table.size), false);
+    let best = found[0].fitted.misfits.iter().flatten().map(|m| m.rms).fold(0.0, f64::max);
+    let Some((candidate, parts)) = mixed::mixed(truth, [&some, &all], pins, &sieved, best)? else {
+        return Ok(None);
+    };
+    let columns: Option<Vec<Column>> = candidate.fitted.columns.iter().copied().collect();
+    let pins = Pins { meanings: columns.or(pins.meanings.clone()), ..pins.clone() };
+    let last = Sample::new(table, live, LAST[class], false);
+    let again = judge::rejudge(truth, &last, &pins, vec![candidate], 1)?;
+    if again.is_empty() {
+        return Ok(None);
+    }
+    found.retain(|c| !again.iter().any(|a| a.like(c)));
+    Ok(Some(([again, found].concat(), parts)))
+}
+
+/// The conventions that fit best, no two of them alike but for clamps, and what the sieve let through.
+fn candidates(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    pins: &Pins,
+    progress: &dyn Fn(&str),
+) -> Result<(Vec<Candidate>, Vec<Candidate>), AuditError> {
+    let class = usize::from(table.size.len() == 3);
+    progress("conventions on a few texels");
+    let sieved = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), pins)?;
+    progress("the best conventions on more texels");
+    let more = Sample::new(table, live, QUICK_ROUND[class], false);
+    let found = judge::requick(truth, &more, pins, sieved.clone(), QUICK_KEPT[class])?;
+    let more = Sample::new(table, live, ROUND[class], false);
+    let found = judge::rejudge(truth, &more, pins, found, ROUND_KEPT[class])?;
+    let mut clamped = Vec::new();
+    for (k, candidate) in screen::best(found, TOLD).into_iter().enumerate() {
+        let floored = k < CLAMPED[class] && table.source == Source::Table;
+        clamped.push(if floored { judge::with_floors(truth, &more, pins, &candidate)? } else { candidate });
+    }
+    let last = Sample::new(table, live, LAST[class], false);
+    let far = FAR[class] * clamped.iter().map(|c| c.fitted.rank).fold(f64::INFINITY, f64::min);
+    let (near, far): (Vec<Candidate>, Vec<Candidate>) =
+        clamped.into_iter().partition(|c| c.fitted.rank <= far);
+    let near = judge::rejudge(truth, &last, pins, near, TOLD)?;
+    let told = screen::best([near, far].concat(), TOLD);
+    let mut distinct: Vec<Candidate> = Vec::new();
+    for candidate in told {
+        if !distinct.iter().any(|d| d.like(&candidate)) {
+            distinct.push(candidate);
+        }
+    }
+    if distinct.is_empty() {
+        return Err(AuditError::OutOfDomain {
+            what: table.what.clone(),
+            quantity: truth.quantity().into(),
+            reading: "any convention that was tried".into(),
+        });
+    }
+    Ok((distinct, sieved))
+}
+
+/// Places along every axis at which the best convention is judged: all, but of a table of three axes that is too large for that.
+fn whole(size: &[usize]) -> usize {
+    let large = size.len() == 3 && size.iter().product::<usize>() > JUDGED_TEXELS;
+    if large { WHOLE[1] } else { usize::MAX }
+}
+
+fn finish(
+    truth: &dyn Truth,
+    table: &Shipped,
+    live: &[usize],
+    pins: &Pins,
+    found: &[Candidate],
+    mixed: Option<Mixed>,
+) -> Result<Audit, AuditError> {
+    let class = usize::from(table.size.len() == 3);
+    let sample = Sample::new(table, live, whole(&table.size), false);
+    let (places, shown) = sample.thinned(WHOLE[class]);
+    let best = &found[0];
+    let convention = best.convention(truth, live, table.channels.len());
+    let judgement = judge(truth, &sample, &best.axes, best.lobe)?;
+    let points = match table.source {
+        Source::Table => Some(Points::new(truth, &convention, best.lobe)?),
+        Source::Function => None,
+    };
+    let mut channels = Vec::new();
+    for (k, channel) in table.channels.iter().enumerate() {
+        let place = live.iter().position(|l| *l == k);
+        let column = convention.columns[k];
+        let (Some(place), Some(column)) = (place, column) else {
+            let constant = place.is_none().then_some(channel.values[0]);
+            channels.push(ChannelAudit { constant, ..unjudged(&channel.name) });
+            continue;
+        };
+        let residuals = Residuals::new(&sample, &judgement, column, &sample.values[place]);
+        let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
+        let step = grain(table.step, &channel.values);
+        let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
+        let defects = match (table.source, &mixed) {
+            (_, Some(parts)) => vec![Defect::OtherLobe(parts.clone())],
+            (Source::Table, None) => defects::defects(&residuals, step, alpha),
+            (Source::Function, None) => defects::of_function(&residuals),
+        };
+        let errors = residuals.figures(at);
+        channels.push(ChannelAudit {
+            name: channel.name.clone(),
+            column: Some(column),
+            constant: None,
+            fit: if mixed.is_some() { Fit::Part } else { fit(table.source, &residuals, &errors, &defects) },
+            truth: shown.iter().map(|i| residuals.truth(*i)).collect(),
+            map: shown.iter().map(|i| residuals.errors[*i]).collect(),
+            errors: Some(errors),
+            defects,
+            lookup: points.as_ref().and_then(|p| p.errors(table, k, column, &convention, None)),
+            plain_lookup: points
+                .as_ref()
+                .and_then(|p| p.errors(table, k, column, &convention, Some(Siting::Centre))),
+        });
+    }
+    let furnace = furnace(table, &convention, &sample, &judgement, live);
+    let judged = channels.iter().filter(|c| c.column.is_some());
+    let plain = plain::plain(truth, table, live, pins, best)?;
+    let mut audit = Audit {
+        plain,
+        what: table.what.clone(),
+        quantity: truth.quantity(),
+        source: table.source,
+        size: table.size.clone(),
+        axes: table.axes.clone(),
+        places,
+        fit: judged.map(|c| c.fit).fold(Fit::Whole, Fit::max),
+        tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
+        margin: mixed.as_ref().map_or(margin(&ranks(found)), |m| apart(found, m)),
+        pinned: !pins.is_free(),
+        excused: pins.meanings.is_some() || pins.column.is_some(),
+        channels,
+        furnace,
+        mixed,
+        truth_error: truth.bound(),
+        verdict: String::new(),
+    };
+    audit.verdict = verdict::paragraph(&audit);
+    Ok(audit)
+}
+
+/// Rank of the first that differs over that of the best: E at normal incidence is the same for both forms of Smith.
+fn margin(ranks: &[f64]) -> f64 {
+    let times = ranks.iter().map(|rank| rank / ranks[0]);
+    times.skip(1).find(|t| t - 1.0 >= 1e-6).unwrap_or(f64::INFINITY)
+}
+
+/// Rank of the best with one lobe over that of both together.
+fn apart(found: &[Candidate], mixed: &Mixed) -> f64 {
+    ranks(found).into_iter().fold(f64::INFINITY, f64::min) / mixed.rank
+}
+
+fn ranks(found: &[Candidate]) -> Vec<f64> {
+    found.iter().map(|c| c.fitted.rank).collect()
+}
+
+fn unjudged(name: &str) -> ChannelAudit {
+    ChannelAudit {
+        name: name.into(),
+        column: None,
+        constant: None,
+        errors: None,
+        fit: Fit::None,
+        map: Vec::new(),
+        truth: Vec::new(),
+        defects: Vec::new(),
+        lookup: None,
+        plain_lookup: None,
+    }
+}
+
+fn tried(c: &Candidate, truth: &dyn Truth, live: &[usize], channels: usize) -> Tried {
+    let mut misfits = vec![None; channels];
+    for (place, misfit) in live.iter().zip(&c.fitted.misfits) {
+        misfits[*place] = *misfit;
+    }
+    Tried { convention: c.convention(truth, live, channels), misfits, rank: c.fitted.rank }
+}
+
+fn fit(source: Source, residuals: &Residuals, errors: &TexelErrors, defects: &[Defect]) -> Fit {
+    let allowed = if source == Source::Table { FITS } else { FUNCTION_FITS };
+    if errors.rms <= allowed * residuals.spread() {
+        return Fit::Whole;
+    }
+    let explained = |d: &Defect| matches!(d, Defect::Part { .. } | Defect::Clamped { .. });
+    if defects.iter().any(explained) && errors.median <= allowed * residuals.spread() {
+        Fit::Part
+    } else {
+        Fit::None
+    }
+}
+
+/// The inputs of a texel.
+fn inputs_at(convention: &Convention, size: &[usize], texel: &[usize]) -> Place {
+    let along = convention.axes.iter().zip(texel).zip(size);
+    along.map(|((axis, i), n)| (axis.scale.input().name().to_string(), axis.node(*i, *n))).collect()
+}
+
+/// E over the table's E, less 1, at the texels; from the one channel that holds an albedo, or from A and B.
+fn furnace(
+    table: &Shipped,
+    convention: &Convention,
+    sample: &Sample,
+    judgement: &judge::Judgement,
+    live: &[usize],
+) -> Option<Furnace> {
+    let channel = |wanted: &dyn Fn(Column) -> bool| {
+        live.iter().position(|k| convention.columns[*k].is_some_and(wanted)).map(|p| (live[p], p))
+    };
+    let albedo = channel(&defects::holds_albedo);
+    let sum = channel(&|c| c == Column::A).zip(channel(&|c| c == Column::B));
+    let at = |i: usize| -> Option<(f64, f64)> {
+        if let Some((k, p)) = albedo {
+            let column = convention.columns[k]?;
+            return Some((column.albedo(sample.values[p][i])?, column.true_albedo(judgement.base[i])?));
+        }
+        let ((_, a), (_, b)) = sum?;
+        Some((sample.values[a][i] + sample.values[b][i], judgement.base[i][0]))
+    };
+    let mut out: Option<Furnace> = None;
+    let mut dark = 0;
+    let dims = sample.dims();
+    for i in (0..judgement.base.len()).filter(|i| judgement.judged[*i]) {
+        let (stored, truth) = at(i)?;
+        // A compensation divides by the stored E: there is none of one that is 0 or less.
+        let lit = stored > 0.0;
+        dark += usize::from(!lit);
+        let off = if lit { truth / stored - 1.0 } else { f64::INFINITY };
+        let worse = out.as_ref().is_none_or(|f| off.abs() > f.range[0].abs().max(f.range[1].abs()));
+        let places: Vec<usize> =
+            shipped::place(i, &dims).iter().zip(&sample.at).map(|(k, at)| at[*k]).collect();
+        let range = out.as_ref().map_or([off; 2], |f| [f.range[0].min(off), f.range[1].max(off)]);
+        let at = match out {
+            Some(f) if !worse => f.at,
+            _ => inputs_at(convention, &table.size, &places),
+        };
+        out = Some(Furnace { range, at, dark });
+    }
+    out.map(|f| Furnace { dark, ..f })
+}

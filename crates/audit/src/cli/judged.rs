@@ -1,0 +1,31 @@
+//! The audit of a table, or of a function of whose index of refraction nobody says which way round it is.
+
+use crate::audit::{Audit, AuditError, Pins, Shipped, audit};
+use lobefit::cli::progress::Spinner;
+use lobefit::effects::Quantity;
+
+/// The audit; with `inverse`, which is a function given 1/ior, the one of both that fits better.
+pub(super) fn judged(
+    shipped: &Shipped,
+    inverse: Option<&Shipped>,
+    quantity: &Quantity,
+    pins: &Pins,
+    progress: &Spinner,
+) -> Result<Audit, AuditError> {
+    let told = |stage: &str| progress.stage(stage);
+    let own = audit(shipped, quantity, pins, &told);
+    let Some(inverse) = inverse else { return own };
+    let other = audit(inverse, quantity, &Pins { inverse: true, ..pins.clone() }, &told);
+    match (own, other) {
+        (Ok(own), Ok(other)) => Ok(own.beside(other)),
+        (Ok(own), Err(error)) => Ok(noted(own, "eta = 1/ior", &error)),
+        (Err(error), Ok(other)) => Ok(noted(other, "ior", &error)),
+        (Err(error), Err(_)) => Err(error),
+    }
+}
+
+/// The one that could be made, with why the other could not.
+fn noted(mut made: Audit, given: &str, error: &AuditError) -> Audit {
+    made.verdict = format!("{} Given {given} for its index it cannot be judged: {error}.", made.verdict);
+    made
+}

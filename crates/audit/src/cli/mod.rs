@@ -1,0 +1,372 @@
+//! `lobefit audit`: somebody else's table or shader function against the truth.
+
+mod judged;
+mod origin;
+mod refusal;
+mod stated;
+mod words;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::audit::{self, Audit, Column, Pins, Scale, Shipped, Siting};
+use crate::foreign::{self, Hints, RawFormat};
+use crate::report::{self, AuditFindings};
+use lobefit::cli::CliError;
+use lobefit::cli::options::{ThreadsOption, not_negative, smith};
+use lobefit::cli::output::{self, Outcome, print, say};
+use lobefit::cli::progress::Spinner;
+use lobefit::data::Smith;
+use lobefit::effects::Quantity;
+use lobefit::store::{self, Files, Folder, StoreError};
+use lobefit_truth::integrate::glass::Side;
+use words::{Size, axis, column, raw_format, setting, side, siting, size, wanted};
+
+const EXAMPLES: &str = "\
+Examples:
+  lobefit audit dfg.exr --as ggx-reflection             how is this table meant, and how far off is it?
+  lobefit audit lut.png --as ggx-reflection:E --limit 0.01   in CI: exit 1 if E is off by more than 0.01
+  lobefit audit shader.tables --as ggx-glass --symbol table_ggx_glass_E --size 16x16x16
+  lobefit audit brdf.wgsl --as ggx-reflection --function env_brdf_approx
+  lobefit audit lut.bin --as ggx-reflection --size 64x64 --raw-format f32 --out report
+
+What is not given is tried: --axes takes alpha, roughness, alpha^(1/4), alpha^2, gloss; mu, sqrt(mu), theta, sqrt(1-mu), mu^2; ior, eta (1/ior), ior-1,
+F0, ...;
+`1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
+
+Exit code 1: with --limit, over it, not all judged, or no convention fits; without it, no convention fits that options (--axes, --registration,
+--smith, --side, --meaning) leave open, or the file is not what its own attribute `lobefit` says. Else it only tells, and the exit code is 0.
+
+--limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
+and of a file with that attribute at lookups, at texels and between them: where it claims something, and it passes no --limit if its axes cover
+more. It holds for the table as it is best read and as it will be read: texels off their centres or end points, axes that fall, powers of
+roughness and E at normal incidence for an average are over it unless options say that they are meant.";
+
+/// Measure a table or shader function that somebody ships against the truth
+#[derive(Parser)]
+#[command(name = "lobefit audit", bin_name = "lobefit audit", version, after_help = EXAMPLES)]
+struct Options {
+    /// Table (EXR, DDS, PNG, KTX2, NPY, raw numbers, a text with an array) or shader (WGSL, GLSL)
+    pub file: PathBuf,
+    /// Quantity that it is measured as, and the column that is asked for
+    #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
+    pub wanted: (&'static Quantity, Option<Column>),
+    /// What runs along x, y, z: `mu,roughness`
+    #[arg(long, value_name = "A,B,..", value_delimiter = ',', value_parser = axis)]
+    pub axes: Vec<(Scale, bool)>,
+    /// Where texels lie, of all axes or of each
+    #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = siting)]
+    pub registration: Vec<Siting>,
+    /// Shadowing form: `correlated` or `separable`
+    #[arg(long, value_name = "S", value_parser = smith)]
+    pub smith: Option<Smith>,
+    /// Where the ray comes from, of glass: `outside` or `inside`
+    #[arg(long, value_name = "SIDE", value_parser = side)]
+    pub side: Option<Side>,
+    /// What the channels that vary hold: `A,B`, `E`, `1-E`, `1/E`, ...
+    #[arg(long, value_name = "M,..", value_delimiter = ',')]
+    pub meaning: Vec<String>,
+    /// Texels along each axis, x fastest: `64x64`
+    #[arg(long, value_name = "WxH[xD]", value_parser = size)]
+    pub size: Option<Size>,
+    /// Values of a texel
+    #[arg(long, value_name = "N")]
+    pub channels: Option<usize>,
+    /// How numbers lie in a file that does not say: f16, f32, f64, unorm8, unorm16
+    #[arg(long, value_name = "F", value_parser = raw_format)]
+    pub raw_format: Option<RawFormat>,
+    /// Name of the array in a text
+    #[arg(long, value_name = "NAME")]
+    pub symbol: Option<String>,
+    /// Name of the layer of an EXR file
+    #[arg(long, value_name = "NAME")]
+    pub layer: Option<String>,
+    /// Function of a shader
+    #[arg(long, value_name = "NAME")]
+    pub function: Option<String>,
+    /// Value of an argument that is no input
+    #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
+    pub set: Vec<(String, f64)>,
+    /// Largest error that is accepted: at a texel, at a function's points, at a lookup of a file that says how it is looked up
+    #[arg(long, value_name = "E", value_parser = not_negative)]
+    pub limit: Option<f64>,
+    /// Folder for NAME.audit.html and NAME.audit.json
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    #[command(flatten)]
+    pub threads: ThreadsOption,
+    /// Print what was found as JSON on standard output
+    #[arg(long)]
+    pub json: bool,
+    /// Say nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// What was read of the file.
+struct Read {
+    shipped: Shipped,
+    /// A function with its index of refraction given as 1/ior, where it has one and nobody says how it is given.
+    inverse: Option<Shipped>,
+    /// What the file is, in words.
+    holds: String,
+    /// What it says of itself, or nothing.
+    note: String,
+}
+
+/// Runs the verb on its arguments (the first is the program's name).
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    match Options::try_parse_from(arguments) {
+        Ok(options) => output::finish(verb(&options)),
+        Err(usage) => output::usage(&usage),
+    }
+}
+
+fn verb(options: &Options) -> Result<Outcome, CliError> {
+    other_kind(options)?;
+    let bytes = read(options)?;
+    let Read { mut shipped, inverse, holds, note } =
+        if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
+    // A folder that cannot be written is told of before the work.
+    let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
+    let progress = Spinner::new(options.quiet || options.json);
+    let said = stated::stated(options, &shipped, &note, &progress)?;
+    if let Some(said) = &said {
+        // What it says of its size is known to agree with the file.
+        shipped = Shipped { size: said.size.clone(), axes: Shipped::axes_of(said.size.len()), ..shipped };
+    }
+    // A file that is known to be of another form or registration than it says is told of in those words, and not as a table of which nothing is known.
+    if let Some(said) = said.as_ref().filter(|said| said.holds() || said.instead.is_some()) {
+        drop(progress);
+        let found = audit::declared_findings(
+            said,
+            origin::origin(options, &bytes),
+            &file_name(options),
+            &holds,
+            options.limit,
+        );
+        let found = AuditFindings { verdict: stated::with_limit(found.verdict, options.limit), ..found };
+        return publish(options, folder, &found, &refusal::of_stated(said, options.limit));
+    }
+    let (own, quantity) = (pins(options)?, options.wanted.0);
+    let judge = |pins: &Pins| {
+        options.threads.install(|| Ok(judged::judged(&shipped, inverse.as_ref(), quantity, pins, &progress)?))
+    };
+    let mut done = judge(&own)?;
+    if let Some(said) = &said {
+        done.verdict = format!("{} Without its statement: {}", said.verdict, done.verdict);
+    }
+    if options_fit_nothing(&done) {
+        progress.stage("the same without the options");
+        let free = judge(&Pins { column: options.wanted.1, ..Pins::default() })?;
+        done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
+    }
+    drop(progress);
+    if let Some(limit) = options.limit {
+        done.verdict = format!("{} {}", done.verdict, audit::limit_judged(&done, limit));
+    }
+    let origin = origin::origin(options, &bytes);
+    let found = audit::findings(&done, origin, &file_name(options), &holds, options.limit);
+    let found = AuditFindings { passed: found.passed && said.is_none(), ..found };
+    let refused = match &said {
+        Some(said) => refusal::of_stated(said, options.limit),
+        None => refusal::refusal(&done, options.limit),
+    };
+    publish(options, folder, &found, &refused)
+}
+
+/// The file's bytes.
+fn read(options: &Options) -> Result<Vec<u8>, CliError> {
+    match store::read(&options.file, foreign::limits::BYTES) {
+        Err(StoreError::TooLarge { path, limit }) => Err(CliError::Usage(format!(
+            "{}: larger than {limit} bytes ({} MiB), the most that is read: a table of 1024 x 1024 texels of four singles takes a quarter of \
+             that; give it at the size at which it is shipped, its largest level alone, or its slices one by one",
+            path.display(),
+            limit >> 20
+        ))),
+        other => Ok(other?),
+    }
+}
+
+/// Writes and prints what was found; `refused` is said where it does not pass.
+fn publish(
+    options: &Options,
+    mut folder: Option<Folder>,
+    found: &AuditFindings,
+    refused: &str,
+) -> Result<Outcome, CliError> {
+    let (page, figures) = report::audit_page(found)?;
+    if let Some(folder) = &mut folder {
+        let name = file_name(options);
+        let html = (format!("{name}.audit.html"), page.into_bytes());
+        folder.write(&Files::from([html, (format!("{name}.audit.json"), figures.clone())]))?;
+    }
+    if options.json {
+        print(&figures)?;
+    } else if !options.quiet {
+        print(format!("{}\n", found.verdict).as_bytes())?;
+    }
+    if found.passed {
+        return Ok(Outcome::Done);
+    }
+    if !options.quiet {
+        say(refused);
+    }
+    Ok(Outcome::Failed)
+}
+
+fn options_fit_nothing(done: &Audit) -> bool {
+    done.pinned && done.fit == audit::Fit::None
+}
+
+/// Extensions of shaders.
+const SHADERS: [&str; 8] = ["wgsl", "glsl", "frag", "vert", "comp", "fs", "vs", "glslh"];
+
+fn is_shader(options: &Options) -> bool {
+    let extension = options.file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    options.function.is_some() || extension.is_some_and(|e| SHADERS.contains(&e.as_str()))
+}
+
+/// Refuses options that mean nothing for the kind of file.
+fn other_kind(options: &Options) -> Result<(), CliError> {
+    let shader = is_shader(options);
+    let (kind, given) = if shader {
+        let given = [
+            ("--registration", !options.registration.is_empty()),
+            ("--size", options.size.is_some()),
+            ("--channels", options.channels.is_some()),
+            ("--raw-format", options.raw_format.is_some()),
+            ("--symbol", options.symbol.is_some()),
+            ("--layer", options.layer.is_some()),
+        ];
+        ("a shader", given.into_iter().filter(|g| g.1).map(|g| g.0).next())
+    } else {
+        ("a table", (!options.set.is_empty()).then_some("--set"))
+    };
+    let advice = if shader { "only of tables" } else { "only of shader functions: --function names one" };
+    given.map_or(Ok(()), |option| {
+        let file = options.file.display();
+        Err(CliError::Usage(format!("{option}: {file} is read as {kind}, and this is {advice}")))
+    })
+}
+
+/// Functions left out that are told of by name.
+const NAMED: usize = 4;
+
+/// The function that is meant as a table, and what the file is.
+fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
+    let file = options.file.display().to_string();
+    let functions = foreign::read_functions(bytes, &file, None, options.function.as_deref())?;
+    if let Some(function) = functions.first().filter(|f| !f.left_out.is_empty() && !options.quiet) {
+        let names: Vec<String> = function.left_out.iter().take(NAMED).map(|n| format!("`{n}`")).collect();
+        let others = function.left_out.len() - names.len();
+        let others = if others > 0 { format!(" and {others} others") } else { String::new() };
+        let names = names.join(", ");
+        say(&format!("{file}: left out, since they read textures or cannot be parsed: {names}{others}"));
+    }
+    let inputs = inputs(options);
+    let scales: Vec<Scale> = options.axes.iter().map(|a| a.0).collect();
+    let mut found = Vec::new();
+    let mut refused = None;
+    for function in &functions {
+        match audit::sampled(function, options.wanted.0, &options.set, &scales) {
+            Ok(sampled) => found.push((sampled, function)),
+            Err(error) => refused = refused.or(Some(error)),
+        }
+    }
+    let names: Vec<&str> = found.iter().map(|f| f.0.what.as_str()).collect();
+    let names = names.join("`, `");
+    match (found.len(), refused) {
+        (0, Some(error)) => Err(error.into()),
+        (0, None) => Err(CliError::Usage(format!("{file}: holds no function"))),
+        (1, _) => {
+            let (function, source) = found.swap_remove(0);
+            let holds = format!("shader, function {} of {}", function.what, function.axes.join(", "));
+            let what = format!("{} ({})", function.what, file_name(options));
+            let inverse = match scales.is_empty() {
+                true => audit::sampled_inverse(source, options.wanted.0, &options.set)?,
+                false => None,
+            };
+            let inverse = inverse.map(|inverse| Shipped { what: what.clone(), ..inverse });
+            Ok(Read { shipped: Shipped { what, ..function }, inverse, holds, note: String::new() })
+        }
+        _ => Err(CliError::Usage(format!(
+            "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"
+        ))),
+    }
+}
+
+/// The table that is meant, and what the file is.
+fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
+    let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints(options))?;
+    let table = chosen(options, &tables)?;
+    let shipped = Shipped { what: named(options, &table.name), ..Shipped::from(table) };
+    Ok(Read { shipped, inverse: None, holds: table.what.clone(), note: table.note.clone() })
+}
+
+/// Inputs of the quantity.
+fn inputs(options: &Options) -> usize {
+    let name = options.wanted.0.name;
+    audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1)
+}
+
+/// The table that is meant, of a file that may hold several.
+fn chosen<'a>(
+    options: &Options,
+    tables: &'a [foreign::ForeignTable],
+) -> Result<&'a foreign::ForeignTable, CliError> {
+    let inputs = inputs(options);
+    let axes = |t: &&foreign::ForeignTable| t.size.iter().filter(|n| **n > 1).count() == inputs;
+    let fitting: Vec<&foreign::ForeignTable> = tables.iter().filter(axes).collect();
+    match (fitting.as_slice(), tables) {
+        ([one], _) => Ok(one),
+        ([], [one, ..]) => Ok(one),
+        ([], []) => Err(CliError::Usage(format!("{}: holds no table", options.file.display()))),
+        (several, _) => {
+            let names: Vec<&str> = several.iter().map(|t| t.name.as_str()).collect();
+            let names = names.join("`, `");
+            Err(CliError::Usage(format!(
+                "{}: holds several tables of {inputs} axes: `{names}`; choose one by --symbol or --layer",
+                options.file.display()
+            )))
+        }
+    }
+}
+
+fn hints(options: &Options) -> Hints {
+    Hints {
+        size: options.size.clone().map(|s| s.0),
+        channels: options.channels,
+        format: options.raw_format,
+        symbol: options.symbol.clone(),
+        layer: options.layer.clone(),
+    }
+}
+
+fn pins(options: &Options) -> Result<Pins, CliError> {
+    let given =
+        |list: &[String]| list.iter().map(|m| column(options.wanted.0, m)).collect::<Result<Vec<_>, _>>();
+    let meanings = given(&options.meaning).map_err(CliError::Usage)?;
+    Ok(Pins {
+        axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
+        sitings: Some(options.registration.clone()).filter(|r| !r.is_empty()),
+        smith: options.smith,
+        side: options.side,
+        meanings: Some(meanings).filter(|m| !m.is_empty()),
+        column: options.wanted.1,
+        roles: None,
+        inverse: false,
+    })
+}
+
+fn file_name(options: &Options) -> String {
+    options.file.file_name().map_or(String::new(), |n| n.to_string_lossy().into_owned())
+}
+
+/// The file's name with the array's: verdicts depend on no folder.
+fn named(options: &Options, array: &str) -> String {
+    if array.is_empty() { file_name(options) } else { format!("{} ({array})", file_name(options)) }
+}

@@ -1,0 +1,57 @@
+//! The command that makes a report again.
+
+use super::Options;
+use lobefit::report::Origin;
+
+/// What made the report; the command names every option that bears on it, in the order of the help.
+pub(super) fn origin(options: &Options, bytes: &[u8]) -> Origin {
+    Origin {
+        scene: String::new(),
+        recipe: blake3::hash(bytes).to_hex().to_string(),
+        tool: env!("CARGO_PKG_VERSION").into(),
+        command: command(options),
+    }
+}
+
+fn command(options: &Options) -> String {
+    let (quantity, column) = options.wanted;
+    let column = column.map_or(String::new(), |c| format!(":{}", c.name()));
+    let list = |words: Vec<String>| Some(words.join(",")).filter(|w| !w.is_empty());
+    let axis = |(scale, falls): &(crate::audit::Scale, bool)| {
+        format!("{}{}", if *falls { "1-" } else { "" }, scale.name())
+    };
+    let size = |s: &super::Size| s.0.iter().map(usize::to_string).collect::<Vec<_>>().join("x");
+    let given = [
+        ("--as", Some(format!("{}{column}", quantity.name))),
+        ("--axes", list(options.axes.iter().map(axis).collect())),
+        ("--registration", list(options.registration.iter().map(|s| s.name().into()).collect())),
+        ("--smith", options.smith.map(|s| s.name().into())),
+        ("--side", options.side.map(|s| s.name().into())),
+        ("--meaning", list(options.meaning.clone())),
+        ("--size", options.size.as_ref().map(size)),
+        ("--channels", options.channels.map(|n| n.to_string())),
+        ("--raw-format", options.raw_format.map(|f| f.name().into())),
+        ("--symbol", options.symbol.clone()),
+        ("--layer", options.layer.clone()),
+        ("--function", options.function.clone()),
+    ];
+    let mut words = vec!["lobefit audit".to_string(), quoted(&super::file_name(options))];
+    for (option, value) in given {
+        words.extend(value.map(|v| format!("{option} {}", quoted(&v))));
+    }
+    words.extend(
+        options.set.iter().map(|(name, value)| format!("--set {}", quoted(&format!("{name}={value}")))),
+    );
+    words.extend(options.limit.map(|l| format!("--limit {l}")));
+    words.join(" ")
+}
+
+/// A word as a shell takes it: in single quotes where it holds anything but letters, digits and harmless signs.
+fn quoted(word: &str) -> String {
+    let harmless = |c: char| c.is_alphanumeric() || "-_./:,=+%@".contains(c);
+    if !word.is_empty() && word.chars().all(harmless) {
+        word.into()
+    } else {
+        format!("'{}'", word.replace('\'', "'\\''"))
+    }
+}

@@ -1,0 +1,51 @@
+//! What a file says of itself, where no option says how it is to be read.
+
+use super::Options;
+use crate::audit::{self, AuditError, Declared, Shipped};
+use lobefit::cli::CliError;
+use lobefit::cli::output::say;
+use lobefit::cli::progress::Spinner;
+
+/// The table as its own statement has it; none if it makes none, or options say how it is read, or what it says cannot be understood (which
+/// is said).
+pub(super) fn stated(
+    options: &Options,
+    shipped: &Shipped,
+    note: &str,
+    progress: &Spinner,
+) -> Result<Option<Declared>, CliError> {
+    let asked = !options.axes.is_empty()
+        || !options.registration.is_empty()
+        || options.smith.is_some()
+        || options.side.is_some()
+        || !options.meaning.is_empty();
+    if note.is_empty() || asked {
+        return Ok(None);
+    }
+    progress.stage("what the file says of itself");
+    let (quantity, column) = options.wanted;
+    let found = options.threads.install(|| Ok(audit::declared(shipped, quantity, column, note)))?;
+    match found {
+        Ok(found) => Ok(Some(found)),
+        Err(AuditError::Statement { reason, .. }) => {
+            if !options.quiet {
+                let what = super::file_name(options);
+                say(&format!(
+                    "{what}: its attribute `lobefit` is not followed ({reason}); it is read as any table"
+                ));
+            }
+            Ok(None)
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// The verdict with where the limit was judged, if one was given.
+pub(super) fn with_limit(verdict: String, limit: Option<f64>) -> String {
+    match limit {
+        Some(limit) => {
+            format!("{verdict} The limit {limit} is judged at those lookups, at texels and between them.")
+        }
+        None => verdict,
+    }
+}

@@ -1,0 +1,85 @@
+//! The words of the options.
+
+use crate::audit::{Column, SCALES, SITINGS, Scale, Siting};
+use crate::foreign::RawFormat;
+use lobefit::cli::options::quantity;
+use lobefit::effects::Quantity;
+use lobefit_truth::integrate::glass::Side;
+
+/// Texels along each axis.
+#[derive(Clone)]
+pub(super) struct Size(pub(super) Vec<usize>);
+
+pub(super) fn setting(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("NAME=VALUE is called for")?;
+    match value.parse::<f64>() {
+        Ok(x) if x.is_finite() && !name.is_empty() => Ok((name.into(), x)),
+        _ => Err("a name and a finite number are called for".into()),
+    }
+}
+
+pub(super) fn wanted(text: &str) -> Result<(&'static Quantity, Option<Column>), String> {
+    let (name, of) = text.split_once(':').map_or((text, None), |(n, c)| (n, Some(c)));
+    let quantity = quantity(name)?;
+    Ok((quantity, of.map(|c| column(quantity, c)).transpose()?))
+}
+
+pub(super) fn column(quantity: &Quantity, name: &str) -> Result<Column, String> {
+    let columns = Column::of(quantity.name);
+    let alias = match name {
+        "loss" => "1-E",
+        "N" => "1/E",
+        "loss_avg" => "1-E_avg",
+        other => other,
+    };
+    columns.iter().copied().find(|c| c.name() == alias).ok_or_else(|| {
+        let names: Vec<&str> = columns.iter().map(|c| c.name()).collect();
+        format!(
+            "`{name}` is nothing that a channel of {} holds; it may hold {}",
+            quantity.name,
+            names.join(", ")
+        )
+    })
+}
+
+pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
+    let (name, reversed) = match (text, text.strip_prefix("1-")) {
+        ("gloss", _) => ("roughness", true),
+        (_, Some(rest)) => (rest, true),
+        (name, None) => (name, false),
+    };
+    let found = SCALES.into_iter().find(|s| s.name() == name).map(|s| (s, reversed));
+    found.ok_or_else(|| {
+        let names: Vec<&str> = SCALES.iter().map(|s| s.name()).collect();
+        format!("no such coordinate; they are gloss, {}", names.join(", "))
+    })
+}
+
+pub(super) fn siting(text: &str) -> Result<Siting, String> {
+    SITINGS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
+        let names: Vec<&str> = SITINGS.iter().map(|s| s.name()).collect();
+        format!("no such registration; they are {}", names.join(", "))
+    })
+}
+
+pub(super) fn side(text: &str) -> Result<Side, String> {
+    [Side::Outside, Side::Inside]
+        .into_iter()
+        .find(|s| s.name() == text)
+        .ok_or_else(|| "`outside` or `inside` is called for".into())
+}
+
+pub(super) fn size(text: &str) -> Result<Size, String> {
+    let parts: Result<Vec<usize>, _> = text.split('x').map(str::parse).collect();
+    match parts {
+        Ok(list) if (1..=3).contains(&list.len()) && !list.contains(&0) => Ok(Size(list)),
+        _ => Err("one to three whole numbers above 0 are called for, as 64x64".into()),
+    }
+}
+
+pub(super) fn raw_format(text: &str) -> Result<RawFormat, String> {
+    RawFormat::ALL.into_iter().find(|f| f.name() == text).ok_or_else(|| {
+        let names: Vec<&str> = RawFormat::ALL.iter().map(|f| f.name()).collect();
+        format!("no such format; they are {}", names.join(", "))
+    })
+}

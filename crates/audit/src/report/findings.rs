@@ -1,0 +1,204 @@
+//! Somebody else's table or function beside the truth, as its page shows it.
+
+use serde::Serialize;
+
+use lobefit::data::Place;
+use lobefit::report::{Field, Origin};
+
+/// What an audit found out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditFindings {
+    /// What made it.
+    pub origin: Origin,
+    /// The file, by its name.
+    pub file: String,
+    /// What it holds: `EXR, 64 x 64, half, channels R G`.
+    pub holds: String,
+    /// Quantity that it is measured as.
+    pub quantity: String,
+    /// The verdict in one paragraph.
+    pub verdict: String,
+    /// `whole`, `part` or `none`.
+    pub fits: String,
+    /// Largest error at a texel or point of any channel that is judged.
+    pub max_error: f64,
+    /// Largest error as somebody reads it who is told nothing, where that reading is not the best one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plain: Option<AuditPlain>,
+    /// Largest error that the user allows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<f64>,
+    /// Whether it fits, and within the limit.
+    pub passed: bool,
+    /// How many times worse the next convention fits; none if there is no other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub margin: Option<f64>,
+    /// Bound of the truth's own error.
+    pub truth_error: f64,
+    /// Whether the file said itself how it is read, so that nothing else was tried.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub stated: bool,
+    /// The conventions that were tried, the best first.
+    pub conventions: Vec<AuditConvention>,
+    /// Channels that are judged.
+    pub channels: Vec<AuditChannel>,
+    /// The furnace, where the channels make an albedo.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub furnace: Option<AuditFurnace>,
+}
+
+/// A table as somebody reads it who is told nothing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditPlain {
+    /// What the best reading has that nobody takes without being told.
+    pub untold: Vec<String>,
+    /// Largest error under the plain reading; none where the truth cannot be had.
+    pub max: Option<f64>,
+    /// Options that say that the best reading is meant.
+    pub options: String,
+}
+
+/// One way to read a table.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditConvention {
+    /// Every axis, or every argument of a function.
+    pub axes: Vec<AuditAxis>,
+    /// Shadowing form and side; may be empty.
+    pub lobe: String,
+    /// What the channels hold.
+    pub channels: Vec<AuditHeld>,
+    /// What conventions are ranked by, smaller is better.
+    pub rank: f64,
+}
+
+/// One axis or argument.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditAxis {
+    /// `x`, `y`, `z`, or the argument's name.
+    pub axis: String,
+    /// What its coordinate means: `roughness`, `sqrt(mu)`.
+    pub coordinate: String,
+    /// Whether it is one minus that.
+    pub reversed: bool,
+    /// Where texel i lies: `centre`, `endpoint`, `left`, `right`, `one-high`, `one-low`, `end-high`, `end-low`; empty for an argument.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub registration: String,
+    /// Least value that the input was clamped to.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clamp: Option<f64>,
+}
+
+/// What a channel holds under a convention.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditHeld {
+    /// Channel.
+    pub channel: String,
+    /// Column or transform of one.
+    pub holds: String,
+    /// Largest error.
+    pub max: f64,
+    /// Root mean square.
+    pub rms: f64,
+}
+
+/// A channel under the best convention.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditChannel {
+    /// Its name.
+    pub name: String,
+    /// What it holds.
+    pub holds: String,
+    /// `whole`, `part` or `none`.
+    pub fits: String,
+    /// Errors at the texels.
+    pub texels: AuditErrors,
+    /// What is wrong with it.
+    pub defects: Vec<AuditDefect>,
+    /// Lookup at the coordinates that the texels have.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lookup: Option<AuditLookup>,
+    /// Lookup by a texture unit without a remap.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plain_lookup: Option<AuditLookup>,
+    /// Signed errors of the texels, for pictures.
+    #[serde(skip)]
+    pub maps: Vec<Field>,
+    /// Truth and channel along one axis, for pictures.
+    #[serde(skip)]
+    pub curves: Vec<AuditCurve>,
+}
+
+/// Errors at texels or points.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditErrors {
+    /// Largest magnitude.
+    pub max: f64,
+    /// Root mean square.
+    pub rms: f64,
+    /// Signed mean.
+    pub mean: f64,
+    /// Median magnitude.
+    pub median: f64,
+    /// Texel of the largest, by axis.
+    pub texel: Vec<usize>,
+    /// Its inputs.
+    pub at: Place,
+    /// What is held there.
+    pub value: f64,
+    /// What is true there.
+    pub truth: f64,
+    /// Texels judged.
+    pub judged: usize,
+    /// Texels in all.
+    pub all: usize,
+}
+
+/// Something that is wrong.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditDefect {
+    /// Its kind: `part`, `bias`, `clamped`, `noise`, `steps`, `missing-loss`.
+    pub kind: String,
+    /// In a sentence.
+    pub text: String,
+}
+
+/// Error of a lookup.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditLookup {
+    /// Largest magnitude.
+    pub max: f64,
+    /// Root mean square over even coordinates.
+    pub rms: f64,
+    /// Signed mean.
+    pub mean: f64,
+    /// Largest magnitude between the outermost texels.
+    pub inner: f64,
+    /// Where the largest is.
+    pub at: Place,
+}
+
+/// The furnace: E over the albedo that the channels make, less 1.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AuditFurnace {
+    /// Least.
+    pub least: f64,
+    /// Largest.
+    pub most: f64,
+    /// Where the magnitude is largest.
+    pub at: Place,
+}
+
+/// Truth and channel along one axis, the others fixed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AuditCurve {
+    /// What is fixed: `alpha 0.25`.
+    pub title: String,
+    /// Name of the horizontal axis.
+    pub x: String,
+    /// Places along it.
+    pub at: Vec<f64>,
+    /// Truth at each.
+    pub truth: Vec<f64>,
+    /// What the channel holds.
+    pub held: Vec<f64>,
+}

@@ -1,0 +1,19 @@
+//! What an audit found out, and its page.
+
+mod findings;
+mod page;
+
+pub use findings::{
+    AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditDefect, AuditErrors, AuditFindings,
+    AuditFurnace, AuditHeld, AuditLookup, AuditPlain,
+};
+
+use lobefit::report::{ReportError, document, html};
+
+/// The page of an audit as HTML, and its figures as JSON.
+///
+/// # Errors
+/// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
+pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
+    Ok((html(&page::page(audit)?)?, document("audit.json", audit)?))
+}

@@ -1,0 +1,266 @@
+//! Tables that say themselves what they are: the statement is read, held against the truth, and found out if it is not so.
+
+use crate::common;
+
+use common::{lobefit, stderr};
+use lobefit::data::Smith;
+use lobefit::effects::Quantity;
+use lobefit_audit::audit::{AuditError, Column, Declared, Shipped, declared};
+use lobefit_audit::foreign::{ForeignTable, Hints, read_table};
+use lobefit_truth::integrate::reflection::{self, Effort};
+
+const DFG: &[u8] = include_bytes!("../../../../tables/ggx-dfg-correlated-32x32.exr");
+const AZIMUTH: &[u8] = include_bytes!("../../../../tables/ggx-aniso-azimuth-correlated-64x16x16.exr");
+const SPLIT: &[u8] = include_bytes!("../../../../tables/ggx-dfg-correlated-64x64-split-sum.exr");
+
+fn read(bytes: &[u8]) -> ForeignTable {
+    read_table(bytes, "own.exr", &Hints::default()).unwrap().remove(0)
+}
+
+fn run(bytes: &[u8], wanted: Option<Column>) -> Declared {
+    let table = read(bytes);
+    let found =
+        declared(&Shipped::from(&table), Quantity::find("ggx-reflection").unwrap(), wanted, &table.note)
+            .unwrap();
+    eprintln!("{}", found.verdict);
+    found
+}
+
+/// The bytes with one text for another as long.
+fn patched(bytes: &[u8], from: &str, to: &str) -> Vec<u8> {
+    assert_eq!(from.len(), to.len());
+    let at = bytes.windows(from.len()).position(|w| w == from.as_bytes()).expect("the text is there");
+    let mut out = bytes.to_vec();
+    out[at..at + to.len()].copy_from_slice(to.as_bytes());
+    out
+}
+
+#[test]
+fn a_table_is_what_it_says() {
+    let found = run(DFG, None);
+    assert!(found.holds() && found.worst() > 1e-4, "{}", found.worst());
+    assert!(found.worst() <= 1.02 * found.claimed, "{} claims {}", found.worst(), found.claimed);
+    assert!(found.verdict.contains("says what it is") && found.verdict.contains("sqrt(mu * (1 + alpha)"));
+    assert!(found.passes(Some(1e-3)) && !found.passes(Some(1e-5)));
+    let split = run(SPLIT, None);
+    let columns: Vec<Column> = split.held.iter().map(|h| h.column).collect();
+    assert_eq!(columns, [Column::E, Column::B, Column::A]);
+    assert!(split.holds(), "{} claims {}", split.worst(), split.claimed);
+    assert_eq!(run(SPLIT, Some(Column::B)).held.len(), 1);
+}
+
+#[test]
+fn a_table_of_the_azimuth_is_what_it_says() {
+    let quantity = Quantity::find("ggx-reflection-aniso").unwrap();
+    let table = read(AZIMUTH);
+    let run = |note: &str| declared(&Shipped::from(&table), quantity, None, note);
+    let found = run(&table.note).unwrap();
+    eprintln!("{}", found.verdict);
+    assert!(found.holds() && found.size == [64, 16, 16], "{}", found.verdict);
+    assert!(
+        found.worst() > 0.3 * found.claimed && found.worst() <= 1.05 * found.claimed,
+        "{}",
+        found.worst()
+    );
+    let names: Vec<&str> = found.places.iter().map(|p| p.0).collect();
+    assert_eq!(names, ["mu", "alpha", "anisotropy", "cos2_phi"]);
+    assert!(found.verdict.contains("cos2_phi 0 to 1"), "{}", found.verdict);
+    assert!(found.passes(Some(0.005)) && !found.passes(Some(0.001)));
+    // The azimuth turned by a quarter, and another power of t.
+    let turned = table.note.replace(
+        "t = log2(cos2_phi / q + (1 - cos2_phi) * q)",
+        "t = log2(cos2_phi * q + (1 - cos2_phi) / q)",
+    );
+    for lie in [turned, table.note.replace("t * (c1 + t", "t * (c1 - t")] {
+        assert!(lie != table.note);
+        let found = run(&lie).unwrap();
+        assert!(!found.holds() && found.worst() > 0.02, "{}", found.verdict);
+    }
+    let odd = |from: &str, to: &str| run(&table.note.replace(from, to)).unwrap_err().to_string();
+    assert!(odd("(t = 0 at anisotropy 0)", "(t at anisotropy 0)").contains("is no exception"));
+    assert!(odd("(t = 0 at anisotropy 0)", "").contains("gives NaN"));
+}
+
+#[test]
+fn a_part_of_the_other_form_is_told() {
+    let table = read(DFG);
+    let mut shipped = Shipped::from(&table);
+    let [columns, rows] = [shipped.size[0], shipped.size[1]];
+    // The lower half anew by the statement's own axes, of the other form.
+    for y in rows / 2..rows {
+        for x in 0..columns {
+            let roughness = table_input(&table.note, "rows", y as f64 / (rows - 1) as f64);
+            let u = x as f64 / (columns - 1) as f64;
+            let (alpha, u2) = (roughness * roughness, u * u);
+            let mu = (alpha * u2 / (1.0 + alpha - u2)).clamp(0.0, 1.0);
+            let loss = reflection::loss(Smith::Separable, alpha, mu, &Effort::ladder()[1].outer);
+            shipped.channels[0].values[y * columns + x] = loss;
+        }
+    }
+    let quantity = Quantity::find("ggx-reflection").unwrap();
+    let found = declared(&shipped, quantity, None, &table.note).unwrap();
+    eprintln!("{}", found.verdict);
+    let instead = found.instead.as_deref().unwrap_or("nothing");
+    assert!(!found.holds() && instead.starts_with("separable Smith at"), "{instead}");
+    assert!(instead.contains("a part of the table was made with the other form"), "{instead}");
+}
+
+/// The input at a coordinate of an axis, from its line's range.
+fn table_input(note: &str, axis: &str, u: f64) -> f64 {
+    let line = note.lines().find(|l| l.starts_with(axis)).unwrap();
+    let ends = line.split_once(" in [").unwrap().1.split_once(']').unwrap().0;
+    let (low, high) = ends.split_once(", ").unwrap();
+    let [low, high] = [low, high].map(|t| t.parse::<f64>().unwrap());
+    low + u * (high - low)
+}
+
+#[test]
+fn a_lie_is_found_out() {
+    let smith = run(&patched(DFG, "smith: correlated;", "smith: separable ;"), None);
+    assert!(
+        !smith.holds() && smith.instead.as_deref() == Some("height-correlated Smith"),
+        "{:?}",
+        smith.instead
+    );
+    assert!(smith.verdict.contains("it is not so"), "{}", smith.verdict);
+    let warp = run(&patched(DFG, "(1 + alpha) / (mu + alpha)", "(1 + 0.500) / (mu + 0.500)"), None);
+    assert!(!warp.holds() && warp.instead.is_none() && warp.worst() > 0.01, "{}", warp.worst());
+    let decode = run(&patched(DFG, "decode: E = 1 - loss", "decode: E = 0 + loss"), None);
+    assert!(decode.worst() > 0.5);
+    let claim = run(&patched(DFG, "max 0.000691,", "max 0.000091,"), None);
+    assert!(!claim.holds(), "an error that is claimed too small is a lie");
+}
+
+#[test]
+fn a_statement_that_cannot_be_followed_is_named() {
+    let refused = |bytes: &[u8], quantity: &str| {
+        let table = read(bytes);
+        declared(&Shipped::from(&table), Quantity::find(quantity).unwrap(), None, &table.note).unwrap_err()
+    };
+    let other = refused(DFG, "ggx-glass");
+    assert!(
+        matches!(&other, AuditError::Option { reason, .. } if reason.contains("ggx-reflection")),
+        "{other:?}"
+    );
+    for (from, to, told) in [
+        ("32 texels", "16 texels", "texels"),
+        ("sqrt(mu *", "sqrt(nu *", "no value"),
+        ("sqrt(mu *", "sqxt(mu *", "sqxt"),
+        ("decode:", "decade:", "decode"),
+        ("domain:", "domane:", "domain"),
+    ] {
+        let error = refused(&patched(DFG, from, to), "ggx-reflection");
+        assert!(
+            matches!(&error, AuditError::Statement { reason, .. } if reason.contains(told)),
+            "{from}: {error:?}"
+        );
+    }
+}
+
+#[test]
+fn the_command_line_reads_it_unless_told_otherwise() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    write("own.exr", DFG);
+    write("lie.exr", &patched(DFG, "smith: correlated;", "smith: separable ;"));
+    write("part.exr", &patched(DFG, "alpha [0.0004, 1]", "alpha [0.2500, 1]"));
+    let huge = patched(DFG, "max 0.000691,", "max 1000.000,");
+    write("huge.exr", &patched(&huge, "decode: E = 1 - loss", "decode: E = 7-9*loss"));
+    write("odd.exr", &patched(DFG, "sqrt(mu *", "sqxt(mu *"));
+    let with = |file: &str, more: &[&str]| {
+        let all = [&["audit", file, "--as", "ggx-reflection"], more].concat();
+        let output = lobefit(folder.path(), &all, b"");
+        (output.status.code(), String::from_utf8(output.stdout.clone()).unwrap(), stderr(&output))
+    };
+    let (code, out, err) = with("own.exr", &["--limit", "0.001", "--out", "report"]);
+    assert!(code == Some(0) && out.contains("is so") && err.is_empty(), "{code:?} {out} {err}");
+    let (code, _, err) = with("own.exr", &["--limit", "0.0001"]);
+    assert!(code == Some(1) && err.contains("the limit 1e-4"), "{err}");
+    let (code, out, err) = with("lie.exr", &[]);
+    assert!(
+        code == Some(1)
+            && out.contains("be so with height-correlated Smith")
+            && err.contains("not what it says"),
+        "{out} {err}"
+    );
+    let (code, out, err) = with("huge.exr", &["--limit", "1000"]);
+    assert!(code == Some(1) && out.contains("it is not so") && err.contains("however much"), "{out} {err}");
+    let (code, out, _) = with("part.exr", &[]);
+    assert!(code == Some(0) && out.contains("alpha below 0.25"), "{out}");
+    let (code, _, err) = with("part.exr", &["--limit", "1"]);
+    assert!(code == Some(1) && err.contains("alpha below 0.25 is not judged"), "{err}");
+    let (code, out, err) = with("odd.exr", &[]);
+    assert!(code == Some(0) && !out.contains("says what it is") && err.contains("sqxt"), "{out} {err}");
+    // Its coordinate is none of those that are tried.
+    let (code, out, err) = with("own.exr", &["--registration", "endpoint"]);
+    assert!(code == Some(1) && !out.contains("says what it is") && !err.is_empty(), "{code:?} {out} {err}");
+    let (code, _, err) = with("own.exr", &["--limit", "1"]);
+    assert_eq!(code, Some(0), "{err}");
+}
+
+/// The 32 x 32 table under its statement with one text for another.
+fn restated(pairs: &[(&str, &str)]) -> Result<Declared, AuditError> {
+    let table = read(DFG);
+    let mut note = table.note.clone();
+    for (from, to) in pairs {
+        assert!(note.contains(from), "{from}");
+        note = note.replace(from, to);
+    }
+    declared(&Shipped::from(&table), Quantity::find("ggx-reflection").unwrap(), None, &note)
+}
+
+#[test]
+fn a_claim_of_any_error_holds_for_nothing() {
+    let claim = ("max 0.000691,", "max 1000,");
+    let found = restated(&[claim, ("E = 1 - loss", "E = 7 - 9 * loss")]).unwrap();
+    assert!(found.keeps() && !found.holds() && !found.passes(None) && !found.passes(Some(1e4)));
+    assert!(found.verdict.contains("it is not so, for all that it claims"), "{}", found.verdict);
+    let modest = restated(&[claim]).unwrap();
+    assert!(modest.holds() && modest.passes(Some(1e-3)), "{}", modest.verdict);
+}
+
+#[test]
+fn what_was_judged_is_told_and_a_limit_is_for_all_that_the_axes_cover() {
+    let whole = restated(&[]).unwrap();
+    assert!(whole.beyond.is_empty() && whole.cut.is_empty(), "{:?} {:?}", whole.beyond, whole.cut);
+    assert!(
+        whole.verdict.contains("mu 0.001 to 1") && whole.verdict.contains("alpha 4e-4 to 1"),
+        "{}",
+        whole.verdict
+    );
+    let part = restated(&[("alpha [0.0004, 1], mu [0.001, 1]", "alpha [0.25, 0.5], mu [-1, 1.5]")]).unwrap();
+    assert_eq!(part.beyond, ["alpha below 0.25", "alpha above 0.5"]);
+    assert_eq!(part.cut, ["mu below 0", "mu above 1"]);
+    assert!(part.verdict.contains("Its axes cover alpha below 0.25 and alpha above 0.5"), "{}", part.verdict);
+    assert!(!part.passes(Some(1.0)));
+    let smooth = restated(&[("alpha [0.0004, 1]", "alpha [0.25, 1]")]).unwrap();
+    assert!(smooth.passes(None) && !smooth.passes(Some(1.0)), "{}", smooth.verdict);
+}
+
+#[test]
+fn statements_that_would_take_for_ever_or_lead_nowhere_are_refused() {
+    let many = |n: usize| (0..n).map(|k| format!(", v{k} = v{}", k + 1)).collect::<String>();
+    let axis = "u = (roughness - 0.02) / (1 - 0.02)";
+    let of_roughness = |text: String| (axis.to_string(), text);
+    let decode = |text: &str| ("E = 1 - loss".to_string(), text.to_string());
+    let domain = |text: &str| ("alpha [0.0004, 1]".to_string(), text.to_string());
+    for ((from, to), told) in [
+        (of_roughness(format!("u = roughness{}", many(16))), "more than 16 definitions"),
+        (of_roughness(format!("u = v0{}", many(15))), "no value"),
+        (of_roughness("u = v, v = u".into()), "no value"),
+        (("alpha = roughness^2".into(), "alpha = log2(0 - roughness)".into()), "no value"),
+        (decode(&format!("E = 1 - loss{}", many(100_000))), "more than 16 definitions"),
+        (decode("E = sqrt(0 - 1 - loss)"), "gives NaN"),
+        (decode("E = 1 / (loss - loss)"), "gives inf"),
+        (decode("E = s * 0, t = 1"), "names what is not there"),
+        (domain("alpha [0.25, 0.25]"), "is no range"),
+        (domain("alpha [0.5, 0.25]"), "is no range"),
+        (domain("alpha [2, 3]"), "no range of alpha"),
+        (domain("alpha [0.25, 0.2500000000000001]"), "no range of alpha"),
+        (("roughness in [0.02, 1]".into(), "roughness in [1, 1]".into()), "an axis is"),
+    ] {
+        let error = restated(&[(&from, &to)]).unwrap_err();
+        let named = matches!(&error, AuditError::Statement { reason, .. } if reason.contains(told));
+        assert!(named, "{to:.60}: {error:?}");
+    }
+}

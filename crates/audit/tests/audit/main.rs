@@ -1,0 +1,9 @@
+//! Foreign tables and functions against the truth.
+
+#[path = "../../../../tests/common/mod.rs"]
+mod common;
+
+mod declared;
+mod functions;
+mod solids;
+mod tables;

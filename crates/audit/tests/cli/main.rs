@@ -1,0 +1,6 @@
+//! The verb as its users call it.
+
+#[path = "../../../../tests/common/mod.rs"]
+mod common;
+
+mod audit;

@@ -1,0 +1,325 @@
+//! Tables in image, texture and array files: those that other tools write, built here byte by byte, and our own.
+
+use crate::foreign_support;
+#[allow(dead_code, reason = "the tables are used, the lookups are not")]
+#[path = "../../../../tests/emit_support/solid.rs"]
+mod solid;
+
+use foreign_support::{dds, dds_extended, exr_of_parts, ktx2, png, value};
+use lobefit::data::{Table, TexelFormat};
+use lobefit::emit;
+use lobefit_audit::foreign::{ForeignError, ForeignTable, Hints, RawFormat, Step, read_table};
+use solid::of_all_shapes;
+
+fn one(bytes: &[u8], file: &str, hints: &Hints) -> ForeignTable {
+    let mut found = read_table(bytes, file, hints).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(found.len(), 1, "{file}");
+    found.remove(0)
+}
+
+fn refused(bytes: &[u8], file: &str) -> String {
+    let message = read_table(bytes, file, &Hints::default()).expect_err(file).to_string();
+    assert!(message.starts_with(file), "{message}");
+    message
+}
+
+/// Little-endian numbers of a table of `count` texels.
+fn texels(format: RawFormat, count: usize, channels: usize) -> Vec<u8> {
+    let numbers = (0..count).flat_map(|t| (0..channels).map(move |c| value(t, c)));
+    numbers
+        .flat_map(|x| match format {
+            RawFormat::F16 => half::f16::from_f64(x).to_le_bytes().to_vec(),
+            RawFormat::F32 => (x as f32).to_le_bytes().to_vec(),
+            RawFormat::F64 => x.to_le_bytes().to_vec(),
+            RawFormat::Unorm8 => vec![(x * 255.0).round() as u8],
+            RawFormat::Unorm16 => ((x * 65535.0).round() as u16).to_le_bytes().to_vec(),
+        })
+        .collect()
+}
+
+/// Every texel is where it belongs, to the format's rounding.
+fn assert_texels(table: &ForeignTable, size: &[usize], order: &str) {
+    assert_eq!(table.size, size, "{}", table.what);
+    let names: String = table.channels.iter().map(|c| c.name.as_str()).collect();
+    let mut sorted: Vec<char> = order.chars().collect();
+    sorted.sort_by_key(|c| "RGBA".find(*c));
+    assert_eq!(names, sorted.iter().collect::<String>(), "{}", table.what);
+    for channel in &table.channels {
+        let c = order.find(channel.name.as_str()).unwrap();
+        assert_eq!(channel.values.len(), table.texels());
+        for (t, found) in channel.values.iter().enumerate() {
+            let expected = value(t, c);
+            let bound = table.step.rounding(expected) * 1.0001 + 1e-7;
+            assert!((found - expected).abs() <= bound, "{} texel {t}: {found}, {expected}", table.what);
+        }
+    }
+}
+
+#[test]
+fn our_own_files_read_back_to_the_bit() {
+    for table in of_all_shapes() {
+        let size = if table.axes.len() == 3 { table.size().to_vec() } else { table.size()[..2].to_vec() };
+        let hints = Hints { size: Some(size.clone()), ..Hints::default() };
+        let exr = one(&emit::exr::encode(&table, &[]).unwrap(), "t.exr", &hints);
+        assert_same(&exr, &table, &size);
+        let npy = one(&emit::npy::encode(&table), "t.npy", &Hints::default());
+        let raw = one(&emit::raw::encode(&table), "t.raw", &hints);
+        for other in [npy, raw] {
+            assert_eq!(other.size, size);
+            for (c, channel) in other.channels.iter().enumerate() {
+                assert_eq!(channel.values, table.quantised().channels[c].texels, "{}", other.what);
+            }
+        }
+        if let Ok(bytes) = emit::dds::encode(&table) {
+            let found = one(&bytes, "t.dds", &Hints::default());
+            assert_eq!(found.size, size);
+            for (channel, ours) in found.channels.iter().zip(&table.quantised().channels) {
+                assert_eq!(channel.values, ours.texels, "{}", found.what);
+            }
+        }
+    }
+}
+
+fn assert_same(found: &ForeignTable, table: &Table, size: &[usize]) {
+    assert_eq!(found.size, size);
+    let step = if table.format == TexelFormat::F16 { Step::Half } else { Step::None };
+    assert_eq!(found.step, step);
+    for channel in &table.quantised().channels {
+        let same = found.channels.iter().find(|c| c.name == channel.name).expect("the channel");
+        assert_eq!(same.values, channel.texels);
+    }
+}
+
+#[test]
+fn dds_formats_old_and_new() {
+    use RawFormat::{F16, F32, Unorm8, Unorm16};
+    let extended = [
+        (2, F32, "RGBA"),
+        (6, F32, "RGB"),
+        (10, F16, "RGBA"),
+        (11, Unorm16, "RGBA"),
+        (16, F32, "RG"),
+        (28, Unorm8, "RGBA"),
+        (34, F16, "RG"),
+        (35, Unorm16, "RG"),
+        (41, F32, "R"),
+        (49, Unorm8, "RG"),
+        (54, F16, "R"),
+        (56, Unorm16, "R"),
+        (61, Unorm8, "R"),
+        (87, Unorm8, "BGRA"),
+        (91, Unorm8, "BGRA"),
+    ];
+    for (format, kind, order) in extended {
+        let bytes = dds_extended(format, [8, 4, 1], 1, &texels(kind, 32, order.len()));
+        let table = one(&bytes, "t.dds", &Hints::default());
+        assert_texels(&table, &[8, 4], order);
+        assert_eq!(table.what.contains("sRGB"), format == 91, "{}", table.what);
+        let solid = dds_extended(format, [4, 4, 4], 1, &texels(kind, 64, order.len()));
+        assert_texels(&one(&solid, "t.dds", &Hints::default()), &[4, 4, 4], order);
+        let array = dds_extended(format, [4, 4, 1], 3, &texels(kind, 48, order.len()));
+        assert_texels(&one(&array, "t.dds", &Hints::default()), &[4, 4, 3], order);
+    }
+    let codes = [
+        (36u32, Unorm16, "RGBA"),
+        (111, F16, "R"),
+        (112, F16, "RG"),
+        (113, F16, "RGBA"),
+        (114, F32, "R"),
+        (115, F32, "RG"),
+        (116, F32, "RGBA"),
+    ];
+    for (code, kind, order) in codes {
+        let bytes = dds(code.to_le_bytes(), [8, 4, 1], &texels(kind, 32, order.len()));
+        assert_texels(&one(&bytes, "t.dds", &Hints::default()), &[8, 4], order);
+    }
+    assert!(refused(&dds(*b"DXT5", [8, 4, 1], &[0; 32]), "t.dds").contains("format DXT5 is not read"));
+    assert!(refused(&dds_extended(98, [8, 4, 1], 1, &[0; 32]), "t.dds").contains("block-compressed"));
+    let cut = dds_extended(41, [8, 4, 1], 1, &[0; 100]);
+    assert!(refused(&cut, "t.dds").contains("byte 148"), "{}", refused(&cut, "t.dds"));
+    assert!(refused(&dds_extended(41, [8, 4, 1], 1, &[0; 132]), "t.dds").contains("4 bytes follow"));
+    let four_gigabytes = dds_extended(2, [16384, 16384, 1], 1, &[0; 64]);
+    assert!(refused(&four_gigabytes, "t.dds").contains("the limit is 16777216"));
+}
+
+#[test]
+fn ktx2_textures_plain_and_compressed_with_zstandard() {
+    use RawFormat::{F16, F32, F64, Unorm8, Unorm16};
+    let formats = [
+        (9, Unorm8, "R"),
+        (37, Unorm8, "RGBA"),
+        (44, Unorm8, "BGRA"),
+        (70, Unorm16, "R"),
+        (76, F16, "R"),
+        (83, F16, "RG"),
+        (97, F16, "RGBA"),
+        (100, F32, "R"),
+        (103, F32, "RG"),
+        (112, F64, "R"),
+    ];
+    for (format, kind, order) in formats {
+        for packed in [false, true] {
+            for (sides, layers) in [([8, 4, 0], 0), ([4, 4, 3], 0), ([4, 4, 0], 3)] {
+                let size: Vec<usize> = [sides[0], sides[1], sides[2].max(layers)]
+                    .into_iter()
+                    .filter(|n| *n > 0)
+                    .map(|n| n as usize)
+                    .collect();
+                let data = texels(kind, size.iter().product(), order.len());
+                let table = one(&ktx2(format, sides, layers, &data, packed), "t.ktx2", &Hints::default());
+                assert_texels(&table, &size, order);
+                assert_eq!(table.what.contains("Zstandard"), packed, "{}", table.what);
+            }
+        }
+    }
+    let good = ktx2(83, [8, 8, 0], 0, &texels(F16, 64, 2), true);
+    let mut scheme = good.clone();
+    scheme[44] = 1;
+    assert!(refused(&scheme, "t.ktx2").contains("BasisLZ"));
+    let mut bc7 = good.clone();
+    bc7[12..16].copy_from_slice(&145u32.to_le_bytes());
+    assert!(refused(&bc7, "t.ktx2").contains("block-compressed"));
+    let mut huge = good.clone();
+    huge[20..28].copy_from_slice(&[0xff; 8]);
+    assert!(refused(&huge, "t.ktx2").contains("the limit is"));
+    let mut wide = good.clone();
+    wide[20..24].copy_from_slice(&2000u32.to_le_bytes());
+    assert!(
+        refused(&wide, "t.ktx2").contains("have 64000") || refused(&wide, "t.ktx2").contains("cannot hold")
+    );
+    assert!(refused(&good[..good.len() - 9], "t.ktx2").contains("cut short"));
+}
+
+#[test]
+fn png_values_are_those_stored() {
+    for (sixteen, kind) in [(false, RawFormat::Unorm8), (true, RawFormat::Unorm16)] {
+        for order in ["R", "RA", "RGB", "RGBA"] {
+            let mut data = texels(kind, 32, order.len());
+            if sixteen {
+                data.chunks_mut(2).for_each(|pair| pair.reverse());
+            }
+            let table = one(&png(8, 4, order.len(), sixteen, &data, false), "t.png", &Hints::default());
+            assert_texels(&table, &[8, 4], order);
+            let marked = one(&png(8, 4, order.len(), sixteen, &data, true), "t.png", &Hints::default());
+            assert!(marked.what.contains("sRGB (values as stored)"), "{}", marked.what);
+            assert_eq!(marked.channels, table.channels);
+        }
+    }
+    let good = png(8, 4, 1, false, &texels(RawFormat::Unorm8, 32, 1), false);
+    assert!(refused(&good[..good.len() / 2], "t.png").contains("cut short"));
+    assert!(refused(b"GIF89a\0\0\0\0", "t.png").contains("damaged or misnamed"));
+}
+
+#[test]
+fn exr_layers_and_channels_of_any_name() {
+    let bytes = exr_of_parts(&[("dfg", &["A", "B"]), ("cloth", &["E.x", "E.y", "N.x"])]);
+    let tables = read_table(&bytes, "t.exr", &Hints::default()).unwrap();
+    let names: Vec<&str> = tables.iter().map(|t| t.name.as_str()).collect();
+    assert_eq!(names, ["dfg", "cloth"]);
+    assert!(tables[0].what.contains("EXR, single, 6 x 4, channels A B"), "{}", tables[0].what);
+    let layer = |name: &str| Hints { layer: Some(name.into()), ..Hints::default() };
+    assert_eq!(one(&bytes, "t.exr", &layer("dfg")), tables[0]);
+    let inside = one(&bytes, "t.exr", &layer("E"));
+    assert_eq!((inside.name.as_str(), inside.channels[1].name.as_str()), ("E", "y"));
+    assert_eq!(inside.channels[1].values, tables[1].channels[1].values);
+    let message = read_table(&bytes, "t.exr", &layer("sheen")).unwrap_err().to_string();
+    assert!(message.contains("layer sheen is not there; the file has dfg, cloth, E, N"), "{message}");
+}
+
+#[test]
+fn an_atlas_is_cut_into_slices_where_the_caller_names_three_axes() {
+    let bytes = exr_of_parts(&[("a", &["R"])]);
+    let whole = one(&bytes, "t.exr", &Hints::default());
+    let of = |size: &[usize]| {
+        read_table(&bytes, "t.exr", &Hints { size: Some(size.to_vec()), ..Hints::default() })
+    };
+    let tiles = of(&[3, 2, 4]).unwrap().remove(0);
+    let at = |x: usize, y: usize| whole.channels[0].values[y * 6 + x];
+    for (z, (left, top)) in [(0, 0), (3, 0), (0, 2), (3, 2)].into_iter().enumerate() {
+        for (y, x) in (0..2).flat_map(|y| (0..3).map(move |x| (y, x))) {
+            assert_eq!(tiles.channels[0].values[z * 6 + y * 3 + x], at(left + x, top + y));
+        }
+    }
+    assert_eq!(
+        of(&[6, 2, 2]).unwrap()[0].channels[0].values,
+        whole.channels[0].values,
+        "slices below one another"
+    );
+    assert!(of(&[4, 3, 2]).unwrap_err().to_string().contains("no tiles of 4 x 3 x 2"));
+    assert!(of(&[6, 5]).unwrap_err().to_string().contains("24 values, which are 6 x 4 texels, not 6 x 5"));
+    assert!(matches!(of(&[]).unwrap_err(), ForeignError::Size { .. }));
+}
+
+#[test]
+fn texels_that_are_no_numbers_are_named() {
+    let mut data = texels(RawFormat::F32, 32, 2);
+    data[8 * 13 + 4..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
+    data[8 * 20..][..4].copy_from_slice(&f32::INFINITY.to_le_bytes());
+    data[8 * 21..][..4].copy_from_slice(&f32::INFINITY.to_le_bytes());
+    let error = read_table(&dds_extended(16, [8, 4, 1], 1, &data), "t.dds", &Hints::default()).unwrap_err();
+    let message = error.to_string();
+    assert!(
+        message.contains("channel R, texel [4, 2]: inf") && message.contains("nor are 2 others of 64"),
+        "{message}"
+    );
+}
+
+#[test]
+fn arrays_of_numpy_state_what_is_not_read() {
+    let npy = |dictionary: &str, data: &[u8]| {
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        bytes.extend((dictionary.len() as u16).to_le_bytes());
+        [&bytes, dictionary.as_bytes(), data].concat()
+    };
+    let dictionary = |kind: &str, order: &str, shape: &str| {
+        format!("{{'descr': '{kind}', 'fortran_order': {order}, 'shape': {shape}, }}\n")
+    };
+    let data = texels(RawFormat::F64, 32, 1);
+    let table = one(&npy(&dictionary("<f8", "False", "(4, 8)"), &data), "t.npy", &Hints::default());
+    assert_eq!((table.size.as_slice(), table.channels[0].values[9]), (&[8, 4][..], value(9, 0)));
+    let cases = [
+        (dictionary(">f8", "False", "(4, 8)"), "little-endian"),
+        (dictionary("<f8", "True", "(4, 8)"), "ascontiguousarray"),
+        (dictionary("<f8", "False", "(4, 9)"), "another number"),
+        (dictionary("<f8", "False", "(4294967296, 4294967296, 4294967296)"), "another number"),
+        (dictionary("<f8", "False", "(4, -8)"), "shape"),
+        (dictionary("|u1", "False", "(256,)"), "unorm8"),
+        ("{}".to_string(), "no descr"),
+    ];
+    for (text, part) in cases {
+        let message = refused(&npy(&text, &data), "t.npy");
+        assert!(message.contains(part), "{message}");
+    }
+    // A size that contradicts the array's own is refused; its own, slices one below the other and a flat list are not.
+    let sized = |shape: &str, size: &[usize]| {
+        let hints = Hints { size: Some(size.to_vec()), ..Hints::default() };
+        read_table(&npy(&dictionary("<f8", "False", shape), &data), "t.npy", &hints)
+    };
+    for (shape, size) in
+        [("(4, 8)", &[8, 4][..]), ("(4, 8)", &[8, 2, 2]), ("(32,)", &[4, 8]), ("(8, 4)", &[4, 8])]
+    {
+        let table = sized(shape, size).unwrap().remove(0);
+        assert_eq!((table.size.as_slice(), table.channels[0].values[9]), (size, value(9, 0)));
+    }
+    for (shape, size) in [("(4, 8)", &[4, 8][..]), ("(4, 8)", &[16, 2]), ("(4, 8)", &[4, 4, 2])] {
+        let message = sized(shape, size).unwrap_err().to_string();
+        assert!(
+            message.starts_with("t.npy: 32 values, which the array's own shape (4, 8) lays out"),
+            "{message}"
+        );
+        assert!(message.contains("8 x 4 texels (x first): --size"), "{message}");
+    }
+}
+
+#[test]
+fn an_image_that_is_cut_short_tells_where_and_what_was_read() {
+    let bytes = exr_of_parts(&[("a", &["R"])]);
+    let length = bytes.len();
+    for (kept, told) in
+        [(length - 5, "its 6 x 4 texels of 1 channels"), (60, "the header and the list"), (5, "the header")]
+    {
+        let message = refused(&bytes[..kept], "t.exr");
+        assert!(message.contains(&format!("the file ends after {kept} bytes")), "{message}");
+        assert!(message.contains(told) && message.contains(&format!("byte {kept}: ")), "{message}");
+    }
+}

@@ -1,9 +1,0 @@
-//! Foreign tables and functions against the truth.
-
-#[path = "../common/mod.rs"]
-mod common;
-
-mod declared;
-mod functions;
-mod solids;
-mod tables;
