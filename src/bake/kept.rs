@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
+use super::build::{BUILD_FILE, is_signed};
 use super::includes::{path, section};
 use super::part::Part;
 use crate::emit::header::Recipe;
@@ -33,6 +34,15 @@ pub enum KeptError {
         /// Recipe of this bake.
         expected: String,
     },
+    /// It was made by other code, or it is not known by which.
+    #[error(
+        "{folder}: {BUILD_FILE} does not say that this build of lobefit made the bake there, so its other effects may not follow any \
+         more; bake without --only"
+    )]
+    Build {
+        /// The folder.
+        folder: String,
+    },
     /// Its manifest lists a file that is not there.
     #[error("{folder}: the bake there lacks {file}, which its manifest lists; bake without --only")]
     Missing {
@@ -59,7 +69,7 @@ pub fn kept(root: &Path, recipe: &Recipe, only: &[EffectName]) -> Result<Vec<Par
     if !store::is_folder(root)? {
         return Ok(Vec::new());
     }
-    let old = store::read_set(root, [MANIFEST], FILE_BYTES)?;
+    let old = store::read_set(root, [MANIFEST, BUILD_FILE], FILE_BYTES)?;
     let Some(bytes) = old.get(MANIFEST) else { return Ok(Vec::new()) };
     let folder = root.display().to_string();
     let wrong = |reason: String| KeptError::Manifest { folder: folder.clone(), reason };
@@ -67,6 +77,9 @@ pub fn kept(root: &Path, recipe: &Recipe, only: &[EffectName]) -> Result<Vec<Par
     let found = manifest["recipe"].as_str().unwrap_or("that is not told").to_string();
     if found != recipe.hash {
         return Err(KeptError::Recipe { folder, found, expected: recipe.hash.clone() });
+    }
+    if !is_signed(&old) {
+        return Err(KeptError::Build { folder });
     }
     let mut parts = Vec::new();
     for finding in manifest["effects"].as_array().into_iter().flatten() {

@@ -1,6 +1,7 @@
 //! The main job. A plan becomes a bundle of files in memory, which `bake` writes and `check` compares: the same
 //! scene gives the same bytes.
 
+mod build;
 mod compare;
 mod includes;
 mod kept;
@@ -20,6 +21,7 @@ use crate::effects::{coupling, parallax, reflection, sheen, volume};
 use crate::plan::{EffectName, Plan};
 use crate::scene::Scene;
 use crate::store::Files;
+pub use build::{BUILD_FILE, sign};
 pub use compare::{Difference, Kind, compare};
 pub use kept::{KeptError, kept};
 pub use part::Part;

@@ -13,8 +13,8 @@ use crate::report::{self, EffectFinding, Index, IndexRow, Origin};
 use crate::store::{Files, MANIFEST};
 use lobefit_shade::code::Language;
 
-/// The contribution of one effect. The same recipe gives the same part, so one that an older bake left on the disk stands for
-/// the one that would be made.
+/// The contribution of one effect. The same recipe and build give the same part, so a part that
+/// an older bake left on the disk stands for the part that would be made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// The effect.

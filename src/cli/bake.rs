@@ -8,7 +8,7 @@ use super::options::{SceneOption, ThreadsOption, effect};
 use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
-use crate::bake::{Baked, Selection, kept, recipe};
+use crate::bake::{Baked, Selection, kept, recipe, sign};
 use crate::emit::header::{operations, place, short};
 use crate::plan::{self, EffectName, Plan};
 use crate::scene::escape::visible;
@@ -31,7 +31,8 @@ pub(super) struct Options {
     /// Output folder, created if missing
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
-    /// Bake these effects only and keep what an older bake of the same recipe left in the output folder of the others.
+    /// Bake these effects only and keep what an older bake of the same recipe, by the same build of lobefit, left in the output
+    /// folder of the others.
     /// An effect that the scene does not call for is refused with the reason from the plan
     #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
     pub only: Vec<EffectName>,
@@ -53,7 +54,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let mut folder = Folder::open(&options.out)?;
     let progress = Bar::new(options.quiet || options.json, &plan, 0);
     let selection = selection(options, &input)?;
-    let baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
+    let mut baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);
     for promise in &baked.broken {
         say(&format!("promise not kept: {}", visible(promise)));
@@ -62,6 +63,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         say("nothing written");
         return Ok(Outcome::Failed);
     }
+    sign(&mut baked.files);
     let written = folder.write(&baked.files)?;
     if options.json {
         print(baked.files.get(MANIFEST).map_or(&[], Vec::as_slice))?;

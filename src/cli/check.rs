@@ -11,7 +11,7 @@ use super::options::{SceneOption, ThreadsOption, not_negative};
 use super::output::{Outcome, print, print_json};
 use super::progress::Bar;
 use super::{CliError, input};
-use crate::bake::{self, Baked, Difference, Selection, compare};
+use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
@@ -102,8 +102,8 @@ struct Verdict<'a> {
     records: &'a [Record],
 }
 
-/// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's,
-/// timings are measured and studies have a recipe of their own: they may be there.
+/// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's, timings are
+/// measured, the name of the build says who baked and studies have a recipe of their own: they may be there.
 fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
     let mut strays = Vec::new();
     for place in SUBFOLDERS.into_iter().chain([MANIFEST]) {
@@ -116,6 +116,7 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
             || name.starts_with("fits/hypotheses/")
             || name.starts_with("reports/timings.")
             || records::placed(entry, &all)
+            || entry.kind == Kind::File && name == BUILD_FILE
             || entry.kind == Kind::File
                 && Study::ALL.iter().any(|study| study.files().iter().any(|f| f == name));
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);

@@ -7,9 +7,13 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use common::{lobefit, stderr};
+use lobefit::bake::{BUILD_FILE, sign};
 use lobefit::store::Files;
 use tempfile::TempDir;
 use volume_support::{ANISO, baked, entry, manifest, small};
+
+#[path = "../../build/sources.rs"]
+mod sources;
 
 const FORMATS: &str = r#""formats":["exr","dds","npy","raw"],"#;
 
@@ -26,7 +30,7 @@ fn bake(folder: &Path, scene: &str, options: &[&str]) -> (i32, String) {
     (output.status.code().expect("a code"), stderr(&output))
 }
 
-/// Every file in a folder, by path.
+/// Every file of a bake in a folder, by path.
 fn files(folder: &Path) -> Files {
     let mut files = Files::new();
     let mut folders = vec![folder.to_path_buf()];
@@ -42,6 +46,7 @@ fn files(folder: &Path) -> Files {
             }
         }
     }
+    files.remove(BUILD_FILE);
     files
 }
 
@@ -53,10 +58,12 @@ fn same(found: &Files, expected: &Files) {
     }
 }
 
-/// A folder that holds the full bake of the small scene.
+/// A folder that holds the full bake of the small scene, as this build writes it.
 fn folder() -> TempDir {
     let folder = tempfile::tempdir().expect("a folder");
-    for (name, bytes) in full() {
+    let mut files = full().clone();
+    sign(&mut files);
+    for (name, bytes) in files {
         let path = folder.path().join(name);
         std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
         std::fs::write(path, bytes).expect("written");
@@ -162,6 +169,59 @@ fn the_bake_of_another_scene_is_not_mixed_in() {
         "{said}"
     );
     same(&files(folder.path()), full());
+}
+
+/// Another build's parts, an older version's and those beside another manifest may be stale: they are not kept.
+#[test]
+fn the_bake_of_another_build_is_not_mixed_in() {
+    let folder = folder();
+    let record = folder.path().join(BUILD_FILE);
+    let own = std::fs::read_to_string(&record).expect("a record");
+    assert!(own.starts_with(&format!("build {}\nmanifest ", lobefit::BUILD)), "{own}");
+    let other_manifest = own.replace("manifest ", "manifest 0");
+    for other in [Some(own.replace("build ", "build 0")), Some(other_manifest), None] {
+        match other {
+            Some(other) => std::fs::write(&record, other).expect("written"),
+            None => std::fs::remove_file(&record).expect("removed"),
+        }
+        let (code, said) = bake(folder.path(), &small(""), &["--only", "glass"]);
+        let expected = "error: --only: .: reports/build.txt does not say that this build of lobefit made the bake there, so its other \
+                        effects may not follow any more; bake without --only\n";
+        assert_eq!((code, said.as_str()), (2, expected));
+        same(&files(folder.path()), full());
+    }
+    assert_eq!(bake(folder.path(), &small(""), &[]), (0, String::new()));
+    assert_eq!(std::fs::read_to_string(&record).expect("a record"), own);
+}
+
+/// The build's hash is that of its sources: every byte and every name counts, the place of the root does not.
+#[test]
+fn another_source_is_another_build() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let places = sources::places(root).expect("a manifest");
+    for place in ["src", "crates/math", "crates/truth", "crates/shade", "crates/fit", "fits/hypotheses"] {
+        assert!(places.iter().any(|p| p == place), "{place} is not in {places:?}");
+    }
+    assert_eq!(sources::hash(root, &places).expect("sources"), lobefit::BUILD);
+    let hash = |files: &[(&str, &str)]| {
+        let copy = tempfile::tempdir().expect("a folder");
+        for (name, text) in files {
+            let path = copy.path().join(name);
+            std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+            std::fs::write(path, text).expect("written");
+        }
+        sources::hash(copy.path(), &["src".to_string()]).expect("sources")
+    };
+    let one = hash(&[("src/a.rs", "1"), ("src/b/c.rs", "2")]);
+    assert_eq!(hash(&[("src/b/c.rs", "2"), ("src/a.rs", "1")]), one);
+    for other in [
+        &[("src/a.rs", "2"), ("src/b/c.rs", "1")][..],
+        &[("src/a.rs", "1"), ("src/b/d.rs", "2")],
+        &[("src/a.rs", "1 "), ("src/b/c.rs", "2")],
+        &[("src/a.rs", "1")],
+    ] {
+        assert_ne!(hash(other), one);
+    }
 }
 
 #[test]
