@@ -16,8 +16,8 @@ pub use crate::effects::context::{Progress, Silent, UserHypothesis};
 use crate::effects::origin;
 pub use crate::effects::reflection::bake::BakedTable;
 use crate::effects::reflection::{Counter, Dropped, Fit};
-pub use crate::effects::volume::bake::BakedVolume;
-use crate::effects::{coupling, parallax, reflection, sheen, volume};
+pub use crate::effects::table::bake::BakedVolume;
+use crate::effects::{coupling, parallax, reflection, sheen, table};
 use crate::plan::{EffectName, Plan};
 use crate::scene::Scene;
 use crate::store::Files;
@@ -106,7 +106,7 @@ pub fn bake(
                 )?);
             }
             EffectName::Anisotropy | EffectName::Glass => {
-                parts.push(volume::bake::part(scene, plan, effect, &mut baked, &mut context)?);
+                parts.push(table::bake::part(scene, plan, effect, &mut baked, &mut context)?);
             }
             EffectName::DiffuseCoupling => {
                 parts.push(coupling::bake::part(scene, &plan.couplings, effect, &mut baked, &mut context)?);

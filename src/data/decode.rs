@@ -3,6 +3,15 @@
 use super::{Layout, Serves, Surface, VolumeLayout};
 use lobefit_math::ops;
 
+/// What a lookup returns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Values {
+    /// Directional albedo.
+    pub e: f32,
+    /// Schlick's bias, where the table holds it: the albedo at a reflectance f0 is f0 (e - b) + b.
+    pub b: Option<f32>,
+}
+
 /// How values follow from the channels of a texel. Another meaning is another variant: its channels, its formula, its f32
 /// arithmetic here and the lines that the emitted code has for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,6 +70,11 @@ impl Decode {
         }
     }
 
+    /// Whether a texel tells B beside E.
+    pub fn has_bias(self) -> bool {
+        matches!(self, Decode::SplitSum | Decode::LossBias)
+    }
+
     /// The values and their formulas, as written in headers and the manifest.
     pub fn formulas(self) -> &'static [(&'static str, &'static str)] {
         match self {
@@ -76,17 +90,22 @@ impl Decode {
         }
     }
 
-    /// E of a texel in a shader's arithmetic; what lies beyond the table's channels is not read.
-    pub fn albedo(self, texel: [f32; 4], surface: Surface<f32>) -> f32 {
+    /// The values of a texel in a shader's arithmetic; what lies beyond the table's channels is not read.
+    pub fn values(self, texel: [f32; 4], mu: f32, surface: Surface<f32>) -> Values {
         match self {
-            Decode::Albedo => texel[0],
-            Decode::Loss | Decode::LossBias => 1.0 - texel[0],
+            Decode::Albedo => Values { e: texel[0], b: None },
+            Decode::Loss => Values { e: 1.0 - texel[0], b: None },
+            Decode::LossBias => {
+                let (e, x) = (1.0 - texel[0], 1.0 - mu);
+                let x2 = x * x;
+                Values { e, b: Some(e * (texel[1] + x2 * x2 * x)) }
+            }
             Decode::AzimuthCubic => {
                 let [c0, c1, c2, c3] = texel;
                 let t = ops::log2f(surface.spread()) / (-ops::log2f(surface.squash())).max(1e-6);
-                1.0 - (c0 + t * (c1 + t * (c2 + t * c3)))
+                Values { e: 1.0 - (c0 + t * (c1 + t * (c2 + t * c3))), b: None }
             }
-            Decode::SplitSum => texel[0] + texel[1],
+            Decode::SplitSum => Values { e: texel[0] + texel[1], b: Some(texel[1]) },
         }
     }
 }

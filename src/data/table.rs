@@ -50,7 +50,10 @@ pub struct Channel {
     pub texels: Vec<f64>,
 }
 
-/// A table of two or three dimensions: columns along `axes[0]`, rows along `axes[1]`, slices along `axes[2]` where there is one.
+/// Most axes of a table: the dimensions of a texture.
+pub const AXES: usize = 3;
+
+/// A table: columns along `axes[0]`, rows along `axes[1]`, slices along `axes[2]`, as far as there are axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Name, `ggx-dfg-...`.
@@ -61,7 +64,7 @@ pub struct Table {
     pub smith: Smith,
     /// How roughness becomes alpha on its roughness axis.
     pub alpha_map: AlphaMap,
-    /// Columns, rows, and slices where there are any.
+    /// One to [`AXES`], the fastest first.
     pub axes: Vec<Axis>,
     /// Channels, all of the same size.
     pub channels: Vec<Channel>,
@@ -85,8 +88,8 @@ pub enum TableError {
         /// Texels called for.
         expected: usize,
     },
-    /// Neither two nor three axes, or an axis without texels.
-    #[error("table {table}: it has axes of sizes {sizes:?}; a table has two or three, none of them empty")]
+    /// No axis, more than a texture has, or an axis without texels.
+    #[error("table {table}: axes of sizes {sizes:?}; a table has one to {AXES} axes, each with texels")]
     Axes {
         /// Table's name.
         table: String,
@@ -100,8 +103,8 @@ pub enum TableError {
         table: String,
         /// Channel's name.
         channel: String,
-        /// Column, row and slice of the texel.
-        texel: [usize; 3],
+        /// The texel along each axis.
+        texel: Vec<usize>,
         /// Its value.
         value: f64,
     },
@@ -111,24 +114,24 @@ impl Table {
     /// Checks that every channel has the axes' size and finite texels.
     pub fn validate(&self) -> Result<(), TableError> {
         let sizes: Vec<usize> = self.axes.iter().map(|a| a.size).collect();
-        if !(2..=3).contains(&sizes.len()) || sizes.contains(&0) {
+        if !(1..=AXES).contains(&sizes.len()) || sizes.contains(&0) {
             return Err(TableError::Axes { table: self.name.clone(), sizes });
         }
-        let [columns, rows, slices] = self.size();
+        let expected = sizes.iter().product();
         for channel in &self.channels {
-            if channel.texels.len() != columns * rows * slices {
+            if channel.texels.len() != expected {
                 return Err(TableError::Shape {
                     table: self.name.clone(),
                     channel: channel.name.clone(),
                     found: channel.texels.len(),
-                    expected: columns * rows * slices,
+                    expected,
                 });
             }
             if let Some(i) = channel.texels.iter().position(|t| !t.is_finite()) {
                 return Err(TableError::NotFinite {
                     table: self.name.clone(),
                     channel: channel.name.clone(),
-                    texel: [i % columns, i / columns % rows, i / columns / rows],
+                    texel: self.place(i),
                     value: channel.texels[i],
                 });
             }
@@ -136,7 +139,17 @@ impl Table {
         Ok(())
     }
 
-    /// Columns, rows and slices; one slice where there is no third axis.
+    /// Where texel `i` of a channel lies along each axis.
+    pub fn place(&self, mut i: usize) -> Vec<usize> {
+        let along = |axis: &Axis| {
+            let at = i % axis.size;
+            i /= axis.size;
+            at
+        };
+        self.axes.iter().map(along).collect()
+    }
+
+    /// Width, height and depth of the texture: 1 along an axis that the table does not have.
     pub fn size(&self) -> [usize; 3] {
         [0, 1, 2].map(|k| self.axes.get(k).map_or(1, |axis| axis.size))
     }

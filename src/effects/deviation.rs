@@ -52,7 +52,7 @@ pub struct Rounding {
     pub max: f64,
     /// Root mean square.
     pub rms: f64,
-    /// Column and row, and slice where there are any, of the largest.
+    /// Column, row and slice of the largest, as far as there are axes.
     pub at: Place,
 }
 
@@ -67,14 +67,12 @@ impl Rounding {
 fn rounding(exact: &Channel, stored: &Channel, table: &Table) -> Rounding {
     let gaps: Vec<f64> = exact.texels.iter().zip(&stored.texels).map(|(a, b)| (a - b).abs()).collect();
     let worst = (0..gaps.len()).fold(0, |worst, i| if gaps[i] > gaps[worst] { i } else { worst });
-    let [columns, rows, _] = table.size();
-    let place =
-        [("column", worst % columns), ("row", worst / columns % rows), ("slice", worst / columns / rows)];
+    let place = ["column", "row", "slice"].into_iter().zip(table.place(worst));
     let squares: Vec<f64> = gaps.iter().map(|g| g * g).collect();
     Rounding {
         channel: exact.name.clone(),
         max: gaps.get(worst).copied().unwrap_or(0.0),
         rms: sum::mean(&squares).sqrt(),
-        at: place.into_iter().take(table.axes.len()).map(|(name, i)| (name.to_string(), i as f64)).collect(),
+        at: place.map(|(name, i)| (name.to_string(), i as f64)).collect(),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::reflection::FitStageError;
 use super::surface::SurfaceError;
-use super::volume::{LookupError, VolumeError};
+use super::table::{LookupError, VolumeError};
 use crate::data::TableError;
 use crate::emit::container::ContainerError;
 use crate::emit::exr::ExrError;

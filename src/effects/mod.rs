@@ -18,8 +18,8 @@ pub mod reflection;
 pub mod room;
 pub mod sheen;
 pub mod surface;
+pub mod table;
 pub mod target;
-pub mod volume;
 
 pub use catalogue::{catalogue_names, catalogue_sources};
 pub use context::{UserHypothesis, origin};

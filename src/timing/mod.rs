@@ -10,9 +10,9 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use crate::bake::{BakeError, Baked, BakedVolume};
-use crate::data::{AlphaMap, Approximation, Smith, Source};
-use crate::effects::reflection::{Fit, Lookup, POINTS, PointSet, Region, SAMPLERS, certification};
-use crate::effects::volume;
+use crate::data::{AlphaMap, Approximation, Decode, Smith, Source};
+use crate::effects::reflection::{Fit, POINTS, PointSet, Region, SAMPLERS, certification};
+use crate::effects::table::{self, Lookup};
 use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
 use crate::scene::Scene;
 use lobefit_truth::integrate::monte_carlo::{self, Run};
@@ -116,10 +116,11 @@ fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximat
     for table in &baked.tables {
         let Some(texels) = table.table() else { continue };
         let points = certification(&table.region, LOG2_POINTS);
-        let lookup = Lookup::new(texels, table.layout, table.serves);
+        let lookup = Lookup::new(texels, Decode::of(table.layout, table.serves))?;
+        let all = table::Points::isotropic(&points).all;
         let time = seconds(|| {
-            for i in 0..points.len() {
-                black_box(lookup.at(points.roughness[i], points.alpha[i], points.mu[i]));
+            for point in &all {
+                black_box(lookup.at(point));
             }
         });
         timed.push(entry(&table.approximation, true, time / points.len() as f64));
@@ -138,8 +139,8 @@ fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximat
 /// The lookup of a table of three axes; none of what is no table.
 fn volume_entry(volume: &BakedVolume) -> Result<Option<TimedApproximation>, BakeError> {
     let Some(table) = volume.table() else { return Ok(None) };
-    let lookup = volume::Lookup::new(table, volume.decode)?;
-    let points = volume::Points::certification(&volume.region, LOG2_GROUPS);
+    let lookup = Lookup::new(table, volume.decode)?;
+    let points = table::Points::certification(&volume.region, LOG2_GROUPS);
     let time = seconds(|| {
         for point in &points.all {
             black_box(lookup.at(point));

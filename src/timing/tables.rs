@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::seconds;
 use crate::data::Smith;
-use crate::effects::volume::{DRAWN, SOURCES_SAMPLES, Third, estimate};
+use crate::effects::table::{DRAWN, SOURCES_SAMPLES, Third, estimate};
 use crate::effects::{anisotropy, glass};
 use crate::report::{TimedEstimator, TimedTableRun, TimedTables};
 use lobefit_truth::integrate::{IntegrateError, Path};

@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 use lobefit::bake::Baked;
 use lobefit::data::Smith;
-use lobefit::effects::volume::{Lookup, Point};
+use lobefit::effects::table::{Lookup, Point};
 use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
 use volume_support::{
@@ -27,7 +27,7 @@ fn as_measured(name: &str, point: Point, found: f64) {
     let volumes = &bake().volumes;
     let volume = volumes.iter().find(|v| v.approximation.name == name).expect("the table");
     let lookup = Lookup::new(volume.table().expect("texels"), volume.decode).expect("three axes");
-    let measured = f64::from(lookup.at(&point));
+    let measured = f64::from(lookup.at(&point).e);
     assert!((measured - found).abs() < 1e-5, "{name} at {point:?}: {measured} and {found}");
 }
 

@@ -1,9 +1,8 @@
 //! `ggx-dfg` as a shader sees it: the bilinear lookup of the quantised texels over a dense off-grid set.
 
-use lobefit::data::{AlphaMap, Layout, Serves, Smith, TexelFormat};
-use lobefit::effects::reflection::{
-    Counter, Errors, Field, Region, TableSpec, build, certification, measure,
-};
+use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
+use lobefit::effects::reflection::{Counter, Field, Region, TRUTH_ERROR, TableSpec, build, certification};
+use lobefit::effects::table::{Errors, Points, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 
 fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> TableSpec {
@@ -24,7 +23,9 @@ fn errors(spec: &TableSpec) -> Errors {
     let table = build(spec, &counter).expect("a table");
     let points = certification(&spec.region, 16);
     let truth = Field::split(spec.smith, &points, &counter);
-    let errors = measure(&table, spec.layout, spec.serves, &points, &truth);
+    let (decode, truth) = (Decode::of(spec.layout, spec.serves), Truth { e: &truth.e, b: Some(&truth.b) });
+    let errors =
+        measure(&table, decode, &Points::isotropic(&points), truth, TRUTH_ERROR).expect("of its decoding");
     println!("{:?} {:?} {:?} {:?}: {errors:?}", spec.size, spec.layout, spec.serves, spec.format);
     errors
 }

@@ -1,7 +1,7 @@
 //! The layouts for the trilinear lookup: plans of points, texels from their values, and what the lookup returns.
 
 use lobefit::data::{AlphaMap, Axis, Smith, Surface};
-use lobefit::effects::volume::{Node, VolumePlan, aniso_axes, check, glass_axes};
+use lobefit::effects::table::{Node, VolumePlan, aniso_axes, check, glass_axes};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::reflection::{Effort, albedo};
 
@@ -96,7 +96,7 @@ fn points_of_a_glass_table_span_its_ranges() {
     let plan = VolumePlan::new(axes, AlphaMap::Roughness, [2, 1, 3], 6, 0.001);
     let points = plan.points();
     assert_eq!(points.len(), 31 * 22 * 6);
-    let span = |f: fn(&lobefit::effects::volume::Node) -> f64| {
+    let span = |f: fn(&lobefit::effects::table::Node) -> f64| {
         points.iter().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
     };
     assert_eq!(span(|p| p.third), [1.0, 2.0]);

@@ -12,11 +12,11 @@ use std::io::Write;
 use std::sync::OnceLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat};
+use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::reflection::{
-    Counter, Field, Fit, Lookup, PointSet, Region, Split, TRUTH_ERROR, TableSpec, build, certification,
-    measure,
+    Counter, Field, Fit, PointSet, Region, TRUTH_ERROR, TableSpec, build, certification,
 };
+use lobefit::effects::table::{self, Lookup, Truth, measure};
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::{FitJob, plan};
 use lobefit::scene::Scene;
@@ -117,8 +117,7 @@ impl Points {
 /// A quantised table with what its emitted functions need, and its certified error.
 pub struct Looked {
     pub table: Table,
-    pub layout: Layout,
-    pub serves: Serves,
+    pub decode: Decode,
     pub region: Region,
     /// Largest error with f32 weights and with 8-bit weights.
     pub certified: [f64; 2],
@@ -126,21 +125,26 @@ pub struct Looked {
 
 impl Looked {
     pub fn readable(&self) -> Readable<'_> {
-        Readable { table: &self.table, decode: Decode::of(self.layout, self.serves), header: &[] }
+        Readable { table: &self.table, decode: self.decode, header: &[] }
+    }
+
+    /// Whether it returns E, A and B, not E alone.
+    pub fn split(&self) -> bool {
+        self.decode.has_bias()
     }
 
     pub fn lookup(&self) -> Lookup<'_> {
-        Lookup::new(&self.table, self.layout, self.serves)
+        Lookup::new(&self.table, self.decode).expect("axes and channels of its decoding")
     }
 
     /// Whether E, A and B are, to the bit, what the emitted code returns where a lookup gives E and B: A is E - B where the
     /// texel holds E, else E is the sum A + B of what it holds.
-    pub fn agrees(&self, [e, a, b]: [f32; 3], expected: Split) -> bool {
-        let third = match self.layout {
-            Layout::Homogeneous => a.to_bits() == (e - b).to_bits(),
+    pub fn agrees(&self, [e, a, b]: [f32; 3], expected: Values) -> bool {
+        let third = match self.decode {
+            Decode::LossBias => a.to_bits() == (e - b).to_bits(),
             _ => (a + b).to_bits() == e.to_bits(),
         };
-        third && e.to_bits() == expected.e.to_bits() && b.to_bits() == expected.b.to_bits()
+        third && e.to_bits() == expected.e.to_bits() && Some(b.to_bits()) == expected.b.map(f32::to_bits)
     }
 }
 
@@ -148,8 +152,7 @@ impl Looked {
 pub fn baked_tables() -> Vec<Looked> {
     let tables = baked().0.tables.iter().map(|b| Looked {
         table: b.table().expect("a table").clone(),
-        layout: b.layout,
-        serves: b.serves,
+        decode: Decode::of(b.layout, b.serves),
         region: b.region,
         certified: [b.errors.lookup.max, b.errors.lookup_8_bit.max],
     });
@@ -183,8 +186,10 @@ fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
     let table = build(&spec, &Counter::default()).expect("a table").quantised();
     let points = certification(&region, LOG2_POINTS);
     let truth = Field::split(spec.smith, &points, &Counter::default());
-    let errors = measure(&table, layout, serves, &points, &truth);
-    Looked { table, layout, serves, region, certified: [errors.lookup.max, errors.lookup_8_bit.max] }
+    let (decode, points) = (Decode::of(layout, serves), table::Points::isotropic(&points));
+    let truth = Truth { e: &truth.e, b: Some(&truth.b) };
+    let errors = measure(&table, decode, &points, truth, TRUTH_ERROR).expect("a table of its decoding");
+    Looked { table, decode, region, certified: [errors.lookup.max, errors.lookup_8_bit.max] }
 }
 
 /// The largest error of the truth that tables are judged by.

@@ -4,7 +4,7 @@ use lobefit::data::{
     AlphaMap, Axis, Certificate, Channel, Decode, Place, Registration, Smith, Surface, Table, TexelFormat,
     Warp,
 };
-use lobefit::effects::volume::Point;
+use lobefit::effects::table::Point;
 use lobefit_math::ops;
 
 /// Columns, rows and slices: no two alike, so that a transposition shows.

@@ -18,7 +18,7 @@ use furnace_support::{Emitted, F0, Returned, include, returned};
 use lobefit::data::{AlphaMap, Decode, Smith, Table};
 use lobefit::effects::anisotropy::{Judge, at_azimuths, means};
 use lobefit::effects::glass::Truth;
-use lobefit::effects::volume::{Point, Points, Region, Third, aspect, measure};
+use lobefit::effects::table::{self, Point, Points, Region, Third, aspect, measure};
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
 use lobefit_math::ops;
@@ -82,7 +82,8 @@ fn region(third: Third, span: [f64; 2]) -> Region {
 /// Largest error of a table's lookup at points of the region, as a certificate states it: of the reference lookup, not of the emitted
 /// code.
 fn certificate(table: &Table, decode: Decode, judged: &Points, truth: &[f64]) -> f64 {
-    let errors = measure(table, decode, judged, truth, 0.0).expect("a table of three axes");
+    let errors =
+        measure(table, decode, judged, table::Truth { e: truth, b: None }, 0.0).expect("a table of E");
     assert!(judged.len() > 10_000 && judged.len() == truth.len(), "{}", judged.len());
     let worst = errors.lookup.max;
     assert!(worst < USELESS, "{}: {worst:e}", table.name);

@@ -11,7 +11,7 @@ use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surf
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Axis, Decode, Warp};
-use lobefit::effects::volume::{Lookup, Point};
+use lobefit::effects::table::{Lookup, Point};
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
 use lobefit_shade::Hypothesis;
@@ -80,7 +80,7 @@ fn logarithms(point: &Point, channels: [f64; 4]) -> Differences {
 
 /// E, A and B in the arithmetic of tables.
 fn reference(solid: &Solid, lookup: &Lookup, point: &Point) -> [f64; 3] {
-    let (e, texel) = (lookup.at(point), lookup.texel(point));
+    let (e, texel) = (lookup.at(point).e, lookup.texel(point));
     let x = 1.0 - point.mu;
     let values = match solid.decode {
         Decode::Albedo | Decode::Loss | Decode::AzimuthCubic => [e, 0.0, 0.0],

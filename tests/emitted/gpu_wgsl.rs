@@ -9,8 +9,9 @@ use emit_support::accuracy::{CPU, WGSL, bound, divides};
 use emit_support::{Looked, Points, TRUTH, baked_tables, emitted, other_tables, say, text};
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
-use lobefit::data::{Serves, Use};
-use lobefit::effects::reflection::{Counter, Field, Fit, Lookup};
+use lobefit::data::Use;
+use lobefit::effects::reflection::{Counter, Field, Fit};
+use lobefit::effects::table::{self, Lookup};
 use lobefit_shade::code::Language;
 
 /// Classes of functions, and the most units in the last place that may lie between the CPU and any device that keeps to WGSL:
@@ -141,7 +142,7 @@ fn step(table: &Looked, channel: usize) -> f64 {
 fn allowed(table: &Looked) -> f64 {
     let size = table.table.axes.iter().map(|axis| axis.size).max().unwrap_or(0);
     let first = step(table, 0);
-    let steps = if table.serves == Serves::SplitSum { 2.0 * first + step(table, 1) } else { first };
+    let steps = if table.split() { 2.0 * first + step(table, 1) } else { first };
     (WEIGHT + coordinate(size)) * steps + DECODING
 }
 
@@ -153,10 +154,7 @@ fn look_up(gpu: &Gpu, include: &str, table: &Looked, points: &Points) -> Vec<[f3
     source += "@group(0) @binding(1) var test_sampler: sampler;\n";
     source += "@group(0) @binding(2) var<storage, read> test_points: array<vec4<f32>>;\n";
     source += "@group(0) @binding(3) var<storage, read_write> test_values: array<vec4<f32>>;\n";
-    let value = match table.serves {
-        Serves::SplitSum => "vec4<f32>(value, 0.0)",
-        Serves::Albedo => "vec4<f32>(value, 0.0, 0.0, 0.0)",
-    };
+    let value = if table.split() { "vec4<f32>(value, 0.0)" } else { "vec4<f32>(value, 0.0, 0.0, 0.0)" };
     let call = format!("{name}_lookup(test_table, test_sampler, roughness, alpha, mu)");
     source += &entry("test", &call, value);
     let (view, sampler) = (gpu.texture(&table.table), gpu.linear_clamp());
@@ -182,12 +180,14 @@ fn largest(points: &Points, error: impl Fn(usize) -> f64) -> (f64, usize) {
 fn check(gpu: &Gpu, include: &str, table: &Looked) {
     let points = Points::of(&table.region);
     let found = look_up(gpu, include, table, &points);
-    let split = table.serves == Serves::SplitSum;
+    let split = table.split();
+    let places = table::Points::isotropic(&points.set).all;
     let against = |lookup: &Lookup| {
         largest(&points, |i| {
-            let s = lookup.at(points.set.roughness[i], points.set.alpha[i], points.set.mu[i]);
+            let values = lookup.at(&places[i]);
+            let (of_e, of_b) = (f64::from(values.e), f64::from(values.b.unwrap_or(0.0)));
             let [e, a, b, _] = found[i].map(f64::from);
-            let gaps = [e - f64::from(s.e), b - f64::from(s.b), a - (f64::from(s.e) - f64::from(s.b))];
+            let gaps = [e - of_e, b - of_b, a - (of_e - of_b)];
             gaps.iter().take(if split { 3 } else { 1 }).fold(0.0, |worst, gap| beyond(worst, gap.abs()))
         })
     };

@@ -10,10 +10,10 @@ use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
 use emit_support::languages::{self, Called, FAMILY, compile, file};
 use emit_support::programs::{READ_EXR, compile_library, python, run};
 use emit_support::{Looked, Points, baked, baked_tables, emitted, manifest, other_tables, say, text};
-use lobefit::data::Serves;
 use lobefit::effects::coupling::emitted as coupling;
 use lobefit::effects::parallax::PREFIX;
 use lobefit::effects::reflection::Fit;
+use lobefit::effects::table;
 use lobefit::emit::compensation::NAMES;
 use lobefit::emit::lookup::helpers;
 use lobefit_shade::Hypothesis;
@@ -233,7 +233,7 @@ fn certified_values(fit: &Fit, points: &Points, inputs: &[String]) {
 fn look_up(include: &str, table: &Looked) {
     let (name, points) = (table.readable().identifier(), Points::of(&table.region));
     let channel = |c: usize| table.table.channels[c].texels.iter().map(|t| *t as f32).collect::<Vec<f32>>();
-    let split = table.serves == Serves::SplitSum;
+    let split = table.split();
     let (texels, push) = if split {
         let texels: Vec<[f32; 2]> =
             channel(0).into_iter().zip(channel(1)).map(|(first, second)| [first, second]).collect();
@@ -251,13 +251,12 @@ fn look_up(include: &str, table: &Looked) {
 
 /// Compares what a lookup returned with what was certified.
 fn looked_up(language: &str, table: &Looked, points: &Points, found: &[f32]) {
-    let (name, split) = (table.readable().identifier(), table.serves == Serves::SplitSum);
+    let (name, split) = (table.readable().identifier(), table.split());
     let width = if split { 3 } else { 1 };
     assert_eq!(found.len(), width * points.len());
-    let lookup = table.lookup();
+    let (lookup, places) = (table.lookup(), table::Points::isotropic(&points.set).all);
     for (i, found) in found.chunks_exact(width).enumerate() {
-        let (roughness, alpha, mu) = (points.set.roughness[i], points.set.alpha[i], points.set.mu[i]);
-        let expected = lookup.at(roughness, alpha, mu);
+        let expected = lookup.at(&places[i]);
         let same = match found {
             [e, a, b] => table.agrees([*e, *a, *b], expected),
             _ => found[0].to_bits() == expected.e.to_bits(),

@@ -8,7 +8,7 @@ use emit_support::programs::{compile_library, run};
 use emit_support::say;
 use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surface, texel, to_look_up};
 use lobefit::data::{Axis, Decode, Registration, Surface, TexelFormat, Warp};
-use lobefit::effects::volume::{Lookup, Point};
+use lobefit::effects::table::{Lookup, Point};
 use lobefit::emit::compensation::{self, Compensation, NAMES};
 use lobefit::emit::lookup::{Readable, helpers};
 use lobefit_shade::Hypothesis;
@@ -178,7 +178,7 @@ fn measured(language: &str, tables: &[Solid], points: &[Point], found: Vec<f32>)
         let lookup = Lookup::new(&solid.table, solid.decode).expect("three known axes");
         for point in points {
             let values: Vec<f32> = found.by_ref().take(solid.values()).collect();
-            let expected = lookup.at(point);
+            let expected = lookup.at(point).e;
             if solid.decode == Decode::AzimuthCubic {
                 let allowed = azimuth_bound(lookup.texel(point), point, &LOGARITHMS);
                 let off = (f64::from(values[0]) - f64::from(expected)).abs();

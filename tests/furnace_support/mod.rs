@@ -3,7 +3,7 @@
 pub mod tables;
 pub mod textbook;
 
-use lobefit::effects::volume::Point;
+use lobefit::effects::table::Point;
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::{Readable, helpers};
 use lobefit_shade::code::Language;

@@ -3,7 +3,8 @@
 use super::{Difference, Kind};
 use crate::bake::{Baked, BakedTable, BakedVolume};
 use crate::data::{Channel, TexelFormat};
-use crate::effects::{reflection, volume};
+use crate::effects::reflection;
+use crate::effects::table::bake as tables;
 use crate::emit::exr::{self, Decoded};
 
 /// How two images differ: the texel that is furthest off, and whether the texels found still keep the stated error.
@@ -29,15 +30,13 @@ pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Di
     if difference.max_abs != Some(0.0) {
         if let Some(table) = table {
             let again = |channels: &[Channel]| {
-                reflection::bake::measured_again(table, channels)
-                    .ok_or_else(|| "a channel is missing".to_string())
+                reflection::bake::measured_again(table, channels).map_err(|e| e.to_string())
             };
             judge(table.errors.lookup.max, &found.channels, &mut difference, again);
         } else if let Some(baked) = volume {
             // So the order of texels is the table's.
-            let again = |channels: &[Channel]| {
-                volume::bake::measured_again(baked, channels).map_err(|e| e.to_string())
-            };
+            let again =
+                |channels: &[Channel]| tables::measured_again(baked, channels).map_err(|e| e.to_string());
             judge(baked.errors.lookup.max, &found.channels, &mut difference, again);
         }
     }

@@ -1,7 +1,7 @@
 //! Points at which the lookups of this effect are measured: every combination of scrambled roughnesses and anisotropies, each roughness
 //! with cosines of its own, since the truth is cheapest on such a grid.
 
-use crate::effects::volume::{Point, Points, Region, Third, aspect};
+use crate::effects::table::{Point, Points, Region, Third, aspect};
 use lobefit_math::sobol::Sobol;
 
 /// Roughnesses, anisotropies, and cosines of each kind: uniform, and in the layer mu ~ alpha.

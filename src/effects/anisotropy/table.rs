@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::path_tracer::{self, FLOOR};
 use super::{QUANTITY, truth};
 use crate::data::{Axis, Smith, Surface, Table, VolumeLayout};
-use crate::effects::volume::{
+use crate::effects::table::{
     ANISO_SAMPLES, Azimuth, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, aniso_axes,
     aspect, azimuth_axes, channel, check,
 };

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::points::Judge;
 use crate::data::Smith;
-use crate::effects::volume::{Made, Point, Points, Region, aspect};
+use crate::effects::table::{Made, Point, Points, Region, aspect};
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::aniso::table::{Azimuthal, Columns, Grid, tabulate};

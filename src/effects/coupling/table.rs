@@ -3,16 +3,17 @@
 use std::collections::BTreeMap;
 
 use super::bake::Lobe;
-use crate::data::{Approximation, Certificate, Cost, Form, Layout, Serves, Source, Table, TexelFormat, Use};
+use crate::data::{
+    Approximation, Axis, Certificate, Cost, Decode, Form, Layout, Serves, Source, Table, TexelFormat, Use,
+};
 use crate::effects::BakeError;
 use crate::effects::Deviation;
 use crate::effects::context::Context;
 use crate::effects::coupling::CouplingSpec;
 use crate::effects::coupling::emitted::exact;
 use crate::effects::coupling::results::AnyF0Finding;
-use crate::effects::reflection::{
-    Field, FitStageError, Lookup, PointSet, Region, TableSpec, build, certification, lookup_ops,
-};
+use crate::effects::reflection::{Field, FitStageError, PointSet, Region, TableSpec, build, certification};
+use crate::effects::table::{Lookup, LookupError, Points};
 use crate::report::ApproximationFinding;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Hypothesis, round_up};
@@ -44,12 +45,13 @@ pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, An
     };
     let table = build(&spec, &context.counter)?;
     let quantised = table.quantised();
-    let measured = Measured::new(lobe, &quantised, context);
+    let measured = Measured::new(lobe, &quantised, context)?;
     let here = measured.over(&[f0[0], f0[1]]);
     let any = measured.over(&ANY);
     let text = exact(Language::Wgsl, *specular);
     let formula = Hypothesis::parse("coupling_table.wgsl", &text).map_err(FitStageError::from)?;
-    let ops = lookup_ops(spec.layout, spec.serves) + formula.tape().cost_ops();
+    let lookup = table.axes.iter().map(Axis::ops).sum::<u32>() + Decode::SplitSum.ops();
+    let ops = lookup + formula.tape().cost_ops();
     let approximation = Approximation {
         name: spec.name.clone(),
         quantity: "diffuse-coupling".into(),
@@ -92,20 +94,21 @@ struct Measured<'a> {
     lobe: &'a Lobe,
     points: PointSet,
     truth: Field,
-    found: Vec<(f32, f32)>,
+    found: Vec<(f64, f64)>,
 }
 
 impl Measured<'_> {
-    fn new<'a>(lobe: &'a Lobe, table: &Table, context: &Context) -> Measured<'a> {
+    fn new<'a>(lobe: &'a Lobe, table: &Table, context: &Context) -> Result<Measured<'a>, LookupError> {
         let points = certification(&lobe.spec.region, LOG2);
         let truth = Field::split(lobe.spec.smith, &points, &context.counter);
-        let lookup = Lookup::new(table, Layout::Plain, Serves::SplitSum);
-        let at = |i: usize| {
-            let split = lookup.at(points.roughness[i], points.alpha[i], points.mu[i]);
-            (split.e, split.b)
+        let lookup = Lookup::new(table, Decode::SplitSum)?;
+        let no_bias = || LookupError::NoBias { table: table.name.clone() };
+        let at = |point: &_| {
+            let values = lookup.at(point);
+            Ok((f64::from(values.e), f64::from(values.b.ok_or_else(no_bias)?)))
         };
-        let found = (0..points.len()).map(at).collect();
-        Measured { lobe, points, truth, found }
+        let found = Points::isotropic(&points).all.iter().map(at).collect::<Result<_, _>>()?;
+        Ok(Measured { lobe, points, truth, found })
     }
 
     /// The factor's errors at all points for each f0 in turn.
@@ -120,7 +123,7 @@ impl Measured<'_> {
             let pairs = self.found.iter().zip(self.truth.e.iter().zip(&self.truth.b));
             for ((e, b), (true_e, true_b)) in pairs {
                 let truth = of(*true_e, *true_b, *f0);
-                errors.push(of(f64::from(*e), f64::from(*b), *f0) - truth);
+                errors.push(of(*e, *b, *f0) - truth);
                 truths.push(truth);
             }
         }

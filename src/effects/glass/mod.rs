@@ -7,7 +7,7 @@ mod table;
 use rayon::prelude::*;
 
 use crate::data::Smith;
-use crate::effects::volume::{Made, Points};
+use crate::effects::table::{Made, Points};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};

@@ -2,7 +2,7 @@
 
 use super::{JUDGED, QUANTITY, energies, path_tracer};
 use crate::data::{Smith, Table, VolumeLayout};
-use crate::effects::volume::{
+use crate::effects::table::{
     GLASS_SAMPLES, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, channel, check, glass_axes,
 };
 use lobefit_truth::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};

@@ -3,11 +3,8 @@
 mod accuracy;
 pub mod bake;
 mod catalogue;
-mod decode;
 mod field;
 mod fits;
-mod lookup;
-mod measure;
 mod points;
 mod region;
 mod rivals;
@@ -16,12 +13,9 @@ mod table;
 
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS, catalogue_names, catalogue_sources};
-pub use decode::lookup_ops;
 pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fits::{Dropped, Fit, FitSet, FitSpec, FitStageError, fit_all};
 pub(in crate::effects) use fits::{Searched, formula, kept, searched, searched_within};
-pub use lookup::{Lookup, Split};
-pub use measure::{Errors, Judged, error_map, measure};
 pub use points::{PointSet, certification};
 pub use region::Region;
 pub use rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};

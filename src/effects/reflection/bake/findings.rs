@@ -68,7 +68,7 @@ pub fn findings(
         origin: origin(scene, context),
         effects: vec![effect(called, tables, fits)],
         left_out: left_out(dropped),
-        tables: tables.iter().filter_map(|t| table(t, context)).collect(),
+        tables: tables.iter().filter_map(|t| table(t, context).transpose()).collect::<Result<_, _>>()?,
         truths,
         approximations: approximations(tables, fits),
         fits: fit_findings,
@@ -94,7 +94,9 @@ fn region_of_furnace(plan: &Plan, tables: &[BakedTable]) -> Option<Region> {
 
 fn furnace_of(grid: &Grid, tables: &[BakedTable], shown: &[Selected]) -> Result<Furnace, BakeError> {
     let mut rows = vec![grid.uncompensated()];
-    rows.extend(tables.iter().filter_map(|t| grid.furnace_of_table(t)));
+    for table in tables {
+        rows.extend(grid.furnace_of_table(table)?);
+    }
     for one in shown {
         rows.push(grid.furnace_of_fit(one.fit)?);
     }
@@ -151,13 +153,13 @@ fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFindi
     tables.iter().map(|t| &t.approximation).chain(fits).map(ApproximationFinding::from).collect()
 }
 
-fn table(baked: &BakedTable, context: &Context) -> Option<TableFinding> {
-    let table = baked.table()?;
+fn table(baked: &BakedTable, context: &Context) -> Result<Option<TableFinding>, BakeError> {
+    let Some(table) = baked.table() else { return Ok(None) };
     let split = baked.serves == Serves::SplitSum;
     let map = Grid::map(table.smith, &baked.region, split, context);
     let channel =
         |c: &crate::data::Channel| ChannelFinding { name: c.name.clone(), texels: c.texels.clone() };
-    Some(TableFinding {
+    Ok(Some(TableFinding {
         name: table.name.clone(),
         file: format!("tables/{}.exr", table.name),
         quantity: table.quantity.clone(),
@@ -168,8 +170,8 @@ fn table(baked: &BakedTable, context: &Context) -> Option<TableFinding> {
         bytes: table.bytes(),
         channels: table.channels.iter().map(channel).collect(),
         errors: errors(baked),
-        lookup_error: map.lookup_errors(baked),
-    })
+        lookup_error: map.lookup_errors(baked)?,
+    }))
 }
 
 /// The errors of a table, one line each.

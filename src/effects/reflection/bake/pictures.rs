@@ -3,10 +3,11 @@
 use rayon::prelude::*;
 
 use super::tables::BakedTable;
-use crate::data::{Serves, Smith};
+use crate::data::{Decode, Smith};
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::reflection::{Field as Truth, Fit, Judged, Lookup, PointSet, Region, error_map};
+use crate::effects::reflection::{Field as Truth, Fit, PointSet, Region};
+use crate::effects::table::{self, Judged, Lookup, LookupError, Points, error_map};
 use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::reflection::{TOLERANCE, average};
@@ -139,19 +140,21 @@ impl Grid {
     }
 
     /// Errors of a table's lookup: of E, and of B where it holds that.
-    pub fn lookup_errors(&self, baked: &BakedTable) -> Vec<Field> {
-        let Some(table) = baked.table() else { return Vec::new() };
-        let lookup = Lookup::new(table, baked.layout, baked.serves);
+    pub fn lookup_errors(&self, baked: &BakedTable) -> Result<Vec<Field>, LookupError> {
+        let Some(table) = baked.table() else { return Ok(Vec::new()) };
+        let decode = Decode::of(baked.layout, baked.serves);
+        let lookup = Lookup::new(table, decode)?;
+        let (points, b) = (Points::isotropic(&self.points), self.truth.b.as_slice());
+        let truth = table::Truth { e: &self.truth.e, b: (!b.is_empty()).then_some(b) };
         let map = |name: &str, judged| {
-            let values = error_map(&lookup, judged, &self.points, &self.truth);
-            self.field(name, true, values.into_iter())
+            let values = error_map(&lookup, judged, &points, truth)?;
+            Ok(self.field(name, true, values.into_iter()))
         };
-        match baked.serves {
-            Serves::Albedo => vec![map("lookup error of E", Judged::E)],
-            Serves::SplitSum => {
-                vec![map("lookup error of E", Judged::E), map("lookup error of B", Judged::B)]
-            }
+        let mut maps = vec![map("lookup error of E", Judged::E)?];
+        if decode.has_bias() {
+            maps.push(map("lookup error of B", Judged::B)?);
         }
+        Ok(maps)
     }
 
     /// 1/E and N over mu, one per roughness.
@@ -173,11 +176,12 @@ impl Grid {
     }
 
     /// The furnace of a lobe divided by a table's E.
-    pub fn furnace_of_table(&self, baked: &BakedTable) -> Option<FurnaceRow> {
-        let lookup = Lookup::new(baked.table()?, baked.layout, baked.serves);
-        let p = &self.points;
-        let at = |i: usize| self.truth.e[i] / f64::from(lookup.at(p.roughness[i], p.alpha[i], p.mu[i]).e);
-        Some(self.row(&baked.approximation.name, (0..p.len()).map(at).collect()))
+    pub fn furnace_of_table(&self, baked: &BakedTable) -> Result<Option<FurnaceRow>, LookupError> {
+        let Some(table) = baked.table() else { return Ok(None) };
+        let lookup = Lookup::new(table, Decode::of(baked.layout, baked.serves))?;
+        let points = Points::isotropic(&self.points).all;
+        let factors = points.iter().zip(&self.truth.e).map(|(p, e)| e / f64::from(lookup.at(p).e));
+        Ok(Some(self.row(&baked.approximation.name, factors.collect())))
     }
 
     /// The furnace of a lobe multiplied by a fit's N.

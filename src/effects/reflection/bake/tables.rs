@@ -3,13 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::data::{
-    Approximation, Certificate, Channel, Cost, Form, Layout, Serves, Smith, Source, Table, Use,
+    Approximation, Axis, Certificate, Channel, Cost, Decode, Form, Layout, Serves, Smith, Source, Table, Use,
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::reflection::{
-    Counter, Errors, Field, PointSet, Region, TableSpec, build, certification, lookup_ops, measure,
-};
+use crate::effects::reflection::{Counter, Field, Region, TRUTH_ERROR, TableSpec, build, certification};
+use crate::effects::table::{Errors, Points, Truth, measure};
 use crate::plan::{JUDGED_MU, TableJob};
 use lobefit_shade::round_up;
 
@@ -48,9 +47,13 @@ impl BakedTable {
 struct Judge {
     smith: Smith,
     region: Region,
-    split: bool,
-    points: PointSet,
+    points: Points,
     truth: Field,
+}
+
+/// E, and B where it was integrated.
+fn truth(field: &Field) -> Truth<'_> {
+    Truth { e: &field.e, b: (!field.b.is_empty()).then_some(&field.b) }
 }
 
 /// Bakes the jobs in order. A promise that a table does not keep is noted in the context.
@@ -91,10 +94,9 @@ fn judge<'a>(job: &TableJob, jobs: &[TableJob], judges: &'a mut Vec<Judge>, cont
         } else {
             Field::albedo(smith, &points, &context.counter)
         };
-        judges.push(Judge { smith, region: region_of_job, split, points, truth });
+        judges.push(Judge { smith, region: region_of_job, points: Points::isotropic(&points), truth });
         judges.len() - 1
     });
-    debug_assert!(judges[index].split || job.serves == Serves::Albedo, "a split table needs B");
     &judges[index]
 }
 
@@ -107,7 +109,8 @@ fn bake_table(job: &TableJob, judge: &Judge, context: &Context) -> Result<BakedT
     for size in sizes {
         let spec = spec(job, judge.region, size);
         let table = build(&spec, &context.counter)?;
-        let errors = measure(&table, job.layout, job.serves, &judge.points, &judge.truth);
+        let decode = Decode::of(job.layout, job.serves);
+        let errors = measure(&table, decode, &judge.points, truth(&judge.truth), TRUTH_ERROR)?;
         let enough = job.max_error.is_none_or(|limit| errors.lookup.max <= limit);
         last = Some(finish(job, judge.region, &table, errors));
         if enough {
@@ -152,7 +155,8 @@ fn finish(job: &TableJob, region: Region, table: &Table, mut errors: Errors) -> 
         Serves::Albedo => ("E", Use::Value),
         Serves::SplitSum => ("E, A, B", Use::F0Blend),
     };
-    let cost = Cost { ops: lookup_ops(job.layout, job.serves), fetches: 1, bytes: table.bytes() };
+    let ops = table.axes.iter().map(Axis::ops).sum::<u32>() + Decode::of(job.layout, job.serves).ops();
+    let cost = Cost { ops, fetches: 1, bytes: table.bytes() };
     let approximation = Approximation {
         name: table.name.clone(),
         quantity: table.quantity.clone(),
@@ -176,16 +180,23 @@ pub fn ranges(region: &Region) -> BTreeMap<String, [f64; 2]> {
 /// Points that tell whether other texels keep a stated error: as many as that was measured at.
 const LOG2_RECHECK: u32 = LOG2_POINTS;
 
-/// The lookup error of a table with other texels, channels found by name; none if one is missing.
-pub fn measured_again(baked: &BakedTable, channels: &[Channel]) -> Option<f64> {
-    let mut table = baked.table()?.clone();
+/// The lookup error of a table with other texels, channels found by name.
+///
+/// # Errors
+/// A channel is missing.
+pub fn measured_again(baked: &BakedTable, channels: &[Channel]) -> Result<f64, BakeError> {
+    let lacks = |what: &str| BakeError::Internal(format!("{}: no {what}", baked.approximation.name));
+    let mut table = baked.table().ok_or_else(|| lacks("texels"))?.clone();
     for channel in &mut table.channels {
-        channel.texels = channels.iter().find(|c| c.name == channel.name)?.texels.clone();
+        let found = channels.iter().find(|c| c.name == channel.name);
+        channel.texels = found.ok_or_else(|| lacks(&format!("channel {}", channel.name)))?.texels.clone();
     }
     let (points, counter) = (certification(&baked.region, LOG2_RECHECK), Counter::default());
-    let truth = match baked.serves {
+    let field = match baked.serves {
         Serves::SplitSum => Field::split(table.smith, &points, &counter),
         Serves::Albedo => Field::albedo(table.smith, &points, &counter),
     };
-    Some(measure(&table, baked.layout, baked.serves, &points, &truth).lookup.max)
+    let decode = Decode::of(baked.layout, baked.serves);
+    let errors = measure(&table, decode, &Points::isotropic(&points), truth(&field), TRUTH_ERROR)?;
+    Ok(errors.lookup.max)
 }

@@ -6,7 +6,7 @@ use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use lobefit::data::Smith;
-use lobefit::effects::volume::aspect;
+use lobefit::effects::table::aspect;
 use lobefit_truth::integrate::aniso::table::{Columns, Grid, tabulate};
 
 /// Least alpha_x and alpha_y: smaller ones are raised, as tables do.

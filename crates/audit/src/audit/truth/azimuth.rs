@@ -8,7 +8,7 @@ use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use lobefit::data::Smith;
-use lobefit::effects::volume::aspect;
+use lobefit::effects::table::aspect;
 use lobefit_math::ops;
 use lobefit_truth::integrate::aniso::table::Azimuthal;
 

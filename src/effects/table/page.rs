@@ -1,6 +1,6 @@
 //! The page of an effect whose tables have three axes.
 
-use crate::effects::volume::results::{
+use crate::effects::table::results::{
     AzimuthFinding, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable,
 };
 use crate::report::numbers::grouped;

@@ -8,8 +8,8 @@ use super::{BakedVolume, azimuth, furnaces};
 use crate::data::{Smith, VolumeLayout};
 use crate::effects::Deviation;
 use crate::effects::context::Context;
-use crate::effects::volume::results::{SourcesFinding, VolumeFindings, VolumeTable};
-use crate::effects::volume::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
+use crate::effects::table::results::{SourcesFinding, VolumeFindings, VolumeTable};
+use crate::effects::table::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
 use crate::effects::{BakeError, origin};
 use crate::emit::manifest::Entries;
 use crate::plan::{Effect, VolumeJob};
@@ -143,7 +143,7 @@ fn shown_table(baked: &BakedVolume, entry: &Value, grids: &[Grid]) -> Result<Vol
         lookup_error: maps
             .iter()
             .map(|g| g.errors(&named(g, baked, "error of E"), &lookup, baked.side))
-            .collect(),
+            .collect::<Result<_, _>>()?,
     })
 }
 

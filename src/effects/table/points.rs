@@ -1,9 +1,11 @@
-//! Points at which lookups of tables of three axes are measured: none that the texels were made from, but for the corners.
+//! Points at which lookups of tables are measured: none that the texels were made from, but for the corners.
 //!
-//! They come in groups of [`GROUP`] that share roughness and mu and differ in the third input, so that a truth can share its work.
+//! Those of a table with three axes come in groups of [`GROUP`] that share roughness and mu and differ in the third input, so that
+//! a truth can share its work.
 
 use super::{Point, Region, Third};
 use crate::data::Place;
+use crate::effects::reflection::PointSet;
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 
@@ -18,8 +20,8 @@ pub struct Points {
     /// Which are uniform in roughness, mu and the third input: RMS and mean are taken over them. The others crowd into the layer
     /// mu ~ alpha, onto the edges and about the critical angle, where the largest errors hide.
     pub uniform: Vec<bool>,
-    /// The third input.
-    third: Third,
+    /// The third input, where there is one.
+    third: Option<Third>,
     /// Whether the azimuth is an input.
     azimuth: bool,
 }
@@ -30,7 +32,7 @@ const EDGE: usize = 1 << 8;
 impl Points {
     /// 2^log2 groups uniform in the region, half as many in the layer, as many about the critical angle of glass, and the edges.
     pub fn certification(region: &Region, log2: u32) -> Points {
-        let mut points = Points { third: region.third, ..Points::default() };
+        let mut points = Points { third: Some(region.third), ..Points::default() };
         let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
         // a group's values lie one in each 1/GROUP of the span, in an order of their own
         let third = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
@@ -73,7 +75,7 @@ impl Points {
 
     /// The points of a list of roughness, mu and values of the third input, every combination: roughness fastest, then mu.
     pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], third: f64) -> Points {
-        let mut points = Points { third: region.third, ..Points::default() };
+        let mut points = Points { third: Some(region.third), ..Points::default() };
         for m in mu {
             for r in roughness {
                 points.all.push(point(region, *r, *m, third));
@@ -85,7 +87,21 @@ impl Points {
 
     /// Points as they are given, with what tells which are uniform.
     pub(in crate::effects) fn of(all: Vec<Point>, uniform: Vec<bool>, third: Third, azimuth: bool) -> Points {
-        Points { all, uniform, third, azimuth }
+        Points { all, uniform, third: Some(third), azimuth }
+    }
+
+    /// The points of an isotropic lobe that only reflects.
+    pub fn isotropic(set: &PointSet) -> Points {
+        let point = |i: usize| Point {
+            roughness: set.roughness[i],
+            alpha: set.alpha[i],
+            mu: set.mu[i],
+            cos2_phi: 1.0,
+            ior: 1.0,
+            anisotropy: 0.0,
+        };
+        let uniform = (0..set.len()).map(|i| i < set.uniform).collect();
+        Points { all: (0..set.len()).map(point).collect(), uniform, third: None, azimuth: false }
     }
 
     /// Number of points.
@@ -101,13 +117,9 @@ impl Points {
     /// Point `i` by input name, each in the shortest decimal that reads back to its f32.
     pub fn place(&self, i: usize) -> Place {
         let p = &self.all[i];
-        let inputs = [
-            ("alpha", p.alpha),
-            ("mu", p.mu),
-            ("roughness", p.roughness),
-            (self.third.name(), self.third.of(p)),
-        ];
-        let mut place: Place = inputs.into_iter().map(|(name, x)| (name.to_string(), shortest(x))).collect();
+        let third = self.third.map(|third| (third.name(), third.of(p)));
+        let inputs = [("alpha", p.alpha), ("mu", p.mu), ("roughness", p.roughness)].into_iter().chain(third);
+        let mut place: Place = inputs.map(|(name, x)| (name.to_string(), shortest(x))).collect();
         if self.azimuth {
             let phi = ops::atan2f((1.0 - p.cos2_phi).sqrt(), p.cos2_phi.sqrt());
             place.insert("phi".into(), shortest(phi));

@@ -6,8 +6,8 @@ use super::grid::{Grid, grazing};
 use super::readings::as_the_sources_read;
 use crate::data::VolumeLayout;
 use crate::effects::BakeError;
-use crate::effects::volume::results::FurnaceFinding;
-use crate::effects::volume::{Lookup, Third};
+use crate::effects::table::results::FurnaceFinding;
+use crate::effects::table::{Lookup, Third};
 use crate::report::{Furnace, FurnaceRow, Ruler};
 use lobefit_truth::integrate::glass::Side;
 

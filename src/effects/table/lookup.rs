@@ -1,6 +1,6 @@
-//! A table of three axes as a shader reads it: coordinates, trilinear fetch and decoding, in f32.
+//! A table as a shader reads it, whatever the number of its axes: coordinates, linear fetch and decoding, in f32.
 
-use crate::data::{Axis, Decode, Surface, Table};
+use crate::data::{AXES, Axis, Decode, Surface, Table, Values};
 
 /// Arguments of an emitted lookup. Those that the table does not use are not read.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,23 +60,33 @@ impl Variable {
     }
 }
 
-/// A table that cannot be looked up so.
+/// A table that cannot be looked up.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LookupError {
-    /// Not three axes, or other channels than the decoding reads.
-    #[error(
-        "table {table}: {axes} axes and {channels} channels; this lookup reads 3 axes and {expected} channels"
-    )]
-    Shape {
+    /// Other channels than the decoding reads.
+    #[error("table {table}: {channels} channels; its decoding reads {expected}")]
+    Channels {
         /// Table's name.
         table: String,
-        /// Axes found.
-        axes: usize,
         /// Channels found.
         channels: usize,
         /// Channels that the decoding reads.
         expected: usize,
+    },
+    /// More axes than a texture has.
+    #[error("table {table}: {axes} axes; a texture has one to {AXES}")]
+    Axes {
+        /// Table's name.
+        table: String,
+        /// Axes found.
+        axes: usize,
+    },
+    /// B is asked for where the table or the truth has none.
+    #[error("table {table}: its error of B is asked for, and the table or the truth has none")]
+    NoBias {
+        /// Table's name.
+        table: String,
     },
     /// An axis of no known variable.
     #[error("table {table}: axis {axis} is none of roughness, alpha, mu, anisotropy, ior")]
@@ -91,7 +101,8 @@ pub enum LookupError {
 /// A table prepared for lookups.
 #[derive(Clone, Debug)]
 pub struct Lookup<'a> {
-    axes: [(&'a Axis, Variable); 3],
+    table: &'a str,
+    axes: Vec<(&'a Axis, Variable)>,
     /// Texels of each channel.
     texels: Vec<Vec<f32>>,
     decode: Decode,
@@ -99,24 +110,37 @@ pub struct Lookup<'a> {
     weight_steps: Option<f32>,
 }
 
+/// The texels around a position along one axis, as offsets into the channel.
+#[derive(Clone, Copy, Default)]
+struct Cell {
+    /// Of the texel before the position.
+    base: usize,
+    /// From there to the next; 0 on a texel.
+    step: usize,
+    fraction: f32,
+}
+
 impl<'a> Lookup<'a> {
     /// Lookups with f32 interpolation weights. The texels are taken as they are: quantise the table first.
     ///
-    /// Errors: not three axes, other channels than `decode` reads, an axis of another variable than [`Point`] has.
+    /// # Errors
+    /// No axis or more than a texture has, other channels than `decode` reads, an axis of another variable than [`Point`] has.
     pub fn new(table: &'a Table, decode: Decode) -> Result<Lookup<'a>, LookupError> {
-        let (axes, channels, expected) = (table.axes.len(), table.channels.len(), decode.channels());
-        let shape = || LookupError::Shape { table: table.name.clone(), axes, channels, expected };
-        let [x, y, z] = table.axes.as_slice() else { return Err(shape()) };
-        if channels != expected || channels > 4 {
-            return Err(shape());
+        let (name, axes) = (|| table.name.clone(), table.axes.len());
+        let (channels, expected) = (table.channels.len(), decode.channels());
+        if !(1..=AXES).contains(&axes) {
+            return Err(LookupError::Axes { table: name(), axes });
+        }
+        if channels != expected {
+            return Err(LookupError::Channels { table: name(), channels, expected });
         }
         let variable = |axis: &'a Axis| {
-            let unknown = || LookupError::Axis { table: table.name.clone(), axis: axis.name.clone() };
+            let unknown = || LookupError::Axis { table: name(), axis: axis.name.clone() };
             Variable::of(axis).map(|variable| (axis, variable)).ok_or_else(unknown)
         };
-        let axes = [variable(x)?, variable(y)?, variable(z)?];
+        let axes = table.axes.iter().map(variable).collect::<Result<_, _>>()?;
         let texels = table.channels.iter().map(|c| c.texels.iter().map(|t| *t as f32).collect()).collect();
-        Ok(Lookup { axes, texels, decode, weight_steps: None })
+        Ok(Lookup { table: &table.name, axes, texels, decode, weight_steps: None })
     }
 
     /// The same with interpolation weights rounded to `bits` fractional bits, as texture units do.
@@ -125,37 +149,33 @@ impl<'a> Lookup<'a> {
         self
     }
 
-    /// E at a point, in the shader's arithmetic.
-    pub fn at(&self, point: &Point) -> f32 {
-        self.decode.albedo(self.texel(point), point.surface())
+    /// Name of the table.
+    pub fn table(&self) -> &'a str {
+        self.table
+    }
+
+    /// The decoded values at a point, in the shader's arithmetic.
+    pub fn at(&self, point: &Point) -> Values {
+        self.decode.values(self.texel(point), point.mu, point.surface())
     }
 
     /// The texel between those around a point; channels that the table does not have are 0.
     pub fn texel(&self, point: &Point) -> [f32; 4] {
-        let surface = point.surface();
-        let cells = self.axes.map(|(axis, variable)| {
-            self.cell(axis.texture_coordinate(variable.at(point), surface), axis.size)
-        });
+        let (surface, mut stride) = (point.surface(), 1);
+        let mut cells = [Cell::default(); AXES];
+        for (cell, (axis, variable)) in cells.iter_mut().zip(&self.axes) {
+            *cell = self.cell(axis.texture_coordinate(variable.at(point), surface), axis.size, stride);
+            stride *= axis.size;
+        }
         let mut texel = [0.0; 4];
         for (value, texels) in texel.iter_mut().zip(&self.texels) {
-            *value = self.fetch(texels, cells);
+            *value = between(texels, &cells[..self.axes.len()]);
         }
         texel
     }
 
-    fn fetch(&self, texels: &[f32], cells: [(usize, usize, f32); 3]) -> f32 {
-        let [columns, rows, _] = self.axes.map(|(axis, _)| axis.size);
-        let [(column, right, fx), (row, down, fy), (slice, deep, fz)] = cells;
-        let pair = |slice: usize, row: usize| {
-            let at = (slice * rows + row) * columns + column;
-            mix(texels[at], texels[at + right], fx)
-        };
-        let plane = |slice: usize| mix(pair(slice, row), pair(slice, row + down), fy);
-        mix(plane(slice), plane(slice + deep), fz)
-    }
-
-    /// Texel before a texture coordinate, clamped to the edge, the step to the one after it, and the fraction between.
-    fn cell(&self, coordinate: f32, n: usize) -> (usize, usize, f32) {
+    /// The cell of a texture coordinate, clamped to the edge, on an axis whose texels lie `stride` apart.
+    fn cell(&self, coordinate: f32, n: usize, stride: usize) -> Cell {
         let position = (coordinate * n as f32 - 0.5).max(0.0).min((n - 1) as f32);
         let position = match self.weight_steps {
             Some(steps) => (position * steps + 0.5).floor() / steps,
@@ -163,12 +183,16 @@ impl<'a> Lookup<'a> {
         };
         let base = (position as usize).min(n - 1);
         let fraction = position - base as f32;
-        (base, usize::from(fraction > 0.0), fraction)
+        Cell { base: base * stride, step: if fraction > 0.0 { stride } else { 0 }, fraction }
     }
 }
 
-fn mix(a: f32, b: f32, fraction: f32) -> f32 {
-    a + (b - a) * fraction
+/// The value between the texels of some cells, along the first axis first.
+fn between(texels: &[f32], cells: &[Cell]) -> f32 {
+    let Some((Cell { base, step, fraction }, before)) = cells.split_last() else { return texels[0] };
+    let near = between(&texels[*base..], before);
+    let far = between(&texels[base + step..], before);
+    near + (far - near) * fraction
 }
 
 #[cfg(test)]
@@ -215,7 +239,7 @@ mod tests {
             for j in 0..=10 {
                 for k in 0..=10 {
                     let [mu, roughness, ior] = [i as f32 / 10.0, j as f32 / 10.0, 1.0 + k as f32 / 10.0];
-                    let found = lookup.at(&Point { mu, roughness, ior, ..Point::default() });
+                    let found = lookup.at(&Point { mu, roughness, ior, ..Point::default() }).e;
                     // Centres end half a texel inside: clamped beyond.
                     let inside = f64::from(roughness).clamp(0.125, 0.875);
                     let expected = plane(f64::from(mu), inside, f64::from(ior));
@@ -224,6 +248,25 @@ mod tests {
                         "{mu} {roughness} {ior}: {found} {expected}"
                     );
                 }
+            }
+        }
+    }
+
+    /// The texels of the first slice, and of its first row, are tables of their own.
+    #[test]
+    fn one_and_two_axes_are_cases_of_three() {
+        let whole = table();
+        for axes in [1, 2] {
+            let mut part = table();
+            part.axes.truncate(axes);
+            let texels: usize = part.axes.iter().map(|axis| axis.size).product();
+            part.channels[0].texels.truncate(texels);
+            let [part, whole] = [&part, &whole].map(|t| Lookup::new(t, Decode::Albedo).expect("known axes"));
+            for i in 0..=100 {
+                let mu = i as f32 / 100.0;
+                let roughness = if axes == 1 { 0.0 } else { 1.0 - mu };
+                let point = Point { mu, roughness, ior: 1.0, ..Point::default() };
+                assert_eq!(part.at(&point), whole.at(&point), "{point:?}");
             }
         }
     }
@@ -238,20 +281,21 @@ mod tests {
         for i in 0..1000 {
             let part = |k: usize| ((i * k) % 1009) as f32 / 1008.0;
             let point = Point { mu: part(1), roughness: part(37), ior: 1.0 + part(211), ..Point::default() };
-            worst = worst.max((exact.at(&point) - coarse.at(&point)).abs());
+            worst = worst.max((exact.at(&point).e - coarse.at(&point).e).abs());
         }
         assert!(worst > 0.0 && worst < steps / 512.0 + 1e-6, "{worst}");
     }
 
     #[test]
     fn other_tables_are_refused() {
-        let mut two = table();
-        two.axes.pop();
-        assert!(matches!(Lookup::new(&two, Decode::Albedo), Err(LookupError::Shape { axes: 2, .. })));
-        assert!(matches!(
-            Lookup::new(&table(), Decode::LossBias),
-            Err(LookupError::Shape { channels: 1, .. })
-        ));
+        for axes in [0, 4] {
+            let mut other = table();
+            other.axes = vec![other.axes[0].clone(); axes];
+            let refused = Lookup::new(&other, Decode::Albedo);
+            assert!(matches!(refused, Err(LookupError::Axes { axes: found, .. }) if found == axes));
+        }
+        let refused = Lookup::new(&table(), Decode::LossBias).map(drop);
+        assert!(matches!(refused, Err(LookupError::Channels { channels: 1, expected: 2, .. })));
         let mut unknown = table();
         unknown.axes[2].name = "rho".into();
         assert!(

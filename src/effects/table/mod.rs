@@ -1,4 +1,5 @@
-//! What the effects with tables of three axes share: mu along columns, roughness along rows, a third input along slices.
+//! What tables of all effects share: the lookup and its error. Tables of three axes, whose slices lie along a third input after mu
+//! and roughness, share their plan of points too.
 //!
 //! The layouts that are made for the trilinear lookup ([`aniso_axes`], [`azimuth_axes`], [`glass_axes`]) hold losses, 1 - E, whose
 //! rounding to a half is small where E is close to 1; their texels are optimised for it ([`VolumePlan`]).
@@ -28,7 +29,7 @@ pub use azimuth::Azimuth;
 pub use check::{Checked, check};
 pub use estimator::{DRAWN, SOURCES_SAMPLES, estimate};
 pub use lookup::{Lookup, LookupError, Point};
-pub use measure::{Errors, error_map, measure};
+pub use measure::{Errors, Judged, Truth, error_map, measure};
 pub use plan::{Node, VolumePlan};
 pub use points::{GROUP, Points};
 pub use region::{Region, Third, aspect};

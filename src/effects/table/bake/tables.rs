@@ -7,7 +7,7 @@ use crate::data::{
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::volume::{Errors, Made, Points, Region, Spec, Third, measure};
+use crate::effects::table::{Errors, Made, Points, Region, Spec, Third, Truth, measure};
 use crate::effects::{anisotropy, glass};
 use crate::plan::{JUDGED_MU, VolumeJob, VolumeSpan};
 use lobefit_shade::round_up;
@@ -94,8 +94,8 @@ impl Judge {
     }
 
     /// E of a side.
-    pub fn truth(&self, side: Option<Side>) -> &[f64] {
-        &self.truths[usize::from(side == Some(Side::Inside))]
+    pub fn truth(&self, side: Option<Side>) -> Truth<'_> {
+        Truth { e: &self.truths[usize::from(side == Some(Side::Inside))], b: None }
     }
 }
 
@@ -191,7 +191,7 @@ fn finish(
     let decode = Decode::of_volume(job.layout);
     let integration = made.integration.max(judge.made.integration);
     let mut errors = measure(&table, decode, &judge.points, judge.truth(side), round_up(integration, 2))?;
-    for lookup in [&mut errors.lookup, &mut errors.lookup_8_bit] {
+    for lookup in [&mut errors.lookup, &mut errors.lookup_8_bit, &mut errors.lookup_e] {
         lookup.max = round_up(lookup.max, 4);
     }
     for rounding in &mut errors.quantisation {

@@ -2,7 +2,7 @@
 
 use crate::data::Smith;
 use crate::effects::BakeError;
-use crate::effects::volume::{Lookup, Points, Region, Third, error_map};
+use crate::effects::table::{Judged, Lookup, LookupError, Points, Region, Third, Truth, error_map};
 use crate::effects::{anisotropy, glass};
 use crate::report::{Field, Ruler};
 use lobefit_truth::integrate::glass::Side;
@@ -54,8 +54,10 @@ impl Grid {
     }
 
     /// Signed errors of a lookup as a picture.
-    pub fn errors(&self, name: &str, lookup: &Lookup, side: Option<Side>) -> Field {
-        self.field(name, true, error_map(lookup, &self.points, self.truth(side)).into_iter())
+    pub fn errors(&self, name: &str, lookup: &Lookup, side: Option<Side>) -> Result<Field, LookupError> {
+        let truth = Truth { e: self.truth(side), b: None };
+        let errors = error_map(lookup, Judged::E, &self.points, truth)?;
+        Ok(self.field(name, true, errors.into_iter()))
     }
 
     fn field(&self, name: &str, signed: bool, values: impl Iterator<Item = f64>) -> Field {
@@ -77,7 +79,7 @@ impl Grid {
     /// E / lookup over mu, by roughness.
     pub fn compensated(&self, lookup: &Lookup, side: Option<Side>) -> Vec<Vec<f64>> {
         let pairs = self.points.all.iter().zip(self.truth(side));
-        self.columns(pairs.map(|(point, e)| e / f64::from(lookup.at(point))).collect())
+        self.columns(pairs.map(|(point, e)| e / f64::from(lookup.at(point).e)).collect())
     }
 
     fn columns(&self, values: Vec<f64>) -> Vec<Vec<f64>> {

@@ -1,7 +1,7 @@
 //! Ways of reading a table of the sources' layout: as it is laid out, and as the sources read it.
 
 use crate::data::{Axis, Registration, Table, Warp};
-use crate::effects::volume::Third;
+use crate::effects::table::Third;
 
 /// The table as the sources' shader sees it at one value of the third input: mu (its root for glass) and roughness as texture
 /// coordinates, which a texture unit takes for texel centres; the layer rounded to the nearest of 32 a unit, not interpolated.

@@ -5,8 +5,8 @@ use super::tables::Judge;
 use crate::data::{Smith, VolumeLayout};
 use crate::effects::BakeError;
 use crate::effects::anisotropy;
-use crate::effects::volume::results::{AzimuthFinding, AzimuthWay};
-use crate::effects::volume::{Lookup, Region, measure};
+use crate::effects::table::results::{AzimuthFinding, AzimuthWay};
+use crate::effects::table::{Lookup, Region, measure};
 use crate::report::{ErrorFigure, Field, Ruler};
 
 /// Where the maps are drawn: roughness, and the number of azimuths and cosines.
@@ -69,7 +69,7 @@ fn finding<'a>(
             signed: true,
             x: rulers[0].clone(),
             y: rulers[1].clone(),
-            values: values.map(|(p, e)| (f64::from(lookup.at(p)) - e) as f32).collect(),
+            values: values.map(|(p, e)| (f64::from(lookup.at(p).e) - e) as f32).collect(),
         });
         let a = &baked.approximation;
         ways.push(AzimuthWay {

@@ -1,0 +1,114 @@
+//! A table measured as a shader sees it.
+
+use rayon::prelude::*;
+
+use super::{Lookup, LookupError, Points};
+use crate::data::{Decode, Table, Values};
+use crate::effects::{Deviation, Rounding};
+
+/// The true values at the points where a lookup is judged, in their order.
+#[derive(Clone, Copy, Debug)]
+pub struct Truth<'a> {
+    /// Directional albedo.
+    pub e: &'a [f64],
+    /// Schlick's bias; not read of a table without it.
+    pub b: Option<&'a [f64]>,
+}
+
+/// The errors of a table, by their causes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Errors {
+    /// Largest error known of the integrals that the texels were made from and that the lookup is judged against.
+    pub integration: f64,
+    /// Rounding to the format, by channel.
+    pub quantisation: Vec<Rounding>,
+    /// Error of the linear lookup of the quantised texels in the table's use, f32 weights: of E, or where the table has B
+    /// that of [`Judged::Either`].
+    pub lookup: Deviation,
+    /// The same with weights of 8 fractional bits, as many texture units interpolate.
+    pub lookup_8_bit: Deviation,
+    /// Error of E alone.
+    pub lookup_e: Deviation,
+    /// Error of B alone, where the table has it.
+    pub lookup_b: Option<Deviation>,
+    /// Number of points measured.
+    pub points: usize,
+}
+
+/// Which value of a lookup is judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judged {
+    /// E.
+    E,
+    /// B.
+    B,
+    /// The larger error of the two, which bounds that of f0 A + B for every f0 in [0, 1] (a lerp of B and E).
+    Either,
+}
+
+/// Measures a table against the truth at the points.
+///
+/// # Errors
+/// A table that the lookup cannot read; one with B where the truth has none.
+pub fn measure(
+    table: &Table,
+    decode: Decode,
+    points: &Points,
+    truth: Truth,
+    integration: f64,
+) -> Result<Errors, LookupError> {
+    let quantised = table.quantised();
+    let exact = Lookup::new(&quantised, decode)?;
+    let coarse = exact.clone().with_weight_bits(8);
+    let over = |lookup: &Lookup, judged| deviation(lookup, judged, points, truth);
+    let lookup_e = over(&exact, Judged::E)?;
+    let has_b = decode.has_bias();
+    let (lookup, lookup_8_bit) = if has_b {
+        (over(&exact, Judged::Either)?, over(&coarse, Judged::Either)?)
+    } else {
+        (lookup_e.clone(), over(&coarse, Judged::E)?)
+    };
+    Ok(Errors {
+        integration,
+        quantisation: Rounding::of(table, &quantised),
+        lookup,
+        lookup_8_bit,
+        lookup_e,
+        lookup_b: if has_b { Some(over(&exact, Judged::B)?) } else { None },
+        points: points.len(),
+    })
+}
+
+/// Signed error of a lookup at every point.
+///
+/// # Errors
+/// B is judged, and the lookup or the truth has none.
+pub fn error_map(
+    lookup: &Lookup,
+    judged: Judged,
+    points: &Points,
+    truth: Truth,
+) -> Result<Vec<f64>, LookupError> {
+    let no_bias = || LookupError::NoBias { table: lookup.table().into() };
+    let at = |(i, point): (usize, &_)| {
+        let Values { e, b } = lookup.at(point);
+        let of_e = f64::from(e) - truth.e[i];
+        if judged == Judged::E {
+            return Ok(of_e);
+        }
+        let (b, truth) = b.zip(truth.b).ok_or_else(no_bias)?;
+        let of_b = f64::from(b) - truth[i];
+        Ok(if judged == Judged::B || of_b.abs() > of_e.abs() { of_b } else { of_e })
+    };
+    points.all.par_iter().enumerate().map(at).collect()
+}
+
+fn deviation(
+    lookup: &Lookup,
+    judged: Judged,
+    points: &Points,
+    truth: Truth,
+) -> Result<Deviation, LookupError> {
+    let errors = error_map(lookup, judged, points, truth)?;
+    Ok(Deviation::of(&errors, truth.e, |i| points.uniform[i], |worst| points.place(worst)))
+}
