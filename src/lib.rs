@@ -15,18 +15,20 @@
 //! | floor | module | purpose |
 //! |---|---|---|
 //! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
-//! | 2 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
-//! | 2 | [`scene`] | bytes to a validated scene; owns all limits on input |
-//! | 3 | [`plan`] | scene to jobs, and to effects left out with the reason |
-//! | 3 | [`emit`] | tables, fits, lookups and compensations to bytes, one file per format |
-//! | 3 | [`report`] | results to plots, renders and pages |
-//! | 3 | [`store`] | the only module that touches the file system |
-//! | 4 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
-//! | 4 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
-//! | 5 | [`study`] | the long studies: rendered spheres and random walks, outside `bake` |
-//! | 5 | [`timing`] | what accuracy costs in seconds |
-//! | 6 | [`cli`] | one file per verb |
+//! | 2 | [`approximate`] | one formula for one quantity: target, samples, search, proof, certificate; knows no effect |
+//! | 3 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
+//! | 3 | [`scene`] | bytes to a validated scene; owns all limits on input |
+//! | 4 | [`plan`] | scene to jobs, and to effects left out with the reason |
+//! | 4 | [`emit`] | tables, fits, lookups and compensations to bytes, one file per format |
+//! | 4 | [`report`] | results to plots, renders and pages |
+//! | 4 | [`store`] | the only module that touches the file system |
+//! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 5 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
+//! | 6 | [`study`] | the long studies: rendered spheres and random walks, outside `bake` |
+//! | 6 | [`timing`] | what accuracy costs in seconds |
+//! | 7 | [`cli`] | one file per verb |
 
+pub mod approximate;
 pub mod bake;
 pub mod cli;
 pub mod data;

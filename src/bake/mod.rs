@@ -10,12 +10,12 @@ mod opening;
 mod part;
 mod recipe;
 
+use crate::approximate::{Counter, Dropped, Fit};
 pub use crate::effects::BakeError;
 use crate::effects::context::Context;
 pub use crate::effects::context::{Progress, Silent, UserHypothesis};
 use crate::effects::origin;
 pub use crate::effects::reflection::bake::BakedTable;
-use crate::effects::reflection::{Counter, Dropped, Fit};
 pub use crate::effects::table::bake::BakedVolume;
 use crate::effects::{coupling, parallax, reflection, sheen, table};
 use crate::plan::{EffectName, Plan};

@@ -2,8 +2,8 @@
 //! Refused before anything is integrated.
 
 use super::{BakeError, UserHypothesis};
+use crate::approximate::FitStageError;
 use crate::effects::coupling::emitted as coupling;
-use crate::effects::reflection::FitStageError;
 use crate::effects::{catalogue_names, parallax};
 use crate::emit::compensation;
 use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};

@@ -10,8 +10,8 @@ use super::input;
 use super::options::{ThreadsOption, positive, quantity, smith};
 use super::output::{Outcome, print};
 use super::points::{self, Points};
+use crate::approximate::{self, Quantity};
 use crate::data::Smith;
-use crate::effects::{self, Quantity};
 use crate::store;
 use lobefit_truth::integrate::footprint;
 use rayon::prelude::*;
@@ -130,8 +130,10 @@ const SAMPLES: u64 = 1 << 20;
 /// The outputs at every row, in order; to the `usual` tolerance where none is asked for.
 fn evaluate(options: &Options, usual: f64, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
     let method = match options.method {
-        Method::Quadrature => effects::Method::Quadrature { tolerance: options.tolerance.unwrap_or(usual) },
-        Method::MonteCarlo => effects::Method::MonteCarlo {
+        Method::Quadrature => {
+            approximate::Method::Quadrature { tolerance: options.tolerance.unwrap_or(usual) }
+        }
+        Method::MonteCarlo => approximate::Method::MonteCarlo {
             samples: options.samples.unwrap_or(SAMPLES),
             seed: options.seed.unwrap_or(0),
         },

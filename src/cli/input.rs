@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::CliError;
 use super::options::SceneOption;
+use crate::approximate::FitStageError;
 use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
-use crate::effects::reflection::FitStageError;
 use crate::plan::Plan;
 use crate::scene::{self, Scene, limits};
 use crate::store;

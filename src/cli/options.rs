@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::CliError;
+use crate::approximate::{QUANTITIES, Quantity};
 use crate::data::Smith;
-use crate::effects::{QUANTITIES, Quantity};
 use crate::plan::EffectName;
 use crate::scene::limits;
 

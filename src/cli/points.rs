@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::effects::{Input, Quantity, Values};
+use crate::approximate::{Input, Quantity, Values};
 use crate::scene::escape::visible;
 
 /// Largest file of points, bytes: some ten million points.

@@ -1,6 +1,6 @@
 //! What all stages of a bake share.
 
-use crate::effects::reflection::Counter;
+use crate::approximate::Counter;
 use crate::emit::header::Recipe;
 use crate::report::Origin;
 use crate::scene::Scene;

@@ -1,8 +1,8 @@
 //! Why an effect could not be baked.
 
-use super::reflection::FitStageError;
 use super::surface::SurfaceError;
 use super::table::{LookupError, VolumeError};
+use crate::approximate::FitStageError;
 use crate::data::TableError;
 use crate::emit::container::ContainerError;
 use crate::emit::exr::ExrError;

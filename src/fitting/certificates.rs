@@ -1,7 +1,7 @@
 //! The measured error of a fit in each arithmetic asked for.
 
+use crate::approximate::target::{Sampled, Target};
 use crate::data::{Certificate, Place};
-use crate::effects::target::{Sampled, Target};
 use lobefit_shade::{Hypothesis, Measured, Precision, ShadeError, measure_in, round_up};
 
 /// A certificate in one arithmetic, at points that the formula was not fitted on.

@@ -1,7 +1,7 @@
 //! What the user demands of a formula, as constraints on its coefficients.
 
 use super::FittingError;
-use crate::effects::target::Target;
+use crate::approximate::target::Target;
 use lobefit_fit::{Condition, Constraint};
 use lobefit_shade::Hypothesis;
 

@@ -4,8 +4,8 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::{Certified, Demand, Fitting, FittingError, Job, Proof, pictures, printed, words};
+use crate::approximate::target::Target;
 use crate::data::Certificate;
-use crate::effects::target::Target;
 use crate::emit::header::Recipe;
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
 use crate::report::{self, FitCard, FitPage, Origin};

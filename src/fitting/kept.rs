@@ -2,7 +2,7 @@
 //! proof.
 
 use super::{Demand, FittingError};
-use crate::effects::target::{Sampled, Target};
+use crate::approximate::target::{Sampled, Target};
 use lobefit_fit::{Condition, Constraint, FitError, Held};
 use lobefit_shade::{Domain, Hypothesis, RangeProof, Tape, prove_range};
 

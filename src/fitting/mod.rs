@@ -23,7 +23,7 @@ pub use one::{Certified, Proof, Weighted};
 pub use perceptual::Perceptual;
 pub use summary::summary;
 
-use crate::effects::target::{Target, TargetError, TargetSpec};
+use crate::approximate::target::{Target, TargetError, TargetSpec};
 use crate::report::ReportError;
 use lobefit_fit::{FitError, Fitted, Goal, Termination};
 use lobefit_shade::code::{CodeError, Language};

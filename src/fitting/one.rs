@@ -6,8 +6,8 @@ use super::poles::{Searched, Task, kept_out};
 use super::vanished::{self, Obedient};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
+use crate::approximate::target::{Sampled, Target};
 use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
-use crate::effects::target::{Sampled, Target};
 use lobefit_fit::{Constraint, FitError, Fitted, Goal, Options, Samples, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, Precision, ShadeError, prove_regular};
 

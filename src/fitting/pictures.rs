@@ -1,8 +1,8 @@
 //! Samples for the page's pictures: truth, fit and error over two inputs, the others fixed.
 
 use super::{Certified, FittingError};
+use crate::approximate::target::{Sampled, Span, Target};
 use crate::data::Use;
-use crate::effects::target::{Sampled, Span, Target};
 use crate::report::{Field, FitSlice, Ruler, SliceCurve};
 
 /// Side of a map, and of one where a truth is dear.

@@ -4,7 +4,7 @@ use super::kept::finer;
 use super::one::obedient;
 use super::vanished::Obedient;
 use super::{Demand, FittingError, demands};
-use crate::effects::target::{Sampled, Target};
+use crate::approximate::target::{Sampled, Target};
 use lobefit_fit::{Constraint, Options, Samples};
 use lobefit_shade::{Domain, Hypothesis, prove_regular};
 

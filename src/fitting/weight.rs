@@ -1,7 +1,7 @@
 //! A weight of the errors that are minimised.
 
 use super::{FittingError, Perceptual};
-use crate::effects::target::{Sampled, Target};
+use crate::approximate::target::{Sampled, Target};
 use lobefit_shade::{Hypothesis, Op, ShadeError};
 
 /// What the errors are multiplied with.

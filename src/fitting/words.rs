@@ -3,8 +3,8 @@
 use super::Kept;
 use super::one::Weighted;
 use super::weight::PERCEPTUAL;
+use crate::approximate::target::Target;
 use crate::data::Use;
-use crate::effects::target::Target;
 use lobefit_fit::{Fitted, Gap, Goal, Method, Stage, Termination};
 
 /// `max`, `rms`, `p=8`: as on the command line.

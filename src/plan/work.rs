@@ -163,7 +163,7 @@ pub(super) fn parallax_seconds(job: &ParallaxJob) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::effects::reflection::{Region, certification};
+    use crate::approximate::{Region, certification};
     use crate::scene::Scene;
 
     #[test]

@@ -4,8 +4,8 @@
 mod coupling;
 mod parallax;
 
+use crate::approximate::FitStageError;
 use crate::bake::Progress;
-use crate::effects::reflection::FitStageError;
 use crate::effects::room::cubemap::CubemapError;
 use crate::effects::surface::SurfaceError;
 use crate::fitting::FittingError;

@@ -9,9 +9,10 @@ mod tables;
 use std::hint::black_box;
 use std::time::Instant;
 
+use crate::approximate::{Fit, PointSet, Region, certification};
 use crate::bake::{BakeError, Baked, BakedVolume};
 use crate::data::{AlphaMap, Approximation, Decode, Smith, Source};
-use crate::effects::reflection::{Fit, POINTS, PointSet, Region, SAMPLERS, certification};
+use crate::effects::reflection::{POINTS, SAMPLERS};
 use crate::effects::table::{self, Lookup};
 use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
 use crate::scene::Scene;
@@ -152,7 +153,7 @@ fn volume_entry(volume: &BakedVolume) -> Result<Option<TimedApproximation>, Bake
 fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {
     let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(|name| points.column(name)).collect();
     let (tape, coefficients) = (fit.hypothesis.tape(), fit.coefficients());
-    tape.evaluate(&inputs, &coefficients).map_err(crate::effects::reflection::FitStageError::from)?;
+    tape.evaluate(&inputs, &coefficients).map_err(crate::approximate::FitStageError::from)?;
     Ok(seconds(|| {
         let _ = black_box(tape.evaluate(&inputs, &coefficients));
     }))

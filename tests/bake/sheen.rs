@@ -2,9 +2,9 @@
 
 use std::sync::LazyLock;
 
+use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
-use lobefit::effects::reflection::Fit;
 use lobefit::plan::{EffectName, Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_shade::Hypothesis;

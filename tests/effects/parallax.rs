@@ -2,10 +2,9 @@
 
 use std::sync::OnceLock;
 
+use lobefit::approximate::{Counter, Entry};
 use lobefit::data::{AlphaMap, Norm};
-use lobefit::effects::Entry;
 use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, ParallaxSpec, RIVALS, Spread, fit_all};
-use lobefit::effects::reflection::Counter;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -108,7 +107,7 @@ struct Certified {
     rms: f64,
 }
 
-fn certified(fit: &lobefit::effects::reflection::Fit) -> Certified {
+fn certified(fit: &lobefit::approximate::Fit) -> Certified {
     let (cost, certificate) = (&fit.approximation.cost, &fit.approximation.certificate);
     Certified { ops: cost.ops, max: certificate.max_abs, rms: certificate.rms }
 }

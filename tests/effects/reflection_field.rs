@@ -1,7 +1,7 @@
 //! The truth that approximations are judged against is within its stated error.
 
+use lobefit::approximate::TRUTH_ERROR;
 use lobefit::data::Smith;
-use lobefit::effects::reflection::TRUTH_ERROR;
 use lobefit_truth::integrate::reflection::{Effort, albedo, reflection, split};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

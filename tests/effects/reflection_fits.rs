@@ -1,7 +1,8 @@
 //! The bars of the fits: certified in f32, after rounding, at more than 2^20 points that were not used in fitting.
 
+use lobefit::approximate::{Counter, Fit, Region};
 use lobefit::data::{AlphaMap, Norm, Smith, Source};
-use lobefit::effects::reflection::{Counter, Fit, FitSpec, Region, fit_all};
+use lobefit::effects::reflection::{FitSpec, fit_all};
 
 fn spec() -> FitSpec {
     FitSpec {

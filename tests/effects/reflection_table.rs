@@ -1,7 +1,8 @@
 //! `ggx-dfg` as a shader sees it: the bilinear lookup of the quantised texels over a dense off-grid set.
 
+use lobefit::approximate::{Counter, Field, Region, TRUTH_ERROR, certification};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
-use lobefit::effects::reflection::{Counter, Field, Region, TRUTH_ERROR, TableSpec, build, certification};
+use lobefit::effects::reflection::{TableSpec, build};
 use lobefit::effects::table::{Errors, Points, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 

@@ -9,8 +9,8 @@ use crate::rivals_support;
 
 use std::sync::LazyLock;
 
+use lobefit::approximate::Entry;
 use lobefit::data::Smith;
-use lobefit::effects::Entry;
 use lobefit::effects::reflection::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS, SEEDS};
 use lobefit::effects::sheen;
 use lobefit_shade::Hypothesis;

@@ -9,8 +9,8 @@ use crate::rivals_support;
 
 use std::sync::LazyLock;
 
+use lobefit::approximate::Entry;
 use lobefit::data::Smith;
-use lobefit::effects::Entry;
 use lobefit::effects::coupling::{OWN_SPECULAR, RIVALS};
 use lobefit::effects::reflection::BLEND_RIVALS;
 use lobefit_math::gauss::Gauss;

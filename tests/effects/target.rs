@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use lobefit::approximate::target::{Points, Sampled, Target, TargetError, TargetSpec};
+use lobefit::approximate::{Method, Quantity};
 use lobefit::data::{AlphaMap, Smith, Use};
-use lobefit::effects::target::{Points, Sampled, Target, TargetError, TargetSpec};
-use lobefit::effects::{Method, Quantity};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::IntegrateError;
 

@@ -4,9 +4,9 @@
 
 use std::collections::BTreeMap;
 
+use lobefit::approximate::Quantity;
+use lobefit::approximate::target::{Target, TargetSpec};
 use lobefit::data::{AlphaMap, Smith, Use};
-use lobefit::effects::Quantity;
-use lobefit::effects::target::{Target, TargetSpec};
 use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
 use lobefit_shade::{Hypothesis, Precision};

@@ -11,11 +11,10 @@ pub mod solid;
 use std::io::Write;
 use std::sync::OnceLock;
 
+use lobefit::approximate::{Counter, Field, Fit, PointSet, Region, TRUTH_ERROR, certification};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
-use lobefit::effects::reflection::{
-    Counter, Field, Fit, PointSet, Region, TRUTH_ERROR, TableSpec, build, certification,
-};
+use lobefit::effects::reflection::{TableSpec, build};
 use lobefit::effects::table::{self, Lookup, Truth, measure};
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::{FitJob, plan};

@@ -21,9 +21,9 @@ use std::sync::LazyLock;
 
 use emit_support::{programs, say};
 use half::Albedo;
+use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Decode, Smith, Use};
-use lobefit::effects::reflection::Fit;
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;

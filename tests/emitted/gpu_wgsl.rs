@@ -9,8 +9,8 @@ use emit_support::accuracy::{CPU, WGSL, bound, divides};
 use emit_support::{Looked, Points, TRUTH, baked_tables, emitted, other_tables, say, text};
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
+use lobefit::approximate::{Counter, Field, Fit};
 use lobefit::data::Use;
-use lobefit::effects::reflection::{Counter, Field, Fit};
 use lobefit::effects::table::{self, Lookup};
 use lobefit_shade::code::Language;
 

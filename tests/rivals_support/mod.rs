@@ -6,8 +6,8 @@
 pub mod forms;
 pub mod page;
 
+use lobefit::approximate::Entry;
 use lobefit::data::Smith;
-use lobefit::effects::Entry;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::reflection::{Effort, split};
 use rayon::prelude::*;

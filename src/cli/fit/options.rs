@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{QUANTITIES, Quantity};
 use crate::cli::CliError;
 use crate::cli::input::kernel;
 use crate::cli::options::{ThreadsOption, positive, smith};
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::target::TargetSpec;
-use crate::effects::{QUANTITIES, Quantity};
 use crate::fitting::search::{AidKind, Aids, SearchJob};
 use crate::fitting::{Demand, Job};
 use crate::scene::limits;

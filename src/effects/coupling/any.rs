@@ -1,9 +1,9 @@
 //! What a fit for the scene's f0 is worth at every other.
 
 use super::CouplingSpec;
+use crate::approximate::target::{Sampled, Target};
+use crate::approximate::{Counter, Fit, FitStageError};
 use crate::data::Place;
-use crate::effects::reflection::{Counter, Fit, FitStageError};
-use crate::effects::target::{Sampled, Target};
 use lobefit_math::chebyshev;
 use lobefit_shade::{measure, round_up};
 

@@ -1,6 +1,7 @@
 //! The part of the effect `diffuse-coupling`: fits of the factor, one set for each kind of lobe that lies above a base.
 
 use super::{code, findings};
+use crate::approximate::{Dropped, Fit, FitSet, Region};
 use crate::bake::Baked;
 use crate::bake::Part;
 use crate::data::Use;
@@ -8,7 +9,6 @@ use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::coupling::{AnyF0, CouplingSpec, anywhere, fit_all};
 use crate::effects::reflection::bake::unkept;
-use crate::effects::reflection::{Dropped, Fit, FitSet, Region};
 use crate::emit::manifest::canonical;
 use crate::emit::manifest::{AnyF0Entry, Entries, FitEntry, FitLeftOut, Report};
 use crate::plan::{CouplingJob, Effect};

@@ -1,7 +1,7 @@
 //! The hypotheses of this effect and the published formulas that they compete with.
 
 use super::rivals::{LIGHTS, OWN_SPECULAR, RIVALS};
-use crate::effects::entry::{Entry, own};
+use crate::approximate::{Entry, own};
 use lobefit_truth::integrate::coupling::Specular;
 
 const NORMALISED: [Entry; 8] = own![

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use super::bake::Lobe;
 use super::rule;
+use crate::approximate::Fit;
 use crate::effects::BakeError;
 use crate::effects::coupling::AnyF0;
 use crate::effects::coupling::emitted as coupling;
-use crate::effects::reflection::Fit;
 use crate::emit::header;
 use lobefit_shade::code::{self, Language};
 use lobefit_truth::integrate::coupling::Specular;

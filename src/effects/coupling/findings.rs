@@ -2,13 +2,13 @@
 
 use super::bake::Lobe;
 use super::grid::Grid;
+use crate::approximate::Fit;
 use crate::data::Use;
 use crate::effects::context::Context;
 use crate::effects::coupling::results::{
     AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
     CouplingReciprocity,
 };
-use crate::effects::reflection::Fit;
 use crate::effects::reflection::bake::{Selected, chosen, grazing, left_out, selected};
 use crate::effects::{BakeError, origin};
 use crate::plan::Effect;

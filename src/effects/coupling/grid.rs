@@ -1,9 +1,9 @@
 //! The truth of a factor, and fits of it, over a grid of roughness and mu: what the page of the effect is drawn from.
 
+use crate::approximate::{Field as Truth, Fit, FitStageError, PointSet, Region, TRUTH_ERROR};
 use crate::data::Smith;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::reflection::{Field as Truth, Fit, FitStageError, PointSet, Region, TRUTH_ERROR};
 use crate::report::{Field, FitCurve, Ruler};
 use lobefit_truth::integrate::Estimate;
 use lobefit_truth::integrate::coupling::{Specular, Split, factor};

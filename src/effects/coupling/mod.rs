@@ -18,10 +18,8 @@ mod table;
 
 use std::collections::BTreeMap;
 
-use super::fitted::{self, Wanted};
-use super::reflection::{Counter, FitSet, FitStageError, Region};
-use super::target::TargetSpec;
-use super::{Keeps, Quantity};
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{self, Counter, FitSet, FitStageError, Keeps, Quantity, Region, Wanted};
 use crate::data::{AlphaMap, Norm, Smith, Use};
 pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
@@ -86,7 +84,7 @@ pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStag
         max_ops: spec.max_ops,
         keeps: Some(spec.keeps()),
     };
-    let mut set = fitted::fit_all(&wanted, counter)?;
+    let mut set = approximate::fit_all(&wanted, counter)?;
     for fit in &mut set.fits {
         if let Some(ops) = rivals::light_ops(&fit.approximation.name)? {
             fit.approximation.cost.ops = ops;

@@ -1,9 +1,9 @@
 //! Whole materials of a job's lobe over published couplings and over the best fit, as functions of two directions.
 
 use super::bake::Lobe;
+use crate::approximate::Region;
 use crate::data::AlphaMap;
 use crate::effects::BakeError;
-use crate::effects::reflection::Region;
 use crate::effects::reflection::bake::{chosen, grazing};
 use crate::effects::surface::table::{Grid, ReciprocityRow, rows_of};
 use crate::effects::surface::{Coupling, Factor, Lobe as Drawn};

@@ -1,7 +1,7 @@
 //! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/rivals_coupling.rs` reproduces their
 //! published comparison.
 
-use crate::effects::entry::{Entry, published};
+use crate::approximate::{Entry, published};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::coupling::Specular;

@@ -1,8 +1,8 @@
 //! What the emitted average of a factor is off its integral.
 
+use crate::approximate::{Fit, FitStageError, PointSet, Region};
 use crate::effects::BakeError;
 use crate::effects::coupling::emitted::{RuleError, average, average_nodes, floor};
-use crate::effects::reflection::{Fit, FitStageError, PointSet, Region};
 use lobefit_math::chebyshev;
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::round_up;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::bake::Lobe;
+use crate::approximate::{Field, FitStageError, PointSet, Region, certification};
 use crate::data::{
     Approximation, Axis, Certificate, Cost, Decode, Form, Layout, Serves, Source, Table, TexelFormat, Use,
 };
@@ -12,7 +13,7 @@ use crate::effects::context::Context;
 use crate::effects::coupling::CouplingSpec;
 use crate::effects::coupling::emitted::exact;
 use crate::effects::coupling::results::AnyF0Finding;
-use crate::effects::reflection::{Field, FitStageError, PointSet, Region, TableSpec, build, certification};
+use crate::effects::reflection::{TableSpec, build};
 use crate::effects::table::{Lookup, LookupError, Points};
 use crate::report::ApproximationFinding;
 use lobefit_shade::code::Language;

@@ -1,6 +1,6 @@
 //! The hypotheses of this effect and the published formulas that they compete with.
 
-use crate::effects::entry::{Entry, own, published};
+use crate::approximate::{Entry, own, published};
 
 /// Width of a fetch by (alpha, rho), with free parameters, by rising cost.
 pub const HYPOTHESES: [Entry; 3] = own!["parallax_1", "parallax_cubic", "parallax_power"];

@@ -3,8 +3,8 @@
 use super::catalogue::BIAS;
 use super::grid::{Cell, Grid};
 use super::{named, source};
+use crate::approximate::{Fit, FitStageError, searched};
 use crate::data::{AlphaMap, LOG_SCALE, MipChain, MipMap, Norm, Place};
-use crate::effects::reflection::{Fit, FitStageError, searched};
 use lobefit_fit::{FitError, Samples};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError, round_up};

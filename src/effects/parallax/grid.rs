@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
+use crate::approximate::FitStageError;
 use crate::data::AlphaMap;
-use crate::effects::reflection::FitStageError;
 use lobefit_fit::FitError;
 use lobefit_math::ops;
 use lobefit_shade::{Hypothesis, ShadeError};

@@ -14,10 +14,8 @@ mod variation;
 
 use std::collections::BTreeMap;
 
-use super::Quantity;
-use super::fitted::{self, Wanted};
-use super::reflection::{Counter, FitSet, FitStageError};
-use super::target::TargetSpec;
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{self, Counter, FitSet, FitStageError, Quantity, Wanted};
 use crate::data::{AlphaMap, Norm, Smith, Use};
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
@@ -69,7 +67,7 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         max_ops: spec.max_ops,
         keeps: None,
     };
-    let mut set = fitted::fit_all(&wanted, counter)?;
+    let mut set = approximate::fit_all(&wanted, counter)?;
     for fit in set.fits.iter_mut().filter(|fit| fit.emitted) {
         fit.hypothesis = fit.hypothesis.renamed(&named(spec.kernel, fit.hypothesis.name()));
         fit.approximation.name = fit.hypothesis.name().to_string();

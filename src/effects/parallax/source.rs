@@ -1,7 +1,7 @@
 //! The functions of a chain of levels as WGSL: what the printers of all languages take.
 
+use crate::approximate::Fit;
 use crate::data::{AlphaMap, MipChain, MipMap};
-use crate::effects::reflection::Fit;
 
 /// A number as the f32 that it is in a shader.
 fn number(x: f64) -> String {

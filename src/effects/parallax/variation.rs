@@ -1,7 +1,7 @@
 //! Total variation of fits and rivals, apart for fetches that are narrowed and widened.
 
 use super::grid::{Cell, Grid, Spread};
-use crate::effects::reflection::{Fit, FitStageError};
+use crate::approximate::{Fit, FitStageError};
 
 /// Total variation over the cells of a grid that are not saturated.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The hypotheses of this effect and the published formulas that are emitted beside them; the others stand in `rivals`.
 
 use super::rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
-use crate::effects::entry::{Entry, own, published};
+use crate::approximate::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
 pub const NORMALISATIONS: [Entry; 21] = own![

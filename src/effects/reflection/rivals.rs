@@ -1,7 +1,7 @@
 //! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/rivals.rs` reproduces their published
 //! comparison.
 
-use crate::effects::entry::{Entry, published};
+use crate::approximate::{Entry, published};
 
 /// N(alpha, mu), as N = 1/E where the publication gives E.
 pub const RIVALS: [Entry; 12] = published![

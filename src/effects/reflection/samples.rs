@@ -2,13 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::{Counter, Field, PointSet, Region, certification};
+use crate::approximate::{Counter, Field, PointSet, Region, average_truth, certification, edged, uniform};
 use crate::data::{Norm, Smith, Use};
 use lobefit_fit::{FitError, Samples};
-use lobefit_math::chebyshev::{self, Chebyshev};
+use lobefit_math::chebyshev;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::reflection::{TOLERANCE, average};
 
 /// 2^20 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 20;
@@ -97,36 +96,6 @@ impl Data for FitData {
     }
 }
 
-/// Centres of n x n equal cells: their mean square is the midpoint rule of the uniform RMS.
-pub(in crate::effects) fn uniform(region: &Region, n: usize) -> PointSet {
-    let mut points = PointSet::default();
-    for j in 0..n {
-        for i in 0..n {
-            let centre = |k: usize, [low, high]: [f64; 2]| low + (high - low) * (k as f64 + 0.5) / n as f64;
-            points.push(region, centre(j, region.roughness), centre(i, region.mu));
-        }
-    }
-    points.uniform = points.len();
-    points
-}
-
-/// A lattice of about n x n points with the edges, denser towards them: half of its columns uniform in mu, half in the homogeneous
-/// coordinate.
-pub(in crate::effects) fn edged(region: &Region, n: usize) -> PointSet {
-    let mut points = PointSet::default();
-    let half = (n / 2).max(2);
-    let nodes = |[low, high]: [f64; 2], n: usize| chebyshev::nodes(low, high, n);
-    for roughness in nodes(region.roughness, n) {
-        for mu in nodes(region.mu, half) {
-            points.push(region, roughness, mu);
-        }
-        for i in 0..half {
-            points.push_layer(region, roughness, (i as f64 + 0.5) / half as f64);
-        }
-    }
-    points
-}
-
 /// Data of the average: scale 1, target E_avg(alpha).
 pub(super) struct AverageData {
     /// Grid for least squares, uniform in roughness.
@@ -138,20 +107,14 @@ pub(super) struct AverageData {
     ones: Vec<f64>,
 }
 
-/// Nodes of the interpolant of E_avg over ln(alpha), in which it is analytic: within 1e-9 for alpha in [1e-4, 1] (tested below).
-const AVERAGE_NODES: usize = 48;
-
 /// Samples that the average is fitted on.
 const AVERAGE_GRID: usize = 257;
-
-/// Smallest alpha of the interpolant; E_avg is 1 within 1e-13 below.
-const AVERAGE_SMALLEST: f64 = 1e-7;
 
 impl AverageData {
     /// Integrates E_avg at the nodes of an interpolant, and evaluates that at the points.
     pub fn new(smith: Smith, region: &Region, counter: &Counter) -> Result<AverageData, IntegrateError> {
         let [low, high] = region.roughness;
-        let truth = interpolant(smith, region, counter)?;
+        let truth = average_truth(smith, region, counter)?;
         let with_truth = |mut points: PointSet| {
             points.mu = vec![1.0; points.len()];
             let values = points.alpha.par_iter().map(|a| truth(f64::from(*a))).collect();
@@ -169,21 +132,6 @@ impl AverageData {
         let ones = vec![1.0; points.len()];
         Ok(AverageData { uniform, edged, points, truth, ones })
     }
-}
-
-/// E_avg of a width within the region, by interpolation.
-pub(in crate::effects) fn interpolant(
-    smith: Smith,
-    region: &Region,
-    counter: &Counter,
-) -> Result<impl Fn(f64) -> f64 + Sync + use<>, IntegrateError> {
-    let [low, high] = region.alpha().map(|a| lobefit_math::ops::log(a.max(AVERAGE_SMALLEST)));
-    let nodes = chebyshev::nodes(low, high, AVERAGE_NODES);
-    counter.add(nodes.len());
-    let value = |x: &f64| average(smith, lobefit_math::ops::exp(*x).min(1.0), TOLERANCE).map(|v| v.e_avg);
-    let values: Vec<Result<f64, IntegrateError>> = nodes.par_iter().map(value).collect();
-    let interpolant = Chebyshev::new(low, high, values.into_iter().collect::<Result<_, _>>()?);
-    Ok(move |alpha: f64| interpolant.at(lobefit_math::ops::log(alpha.max(AVERAGE_SMALLEST)).clamp(low, high)))
 }
 
 impl Data for AverageData {
@@ -214,28 +162,5 @@ impl Data for AverageData {
 
     fn places(&self, _: &[String]) -> Vec<String> {
         ["alpha", "roughness"].map(String::from).to_vec()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::data::AlphaMap;
-
-    #[test]
-    fn the_interpolant_of_the_average_is_within_its_bound() {
-        for (smith, alpha_map) in
-            [(Smith::Correlated, AlphaMap::RoughnessSquared), (Smith::Separable, AlphaMap::Roughness)]
-        {
-            let region = Region { roughness: [1e-2, 1.0], mu: [0.01, 1.0], alpha_map };
-            let truth = interpolant(smith, &region, &Counter::default()).expect("in the domain");
-            let [low, high] = region.alpha();
-            for i in 0..200 {
-                let t = (f64::from(i) + 0.37) / 200.0;
-                let alpha = lobefit_math::ops::pow(low, 1.0 - t) * lobefit_math::ops::pow(high, t);
-                let exact = average(smith, alpha, TOLERANCE).expect("in the domain").e_avg;
-                assert!((truth(alpha) - exact).abs() < 1e-9, "{smith:?} {alpha}: {} {exact}", truth(alpha));
-            }
-        }
     }
 }

@@ -14,7 +14,7 @@
 
 use rayon::prelude::*;
 
-use super::{Counter, Region};
+use crate::approximate::{Counter, Region};
 use crate::data::{
     AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, TableError, TexelFormat,
     Warp,

@@ -1,12 +1,12 @@
 //! The part of the effect `sheen`: fits of its albedo.
 
 use super::{SheenSpec, fit_all};
+use crate::approximate::{Dropped, FitSet, Region};
 use crate::bake::Baked;
 use crate::bake::Part;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::reflection::bake::{section, unkept};
-use crate::effects::reflection::{Dropped, FitSet, Region};
 use crate::emit::manifest::canonical;
 use crate::emit::manifest::{Entries, FitEntry, FitLeftOut, Report};
 use crate::plan::{Effect, SheenJob};

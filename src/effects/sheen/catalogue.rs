@@ -1,6 +1,6 @@
 //! The hypotheses of this effect and the published formulas that they compete with.
 
-use crate::effects::entry::{Entry, own, published};
+use crate::approximate::{Entry, own, published};
 
 /// E(alpha, mu) with free parameters, by rising cost.
 pub const HYPOTHESES: [Entry; 8] = own![

@@ -6,10 +6,8 @@ mod page;
 
 use std::collections::BTreeMap;
 
-use super::Quantity;
-use super::fitted::{self, Wanted};
-use super::reflection::{Counter, FitSet, FitStageError, Region};
-use super::target::TargetSpec;
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{self, Counter, FitSet, FitStageError, Quantity, Region, Wanted};
 use crate::data::{AlphaMap, Norm, Smith, Use};
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 
@@ -48,5 +46,5 @@ pub fn fit_all(spec: &SheenSpec, counter: &Counter) -> Result<FitSet, FitStageEr
         max_ops: spec.max_ops,
         keeps: None,
     };
-    fitted::fit_all(&spec, counter)
+    approximate::fit_all(&spec, counter)
 }

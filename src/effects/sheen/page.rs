@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
+use crate::approximate::{Dropped, Fit, FitStageError, PointSet, Region};
 use crate::data::Use;
 use crate::effects::context::Context;
 use crate::effects::reflection::bake::{chosen, grazing, left_out, selected};
-use crate::effects::reflection::{Dropped, Fit, FitStageError, PointSet, Region};
 use crate::effects::{BakeError, origin};
 use crate::plan::Effect;
 use crate::report::{ApproximationFinding, EffectFinding, Field, Findings, FitCurve, FitFinding, Ruler};

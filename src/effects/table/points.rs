@@ -4,8 +4,8 @@
 //! a truth can share its work.
 
 use super::{Point, Region, Third};
+use crate::approximate::PointSet;
 use crate::data::Place;
-use crate::effects::reflection::PointSet;
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 

@@ -2,8 +2,8 @@
 
 use super::SearchJob;
 use super::space;
+use crate::approximate::target::{Target, TargetError};
 use crate::data::Use;
-use crate::effects::target::{Target, TargetError};
 use crate::fitting::FittingError;
 use lobefit_fit::search::{Aid, Helper, Link, Progress, SearchAxis, SearchSamples, Space, Trial, scout};
 

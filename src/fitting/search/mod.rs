@@ -11,8 +11,8 @@ pub use told::{document, files, summary};
 
 use super::certificates::certificate;
 use super::{Demand, FittingError};
+use crate::approximate::target::{Sampled, Target, TargetSpec};
 use crate::data::Certificate;
-use crate::effects::target::{Sampled, Target, TargetSpec};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Found, Progress, search};
 use lobefit_shade::{Hypothesis, Precision, ShadeError, prove_regular};

@@ -15,9 +15,9 @@ use std::collections::BTreeMap;
 use super::aids::{self, AidKind};
 use super::space;
 use super::{Frontier, SearchJob, Tried};
+use crate::approximate::Quantity;
+use crate::approximate::target::{Span, Target, TargetError, TargetSpec};
 use crate::data::Use;
-use crate::effects::Quantity;
-use crate::effects::target::{Span, Target, TargetError, TargetSpec};
 use crate::fitting::FittingError;
 use lobefit_fit::FitError;
 use lobefit_fit::search::{

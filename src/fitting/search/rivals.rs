@@ -1,8 +1,8 @@
 //! What the catalogue has for the same quantity and use: fits of ours at their declared constants, and published formulas.
 
 use super::Rival;
+use crate::approximate::target::{Sampled, Target};
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::target::{Sampled, Target};
 use crate::effects::{coupling, reflection, sheen};
 use crate::fitting::FittingError;
 use crate::fitting::certificates::certificate;

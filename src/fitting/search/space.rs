@@ -1,9 +1,9 @@
 //! The space of forms of a target.
 
 use super::SearchJob;
+use crate::approximate::Values;
+use crate::approximate::target::{Target, TargetError, TargetSpec};
 use crate::data::{AlphaMap, Use};
-use crate::effects::Values;
-use crate::effects::target::{Target, TargetError, TargetSpec};
 use crate::fitting::{Demand, FittingError};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};

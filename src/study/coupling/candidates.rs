@@ -3,12 +3,11 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{Counter, Entry, Fit, Quantity, Region};
 use crate::data::{AlphaMap, Norm, Smith, Use};
 use crate::effects::coupling::{CouplingSpec, OWN_SPECULAR, OwnSpecular, fit_all, hypotheses};
-use crate::effects::reflection::{Counter, Fit, Region};
 use crate::effects::surface::{Base, Coupling, Factor, Lobe, Material};
-use crate::effects::target::TargetSpec;
-use crate::effects::{Entry, Quantity};
 use crate::fitting::{Job, fit};
 use crate::study::{Size, StudyError};
 use lobefit_fit::Goal;

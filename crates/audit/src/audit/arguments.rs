@@ -3,7 +3,7 @@
 use super::axis::{Input, Scale};
 use super::{AUDITED, AuditError};
 use crate::foreign::ShaderFunction;
-use lobefit::effects::Quantity;
+use lobefit::approximate::Quantity;
 
 /// What an argument is given.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use super::arguments::{Feed, feeds};
 use super::axis::Scale;
 use super::shipped::{Shipped, ShippedChannel, Source, place};
 use crate::foreign::{ShaderFunction, Step};
-use lobefit::effects::Quantity;
+use lobefit::approximate::Quantity;
 
 /// Places along every argument: of one, two and three.
 const PLACES: [usize; 3] = [512, 128, 20];

@@ -1,8 +1,8 @@
 //! The audit of a table, or of a function of whose index of refraction nobody says which way round it is.
 
 use crate::audit::{Audit, AuditError, Pins, Shipped, audit};
+use lobefit::approximate::Quantity;
 use lobefit::cli::progress::Spinner;
-use lobefit::effects::Quantity;
 
 /// The audit; with `inverse`, which is a function given 1/ior, the one of both that fits better.
 pub(super) fn judged(

@@ -2,8 +2,8 @@
 
 use crate::audit::{Column, SCALES, SITINGS, Scale, Siting};
 use crate::foreign::RawFormat;
+use lobefit::approximate::Quantity;
 use lobefit::cli::options::quantity;
-use lobefit::effects::Quantity;
 use lobefit_truth::integrate::glass::Side;
 
 /// Texels along each axis.

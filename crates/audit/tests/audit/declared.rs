@@ -3,8 +3,8 @@
 use crate::common;
 
 use common::{lobefit, stderr};
+use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
-use lobefit::effects::Quantity;
 use lobefit_audit::audit::{AuditError, Column, Declared, Shipped, declared};
 use lobefit_audit::foreign::{ForeignTable, Hints, read_table};
 use lobefit_truth::integrate::reflection::{self, Effort};

@@ -1,8 +1,8 @@
 //! Published fits as shader functions: what their arguments mean, which lobe they were fitted to, and how far off they are, from values alone.
 //! The figures are of shared tables of published fits on another grid, so they agree to a few per cent.
 
+use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
-use lobefit::effects::Quantity;
 use lobefit_audit::audit::{
     Audit, AuditError, Column, Fit, Pins, Scale, Source, audit, sampled, sampled_inverse,
 };

@@ -1,7 +1,7 @@
 //! Tables of three axes, and of sheen, with the defects that published ones have.
 
+use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
-use lobefit::effects::Quantity;
 use lobefit_audit::audit::{
     Audit, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
 };

@@ -1,7 +1,7 @@
 //! Tables made from the truth with the defects that published tables have: an audit finds each from the numbers alone.
 
+use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
-use lobefit::effects::Quantity;
 use lobefit_audit::audit::{
     Audit, AuditError, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
 };

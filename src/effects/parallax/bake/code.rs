@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Lobe;
+use crate::approximate::Fit;
 use crate::effects::BakeError;
 use crate::effects::parallax::probe;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
-use crate::effects::reflection::Fit;
 use crate::emit::header;
 use lobefit_shade::code::{self, Language};
 

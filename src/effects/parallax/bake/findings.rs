@@ -3,13 +3,13 @@
 use super::Lobe;
 use super::entries::place;
 use super::lookups::Lookup;
+use crate::approximate::{Fit, FitStageError};
 use crate::effects::context::Context;
 use crate::effects::parallax::results::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 use crate::effects::parallax::{Cell, LevelFunction, Spread, Variation};
 use crate::effects::reflection::bake::left_out;
-use crate::effects::reflection::{Fit, FitStageError};
 use crate::effects::{BakeError, origin};
 use crate::plan::Effect;
 use crate::report::{ApproximationFinding, EffectFinding, Field, Ruler};

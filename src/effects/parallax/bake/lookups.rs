@@ -1,12 +1,12 @@
 //! The lookups of a kind of lobe: what is emitted, with what is said of it.
 
 use super::{EFFECT, Lobe, code};
+use crate::approximate::{Fit, FitStageError};
 use crate::data::{MipChain, ProbeLookup};
 use crate::effects::BakeError;
 use crate::effects::parallax::probe::{Called, Wanted};
 use crate::effects::parallax::results::LookupFinding;
 use crate::effects::parallax::{Gives, TapRule, named};
-use crate::effects::reflection::{Fit, FitStageError};
 use crate::effects::room::proxies::Tied;
 use crate::emit::header;
 use crate::emit::manifest::{CostEntry, LookupFunction};

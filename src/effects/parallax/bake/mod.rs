@@ -5,6 +5,7 @@ mod entries;
 mod findings;
 mod lookups;
 
+use crate::approximate::{Dropped, Fit, FitSet};
 use crate::bake::Baked;
 use crate::bake::Part;
 use crate::data::MipChain;
@@ -13,7 +14,6 @@ use crate::effects::context::Context;
 use crate::effects::parallax::{
     Grid, LevelFunction, ParallaxSpec, Variation, bias, fit_all, of_chain, variations,
 };
-use crate::effects::reflection::{Dropped, Fit, FitSet};
 use crate::emit::manifest::canonical;
 use crate::emit::manifest::{Entries, Report};
 use crate::plan::{Effect, FitPromise, ParallaxJob};

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::tables::BakedTable;
+use crate::approximate::Fit;
 use crate::data::Decode;
 use crate::effects::BakeError;
-use crate::effects::reflection::Fit;
 use crate::emit::compensation::saturating;
 use crate::emit::header;
 use crate::emit::lookup::Readable;

@@ -7,10 +7,11 @@ pub(in crate::effects) use selection::{Selected, selected};
 use super::fits::region as region_of_fit;
 use super::pictures::{Grid, averages};
 use super::tables::BakedTable;
+use crate::approximate::{Dropped, Fit, Region};
 use crate::data::{Place, Serves, Smith, Use};
 use crate::effects::Deviation;
 use crate::effects::context::Context;
-use crate::effects::reflection::{Dropped, Fit, Region, Study, studies};
+use crate::effects::reflection::{Study, studies};
 use crate::effects::{BakeError, origin};
 use crate::plan::{Effect, Plan};
 use crate::report::{

@@ -1,8 +1,9 @@
 //! The fit job to measured fits.
 
+use crate::approximate::{Fit, FitSet, Region};
 use crate::data::Use;
 use crate::effects::context::Context;
-use crate::effects::reflection::{Fit, FitSet, FitSpec, Region, fit_all};
+use crate::effects::reflection::{FitSpec, fit_all};
 use crate::effects::{BakeError, UserHypothesis};
 use crate::plan::{FitJob, FitPromise};
 

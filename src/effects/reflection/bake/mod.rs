@@ -6,12 +6,12 @@ mod fits;
 mod pictures;
 mod tables;
 
+use crate::approximate::{Dropped, FitSet};
 use crate::bake::Baked;
 use crate::bake::Part;
 use crate::data::{Container, Decode};
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
-use crate::effects::reflection::{Dropped, FitSet};
 use crate::effects::{BakeError, UserHypothesis};
 use crate::emit::manifest::canonical;
 use crate::emit::manifest::{Entries, FitEntry, FitLeftOut, LookupEntry, Report, TableEntry};

@@ -3,10 +3,10 @@
 use rayon::prelude::*;
 
 use super::tables::BakedTable;
+use crate::approximate::{Field as Truth, Fit, PointSet, Region};
 use crate::data::{Decode, Smith};
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::reflection::{Field as Truth, Fit, PointSet, Region};
 use crate::effects::table::{self, Judged, Lookup, LookupError, Points, error_map};
 use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
 use lobefit_truth::integrate::IntegrateError;
@@ -230,7 +230,7 @@ fn values(fit: &Fit, points: &PointSet) -> Result<Vec<f64>, BakeError> {
 }
 
 fn values_for(fit: &Fit, points: &PointSet, f0: f32) -> Result<Vec<f64>, BakeError> {
-    let values = fit.values_for(points, f0).map_err(crate::effects::reflection::FitStageError::from)?;
+    let values = fit.values_for(points, f0).map_err(crate::approximate::FitStageError::from)?;
     Ok(values.into_iter().map(f64::from).collect())
 }
 

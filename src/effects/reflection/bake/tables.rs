@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use crate::approximate::{Counter, Field, Region, TRUTH_ERROR, certification};
 use crate::data::{
     Approximation, Axis, Certificate, Channel, Cost, Decode, Form, Layout, Serves, Smith, Source, Table, Use,
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::reflection::{Counter, Field, Region, TRUTH_ERROR, TableSpec, build, certification};
+use crate::effects::reflection::{TableSpec, build};
 use crate::effects::table::{Errors, Points, Truth, measure};
 use crate::plan::{JUDGED_MU, TableJob};
 use lobefit_shade::round_up;

@@ -3,12 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::{FitSet, FitSpec, FitStageError};
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{self, Counter, Entry, Quantity, Wanted};
 use crate::data::Use;
-use crate::effects::fitted::{self, Wanted};
+use crate::effects::reflection::BLEND_RIVALS;
 use crate::effects::reflection::catalogue::BLENDS;
-use crate::effects::reflection::{BLEND_RIVALS, Counter};
-use crate::effects::target::TargetSpec;
-use crate::effects::{Entry, Quantity};
 
 /// The blends of the catalogue and, of the published ones, those that are `comparable` under the spec's map of roughness.
 pub fn blends(
@@ -33,5 +32,5 @@ pub fn blends(
         max_ops: spec.max_ops,
         keeps: None,
     };
-    fitted::fit_all(&wanted, counter)
+    approximate::fit_all(&wanted, counter)
 }

@@ -1,21 +1,10 @@
 //! The measured error of a formula.
 
 use super::{FitSpec, FitStageError};
+use crate::approximate::Region;
 use crate::data::{Approximation, Certificate, Cost, Form, Formula, Place, Source};
-use crate::effects::reflection::Region;
 use crate::effects::reflection::samples::Data;
 use lobefit_shade::{Hypothesis, measure_first, round_up};
-
-/// A formula with its coefficients.
-pub fn formula(hypothesis: &Hypothesis, coefficients: &[f32], norm: &str) -> Formula {
-    let names = hypothesis.parameters().iter().map(|p| p.name.clone());
-    Formula {
-        hypothesis: hypothesis.file().trim_end_matches(".wgsl").to_string(),
-        inputs: hypothesis.inputs().to_vec(),
-        coefficients: names.zip(coefficients.iter().copied()).collect(),
-        norm: norm.to_string(),
-    }
-}
 
 /// Measures a formula at points that it was not fitted on, in f32 as emitted.
 pub fn certified(

@@ -6,13 +6,11 @@ use super::blend::blends;
 use super::one::{fit_one, published};
 use super::saturate::saturate;
 use super::{Dropped, Fit, FitSet, FitSpec, FitStageError};
+use crate::approximate::{Counter, Entry, kept};
 use crate::data::{AlphaMap, Norm};
-use crate::effects::Entry;
-use crate::effects::reflection::Counter;
 use crate::effects::reflection::RIVALS;
 use crate::effects::reflection::catalogue::{AVERAGES, NORMALISATIONS, SEEDS};
 use crate::effects::reflection::samples::{AverageData, Data, FitData};
-use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
 
 /// Fits and measures everything that the spec asks for: ours in the catalogue's order, the user's, the source's published formulas, and
@@ -107,32 +105,6 @@ fn reliable(
 ) -> Result<Vec<Fit>, FitStageError> {
     let results = jobs.par_iter().map(|(hypothesis, norm)| fit_one(spec, hypothesis, *norm, data)).collect();
     kept(jobs, results, dropped)
-}
-
-/// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other error handed on.
-pub(in crate::effects) fn kept(
-    jobs: &[(Hypothesis, Norm)],
-    results: Vec<Result<Fit, FitStageError>>,
-    dropped: &mut Vec<Dropped>,
-) -> Result<Vec<Fit>, FitStageError> {
-    let mut fits = Vec::new();
-    for ((hypothesis, norm), result) in jobs.iter().zip(results) {
-        match result {
-            Ok(fit) => fits.push(fit),
-            Err(
-                error @ (FitStageError::NotConverged { .. }
-                | FitStageError::RunAway { .. }
-                | FitStageError::Unkept { .. }
-                | FitStageError::Fit(FitError::Shade(ShadeError::Irregular { .. }))),
-            ) => dropped.push(Dropped {
-                hypothesis: hypothesis.name().to_string(),
-                norm: norm.name(),
-                reason: error.to_string(),
-            }),
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(fits)
 }
 
 /// In parallel, results in order.

@@ -17,8 +17,8 @@ use super::truth::{Truth, Values, azimuth};
 use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
+use lobefit::approximate::Quantity;
 use lobefit::data::{Place, Smith};
-use lobefit::effects::Quantity;
 use statement::{Axis, Statement};
 
 /// How much larger than claimed an error may be: it is looked for at other places than the file's maker did.

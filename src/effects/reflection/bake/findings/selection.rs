@@ -1,8 +1,8 @@
 //! Which fits get pictures: a reader's time is short, and most fits are beaten by another.
 
+use crate::approximate::Fit;
 use crate::data::Use;
 use crate::effects::catalogue_sources;
-use crate::effects::reflection::Fit;
 
 /// Our versions of the source post's two formulas: shown beside the published constants whether beaten or not.
 const REFITTED: [&str; 2] = ["ggx_norm_n1.wgsl", "ggx_norm_n2.wgsl"];

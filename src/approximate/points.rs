@@ -2,6 +2,7 @@
 
 use super::Region;
 use crate::data::Place;
+use lobefit_math::chebyshev;
 use lobefit_math::sobol::Sobol;
 
 /// Inputs as a shader has them, in f32.
@@ -109,4 +110,34 @@ fn homogeneous(region: &Region, roughness: f64, t: f64) -> f64 {
 /// The f64 with the fewest decimal digits that rounds to this f32.
 fn shortest(x: f32) -> f64 {
     x.to_string().parse().unwrap_or(f64::from(x))
+}
+
+/// Centres of n x n equal cells: their mean square is the midpoint rule of the uniform RMS.
+pub(crate) fn uniform(region: &Region, n: usize) -> PointSet {
+    let mut points = PointSet::default();
+    for j in 0..n {
+        for i in 0..n {
+            let centre = |k: usize, [low, high]: [f64; 2]| low + (high - low) * (k as f64 + 0.5) / n as f64;
+            points.push(region, centre(j, region.roughness), centre(i, region.mu));
+        }
+    }
+    points.uniform = points.len();
+    points
+}
+
+/// A lattice of about n x n points with the edges, denser towards them: half of its columns uniform in mu, half in the homogeneous
+/// coordinate.
+pub(crate) fn edged(region: &Region, n: usize) -> PointSet {
+    let mut points = PointSet::default();
+    let half = (n / 2).max(2);
+    let nodes = |[low, high]: [f64; 2], n: usize| chebyshev::nodes(low, high, n);
+    for roughness in nodes(region.roughness, n) {
+        for mu in nodes(region.mu, half) {
+            points.push(region, roughness, mu);
+        }
+        for i in 0..half {
+            points.push_layer(region, roughness, (i as f64 + 0.5) / half as f64);
+        }
+    }
+    points
 }

@@ -2,7 +2,7 @@
 
 use super::spec::ROUGHNESS;
 use super::{Span, Target, TargetError};
-use crate::effects::Values;
+use crate::approximate::Values;
 use lobefit_math::chebyshev;
 use lobefit_shade::ShadeError;
 

@@ -29,7 +29,7 @@ impl Entry {
 /// Hypotheses of ours, by name.
 macro_rules! own {
     ($($name:literal),* $(,)?) => {
-        [$($crate::effects::entry::Entry {
+        [$($crate::approximate::Entry {
             file: concat!($name, ".wgsl"),
             source: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/fits/hypotheses/", $name, ".wgsl")),
             publication: None,
@@ -40,7 +40,7 @@ macro_rules! own {
 /// Published formulas, by name and publication.
 macro_rules! published {
     ($($name:literal by $publication:literal),* $(,)?) => {
-        [$($crate::effects::entry::Entry {
+        [$($crate::approximate::Entry {
             file: concat!("published/", $name, ".wgsl"),
             source: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/fits/hypotheses/published/", $name, ".wgsl")),
             publication: Some($publication),
@@ -48,5 +48,5 @@ macro_rules! published {
     };
 }
 
-pub(in crate::effects) use own;
-pub(in crate::effects) use published;
+pub(crate) use own;
+pub(crate) use published;

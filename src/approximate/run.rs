@@ -1,12 +1,10 @@
 //! The catalogue's hypotheses fitted to a target, beside published formulas for the same use.
 
-use super::reflection::{
-    Counter, Dropped, Fit, FitSet, FitStageError, Searched, formula, kept, searched, searched_within,
-};
 use super::target::{Sampled, Target, TargetSpec};
+use super::{Counter, Dropped, Fit, FitSet, FitStageError, Searched, formula, searched, searched_within};
 use super::{Entry, Keeps, Kept, Safe};
 use crate::data::{Approximation, Certificate, Cost, Form, Norm, Source};
-use lobefit_fit::{Constraint, Options, Samples};
+use lobefit_fit::{Constraint, FitError, Options, Samples};
 use lobefit_shade::{Domain, Hypothesis, ShadeError, measure_first, round_up};
 use rayon::prelude::*;
 
@@ -193,4 +191,30 @@ fn keeping(
             Err(FitStageError::Unkept { hypothesis, norm, reason })
         }
     }
+}
+
+/// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other error handed on.
+pub(crate) fn kept(
+    jobs: &[(Hypothesis, Norm)],
+    results: Vec<Result<Fit, FitStageError>>,
+    dropped: &mut Vec<Dropped>,
+) -> Result<Vec<Fit>, FitStageError> {
+    let mut fits = Vec::new();
+    for ((hypothesis, norm), result) in jobs.iter().zip(results) {
+        match result {
+            Ok(fit) => fits.push(fit),
+            Err(
+                error @ (FitStageError::NotConverged { .. }
+                | FitStageError::RunAway { .. }
+                | FitStageError::Unkept { .. }
+                | FitStageError::Fit(FitError::Shade(ShadeError::Irregular { .. }))),
+            ) => dropped.push(Dropped {
+                hypothesis: hypothesis.name().to_string(),
+                norm: norm.name(),
+                reason: error.to_string(),
+            }),
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(fits)
 }

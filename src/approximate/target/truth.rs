@@ -5,9 +5,10 @@ use rayon::prelude::*;
 use super::points::{Effort, Points};
 use super::spec::{Given, ROUGHNESS};
 use super::{Target, TargetError};
+use crate::approximate::{
+    Counter, Field, Method, PointSet, Quantity, Region, TRUTH_ERROR, Values, average_truth,
+};
 use crate::data::Use;
-use crate::effects::reflection::{Counter, Field, PointSet, Region, TRUTH_ERROR, average_truth};
-use crate::effects::{Method, Quantity, Values};
 use lobefit_truth::integrate::{IntegrateError, footprint, sheen};
 use lobefit_truth::optics::kernel::Kernel;
 

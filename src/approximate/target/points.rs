@@ -1,8 +1,8 @@
 //! Points of a target's axes: lattices to fit on, and others to measure at.
 
 use super::spec::{ROUGHNESS, Span};
+use crate::approximate::{PointSet, Region, certification, edged, uniform};
 use crate::data::{AlphaMap, Place};
-use crate::effects::reflection::{PointSet, Region, certification, edged, uniform};
 use lobefit_math::chebyshev;
 use lobefit_math::recurrence::Recurrence;
 

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::TargetError;
 use super::affine::affine_in;
+use crate::approximate::{Input, Quantity, Values};
 use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::{Input, Quantity, Values};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError};
 use lobefit_truth::optics::kernel::Kernel;

@@ -1,0 +1,77 @@
+//! A formula with its coefficients, measured, and what a fit job gives.
+
+use super::{PointSet, Safe};
+use crate::data::{Approximation, Form};
+use lobefit_fit::Termination;
+use lobefit_shade::{Hypothesis, ShadeError};
+
+/// A formula with coefficients, measured.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The formula as an approximation.
+    pub approximation: Approximation,
+    /// The hypothesis that it is an instance of.
+    pub hypothesis: Hypothesis,
+    /// How the search ended; none for published constants.
+    pub termination: Option<Termination>,
+    /// Whether it is emitted, or only reported for comparison.
+    pub emitted: bool,
+    /// The function that a saturating form calls.
+    pub wraps: Option<String>,
+    /// Where it is proven to have no pole and no negative value, if that was asked for.
+    pub safe: Option<Safe>,
+}
+
+/// A hypothesis without a fit: one of the catalogue whose search did not converge in this region or into which a pole moves, or
+/// one of the user's that costs more than the scene allows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Dropped {
+    /// Hypothesis.
+    pub hypothesis: String,
+    /// Norm that was minimised.
+    pub norm: &'static str,
+    /// Why, in words.
+    pub reason: String,
+}
+
+/// Everything that a fit job gives.
+#[derive(Clone, Debug)]
+pub struct FitSet {
+    /// Fits and published formulas.
+    pub fits: Vec<Fit>,
+    /// Hypotheses of the catalogue without a fit.
+    pub dropped: Vec<Dropped>,
+}
+
+impl Fit {
+    /// The norm that its coefficients minimise: `max`, `rms` or `published`.
+    pub fn norm(&self) -> &str {
+        match &self.approximation.form {
+            Form::Formula(formula) => &formula.norm,
+            Form::Table(_) => "",
+        }
+    }
+
+    /// Its coefficients, in order.
+    pub fn coefficients(&self) -> Vec<f32> {
+        match &self.approximation.form {
+            Form::Formula(formula) => formula.coefficients.iter().map(|(_, value)| *value).collect(),
+            Form::Table(_) => Vec::new(),
+        }
+    }
+
+    /// Its values in f32 at the points of a set; f0 = 1.
+    pub fn values(&self, points: &PointSet) -> Result<Vec<f32>, ShadeError> {
+        self.values_for(points, 1.0)
+    }
+
+    /// Its values in f32 at the points of a set, for one f0.
+    pub fn values_for(&self, points: &PointSet, f0: f32) -> Result<Vec<f32>, ShadeError> {
+        let column = |name: &String| match name.as_str() {
+            "f0" => vec![f0; points.len()],
+            name => points.column(name),
+        };
+        let inputs: Vec<Vec<f32>> = self.hypothesis.inputs().iter().map(column).collect();
+        self.hypothesis.tape().evaluate(&inputs, &self.coefficients())
+    }
+}
