@@ -21,6 +21,10 @@ pub enum AlphaMap {
 }
 
 impl AlphaMap {
+    /// Every map.
+    pub const ALL: [AlphaMap; 3] =
+        [AlphaMap::Roughness, AlphaMap::RoughnessSquared, AlphaMap::RoughnessFourth];
+
     /// The word used in scenes, headers and the manifest.
     pub fn name(self) -> &'static str {
         match self {
@@ -56,6 +60,49 @@ impl AlphaMap {
             AlphaMap::Roughness => roughness,
             AlphaMap::RoughnessSquared => square,
             AlphaMap::RoughnessFourth => square * square,
+        }
+    }
+
+    /// The roughness of an alpha in [0, 1]: the inverse of [`AlphaMap::alpha`].
+    pub fn roughness(self, alpha: f64) -> f64 {
+        match self {
+            AlphaMap::Roughness => alpha,
+            AlphaMap::RoughnessSquared => alpha.sqrt(),
+            AlphaMap::RoughnessFourth => alpha.sqrt().sqrt(),
+        }
+    }
+
+    /// alpha as shader code of the variable of this name.
+    pub fn alpha_source(self, roughness: &str) -> String {
+        let square = format!("{roughness} * {roughness}");
+        match self {
+            AlphaMap::Roughness => roughness.into(),
+            AlphaMap::RoughnessSquared => square,
+            AlphaMap::RoughnessFourth => format!("({square}) * ({square})"),
+        }
+    }
+
+    /// The roughness as shader code of an expression that is alpha.
+    pub fn roughness_source(self, alpha: &str) -> String {
+        match self {
+            AlphaMap::Roughness => alpha.into(),
+            AlphaMap::RoughnessSquared => format!("sqrt({alpha})"),
+            AlphaMap::RoughnessFourth => format!("sqrt(sqrt({alpha}))"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_inverse_is_the_inverse() {
+        for map in AlphaMap::ALL {
+            for roughness in [0.0, 1e-3, 0.02, 0.3, 1.0] {
+                let back = map.roughness(map.alpha(roughness));
+                assert!((back - roughness).abs() <= 1e-15 * roughness, "{map:?}: {roughness} {back}");
+            }
         }
     }
 }

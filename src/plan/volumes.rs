@@ -50,11 +50,7 @@ pub(super) fn volumes(scene: &Scene) -> Vec<VolumeJob> {
 /// Smallest roughness of a table of three axes: that of alpha = 4e-4, where its integrals begin. Below it a lookup clamps to the edge,
 /// and the lobe is so narrow that its loss matters at grazing views alone.
 fn smallest_row(map: AlphaMap) -> f64 {
-    match map {
-        AlphaMap::Roughness => 4e-4,
-        AlphaMap::RoughnessSquared => 0.02,
-        AlphaMap::RoughnessFourth => 0.141_421_356_237_309_5,
-    }
+    map.roughness(4e-4)
 }
 
 /// The roughness that the rows span: at least `ROUGHNESS_WIDTH_MIN` wide, from the smallest row on.

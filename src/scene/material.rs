@@ -122,11 +122,7 @@ pub(super) fn rough_part([lo, hi]: [f64; 2], map: AlphaMap) -> Option<[f64; 2]> 
 
 /// The roughness at which alpha is [`SMOOTH_ALPHA`]: the root of the map, whose alpha is not below it in f64.
 pub fn smallest_rough(map: AlphaMap) -> f64 {
-    match map {
-        AlphaMap::Roughness => 1e-4,
-        AlphaMap::RoughnessSquared => 1e-2,
-        AlphaMap::RoughnessFourth => 1e-1,
-    }
+    map.roughness(SMOOTH_ALPHA)
 }
 
 /// A material.
@@ -288,7 +284,7 @@ mod tests {
 
     #[test]
     fn the_smooth_end_is_rough_in_f64() {
-        for map in [AlphaMap::Roughness, AlphaMap::RoughnessSquared, AlphaMap::RoughnessFourth] {
+        for map in AlphaMap::ALL {
             let alpha = map.alpha(smallest_rough(map));
             assert!((SMOOTH_ALPHA..SMOOTH_ALPHA * (1.0 + 1e-12)).contains(&alpha), "{map:?}: {alpha}");
         }

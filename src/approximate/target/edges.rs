@@ -202,7 +202,7 @@ impl Target {
     }
 
     fn alpha_inverse(&self, alpha: f64) -> f64 {
-        super::spec::roughness(self.alpha_map, alpha)
+        self.alpha_map.roughness(alpha)
     }
 }
 

@@ -202,9 +202,9 @@ impl Target {
                 let span = match spec.domain.get("alpha") {
                     Some(alpha) => {
                         range(spec, "alpha", defined)?;
-                        Span { name: ROUGHNESS.into(), range: alpha.map(|a| roughness(spec.alpha_map, a)) }
+                        Span { name: ROUGHNESS.into(), range: alpha.map(|a| spec.alpha_map.roughness(a)) }
                     }
-                    None => range(spec, ROUGHNESS, defined.map(|a| roughness(spec.alpha_map, a)))?,
+                    None => range(spec, ROUGHNESS, defined.map(|a| spec.alpha_map.roughness(a)))?,
                 };
                 no_gap(spec, &span)?;
                 self.axes.push(span);
@@ -392,7 +392,7 @@ fn no_gap(spec: &TargetSpec, span: &Span) -> Result<(), TargetError> {
         return Ok(());
     }
     let input = if spec.domain.contains_key("alpha") { "alpha" } else { ROUGHNESS };
-    let from = if input == "alpha" { smallest } else { up(roughness(map, smallest)) };
+    let from = if input == "alpha" { smallest } else { up(map.roughness(smallest)) };
     let [low, high] = spec.domain.get(input).copied().unwrap_or([low, high]);
     let remedy = if from <= high {
         format!("give --domain {input}={from}..{high}")
@@ -417,13 +417,4 @@ const ROUNDED: f64 = 1e-6;
 /// To three digits, upwards: what a person would type.
 fn up(x: f64) -> f64 {
     lobefit_shade::round_up(x, 3)
-}
-
-/// The roughness of an alpha.
-pub(super) fn roughness(map: AlphaMap, alpha: f64) -> f64 {
-    match map {
-        AlphaMap::Roughness => alpha,
-        AlphaMap::RoughnessSquared => alpha.sqrt(),
-        AlphaMap::RoughnessFourth => alpha.sqrt().sqrt(),
-    }
 }

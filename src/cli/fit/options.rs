@@ -423,10 +423,8 @@ fn helper(text: &str) -> Result<Asked, String> {
 }
 
 fn alpha_map(text: &str) -> Result<AlphaMap, String> {
-    let maps = [AlphaMap::Roughness, AlphaMap::RoughnessSquared, AlphaMap::RoughnessFourth];
-    maps.into_iter()
-        .find(|map| map.name() == text)
-        .ok_or_else(|| format!("one of {} is called for", maps.map(AlphaMap::name).join(", ")))
+    let found = AlphaMap::ALL.into_iter().find(|map| map.name() == text);
+    found.ok_or_else(|| format!("one of {} is called for", AlphaMap::ALL.map(AlphaMap::name).join(", ")))
 }
 
 fn language(text: &str) -> Result<Language, String> {

@@ -136,18 +136,9 @@ fn adjusted_error(
     let off = cells
         .iter()
         .zip(&found)
-        .map(|(cell, found)| f64::from(*found) - chain.level(roughness_of(map, cell.best)));
+        .map(|(cell, found)| f64::from(*found) - chain.level(map.roughness(cell.best)));
     let at = |i: usize| [("mip", mips[i]), ("rho", rho[i])].map(|(name, x)| (name.to_string(), shortest(x)));
     Ok(worst(off, |i| at(i).into_iter().collect()))
-}
-
-/// The roughness of a width.
-fn roughness_of(map: AlphaMap, alpha: f64) -> f64 {
-    match map {
-        AlphaMap::Roughness => alpha,
-        AlphaMap::RoughnessSquared => alpha.sqrt(),
-        AlphaMap::RoughnessFourth => alpha.sqrt().sqrt(),
-    }
 }
 
 /// The levels to add in logarithmic chains, fitted for the smallest error in levels; none where no chain is logarithmic.
@@ -161,7 +152,7 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
     let cells: Vec<&Cell> = grid.cells.iter().filter(|cell| !cell.saturated).collect();
     let target: Vec<f64> = cells
         .iter()
-        .map(|cell| LOG_SCALE * ops::log2(roughness_of(map, cell.best) / roughness_of(map, cell.alpha)))
+        .map(|cell| LOG_SCALE * ops::log2(map.roughness(cell.best) / map.roughness(cell.alpha)))
         .collect();
     let inputs = [|cell: &Cell| cell.alpha, |cell: &Cell| cell.rho];
     let columns = inputs.map(|input| cells.iter().map(|cell| f64::from(input(cell) as f32)).collect());

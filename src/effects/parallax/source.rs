@@ -69,22 +69,13 @@ pub fn adjusted(name: &str, chain: &MipChain, map: AlphaMap, fit: &Fit) -> Strin
     let original = fit.hypothesis.source().to_string();
     let own = own_name(&original);
     let width = original.replacen(&format!("fn {own}("), "fn width(", 1);
-    let alpha = match map {
-        AlphaMap::Roughness => "roughness",
-        AlphaMap::RoughnessSquared => "roughness * roughness",
-        AlphaMap::RoughnessFourth => "(roughness * roughness) * (roughness * roughness)",
-    };
     let inputs = fit.hypothesis.inputs();
     let alpha = match inputs.iter().any(|input| input == "alpha") {
-        true => format!("    let alpha = {alpha};\n"),
+        true => format!("    let alpha = {};\n", map.alpha_source("roughness")),
         false => String::new(),
     };
     let call = format!("width({})", inputs.join(", "));
-    let back = match map {
-        AlphaMap::Roughness => call,
-        AlphaMap::RoughnessSquared => format!("sqrt({call})"),
-        AlphaMap::RoughnessFourth => format!("sqrt(sqrt({call}))"),
-    };
+    let back = map.roughness_source(&call);
     let (level, inverse) = (level("level", chain), roughness("roughness_of", chain));
     format!(
         "{width}\n{level}\n{inverse}\nfn {name}(mip: f32, rho: f32) -> f32 {{\n    let roughness = roughness_of(mip);\n{alpha}    \

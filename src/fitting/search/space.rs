@@ -3,7 +3,7 @@
 use super::SearchJob;
 use crate::approximate::Values;
 use crate::approximate::target::{Target, TargetError, TargetSpec};
-use crate::data::{AlphaMap, Use};
+use crate::data::Use;
 use crate::fitting::{Demand, FittingError};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};
@@ -124,7 +124,7 @@ pub(super) fn space(target: &Target, anchor: Option<Anchor>, job: &SearchJob) ->
 
 /// The axes with a range.
 pub(super) fn axes(target: &Target) -> Vec<SearchAxis> {
-    let power = power(target);
+    let power = target.alpha_map.power();
     let axis = |k: &usize| {
         let name = target.axes[*k].name.clone();
         let rough = name == "roughness" && target.has_alpha();
@@ -137,22 +137,13 @@ pub(super) fn axes(target: &Target) -> Vec<SearchAxis> {
     spanned(target).iter().map(axis).collect()
 }
 
-/// alpha as a power of roughness.
-fn power(target: &Target) -> u32 {
-    match target.alpha_map {
-        AlphaMap::Roughness => 1,
-        AlphaMap::RoughnessSquared => 2,
-        AlphaMap::RoughnessFourth => 4,
-    }
-}
-
 pub(super) fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
     axes.iter().position(|a| a.arguments[0].0 == name).map(|k| k as u8)
 }
 
 /// The power of roughness that is of one order with mu where a lobe changes: alpha, and of cloth roughness itself.
 pub(super) fn order(target: &Target) -> u8 {
-    if target.quantity.name.starts_with("sheen") { 1 } else { power(target) as u8 }
+    if target.quantity.name.starts_with("sheen") { 1 } else { target.alpha_map.power() as u8 }
 }
 
 /// What a formula is, in a sentence.

@@ -71,11 +71,10 @@ impl Wanted {
     fn level_lines(&self, width: &str) -> String {
         let Some(level) = &self.level else { return String::new() };
         let name = &level.name;
-        let root = match self.alpha_map {
-            AlphaMap::Roughness => return format!("mip_{width} :1 = {name}({width})\n"),
-            AlphaMap::RoughnessSquared => format!("sqrt({width})"),
-            AlphaMap::RoughnessFourth => format!("sqrt(sqrt({width}))"),
-        };
+        let root = self.alpha_map.roughness_source(width);
+        if root == width {
+            return format!("mip_{width} :1 = {name}({width})\n");
+        }
         format!("roughness_{width} = {root}\nmip_{width} :1 = {name}(roughness_{width})\n")
     }
 
