@@ -7,7 +7,7 @@
 //! search, texels). `math` is a package of its own so that neither `shade` nor `fit` can reach optics through it.
 //!
 //! Above it, each with a binary that [`cli`] runs for its verb: `lobefit-audit` (other people's tables and shader functions
-//! against the truth).
+//! against the truth) and `lobefit-studies` (rendered rooms and spheres, random walks: the long experiments, outside `bake`).
 //!
 //! A module imports only from the floors below it (`tests/house/floors.rs` reads the imports and fails on an edge that
 //! runs upward).
@@ -24,7 +24,6 @@
 //! | 4 | [`store`] | the only module that touches the file system |
 //! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
 //! | 5 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
-//! | 6 | [`study`] | the long studies: rendered spheres and random walks, outside `bake` |
 //! | 6 | [`timing`] | what accuracy costs in seconds |
 //! | 7 | [`cli`] | one file per verb |
 
@@ -39,7 +38,6 @@ pub mod plan;
 pub mod report;
 pub mod scene;
 pub mod store;
-pub mod study;
 pub mod timing;
 
 /// Hash of the sources of this package and of those below it (`build/main.rs`): 32 hexadecimal digits, the same on every machine, other

@@ -1,6 +1,7 @@
 //! `lobefit check`: do the files follow from their recipe?
 
 mod records;
+mod studies;
 
 use std::path::{Path, PathBuf};
 
@@ -15,8 +16,8 @@ use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
-use crate::study::{self, Study};
 use records::{Record, records};
+use studies::studies;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
@@ -28,7 +29,8 @@ Exit code 1 where a file is missing, extra or different; the message says how fa
 texels break the error that its manifest states is never accepted, whatever --values says.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
-other code than the bake's, and functions that they lack, are told of, and do not fail.";
+other code than the bake's, and functions that they lack, are told of, and do not fail. Studies (reports/studies/, by lobefit report)
+must be of this version, if its package lobefit-studies is built; else a note says that they were not checked.";
 
 /// Largest file that is compared, bytes.
 const FILE_BYTES: u64 = 1 << 30;
@@ -62,28 +64,39 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
-    let (baked, differences, ends, records) = options.threads.install(|| {
+    let (baked, differences, ends, records, unknown) = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let strays = strays(&options.against, &baked)?;
         let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
         let mut differences = compare(&baked, &found, &strays, options.values, &progress);
         let bake = differences.len();
-        differences.extend(studies(&options.against)?);
+        let studies = studies(&options.against)?;
+        differences.extend(studies.differences);
         let ends = [bake, differences.len()];
         let (records, broken) = records(&options.against, &baked)?;
         differences.extend(broken);
-        Ok((baked, differences, ends, records))
+        Ok((baked, differences, ends, records, studies.unknown))
     })?;
     drop(progress);
     if options.json {
         let same = differences.is_empty();
-        print_json(&Verdict { schema_version: 1, same, differences: &differences, records: &records })?;
+        let verdict = Verdict {
+            schema_version: 1,
+            same,
+            differences: &differences,
+            records: &records,
+            studies_unknown: unknown,
+        };
+        print_json(&verdict)?;
     } else if !options.quiet {
         for difference in &differences {
             print(format!("{difference}\n").as_bytes())?;
         }
         for note in records.iter().filter_map(Record::note) {
             print(note.as_bytes())?;
+        }
+        if let Some(reason) = unknown {
+            print(format!("note: reports/studies: not checked: {reason}\n").as_bytes())?;
         }
         let (studies, broken) = (ends[1] - ends[0], differences.len() - ends[1]);
         print(closing(&baked, &differences[..ends[0]], [studies, broken], options).as_bytes())?;
@@ -100,6 +113,9 @@ struct Verdict<'a> {
     /// Times on graphics processors, those of other code among them.
     #[serde(skip_serializing_if = "<[Record]>::is_empty")]
     records: &'a [Record],
+    /// Why nothing is known of the studies that are there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    studies_unknown: Option<String>,
 }
 
 /// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's, timings are
@@ -117,26 +133,11 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
             || name.starts_with("reports/timings.")
             || records::placed(entry, &all)
             || entry.kind == Kind::File && name == BUILD_FILE
-            || entry.kind == Kind::File
-                && Study::ALL.iter().any(|study| study.files().iter().any(|f| f == name));
+            || entry.kind == Kind::File && studies::placed(name);
         let baked = entry.kind == Kind::File && baked.files.contains_key(name);
         !allowed && !baked
     });
     Ok(strays)
-}
-
-/// What is wrong with the studies that are there: results of another recipe than this version's, or half of the files. They are not run
-/// again.
-fn studies(root: &Path) -> Result<Vec<Difference>, CliError> {
-    let mut differences = Vec::new();
-    for study in Study::ALL {
-        let files = study.files();
-        let found = store::read_set(root, files.iter().map(String::as_str), FILE_BYTES)?;
-        let stale = study::stale(study, &found)?;
-        differences
-            .extend(stale.map(|(file, detail)| Difference::plain(&file, bake::Kind::Different, &detail)));
-    }
-    Ok(differences)
 }
 
 /// The folder as the user named it.

@@ -9,7 +9,6 @@ use crate::report::ReportError;
 use crate::scene::SceneError;
 use crate::scene::escape::visible;
 use crate::store::StoreError;
-use crate::study::StudyError;
 use crate::timing::record::RecordError;
 use lobefit_fit::FitError;
 use lobefit_shade::ShadeError;
@@ -104,9 +103,6 @@ pub enum CliError {
     /// A formula that was not fitted.
     #[error("{0}")]
     Fitting(#[from] Box<FittingError>),
-    /// A study made nothing.
-    #[error(transparent)]
-    Study(#[from] StudyError),
     /// Nothing was measured on a graphics processor.
     #[cfg(feature = "gpu")]
     #[error(transparent)]
@@ -138,8 +134,6 @@ impl CliError {
             CliError::Store(error) if error.is_write() => 3,
             CliError::Fitting(error) if matches!(**error, FittingError::Uncertified { .. }) => 1,
             CliError::Package(error) => error.exit_code(),
-            // A study has no input: what it does not reach is a promise of ours.
-            CliError::Study(_) => 1,
             _ => 2,
         }
     }

@@ -1,7 +1,8 @@
 //! Verbs whose code is in another package: their binaries are run in place of this one, as git and cargo run theirs.
 
 use std::env;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
+use std::io;
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -19,7 +20,7 @@ pub(super) struct Words {
 }
 
 /// Verbs of other packages.
-const VERBS: [&str; 1] = ["audit"];
+const VERBS: [&str; 2] = ["audit", "report"];
 
 /// The arguments of the program; `help VERB` of another package's verb becomes `VERB --help`, which its binary answers.
 pub(super) fn help_of_verb(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
@@ -39,6 +40,20 @@ pub(super) fn run(package: &'static str, words: &[OsString]) -> Result<Outcome, 
     handed_over(command.args(words)).map_err(|reason| CliError::NotRun { program, reason })
 }
 
+/// What a package's binary prints on the words, where it ends with 0 or 1.
+pub(super) fn ask(package: &'static str, words: &[&OsStr]) -> Result<Vec<u8>, CliError> {
+    let mut command = Command::new(find(package)?);
+    let program = command.get_program().to_string_lossy().into_owned();
+    match command.args(words).output() {
+        Ok(output) if matches!(output.status.code(), Some(0 | 1)) => Ok(output.stdout),
+        Ok(output) => {
+            let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+            Err(CliError::NotRun { program, reason: io::Error::other(said) })
+        }
+        Err(reason) => Err(CliError::NotRun { program, reason }),
+    }
+}
+
 /// The binary: beside the running program, else on PATH.
 fn find(package: &'static str) -> Result<PathBuf, CliError> {
     let own = env::current_exe().ok();
@@ -54,13 +69,13 @@ fn find(package: &'static str) -> Result<PathBuf, CliError> {
 
 /// On Unix the binary takes this process over, signals and all.
 #[cfg(unix)]
-fn handed_over(command: &mut Command) -> Result<Outcome, std::io::Error> {
+fn handed_over(command: &mut Command) -> Result<Outcome, io::Error> {
     use std::os::unix::process::CommandExt;
     Err(command.exec())
 }
 
 #[cfg(not(unix))]
-fn handed_over(command: &mut Command) -> Result<Outcome, std::io::Error> {
+fn handed_over(command: &mut Command) -> Result<Outcome, io::Error> {
     // The binary has printed its own error; a process that a signal ended has no code.
     std::process::exit(command.status()?.code().unwrap_or(1))
 }

@@ -15,7 +15,6 @@ pub mod output;
 mod plan;
 mod points;
 pub mod progress;
-mod report;
 mod schema;
 
 use std::ffi::OsString;
@@ -67,8 +66,8 @@ enum Verb {
     #[command(after_help = cost::EXAMPLES)]
     Cost(cost::Options),
     /// Make the page of a long study, which no bake waits for
-    #[command(after_help = report::EXAMPLES)]
-    Report(report::Options),
+    #[command(disable_help_flag = true)]
+    Report(external::Words),
     /// Print the JSON Schema of the scene
     #[command(after_help = schema::EXAMPLES)]
     Schema(schema::Options),
@@ -88,7 +87,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Fit(options) => fit::run(&options),
         Verb::Audit(external) => external::run("lobefit-audit", &external.words),
         Verb::Cost(options) => cost::run(&options),
-        Verb::Report(options) => report::run(&options),
+        Verb::Report(external) => external::run("lobefit-studies", &external.words),
         Verb::Schema(options) => schema::run(&options),
     };
     output::finish(done)

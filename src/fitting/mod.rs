@@ -4,6 +4,8 @@
 mod certificates;
 mod demands;
 mod document;
+mod environment;
+mod irradiance;
 mod kept;
 mod one;
 mod perceptual;
@@ -18,9 +20,11 @@ mod words;
 
 pub use demands::Demand;
 pub use document::{document, files};
+pub use environment::{Aimed, Environment, Lamp};
+pub use irradiance::diffuse_light;
 pub use kept::Kept;
 pub use one::{Certified, Proof, Weighted};
-pub use perceptual::Perceptual;
+pub use perceptual::{Perceptual, sensitivity};
 pub use summary::summary;
 
 use crate::approximate::target::{Target, TargetError, TargetSpec};

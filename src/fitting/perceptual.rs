@@ -14,9 +14,9 @@
 
 use std::f64::consts::PI;
 
-use crate::report::flip::sensitivity;
+use super::environment::Environment;
+use super::irradiance::diffuse_light;
 use crate::report::luminance;
-use crate::report::render::{Environment, diffuse_light};
 use lobefit_math::ops;
 
 /// Steps of mu in [0, 1], and azimuths at each, at which the environment's light is averaged.
@@ -67,5 +67,19 @@ impl Perceptual {
         let part = place - i as f64;
         let lit = self.lit[i] * (1.0 - part) + self.lit[i + 1] * part;
         (mu.max(0.0) * (1.0 + lit)).sqrt()
+    }
+}
+
+/// Slope of L*'s linear foot and its end (CIE 15:2004).
+const FOOT: f64 = 6.0 / 29.0;
+
+/// Slope dL*/dY of the lightness at a relative luminance Y: how far, per unit of light, two neutral pixels lie apart in the distance
+/// that FLIP's colour difference grows with. Y in [0, 1]; 903.3 at 0, 38.7 at 1.
+pub fn sensitivity(y: f64) -> f64 {
+    if y > FOOT * FOOT * FOOT {
+        let root = ops::cbrt(y);
+        116.0 / (3.0 * root * root)
+    } else {
+        116.0 / (3.0 * FOOT * FOOT)
     }
 }

@@ -10,20 +10,16 @@ pub mod check;
 mod error;
 mod field;
 mod findings;
-pub mod flip;
 mod gpu;
 mod image;
 mod json;
 pub mod numbers;
 mod page;
 pub(crate) mod plot;
-pub mod render;
 pub(crate) mod sections;
 mod timings;
 
 use serde::Serialize;
-
-use crate::effects::surface::SurfaceRows;
 
 pub use error::ReportError;
 pub use field::{Field, Ruler};
@@ -32,21 +28,6 @@ pub use findings::{
     FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, Index, IndexRow, LeftOut, Marked,
     Origin, SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study, StudySeries, TableFinding,
 };
-pub use findings::{
-    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
-};
-pub use findings::{
-    CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
-};
-pub use findings::{
-    FittedLobe, LookupCost, ParallaxStudy, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
-    RoomPictureRow, RoomPictures, RoomsFindings,
-};
-pub use findings::{
-    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit,
-    SeedSlant, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
-};
-pub use findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use image::{Image, displayed, luminance};
 pub use json::document;
@@ -55,6 +36,7 @@ pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
     Spheres, Spread, Style, Tile, Worst, disc, signed,
 };
+pub use sections::reciprocity::section as reciprocity;
 pub use sections::{figures, words};
 pub use timings::{
     TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,
@@ -133,48 +115,6 @@ pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
 /// As [`page`].
 pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
     html(&sections::of_search(findings)?)
-}
-
-/// Where the files of a study lie, relative to the folder of a bake.
-pub fn study_folder(study: &str) -> String {
-    format!("reports/studies/{study}")
-}
-
-/// `index.html` and `results.json` of the study of diffuse couplings, in its folder.
-///
-/// # Errors
-/// As [`page`].
-pub fn coupling_study_page(study: &CouplingStudy) -> Result<Vec<File>, ReportError> {
-    let folder = study_folder("coupling");
-    let figures = json::document("results.json", study)?;
-    let text = html(&sections::of_coupling_study(study)?)?;
-    Ok(vec![
-        file(&format!("{folder}/index.html"), text.into_bytes()),
-        file(&format!("{folder}/results.json"), figures),
-    ])
-}
-
-/// The same of the study of lookups of a probe's cubemap.
-///
-/// # Errors
-/// As [`page`].
-pub fn parallax_study_page(study: &ParallaxStudy) -> Result<Vec<File>, ReportError> {
-    let folder = study_folder("parallax");
-    let figures = json::document("results.json", study)?;
-    let text = html(&sections::of_parallax_study(study)?)?;
-    Ok(vec![
-        file(&format!("{folder}/index.html"), text.into_bytes()),
-        file(&format!("{folder}/results.json"), figures),
-    ])
-}
-
-/// Energy and reciprocity of whole materials, the colour of rough metals, what Schlick's Fresnel costs, and bases below white: sections for
-/// the page of an effect or of a study.
-///
-/// # Errors
-/// As [`page`].
-pub fn surface_sections(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
-    sections::of_surfaces(rows)
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {

@@ -7,7 +7,7 @@ use std::process::{Command, Output};
 use crate::common::stderr;
 
 /// Verb and package.
-const VERBS: [(&[&str], &str); 1] = [(&["audit"], "lobefit-audit")];
+const VERBS: [(&[&str], &str); 2] = [(&["audit"], "lobefit-audit"), (&["report"], "lobefit-studies")];
 
 /// Runs a copy of the program in `bin`, with `path` as PATH.
 fn run(bin: &Path, path: &Path, arguments: &[&str]) -> Output {
@@ -36,18 +36,19 @@ fn a_package_that_is_not_built_is_named_with_the_command_that_builds_it() {
 }
 
 #[cfg(unix)]
-#[test]
-fn the_binary_beside_the_program_is_run_before_the_one_on_path() {
+fn script(at: &Path, package: &str, text: &str) {
     use std::os::unix::fs::PermissionsExt;
 
+    fs::create_dir_all(at).unwrap();
+    fs::write(at.join(package), format!("#!/bin/sh\n{text}\n")).unwrap();
+    fs::set_permissions(at.join(package), fs::Permissions::from_mode(0o755)).unwrap();
+}
+
+#[cfg(unix)]
+#[test]
+fn the_binary_beside_the_program_is_run_before_the_one_on_path() {
     let folder = tempfile::tempdir().unwrap();
     let [bin, path] = ["bin", "path"].map(|name| folder.path().join(name));
-    let script = |at: &Path, package: &str, answer: &str| {
-        fs::create_dir_all(at).unwrap();
-        let text = format!("#!/bin/sh\necho {answer} \"$@\"\necho said >&2\nexit 7\n");
-        fs::write(at.join(package), text).unwrap();
-        fs::set_permissions(at.join(package), fs::Permissions::from_mode(0o755)).unwrap();
-    };
     for (verb, package) in VERBS {
         let words = [verb, &["-x", "two words", "--out=report"]].concat();
         let answer = |arguments: &[&str]| {
@@ -60,12 +61,52 @@ fn the_binary_beside_the_program_is_run_before_the_one_on_path() {
             String::from_utf8(output.stdout).unwrap()
         };
         let after = words[1..].join(" ");
-        script(&path, package, "path");
+        script(&path, package, "echo path \"$@\"; echo said >&2; exit 7");
         assert_eq!(answer(&words), format!("path {after}\n"));
-        script(&bin, package, "beside");
+        script(&bin, package, "echo beside \"$@\"; echo said >&2; exit 7");
         assert_eq!(answer(&words), format!("beside {after}\n"));
         let help = [verb, &["--help"]].concat();
         assert_eq!(answer(&help), format!("beside {}\n", help[1..].join(" ")));
         assert_eq!(answer(&["help", verb[0]]), "beside --help\n");
     }
+}
+
+/// A bake leaves studies alone; `check` asks their package for what is wrong with them, and says where it is not built.
+#[cfg(unix)]
+#[test]
+fn check_asks_for_the_studies_that_are_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let [bin, out] = ["bin", "out"].map(|name| folder.path().join(name));
+    let scene = folder.path().join("scene.json");
+    fs::write(&scene, include_str!("../../examples/mirrors.json")).unwrap();
+    let results = out.join("reports/studies/coupling/results.json");
+    fs::create_dir_all(results.parent().unwrap()).unwrap();
+    let [scene, to] = [&scene, &out].map(|path| path.to_str().unwrap());
+    let verb = |words: &[&str]| {
+        let output = run(&bin, folder.path(), words);
+        (output.status.code(), String::from_utf8(output.stdout.clone()).unwrap() + &stderr(&output))
+    };
+    fs::write(&results, "mine").unwrap();
+    assert_eq!(verb(&["bake", scene, "--out", to, "--quiet"]), (Some(0), String::new()));
+    assert_eq!(fs::read_to_string(&results).unwrap(), "mine");
+    let check = || verb(&["check", scene, "--against", to]);
+    let (code, said) = check();
+    assert_eq!(code, Some(0), "{said}");
+    assert!(said.contains("note: reports/studies: not checked: lobefit-studies is not built"), "{said}");
+    let wrong = r#"{"schema_version":1,"differences":[{"file":"reports/studies/coupling/results.json","detail":"stale"}]}"#;
+    script(&bin, "lobefit-studies", &format!("echo '{wrong}'; exit 1"));
+    let (code, said) = check();
+    assert_eq!(code, Some(1), "{said}");
+    assert!(
+        said.contains("results.json: stale") && said.contains("1 study is not that of this version"),
+        "{said}"
+    );
+    script(&bin, "lobefit-studies", "echo '{\"schema_version\":1,\"differences\":[]}'");
+    assert_eq!(check().0, Some(0));
+    script(&bin, "lobefit-studies", "echo broken >&2; exit 2");
+    let (code, said) = check();
+    assert!(code == Some(2) && said.contains("lobefit-studies: broken"), "{said}");
+    fs::write(out.join("reports/studies/coupling/more.png"), "x").unwrap();
+    script(&bin, "lobefit-studies", "echo '{\"schema_version\":1,\"differences\":[]}'");
+    assert!(check().1.contains("more.png: extra"));
 }

@@ -7,7 +7,8 @@ use std::process::{Command, Output, Stdio};
 /// The program under test and the arguments that it takes: a package above `lobefit` has a binary for one verb, which takes what
 /// follows the verb.
 fn program<'a>(arguments: &'a [&'a str]) -> (&'static str, &'a [&'a str]) {
-    match (option_env!("CARGO_BIN_EXE_lobefit"), option_env!("CARGO_BIN_EXE_lobefit-audit")) {
+    let verb = [option_env!("CARGO_BIN_EXE_lobefit-audit"), option_env!("CARGO_BIN_EXE_lobefit-studies")];
+    match (option_env!("CARGO_BIN_EXE_lobefit"), verb.into_iter().flatten().next()) {
         (Some(program), _) => (program, arguments),
         (None, Some(program)) => (program, &arguments[1..]),
         (None, None) => panic!("a package without a program"),

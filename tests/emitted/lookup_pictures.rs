@@ -1,10 +1,11 @@
 //! Pictures by lookups as emitted, beside those by the study's.
 
 use crate::lookups::{EMITTED, Point, single, text};
-use lobefit::effects::room::{Exact, Fan, Fetch, Tap, octagon};
-use lobefit::report::{Image, flip};
+use lobefit::report::Image;
 use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
 use lobefit_shade::code::Language;
+use lobefit_studies::flip;
+use lobefit_studies::room::{Exact, Fan, Fetch, Tap, octagon};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// The floor of a room as fetches from its probe show it, in light that a screen has: by the emitted function, and by the study's lookup.

@@ -13,14 +13,14 @@ use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{ProbeLookup, SurfaceLobe};
 use lobefit::effects::parallax::taps::horizon::{FADE, fade};
 use lobefit::effects::parallax::{LobeFit, Shading, ShadingLobe, Stretch, TapRule};
-use lobefit::effects::room::proxies::{Body, NEAREST, Tied};
-use lobefit::effects::room::{Meeting, Proxy, Room, Seen, octagon, room_b};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents};
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
+use lobefit_studies::room::proxies::{Body, NEAREST, Tied};
+use lobefit_studies::room::{Meeting, Proxy, Room, Seen, octagon, room_b};
 use lobefit_truth::optics::kernel::Kernel;
 use serde_json::Value;
 

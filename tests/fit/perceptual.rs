@@ -4,8 +4,9 @@ use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::fitting::Perceptual;
-use lobefit::report::render::{Environment, diffuse_light};
-use lobefit::report::{Image, flip, luminance};
+use lobefit::report::{Image, luminance};
+use lobefit_studies::flip;
+use lobefit_studies::render::{Environment, diffuse_light};
 use serde_json::Value;
 
 /// Between its parts: sqrt(mu) of the furnace's half alone, and sqrt(2 mu) if the lit sphere were as bright everywhere.

@@ -21,7 +21,7 @@ pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use grid::{Cell, Grid, Spread};
 use lobefit_truth::optics::kernel::Kernel;
-pub use lookups::{Corrected, Faded, LobeFit, Ratio, Shading, ShadingLobe, Slant, Uncorrected, Width};
+pub use lookups::{Corrected, LobeFit, Ratio, Shading, ShadingLobe, Uncorrected, Width};
 pub use taps::{RuleTap, Stretch, TapRule, width};
 pub use variation::{Variation, variations};
 

@@ -50,7 +50,7 @@ pub fn formula(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Hypothesis, Su
 }
 
 /// The text of [`formula`].
-pub(super) fn source(lobe: Lobe, coupling: Option<&Coupling>) -> String {
+pub fn source(lobe: Lobe, coupling: Option<&Coupling>) -> String {
     let base =
         coupling.map_or(String::new(), |coupling| format!(" + diffuse * ({})", factor(lobe, coupling)));
     let value = format!("{}{base}", boosted(lobe));

@@ -224,10 +224,10 @@ impl Pair {
 }
 
 /// Cosines of the pairs: from almost grazing to almost normal.
-pub(super) const COSINES: [f64; 12] = [1e-3, 5e-3, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95, 1.0];
+pub const COSINES: [f64; 12] = [1e-3, 5e-3, 0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95, 1.0];
 
 /// Azimuths of the pairs in degrees.
-pub(super) const AZIMUTHS: [f64; 6] = [0.0, 45.0, 90.0, 135.0, 170.0, 180.0];
+pub const AZIMUTHS: [f64; 6] = [0.0, 45.0, 90.0, 135.0, 170.0, 180.0];
 
 /// All unordered pairs of 12 cosines from 1e-3 to 1, at six azimuths each.
 pub fn pairs() -> Vec<Pair> {

@@ -3,27 +3,18 @@
 //! [`Surface`] evaluates a [`Material`]: a GGX lobe with one of five ways to treat the light that single scattering loses ([`Lobe`]), over
 //! a diffuse base with one of the published ways to take what the lobe leaves ([`Coupling`]). The formulas themselves are in
 //! `optics::{fresnel, multiscatter, diffuse}`, the albedos that they need are integrated once per alpha ([`Albedos`]).
-//! [`measure`] sends light through the result; [`table`], [`interface`], [`darker`], [`colour`] and [`opinion`] do so for every material that is compared,
-//! and [`SurfaceRows`] gathers their rows for a page.
+//! [`measure`] sends light through the result, [`table`] does so for every lobe over every coupling.
 
 mod albedos;
-pub mod colour;
 mod cost;
-pub mod darker;
 mod error;
 mod evaluate;
-mod fingerprint;
-pub mod interface;
 mod material;
 pub mod measure;
-pub mod opinion;
-mod rows;
 pub mod table;
 
 pub use albedos::{ALPHA, Albedos, Column, IOR};
-pub use cost::{cost, formula};
+pub use cost::{cost, formula, source};
 pub use error::SurfaceError;
 pub use evaluate::{Facet, Parts, Side, Surface};
-pub use fingerprint::{Fingerprint, fingerprint};
 pub use material::{Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material};
-pub use rows::{Fixed, SurfaceRows, Wanted};

@@ -38,13 +38,13 @@ impl Grid {
     }
 
     /// Every (alpha, mu), the cosine fastest.
-    pub(super) fn views(&self) -> Vec<(f64, f64)> {
+    pub fn views(&self) -> Vec<(f64, f64)> {
         let alpha = |roughness: &f64| AlphaMap::RoughnessSquared.alpha(*roughness);
         self.roughness.iter().flat_map(|r| self.mu.iter().map(move |mu| (alpha(r), *mu))).collect()
     }
 
     /// The albedos of every roughness.
-    pub(super) fn albedos(&self, smith: Smith) -> Result<Vec<Arc<Albedos>>, SurfaceError> {
+    pub fn albedos(&self, smith: Smith) -> Result<Vec<Arc<Albedos>>, SurfaceError> {
         let alphas = self.roughness.iter().map(|r| AlphaMap::RoughnessSquared.alpha(*r));
         alphas.map(|alpha| Ok(Arc::new(Albedos::new(smith, alpha, None)?))).collect()
     }

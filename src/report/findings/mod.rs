@@ -2,11 +2,9 @@
 //! as it is to `reports/<effect>.json`.
 
 mod approximation;
-mod coupling_study;
 mod furnace;
 mod index;
 mod own;
-mod parallax_study;
 mod search;
 mod table;
 
@@ -17,25 +15,9 @@ use serde::{Deserialize, Serialize};
 use super::Field;
 
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
-pub use coupling_study::{
-    CouplingStudy, FurnaceStrip, FurnaceStripRow, LitRow, LitStrip, Meaning, Ranked, Ranking,
-};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
-pub use parallax_study::{
-    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, ParallaxStudy, SeamPicture, SeamRow,
-    SlideLaw,
-};
-pub use parallax_study::{
-    FittedLobe, LookupCost, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
-    RoomPictureRow, RoomPictures, RoomsFindings,
-};
-pub use parallax_study::{
-    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SeedCell, SeedFindings, SeedFit,
-    SeedSlant, SlantFindings, SlantFootprints, SlantLobe, SlantRow,
-};
-pub use parallax_study::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 

@@ -3,30 +3,21 @@
 pub(crate) mod approximations;
 mod averages;
 pub(crate) mod called_for;
-mod coupling_study;
 pub(crate) mod fits;
 pub(crate) mod furnace;
 mod gpu;
 mod index;
-mod metals;
 mod own;
-mod parallax_study;
 pub(crate) mod reciprocity;
 mod search;
 mod selection;
 mod study;
-mod surfaces;
 pub(crate) mod tables;
 mod timed_tables;
 mod timings;
-mod walks;
 pub mod words;
 
-use super::{
-    Block, CouplingStudy, Figure, Findings, FitPage, GpuRecord, Index, Page, ParallaxStudy, ReportError,
-    SearchPage, Section, Timings,
-};
-use crate::effects::surface::SurfaceRows;
+use super::{Block, Figure, Findings, FitPage, GpuRecord, Index, Page, ReportError, SearchPage, Timings};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -78,21 +69,6 @@ pub(crate) fn of_fit(findings: &FitPage) -> Result<Page, ReportError> {
 /// The page of a search over forms.
 pub(crate) fn of_search(findings: &SearchPage) -> Result<Page, ReportError> {
     search::page(findings)
-}
-
-/// The page of the study of diffuse couplings.
-pub(crate) fn of_coupling_study(study: &CouplingStudy) -> Result<Page, ReportError> {
-    coupling_study::page(study)
-}
-
-/// The page of the study of lookups of a probe's cubemap.
-pub(crate) fn of_parallax_study(study: &ParallaxStudy) -> Result<Page, ReportError> {
-    parallax_study::page(study)
-}
-
-/// The sections of whole materials, for a page of their effect or of a study.
-pub(crate) fn of_surfaces(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
-    surfaces::sections(rows)
 }
 
 /// Figures side by side under one caption, drawn in parallel and kept in order.

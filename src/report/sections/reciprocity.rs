@@ -15,7 +15,10 @@ const ROUNDING: f64 = 1e-14;
 const DIELECTRIC: f64 = 0.2;
 
 /// The section of the rows; rows must be there.
-pub(crate) fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
+///
+/// # Errors
+/// Rows that are missing or not finite.
+pub fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
     check::filled("reciprocity", "rows", rows.len())?;
     for row in rows {
         let name = format!("{} {}", row.lobe, row.coupling.as_deref().unwrap_or_default());

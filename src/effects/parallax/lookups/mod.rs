@@ -7,9 +7,7 @@
 //! - how much wider it looks from the probe ([`Ratio`]), and which width is fetched for that ([`Width`]).
 
 mod corrected;
-mod faded;
 mod shading;
 
 pub use corrected::{Corrected, Ratio, Uncorrected, Width};
-pub use faded::{Faded, Slant};
 pub use shading::{LEAST_COSINE, LobeFit, NARROWEST, Shading, ShadingLobe};

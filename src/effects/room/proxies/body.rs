@@ -19,7 +19,7 @@ pub struct Body {
 
 /// A plane as a ray from a shading point has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Facing {
+pub struct Facing {
     /// Its normal.
     pub normal: Vec3,
     /// Its distance from the shading point, at least [`NEAREST`] of that from the probe.
@@ -52,7 +52,7 @@ impl Body {
     }
 
     /// All planes.
-    pub(super) fn facing(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
+    pub fn facing(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
         self.planes.iter().zip(&self.heights).map(move |(plane, height)| Facing {
             normal: plane.normal,
             depth: plane.depth(from).max(NEAREST * height),
@@ -61,12 +61,12 @@ impl Body {
     }
 
     /// The planes that a ray goes towards.
-    pub(super) fn ahead(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
+    pub fn ahead(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
         self.facing(from, towards).filter(|plane| plane.approach > 0.0)
     }
 
     /// Distance and normal of the first plane that a ray meets.
-    pub(super) fn first(&self, from: Vec3, towards: Vec3) -> Option<(f64, Vec3)> {
+    pub fn first(&self, from: Vec3, towards: Vec3) -> Option<(f64, Vec3)> {
         let distances = self.ahead(from, towards).map(|plane| (plane.depth / plane.approach, plane.normal));
         distances.min_by(|a, b| a.0.total_cmp(&b.0))
     }

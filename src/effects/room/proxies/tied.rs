@@ -2,9 +2,8 @@
 
 use super::super::lookup::{Meeting, Proxy};
 use super::body::Body;
-use super::smooth::blended;
 use lobefit_math::ops;
-use lobefit_math::vector::{Vec3, dot, plus, scaled};
+use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
 
 /// The power of a p-norm, clamp(`over`/(alpha^`power` s), [`Tie::LEAST`], [`Tie::MOST`]), s the spread of the planes ahead.
 ///
@@ -58,7 +57,7 @@ impl Tie {
     }
 }
 
-/// [`Smooth`](super::Smooth) with a power that is tied to how far the lobe reaches over edges.
+/// The planes [`blended`] with a power that is tied to how far the lobe reaches over edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tied {
     /// The planes.
@@ -96,4 +95,30 @@ impl Proxy for Tied {
         let power = self.tie.at(alpha, self.spread(from, towards, steepest));
         blended(&self.body, from, towards, power)
     }
+}
+
+/// Where a ray meets the planes blended by a power p.
+///
+/// The ray meets them at t = (sum t_i^-p)^(-1/p), t_i the distances along the ray of the planes ahead: a smooth body about the
+/// shading point inside the planes, which it nears as p grows. With x = t R the body is g(x) = (sum (n_i.x/h_i)^p)^(1/p) = 1, h_i the
+/// planes' distances from the shading point, and its normal the gradient, along sum (t/t_i)^(p-1) n_i/h_i. Where a plane comes
+/// ahead its term starts as the p-th power of the cosine, in the normal as the (p-1)-th: of a whole p the distance has p - 1 continuous
+/// derivatives, the normal p - 2.
+///
+/// All terms are scaled by the nearest plane's, so that no power overflows: a term is at most 1, p may be any finite number above 1.
+pub fn blended(body: &Body, from: Vec3, towards: Vec3, power: f64) -> Option<Meeting> {
+    let ahead = || body.ahead(from, towards);
+    // inverse distances: none is divided by a cosine that may be 0
+    let steepest = ahead().map(|plane| plane.approach / plane.depth).reduce(f64::max)?;
+    let (mut sum, mut normal) = (0.0, [0.0; 3]);
+    for plane in ahead() {
+        let share = plane.approach / plane.depth / steepest;
+        let weight = ops::pow(share, power - 1.0);
+        sum += weight * share;
+        // n_i/h_i, in units of the steepest
+        normal = plus(normal, scaled(plane.normal, weight / (plane.depth * steepest)));
+    }
+    let distance = 1.0 / (steepest * ops::pow(sum, 1.0 / power));
+    let place = plus(from, scaled(towards, distance));
+    Some(Meeting { distance, place, normal: normalise(normal) })
 }

@@ -1,0 +1,127 @@
+//! `lobefit report --study NAME`: the long studies.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Parser;
+use serde::Serialize;
+
+use crate::study::{self, Size, Stale, Study};
+use lobefit::cli::CliError;
+use lobefit::cli::options::ThreadsOption;
+use lobefit::cli::output::{self, Outcome, print, print_json};
+use lobefit::cli::progress::Spinner;
+use lobefit::store::{self, Folder};
+
+const EXAMPLES: &str = "\
+Examples:
+  lobefit report --study coupling       diffuse couplings in a furnace and under a sky: minutes
+  lobefit report --study parallax       lookups of a probe's cubemap in rooms: minutes
+  lobefit report --study coupling --reduced --out /tmp/study
+  lobefit report --check .              are the studies in a folder of this version?
+
+Writes reports/studies/NAME/index.html and results.json in the output folder and nothing else; with --reduced, in
+reports/studies/NAME-reduced. A bake leaves them alone. --check runs no study: it compares their recipes, and exits with 1 where one
+is of other code or other parameters than this version's, as `lobefit check` does.";
+
+/// Largest file of a study that is read, bytes.
+const FILE_BYTES: u64 = 1 << 30;
+
+/// Make the page of a long study, which no bake waits for
+#[derive(Parser)]
+#[command(name = "lobefit report", bin_name = "lobefit report", version, after_help = EXAMPLES)]
+struct Options {
+    /// The study: coupling, parallax
+    #[arg(long, value_name = "NAME", value_parser = study, required_unless_present = "check")]
+    study: Option<Study>,
+    /// Fewer and smaller pictures, in seconds
+    #[arg(long)]
+    reduced: bool,
+    /// Output folder, created if missing
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    out: PathBuf,
+    /// Say which studies in a folder are not of this version
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["study", "reduced", "out"])]
+    check: Option<PathBuf>,
+    #[command(flatten)]
+    threads: ThreadsOption,
+    /// Print the figures, or what --check finds, as JSON on standard output
+    #[arg(long)]
+    json: bool,
+    /// Say nothing but errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// Runs the verb on its arguments (the first is the program's name).
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    match Options::try_parse_from(arguments) {
+        Ok(options) => output::finish(verb(&options)),
+        Err(usage) => output::usage(&usage),
+    }
+}
+
+fn verb(options: &Options) -> Result<Outcome, CliError> {
+    match (&options.check, options.study) {
+        (Some(folder), _) => check(options, folder),
+        (None, Some(study)) => make(options, study),
+        (None, None) => Err(CliError::Usage("--study or --check is called for".into())),
+    }
+}
+
+/// Runs a study and writes it.
+fn make(options: &Options, study: Study) -> Result<Outcome, CliError> {
+    let size = if options.reduced { Size::Reduced } else { Size::Full };
+    // Before the work: an output that cannot be written is known now, not after it.
+    let mut folder = Folder::open(&options.out)?;
+    let progress = Spinner::new(options.quiet || options.json);
+    let files = options.threads.install(|| Ok(study::run(study, size, &progress)?))?;
+    drop(progress);
+    let written = folder.write(&files)?;
+    if options.json {
+        let [_, results] = study.files(size);
+        print(files.get(&results).map_or(&[], Vec::as_slice))?;
+    } else if !options.quiet {
+        let (new, same) = (written.written.len(), written.unchanged.len());
+        let names: Vec<&str> = files.keys().map(String::as_str).collect();
+        print(format!("{}: {new} files written, {same} unchanged\n", names.join(", ")).as_bytes())?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// What `--check` prints for machines.
+#[derive(Serialize)]
+struct Verdict {
+    schema_version: u32,
+    differences: Vec<Stale>,
+}
+
+/// Compares the recipes of the studies in a folder.
+fn check(options: &Options, root: &Path) -> Result<Outcome, CliError> {
+    let mut differences = Vec::new();
+    for study in Study::ALL {
+        for size in [Size::Full, Size::Reduced] {
+            let names = study.files(size);
+            let found = store::read_set(root, names.iter().map(String::as_str), FILE_BYTES)?;
+            differences.extend(study::stale(study, size, &found)?);
+        }
+    }
+    let done = if differences.is_empty() { Outcome::Done } else { Outcome::Failed };
+    if options.json {
+        print_json(&Verdict { schema_version: 1, differences })?;
+    } else if !options.quiet {
+        for Stale { file, detail } in &differences {
+            print(format!("{file}: {detail}\n").as_bytes())?;
+        }
+    }
+    Ok(done)
+}
+
+/// The study of a name.
+fn study(text: &str) -> Result<Study, String> {
+    Study::from_name(text).ok_or_else(|| {
+        let names: Vec<&str> = Study::ALL.into_iter().map(Study::name).collect();
+        format!("no such study; the studies are {}", names.join(", "))
+    })
+}

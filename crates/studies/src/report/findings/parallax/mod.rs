@@ -1,0 +1,48 @@
+//! What the study of lookups of a probe's cubemap found out, a file for each part of its page.
+
+mod chain;
+mod proxies;
+mod rooms;
+mod seed;
+mod slant;
+
+use serde::Serialize;
+use serde_json::Value;
+
+pub use chain::{
+    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
+};
+use lobefit::report::Origin;
+pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
+pub use rooms::{
+    FittedLobe, LookupCost, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
+    RoomPictureRow, RoomPictures, RoomsFindings,
+};
+
+pub use seed::{SeedCell, SeedFindings, SeedFit, SeedSlant};
+pub use slant::{
+    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantFootprints,
+    SlantLobe, SlantRow,
+};
+
+/// Lookups of the cubemap of a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ParallaxStudy {
+    /// What made it.
+    pub origin: Origin,
+    /// Whether it is of the reduced size, for tests.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub reduced: bool,
+    /// What was asked: everything that the recipe hash covers beside the formulas.
+    pub parameters: Value,
+    /// The experiment that the idea comes from.
+    pub seed: SeedFindings,
+    /// Several fetches on slanted walls.
+    pub slant: SlantFindings,
+    /// Lookups in rooms, against lobes traced from the shading point.
+    pub rooms: RoomsFindings,
+    /// Proxies with soft edges.
+    pub proxies: ProxiesFindings,
+    /// Real chains, and bakes for the proxy.
+    pub chain: ChainFindings,
+}

@@ -1,0 +1,63 @@
+//! What the names of lookups mean.
+
+use lobefit::report::Block;
+use lobefit::report::Section;
+use lobefit::report::words;
+
+/// Parts of a lookup's name, what each does, and whose it is.
+const PARTS: [(&str, &str, &str); 14] = [
+    ("no parallax", "the mirror direction, the width α", "-"),
+    (
+        "parallax only",
+        "where the mirror ray meets the walls, seen from the probe; the width α",
+        "Lagarde and Zanuttini 2012",
+    ),
+    (
+        "Frostbite",
+        "the same; r = √α goes to lerp(clamp(ρ r, 0, r), r, r), ρ the ratio of distances",
+        "Lagarde and de Rousiers 2014, listing 25",
+    ),
+    ("min(1, ρ α)", "the same; α′ = min(1, ρ α), ρ the ratio of distances", "-"),
+    ("rational", "α′ = ρ α / max(1 + α − ρ α, ρ α)", "the emitted parallax_1 without its constant"),
+    (
+        "distances, areas",
+        "ρ = d_s/d_p, the ratio of distances to the wall from shading point and probe; or that times √(cos ψ_p/cos ψ_s), the root of the ratio of solid angles",
+        "areas: emitted lookups",
+    ),
+    ("√(n·v)", "ρ times √(n·v)", "-"),
+    (
+        "dominant direction",
+        "the ray mixed with the normal by 1 − (1 − α)(√(1 − α) + α)",
+        "Lagarde and de Rousiers 2014, with α for their roughness",
+    ),
+    (
+        "smooth",
+        "the walls blended by a p-norm, the power tied to how far the lobe reaches over an edge (below)",
+        "emitted lookups with smooth edges",
+    ),
+    ("smooth by α", "the same with p = clamp(0.39/α^1.5, 2, 256)", "emitted before"),
+    ("smooth by eye", "the same with p = max(4, 0.6/α)", "-"),
+    (
+        "2 fetches, 3 fetches",
+        "fetches along the long axis of the footprint by one rule (above); rational, areas",
+        "emitted lookups of two and three fetches",
+    ),
+    (
+        "fitted lobe",
+        "axis, size and squash of a GGX lobe by the constants below; rational, areas",
+        "ours: emitted lookups of the fitted lobe",
+    ),
+    ("exact round lobe", "the lobe of width α traced from the shading point itself", "-"),
+];
+
+pub(super) fn section() -> Section {
+    let columns = [("in a name", false), ("what is fetched", false), ("whose", false)];
+    let row = |(name, what, whose): &(&str, &str, &str)| [name, what, whose].map(|x| x.to_string()).to_vec();
+    let caption = "Without another word a lookup is of one fetch along the mirror ray, through the walls themselves, with sharp edges.";
+    Section {
+        id: "compared".into(),
+        title: "What is compared".into(),
+        lead: "Lookups take a shading point, a view and a width α = r² and give directions from the probe with widths α′ of lobes.".into(),
+        blocks: vec![Block::Table(words::table(&columns, PARTS.iter().map(row).collect(), caption))],
+    }
+}

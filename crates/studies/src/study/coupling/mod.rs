@@ -1,0 +1,108 @@
+//! Diffuse couplings: what each departs from white in a furnace, and what is seen of it under an environment.
+
+mod candidates;
+mod furnace;
+mod lit;
+mod parameters;
+mod ranking;
+
+use serde_json::Value;
+
+use super::{Size, Study, StudyError};
+use crate::report::{CouplingStudy, Meaning};
+use crate::surface::{Coupling, Lobe, SurfaceRows, Wanted};
+use candidates::Candidate;
+use lobefit::bake::Progress;
+use parameters::Parameters;
+
+/// Everything that it covers.
+pub(super) fn parameters(size: Size) -> Result<Value, StudyError> {
+    Ok(serde_json::to_value(Parameters::of(size)?)?)
+}
+
+/// A specular lobe with the couplings under it.
+struct Compared {
+    lobe: Lobe,
+    candidates: Vec<Candidate>,
+}
+
+/// Runs it.
+pub(super) fn results(size: Size, progress: &dyn Progress) -> Result<CouplingStudy, StudyError> {
+    let parameters = Parameters::of(size)?;
+    let mut compared = Vec::new();
+    for under in &parameters.lobes {
+        progress.stage(&format!("fits, {}", under.lobe.name()));
+        let candidates = candidates::made(&under.planned, under.lobe)?;
+        compared.push(Compared { lobe: under.lobe, candidates });
+    }
+    progress.stage("furnace");
+    let furnace = furnace::strips(&parameters.furnace, &compared)?;
+    progress.stage("lit spheres");
+    let lit = lit::strips(&parameters.lit, &compared)?;
+    progress.stage("reciprocity and random walks");
+    let surfaces = SurfaceRows::measure(&Wanted { own: own(&compared)?, ..wanted(size)? })?;
+    let rankings = ranking::rankings(&compared, &furnace, &lit, &parameters.lit)?;
+    let meanings = meanings(&compared, &surfaces);
+    let parameters = serde_json::to_value(&parameters)?;
+    let origin = Study::Coupling.origin(size)?;
+    let reduced = size == Size::Reduced;
+    Ok(CouplingStudy { origin, reduced, parameters, furnace, lit, rankings, meanings, surfaces })
+}
+
+/// Couplings that are made for one lobe: ours with their constants, and published fits.
+fn own(compared: &[Compared]) -> Result<Vec<(Lobe, Coupling)>, StudyError> {
+    let mut own = Vec::new();
+    for Compared { lobe, candidates } in compared {
+        let ours = candidates.iter().filter(|c| c.ours).map(|c| c.coupling.clone());
+        own.extend(ours.chain(candidates::published_fits(*lobe)?).map(|coupling| (*lobe, coupling)));
+    }
+    Ok(own)
+}
+
+/// What the names of lobes and couplings mean; of forms of ours and of published fits once.
+fn meanings(compared: &[Compared], surfaces: &SurfaceRows) -> Vec<Meaning> {
+    let told = |lobe: bool, name: &str, meaning: &str| Meaning {
+        lobe,
+        name: name.to_string(),
+        meaning: meaning.to_string(),
+    };
+    let mut all: Vec<Meaning> =
+        Lobe::ALL.iter().map(|lobe| told(true, lobe.name(), lobe.meaning())).collect();
+    all.extend(Coupling::ALL.iter().map(|c| told(false, &c.name(), &c.meaning())));
+    let has = |end: &str| {
+        surfaces.reciprocity.iter().filter_map(|row| row.coupling.as_ref()).any(|name| name.ends_with(end))
+    };
+    let lobes = compared.iter().filter_map(|c| c.candidates.iter().find(|c| c.ours)).map(Candidate::name);
+    if let Some(name) = lobes.min() {
+        let meaning = "a form of ours (fits/hypotheses) of roughness, n·v and f0 with constants fitted for f0 from 0.02 to 0.2; the last \
+                       number counts its operations";
+        all.push(told(false, &format!("{name}, ..."), meaning));
+    }
+    if has("_karis") {
+        let meaning = "1 less the albedo of a lobe by a published fit of f0 A + B: of Karis, MaterialX, Unreal Engine 5, Ray Tracing \
+                       Gems, Tauray";
+        all.push(told(false, "coupling_..._karis, ...", meaning));
+    }
+    all.push(told(
+        false,
+        "7 operations",
+        "(1 − f0)(1 − ((1 − roughness)(1 − n·v)²)²), a formula without constants",
+    ));
+    all.push(told(
+        false,
+        "..., perceptual",
+        "the constants are fitted for what is seen (fit --weight perceptual)",
+    ));
+    let both = "made reciprocal: the factor f at the light times that at the view over its average, f(l) f(v)/f_avg; f of a cosine below those that \
+                it was fitted for, from 0.01, is f there";
+    all.push(told(false, "..., reciprocal", both));
+    all
+}
+
+/// What is measured of whole materials.
+fn wanted(size: Size) -> Result<Wanted, StudyError> {
+    Ok(match size {
+        Size::Full => Wanted::full()?,
+        Size::Reduced => Wanted::reduced()?,
+    })
+}

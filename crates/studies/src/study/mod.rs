@@ -1,0 +1,230 @@
+//! The long studies, whose pages are committed with the hash of their recipe and which no bake waits for. [`run`] makes the files of
+//! one in memory: the same parameters give the same bytes for any number of threads.
+
+mod coupling;
+mod parallax;
+
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::flip::FlipError;
+use crate::report;
+use crate::room::cubemap::CubemapError;
+use crate::surface::SurfaceError;
+use lobefit::approximate::FitStageError;
+use lobefit::bake::{Progress, TOOL};
+use lobefit::cli::{CliError, PackageError};
+use lobefit::effects::parallax::catalogue_sources;
+use lobefit::fitting::FittingError;
+use lobefit::report::{Origin, ReportError, document, html};
+use lobefit::store::Files;
+use lobefit_fit::FitError;
+use lobefit_shade::ShadeError;
+use lobefit_truth::integrate::IntegrateError;
+
+/// A study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Study {
+    /// Diffuse bases under specular lobes: furnace, lit spheres, ranking.
+    Coupling,
+    /// Lookups of a probe's cubemap in rooms.
+    Parallax,
+}
+
+impl Study {
+    /// All of them.
+    pub const ALL: [Study; 2] = [Study::Coupling, Study::Parallax];
+
+    /// The word for it on the command line, and its folder.
+    pub fn name(self) -> &'static str {
+        match self {
+            Study::Coupling => "coupling",
+            Study::Parallax => "parallax",
+        }
+    }
+
+    /// The study of a name.
+    pub fn from_name(name: &str) -> Option<Study> {
+        Study::ALL.into_iter().find(|study| study.name() == name)
+    }
+
+    /// The files that it writes, relative to the folder of a bake: page and results. The reduced study has a folder of its own, beside
+    /// that of the full one, which it so leaves alone.
+    pub fn files(self, size: Size) -> [String; 2] {
+        let reduced = if size == Size::Reduced { "-reduced" } else { "" };
+        ["index.html", "results.json"].map(|file| format!("reports/studies/{}{reduced}/{file}", self.name()))
+    }
+
+    /// Hash of everything that the study follows from: the tool's version, the code of this package, the parameters at a size and the
+    /// formulas compared. Of the code below this package the version stands, and values of its formulas among the parameters.
+    ///
+    /// # Errors
+    /// As [`run`].
+    pub fn recipe(self, size: Size) -> Result<String, StudyError> {
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(TOOL.as_bytes());
+        hasher.update(env!("LOBEFIT_STUDIES").as_bytes());
+        hasher.update(self.parameters(size)?.to_string().as_bytes());
+        if self == Study::Parallax {
+            catalogue_sources().into_iter().fold(&mut hasher, |h, source| h.update(source.as_bytes()));
+        }
+        Ok(hasher.finalize().to_hex().to_string())
+    }
+
+    /// Everything that it covers at a size.
+    fn parameters(self, size: Size) -> Result<Value, StudyError> {
+        match self {
+            Study::Coupling => coupling::parameters(size),
+            Study::Parallax => parallax::parameters(size),
+        }
+    }
+
+    /// What made a study: enough to make it again.
+    fn origin(self, size: Size) -> Result<Origin, StudyError> {
+        let reduced = if size == Size::Reduced { " --reduced" } else { "" };
+        Ok(Origin {
+            scene: String::new(),
+            recipe: self.recipe(size)?,
+            tool: env!("CARGO_PKG_VERSION").into(),
+            command: format!("lobefit report --study {}{reduced}", self.name()),
+        })
+    }
+}
+
+/// How much work a study does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// What is committed: minutes.
+    Full,
+    /// The same with fewer and smaller pictures: seconds.
+    Reduced,
+}
+
+/// Why a study made nothing.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// A material could not be evaluated.
+    #[error(transparent)]
+    Surface(#[from] SurfaceError),
+    /// Pictures could not be compared.
+    #[error(transparent)]
+    Flip(#[from] FlipError),
+    /// A formula of the catalogue that does not parse.
+    #[error(transparent)]
+    Formula(#[from] FitError),
+    /// The catalogue could not be fitted.
+    #[error(transparent)]
+    Catalogue(#[from] FitStageError),
+    /// A formula of the catalogue could not be fitted for what is seen.
+    #[error(transparent)]
+    Fitting(#[from] FittingError),
+    /// A footprint could not be integrated.
+    #[error(transparent)]
+    Footprint(#[from] IntegrateError),
+    /// A fit that returned nothing.
+    #[error("{name}: no fit was made")]
+    Unfitted {
+        /// The formula.
+        name: String,
+    },
+    /// A cubemap could not be made.
+    #[error(transparent)]
+    Cubemap(#[from] CubemapError),
+    /// No constants of a lobe were found.
+    #[error("fit of a lobe's axis and widths in the practice room: {reason}")]
+    Lobe {
+        /// What the search came to.
+        reason: String,
+    },
+    /// A proxy is the planes about a probe.
+    #[error("room {room}: its probe at {probe:?} is not inside of all of its walls; move `probe`")]
+    Outside {
+        /// The room.
+        room: String,
+        /// Where its probe is.
+        probe: [f64; 3],
+    },
+    /// The page refused its data.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+    /// Parameters could not be put into JSON.
+    #[error("cannot write JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+impl From<ShadeError> for StudyError {
+    fn from(error: ShadeError) -> Self {
+        FitError::from(error).into()
+    }
+}
+
+/// The files of a study, by path relative to the folder of a bake.
+///
+/// # Errors
+/// A defect of this program: the parameters are its own.
+pub fn run(study: Study, size: Size, progress: &dyn Progress) -> Result<Files, StudyError> {
+    let (page, results) = match study {
+        Study::Coupling => {
+            let found = coupling::results(size, progress)?;
+            (report::coupling::page(&found)?, document("results.json", &found)?)
+        }
+        Study::Parallax => {
+            let found = parallax::results(size, progress)?;
+            (report::parallax::page(&found)?, document("results.json", &found)?)
+        }
+    };
+    Ok(study.files(size).into_iter().zip([html(&page)?.into_bytes(), results]).collect())
+}
+
+/// What is wrong with a study in a folder.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Stale {
+    /// The file.
+    pub file: String,
+    /// A sentence.
+    pub detail: String,
+}
+
+/// What is wrong with the files of a study of a size in a folder: another recipe than that of this version, or one file without the other.
+/// Nothing is wrong where there are none.
+///
+/// # Errors
+/// As [`run`].
+pub fn stale(study: Study, size: Size, found: &Files) -> Result<Option<Stale>, StudyError> {
+    let names = study.files(size);
+    let again = format!("make it again with {}", study.origin(size)?.command);
+    let Some(present) = names.iter().find(|name| found.contains_key(*name)) else { return Ok(None) };
+    if let Some(missing) = names.iter().find(|name| !found.contains_key(*name)) {
+        let detail = format!("missing, and {present} is there; {again}");
+        return Ok(Some(Stale { file: missing.clone(), detail }));
+    }
+    let recipe = study.recipe(size)?;
+    let [page, results] = names;
+    let of = |name: &String| found.get(name).map(Vec::as_slice).unwrap_or_default();
+    let document: Option<Value> = serde_json::from_slice(of(&results)).ok();
+    let wrong = if document.is_none_or(|document| document["origin"]["recipe"] != recipe) {
+        Some(results)
+    } else {
+        // The page names the recipe in its head.
+        let named = of(&page).windows(recipe.len()).any(|w| w == recipe.as_bytes());
+        (!named).then_some(page)
+    };
+    Ok(wrong.map(|file| Stale {
+        file,
+        detail: format!("not of the recipe {recipe} of this version's study; {again}"),
+    }))
+}
+
+impl PackageError for StudyError {
+    /// A study has no input: what it does not reach is a promise of ours.
+    fn exit_code(&self) -> u8 {
+        1
+    }
+}
+
+impl From<StudyError> for CliError {
+    fn from(error: StudyError) -> CliError {
+        CliError::Package(Box::new(error))
+    }
+}
