@@ -147,10 +147,10 @@ impl Ready {
         };
         Ok(Approximation {
             name: hypothesis.name().to_string(),
-            quantity: self.target.quantity.name.into(),
+            quantity: self.target.quantity.name().into(),
             column: self.target.column.into(),
             used_as: self.target.used_as,
-            smith: self.target.smith,
+            smith: self.target.variant.smith,
             source,
             form: Form::Formula(formula(hypothesis, coefficients, norm)),
             certificate,

@@ -9,11 +9,11 @@ use super::CliError;
 use super::input;
 use super::options::{ThreadsOption, positive, quantity, smith};
 use super::output::{Outcome, print};
-use super::points::{self, Points};
-use crate::approximate::{self, Quantity};
+use super::points::{self, Points, Row};
 use crate::data::Smith;
 use crate::store;
-use lobefit_truth::integrate::footprint;
+use lobefit_truth::integrate::{IntegrateError, monte_carlo};
+use lobefit_truth::quantity::{Choice, Quantity};
 use rayon::prelude::*;
 
 pub(super) const EXAMPLES: &str = "\
@@ -55,7 +55,7 @@ pub(super) enum Method {
 pub(super) struct Options {
     /// Quantity to compute
     #[arg(value_parser = quantity)]
-    pub quantity: &'static Quantity,
+    pub quantity: &'static dyn Quantity,
     /// CSV file with a header (`-`: standard input)
     #[arg(long, value_name = "IN.csv")]
     pub points: PathBuf,
@@ -93,12 +93,12 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(message.into()));
     }
     let name = points_name(&options.points);
-    let mut tolerance = options.quantity.tolerance();
     let mut points = Points::parse(read(&options.points, &name)?, &name, options.quantity)?;
     if let Some(word) = &options.kernel {
-        tolerance = tolerance.max(fix_kernel(&mut points, word, options.quantity)?);
+        fix_kernel(&mut points, word, options.quantity)?;
     }
-    let values = options.threads.install(|| evaluate(options, tolerance, &points))?;
+    points.variants().for_each(|variant| variant.smith = Some(options.smith));
+    let values = options.threads.install(|| evaluate(options, &points))?;
     let csv = points.with_columns(options.quantity, &values)?;
     match &options.out {
         Some(path) => store::write(path, &csv).map(drop)?,
@@ -107,40 +107,50 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     Ok(Outcome::Done)
 }
 
-/// Gives every point the kernel of a word; its usual tolerance.
-fn fix_kernel(points: &mut Points, word: &str, quantity: &Quantity) -> Result<f64, CliError> {
-    let Some(column) = quantity.inputs.iter().position(|input| input.name == "kernel") else {
-        return Err(CliError::Usage(format!(
-            "--kernel: {} has no kernel; parallax-alpha has",
-            quantity.name
-        )));
-    };
-    if points.has(column) {
+/// Gives every point the kernel of a word.
+fn fix_kernel(points: &mut Points, word: &str, quantity: &dyn Quantity) -> Result<(), CliError> {
+    if !quantity.has(Choice::Kernel) {
+        let name = quantity.name();
+        return Err(CliError::Usage(format!("--kernel: {name} has no kernel; parallax-alpha has")));
+    }
+    if points.variants().any(|variant| variant.kernel.is_some()) {
         let message = "--kernel: the points have a column `kernel` too; give one of them";
         return Err(CliError::Usage(message.into()));
     }
     let kernel = input::kernel(word)?;
-    points.fix(column, kernel.index() as f64);
-    Ok(footprint::usual_tolerance(kernel))
+    points.variants().for_each(|variant| variant.kernel = Some(kernel));
+    Ok(())
 }
 
 /// Samples of a point where none are asked for.
 const SAMPLES: u64 = 1 << 20;
 
-/// The outputs at every row, in order; to the `usual` tolerance where none is asked for.
-fn evaluate(options: &Options, usual: f64, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
-    let method = match options.method {
+/// Standard errors in the error column of Monte Carlo.
+const STANDARD_ERRORS: f64 = 4.0;
+
+/// The outputs at a point; to the quantity's own tolerance where none is asked for.
+fn outputs(options: &Options, Row { inputs, variant }: &Row) -> Result<Vec<f64>, IntegrateError> {
+    let quantity = options.quantity;
+    match options.method {
         Method::Quadrature => {
-            approximate::Method::Quadrature { tolerance: options.tolerance.unwrap_or(usual) }
+            let tolerance = options.tolerance.unwrap_or_else(|| quantity.tolerance(variant));
+            quantity.at(variant, inputs, tolerance)
         }
-        Method::MonteCarlo => approximate::Method::MonteCarlo {
-            samples: options.samples.unwrap_or(SAMPLES),
-            seed: options.seed.unwrap_or(0),
-        },
-    };
-    let row = |(i, inputs): (usize, &Vec<f64>)| {
-        let values = options.quantity.evaluate(options.smith, inputs, method);
-        let values = values.map_err(|e| points.refuse(i, &e.to_string()))?;
+        Method::MonteCarlo => {
+            let samples = options.samples.unwrap_or(SAMPLES);
+            let run = monte_carlo::sobol(samples, options.seed.unwrap_or_default());
+            let sampled = quantity.second_opinion(variant, inputs, run)?;
+            let error = sampled.iter().map(|column| column.standard_error).fold(0.0, f64::max);
+            let values = sampled.into_iter().map(|column| column.value);
+            Ok(values.chain([STANDARD_ERRORS * error]).collect())
+        }
+    }
+}
+
+/// The outputs at every row, in order.
+fn evaluate(options: &Options, points: &Points) -> Result<Vec<Vec<f64>>, CliError> {
+    let row = |(i, row): (usize, &Row)| {
+        let values = outputs(options, row).map_err(|e| points.refuse(i, &e.to_string()))?;
         let error = values.last().copied().unwrap_or(f64::NAN);
         match options.tolerance {
             Some(tolerance) if error.is_nan() || error > tolerance => {

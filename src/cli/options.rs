@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::CliError;
-use crate::approximate::{QUANTITIES, Quantity};
 use crate::data::Smith;
 use crate::plan::EffectName;
 use crate::scene::limits;
+use lobefit_truth::quantity::{self, QUANTITIES, Quantity};
 
 /// The scene of a verb.
 #[derive(Args)]
@@ -51,9 +51,9 @@ pub fn effect(text: &str) -> Result<EffectName, String> {
 }
 
 /// The quantity of a name.
-pub fn quantity(name: &str) -> Result<&'static Quantity, String> {
-    Quantity::find(name).ok_or_else(|| {
-        let names: Vec<&str> = QUANTITIES.iter().map(|q| q.name).collect();
+pub fn quantity(name: &str) -> Result<&'static dyn Quantity, String> {
+    quantity::find(name).ok_or_else(|| {
+        let names: Vec<&str> = QUANTITIES.iter().map(|q| q.name()).collect();
         format!("no such quantity in this version; the quantities are {}", names.join(", "))
     })
 }

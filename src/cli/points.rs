@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use crate::approximate::{Input, Quantity, Values};
 use crate::scene::escape::visible;
+use lobefit_truth::quantity::{Choice, Input, Quantity, Variant};
 
 /// Largest file of points, bytes: some ten million points.
 pub(super) const FILE_BYTES: u64 = 512 << 20;
@@ -35,20 +35,29 @@ pub enum PointsError {
     },
 }
 
-/// The rows of a CSV file, and the numbers of a quantity's input columns.
+/// What a row asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Row {
+    /// The inputs, in the quantity's order; NaN where an optional one has no column.
+    pub inputs: Vec<f64>,
+    /// The choices of the row's words.
+    pub variant: Variant,
+}
+
+/// The rows of a CSV file, and what they ask of a quantity.
 #[derive(Clone, Debug)]
 pub(super) struct Points {
     file: String,
     bytes: Vec<u8>,
     header: Range<usize>,
     records: Vec<Range<usize>>,
-    rows: Vec<Vec<f64>>,
+    rows: Vec<Row>,
 }
 
 impl Points {
     /// Reads a CSV (comma, double quotes, any line end, UTF-8 byte order mark allowed) with a header that names the
     /// quantity's inputs among its columns. Empty lines are skipped, and the byte order mark is not kept.
-    pub(super) fn parse(bytes: Vec<u8>, file: &str, quantity: &Quantity) -> Result<Points, PointsError> {
+    pub(super) fn parse(bytes: Vec<u8>, file: &str, quantity: &dyn Quantity) -> Result<Points, PointsError> {
         let mut points =
             Points { file: file.into(), bytes, header: 0..0, records: Vec::new(), rows: Vec::new() };
         let mut lines = Lines::new(&points.bytes);
@@ -66,7 +75,7 @@ impl Points {
         let mut records = Vec::new();
         let mut rows = Vec::new();
         while let Some(record) = lines.next(file)? {
-            let row = numbers(&record, width, &columns, quantity).map_err(|message| PointsError::Row {
+            let row = row(&record, width, &columns, quantity).map_err(|message| PointsError::Row {
                 file: file.into(),
                 line: record.line,
                 message: format!("row {}: {message}", rows.len() + 1),
@@ -79,19 +88,14 @@ impl Points {
         Ok(points)
     }
 
-    /// The inputs of every row, in the quantity's order.
-    pub(super) fn rows(&self) -> &[Vec<f64>] {
+    /// What every row asks for.
+    pub(super) fn rows(&self) -> &[Row] {
         &self.rows
     }
 
-    /// Whether an optional input has a column with rows.
-    pub(super) fn has(&self, input: usize) -> bool {
-        self.rows.iter().any(|row| !row[input].is_nan())
-    }
-
-    /// Gives every row a value of an input.
-    pub(super) fn fix(&mut self, input: usize, value: f64) {
-        self.rows.iter_mut().for_each(|row| row[input] = value);
+    /// The variants of all rows, to be completed by options.
+    pub(super) fn variants(&mut self) -> impl Iterator<Item = &mut Variant> {
+        self.rows.iter_mut().map(|row| &mut row.variant)
     }
 
     /// The error that a row (from 0) cannot be computed, with its line.
@@ -105,19 +109,19 @@ impl Points {
     /// left out; numbers in the shortest digits that read back to the same f64.
     pub(super) fn with_columns(
         &self,
-        quantity: &Quantity,
+        quantity: &dyn Quantity,
         values: &[Vec<f64>],
     ) -> Result<Vec<u8>, PointsError> {
-        let mut out = Vec::with_capacity(self.bytes.len() + 32 * values.len() * quantity.outputs.len());
+        let mut out = Vec::with_capacity(self.bytes.len() + 32 * values.len() * quantity.outputs().len());
         out.extend(&self.bytes[self.header.clone()]);
-        for column in quantity.outputs {
+        for column in quantity.outputs() {
             out.push(b',');
             out.extend(column.as_bytes());
         }
         out.push(b'\n');
         for (i, record) in self.records.iter().enumerate() {
             out.extend(&self.bytes[record.clone()]);
-            for (j, &column) in quantity.outputs.iter().enumerate() {
+            for (j, &column) in quantity.outputs().iter().enumerate() {
                 let value = values.get(i).and_then(|row| row.get(j)).filter(|x| x.is_finite());
                 let value = value.ok_or_else(|| PointsError::Value {
                     file: self.file.clone(),
@@ -195,64 +199,77 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Index of every input's column; none for an optional one that is not there.
-fn columns(header: &Record, quantity: &Quantity) -> Result<Vec<Option<usize>>, String> {
+/// Indices of the columns of inputs and of choices; none for an optional one that is not there.
+struct Columns {
+    inputs: Vec<Option<usize>>,
+    choices: Vec<(Choice, usize)>,
+}
+
+/// The choices that are made by words in columns: the shadowing is one of all rows.
+fn choices(quantity: &dyn Quantity) -> impl Iterator<Item = Choice> {
+    quantity.choices().iter().copied().filter(|choice| *choice != Choice::Smith)
+}
+
+fn columns(header: &Record, quantity: &dyn Quantity) -> Result<Columns, String> {
     let mut found = BTreeMap::new();
     for i in 0..header.fields.len() {
         let name = header.text(i);
-        if quantity.outputs.contains(&name.as_str()) {
-            return Err(format!("column `{name}` is one that {} appends; rename it", quantity.name));
+        if quantity.outputs().contains(&name.as_str()) {
+            return Err(format!("column `{name}` is one that {} appends; rename it", quantity.name()));
         }
         if found.insert(name.clone(), i).is_some() {
             return Err(format!("column `{name}` is there twice"));
         }
     }
-    let missing = |input: &Input| {
+    let missing = |name: &str| {
         let names: Vec<String> = (0..header.fields.len()).map(|i| header.text(i)).collect();
-        let (name, quantity, names) = (input.name, quantity.name, names.join("`, `"));
+        let (quantity, names) = (quantity.name(), names.join("`, `"));
         format!("column `{name}` is missing, which {quantity} needs; the header has `{names}`")
     };
-    let find = |input: &Input| match found.get(input.name) {
-        None if !input.optional => Err(missing(input)),
+    let find = |name: &str, optional: bool| match found.get(name) {
+        None if !optional => Err(missing(name)),
         index => Ok(index.copied()),
     };
-    quantity.inputs.iter().map(find).collect()
+    let inputs = quantity.inputs().iter().map(|input| find(input.name, input.optional));
+    let inputs = inputs.collect::<Result<_, _>>()?;
+    let mut chosen = Vec::new();
+    for choice in choices(quantity) {
+        chosen.extend(find(choice.name(), choice.is_optional())?.map(|index| (choice, index)));
+    }
+    Ok(Columns { inputs, choices: chosen })
 }
 
-/// The inputs of one record; NaN for an optional one whose column is not there.
-fn numbers(
-    record: &Record,
-    width: usize,
-    columns: &[Option<usize>],
-    quantity: &Quantity,
-) -> Result<Vec<f64>, String> {
+/// The inputs and choices of one record.
+fn row(record: &Record, width: usize, columns: &Columns, quantity: &dyn Quantity) -> Result<Row, String> {
     let found = record.fields.len();
     if found != width {
         return Err(format!("{found} fields where the header has {width}"));
     }
-    columns
-        .iter()
-        .zip(quantity.inputs)
-        .map(|(&column, input)| {
-            let Some(i) = column else { return Ok(f64::NAN) };
-            value(&record.text(i), input).map_err(|what| format!("column `{}`: {what}", input.name))
-        })
-        .collect()
+    let number = |(&column, input): (&Option<usize>, &Input)| {
+        let Some(i) = column else { return Ok(f64::NAN) };
+        value(&record.text(i), input).map_err(|what| format!("column `{}`: {what}", input.name))
+    };
+    let inputs = columns.inputs.iter().zip(quantity.inputs()).map(number).collect::<Result<_, _>>()?;
+    let mut variant = Variant::default();
+    for (choice, i) in &columns.choices {
+        let (name, word) = (choice.name(), record.text(*i));
+        if word.is_empty() {
+            return Err(format!("column `{name}`: the field is empty"));
+        }
+        if !variant.choose(*choice, &word) {
+            let known = choice.words().join(", ");
+            return Err(format!("column `{name}`: `{word}` is not one of {known}"));
+        }
+    }
+    Ok(Row { inputs, variant })
 }
 
-/// A finite number in its domain, or the index of a word. Negative zero is read as zero.
+/// A finite number in its domain. Negative zero is read as zero.
 fn value(text: &str, input: &Input) -> Result<f64, String> {
     if text.is_empty() {
         return Err("the field is empty".into());
     }
-    let (min, max) = match input.values {
-        Values::Numbers { min, max } => (min, max),
-        Values::Words(words) => {
-            let index = words.iter().position(|word| *word == text);
-            let index = index.ok_or_else(|| format!("`{text}` is not one of {}", words.join(", ")))?;
-            return Ok(index as f64);
-        }
-    };
+    let [min, max] = input.domain;
     let x: f64 = text.parse().map_err(|_| format!("`{text}` is not a number"))?;
     if !x.is_finite() {
         return Err(format!("`{text}` is not a finite number"));
@@ -263,8 +280,10 @@ fn value(text: &str, input: &Input) -> Result<f64, String> {
     Ok(x + 0.0)
 }
 
-fn wanted(quantity: &Quantity) -> String {
-    quantity.inputs.iter().map(|i| format!("`{}`", i.name)).collect::<Vec<_>>().join(" and ")
+fn wanted(quantity: &dyn Quantity) -> String {
+    let inputs = quantity.inputs().iter().map(|input| input.name);
+    let names = inputs.chain(choices(quantity).map(Choice::name)).map(|name| format!("`{name}`"));
+    names.collect::<Vec<_>>().join(" and ")
 }
 
 #[cfg(test)]
@@ -281,8 +300,9 @@ mod tests {
     fn rows_keep_their_bytes_and_order() {
         let text = "\u{feff}note, mu ,alpha\r\n\"a,\"\"b\",0.50,1\r\n\r\n  x ,1e-3,0.250000000000000001\r\n\"two\nlines\",.5,-0";
         let points = parse(text).unwrap();
-        assert_eq!(points.rows(), [[1.0, 0.5], [0.25, 1e-3], [0.0, 0.5]]);
-        assert!(points.rows()[2][0].is_sign_positive());
+        let inputs: Vec<&[f64]> = points.rows().iter().map(|row| row.inputs.as_slice()).collect();
+        assert_eq!(inputs, [[1.0, 0.5], [0.25, 1e-3], [0.0, 0.5]]);
+        assert!(inputs[2][0].is_sign_positive());
         let values = vec![vec![1.0, 0.1, 1e-17, 0.30000000000000004, 0.0]; 3];
         let out = points.with_columns(from_name("ggx-reflection").unwrap(), &values).unwrap();
         let tail = ",1,0.1,1e-17,0.30000000000000004,0\n";

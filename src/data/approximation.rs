@@ -86,8 +86,8 @@ pub struct Approximation {
     pub column: String,
     /// What it is used as.
     pub used_as: Use,
-    /// Shadowing form of the quantity.
-    pub smith: Smith,
+    /// Shadowing form, of a quantity that has one.
+    pub smith: Option<Smith>,
     /// Where its numbers come from.
     pub source: Source,
     /// Table or formula.

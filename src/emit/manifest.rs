@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::data::{Approximation, Axis, Certificate, Form, Place, Table};
+use crate::data::{Approximation, Axis, Certificate, Form, Place, Smith, Table};
 
 /// Version of the manifest's form.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -172,8 +172,8 @@ pub struct FitEntry {
     /// Use, from which the error metric follows.
     #[serde(rename = "use")]
     pub used_as: &'static str,
-    /// Shadowing form.
-    pub smith: &'static str,
+    /// Shadowing form; null of a quantity that has none.
+    pub smith: Option<&'static str>,
     /// Roughness to alpha.
     pub alpha_map: &'static str,
     /// Function in the emitted code.
@@ -436,7 +436,7 @@ impl FitEntry {
             quantity: approximation.quantity.clone(),
             column: approximation.column.clone(),
             used_as: approximation.used_as.name(),
-            smith: approximation.smith.name(),
+            smith: approximation.smith.map(Smith::name),
             alpha_map,
             function: approximation.name.clone(),
             inputs: formula.inputs.clone(),

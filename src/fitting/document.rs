@@ -103,7 +103,7 @@ fn entry(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<Value, Fitting
     let more = json!({
         "certificates": certificates,
         "constraints": held.collect::<Vec<_>>(),
-        "words": target.words,
+        "words": target.words(),
         "weight": job.weight,
         "truth_error": target.truth_error(),
         "solver": solver(fit),
@@ -179,15 +179,14 @@ fn page(job: &Job, fitting: &Fitting) -> Result<FitPage, FittingError> {
 /// What a target is, as names and values.
 pub(super) fn of_target(target: &Target) -> Vec<(String, String)> {
     let used_as = format!("{}, judged by the {}", target.used_as.name(), words::metric(target.used_as));
-    let smith =
-        if target.quantity.has_smith() { format!("smith: {}; ", target.smith.name()) } else { String::new() };
+    let smith = target.variant.smith.map_or_else(String::new, |smith| format!("smith: {}; ", smith.name()));
     let conventions = format!("{smith}alpha = {}", target.alpha_map.name());
     let mut rows = vec![
-        ("Quantity".to_string(), format!("{}, column {}", target.quantity.name, target.column)),
+        ("Quantity".to_string(), format!("{}, column {}", target.quantity.name(), target.column)),
         ("Used as".into(), used_as),
         ("Conventions".into(), conventions),
     ];
-    rows.extend(target.words.iter().map(|(input, word)| (input.clone(), word.clone())));
+    rows.extend(target.words().into_iter().map(|(input, word)| (input.to_string(), word.to_string())));
     let domain = target.ranges();
     let domain: Vec<String> =
         domain.iter().map(|(name, [low, high])| format!("{name} {low} to {high}")).collect();

@@ -228,10 +228,10 @@ pub(super) fn approximation(
     let names = hypothesis.parameters().iter().map(|p| p.name.clone());
     Approximation {
         name: hypothesis.name().into(),
-        quantity: target.quantity.name.into(),
+        quantity: target.quantity.name().into(),
         column: target.column.into(),
         used_as: target.used_as,
-        smith: target.smith,
+        smith: target.variant.smith,
         source: Source::Fitted,
         form: Form::Formula(Formula {
             hypothesis: stem(hypothesis.file()),

@@ -66,7 +66,7 @@ fn lines(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<String> {
         target.alpha_map.name(),
         header::operations(a.cost.ops)
     ));
-    lines.extend(target.words.iter().map(|(input, word)| format!("{input}: {word}")));
+    lines.extend(target.words().iter().map(|(input, word)| format!("{input}: {word}")));
     let weight = job.weight.as_ref().map_or(String::new(), |weight| format!(", weighted by {weight}"));
     lines.push(format!("constants fitted for {}{weight}", words::minimised(fit.goal)));
     let demands: Vec<String> = job.demands.iter().map(super::Demand::words).collect();

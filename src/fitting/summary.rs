@@ -26,7 +26,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
         let _ = writeln!(out, "{text}");
     };
     let smith = words::smith(target);
-    let words: Vec<String> = target.words.iter().map(|(k, v)| format!(", {k} {v}")).collect();
+    let words: Vec<String> = target.words().iter().map(|(k, v)| format!(", {k} {v}")).collect();
     line(format!(
         "{}: {} {} as {}{}, alpha = {}{}",
         a.name,

@@ -44,7 +44,7 @@ impl Weight {
                 expression: expression.into(),
                 reason: format!(
                     "weighs by mu, which is no input of {}; give an expression of its inputs, which are {}",
-                    target.quantity.name,
+                    target.quantity.name(),
                     target.inputs().join(", ")
                 ),
             });

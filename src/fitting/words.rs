@@ -55,7 +55,7 @@ pub(super) fn minimised(goal: Goal) -> String {
 
 /// `, smith correlated`, or nothing where the quantity has no such form.
 pub(super) fn smith(target: &Target) -> String {
-    if target.quantity.has_smith() { format!(", smith {}", target.smith.name()) } else { String::new() }
+    target.variant.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()))
 }
 
 /// What the error of a use is.

@@ -3,20 +3,20 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use lobefit::approximate::target::{Points, Sampled, Target, TargetError, TargetSpec};
-use lobefit::approximate::{Method, Quantity};
 use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::quantity::{self, Quantity, Variant};
 
 fn spec(quantity: &str) -> TargetSpec {
     TargetSpec {
-        quantity: Quantity::find(quantity).expect("a quantity"),
+        quantity: quantity::find(quantity).expect("a quantity"),
         column: None,
         used_as: None,
-        smith: Smith::Correlated,
+        variant: Smith::Correlated.into(),
         alpha_map: AlphaMap::RoughnessSquared,
         domain: BTreeMap::new(),
-        words: BTreeMap::new(),
     }
 }
 
@@ -69,14 +69,12 @@ fn points_of_measurement_are_no_samples_and_edges_are_among_both() {
 /// Residuals that the truth leaves, at a few points of every use, by the quantity itself.
 #[test]
 fn scale_and_target_are_those_of_the_use() {
-    let reflection = Quantity::find("ggx-reflection").expect("a quantity");
-    let method = Method::Quadrature { tolerance: reflection.tolerance() };
     let at = |sampled: &Sampled, i: usize, name: &str| {
         f64::from(sampled.points.column(name).expect("a column")[i])
     };
     let truth = |sampled: &Sampled, i: usize| {
         let inputs = [at(sampled, i, "alpha"), at(sampled, i, "mu")];
-        let v = reflection.evaluate(Smith::Correlated, &inputs, method).expect("in the domain");
+        let v = quantity::GgxReflection.at(&Smith::Correlated.into(), &inputs, 1e-10).expect("in the domain");
         (v[0], v[1], v[2])
     };
     let places: Vec<Vec<f64>> = [[0.1, 0.02], [0.4, 0.3], [1.0, 0.9]].map(|p| p.to_vec()).to_vec();
@@ -132,16 +130,14 @@ fn four_values_of_f0_stand_for_all() {
 
 #[test]
 fn a_generic_quantity_is_sampled_over_all_its_inputs() {
-    let words = BTreeMap::from([("side".to_string(), "outside".to_string())]);
+    let variant = Variant { side: Some(Side::Outside), ..Smith::Correlated.into() };
     let domain = BTreeMap::from([("ior".to_string(), [1.5, 1.5]), ("roughness".to_string(), [0.3, 0.4])]);
-    let spec = TargetSpec { words, domain, column: Some("R".into()), ..spec("ggx-glass") };
+    let spec = TargetSpec { variant: variant.clone(), domain, column: Some("R".into()), ..spec("ggx-glass") };
     let target = Target::new(&spec, &formula("roughness mu ior")).expect("a target");
     assert!(target.is_dear());
     let sampled = target.at(&[vec![0.35, 0.5, 1.5]], &[1.0]).expect("R");
-    let glass = Quantity::find("ggx-glass").expect("a quantity");
     let alpha = f64::from(sampled.points.column("alpha").expect("alpha")[0]);
-    let method = Method::Quadrature { tolerance: glass.tolerance() };
-    let exact = glass.evaluate(Smith::Correlated, &[alpha, 0.5, 1.5, 0.0], method).expect("R");
+    let exact = quantity::GgxGlass.at(&variant, &[alpha, 0.5, 1.5], 1e-8).expect("R");
     assert!((sampled.target[0] - exact[0]).abs() < 1e-6, "{} {}", sampled.target[0], exact[0]);
 }
 

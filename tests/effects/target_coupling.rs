@@ -4,23 +4,22 @@
 
 use std::collections::BTreeMap;
 
-use lobefit::approximate::Quantity;
 use lobefit::approximate::target::{Target, TargetSpec};
 use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
 use lobefit_shade::{Hypothesis, Precision};
 use lobefit_truth::integrate::coupling::{Specular, TOLERANCE, coupling};
+use lobefit_truth::quantity::{self, Variant};
 
-fn spec(quantity: &str, specular: Option<&str>) -> TargetSpec {
+fn spec(quantity: &str, specular: Option<Specular>) -> TargetSpec {
     TargetSpec {
-        quantity: Quantity::find(quantity).expect("a quantity"),
+        quantity: quantity::find(quantity).expect("a quantity"),
         column: None,
         used_as: None,
-        smith: Smith::Separable,
+        variant: Variant { specular, ..Smith::Separable.into() },
         alpha_map: AlphaMap::RoughnessSquared,
         domain: BTreeMap::new(),
-        words: specular.map(|word| ("specular".to_string(), word.to_string())).into_iter().collect(),
     }
 }
 
@@ -30,12 +29,8 @@ fn a_coupling_target_is_the_factor_of_the_integral() {
     let formula = Hypothesis::parse("f.wgsl", source).expect("a formula");
     let places = [[0.02, 0.01], [0.02, 1.0], [0.3, 0.2], [0.5, 0.7], [0.8, 0.05], [1.0, 1.0]];
     let f0 = [0.0, 0.04, 0.5, 1.0];
-    for (word, specular) in [
-        ("single", Specular::Single),
-        ("normalised", Specular::Normalised),
-        ("compensated", Specular::Compensated),
-    ] {
-        let target = Target::new(&spec("diffuse-coupling", Some(word)), &formula).expect("a target");
+    for specular in Specular::ALL {
+        let target = Target::new(&spec("diffuse-coupling", Some(specular)), &formula).expect("a target");
         assert_eq!(target.used_as, Use::Coupling);
         let sampled = target.at(&places.map(|p| p.to_vec()), &f0).expect("a truth");
         assert_eq!(sampled.target.len(), places.len() * f0.len());
@@ -46,7 +41,10 @@ fn a_coupling_target_is_the_factor_of_the_integral() {
                 coupling(Smith::Separable, alpha, mu, f0, specular, TOLERANCE).expect("in the domain");
             assert_eq!(sampled.scale[i], 1.0);
             let off = (sampled.target[i] - truth.value).abs();
-            assert!(off <= target.truth_error(), "{word} alpha {alpha} mu {mu} f0 {f0}: off by {off:e}");
+            assert!(
+                off <= target.truth_error(),
+                "{specular:?} alpha {alpha} mu {mu} f0 {f0}: off by {off:e}"
+            );
         }
     }
 }

@@ -87,7 +87,7 @@ fn approximation(name: &str, ops: u32, certificate: Certificate) -> Approximatio
         quantity: "ggx-reflection".into(),
         column: "E".into(),
         used_as: Use::Normalisation,
-        smith: Smith::Correlated,
+        smith: Some(Smith::Correlated),
         source: "fitted".into(),
         published: false,
         table: false,

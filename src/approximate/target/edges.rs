@@ -2,7 +2,6 @@
 
 use super::spec::ROUGHNESS;
 use super::{Span, Target, TargetError};
-use crate::approximate::Values;
 use lobefit_math::chebyshev;
 use lobefit_shade::ShadeError;
 
@@ -149,11 +148,9 @@ impl Target {
         if input == ROUGHNESS && self.has_alpha() {
             return self.defined("alpha").map(|alpha| self.alpha_inverse(alpha));
         }
-        let found = self.quantity.inputs.iter().find(|i| i.name == input);
-        match found.map(|i| i.values) {
-            Some(Values::Numbers { min, max }) => [min, max],
-            _ => [0.0, 1.0],
-        }
+        let found = self.quantity.inputs().iter().find(|i| i.name == input);
+        // f0 alone is no input of every quantity that is blended by it
+        found.map_or([0.0, 1.0], |input| input.domain)
     }
 
     /// Places of the axes and values of f0, ends included.

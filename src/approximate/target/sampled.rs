@@ -7,6 +7,7 @@ use super::{Target, TargetError};
 use crate::data::{AlphaMap, Use};
 use lobefit_fit::{FitError, Samples};
 use lobefit_shade::ShadeError;
+use lobefit_truth::integrate::coupling::Specular;
 
 /// Points with the residual `scale f - target` of the use.
 #[derive(Clone, Debug, PartialEq)]
@@ -165,17 +166,17 @@ impl Target {
             Truth::Adjusted(widths) => return widths.iter().map(|(width, _)| *width).collect(),
             Truth::Split(e, b) => (e, b),
         };
-        let specular = self.words.get("specular").map(String::as_str);
+        let specular = self.variant.specular;
         let value = |(e, b): (&f64, &f64)| {
             // A/E, the share of the lobe that f0 scales
             let share = 1.0 - b / e;
             let left = 1.0 - f0;
             match specular {
                 None => f0 * e + left * b,
-                Some("single") => 1.0 - (f0 * e + left * b),
-                Some("normalised") => left * share,
+                Some(Specular::Single) => 1.0 - (f0 * e + left * b),
+                Some(Specular::Normalised) => left * share,
                 // 1 - spec with the factor 1 + f0 (1/E - 1)
-                Some(_) => left * (share + (1.0 - e) * (1.0 - left * share)),
+                Some(Specular::Compensated) => left * (share + (1.0 - e) * (1.0 - left * share)),
             }
         };
         e.iter().zip(b).map(value).collect()

@@ -4,29 +4,27 @@ use std::collections::BTreeMap;
 
 use super::TargetError;
 use super::affine::affine_in;
-use crate::approximate::{Input, Quantity, Values};
-use crate::data::{AlphaMap, Smith, Use};
+use crate::data::{AlphaMap, Use};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError};
-use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::{Choice, Quantity, Variant};
 
 /// What to approximate, and where.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TargetSpec {
     /// Quantity.
-    pub quantity: &'static Quantity,
+    pub quantity: &'static dyn Quantity,
     /// Its column; none: its first.
     pub column: Option<String>,
     /// Use; none: `coupling` for `diffuse-coupling`, `f0-blend` for a formula of f0 and `ggx-reflection`, else `value`.
     pub used_as: Option<Use>,
-    /// Shadowing form.
-    pub smith: Smith,
+    /// Variant of the quantity; what the quantity does not have is ignored.
+    pub variant: Variant,
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
     /// Ranges by input; the others have those of [`Span::usual`].
     pub domain: BTreeMap<String, [f64; 2]>,
-    /// Words by input, of the inputs that are words.
-    pub words: BTreeMap<String, String>,
 }
 
 /// An independent input and its range, ends included.
@@ -45,8 +43,8 @@ pub(super) enum Given {
     Axis(usize),
     /// alpha, from the axis of roughness.
     Alpha,
-    /// A word, or an input left out (not a number).
-    Constant(f64),
+    /// An optional input that is left out.
+    Absent,
     /// f0.
     F0,
 }
@@ -55,13 +53,13 @@ pub(super) enum Given {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
     /// Quantity.
-    pub quantity: &'static Quantity,
+    pub quantity: &'static dyn Quantity,
     /// Its column.
     pub column: &'static str,
     /// Use.
     pub used_as: Use,
-    /// Shadowing form.
-    pub smith: Smith,
+    /// Variant of the quantity: what the quantity has of the one asked for.
+    pub variant: Variant,
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
     /// Independent inputs but f0.
@@ -70,8 +68,6 @@ pub struct Target {
     pub f0: Option<Span>,
     /// Whether the error is affine in f0.
     pub affine: bool,
-    /// The words given, for headers.
-    pub words: BTreeMap<String, String>,
     pub(super) given: Vec<Given>,
 }
 
@@ -80,9 +76,6 @@ pub(super) const ROUGHNESS: &str = "roughness";
 
 /// A ratio of distances.
 const RHO: &str = "rho";
-
-/// The input whose words may be tables of the user's.
-const KERNEL: &str = "kernel";
 
 impl Span {
     /// The range of an input where none is asked for, inside the range of the quantity's own: that of the published comparisons,
@@ -142,54 +135,29 @@ impl Target {
             quantity: spec.quantity,
             column,
             used_as,
-            smith: spec.smith,
+            variant: variant(spec)?,
             alpha_map: spec.alpha_map,
             axes: Vec::new(),
             f0: None,
             affine: false,
-            words: BTreeMap::new(),
             given: Vec::new(),
         };
-        for input in spec.quantity.inputs {
-            let given = match input.values {
-                Values::Words(words) => target.word(spec, input, words)?,
-                Values::Numbers { min, max } => {
-                    let wanted = spec.domain.contains_key(input.name) || takes(formula, input.name);
-                    if input.optional && !wanted {
-                        Given::Constant(f64::NAN)
-                    } else {
-                        target.number(spec, input.name, [min, max])?
-                    }
-                }
+        for input in spec.quantity.inputs() {
+            let wanted = spec.domain.contains_key(input.name) || takes(formula, input.name);
+            let given = if input.optional && !wanted {
+                Given::Absent
+            } else {
+                target.number(spec, input.name, input.domain)?
             };
             target.given.push(given);
         }
         if used_as == Use::F0Blend {
             target.f0 = Some(range(spec, "f0", [0.0, 1.0])?);
         }
-        let straight = target.words.get("specular").is_none_or(|word| word != "compensated");
+        let straight = target.variant.specular != Some(Specular::Compensated);
         target.affine = straight && affine_in(formula.tape(), "f0");
         target.refuse_unknown(spec, formula)?;
         Ok(target)
-    }
-
-    fn word(&mut self, spec: &TargetSpec, input: &Input, words: &[&str]) -> Result<Given, TargetError> {
-        let (optional, input) = (input.optional, input.name);
-        let refuse = |reason: String| TargetError::Word { input: input.into(), reason };
-        let known = words.join(", ");
-        let given = spec.words.get(input);
-        if optional && given.is_none() {
-            return Ok(Given::Constant(f64::NAN));
-        }
-        let given = given.ok_or_else(|| {
-            let [quantity, first] = [spec.quantity.name, words.first().copied().unwrap_or_default()];
-            refuse(format!("{quantity} is asked for at one of {known}; say which, as --fix {input}={first}"))
-        })?;
-        let table = || Kernel::of(given).filter(|_| input == KERNEL).map(Kernel::index);
-        let index = words.iter().position(|w| w == given).or_else(table);
-        let index = index.ok_or_else(|| refuse(format!("{given} is not one of {known}")))?;
-        self.words.insert(input.into(), given.clone());
-        Ok(Given::Constant(index as f64))
     }
 
     fn number(&mut self, spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Given, TargetError> {
@@ -229,20 +197,13 @@ impl Target {
         let known = self.inputs();
         let listed = known.join(", ");
         if let Some(input) = spec.domain.keys().find(|input| !known.contains(input)) {
-            let (input, quantity) = (input.clone(), self.quantity.name);
+            let (input, quantity) = (input.clone(), self.quantity.name());
             return Err(TargetError::Input { input, quantity, known: listed });
         }
         if spec.domain.contains_key("alpha") && spec.domain.contains_key(ROUGHNESS) {
             let [low, high] = spec.domain["alpha"];
             let reason = "roughness has a range too, and alpha follows from it; give one of them".into();
             return Err(TargetError::Range { input: "alpha".into(), low, high, reason });
-        }
-        if let Some(input) = spec.words.keys().find(|input| !self.words.contains_key(*input)) {
-            let reason = format!(
-                "{} has no such input of words; fix a number by a range of one value",
-                self.quantity.name
-            );
-            return Err(TargetError::Word { input: input.clone(), reason });
         }
         if formula.inputs().is_empty() {
             let place = Box::new(formula.place_of_function());
@@ -269,6 +230,12 @@ impl Target {
         names.extend(self.has_alpha().then(|| "alpha".to_string()));
         names.extend(self.f0.as_ref().map(|f0| f0.name.clone()));
         names
+    }
+
+    /// What the variant says but the shadowing, as names and words.
+    pub fn words(&self) -> BTreeMap<&'static str, &'static str> {
+        let choices = self.quantity.choices().iter().filter(|choice| **choice != Choice::Smith);
+        choices.filter_map(|choice| Some((choice.name(), self.variant.word(*choice)?))).collect()
     }
 
     /// Every independent input, f0 the last.
@@ -306,19 +273,33 @@ impl Target {
     }
 }
 
+/// What the quantity has of the variant that is asked for.
+fn variant(spec: &TargetSpec) -> Result<Variant, TargetError> {
+    let quantity = spec.quantity;
+    let open = |choice: &&Choice| !choice.is_optional() && spec.variant.word(**choice).is_none();
+    if let Some(choice) = quantity.choices().iter().find(open) {
+        let words = choice.words();
+        let (input, first) = (choice.name(), words.first().copied().unwrap_or_default());
+        let (name, known) = (quantity.name(), words.join(", "));
+        let reason = format!("{name} is asked for at one of {known}; say which, as --fix {input}={first}");
+        return Err(TargetError::Word { input: input.into(), reason });
+    }
+    Ok(spec.variant.of(quantity.choices()))
+}
+
 fn column(spec: &TargetSpec) -> Result<&'static str, TargetError> {
     // The last output is the error.
-    let columns = &spec.quantity.outputs[..spec.quantity.outputs.len() - 1];
+    let columns = &spec.quantity.outputs()[..spec.quantity.outputs().len() - 1];
     let Some(wanted) = &spec.column else { return Ok(columns[0]) };
     columns.iter().copied().find(|c| c == wanted).ok_or_else(|| TargetError::Column {
-        quantity: spec.quantity.name,
+        quantity: spec.quantity.name(),
         column: wanted.clone(),
         known: columns.join(", "),
     })
 }
 
 fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use, TargetError> {
-    let name = spec.quantity.name;
+    let name = spec.quantity.name();
     let usual = match name {
         "diffuse-coupling" => Use::Coupling,
         "parallax-alpha" if column == "alpha_adjusted" => Use::Parallax,
@@ -338,7 +319,7 @@ fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use,
             refuse("a coupling factor is a value of diffuse-coupling; give --to diffuse-coupling")
         }
         Use::Normalisation if !ALBEDOS.contains(&column) => {
-            let albedos = spec.quantity.outputs.iter().copied().filter(|c| ALBEDOS.contains(c));
+            let albedos = spec.quantity.outputs().iter().copied().filter(|c| ALBEDOS.contains(c));
             let albedos: Vec<String> = albedos.map(|c| format!("--to {name}:{c}")).collect();
             let remedy = match albedos.as_slice() {
                 [] => "give another quantity or leave --use out".into(),
@@ -378,7 +359,9 @@ fn range(spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Span, Targ
         };
         return refuse(format!(
             "is not inside [{}, {}], where {} is defined; {remedy}",
-            defined[0], defined[1], spec.quantity.name
+            defined[0],
+            defined[1],
+            spec.quantity.name()
         ));
     }
     Ok(Span { name: input.into(), range: [low, high] })
@@ -405,7 +388,7 @@ fn no_gap(spec: &TargetSpec, span: &Span) -> Result<(), TargetError> {
         high,
         reason: format!(
             "{} has no truth between alpha = 0 and alpha = {smallest:e}, which is {input} = {from}; {remedy}{}",
-            quantity.name,
+            quantity.name(),
             if low == 0.0 { ", and --exact alpha=0 if the mirror matters" } else { "" }
         ),
     })

@@ -5,12 +5,11 @@ use rayon::prelude::*;
 use super::points::{Effort, Points};
 use super::spec::{Given, ROUGHNESS};
 use super::{Target, TargetError};
-use crate::approximate::{
-    Counter, Field, Method, PointSet, Quantity, Region, TRUTH_ERROR, Values, average_truth,
-};
-use crate::data::Use;
+use crate::approximate::{Counter, Field, PointSet, Region, TRUTH_ERROR, average_truth};
+use crate::data::{Smith, Use};
 use lobefit_truth::integrate::{IntegrateError, footprint, sheen};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::{GgxReflection, Quantity};
 
 /// The truth at points, before its use.
 pub(super) enum Truth {
@@ -53,7 +52,7 @@ enum Way {
     Sheen,
     /// The best width of a fetch.
     Footprint,
-    /// [`Quantity::evaluate`].
+    /// [`Quantity::at`].
     Evaluate,
 }
 
@@ -62,7 +61,7 @@ impl Target {
         let from = |name: &str| self.axes.iter().find(|a| a.name == name).map_or(0.0, |a| a.range[0]);
         let smallest = FAST_FROM * (1.0 - ROUNDING);
         let fast = self.alpha_map.alpha(from(ROUGHNESS)) >= smallest && from("mu") >= smallest;
-        match (self.quantity.name, self.column) {
+        match (self.quantity.name(), self.column) {
             ("diffuse-coupling", _) => Way::Split,
             ("ggx-reflection", _) if self.used_as == Use::F0Blend => Way::Split,
             ("ggx-reflection", "E") if fast => Way::Albedo,
@@ -75,7 +74,7 @@ impl Target {
     }
 
     pub(super) fn effort(&self) -> Effort {
-        match (self.way(), self.quantity.name) {
+        match (self.way(), self.quantity.name()) {
             (Way::Albedo, _) => CHEAP,
             (Way::Split, _) if self.f0.is_none() || self.affine => SPLIT,
             (Way::Split, _) => SPLIT_CURVED,
@@ -103,7 +102,7 @@ impl Target {
     /// The truth at points.
     pub(super) fn truth(&self, points: &Points) -> Result<Truth, TargetError> {
         Ok(match self.way() {
-            Way::Albedo => Truth::Column(Field::albedo(self.smith, &set(points), &Counter::default()).e),
+            Way::Albedo => Truth::Column(Field::albedo(self.smith(), &set(points), &Counter::default()).e),
             Way::Split => {
                 let (e, b) = self.split(points)?;
                 match self.column {
@@ -124,13 +123,12 @@ impl Target {
         let points = set(points);
         let smallest = (FAST_FROM * (1.0 - ROUNDING)) as f32;
         if points.alpha.iter().chain(&points.mu).all(|x| *x >= smallest) {
-            let field = Field::split(self.smith, &points, &Counter::default());
+            let field = Field::split(self.smith(), &points, &Counter::default());
             return Ok((field.e, field.b));
         }
-        let Some(quantity) = Quantity::find("ggx-reflection") else { return Ok((Vec::new(), Vec::new())) };
-        let method = Method::Quadrature { tolerance: tolerance(quantity) };
+        let tolerance = GgxReflection.tolerance(&self.variant).max(TOLERANCE);
         let one = |(alpha, mu): (&f32, &f32)| {
-            let values = quantity.evaluate(self.smith, &[f64::from(*alpha), f64::from(*mu)], method)?;
+            let values = GgxReflection.at(&self.variant, &[f64::from(*alpha), f64::from(*mu)], tolerance)?;
             Ok((values[0], values[2]))
         };
         let pairs: Vec<(&f32, &f32)> = points.alpha.iter().zip(&points.mu).collect();
@@ -145,7 +143,7 @@ impl Target {
         if !self.axes[0].is_spanned() {
             return self.evaluated(points);
         }
-        let truth = average_truth(self.smith, &region, &Counter::default())?;
+        let truth = average_truth(self.smith(), &region, &Counter::default())?;
         let alpha = points.column("alpha").unwrap_or_default();
         let [low, high] = region.roughness.map(|r| self.alpha_map.alpha_f32(r as f32));
         // An edge may ask for a width beyond the range.
@@ -155,14 +153,19 @@ impl Target {
         Ok(alpha.par_iter().map(|a| truth(f64::from(*a))).collect())
     }
 
-    /// The lobe that a chain is prefiltered with.
-    pub fn kernel(&self) -> Kernel {
-        self.words.get("kernel").and_then(|word| Kernel::of(word)).unwrap_or_default()
+    /// The shadowing of the quantities of GGX, which all have one.
+    fn smith(&self) -> Smith {
+        self.variant.smith.unwrap_or_default()
     }
 
-    /// What an evaluation must keep: a table's lobes are not known as well.
+    /// The lobe that a chain is prefiltered with.
+    pub fn kernel(&self) -> Kernel {
+        self.variant.kernel.unwrap_or_default()
+    }
+
+    /// The largest error of an evaluation.
     fn tolerance(&self) -> f64 {
-        tolerance(self.quantity).max(footprint::usual_tolerance(self.kernel()))
+        self.quantity.tolerance(&self.variant).max(TOLERANCE)
     }
 
     /// Best widths, and whether they are saturated.
@@ -177,13 +180,13 @@ impl Target {
         Ok(found.into_iter().collect::<Result<_, _>>()?)
     }
 
-    /// The column by [`Quantity::evaluate`], point by point.
+    /// The column by [`Quantity::at`], point by point.
     fn evaluated(&self, points: &Points) -> Result<Vec<f64>, TargetError> {
-        let output = self.quantity.outputs.iter().position(|o| *o == self.column).unwrap_or(0);
-        let method = Method::Quadrature { tolerance: self.tolerance() };
+        let output = self.quantity.outputs().iter().position(|o| *o == self.column).unwrap_or(0);
+        let tolerance = self.tolerance();
         let one = |i: usize| {
             let inputs: Vec<f64> = (0..self.given.len()).map(|k| self.input(points, k, i)).collect();
-            Ok(self.quantity.evaluate(self.smith, &inputs, method)?[output])
+            Ok(self.quantity.at(&self.variant, &inputs, tolerance)?[output])
         };
         let values: Vec<Result<f64, IntegrateError>> = (0..points.len()).into_par_iter().map(one).collect();
         Ok(values.into_iter().collect::<Result<_, _>>()?)
@@ -191,20 +194,16 @@ impl Target {
 
     /// Input `k` of the quantity at point `i`; one that lies outside its domain by the rounding of an f32 alone is taken for the end.
     fn input(&self, points: &Points, k: usize, i: usize) -> f64 {
-        let name = self.quantity.inputs[k].name;
+        let name = self.quantity.inputs()[k].name;
         let value = match self.given[k] {
-            Given::Constant(x) => return x,
+            Given::Absent => return f64::NAN,
             Given::Axis(_) | Given::Alpha | Given::F0 => {
                 points.column(name).map_or(f64::NAN, |column| f64::from(column[i]))
             }
         };
-        match self.quantity.inputs[k].values {
-            Values::Numbers { min, max } => {
-                let end = value.clamp(min, max);
-                if (value - end).abs() <= ROUNDING * end.abs() { end } else { value }
-            }
-            Values::Words(_) => value,
-        }
+        let [min, max] = self.quantity.inputs()[k].domain;
+        let end = value.clamp(min, max);
+        if (value - end).abs() <= ROUNDING * end.abs() { end } else { value }
     }
 }
 
@@ -214,10 +213,6 @@ fn sheen_albedo(points: &Points) -> Vec<f64> {
     let pairs: Vec<(&f32, &f32)> = alpha.iter().zip(mu).collect();
     let inside = |alpha: f32| f64::from(alpha).max(sheen::SMALLEST_ALPHA);
     pairs.into_par_iter().map(|(alpha, mu)| sheen::albedo(inside(*alpha), f64::from(*mu))).collect()
-}
-
-fn tolerance(quantity: &Quantity) -> f64 {
-    quantity.tolerance().max(TOLERANCE)
 }
 
 /// The points as the fields of `ggx-reflection` take them.

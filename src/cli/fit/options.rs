@@ -5,19 +5,19 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::approximate::target::TargetSpec;
-use crate::approximate::{QUANTITIES, Quantity};
+use crate::approximate::target::{TargetError, TargetSpec};
 use crate::cli::CliError;
 use crate::cli::input::kernel;
 use crate::cli::options::{ThreadsOption, positive, smith};
 use crate::data::{AlphaMap, Smith, Use};
 use crate::fitting::search::{AidKind, Aids, SearchJob};
-use crate::fitting::{Demand, Job};
+use crate::fitting::{Demand, FittingError, Job};
 use crate::scene::limits;
 use crate::store;
 use lobefit_fit::Goal;
 use lobefit_shade::code::Language;
 use lobefit_shade::{Hypothesis, Precision};
+use lobefit_truth::quantity::{self, Choice, QUANTITIES, Quantity, Variant};
 
 /// Starting points where no number is asked for.
 const STARTS: u16 = 8;
@@ -122,7 +122,7 @@ pub(in crate::cli) enum Asked {
 /// A quantity, and one of its columns.
 #[derive(Clone, Debug)]
 pub(in crate::cli) struct To {
-    quantity: &'static Quantity,
+    quantity: &'static dyn Quantity,
     column: Option<String>,
 }
 
@@ -173,7 +173,8 @@ impl Options {
     }
 
     fn spec(&self) -> Result<TargetSpec, CliError> {
-        let (mut domain, mut words) = (BTreeMap::new(), BTreeMap::new());
+        let To { quantity, column } = self.to.clone();
+        let (mut domain, mut variant) = (BTreeMap::new(), Variant::from(self.smith));
         let twice = |option: &str, input: &str| {
             CliError::Usage(format!("{option} {input}: the input is given twice; give it once"))
         };
@@ -185,15 +186,14 @@ impl Options {
         for (input, value) in &self.fix {
             let known = match value.parse::<f64>() {
                 Ok(x) => domain.insert(input.clone(), [x, x]).is_some(),
-                Err(_) => words.insert(input.clone(), word(input, value)?).is_some(),
+                Err(_) => choose(&mut variant, quantity, input, value)?,
             };
             if known {
                 return Err(twice("--fix", input));
             }
         }
-        let To { quantity, column } = self.to.clone();
-        let (used_as, smith, alpha_map) = (self.used_as, self.smith, self.alpha_map);
-        Ok(TargetSpec { quantity, column, used_as, smith, alpha_map, domain, words })
+        let (used_as, alpha_map) = (self.used_as, self.alpha_map);
+        Ok(TargetSpec { quantity, column, used_as, variant, alpha_map, domain })
     }
 
     fn demands(&self) -> Vec<Demand> {
@@ -225,7 +225,7 @@ impl Options {
             push("--helpers ", names.join(","));
         }
         let column = self.to.column.as_ref().map_or(String::new(), |c| format!(":{c}"));
-        push("--to ", format!("{}{column}", self.to.quantity.name));
+        push("--to ", format!("{}{column}", self.to.quantity.name()));
         self.used_as.iter().for_each(|u| push("--use ", u.name().into()));
         if self.norm != [Goal::Max] {
             self.norm.iter().for_each(|goal| push("--norm ", goal_name(*goal)));
@@ -298,9 +298,25 @@ fn once<T: Copy + PartialEq>(values: &[T]) -> Vec<T> {
     kept
 }
 
-/// The word of an input: of a kernel in a file that of its table.
-fn word(input: &str, value: &str) -> Result<String, CliError> {
-    if input == "kernel" { Ok(kernel(value)?.word().into()) } else { Ok(value.into()) }
+/// Makes a choice of a variant; whether it was made before.
+fn choose(variant: &mut Variant, quantity: &dyn Quantity, input: &str, word: &str) -> Result<bool, CliError> {
+    let refuse = |reason: String| {
+        CliError::from(FittingError::from(TargetError::Word { input: input.into(), reason }))
+    };
+    let choices = quantity.choices().iter().filter(|choice| **choice != Choice::Smith);
+    let Some(choice) = choices.copied().find(|choice| choice.name() == input) else {
+        let name = quantity.name();
+        return Err(refuse(format!(
+            "{name} has no such input of words; fix a number by a range of one value"
+        )));
+    };
+    let known = variant.word(choice).is_some();
+    if choice == Choice::Kernel {
+        variant.kernel = Some(kernel(word)?);
+    } else if !variant.choose(choice, word) {
+        return Err(refuse(format!("{word} is not one of {}", choice.words().join(", "))));
+    }
+    Ok(known)
 }
 
 /// The value of an input, of a kernel in a file the file's name.
@@ -326,10 +342,10 @@ fn read(path: &Path) -> Result<(String, String), CliError> {
 
 fn to(text: &str) -> Result<To, String> {
     let (name, column) = text.split_once(':').map_or((text, None), |(name, column)| (name, Some(column)));
-    let names = || QUANTITIES.iter().map(|q| q.name).collect::<Vec<_>>().join(", ");
-    let quantity = Quantity::find(name)
+    let names = || QUANTITIES.iter().map(|q| q.name()).collect::<Vec<_>>().join(", ");
+    let quantity = quantity::find(name)
         .ok_or_else(|| format!("no such quantity in this version; the quantities are {}", names()))?;
-    let columns = &quantity.outputs[..quantity.outputs.len() - 1];
+    let columns = &quantity.outputs()[..quantity.outputs().len() - 1];
     match column {
         Some(column) if !columns.contains(&column) => {
             Err(format!("{name} has no column {column}; its columns are {}", columns.join(", ")))

@@ -54,7 +54,7 @@ fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
     if !lines.is_empty() {
         lines.push(String::new());
     }
-    let (smith, ops) = (a.smith.name(), header::operations(a.cost.ops));
+    let (smith, ops) = (lobe.spec.smith.name(), header::operations(a.cost.ops));
     lines.push(format!(
         "{} {}, specular {}, smith {smith}; {ops}; constants fitted for the smallest {} error",
         a.quantity,

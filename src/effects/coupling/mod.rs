@@ -16,14 +16,13 @@ mod rivals;
 mod rule;
 mod table;
 
-use std::collections::BTreeMap;
-
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, FitSet, FitStageError, Keeps, Quantity, Region, Wanted};
+use crate::approximate::{self, Counter, FitSet, FitStageError, Keeps, Region, Wanted};
 use crate::data::{AlphaMap, Norm, Smith, Use};
 pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
 use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::{DiffuseCoupling, Variant};
 pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS, light_ops};
 
 /// Largest f0 for which a factor under a bare lobe is proven not to be negative: beyond any dielectric's.
@@ -52,13 +51,12 @@ impl CouplingSpec {
         let Region { roughness, mu, alpha_map } = self.region;
         let domain = [("roughness", roughness), ("mu", mu), ("f0", f0)];
         TargetSpec {
-            quantity: Quantity::diffuse_coupling(),
+            quantity: &DiffuseCoupling,
             column: Some("factor".into()),
             used_as: Some(Use::Coupling),
-            smith: self.smith,
+            variant: Variant { specular: Some(self.specular), ..self.smith.into() },
             alpha_map,
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
-            words: BTreeMap::from([("specular".to_string(), self.specular.name().to_string())]),
         }
     }
 

@@ -58,7 +58,7 @@ pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, An
         quantity: "diffuse-coupling".into(),
         column: "factor".into(),
         used_as: Use::Coupling,
-        smith: *smith,
+        smith: Some(*smith),
         source: Source::Published(
             "1 - E from table: the exact factor of (A, B) at texel centres, f16".into(),
         ),

@@ -12,15 +12,14 @@ mod source;
 pub mod taps;
 mod variation;
 
-use std::collections::BTreeMap;
-
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, FitSet, FitStageError, Quantity, Wanted};
-use crate::data::{AlphaMap, Norm, Smith, Use};
+use crate::approximate::{self, Counter, FitSet, FitStageError, Wanted};
+use crate::data::{AlphaMap, Norm, Use};
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use grid::{Cell, Grid, Spread};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::{ParallaxAlpha, Variant};
 pub use lookups::{Corrected, LobeFit, Ratio, Shading, ShadingLobe, Uncorrected, Width};
 pub use taps::{RuleTap, Stretch, TapRule, width};
 pub use variation::{Variation, variations};
@@ -52,14 +51,12 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
     let domain = [("roughness", spec.roughness), ("rho", spec.rho)];
     let wanted = Wanted {
         spec: TargetSpec {
-            quantity: Quantity::parallax_alpha(),
+            quantity: &ParallaxAlpha,
             column: Some("alpha_adjusted".into()),
             used_as: Some(Use::Parallax),
-            // A footprint has no Smith form; the field is nobody's.
-            smith: Smith::default(),
+            variant: Variant { kernel: Some(spec.kernel), ..Variant::default() },
             alpha_map: spec.alpha_map,
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
-            words: BTreeMap::from([("kernel".to_string(), spec.kernel.word().to_string())]),
         },
         own: &HYPOTHESES,
         rivals: RIVALS.iter().filter(|rival| squared || !rival.takes("roughness")).collect(),

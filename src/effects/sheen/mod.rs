@@ -7,9 +7,10 @@ mod page;
 use std::collections::BTreeMap;
 
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, FitSet, FitStageError, Quantity, Region, Wanted};
-use crate::data::{AlphaMap, Norm, Smith, Use};
+use crate::approximate::{self, Counter, FitSet, FitStageError, Region, Wanted};
+use crate::data::{AlphaMap, Norm, Use};
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
+use lobefit_truth::quantity::{SheenCharlie, Variant};
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,14 +32,12 @@ pub fn fit_all(spec: &SheenSpec, counter: &Counter) -> Result<FitSet, FitStageEr
     let squared = alpha_map == AlphaMap::RoughnessSquared;
     let spec = Wanted {
         spec: TargetSpec {
-            quantity: Quantity::sheen_charlie(),
+            quantity: &SheenCharlie,
             column: Some("E".into()),
             used_as: Some(Use::Value),
-            // The lobe has no Smith form; the field is nobody's.
-            smith: Smith::default(),
+            variant: Variant::default(),
             alpha_map,
             domain: BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]),
-            words: BTreeMap::new(),
         },
         own: &HYPOTHESES,
         rivals: RIVALS.iter().filter(|_| squared).collect(),

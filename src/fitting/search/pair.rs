@@ -10,12 +10,9 @@
 //!
 //! Errors of E and B are averaged by f0, so that those of a blend are as large as the larger of theirs.
 
-use std::collections::BTreeMap;
-
 use super::aids::{self, AidKind};
 use super::space;
 use super::{Frontier, SearchJob, Tried};
-use crate::approximate::Quantity;
 use crate::approximate::target::{Span, Target, TargetError, TargetSpec};
 use crate::data::Use;
 use crate::fitting::FittingError;
@@ -23,6 +20,8 @@ use lobefit_fit::FitError;
 use lobefit_fit::search::{
     Anchor, Found, Pair, PairSamples, Pairing, Progress, SearchSamples, Second, Space, search, search_pair,
 };
+use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::GgxReflection;
 
 /// Values of f0 where an error that is not affine in it is searched.
 const CURVED: usize = 5;
@@ -47,15 +46,14 @@ pub(super) fn run(
     let split = Split::of(target, job)?;
     let at_mirror = split.anchor.as_ref().map(|anchor| space::words(target, Some(anchor)));
     let mut asked = Asked { target, job, split: &split, progress, tried: Vec::new() };
-    let specular = target.words.get("specular").map(String::as_str);
-    let (found, anchor) = match specular {
+    let (found, anchor) = match target.variant.specular {
         None => {
             let found = asked.blends(f0)?;
             (found, at_mirror.map_or(String::new(), |words| format!("{words} for f0 = 1")))
         }
-        Some("single") => (asked.blends(f0)?, String::new()),
-        Some("normalised") => (asked.faded()?, "0 at f0 = 1".into()),
-        Some(_) => (asked.recycled(f0)?, "0 at f0 = 1".into()),
+        Some(Specular::Single) => (asked.blends(f0)?, String::new()),
+        Some(Specular::Normalised) => (asked.faded()?, "0 at f0 = 1".into()),
+        Some(Specular::Compensated) => (asked.recycled(f0)?, "0 at f0 = 1".into()),
     };
     Ok(Frontier { found, anchor, tried: asked.tried })
 }
@@ -68,7 +66,7 @@ fn refuse(target: &Target, f0: &Span, job: &SearchJob) -> Result<(), TargetError
             .into();
         return Err(TargetError::Edge { setting: "exact", input: demand.words(), reason });
     }
-    let single = target.words.get("specular").is_some_and(|specular| specular == "normalised");
+    let single = target.variant.specular == Some(Specular::Normalised);
     if let Some(kind) = job.aids.of_whole().filter(|_| !single) {
         let reason = format!("{} is for formulas of one form, and these are made of two", kind.name());
         return Err(TargetError::Edge { setting: "helpers", input: kind.name().into(), reason });
@@ -85,20 +83,15 @@ fn refuse(target: &Target, f0: &Span, job: &SearchJob) -> Result<(), TargetError
 
 impl Split {
     fn of(target: &Target, job: &SearchJob) -> Result<Split, FittingError> {
-        let Some(quantity) = Quantity::find("ggx-reflection") else {
-            let reason = "there is no quantity ggx-reflection to be made of".into();
-            return Err(TargetError::Use { used_as: target.used_as.name(), reason }.into());
-        };
         let mut domain = job.spec.domain.clone();
         domain.remove("f0");
         let spec = |used_as: Use| TargetSpec {
-            quantity,
+            quantity: &GgxReflection,
             column: None,
             used_as: Some(used_as),
-            smith: target.smith,
+            variant: target.variant.clone(),
             alpha_map: target.alpha_map,
             domain: domain.clone(),
-            words: BTreeMap::new(),
         };
         // For f0 = 0, which is B, then for f0 = 1, which is E.
         let both = space::target(&spec(Use::F0Blend))?;

@@ -7,11 +7,10 @@ use crate::effects::{coupling, reflection, sheen};
 use crate::fitting::FittingError;
 use crate::fitting::certificates::certificate;
 use lobefit_shade::{Hypothesis, Precision};
-use lobefit_truth::integrate::coupling::Specular;
 
 /// How the names begin of the catalogue's formulas for a use of a quantity.
 fn prefix(target: &Target) -> Option<&'static str> {
-    match (target.quantity.name, target.column, target.used_as) {
+    match (target.quantity.name(), target.column, target.used_as) {
         ("ggx-reflection", "E", Use::Normalisation) => Some("ggx_norm_"),
         ("ggx-reflection", _, Use::F0Blend) => Some("ggx_blend_"),
         ("ggx-reflection", "E", Use::Value) => Some("ggx_e_"),
@@ -24,7 +23,8 @@ fn prefix(target: &Target) -> Option<&'static str> {
 
 /// Measured at the same points; none where the conventions are others than the catalogue's.
 pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, FittingError> {
-    let usual = target.smith == Smith::Correlated && target.alpha_map == AlphaMap::RoughnessSquared;
+    let usual = target.variant.smith.unwrap_or_default() == Smith::Correlated
+        && target.alpha_map == AlphaMap::RoughnessSquared;
     if !usual {
         return Ok(Vec::new());
     }
@@ -52,9 +52,11 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
 /// Names and sources of the formulas for the target's use.
 fn suiting(target: &Target) -> Vec<(String, &'static str)> {
     if target.used_as == Use::Coupling {
-        let specular =
-            Specular::ALL.into_iter().filter(|s| target.words.values().any(|word| word == s.name()));
-        let all = specular.flat_map(|s| coupling::hypotheses(s).iter().chain(coupling::rivals(s)));
+        let all = target
+            .variant
+            .specular
+            .into_iter()
+            .flat_map(|s| coupling::hypotheses(s).iter().chain(coupling::rivals(s)));
         return all.map(|entry| (entry.name().to_string(), entry.source)).collect();
     }
     let Some(prefix) = prefix(target) else { return Vec::new() };

@@ -1,14 +1,16 @@
 //! The space of forms of a target.
 
 use super::SearchJob;
-use crate::approximate::Values;
 use crate::approximate::target::{Target, TargetError, TargetSpec};
 use crate::data::Use;
 use crate::fitting::{Demand, FittingError};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};
 use lobefit_shade::Hypothesis;
+use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::Variant;
 
 /// Highest powers of roughness (alpha^4) and of the other inputs in a term.
 const DEGREES: [u8; 2] = [8, 5];
@@ -19,9 +21,7 @@ const SAME: f64 = 1e-6;
 /// The target of a spec, for a formula of all its inputs.
 pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
     let mut arguments = Vec::new();
-    for input in
-        spec.quantity.inputs.iter().filter(|i| matches!(i.values, Values::Numbers { .. }) && !i.optional)
-    {
+    for input in spec.quantity.inputs().iter().filter(|input| !input.optional) {
         if input.name == "alpha" {
             arguments.push("roughness");
         }
@@ -37,12 +37,11 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
 
 /// `ggx_reflection_e_normalisation`: quantity, column, use.
 pub(super) fn name(target: &Target) -> String {
-    // of a table its name: the hash in its word is none of a function
-    let words = target
-        .words
-        .values()
-        .map(|word| Kernel::of(word).map_or_else(|| word.clone(), |kernel| kernel.name().to_string()));
-    let parts = [target.quantity.name, target.column, target.used_as.name()].map(String::from);
+    let Variant { side, specular, kernel, .. } = &target.variant;
+    // Of a kernel's table the name: the hash in its word does not belong into the name of a function.
+    let words = [side.map(Side::name), specular.map(Specular::name), kernel.map(Kernel::name)];
+    let words = words.into_iter().flatten().map(String::from);
+    let parts = [target.quantity.name(), target.column, target.used_as.name()].map(String::from);
     let parts = parts.into_iter().chain(words);
     parts.collect::<Vec<_>>().join("_").replace('-', "_").to_lowercase()
 }
@@ -143,19 +142,19 @@ pub(super) fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
 
 /// The power of roughness that is of one order with mu where a lobe changes: alpha, and of cloth roughness itself.
 pub(super) fn order(target: &Target) -> u8 {
-    if target.quantity.name.starts_with("sheen") { 1 } else { target.alpha_map.power() as u8 }
+    if target.quantity.name().starts_with("sheen") { 1 } else { target.alpha_map.power() as u8 }
 }
 
 /// What a formula is, in a sentence.
 pub(super) fn title(target: &Target) -> String {
     let what = match target.used_as {
         Use::Normalisation => {
-            format!("Normalisation of {}: N with {} N = 1", target.quantity.name, target.column)
+            format!("Normalisation of {}: N with {} N = 1", target.quantity.name(), target.column)
         }
-        Use::F0Blend => format!("f0 A + B of {}", target.quantity.name),
-        _ => format!("{} of {}", target.column, target.quantity.name),
+        Use::F0Blend => format!("f0 A + B of {}", target.quantity.name()),
+        _ => format!("{} of {}", target.column, target.quantity.name()),
     };
-    let words: Vec<String> = target.words.iter().map(|(k, v)| format!(", {k} {v}")).collect();
+    let words: Vec<String> = target.words().iter().map(|(k, v)| format!(", {k} {v}")).collect();
     let smith = crate::fitting::words::smith(target);
     format!("{what}{}{smith}, alpha = {}.", words.concat(), target.alpha_map.name())
 }

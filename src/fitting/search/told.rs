@@ -20,7 +20,7 @@ pub fn summary(searched: &Searched) -> String {
     let target = &searched.target;
     let mut out = format!(
         "{} {} as {}{}, alpha = {}: {} forms on the frontier{}\n  {:>5}  {:>10}  {:>10}  worst at\n",
-        target.quantity.name,
+        target.quantity.name(),
         target.column,
         target.used_as.name(),
         words::smith(target),

@@ -17,8 +17,8 @@ pub struct ApproximationFinding {
     /// What it is used as; decides what its error means.
     #[serde(rename = "use")]
     pub used_as: Use,
-    /// Shadowing form of the quantity.
-    pub smith: Smith,
+    /// Shadowing form, of a quantity that has one.
+    pub smith: Option<Smith>,
     /// `fitted`, `baked` for a table of ours, or the publication.
     pub source: String,
     /// Somebody else's.

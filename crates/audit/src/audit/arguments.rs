@@ -3,7 +3,7 @@
 use super::axis::{Input, Scale};
 use super::{AUDITED, AuditError};
 use crate::foreign::ShaderFunction;
-use lobefit::approximate::Quantity;
+use lobefit_truth::quantity::Quantity;
 
 /// What an argument is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,20 +40,20 @@ impl Feed {
 }
 
 /// Inputs of a quantity; 2 of one that cannot be audited, which is refused later.
-fn inputs_of(quantity: &Quantity) -> usize {
-    AUDITED.iter().find(|a| a.0 == quantity.name).map_or(2, |a| a.1)
+fn inputs_of(quantity: &dyn Quantity) -> usize {
+    AUDITED.iter().find(|a| a.0 == quantity.name()).map_or(2, |a| a.1)
 }
 
 /// The input that an argument's name tells, if the quantity has it.
-fn role_in(quantity: &Quantity, name: &str) -> Option<Input> {
-    let has_ior = quantity.inputs.iter().any(|i| i.name == Input::Ior.name());
+fn role_in(quantity: &dyn Quantity, name: &str) -> Option<Input> {
+    let has_ior = quantity.inputs().iter().any(|i| i.name == Input::Ior.name());
     role(name).filter(|input| *input != Input::Ior || has_ior)
 }
 
 /// Names of the axes, and what every argument is given: one that is named for an index, the index or, if it is `inverse`, 1/ior.
 pub(super) fn feeds(
     function: &ShaderFunction,
-    quantity: &Quantity,
+    quantity: &dyn Quantity,
     set: &[(String, f64)],
     scales: &[Scale],
     inverse: bool,
@@ -150,7 +150,7 @@ fn both_widths(arguments: &[String], left: &[usize]) -> Option<usize> {
 }
 
 /// Whether a name says that an argument is a reflectance at normal incidence.
-fn is_f0(name: &str, quantity: &Quantity) -> bool {
+fn is_f0(name: &str, quantity: &dyn Quantity) -> bool {
     let lower = name.to_ascii_lowercase();
     let told =
         ["f0", "specular", "color", "colour", "reflectance", "rf0"].iter().any(|word| lower.contains(word));

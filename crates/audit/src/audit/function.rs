@@ -6,7 +6,7 @@ use super::arguments::{Feed, feeds};
 use super::axis::Scale;
 use super::shipped::{Shipped, ShippedChannel, Source, place};
 use crate::foreign::{ShaderFunction, Step};
-use lobefit::approximate::Quantity;
+use lobefit_truth::quantity::Quantity;
 
 /// Places along every argument: of one, two and three.
 const PLACES: [usize; 3] = [512, 128, 20];
@@ -24,7 +24,7 @@ const BLENDS: [(f32, &str); 2] = [(0.0, "at F0 = 0"), (1.0, "at F0 = 1")];
 /// More or fewer arguments left than inputs; a value that is no number; an argument that is not there.
 pub fn sampled(
     function: &ShaderFunction,
-    quantity: &Quantity,
+    quantity: &dyn Quantity,
     set: &[(String, f64)],
     axes: &[Scale],
 ) -> Result<Shipped, AuditError> {
@@ -38,7 +38,7 @@ pub fn sampled(
 /// As of [`sampled`].
 pub fn sampled_inverse(
     function: &ShaderFunction,
-    quantity: &Quantity,
+    quantity: &dyn Quantity,
     set: &[(String, f64)],
 ) -> Result<Option<Shipped>, AuditError> {
     let (names, feeds) = feeds(function, quantity, set, &[], true)?;

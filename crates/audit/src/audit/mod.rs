@@ -48,9 +48,9 @@ pub use verdict::limit_judged;
 use defects::grain;
 use errors::Residuals;
 use judge::judge;
-use lobefit::approximate::Quantity;
 use lobefit::data::{Place, Smith};
 use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::quantity::Quantity;
 use lookup::Points;
 use sample::{Candidate, Sample};
 use truth::Truth;
@@ -107,7 +107,7 @@ const CLAMPED: [usize; 2] = [TOLD, 1];
 /// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or options that contradict it.
 pub fn audit(
     shipped: &Shipped,
-    quantity: &Quantity,
+    quantity: &dyn Quantity,
     pins: &Pins,
     progress: &dyn Fn(&str),
 ) -> Result<Audit, AuditError> {
@@ -140,9 +140,9 @@ pub fn audit(
 }
 
 /// The truth that the user asks for; only the lobes that may be meant are integrated.
-fn truth_of(table: &Shipped, quantity: &Quantity, pins: &Pins) -> Result<Box<dyn Truth>, AuditError> {
+fn truth_of(table: &Shipped, quantity: &dyn Quantity, pins: &Pins) -> Result<Box<dyn Truth>, AuditError> {
     let smiths: Vec<Smith> = pins.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
-    Ok(match quantity.name {
+    Ok(match quantity.name() {
         "ggx-reflection" => Box::new(truth::reflection(&smiths)?),
         "ggx-average" => Box::new(truth::average(&smiths)?),
         "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),

@@ -1,14 +1,14 @@
 //! The audit of a table, or of a function of whose index of refraction nobody says which way round it is.
 
 use crate::audit::{Audit, AuditError, Pins, Shipped, audit};
-use lobefit::approximate::Quantity;
 use lobefit::cli::progress::Spinner;
+use lobefit_truth::quantity::Quantity;
 
 /// The audit; with `inverse`, which is a function given 1/ior, the one of both that fits better.
 pub(super) fn judged(
     shipped: &Shipped,
     inverse: Option<&Shipped>,
-    quantity: &Quantity,
+    quantity: &dyn Quantity,
     pins: &Pins,
     progress: &Spinner,
 ) -> Result<Audit, AuditError> {

@@ -15,7 +15,6 @@ use clap::Parser;
 use crate::audit::{self, Audit, Column, Pins, Scale, Shipped, Siting};
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings};
-use lobefit::approximate::Quantity;
 use lobefit::cli::CliError;
 use lobefit::cli::options::{ThreadsOption, not_negative, smith};
 use lobefit::cli::output::{self, Outcome, print, say};
@@ -23,6 +22,7 @@ use lobefit::cli::progress::Spinner;
 use lobefit::data::Smith;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::quantity::Quantity;
 use words::{Size, axis, column, raw_format, setting, side, siting, size, wanted};
 
 const EXAMPLES: &str = "\
@@ -53,7 +53,7 @@ struct Options {
     pub file: PathBuf,
     /// Quantity that it is measured as, and the column that is asked for
     #[arg(long = "as", value_name = "QUANTITY[:COLUMN]", value_parser = wanted)]
-    pub wanted: (&'static Quantity, Option<Column>),
+    pub wanted: (&'static dyn Quantity, Option<Column>),
     /// What runs along x, y, z: `mu,roughness`
     #[arg(long, value_name = "A,B,..", value_delimiter = ',', value_parser = axis)]
     pub axes: Vec<(Scale, bool)>,
@@ -309,7 +309,7 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
 
 /// Inputs of the quantity.
 fn inputs(options: &Options) -> usize {
-    let name = options.wanted.0.name;
+    let name = options.wanted.0.name();
     audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1)
 }
 

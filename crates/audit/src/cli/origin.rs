@@ -22,7 +22,7 @@ fn command(options: &Options) -> String {
     };
     let size = |s: &super::Size| s.0.iter().map(usize::to_string).collect::<Vec<_>>().join("x");
     let given = [
-        ("--as", Some(format!("{}{column}", quantity.name))),
+        ("--as", Some(format!("{}{column}", quantity.name()))),
         ("--axes", list(options.axes.iter().map(axis).collect())),
         ("--registration", list(options.registration.iter().map(|s| s.name().into()).collect())),
         ("--smith", options.smith.map(|s| s.name().into())),

@@ -2,9 +2,9 @@
 
 use crate::audit::{Column, SCALES, SITINGS, Scale, Siting};
 use crate::foreign::RawFormat;
-use lobefit::approximate::Quantity;
 use lobefit::cli::options::quantity;
 use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::quantity::Quantity;
 
 /// Texels along each axis.
 #[derive(Clone)]
@@ -18,14 +18,14 @@ pub(super) fn setting(text: &str) -> Result<(String, f64), String> {
     }
 }
 
-pub(super) fn wanted(text: &str) -> Result<(&'static Quantity, Option<Column>), String> {
+pub(super) fn wanted(text: &str) -> Result<(&'static dyn Quantity, Option<Column>), String> {
     let (name, of) = text.split_once(':').map_or((text, None), |(n, c)| (n, Some(c)));
     let quantity = quantity(name)?;
     Ok((quantity, of.map(|c| column(quantity, c)).transpose()?))
 }
 
-pub(super) fn column(quantity: &Quantity, name: &str) -> Result<Column, String> {
-    let columns = Column::of(quantity.name);
+pub(super) fn column(quantity: &dyn Quantity, name: &str) -> Result<Column, String> {
+    let columns = Column::of(quantity.name());
     let alias = match name {
         "loss" => "1-E",
         "N" => "1/E",
@@ -36,7 +36,7 @@ pub(super) fn column(quantity: &Quantity, name: &str) -> Result<Column, String> 
         let names: Vec<&str> = columns.iter().map(|c| c.name()).collect();
         format!(
             "`{name}` is nothing that a channel of {} holds; it may hold {}",
-            quantity.name,
+            quantity.name(),
             names.join(", ")
         )
     })

@@ -3,11 +3,11 @@
 use crate::common;
 
 use common::{lobefit, stderr};
-use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
 use lobefit_audit::audit::{AuditError, Column, Declared, Shipped, declared};
 use lobefit_audit::foreign::{ForeignTable, Hints, read_table};
 use lobefit_truth::integrate::reflection::{self, Effort};
+use lobefit_truth::quantity;
 
 const DFG: &[u8] = include_bytes!("../../../../tables/ggx-dfg-correlated-32x32.exr");
 const AZIMUTH: &[u8] = include_bytes!("../../../../tables/ggx-aniso-azimuth-correlated-64x16x16.exr");
@@ -20,7 +20,7 @@ fn read(bytes: &[u8]) -> ForeignTable {
 fn run(bytes: &[u8], wanted: Option<Column>) -> Declared {
     let table = read(bytes);
     let found =
-        declared(&Shipped::from(&table), Quantity::find("ggx-reflection").unwrap(), wanted, &table.note)
+        declared(&Shipped::from(&table), quantity::find("ggx-reflection").unwrap(), wanted, &table.note)
             .unwrap();
     eprintln!("{}", found.verdict);
     found
@@ -51,7 +51,7 @@ fn a_table_is_what_it_says() {
 
 #[test]
 fn a_table_of_the_azimuth_is_what_it_says() {
-    let quantity = Quantity::find("ggx-reflection-aniso").unwrap();
+    let quantity = quantity::find("ggx-reflection-aniso").unwrap();
     let table = read(AZIMUTH);
     let run = |note: &str| declared(&Shipped::from(&table), quantity, None, note);
     let found = run(&table.note).unwrap();
@@ -97,7 +97,7 @@ fn a_part_of_the_other_form_is_told() {
             shipped.channels[0].values[y * columns + x] = loss;
         }
     }
-    let quantity = Quantity::find("ggx-reflection").unwrap();
+    let quantity = quantity::find("ggx-reflection").unwrap();
     let found = declared(&shipped, quantity, None, &table.note).unwrap();
     eprintln!("{}", found.verdict);
     let instead = found.instead.as_deref().unwrap_or("nothing");
@@ -135,7 +135,7 @@ fn a_lie_is_found_out() {
 fn a_statement_that_cannot_be_followed_is_named() {
     let refused = |bytes: &[u8], quantity: &str| {
         let table = read(bytes);
-        declared(&Shipped::from(&table), Quantity::find(quantity).unwrap(), None, &table.note).unwrap_err()
+        declared(&Shipped::from(&table), quantity::find(quantity).unwrap(), None, &table.note).unwrap_err()
     };
     let other = refused(DFG, "ggx-glass");
     assert!(
@@ -206,7 +206,7 @@ fn restated(pairs: &[(&str, &str)]) -> Result<Declared, AuditError> {
         assert!(note.contains(from), "{from}");
         note = note.replace(from, to);
     }
-    declared(&Shipped::from(&table), Quantity::find("ggx-reflection").unwrap(), None, &note)
+    declared(&Shipped::from(&table), quantity::find("ggx-reflection").unwrap(), None, &note)
 }
 
 #[test]

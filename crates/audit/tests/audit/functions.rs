@@ -1,12 +1,12 @@
 //! Published fits as shader functions: what their arguments mean, which lobe they were fitted to, and how far off they are, from values alone.
 //! The figures are of shared tables of published fits on another grid, so they agree to a few per cent.
 
-use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
     Audit, AuditError, Column, Fit, Pins, Scale, Source, audit, sampled, sampled_inverse,
 };
 use lobefit_audit::foreign::read_functions;
+use lobefit_truth::quantity::{self, Quantity};
 
 /// Knarkowicz 2014: of gloss 1 - alpha^(1/4), separable Smith. Karis 2014. Pesce 2019. Enterprise PBR: of alpha.
 const FITS: &str = "
@@ -29,15 +29,15 @@ fn infinite(x: f32, y: f32) -> f32 { return log(-x) + y; }
 fn three(x: f32, y: f32, k: f32) -> f32 { return x * y * k; }
 ";
 
-fn of(name: &str) -> &'static Quantity {
-    Quantity::find(name).unwrap()
+fn of(name: &str) -> &'static dyn Quantity {
+    quantity::find(name).unwrap()
 }
 
 fn run(name: &str) -> Audit {
     let function = read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
     let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();
     let found =
-        audit(&shipped, Quantity::find("ggx-reflection").unwrap(), &Pins::default(), &|_| ()).unwrap();
+        audit(&shipped, quantity::find("ggx-reflection").unwrap(), &Pins::default(), &|_| ()).unwrap();
     assert_eq!(found.source, Source::Function);
     eprintln!("{}", found.verdict);
     found
@@ -110,14 +110,14 @@ fn an_index_of_refraction_runs_from_1_to_2() {
     let shipped = sampled(&read("glass"), of("ggx-glass"), &[], &[]).unwrap();
     assert!(shipped.channels[0].values.iter().all(|v| *v > 0.0), "an index of 1 or less was asked for");
     let pins = Pins { column: Some(Column::R), ..Pins::default() };
-    let found = audit(&shipped, Quantity::find("ggx-glass").unwrap(), &pins, &|_| ()).unwrap();
+    let found = audit(&shipped, quantity::find("ggx-glass").unwrap(), &pins, &|_| ()).unwrap();
     assert_eq!(scales(&found)[0], (Scale::Ior, false));
     assert!(found.verdict.contains("the argument ior given ior"), "{}", found.verdict);
     // Words of a name tell, not letters within one; and only where the quantity has an index.
-    let named = |name: &str, of: &Quantity| {
+    let named = |name: &str, of: &dyn Quantity| {
         let text = text.replace("x: f32", &format!("{name}: f32")).replace("(x -", &format!("({name} -"));
         let function = read_functions(text.as_bytes(), "g.wgsl", None, Some("bare")).unwrap().remove(0);
-        let set = if of.name == "ggx-glass" { vec![] } else { vec![("a".to_string(), 1.0)] };
+        let set = if of.name() == "ggx-glass" { vec![] } else { vec![("a".to_string(), 1.0)] };
         let values = sampled(&function, of, &set, &[]).unwrap().channels.remove(0).values;
         values.iter().all(|v| *v > 0.0)
     };
@@ -189,7 +189,7 @@ fn roughness_with_its_alpha_and_directions_are_arguments() {
 
 #[test]
 fn a_fit_that_this_tool_wrote_has_its_certificate() {
-    let quantity = Quantity::find("ggx-reflection").unwrap();
+    let quantity = quantity::find("ggx-reflection").unwrap();
     for (language, text) in [
         ("lobefit.wgsl", include_str!("../../../../fits/lobefit.wgsl")),
         ("lobefit.glsl", include_str!("../../../../fits/lobefit.glsl")),
@@ -227,7 +227,7 @@ fn what_is_no_fit_is_told() {
         found.verdict
     );
     let read = |name: &str| read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
-    let quantity = Quantity::find("ggx-reflection").unwrap();
+    let quantity = quantity::find("ggx-reflection").unwrap();
     let bad = sampled(&read("infinite"), of("ggx-reflection"), &[], &[]).unwrap();
     let error = audit(&bad, quantity, &Pins::default(), &|_| ()).unwrap_err();
     assert!(matches!(error, AuditError::Undefined { .. }), "{error}");

@@ -1,6 +1,5 @@
 //! Tables of three axes, and of sheen, with the defects that published ones have.
 
-use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
     Audit, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
@@ -10,6 +9,7 @@ use lobefit_truth::integrate::aniso::table::{Columns, Grid, tabulate};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
 use lobefit_truth::integrate::sheen;
+use lobefit_truth::quantity;
 
 fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> Shipped {
     let channels = vec![ShippedChannel { name: "0".into(), values }];
@@ -24,7 +24,7 @@ fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> Shipped {
 }
 
 fn run(shipped: &Shipped, quantity: &str, pins: &Pins) -> Audit {
-    let found = audit(shipped, Quantity::find(quantity).unwrap(), pins, &|_| ()).unwrap();
+    let found = audit(shipped, quantity::find(quantity).unwrap(), pins, &|_| ()).unwrap();
     eprintln!("{}\n{:#?}", found.verdict, found.tried.iter().take(2).collect::<Vec<_>>());
     found
 }

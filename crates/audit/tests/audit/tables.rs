@@ -1,6 +1,5 @@
 //! Tables made from the truth with the defects that published tables have: an audit finds each from the numbers alone.
 
-use lobefit::approximate::Quantity;
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
     Audit, AuditError, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
@@ -8,6 +7,7 @@ use lobefit_audit::audit::{
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
 use lobefit_truth::integrate::reflection::{self, Effort, albedo, split};
+use lobefit_truth::quantity;
 
 /// A channel: its name and its value at a texel.
 type Channel<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
@@ -36,7 +36,7 @@ fn both(smith: Smith, alpha: f64, mu: f64) -> (f64, f64) {
 }
 
 fn run(shipped: &Shipped, quantity: &str, pins: &Pins) -> Audit {
-    let found = audit(shipped, Quantity::find(quantity).unwrap(), pins, &|_| ()).unwrap();
+    let found = audit(shipped, quantity::find(quantity).unwrap(), pins, &|_| ()).unwrap();
     eprintln!("{}\n{:#?}\n{:?}", found.verdict, found.tried.iter().take(3).collect::<Vec<_>>(), found.margin);
     found
 }
@@ -440,7 +440,7 @@ fn a_wrong_guess_is_measured_and_refused() {
         found.verdict
     );
     let refused =
-        |pins: Pins| audit(&shipped, Quantity::find("ggx-reflection").unwrap(), &pins, &|_| ()).unwrap_err();
+        |pins: Pins| audit(&shipped, quantity::find("ggx-reflection").unwrap(), &pins, &|_| ()).unwrap_err();
     let one = refused(Pins { axes: Some(vec![(Scale::Roughness, false)]), ..Pins::default() });
     assert!(matches!(one, AuditError::Option { option: "--axes", .. }), "{one}");
     let twice =
@@ -454,7 +454,7 @@ fn a_wrong_guess_is_measured_and_refused() {
 
 #[test]
 fn bad_tables_are_named_errors() {
-    let quantity = Quantity::find("ggx-reflection").unwrap();
+    let quantity = quantity::find("ggx-reflection").unwrap();
     let refused =
         |shipped: &Shipped| audit(shipped, quantity, &Pins::default(), &|_| ()).unwrap_err().to_string();
     let sound = table([8, 8], &[("R", &|x, y| (x + y) as f64)]);

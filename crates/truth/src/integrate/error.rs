@@ -58,6 +58,22 @@ pub enum IntegrateError {
         /// What is sought.
         what: &'static str,
     },
+    /// A variant of a quantity that does not say what the quantity depends on.
+    #[error("{quantity} depends on `{choice}`, which the variant leaves open")]
+    Variant {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// What is left open.
+        choice: &'static str,
+    },
+    /// Monte Carlo of a quantity that has none.
+    #[error(
+        "{quantity} is a minimum and not an integral: it has no second opinion by Monte Carlo; leave out --method monte-carlo"
+    )]
+    NoSecondOpinion {
+        /// Quantity asked for.
+        quantity: &'static str,
+    },
     /// A tolerance or sample count that makes no sense.
     #[error("{option} = {value}: {must}")]
     Option {

@@ -15,6 +15,9 @@ pub enum Smith {
 }
 
 impl Smith {
+    /// Both forms, the usual one first.
+    pub const ALL: [Smith; 2] = [Smith::Correlated, Smith::Separable];
+
     /// The word used in file names, headers, the manifest and options.
     pub fn name(self) -> &'static str {
         match self {

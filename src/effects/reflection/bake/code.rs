@@ -63,11 +63,7 @@ fn function_lines(fit: &Fit) -> Vec<String> {
         "published" => format!("as published: {}", a.source.text()),
         norm => format!("fitted for the smallest {norm} error"),
     };
-    // The lobe of the sheen has no Smith form.
-    let smith = match a.quantity.as_str() {
-        "sheen-charlie" => String::new(),
-        _ => format!(", smith {}", a.smith.name()),
-    };
+    let smith = a.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()));
     let ops = header::operations(a.cost.ops);
     lines.push(format!("{} {}{smith}; {ops}; constants {constants}", a.quantity, a.column));
     lines.extend(header::certificate_lines(what, &a.certificate));

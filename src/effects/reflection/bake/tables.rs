@@ -163,7 +163,7 @@ fn finish(job: &TableJob, region: Region, table: &Table, mut errors: Errors) -> 
         quantity: table.quantity.clone(),
         column: column.into(),
         used_as,
-        smith: table.smith,
+        smith: Some(table.smith),
         source: Source::Fitted,
         form: Form::Table(table.quantised()),
         certificate,

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 
 use super::{FitSet, FitSpec, FitStageError};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, Entry, Quantity, Wanted};
+use crate::approximate::{self, Counter, Entry, Wanted};
 use crate::data::Use;
 use crate::effects::reflection::BLEND_RIVALS;
 use crate::effects::reflection::catalogue::BLENDS;
+use lobefit_truth::quantity::GgxReflection;
 
 /// The blends of the catalogue and, of the published ones, those that are `comparable` under the spec's map of roughness.
 pub fn blends(
@@ -18,13 +19,12 @@ pub fn blends(
     let range = |name: &str, range: [f64; 2]| (name.to_string(), range);
     let wanted = Wanted {
         spec: TargetSpec {
-            quantity: Quantity::ggx_reflection(),
+            quantity: &GgxReflection,
             column: Some("E".into()),
             used_as: Some(Use::F0Blend),
-            smith: spec.smith,
+            variant: spec.smith.into(),
             alpha_map: spec.region.alpha_map,
             domain: BTreeMap::from([range("roughness", spec.region.roughness), range("mu", spec.region.mu)]),
-            words: BTreeMap::new(),
         },
         own: &BLENDS,
         rivals: BLEND_RIVALS.iter().filter(comparable).collect(),

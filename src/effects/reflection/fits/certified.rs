@@ -39,7 +39,7 @@ pub fn certified(
         quantity: quantity.into(),
         column: column.into(),
         used_as,
-        smith: spec.smith,
+        smith: Some(spec.smith),
         source,
         form: Form::Formula(form),
         certificate,

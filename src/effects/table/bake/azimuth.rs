@@ -18,7 +18,7 @@ const MAP: [usize; 2] = [46, 40];
 pub fn findings(tables: &[BakedVolume], judges: &[Judge]) -> Result<Vec<AzimuthFinding>, BakeError> {
     let own: Vec<&BakedVolume> =
         tables.iter().filter(|t| t.side.is_none() && t.layout != VolumeLayout::PathTracer).collect();
-    let key = |t: &BakedVolume| (t.approximation.smith, t.region);
+    let key = |t: &BakedVolume| (t.smith, t.region);
     let mut keys: Vec<(Smith, Region)> = Vec::new();
     for table in &own {
         if !keys.contains(&key(table)) {

@@ -44,7 +44,7 @@ pub fn findings(
     let own = || tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).map(|t| t.region.roughness);
     let alike = own().all(|roughness| own().next() == Some(roughness));
     for (baked, entry) in tables.iter().zip(&entries.tables) {
-        let key = (baked.approximation.smith, baked.region);
+        let key = (baked.smith, baked.region);
         let known = maps.iter().position(|(smith, region, _)| (*smith, *region) == key);
         let index = match known {
             Some(known) => known,

@@ -79,7 +79,7 @@ fn furnace(
     let mut rows: Vec<FurnaceRow> = Vec::new();
     for baked in &group.tables {
         let Some(table) = baked.table() else { continue };
-        let (smith, region) = (baked.approximation.smith, &baked.region);
+        let (smith, region) = (baked.smith, &baked.region);
         let grids = Grid::all(smith, region, &roughness, &mu, &[third])?;
         let (grid, alpha) = (&grids[0], region.alpha_map.name());
         let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());

@@ -29,6 +29,8 @@ pub struct BakedVolume {
     pub layout: VolumeLayout,
     /// Region in which it was measured.
     pub region: Region,
+    /// Shadowing form.
+    pub smith: Smith,
     /// Side of glass.
     pub side: Option<Side>,
     /// What its texels took; of both tables of glass together.
@@ -213,13 +215,14 @@ fn finish(
         quantity: table.quantity.clone(),
         column: "E".into(),
         used_as: Use::Value,
-        smith: table.smith,
+        smith: Some(table.smith),
         source: Source::Fitted,
         cost: Cost { ops, fetches: 1, bytes: table.bytes() },
         form: Form::Table(table.quantised()),
         certificate,
     };
-    Ok(BakedVolume { approximation, errors, decode, layout: job.layout, region: *region, side, made })
+    let (region, layout, smith) = (*region, job.layout, job.smith);
+    Ok(BakedVolume { approximation, errors, decode, layout, region, smith, side, made })
 }
 
 /// The region by input, as certificates state it.

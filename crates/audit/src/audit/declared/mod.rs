@@ -17,8 +17,8 @@ use super::truth::{Truth, Values, azimuth};
 use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
-use lobefit::approximate::Quantity;
 use lobefit::data::{Place, Smith};
+use lobefit_truth::quantity::Quantity;
 use statement::{Axis, Statement};
 
 /// How much larger than claimed an error may be: it is looked for at other places than the file's maker did.
@@ -123,7 +123,7 @@ impl Declared {
 /// range of an input to judge, or decodes to what is no number; a statement of another quantity; a truth that cannot be had.
 pub fn declared(
     table: &Shipped,
-    quantity: &Quantity,
+    quantity: &dyn Quantity,
     wanted: Option<Column>,
     statement: &str,
 ) -> Result<Declared, AuditError> {
@@ -132,8 +132,8 @@ pub fn declared(
     let shipped = agreed(table, quantity, &said)?;
     let pins = super::Pins { side: said.side, ..super::Pins::default() };
     let truth: Box<dyn Truth> = match said.azimuth {
-        true if quantity.name == AZIMUTHAL => Box::new(azimuth(&[Smith::Correlated, Smith::Separable])),
-        true => return Err(odd(format!("{} does not depend on the azimuth of the view", quantity.name))),
+        true if quantity.name() == AZIMUTHAL => Box::new(azimuth(&[Smith::Correlated, Smith::Separable])),
+        true => return Err(odd(format!("{} does not depend on the azimuth of the view", quantity.name()))),
         false => super::truth_of(&shipped, quantity, &pins)?,
     };
     let truth = truth.as_ref();
@@ -170,10 +170,10 @@ pub fn declared(
 }
 
 /// The table in the size that the statement gives it, if the file and the question allow it.
-fn agreed(table: &Shipped, quantity: &Quantity, said: &Statement) -> Result<Shipped, AuditError> {
-    if said.quantity != quantity.name {
+fn agreed(table: &Shipped, quantity: &dyn Quantity, said: &Statement) -> Result<Shipped, AuditError> {
+    if said.quantity != quantity.name() {
         let reason = format!("{} says that it holds {}: audit it as that", table.what, said.quantity);
-        return Err(AuditError::Option { option: "--as", value: quantity.name.into(), reason });
+        return Err(AuditError::Option { option: "--as", value: quantity.name().into(), reason });
     }
     let size: Vec<usize> = said.axes.iter().map(|a| a.size).collect();
     let texels = size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s));

@@ -6,13 +6,14 @@ use std::collections::BTreeMap;
 use crate::study::{Size, StudyError};
 use crate::surface::{Base, Coupling, Factor, Lobe, Material};
 use lobefit::approximate::target::TargetSpec;
-use lobefit::approximate::{Counter, Entry, Fit, Quantity, Region};
+use lobefit::approximate::{Counter, Entry, Fit, Region};
 use lobefit::data::{AlphaMap, Norm, Smith, Use};
 use lobefit::effects::coupling::{CouplingSpec, OWN_SPECULAR, OwnSpecular, fit_all, hypotheses};
 use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
 use lobefit_shade::{Hypothesis, Precision};
 use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::{DiffuseCoupling, Variant};
 
 /// Places in the list of the reference, and of the reference that is reciprocal.
 pub(super) const REFERENCE: usize = 0;
@@ -201,17 +202,16 @@ fn fitted(
         return Ok(Factor::fitted(name, &fit.hypothesis, &fit.coefficients())?.above(MU[0]));
     }
     let hypothesis = Hypothesis::parse(entry.file, entry.source)?;
-    let specular = specular(lobe).map_or("single", Specular::name);
+    let specular = specular(lobe).unwrap_or(Specular::Single);
     let job = Job {
         hypothesis,
         spec: TargetSpec {
-            quantity: Quantity::diffuse_coupling(),
+            quantity: &DiffuseCoupling,
             column: Some("factor".into()),
             used_as: Some(Use::Coupling),
-            smith: Smith::Correlated,
+            variant: Variant { specular: Some(specular), ..Smith::Correlated.into() },
             alpha_map: AlphaMap::RoughnessSquared,
             domain: BTreeMap::from([("f0".to_string(), F0), ("mu".to_string(), MU)]),
-            words: BTreeMap::from([("specular".to_string(), specular.to_string())]),
         },
         goals: vec![Goal::Rms],
         weight: Some("perceptual".to_string()),

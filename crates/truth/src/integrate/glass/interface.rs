@@ -12,6 +12,9 @@ pub enum Side {
 }
 
 impl Side {
+    /// Both sides.
+    pub const ALL: [Side; 2] = [Side::Outside, Side::Inside];
+
     /// The word used in options and columns.
     pub fn name(self) -> &'static str {
         match self {

@@ -36,26 +36,9 @@ impl Kernel {
     /// All that have a formula.
     pub const ALL: [Kernel; 3] = [Kernel::Ndf, Kernel::Half, Kernel::HalfCosine];
 
-    /// The kernel of a word: one of those with a formula, or a table that was given in this process.
+    /// The kernel with a formula of a word; a table has no word before it is read.
     pub fn of(word: &str) -> Option<Kernel> {
-        let tables = tabulated::known().into_iter().map(Kernel::Tabulated);
-        Kernel::ALL.into_iter().chain(tables).find(|kernel| kernel.word() == word)
-    }
-
-    /// Its place among the kernels that this process knows: those with a formula, then tables as they were given.
-    pub fn index(self) -> usize {
-        match self {
-            Kernel::Ndf => 0,
-            Kernel::Half => 1,
-            Kernel::HalfCosine => 2,
-            Kernel::Tabulated(table) => Kernel::ALL.len() + table.index(),
-        }
-    }
-
-    /// The kernel of a place.
-    pub fn at(index: usize) -> Option<Kernel> {
-        let table = || tabulated::known().get(index - Kernel::ALL.len()).copied().map(Kernel::Tabulated);
-        Kernel::ALL.get(index).copied().or_else(table)
+        Kernel::ALL.into_iter().find(|kernel| kernel.word() == word)
     }
 
     /// What functions are named by; two tables may have one name.

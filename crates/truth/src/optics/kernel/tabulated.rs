@@ -12,7 +12,6 @@
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::hash::{Hash, Hasher};
-use std::sync::{Mutex, PoisonError};
 
 use lobefit_math::ops;
 
@@ -58,8 +57,6 @@ pub struct Tabulated {
     word: String,
     formula: String,
     shapes: Vec<Shape>,
-    /// Its place among the tables of this process.
-    index: usize,
 }
 
 /// A lobe as a density over x, cubic between nodes.
@@ -93,10 +90,8 @@ const JUMP: f64 = 1e-3;
 /// Hexadecimal digits of a table's hash in its word.
 const DIGITS: usize = 12;
 
-static TABLES: Mutex<Vec<&'static Tabulated>> = Mutex::new(Vec::new());
-
-/// The kernel of a table of lobes of rising widths up to 1. Equal tables are one kernel; each that differs stays in memory until the process
-/// ends, as kernels are named in passing everywhere.
+/// The kernel of a table of lobes of rising widths up to 1. Kernels of equal tables are equal. A kernel is a small value that is copied
+/// freely; the table behind it stays in memory until the process ends.
 ///
 /// # Errors
 /// Widths or angles that do not rise, a density that is negative, a lobe without energy.
@@ -107,21 +102,8 @@ pub fn tabulated(name: &str, lobes: &[TableLobe]) -> Result<Kernel, TableError> 
     check_shapes(lobes, &shapes)?;
     let hash = hash(name, lobes);
     let word = format!("{name}@{}", &hash[..DIGITS]);
-    let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = tables.iter().find(|table| table.word == word) {
-        return Ok(Kernel::Tabulated(known));
-    }
     let formula = format!("tabulated at {} widths, blake3 {}", lobes.len(), &hash[..DIGITS]);
-    let index = tables.len();
-    let table = Tabulated { name: name.into(), word, formula, shapes, index };
-    let table: &'static Tabulated = Box::leak(Box::new(table));
-    tables.push(table);
-    Ok(Kernel::Tabulated(table))
-}
-
-/// The tables of this process in the order in which they were first given.
-pub(super) fn known() -> Vec<&'static Tabulated> {
-    TABLES.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    Ok(Kernel::Tabulated(Box::leak(Box::new(Tabulated { name: name.into(), word, formula, shapes }))))
 }
 
 fn hash(name: &str, lobes: &[TableLobe]) -> String {
@@ -186,10 +168,6 @@ impl Tabulated {
 
     pub(super) fn formula(&self) -> &str {
         &self.formula
-    }
-
-    pub(super) fn index(&self) -> usize {
-        self.index
     }
 
     pub(super) fn is_cut(&self) -> bool {

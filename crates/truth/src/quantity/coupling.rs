@@ -1,0 +1,46 @@
+//! `diffuse-coupling`: what a specular lobe leaves for the diffuse base below it.
+
+use super::{ALPHA, Choice, Input, MU, Quantity, Variant};
+use crate::integrate::monte_carlo::{self, Run, Sampled};
+use crate::integrate::{IntegrateError, coupling, reflection};
+
+/// `diffuse-coupling`: 1 less the albedo of the specular lobe.
+#[derive(Clone, Copy, Debug)]
+pub struct DiffuseCoupling;
+
+impl Quantity for DiffuseCoupling {
+    fn name(&self) -> &'static str {
+        "diffuse-coupling"
+    }
+
+    fn inputs(&self) -> &'static [Input] {
+        const { &[ALPHA, MU, Input::new("f0", [0.0, 1.0])] }
+    }
+
+    fn outputs(&self) -> &'static [&'static str] {
+        &["factor", "error"]
+    }
+
+    fn choices(&self) -> &'static [Choice] {
+        &[Choice::Smith, Choice::Specular]
+    }
+
+    fn tolerance(&self, _: &Variant) -> f64 {
+        coupling::TOLERANCE
+    }
+
+    fn smallest_alpha(&self) -> f64 {
+        reflection::SMALLEST_ALPHA
+    }
+
+    fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
+        let (smith, specular) = (variant.smith(self.name())?, variant.specular(self.name())?);
+        let v = coupling::coupling(smith, x[0], x[1], x[2], specular, tolerance)?;
+        Ok(vec![v.value, v.error])
+    }
+
+    fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
+        let (smith, specular) = (variant.smith(self.name())?, variant.specular(self.name())?);
+        Ok(vec![monte_carlo::coupling(smith, x[0], x[1], x[2], specular, run)?])
+    }
+}

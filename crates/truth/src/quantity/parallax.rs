@@ -1,0 +1,46 @@
+//! `parallax-alpha`: the width to fetch a prefiltered chain with.
+
+use super::{ALPHA, Choice, Input, Quantity, Variant};
+use crate::integrate::{IntegrateError, footprint};
+
+/// `parallax-alpha`: the width of a fetch, seen from a probe, that covers a wall as a lobe does from a shading point. It is a minimum
+/// and not an integral: there is no second opinion by Monte Carlo.
+#[derive(Clone, Copy, Debug)]
+pub struct ParallaxAlpha;
+
+impl Quantity for ParallaxAlpha {
+    fn name(&self) -> &'static str {
+        "parallax-alpha"
+    }
+
+    /// rho is the distance of the shading point to the wall over the distance of the probe.
+    fn inputs(&self) -> &'static [Input] {
+        const { &[ALPHA, Input::new("rho", footprint::RHO)] }
+    }
+
+    fn outputs(&self) -> &'static [&'static str] {
+        &["alpha_adjusted", "tv", "saturated", "error"]
+    }
+
+    fn choices(&self) -> &'static [Choice] {
+        &[Choice::Kernel]
+    }
+
+    fn tolerance(&self, variant: &Variant) -> f64 {
+        footprint::usual_tolerance(variant.kernel.unwrap_or_default())
+    }
+
+    fn smallest_alpha(&self) -> f64 {
+        footprint::SMALLEST_ALPHA
+    }
+
+    fn remark(&self) -> &'static str {
+        "rho: distance of the shading point over that of the probe; without kernel: half-cosine; a table of another: --kernel; \
+         saturated: 0 or 1"
+    }
+
+    fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
+        let v = footprint::adjusted(variant.kernel.unwrap_or_default(), x[0], x[1], tolerance)?;
+        Ok(vec![v.alpha, v.tv, f64::from(u8::from(v.saturated)), v.error])
+    }
+}
