@@ -9,7 +9,7 @@ use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::reflection::{TOLERANCE, average};
 
 /// Nodes of the interpolant of E_avg over ln(alpha), in which it is analytic: within 1e-9 for alpha in [1e-4, 1] (tested below).
-const AVERAGE_NODES: usize = 48;
+pub const AVERAGE_NODES: usize = 48;
 
 /// Smallest alpha of the interpolant; E_avg is 1 within 1e-13 below.
 const AVERAGE_SMALLEST: f64 = 1e-7;

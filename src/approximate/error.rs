@@ -1,5 +1,6 @@
 //! Why there is no fit.
 
+use super::Runaway;
 use super::target::TargetError;
 use lobefit_fit::{FitError, Termination};
 use lobefit_shade::ShadeError;
@@ -29,19 +30,14 @@ pub enum FitStageError {
         termination: Termination,
     },
     /// The search went off to infinity: the formula wants to be a simpler one.
-    #[error(
-        "{hypothesis}, norm {norm}: coefficient {coefficient} ran away to {value:e}: the formula is a simpler one in \
-         disguise, or its parameters are not independent; reduce it or give better starting values"
-    )]
+    #[error("{hypothesis}, norm {norm}: {runaway}")]
     RunAway {
         /// File of the hypothesis.
         hypothesis: String,
         /// Norm that was minimised.
         norm: &'static str,
         /// The coefficient.
-        coefficient: String,
-        /// Its value.
-        value: f64,
+        runaway: Runaway,
     },
     /// Coefficients that do not keep what they must, with or without being bound to it.
     #[error(
@@ -55,23 +51,11 @@ pub enum FitStageError {
         /// What was found instead.
         reason: String,
     },
-    /// The hypothesis has no argument.
-    #[error("{hypothesis}: the function has no argument; name one or more of {known}")]
-    NoInputs {
+    /// A formula for whose target no samples were made: a defect of the program.
+    #[error("{hypothesis}: no samples were made for its target")]
+    Unprepared {
         /// File of the hypothesis.
         hypothesis: String,
-        /// The inputs there are.
-        known: &'static str,
-    },
-    /// The hypothesis asks for an input that this effect does not have.
-    #[error("{hypothesis}: argument `{input}` is not one of {known}")]
-    Input {
-        /// File of the hypothesis.
-        hypothesis: String,
-        /// The argument.
-        input: String,
-        /// The inputs there are.
-        known: &'static str,
     },
 }
 

@@ -67,11 +67,22 @@ impl Fit {
 
     /// Its values in f32 at the points of a set, for one f0.
     pub fn values_for(&self, points: &PointSet, f0: f32) -> Result<Vec<f32>, ShadeError> {
+        self.hypothesis.tape().evaluate(&self.columns(points, f0)?, &self.coefficients())
+    }
+
+    /// The columns of its inputs at the points of a set, for one f0.
+    ///
+    /// # Errors
+    /// An input that the set does not have.
+    pub fn columns(&self, points: &PointSet, f0: f32) -> Result<Vec<Vec<f32>>, ShadeError> {
         let column = |name: &String| match name.as_str() {
-            "f0" => vec![f0; points.len()],
-            name => points.column(name),
+            "f0" => Ok(vec![f0; points.len()]),
+            name => points.column(name).map(<[f32]>::to_vec).ok_or_else(|| ShadeError::UnknownInput {
+                function: self.hypothesis.name().into(),
+                input: name.into(),
+                given: "roughness, alpha, mu, f0".into(),
+            }),
         };
-        let inputs: Vec<Vec<f32>> = self.hypothesis.inputs().iter().map(column).collect();
-        self.hypothesis.tape().evaluate(&inputs, &self.coefficients())
+        self.hypothesis.inputs().iter().map(column).collect()
     }
 }

@@ -75,8 +75,7 @@ impl Keeps {
     /// A value of the lattice that is far above 1.
     fn too_bright(&self, hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Option<String>, FitError> {
         let places = self.lattice(hypothesis);
-        let column = |name: &String| places.iter().map(|p| self.input(name, *p)).collect();
-        let inputs: Vec<Vec<f32>> = hypothesis.inputs().iter().map(column).collect();
+        let inputs = self.columns(hypothesis, &places)?;
         let values = hypothesis.tape().evaluate(&inputs, coefficients)?;
         let found = values.iter().zip(&places).find(|(value, _)| f64::from(**value) > PASSED);
         Ok(found.map(|(value, [roughness, mu, f0])| {
@@ -85,17 +84,20 @@ impl Keeps {
     }
 
     /// The bounds on its values at a lattice.
-    pub fn constraints(&self, hypothesis: &Hypothesis) -> [Constraint; 2] {
+    ///
+    /// # Errors
+    /// Inputs of the formula that are not those of the domain.
+    pub fn constraints(&self, hypothesis: &Hypothesis) -> Result<[Constraint; 2], FitError> {
         let places = self.lattice(hypothesis);
-        let column = |name: &String| places.iter().map(|p| f64::from(self.input(name, *p))).collect();
-        let points: Vec<Vec<f64>> = hypothesis.inputs().iter().map(column).collect();
+        let wide = |column: Vec<f32>| column.into_iter().map(f64::from).collect();
+        let points: Vec<Vec<f64>> = self.columns(hypothesis, &places)?.into_iter().map(wide).collect();
         let least = places.iter().map(|[.., f0]| MARGIN * (1.0 - f64::from(*f0))).collect();
         let most = vec![MOST; places.len()];
         let constraint = |name: &str, condition| Constraint { name: name.into(), condition };
-        [
+        Ok([
             constraint("no negative value", Condition::AtLeast { points: points.clone(), values: least }),
             constraint("no value far above 1", Condition::AtMost { points, values: most }),
-        ]
+        ])
     }
 
     /// Roughness, mu and f0 of the lattice.
@@ -135,12 +137,24 @@ impl Keeps {
         Domain::new(&axes)?.with_derived("alpha", "roughness", self.alpha_map.power())
     }
 
-    fn input(&self, name: &str, [roughness, mu, f0]: [f32; 3]) -> f32 {
-        match name {
-            "roughness" => roughness,
-            "alpha" => self.alpha_map.alpha_f32(roughness),
-            "mu" => mu,
-            _ => f0,
-        }
+    /// The formula's inputs at places of the lattice.
+    fn columns(&self, hypothesis: &Hypothesis, places: &[[f32; 3]]) -> Result<Vec<Vec<f32>>, ShadeError> {
+        let column = |name: &String| {
+            let of: fn(&Keeps, [f32; 3]) -> f32 = match name.as_str() {
+                "roughness" => |_, [roughness, ..]| roughness,
+                "alpha" => |keeps, [roughness, ..]| keeps.alpha_map.alpha_f32(roughness),
+                "mu" => |_, [_, mu, _]| mu,
+                "f0" => |_, [.., f0]| f0,
+                _ => {
+                    return Err(ShadeError::UnknownInput {
+                        function: hypothesis.name().into(),
+                        input: name.clone(),
+                        given: "roughness, alpha, mu, f0".into(),
+                    });
+                }
+            };
+            Ok(places.iter().map(|place| of(self, *place)).collect())
+        };
+        hypothesis.inputs().iter().map(column).collect()
     }
 }

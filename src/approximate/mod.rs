@@ -2,18 +2,21 @@
 //! certificate. Nothing here knows an effect.
 
 mod average;
+mod certificate;
 mod entry;
 mod error;
 mod field;
 mod fit;
 mod keeps;
 mod points;
+mod prepared;
 mod region;
 mod run;
 mod search;
 pub mod target;
 
-pub(crate) use average::average_truth;
+pub(crate) use average::{AVERAGE_NODES, average_truth};
+pub use certificate::{approximation, certificate, formula};
 pub use entry::Entry;
 pub(crate) use entry::{own, published};
 pub use error::FitStageError;
@@ -23,6 +26,6 @@ pub use keeps::{Keeps, Kept, Safe};
 pub use points::{PointSet, certification};
 pub(crate) use points::{edged, uniform};
 pub use region::Region;
-pub(crate) use run::kept;
-pub use run::{Wanted, fit_all};
-pub(crate) use search::{Searched, formula, searched, searched_within};
+pub use run::{Wanted, WithF0, fit_all};
+pub(crate) use search::searched;
+pub use search::{Runaway, runaways};

@@ -63,13 +63,13 @@ impl PointSet {
         self.mu.is_empty()
     }
 
-    /// A column of inputs by name; anything but roughness, alpha and mu is f0 = 1, where a saturating form must be exact.
-    pub fn column(&self, name: &str) -> Vec<f32> {
+    /// A column of inputs by name; none of an input that the set does not have.
+    pub fn column(&self, name: &str) -> Option<&[f32]> {
         match name {
-            "roughness" => self.roughness.clone(),
-            "alpha" => self.alpha.clone(),
-            "mu" => self.mu.clone(),
-            _ => vec![1.0; self.len()],
+            "roughness" => Some(&self.roughness),
+            "alpha" => Some(&self.alpha),
+            "mu" => Some(&self.mu),
+            _ => None,
         }
     }
 

@@ -1,11 +1,12 @@
-//! The catalogue's hypotheses fitted to a target, beside published formulas for the same use.
+//! The formulas of an effect fitted to a quantity, beside published formulas for the same use: targets, samples, search, proof,
+//! certificates.
 
-use super::target::{Sampled, Target, TargetSpec};
-use super::{Counter, Dropped, Fit, FitSet, FitStageError, Searched, formula, searched, searched_within};
-use super::{Entry, Keeps, Kept, Safe};
-use crate::data::{Approximation, Certificate, Cost, Form, Norm, Source};
-use lobefit_fit::{Constraint, FitError, Options, Samples};
-use lobefit_shade::{Domain, Hypothesis, ShadeError, measure_first, round_up};
+use super::prepared::Prepared;
+use super::target::{Target, TargetSpec};
+use super::{Counter, Dropped, Entry, Fit, FitSet, FitStageError, Keeps};
+use crate::data::{AlphaMap, Norm};
+use lobefit_fit::FitError;
+use lobefit_shade::{Hypothesis, ShadeError};
 use rayon::prelude::*;
 
 /// What to fit.
@@ -15,187 +16,150 @@ pub struct Wanted<'a> {
     pub spec: TargetSpec,
     /// Hypotheses with free parameters.
     pub own: &'a [Entry],
-    /// Published formulas, for comparison.
-    pub rivals: Vec<&'a Entry>,
+    /// The user's hypotheses: file name and WGSL source.
+    pub user: &'a [(String, String)],
+    /// Published formulas, for comparison. A formula that takes roughness means alpha = roughness^2: under another map it is left
+    /// out, since it would be judged on a misreading.
+    pub published: Vec<&'a Entry>,
     /// Errors to minimise, one fit each.
     pub norms: &'a [Norm],
     /// Most operations of a fit; none: any.
     pub max_ops: Option<u32>,
     /// What the fits must keep beyond their domain.
     pub keeps: Option<Keeps>,
+    /// A form of f0 of each minimax fit (of each other fit where there is none), measured at f0 = 1.
+    pub with_f0: Option<WithF0>,
 }
 
-/// A target with its samples. Formulas that are affine in f0 and those that are not have different ones.
-struct Ready {
-    target: Target,
-    even: Sampled,
-    edged: Sampled,
-    measured: Sampled,
-}
+/// Makes a formula of f0 of another formula, given as it stands in its file; the second argument is the name of its fit.
+pub type WithF0 = fn(&Hypothesis, &str) -> Result<Hypothesis, ShadeError>;
 
-/// Fits and measures everything in the catalogue's order, then the rivals. A hypothesis that does not converge, or has a pole, in
-/// this domain is dropped with the reason.
+/// Fits and measures: our formulas in the catalogue's order, the user's, their forms of f0, then the published ones. A hypothesis
+/// of ours that does not converge, or has a pole, in this domain is dropped with the reason, and so is a formula that was asked
+/// for and costs too much; a hypothesis of the user's that does not converge is an error.
 ///
 /// # Errors
-/// A domain that the quantity does not have; a truth that cannot be integrated.
+/// A domain that the quantity does not have; a truth that cannot be integrated; a formula that cannot be fitted.
 pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageError> {
-    let own = parse(wanted.own.iter())?;
-    let affordable = |h: &&Hypothesis| wanted.max_ops.is_none_or(|most| h.tape().cost_ops() <= most);
-    let own: Vec<&Hypothesis> = own.iter().filter(affordable).collect();
-    let rivals = parse(wanted.rivals.iter().copied())?;
-    let mut ready: Vec<Ready> = Vec::new();
-    let mut prepare = |hypothesis: &Hypothesis| -> Result<usize, FitStageError> {
-        let target = Target::new(&wanted.spec, hypothesis)?;
-        if let Some(known) = ready.iter().position(|r| r.target == target) {
-            return Ok(known);
-        }
-        ready.push(Ready::new(target, counter)?);
-        Ok(ready.len() - 1)
-    };
-    let of_own: Vec<usize> = own.iter().map(|h| prepare(h)).collect::<Result<_, _>>()?;
-    let of_rivals: Vec<usize> = rivals.iter().map(prepare).collect::<Result<_, _>>()?;
-    let each_norm = |(h, index): (&&Hypothesis, &usize)| {
-        let (h, index) = ((*h).clone(), *index);
-        wanted.norms.iter().map(move |norm| ((h.clone(), *norm), index))
-    };
-    let (jobs, indices): (Vec<(Hypothesis, Norm)>, Vec<usize>) =
-        own.iter().zip(&of_own).flat_map(each_norm).unzip();
-    let results = jobs
-        .par_iter()
-        .zip(&indices)
-        .map(|((h, norm), index)| ready[*index].fit(h, *norm, wanted.keeps.as_ref()))
-        .collect();
-    let mut dropped = Vec::<Dropped>::new();
+    // Parse first: a hypothesis that is refused must not cost a bake.
+    let squared = wanted.spec.alpha_map == AlphaMap::RoughnessSquared;
+    let published = wanted.published.iter().copied().filter(|entry| squared || !entry.takes("roughness"));
+    let published: Vec<&Entry> = published.collect();
+    let own = parse(wanted.own.iter().map(|entry| (entry.file, entry.source)))?;
+    let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())))?;
+    let known = parse(published.iter().map(|entry| (entry.file, entry.source)))?;
+    let mut dropped = Vec::new();
+    let own: Vec<Hypothesis> = own.into_iter().filter(|h| wanted.affords(h)).collect();
+    let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), counter)?;
+    dropped.extend(user.iter().filter(|h| !wanted.affords(h)).map(|h| wanted.too_dear(h)));
+    let user: Vec<Hypothesis> = user.into_iter().filter(|h| wanted.affords(h)).collect();
+    let (jobs, results) = stage.fits(&own);
     let mut fits = kept(&jobs, results, &mut dropped)?;
-    for ((entry, hypothesis), index) in wanted.rivals.iter().zip(&rivals).zip(of_rivals) {
-        fits.push(ready[index].published(entry, hypothesis)?);
+    fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
+    for form in stage.forms_of_f0(&fits)? {
+        if wanted.affords(&form.hypothesis) {
+            fits.push(form);
+        } else {
+            dropped.push(wanted.too_dear(&form.hypothesis));
+        }
     }
+    let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
+    let measured = pairs.par_iter().map(|(entry, h)| stage.of(h)?.published(entry, h));
+    fits.extend(measured.collect::<Vec<_>>().into_iter().collect::<Result<Vec<Fit>, _>>()?);
     Ok(FitSet { fits, dropped })
 }
 
-fn parse<'a>(entries: impl Iterator<Item = &'a Entry>) -> Result<Vec<Hypothesis>, ShadeError> {
-    entries.map(|entry| Hypothesis::parse(entry.file, entry.source)).collect()
+fn parse<'a>(sources: impl Iterator<Item = (&'a str, &'a str)>) -> Result<Vec<Hypothesis>, ShadeError> {
+    sources.map(|(file, source)| Hypothesis::parse(file, source)).collect()
 }
 
-impl Ready {
-    fn new(target: Target, counter: &Counter) -> Result<Ready, FitStageError> {
-        let (even, edged, measured) = (target.even()?, target.edged()?, target.measured()?);
-        counter.add(even.points.len() + edged.points.len() + measured.points.len());
-        Ok(Ready { target, even, edged, measured })
+impl Wanted<'_> {
+    /// Whether a formula costs no more than the scene allows.
+    pub fn affords(&self, hypothesis: &Hypothesis) -> bool {
+        self.max_ops.is_none_or(|most| hypothesis.tape().cost_ops() <= most)
     }
 
-    fn fit(&self, hypothesis: &Hypothesis, norm: Norm, keeps: Option<&Keeps>) -> Result<Fit, FitStageError> {
-        let sampled = match norm {
-            Norm::Max => &self.edged,
-            Norm::Rms => &self.even,
-        };
-        let samples = sampled.samples(hypothesis.name(), hypothesis.inputs(), None)?;
-        let domain = self.target.domain()?;
-        let (found, safe) = match keeps {
-            None => (searched(hypothesis, norm, &samples, &domain)?, None),
-            Some(keeps) => {
-                let (found, safe) = keeping(hypothesis, norm, &samples, &domain, keeps)?;
-                (found, Some(safe))
-            }
-        };
-        let approximation =
-            self.certified(&found.hypothesis, &found.coefficients, norm.name(), Source::Fitted)?;
-        Ok(Fit {
-            approximation,
-            hypothesis: found.hypothesis,
-            termination: Some(found.termination),
-            emitted: true,
-            wraps: None,
-            safe,
-        })
-    }
-
-    fn published(&self, entry: &Entry, hypothesis: &Hypothesis) -> Result<Fit, FitStageError> {
-        let source = Source::Published(entry.publication.unwrap_or_default().to_string());
-        let approximation = self.certified(hypothesis, &[], "published", source)?;
-        Ok(Fit {
-            approximation,
-            hypothesis: hypothesis.clone(),
-            termination: None,
-            emitted: false,
-            wraps: None,
-            safe: None,
-        })
-    }
-
-    /// Measures a formula at points that it was not fitted on, in f32 as emitted.
-    fn certified(
-        &self,
-        hypothesis: &Hypothesis,
-        coefficients: &[f32],
-        norm: &str,
-        source: Source,
-    ) -> Result<Approximation, FitStageError> {
-        let Sampled { points, scale, target } = &self.measured;
-        let inputs = self.measured.inputs(hypothesis.name(), hypothesis.inputs())?;
-        let (all, uniform) =
-            measure_first(hypothesis.tape(), coefficients, &inputs, scale, target, points.uniform)?;
-        let certificate = Certificate {
-            max_abs: round_up(all.max_abs, 4),
-            max_rel: round_up(all.max_rel, 4),
-            rms: uniform.rms,
-            mean: uniform.mean,
-            at: points.place(all.worst),
-            domain: self.target.ranges(),
-            precision: "f32".into(),
-            points: all.points as u64,
-        };
-        Ok(Approximation {
-            name: hypothesis.name().to_string(),
-            quantity: self.target.quantity.name().into(),
-            column: self.target.column.into(),
-            used_as: self.target.used_as,
-            smith: self.target.variant.smith,
-            source,
-            form: Form::Formula(formula(hypothesis, coefficients, norm)),
-            certificate,
-            cost: Cost { ops: hypothesis.tape().cost_ops(), fetches: 0, bytes: 0 },
-        })
-    }
-}
-
-/// Iterations of a search that must keep something: the longest formulas lie in narrow valleys, and take some 400 where f0 or the
-/// region are not those that their starting values are for.
-const ITERATIONS: u64 = 800;
-
-/// The best coefficients, if they keep what they must; else the best of those that do.
-///
-/// The starting values of such formulas are a fit's: a search from there alone ends where one from eight starts does (measured at f0 =
-/// 0.04 and over 0.02 to 0.2, on the five longest) in a third of the time. Where it ends nowhere the others are tried; where those do not either, the formula is not for this domain.
-fn keeping(
-    hypothesis: &Hypothesis,
-    norm: Norm,
-    samples: &Samples,
-    domain: &Domain,
-    keeps: &Keeps,
-) -> Result<(Searched, Safe), FitStageError> {
-    let usual = Options::new(norm);
-    let alone = Options { starts: 1, iterations: ITERATIONS, ..usual };
-    let within = |constraints: &[Constraint], options| {
-        searched_within(hypothesis, norm, (samples, constraints), domain, options)
-    };
-    let free = within(&[], &alone).or_else(|_| within(&[], &usual))?;
-    if let Kept::Proven(safe) = keeps.prove(hypothesis, &free.coefficients)? {
-        return Ok((free, safe));
-    }
-    let bound = within(&keeps.constraints(hypothesis), &alone)?;
-    match keeps.prove(hypothesis, &bound.coefficients)? {
-        Kept::Proven(safe) => Ok((bound, safe)),
-        Kept::Unproven(reason) => {
-            let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
-            Err(FitStageError::Unkept { hypothesis, norm, reason })
+    /// A formula that was asked for and costs more than the scene allows.
+    pub fn too_dear(&self, hypothesis: &Hypothesis) -> Dropped {
+        let (ops, most) = (hypothesis.tape().cost_ops(), self.max_ops.unwrap_or(u32::MAX));
+        Dropped {
+            hypothesis: hypothesis.name().to_string(),
+            norm: "any",
+            reason: format!("{}: {ops} operations, max_ops is {most}", hypothesis.file()),
         }
     }
 }
 
+/// The targets of formulas, with their samples.
+struct Stage<'a> {
+    wanted: &'a Wanted<'a>,
+    prepared: Vec<Prepared>,
+}
+
+impl<'a> Stage<'a> {
+    fn new<'b>(
+        wanted: &'a Wanted<'a>,
+        formulas: impl Iterator<Item = &'b Hypothesis>,
+        counter: &Counter,
+    ) -> Result<Stage<'a>, FitStageError> {
+        let mut targets: Vec<Target> = Vec::new();
+        for formula in formulas {
+            let target = Target::new(&wanted.spec, formula)?;
+            if !targets.contains(&target) {
+                targets.push(target);
+            }
+        }
+        let prepared = targets.into_iter().map(|target| Prepared::new(target, counter));
+        Ok(Stage { wanted, prepared: prepared.collect::<Result<_, _>>()? })
+    }
+
+    /// The samples for a formula.
+    fn of(&self, formula: &Hypothesis) -> Result<&Prepared, FitStageError> {
+        among(&self.prepared, &Target::new(&self.wanted.spec, formula)?, formula)
+    }
+
+    /// Each formula in each norm, and its fit.
+    fn fits(&self, formulas: &[Hypothesis]) -> (Vec<Job>, Vec<Result<Fit, FitStageError>>) {
+        let norms =
+            |h: &Hypothesis| self.wanted.norms.iter().map(|norm| (h.clone(), *norm)).collect::<Vec<_>>();
+        let jobs: Vec<Job> = formulas.iter().flat_map(norms).collect();
+        let fit = |(h, norm): &Job| self.of(h)?.fit(h, *norm, self.wanted.keeps.as_ref());
+        let results = jobs.par_iter().map(fit).collect();
+        (jobs, results)
+    }
+
+    /// The forms of f0 that are asked for.
+    fn forms_of_f0(&self, fits: &[Fit]) -> Result<Vec<Fit>, FitStageError> {
+        let Some(make) = self.wanted.with_f0 else { return Ok(Vec::new()) };
+        let norm = if self.wanted.norms.contains(&Norm::Max) { Norm::Max } else { Norm::Rms };
+        let at_one: Vec<Prepared> = self.prepared.iter().map(|prepared| prepared.at_f0(1.0)).collect();
+        let form = |fit: &&Fit| -> Result<Fit, FitStageError> {
+            let original = Hypothesis::parse(fit.hypothesis.file(), fit.hypothesis.source())?;
+            let form = make(&original, fit.hypothesis.name())?;
+            let target = Target::new(&self.wanted.spec, &original)?.at_f0(1.0);
+            among(&at_one, &target, &original)?.form(fit, form)
+        };
+        let fits: Vec<&Fit> = fits.iter().filter(|fit| fit.norm() == norm.name()).collect();
+        fits.par_iter().map(form).collect::<Vec<_>>().into_iter().collect()
+    }
+}
+
+/// The samples of a target, which a formula needs.
+fn among<'a>(
+    prepared: &'a [Prepared],
+    target: &Target,
+    formula: &Hypothesis,
+) -> Result<&'a Prepared, FitStageError> {
+    let found = prepared.iter().find(|prepared| prepared.target == *target);
+    found.ok_or_else(|| FitStageError::Unprepared { hypothesis: formula.file().to_string() })
+}
+
+/// A formula and the norm of its fit.
+type Job = (Hypothesis, Norm);
+
 /// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other error handed on.
-pub(crate) fn kept(
-    jobs: &[(Hypothesis, Norm)],
+fn kept(
+    jobs: &[Job],
     results: Vec<Result<Fit, FitStageError>>,
     dropped: &mut Vec<Dropped>,
 ) -> Result<Vec<Fit>, FitStageError> {

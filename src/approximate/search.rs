@@ -1,7 +1,9 @@
 //! The search of one hypothesis' coefficients in one norm.
 
+use std::fmt;
+
 use super::FitStageError;
-use crate::data::{Formula, Norm};
+use crate::data::Norm;
 use lobefit_fit::{Constraint, FitError, Options, Samples, Termination, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, prove_regular};
 
@@ -12,18 +14,8 @@ pub(crate) struct Searched {
     pub termination: Termination,
 }
 
-/// Coefficients for a hypothesis: found, rounded, proven regular.
+/// Coefficients for a hypothesis within constraints: found, rounded, proven regular.
 pub(crate) fn searched(
-    hypothesis: &Hypothesis,
-    norm: Norm,
-    samples: &Samples,
-    domain: &Domain,
-) -> Result<Searched, FitStageError> {
-    searched_within(hypothesis, norm, (samples, &[]), domain, &Options::new(norm))
-}
-
-/// The same within constraints.
-pub(crate) fn searched_within(
     hypothesis: &Hypothesis,
     norm: Norm,
     (samples, constraints): (&Samples, &[Constraint]),
@@ -41,28 +33,44 @@ pub(crate) fn searched_within(
         let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
         return Err(FitStageError::NotConverged { hypothesis, norm, termination: fitted.termination });
     }
-    refuse_run_away(hypothesis, norm, &fitted.coefficients)?;
+    if let Some(runaway) = runaways(hypothesis, &fitted.coefficients).next() {
+        let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
+        return Err(FitStageError::RunAway { hypothesis, norm, runaway });
+    }
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
     prove_regular(hypothesis.tape(), &exact, domain)?;
     Ok(Searched { hypothesis: named_for(hypothesis, norm), coefficients, termination: fitted.termination })
 }
 
-/// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1].
+/// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1] or not far
+/// from it.
 const RUN_AWAY: f64 = 1e6;
 
-fn refuse_run_away(hypothesis: &Hypothesis, norm: Norm, coefficients: &[f64]) -> Result<(), FitStageError> {
+/// A coefficient on its way to infinity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Runaway {
+    coefficient: String,
+    value: f64,
+}
+
+impl fmt::Display for Runaway {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Runaway { coefficient, value } = self;
+        write!(
+            f,
+            "coefficient {coefficient} ran away to {value:e}: the formula is a simpler one in disguise, or its parameters are not \
+             independent; reduce it or give better starting values"
+        )
+    }
+}
+
+/// The coefficients of a formula that are on their way to infinity.
+pub fn runaways(hypothesis: &Hypothesis, coefficients: &[f64]) -> impl Iterator<Item = Runaway> {
     let parameters = hypothesis.parameters().iter().zip(coefficients);
     let away = |start: f32, value: f64| value.abs() > RUN_AWAY * f64::from(start.abs()).max(1.0);
-    match parameters.into_iter().find(|(p, value)| away(p.start, **value)) {
-        None => Ok(()),
-        Some((parameter, value)) => Err(FitStageError::RunAway {
-            hypothesis: hypothesis.file().to_string(),
-            norm: norm.name(),
-            coefficient: parameter.name.clone(),
-            value: *value,
-        }),
-    }
+    let away = parameters.filter(move |(p, value)| away(p.start, **value));
+    away.map(|(p, value)| Runaway { coefficient: p.name.clone(), value: *value })
 }
 
 /// The minimax fit bears its hypothesis' name; the least squares fit has `_rms` appended, so that both can be emitted.
@@ -70,16 +78,5 @@ fn named_for(hypothesis: &Hypothesis, norm: Norm) -> Hypothesis {
     match norm {
         Norm::Max => hypothesis.clone(),
         Norm::Rms => hypothesis.renamed(&format!("{}_rms", hypothesis.name())),
-    }
-}
-
-/// A formula with its coefficients.
-pub fn formula(hypothesis: &Hypothesis, coefficients: &[f32], norm: &str) -> Formula {
-    let names = hypothesis.parameters().iter().map(|p| p.name.clone());
-    Formula {
-        hypothesis: hypothesis.file().trim_end_matches(".wgsl").to_string(),
-        inputs: hypothesis.inputs().to_vec(),
-        coefficients: names.zip(coefficients.iter().copied()).collect(),
-        norm: norm.to_string(),
     }
 }

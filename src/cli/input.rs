@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use super::CliError;
 use super::options::SceneOption;
 use crate::approximate::FitStageError;
+use crate::approximate::target::TargetError;
 use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
 use crate::plan::Plan;
 use crate::scene::{self, Scene, limits};
@@ -57,10 +58,12 @@ fn hypothesis_file(error: &mut BakeError) -> Option<&mut String> {
                 ShadeError::TooLarge { file, .. } => Some(file),
                 _ => None,
             },
-            FitStageError::NotConverged { hypothesis, .. }
-            | FitStageError::RunAway { hypothesis, .. }
-            | FitStageError::NoInputs { hypothesis, .. }
-            | FitStageError::Input { hypothesis, .. } => Some(hypothesis),
+            FitStageError::NotConverged { hypothesis, .. } | FitStageError::RunAway { hypothesis, .. } => {
+                Some(hypothesis)
+            }
+            FitStageError::Target(
+                TargetError::NoInputs { place, .. } | TargetError::Argument { place, .. },
+            ) => Some(&mut place.file),
             _ => None,
         },
         _ => None,

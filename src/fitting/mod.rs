@@ -1,7 +1,6 @@
 //! A formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page. [`fit`] measures,
 //! [`files`] makes what is written of it; nothing here touches the file system.
 
-mod certificates;
 mod demands;
 mod document;
 mod environment;

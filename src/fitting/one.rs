@@ -1,13 +1,13 @@
 //! One fit: searched, rounded, proven regular, measured.
 
-use super::certificates::certificate;
 use super::kept::{self, Kept};
 use super::poles::{Searched, Task, kept_out};
 use super::vanished::{self, Obedient};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
 use crate::approximate::target::{Sampled, Target};
-use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
+use crate::approximate::{self, certificate, runaways};
+use crate::data::{Approximation, Certificate, Formula, Source};
 use lobefit_fit::{Constraint, FitError, Fitted, Goal, Options, Samples, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, Precision, ShadeError, prove_regular};
 
@@ -57,9 +57,6 @@ pub struct Certified {
     /// Why it cannot be relied on, each a sentence; none if it can.
     pub problems: Vec<String>,
 }
-
-/// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1] or not far from it.
-const RUN_AWAY: f64 = 1e6;
 
 pub(super) fn fit_one(
     job: &Job,
@@ -218,6 +215,7 @@ fn weighted(
     Ok(Weighted { max, rms: (sum / samples.len() as f64).sqrt(), points: samples.len() })
 }
 
+/// The fit as an approximation, under the name of its file alone.
 pub(super) fn approximation(
     hypothesis: &Hypothesis,
     coefficients: &[f32],
@@ -225,23 +223,9 @@ pub(super) fn approximation(
     target: &Target,
     certificate: Certificate,
 ) -> Approximation {
-    let names = hypothesis.parameters().iter().map(|p| p.name.clone());
-    Approximation {
-        name: hypothesis.name().into(),
-        quantity: target.quantity.name().into(),
-        column: target.column.into(),
-        used_as: target.used_as,
-        smith: target.variant.smith,
-        source: Source::Fitted,
-        form: Form::Formula(Formula {
-            hypothesis: stem(hypothesis.file()),
-            inputs: hypothesis.inputs().to_vec(),
-            coefficients: names.zip(coefficients.iter().copied()).collect(),
-            norm: words::goal(goal),
-        }),
-        certificate,
-        cost: Cost { ops: hypothesis.tape().cost_ops(), fetches: 0, bytes: 0 },
-    }
+    let form = approximate::formula(hypothesis, coefficients, &words::goal(goal));
+    let form = Formula { hypothesis: stem(hypothesis.file()), ..form };
+    approximate::approximation(hypothesis, form, target, Source::Fitted, certificate)
 }
 
 /// The file's own name without its extension: nothing that is written depends on where the file lies.
@@ -257,15 +241,8 @@ fn problems(fit: &Certified, limit: Option<f64>) -> Vec<String> {
     if !termination.is_converged() {
         problems.push(format!("not converged: {}", words::end(&fit.fitted)));
     }
-    for (parameter, value) in fit.hypothesis.parameters().iter().zip(&fit.fitted.coefficients) {
-        if value.abs() > RUN_AWAY * f64::from(parameter.start.abs()).max(1.0) {
-            problems.push(format!(
-                "coefficient {} ran away to {value:e}: the formula is a simpler one in disguise, or its parameters are not \
-                 independent; reduce it or give better starting values",
-                parameter.name
-            ));
-        }
-    }
+    let away = runaways(&fit.hypothesis, &fit.fitted.coefficients);
+    problems.extend(away.map(|runaway| runaway.to_string()));
     if let Proof::NotProven(error) = &fit.proof {
         problems.push(format!("not proven finite in its domain: {error}"));
     }

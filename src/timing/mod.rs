@@ -9,7 +9,7 @@ mod tables;
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::approximate::{Fit, PointSet, Region, certification};
+use crate::approximate::{Fit, FitStageError, PointSet, Region, certification};
 use crate::bake::{BakeError, Baked, BakedVolume};
 use crate::data::{AlphaMap, Approximation, Decode, Smith, Source};
 use crate::effects::reflection::{POINTS, SAMPLERS};
@@ -151,9 +151,9 @@ fn volume_entry(volume: &BakedVolume) -> Result<Option<TimedApproximation>, Bake
 }
 
 fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {
-    let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(|name| points.column(name)).collect();
+    let inputs = fit.columns(points, 1.0).map_err(FitStageError::from)?;
     let (tape, coefficients) = (fit.hypothesis.tape(), fit.coefficients());
-    tape.evaluate(&inputs, &coefficients).map_err(crate::approximate::FitStageError::from)?;
+    tape.evaluate(&inputs, &coefficients).map_err(FitStageError::from)?;
     Ok(seconds(|| {
         let _ = black_box(tape.evaluate(&inputs, &coefficients));
     }))

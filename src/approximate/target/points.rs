@@ -122,10 +122,24 @@ pub(super) fn with_edges(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort)
     Points::of(axes, alpha, &places)
 }
 
+/// Binary logarithm of the number of points where a truth costs a microsecond or less.
+pub(super) const MANY: u32 = 20;
+
 /// Uniform points, half as many in the layer mu ~ alpha, and points on every face: none inside the box that is fitted on.
 pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Points {
     if let Some(region) = region(axes, alpha) {
         return Points::of_set(certification(&region, effort.log2));
+    }
+    if let ([axis], Some(alpha_map)) = (axes, alpha)
+        && axis.name == ROUGHNESS
+        && axis.is_spanned()
+        && effort.log2 == MANY
+    {
+        // The points of two axes, without mu: an average is measured where the albedo is.
+        let region = Region { roughness: axis.range, mu: [1.0, 1.0], alpha_map };
+        let mut points = Points::of_set(certification(&region, effort.log2));
+        points.columns.retain(|(name, _)| name != "mu");
+        return points;
     }
     let count = 1_usize << effort.log2;
     let sequence = Recurrence::new(axes.len());

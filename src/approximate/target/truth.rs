@@ -2,10 +2,10 @@
 
 use rayon::prelude::*;
 
-use super::points::{Effort, Points};
+use super::points::{Effort, MANY, Points};
 use super::spec::{Given, ROUGHNESS};
 use super::{Target, TargetError};
-use crate::approximate::{Counter, Field, PointSet, Region, TRUTH_ERROR, average_truth};
+use crate::approximate::{AVERAGE_NODES, Counter, Field, PointSet, Region, TRUTH_ERROR, average_truth};
 use crate::data::{Smith, Use};
 use lobefit_truth::integrate::{IntegrateError, footprint, sheen};
 use lobefit_truth::optics::kernel::Kernel;
@@ -31,13 +31,13 @@ const ROUNDING: f64 = 1e-6;
 const TOLERANCE: f64 = 1e-6;
 
 /// Points where a truth costs about a microsecond, some ten of them, a hundred, about a millisecond, and more.
-const CHEAP: Effort = Effort { lattice: 96 * 96, log2: 20 };
+const CHEAP: Effort = Effort { lattice: 96 * 96, log2: MANY };
 const SPLIT: Effort = Effort { lattice: 96 * 96, log2: 17 };
 const SPLIT_CURVED: Effort = Effort { lattice: 48 * 48, log2: 15 };
 const MODERATE: Effort = Effort { lattice: 64 * 64, log2: 15 };
 const SOUGHT: Effort = Effort { lattice: 40 * 40, log2: 12 };
 const DEAR: Effort = Effort { lattice: 1500, log2: 11 };
-const INTERPOLATED: Effort = Effort { lattice: 257, log2: 16 };
+const INTERPOLATED: Effort = Effort { lattice: 257, log2: MANY };
 
 /// How a truth is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +88,11 @@ impl Target {
     /// Whether a truth takes so long that pictures have to do with few.
     pub fn is_dear(&self) -> bool {
         self.effort() == DEAR
+    }
+
+    /// Truths that are integrated for so many points.
+    pub fn truths(&self, points: usize) -> usize {
+        if self.way() == Way::Average { AVERAGE_NODES } else { points }
     }
 
     /// A bound on the error of the truths.

@@ -18,7 +18,7 @@ mod table;
 
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Counter, FitSet, FitStageError, Keeps, Region, Wanted};
-use crate::data::{AlphaMap, Norm, Smith, Use};
+use crate::data::{Norm, Smith, Use};
 pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
 use lobefit_truth::integrate::coupling::Specular;
@@ -73,14 +73,15 @@ impl CouplingSpec {
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be integrated.
 pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
-    let squared = spec.region.alpha_map == AlphaMap::RoughnessSquared;
     let wanted = Wanted {
         spec: spec.target(spec.f0),
         own: hypotheses(spec.specular),
-        rivals: rivals(spec.specular).filter(|rival| squared || !rival.takes("roughness")).collect(),
+        user: &[],
+        published: rivals(spec.specular).collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
         keeps: Some(spec.keeps()),
+        with_f0: None,
     };
     let mut set = approximate::fit_all(&wanted, counter)?;
     for fit in &mut set.fits {

@@ -5,7 +5,7 @@ use super::grid::{Cell, Grid};
 use super::{named, source};
 use crate::approximate::{Fit, FitStageError, searched};
 use crate::data::{AlphaMap, LOG_SCALE, MipChain, MipMap, Norm, Place};
-use lobefit_fit::{FitError, Samples};
+use lobefit_fit::{FitError, Options, Samples};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError, round_up};
 
@@ -158,7 +158,7 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
     let columns = inputs.map(|input| cells.iter().map(|cell| f64::from(input(cell) as f32)).collect());
     let samples =
         Samples { inputs: columns.to_vec(), scale: vec![1.0; target.len()], target: target.clone() };
-    let found = searched(&hypothesis, Norm::Max, &samples, &domain(grid)?)?;
+    let found = searched(&hypothesis, Norm::Max, (&samples, &[]), &domain(grid)?, &Options::new(Norm::Max))?;
     let single: Vec<Vec<f32>> =
         samples.inputs.iter().map(|column| column.iter().map(|x| *x as f32).collect()).collect();
     let values = found.hypothesis.tape().evaluate(&single, &found.coefficients)?;

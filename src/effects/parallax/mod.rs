@@ -47,7 +47,6 @@ pub struct ParallaxSpec {
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be computed.
 pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
-    let squared = spec.alpha_map == AlphaMap::RoughnessSquared;
     let domain = [("roughness", spec.roughness), ("rho", spec.rho)];
     let wanted = Wanted {
         spec: TargetSpec {
@@ -59,10 +58,12 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
         },
         own: &HYPOTHESES,
-        rivals: RIVALS.iter().filter(|rival| squared || !rival.takes("roughness")).collect(),
+        user: &[],
+        published: RIVALS.iter().collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
         keeps: None,
+        with_f0: None,
     };
     let mut set = approximate::fit_all(&wanted, counter)?;
     for fit in set.fits.iter_mut().filter(|fit| fit.emitted) {

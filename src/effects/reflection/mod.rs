@@ -5,7 +5,6 @@ pub mod bake;
 mod catalogue;
 mod fits;
 mod rivals;
-mod samples;
 mod table;
 
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Counter, FitSet, FitStageError, Region, Wanted};
-use crate::data::{AlphaMap, Norm, Use};
+use crate::data::{Norm, Use};
 pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
 use lobefit_truth::quantity::{SheenCharlie, Variant};
 
@@ -29,7 +29,6 @@ pub struct SheenSpec {
 /// A region outside of the quantity's domain; a truth that cannot be integrated.
 pub fn fit_all(spec: &SheenSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
     let Region { roughness, mu, alpha_map } = spec.region;
-    let squared = alpha_map == AlphaMap::RoughnessSquared;
     let spec = Wanted {
         spec: TargetSpec {
             quantity: &SheenCharlie,
@@ -40,10 +39,12 @@ pub fn fit_all(spec: &SheenSpec, counter: &Counter) -> Result<FitSet, FitStageEr
             domain: BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]),
         },
         own: &HYPOTHESES,
-        rivals: RIVALS.iter().filter(|_| squared).collect(),
+        user: &[],
+        published: RIVALS.iter().collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
         keeps: None,
+        with_f0: None,
     };
     approximate::fit_all(&spec, counter)
 }

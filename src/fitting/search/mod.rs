@@ -9,8 +9,8 @@ mod told;
 pub use aids::{AidKind, Aids, Tried};
 pub use told::{document, files, summary};
 
-use super::certificates::certificate;
 use super::{Demand, FittingError};
+use crate::approximate::certificate;
 use crate::approximate::target::{Sampled, Target, TargetSpec};
 use crate::data::Certificate;
 use lobefit_fit::FitError;

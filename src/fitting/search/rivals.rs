@@ -1,11 +1,11 @@
 //! What the catalogue has for the same quantity and use: fits of ours at their declared constants, and published formulas.
 
 use super::Rival;
+use crate::approximate::certificate;
 use crate::approximate::target::{Sampled, Target};
 use crate::data::{AlphaMap, Smith, Use};
 use crate::effects::{coupling, reflection, sheen};
 use crate::fitting::FittingError;
-use crate::fitting::certificates::certificate;
 use lobefit_shade::{Hypothesis, Precision};
 
 /// How the names begin of the catalogue's formulas for a use of a quantity.

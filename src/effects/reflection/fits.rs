@@ -1,0 +1,121 @@
+//! The fits of this effect: normalisations with their saturating forms, averages, and blends f0 A + B.
+
+use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
+use super::{BLEND_RIVALS, RIVALS};
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{self, Counter, FitSet, FitStageError, Region, Wanted};
+use crate::data::{Norm, Smith, Source, Use};
+use lobefit_shade::{Hypothesis, ShadeError};
+use lobefit_truth::quantity::{GgxAverage, GgxReflection, Quantity, Variant};
+
+/// What to fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FitSpec {
+    /// Shadowing form.
+    pub smith: Smith,
+    /// Where the fits must hold.
+    pub region: Region,
+    /// Most operations of a fit; none: any.
+    pub max_ops: Option<u32>,
+    /// Errors to minimise.
+    pub norms: Vec<Norm>,
+    /// Also fit the average albedo.
+    pub average: bool,
+    /// Also fit f0 A + B.
+    pub blend: bool,
+    /// The user's hypotheses: file name and WGSL source.
+    pub hypotheses: Vec<(String, String)>,
+}
+
+/// Everything that the spec asks for: normalisations of ours, the user's, their saturating forms, averages, blends, and the
+/// published normalisations, of which the formulas of the source post are emitted.
+///
+/// # Errors
+/// A region outside of the quantities' domain; a hypothesis of the user's that cannot be fitted.
+pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
+    let wanted = spec.normalisations();
+    let mut set = approximate::fit_all(&wanted, counter)?;
+    let ours = set.fits.iter().take_while(|fit| fit.approximation.source == Source::Fitted).count();
+    let mut published = set.fits.split_off(ours);
+    for fit in &mut published {
+        let seed = SEEDS.iter().any(|seed| seed.name() == fit.approximation.name);
+        fit.emitted = seed && wanted.affords(&fit.hypothesis);
+    }
+    if spec.average {
+        let wanted = spec.averages();
+        for entry in &AVERAGES {
+            let formula = Hypothesis::parse(entry.file, entry.source)?;
+            set.dropped.extend((!wanted.affords(&formula)).then(|| wanted.too_dear(&formula)));
+        }
+        let averages = approximate::fit_all(&wanted, counter)?;
+        set.fits.extend(averages.fits);
+        set.dropped.extend(averages.dropped);
+    }
+    if spec.blend {
+        let blends = approximate::fit_all(&spec.blends(), counter)?;
+        set.fits.extend(blends.fits);
+        set.dropped.extend(blends.dropped);
+    }
+    set.fits.extend(published);
+    Ok(set)
+}
+
+impl FitSpec {
+    fn normalisations(&self) -> Wanted<'_> {
+        Wanted {
+            own: &NORMALISATIONS,
+            user: &self.hypotheses,
+            published: SEEDS.iter().chain(&RIVALS).collect(),
+            with_f0: Some(saturating),
+            ..self.of(&GgxReflection, "E", Use::Normalisation)
+        }
+    }
+
+    fn averages(&self) -> Wanted<'_> {
+        let mut wanted = Wanted { own: &AVERAGES, ..self.of(&GgxAverage, "E_avg", Use::Value) };
+        wanted.spec.domain.remove("mu");
+        wanted
+    }
+
+    fn blends(&self) -> Wanted<'_> {
+        let published = BLEND_RIVALS.iter().collect();
+        Wanted { own: &BLENDS, published, ..self.of(&GgxReflection, "E", Use::F0Blend) }
+    }
+
+    /// No formula for a column of a quantity in a use, over the region.
+    fn of(&self, quantity: &'static dyn Quantity, column: &str, used_as: Use) -> Wanted<'_> {
+        let domain = [("roughness", self.region.roughness), ("mu", self.region.mu)];
+        Wanted {
+            spec: TargetSpec {
+                quantity,
+                column: Some(column.into()),
+                used_as: Some(used_as),
+                variant: Variant::from(self.smith),
+                alpha_map: self.region.alpha_map,
+                domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
+            },
+            own: &[],
+            user: &[],
+            published: Vec::new(),
+            norms: &self.norms,
+            max_ops: self.max_ops,
+            keeps: None,
+            with_f0: None,
+        }
+    }
+}
+
+/// 1 + f0 (N - 1), which is exact where f0 = 1 wherever N is. With F the furnace error of N, its relative error against
+/// 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so N's certificate stands for it.
+fn saturating(original: &Hypothesis, fit: &str) -> Result<Hypothesis, ShadeError> {
+    let (inner, inputs) = (original.name(), original.inputs());
+    let declared: Vec<String> = inputs.iter().map(|input| format!("{input}: f32")).collect();
+    let source = format!(
+        "{}\n/// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.\n\
+         fn {inner}_saturating({}, f0: f32) -> f32 {{\n    return 1.0 + f0 * ({inner}({}) - 1.0);\n}}\n",
+        original.source(),
+        declared.join(", "),
+        inputs.join(", "),
+    );
+    Ok(Hypothesis::parse(original.file(), &source)?.renamed(&format!("{fit}_saturating")))
+}
