@@ -24,7 +24,7 @@ pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fit::{Dropped, Fit, FitSet};
 pub use keeps::{Keeps, Kept, Safe};
 pub use points::{PointSet, certification};
-pub(crate) use points::{edged, uniform};
+pub(crate) use points::{edged, layer_mu, lerp, uniform};
 pub use region::Region;
 pub use run::{Wanted, WithF0, fit_all};
 pub(crate) use search::searched;

@@ -1,7 +1,7 @@
 //! Points at which approximations are measured: none that they were fitted on, but for the corners of the region.
 
 use super::Region;
-use crate::data::Place;
+use crate::data::{Place, shortest};
 use lobefit_math::chebyshev;
 use lobefit_math::sobol::Sobol;
 
@@ -35,17 +35,13 @@ pub fn certification(region: &Region, log2: u32) -> PointSet {
     let layer = Sobol::new([0x2545_f491, 0x4f6c_dd1d, 0]);
     for i in 0..1_u32 << (log2 - 1) {
         let roughness = lerp(region.roughness, layer.coordinate(i, 0));
-        points.push(region, roughness, homogeneous(region, roughness, layer.coordinate(i, 1)));
+        points.push_layer(region, roughness, layer.coordinate(i, 1));
     }
     for i in 0..=EDGE {
         let t = i as f64 / EDGE as f64;
         for end in [0.0, 1.0] {
             points.push(region, lerp(region.roughness, end), lerp(region.mu, t));
-            points.push(
-                region,
-                lerp(region.roughness, end),
-                homogeneous(region, lerp(region.roughness, end), t),
-            );
+            points.push_layer(region, lerp(region.roughness, end), t);
             points.push(region, lerp(region.roughness, t), lerp(region.mu, end));
         }
     }
@@ -91,25 +87,24 @@ impl PointSet {
 impl PointSet {
     /// Adds the point at fraction `t` of the region's range of the homogeneous coordinate.
     pub fn push_layer(&mut self, region: &Region, roughness: f64, t: f64) {
-        self.push(region, roughness, homogeneous(region, roughness, t));
+        self.push(region, roughness, layer_mu(region.mu, region.alpha_map.alpha(roughness), t));
     }
 }
 
-fn lerp(range: [f64; 2], t: f64) -> f64 {
+/// The value at a part `t` of a range; both ends are exact.
+pub(crate) fn lerp(range: [f64; 2], t: f64) -> f64 {
     if t == 1.0 { range[1] } else { range[0] + (range[1] - range[0]) * t }
 }
 
-/// mu at fraction t of the domain's range of the homogeneous coordinate.
-fn homogeneous(region: &Region, roughness: f64, t: f64) -> f64 {
-    let alpha = region.alpha_map.alpha(roughness).max(1e-7);
-    let u = region.mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt());
-    let u = lerp(u, t);
-    (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(region.mu[0], region.mu[1])
-}
+/// Smallest alpha of the layer mu ~ alpha: below it nothing is left of it.
+const SMALLEST: f64 = 1e-7;
 
-/// The f64 with the fewest decimal digits that rounds to this f32.
-fn shortest(x: f32) -> f64 {
-    x.to_string().parse().unwrap_or(f64::from(x))
+/// mu at a part `t` of its range in the homogeneous coordinate u = sqrt(mu (1 + alpha)/(mu + alpha)), in which the layer mu ~ alpha
+/// is as wide as the rest.
+pub(crate) fn layer_mu(mu: [f64; 2], alpha: f64, t: f64) -> f64 {
+    let alpha = alpha.max(SMALLEST);
+    let u = lerp(mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt()), t);
+    (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(mu[0], mu[1])
 }
 
 /// Centres of n x n equal cells: their mean square is the midpoint rule of the uniform RMS.

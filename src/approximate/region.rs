@@ -1,6 +1,6 @@
 //! The region of roughness and mu in which an approximation must hold.
 
-use crate::data::AlphaMap;
+use crate::data::{AlphaMap, nine_digits};
 
 /// Ranges of roughness and mu, and how roughness becomes alpha.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,9 +14,8 @@ pub struct Region {
 }
 
 impl Region {
-    /// Range of alpha, to nine digits: 0.1 squared is 0.01.
+    /// Range of alpha, to nine digits.
     pub fn alpha(&self) -> [f64; 2] {
-        let nine = |x: f64| format!("{x:.8e}").parse().unwrap_or(x);
-        self.roughness.map(|r| nine(self.alpha_map.alpha(r)))
+        self.roughness.map(|r| nine_digits(self.alpha_map.alpha(r)))
     }
 }

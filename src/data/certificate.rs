@@ -7,6 +7,16 @@ use serde::{Deserialize, Serialize};
 /// A point of the domain, by input name (`alpha`, `roughness`, `mu`, ...).
 pub type Place = BTreeMap<String, f64>;
 
+/// The f64 with the fewest decimal digits that rounds to this f32: how a place is written.
+pub fn shortest(x: f32) -> f64 {
+    x.to_string().parse().unwrap_or(f64::from(x))
+}
+
+/// To nine digits: how the range of an alpha is written, since 0.1 squared is 0.01.
+pub fn nine_digits(x: f64) -> f64 {
+    format!("{x:.8e}").parse().unwrap_or(x)
+}
+
 /// Measured error of an approximation over its domain.
 ///
 /// `max_abs` is the largest error at the measured points, rounded up in its last printed digit; the points are never

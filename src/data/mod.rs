@@ -16,7 +16,7 @@ mod table;
 pub use alpha_map::AlphaMap;
 pub use approximation::{Approximation, Form, Formula, Source, Use};
 pub use axis::{Axis, Expression, Registration, Surface, Warp};
-pub use certificate::{Certificate, Place};
+pub use certificate::{Certificate, Place, nine_digits, shortest};
 pub use container::Container;
 pub use cost::Cost;
 pub use decode::{Decode, Values};

@@ -1,8 +1,8 @@
 //! Points of a target's axes: lattices to fit on, and others to measure at.
 
 use super::spec::{ROUGHNESS, Span};
-use crate::approximate::{PointSet, Region, certification, edged, uniform};
-use crate::data::{AlphaMap, Place};
+use crate::approximate::{PointSet, Region, certification, edged, layer_mu, uniform};
+use crate::data::{AlphaMap, Place, shortest};
 use lobefit_math::chebyshev;
 use lobefit_math::recurrence::Recurrence;
 
@@ -42,7 +42,6 @@ impl Points {
 
     /// Point `i` by input name, each in the shortest decimal that reads back to its f32.
     pub fn place(&self, i: usize) -> Place {
-        let shortest = |x: f32| x.to_string().parse().unwrap_or(f64::from(x));
         self.columns.iter().map(|(name, column)| (name.clone(), shortest(column[i]))).collect()
     }
 
@@ -201,19 +200,12 @@ fn product(axes: &[Vec<f64>]) -> Vec<Vec<f64>> {
     })
 }
 
-fn lerp([low, high]: [f64; 2], t: f64) -> f64 {
-    low + (high - low) * t
-}
-
 /// Where mu and alpha are inputs, values change fastest about mu ~ alpha.
 struct Layer {
     mu: usize,
     roughness: usize,
     map: AlphaMap,
 }
-
-/// Smallest alpha of the layer: below it nothing is left of it.
-const SMALLEST: f64 = 1e-7;
 
 impl Layer {
     fn of(axes: &[Span], alpha: Option<AlphaMap>) -> Option<Layer> {
@@ -225,11 +217,9 @@ impl Layer {
         })
     }
 
-    /// Takes a place's mu for a fraction of the range of the homogeneous coordinate u = sqrt(mu (1 + alpha)/(mu + alpha)).
+    /// Takes a place's mu for a fraction of the range of the homogeneous coordinate.
     fn move_into(&self, axes: &[Span], place: &mut [f64]) {
-        let alpha = self.map.alpha(place[self.roughness]).max(SMALLEST);
-        let [low, high] = axes[self.mu].range;
-        let u = lerp([low, high].map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt()), place[self.mu]);
-        place[self.mu] = (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(low, high);
+        let alpha = self.map.alpha(place[self.roughness]);
+        place[self.mu] = layer_mu(axes[self.mu].range, alpha, place[self.mu]);
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::TargetError;
 use super::affine::affine_in;
-use crate::data::{AlphaMap, Use};
+use crate::data::{AlphaMap, Use, nine_digits};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError};
 use lobefit_truth::integrate::coupling::Specular;
@@ -248,15 +248,14 @@ impl Target {
         self.axes.iter().chain(&self.f0).cloned().collect()
     }
 
-    /// Range of every input; alpha's to nine digits, since 0.1 squared is 0.01.
+    /// Range of every input; alpha's to nine digits.
     pub fn ranges(&self) -> BTreeMap<String, [f64; 2]> {
-        let nine = |x: f64| format!("{x:.8e}").parse().unwrap_or(x);
         let mut ranges: BTreeMap<String, [f64; 2]> =
             self.spans().into_iter().map(|span| (span.name, span.range)).collect();
         if let Some(roughness) = ranges.get(ROUGHNESS).copied()
             && self.has_alpha()
         {
-            ranges.insert("alpha".into(), roughness.map(|r| nine(self.alpha_map.alpha(r))));
+            ranges.insert("alpha".into(), roughness.map(|r| nine_digits(self.alpha_map.alpha(r))));
         }
         ranges
     }

@@ -4,7 +4,7 @@ use super::catalogue::BIAS;
 use super::grid::{Cell, Grid};
 use super::{named, source};
 use crate::approximate::{Fit, FitStageError, searched};
-use crate::data::{AlphaMap, LOG_SCALE, MipChain, MipMap, Norm, Place};
+use crate::data::{AlphaMap, LOG_SCALE, MipChain, MipMap, Norm, Place, shortest};
 use lobefit_fit::{FitError, Options, Samples};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError, round_up};
@@ -180,11 +180,6 @@ fn domain(grid: &Grid) -> Result<Domain, ShadeError> {
     };
     let ((a0, a1), (r0, r1)) = (hull(|cell| cell.alpha), hull(|cell| cell.rho));
     Domain::new(&[("alpha", a0, a1), ("rho", r0, r1)])
-}
-
-/// An f32 in the shortest decimal that reads back to it.
-fn shortest(x: f32) -> f64 {
-    x.to_string().parse().unwrap_or(f64::from(x))
 }
 
 fn worst(off: impl Iterator<Item = f64>, place: impl Fn(usize) -> Place) -> LevelError {

@@ -4,8 +4,8 @@
 //! a truth can share its work.
 
 use super::{Point, Region, Third};
-use crate::approximate::PointSet;
-use crate::data::Place;
+use crate::approximate::{PointSet, layer_mu, lerp};
+use crate::data::{Place, shortest};
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 
@@ -48,7 +48,7 @@ impl Points {
         let layer = Sobol::new([0x2545_f491, 0x4f6c_dd1d, 0x94d0_49bb]);
         for i in 0..1_u32 << (log2 - 1) {
             let roughness = lerp(region.roughness, layer.coordinate(i, 0));
-            let mu = homogeneous(region, roughness, layer.coordinate(i, 1));
+            let mu = layer_mu(region.mu, region.alpha_map.alpha(roughness), layer.coordinate(i, 1));
             points.push(region, roughness, mu, spread(i + (1 << log2)));
             if region.third == Third::Ior {
                 let (roughness, ior) = (
@@ -65,7 +65,12 @@ impl Points {
             for end in [0.0, 1.0] {
                 let roughness = lerp(region.roughness, end);
                 points.push(region, roughness, lerp(region.mu, t), ends);
-                points.push(region, roughness, homogeneous(region, roughness, t), ends);
+                points.push(
+                    region,
+                    roughness,
+                    layer_mu(region.mu, region.alpha_map.alpha(roughness), t),
+                    ends,
+                );
                 points.push(region, lerp(region.roughness, t), lerp(region.mu, end), ends);
             }
         }
@@ -153,20 +158,4 @@ fn point(region: &Region, roughness: f64, mu: f64, third: f64) -> Point {
         Third::Ior => point.ior = third as f32,
     }
     point
-}
-
-fn lerp(range: [f64; 2], t: f64) -> f64 {
-    if t == 1.0 { range[1] } else { range[0] + (range[1] - range[0]) * t }
-}
-
-/// mu at fraction t of the region's range of sqrt(mu (1+alpha)/(mu+alpha)).
-fn homogeneous(region: &Region, roughness: f64, t: f64) -> f64 {
-    let alpha = region.alpha_map.alpha(roughness).max(1e-7);
-    let u = lerp(region.mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt()), t);
-    (alpha * u * u / ((1.0 - u * u) + alpha)).clamp(region.mu[0], region.mu[1])
-}
-
-/// The f64 with the fewest decimal digits that rounds to this f32.
-fn shortest(x: f32) -> f64 {
-    x.to_string().parse().unwrap_or(f64::from(x))
 }

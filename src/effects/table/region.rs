@@ -1,7 +1,7 @@
 //! The region in which a table of three axes must hold.
 
 use super::Point;
-use crate::data::AlphaMap;
+use crate::data::{AlphaMap, nine_digits};
 
 /// The third input of a table, after mu and roughness.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,8 +49,7 @@ pub struct Region {
 impl Region {
     /// Range of alpha, to nine digits.
     pub fn alpha(&self) -> [f64; 2] {
-        let nine = |x: f64| format!("{x:.8e}").parse().unwrap_or(x);
-        self.roughness.map(|r| nine(self.alpha_map.alpha(r)))
+        self.roughness.map(|r| nine_digits(self.alpha_map.alpha(r)))
     }
 }
 
