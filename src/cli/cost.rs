@@ -14,7 +14,7 @@ use super::output::{Outcome, print};
 use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{BakeError, Progress, Selection, recipe};
-use crate::plan;
+use crate::plan::{self, Plan};
 use crate::report::{self, Origin, Timings};
 use crate::store::{self, Files, Folder};
 use crate::timing::timings;
@@ -82,13 +82,13 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     let plan = plan::plan(&input.scene);
     let mut folder = Folder::open(&options.out)?;
     if plan.is_empty() {
-        return nothing(options, &input);
+        return nothing(options, &input, &plan);
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");
-        let measured = timings(&input.scene, &baked, origin(&input, COMMAND)?, device())?;
+        let measured = timings(&input.scene, &baked, origin(&input, &plan, COMMAND)?, device())?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);
@@ -103,9 +103,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 }
 
 /// The end for a scene that calls for no effect: there is nothing to measure and nothing is written.
-fn nothing(options: &Options, input: &Input) -> Result<Outcome, CliError> {
+fn nothing(options: &Options, input: &Input, plan: &Plan) -> Result<Outcome, CliError> {
     if options.json {
-        let origin = origin(input, COMMAND)?;
+        let origin = origin(input, plan, COMMAND)?;
         let empty = Timings {
             origin,
             device: device(),
@@ -127,10 +127,10 @@ fn json(files: &Files) -> &[u8] {
     files.get("reports/timings.json").map_or(&[], Vec::as_slice)
 }
 
-fn origin(input: &Input, command: &str) -> Result<Origin, CliError> {
+fn origin(input: &Input, plan: &Plan, command: &str) -> Result<Origin, CliError> {
     Ok(Origin {
         scene: input.scene.name.clone(),
-        recipe: recipe(&input.scene, &input.hypotheses)?.hash,
+        recipe: recipe(&input.scene, plan, &input.hypotheses)?.hash,
         tool: env!("CARGO_PKG_VERSION").into(),
         command: command.into(),
     })
