@@ -2,7 +2,7 @@
 //! hypothesis is any formula of the shader language.
 //!
 //! [`optimise`] finds a formula's coefficients, [`rational`] the globally best ones of forms that are a quotient of linear ones,
-//! [`mod@search`] the forms themselves. [`texels`] and [`volume`] do for tables what [`optimise`] does for formulas.
+//! [`mod@search`] the forms themselves. [`texels`] does for tables what [`optimise`] does for formulas.
 
 mod error;
 mod norm;
@@ -10,7 +10,6 @@ pub mod rational;
 pub mod search;
 mod solve;
 pub mod texels;
-pub mod volume;
 
 pub use error::FitError;
 pub use norm::Norm;

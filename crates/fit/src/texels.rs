@@ -1,242 +1,288 @@
-//! Texel values optimised for the lookup: those whose bilinear interpolation has the smallest maximum error over a dense
-//! set of samples, instead of those that are exact at the texels.
+//! Texel values of a table of any number of axes, optimised for its linear lookup: bilinear of two axes, trilinear of three.
 //!
-//! The lookup is linear in the texels, so this is linear Chebyshev approximation. It is solved by Lawson's iteration
-//! (Lawson 1961; Rice and Usow 1968): least squares whose weights are multiplied by the residuals they leave. Each least
-//! squares problem has a nine-point stencil for a matrix and is solved by conjugate gradients from the last solution.
+//! The samples lie on a lattice that divides every cell. The texels start exact at their nodes and are relaxed: each texel moves
+//! by part of half the sum of the largest and the smallest error in the cells around it, which balances the two. One step
+//! solves the problem for a parabola. The error falls to about half of what exact values leave. On the 2-D tables of GGX a
+//! hundred rounds end 0.2 to 1 % below sixty of Lawson's iteration for linear Chebyshev approximation, in a tenth of its time.
 
-/// One dense sample of the function that the table must return.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TexelSample {
-    /// Position in texels along the columns, in [0, columns - 1].
-    pub x: f64,
-    /// Position in texels along the rows, in [0, rows - 1].
-    pub y: f64,
-    /// Value wanted.
-    pub target: f64,
-    /// Factor from an error of the lookup to the error that counts; not negative.
-    pub weight: f64,
+use rayon::prelude::*;
+
+/// A lattice of samples over a table; the first axis is the fastest.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lattice {
+    /// Texels along each axis, two or more.
+    pub size: Vec<usize>,
+    /// Samples from one texel to the next along each axis, one or more.
+    pub per_cell: Vec<usize>,
 }
 
-/// Iterations of Lawson's algorithm: its error falls by a fixed factor each; measured on GGX tables it is within 3 % of its
-/// limit after 60.
-const ITERATIONS: usize = 60;
+impl Lattice {
+    /// Samples along each axis.
+    pub fn samples(&self) -> Vec<usize> {
+        (0..self.size.len()).map(|axis| self.along(axis)).collect()
+    }
 
-/// Weight of the starting values in the least squares, relative to the mean diagonal: it decides the texels that no sample
-/// touches, and nothing else.
-const TIE: f64 = 1e-7;
+    /// Position in texels of a sample along an axis.
+    pub fn position(&self, axis: usize, sample: usize) -> f64 {
+        sample as f64 / self.per_cell[axis] as f64
+    }
 
-/// The interpolation weights of a sample: its cell's first texel and the fractions.
-struct Stencil {
-    cell: usize,
-    weights: [f64; 4],
+    /// Samples along an axis.
+    fn along(&self, axis: usize) -> usize {
+        (self.size[axis] - 1) * self.per_cell[axis] + 1
+    }
+
+    /// Number of samples of one step along an axis: those of all axes before it.
+    fn stride(&self, axis: usize) -> usize {
+        (0..axis).map(|before| self.along(before)).product()
+    }
+
+    /// The texel before a sample and the fraction to the next.
+    fn cell(&self, axis: usize, sample: usize) -> (usize, f64) {
+        let base = (sample / self.per_cell[axis]).min(self.size[axis] - 2);
+        (base, (sample - base * self.per_cell[axis]) as f64 / self.per_cell[axis] as f64)
+    }
+
+    /// Samples that a texel takes part in.
+    fn support(&self, axis: usize, texel: usize) -> std::ops::Range<usize> {
+        let (middle, reach) = (texel * self.per_cell[axis], self.per_cell[axis] - 1);
+        middle.saturating_sub(reach)..(middle + reach + 1).min(self.along(axis))
+    }
 }
 
-/// Improves `start` (row by row, `columns` times rows values, exact at the texels) for the lookup at `samples`.
-///
-/// Returns the texels with the smallest maximum of weight |lookup - target| met on the way, and that maximum; never worse
-/// than `start`. Deterministic and sequential.
+/// What the lookup must return at the samples of a lattice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wanted {
+    /// Values.
+    pub targets: Vec<f64>,
+    /// Factor in [0, 1] from an error of the lookup to the error that counts: 0 where nothing is looked up.
+    pub weights: Vec<f64>,
+}
+
+/// Part of the balancing step that is taken: neighbours move too.
+const DAMPING: f64 = 0.7;
+
+/// Improves `start`, values exact at the texels, in `rounds` of relaxation. Returns the texels with the smallest maximum of
+/// weight |lookup - target| met on the way, and that maximum; never worse than `start`. The bits do not depend on the thread
+/// count.
 ///
 /// # Panics
-/// If `start` is not a whole number of at least two rows of at least two columns.
-pub fn optimise(columns: usize, start: &[f64], samples: &[TexelSample]) -> (Vec<f64>, f64) {
-    assert!(
-        columns >= 2 && start.len().is_multiple_of(columns) && start.len() >= 2 * columns,
-        "a table of 2 x 2 or more"
-    );
-    let rows = start.len() / columns;
-    let stencils: Vec<Stencil> = samples.iter().map(|s| stencil(s, columns, rows)).collect();
-    let mut weights: Vec<f64> = samples.iter().map(|s| s.weight * s.weight).collect();
+/// If a slice's length is not that of the lattice, or the lattice is thinner than two texels.
+pub fn optimise(lattice: &Lattice, start: &[f64], wanted: &Wanted, rounds: usize) -> (Vec<f64>, f64) {
+    let count: usize = lattice.samples().iter().product();
+    assert_eq!(lattice.size.len(), lattice.per_cell.len(), "axes");
+    assert!(lattice.size.iter().all(|n| *n >= 2) && lattice.per_cell.iter().all(|n| *n >= 1));
+    assert_eq!(start.len(), lattice.size.iter().product::<usize>(), "texels");
+    assert_eq!((wanted.targets.len(), wanted.weights.len()), (count, count), "samples");
+    let mut errors = vec![0.0; count];
     let mut texels = start.to_vec();
-    let mut best = (texels.clone(), worst(&residuals(columns, &texels, &stencils, samples)));
-    for _ in 0..ITERATIONS {
-        let system = System::assemble(columns, start, &stencils, samples, &weights);
-        system.solve(&mut texels);
-        let errors = residuals(columns, &texels, &stencils, samples);
-        let largest = worst(&errors);
+    let mut best = (start.to_vec(), residuals(lattice, &texels, wanted, &mut errors));
+    for _ in 0..rounds {
+        relax(lattice, &errors, &mut texels);
+        let largest = residuals(lattice, &texels, wanted, &mut errors);
         if largest < best.1 {
-            best = (texels.clone(), largest);
+            best.0.copy_from_slice(&texels);
+            best.1 = largest;
         }
-        if largest == 0.0 {
-            break;
-        }
-        for (weight, error) in weights.iter_mut().zip(&errors) {
-            *weight *= error.abs() / largest;
-        }
-        // Lawson's weights sum to a constant; without this they would all underflow in the end.
-        let mean = weights.iter().sum::<f64>() / weights.len() as f64;
-        weights.iter_mut().for_each(|w| *w /= mean);
     }
     best
 }
 
-fn stencil(sample: &TexelSample, columns: usize, rows: usize) -> Stencil {
-    let split = |x: f64, n: usize| {
-        let base = x.floor().clamp(0.0, (n - 2) as f64);
-        (base as usize, (x - base).clamp(0.0, 1.0))
+/// What the lookup of some texels returns at every sample.
+pub fn looked_up(lattice: &Lattice, texels: &[f64]) -> Vec<f64> {
+    let mut samples = vec![0.0; lattice.samples().iter().product()];
+    fill(lattice, lattice.size.len(), texels, &mut samples);
+    samples
+}
+
+/// weight (lookup - target) at every sample; returns the largest magnitude.
+fn residuals(lattice: &Lattice, texels: &[f64], wanted: &Wanted, errors: &mut [f64]) -> f64 {
+    let last = lattice.size.len() - 1;
+    let stride = lattice.stride(last);
+    let worst: Vec<f64> = errors
+        .par_chunks_mut(stride)
+        .enumerate()
+        .map(|(sample, errors)| {
+            let at = sample * stride;
+            let (targets, weights) = (&wanted.targets[at..at + stride], &wanted.weights[at..at + stride]);
+            fill(lattice, last, &between(texels, lattice.size[last], lattice.cell(last, sample)), errors);
+            let mut worst = 0.0_f64;
+            for ((error, target), weight) in errors.iter_mut().zip(targets).zip(weights) {
+                *error = weight * (*error - target);
+                worst = worst.max(error.abs());
+            }
+            worst
+        })
+        .collect();
+    worst.into_iter().fold(0.0, f64::max)
+}
+
+/// Looks up every sample of the first `axes` axes.
+fn fill(lattice: &Lattice, axes: usize, texels: &[f64], samples: &mut [f64]) {
+    let Some(last) = axes.checked_sub(1) else {
+        samples.copy_from_slice(texels);
+        return;
     };
-    let ((column, fx), (row, fy)) = (split(sample.x, columns), split(sample.y, rows));
-    let weights = [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy];
-    Stencil { cell: row * columns + column, weights }
-}
-
-fn lookup(columns: usize, texels: &[f64], at: &Stencil) -> f64 {
-    let t = &texels[at.cell..];
-    at.weights[0] * t[0] + at.weights[1] * t[1] + at.weights[2] * t[columns] + at.weights[3] * t[columns + 1]
-}
-
-fn residuals(columns: usize, texels: &[f64], stencils: &[Stencil], samples: &[TexelSample]) -> Vec<f64> {
-    let pairs = stencils.iter().zip(samples);
-    pairs.map(|(at, s)| s.weight * (lookup(columns, texels, at) - s.target)).collect()
-}
-
-fn worst(errors: &[f64]) -> f64 {
-    errors.iter().fold(0.0, |worst, e| e.abs().max(worst))
-}
-
-/// Normal equations of one weighted least squares problem: a symmetric matrix with nine entries a row, of which the upper
-/// five are stored (self, east, south-west, south, south-east).
-struct System {
-    columns: usize,
-    entries: Vec<[f64; 5]>,
-    right: Vec<f64>,
-}
-
-impl System {
-    fn assemble(
-        columns: usize,
-        start: &[f64],
-        stencils: &[Stencil],
-        samples: &[TexelSample],
-        weights: &[f64],
-    ) -> System {
-        let mut system =
-            System { columns, entries: vec![[0.0; 5]; start.len()], right: vec![0.0; start.len()] };
-        for ((at, sample), weight) in stencils.iter().zip(samples).zip(weights) {
-            let w = at.weights.map(|x| x * weight);
-            let [a, b, c, d] = at.weights;
-            let (i, j) = (at.cell, at.cell + columns);
-            add(&mut system.entries[i], [w[0] * a, w[0] * b, 0.0, w[0] * c, w[0] * d]);
-            add(&mut system.entries[i + 1], [w[1] * b, 0.0, w[1] * c, w[1] * d, 0.0]);
-            add(&mut system.entries[j], [w[2] * c, w[2] * d, 0.0, 0.0, 0.0]);
-            add(&mut system.entries[j + 1], [w[3] * d, 0.0, 0.0, 0.0, 0.0]);
-            for (texel, w) in [i, i + 1, j, j + 1].into_iter().zip(w) {
-                system.right[texel] += w * sample.target;
-            }
+    if last == 0 {
+        for (i, sample) in samples.iter_mut().enumerate() {
+            let (base, f) = lattice.cell(0, i);
+            *sample = texels[base] + (texels[base + 1] - texels[base]) * f;
         }
-        let tie = TIE * system.entries.iter().map(|e| e[0]).sum::<f64>() / start.len() as f64;
-        for ((entry, right), value) in system.entries.iter_mut().zip(&mut system.right).zip(start) {
-            entry[0] += tie;
-            *right += tie * value;
-        }
-        system
+        return;
     }
-
-    fn times(&self, x: &[f64], out: &mut [f64]) {
-        let (n, columns) = (x.len(), self.columns);
-        out.fill(0.0);
-        for (i, entry) in self.entries.iter().enumerate() {
-            out[i] += entry[0] * x[i];
-            for (k, offset) in [1, columns - 1, columns, columns + 1].into_iter().enumerate() {
-                let j = i + offset;
-                if j < n {
-                    out[i] += entry[k + 1] * x[j];
-                    out[j] += entry[k + 1] * x[i];
-                }
-            }
-        }
-    }
-
-    /// Conjugate gradients with the diagonal as preconditioner, from the values in `x`, to 1e-12 of the right-hand side.
-    fn solve(&self, x: &mut [f64]) {
-        let n = x.len();
-        let mut product = vec![0.0; n];
-        self.times(x, &mut product);
-        let mut residual: Vec<f64> = self.right.iter().zip(&product).map(|(b, a)| b - a).collect();
-        let precondition =
-            |r: &[f64]| -> Vec<f64> { r.iter().zip(&self.entries).map(|(r, e)| r / e[0]).collect() };
-        let mut z = precondition(&residual);
-        let mut direction = z.clone();
-        let mut energy = dot(&residual, &z);
-        let goal = 1e-24 * dot(&self.right, &precondition(&self.right));
-        for _ in 0..4 * n {
-            if energy <= goal {
-                return;
-            }
-            self.times(&direction, &mut product);
-            let step = energy / dot(&direction, &product);
-            for i in 0..n {
-                x[i] += step * direction[i];
-                residual[i] -= step * product[i];
-            }
-            z = precondition(&residual);
-            let next = dot(&residual, &z);
-            let ratio = next / energy;
-            for i in 0..n {
-                direction[i] = z[i] + ratio * direction[i];
-            }
-            energy = next;
-        }
+    for (j, samples) in samples.chunks_exact_mut(lattice.stride(last)).enumerate() {
+        fill(lattice, last, &between(texels, lattice.size[last], lattice.cell(last, j)), samples);
     }
 }
 
-fn add(entry: &mut [f64; 5], values: [f64; 5]) {
-    for (e, v) in entry.iter_mut().zip(values) {
-        *e += v;
+/// Between two neighbours of `count` equal parts, which lie one after the other.
+fn between(values: &[f64], count: usize, (base, f): (usize, f64)) -> Vec<f64> {
+    let length = values.len() / count;
+    let (low, high) = values[base * length..(base + 2) * length].split_at(length);
+    low.iter().zip(high).map(|(a, b)| a + (b - a) * f).collect()
+}
+
+/// Moves every texel towards the balance of the extreme errors around it.
+fn relax(lattice: &Lattice, errors: &[f64], texels: &mut [f64]) {
+    let last = lattice.size.len() - 1;
+    let parts: Vec<Vec<Extremes>> =
+        errors.par_chunks(lattice.stride(last)).map(|part| around(lattice, last, part)).collect();
+    let length = texels.len() / lattice.size[last];
+    texels.par_chunks_mut(length).enumerate().for_each(|(along, texels)| {
+        for (i, texel) in texels.iter_mut().enumerate() {
+            let near = parts[lattice.support(last, along)].iter().map(|part| part[i]);
+            let Extremes { low, high } = Extremes::of(near);
+            *texel -= DAMPING * 0.5 * (low + high);
+        }
+    });
+}
+
+/// The smallest and the largest of some errors.
+#[derive(Clone, Copy)]
+struct Extremes {
+    low: f64,
+    high: f64,
+}
+
+impl Extremes {
+    fn of(all: impl Iterator<Item = Extremes>) -> Extremes {
+        let none = Extremes { low: f64::INFINITY, high: f64::NEG_INFINITY };
+        all.fold(none, |a, b| Extremes { low: a.low.min(b.low), high: a.high.max(b.high) })
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+/// The extreme errors around every texel of the first `axes` axes.
+fn around(lattice: &Lattice, axes: usize, errors: &[f64]) -> Vec<Extremes> {
+    let Some(last) = axes.checked_sub(1) else {
+        return errors.iter().map(|e| Extremes { low: *e, high: *e }).collect();
+    };
+    let spans = (0..lattice.size[last]).map(|texel| lattice.support(last, texel));
+    if last == 0 {
+        let one = |e: &f64| Extremes { low: *e, high: *e };
+        return spans.map(|span| Extremes::of(errors[span].iter().map(one))).collect();
+    }
+    let parts: Vec<Vec<Extremes>> =
+        errors.chunks_exact(lattice.stride(last)).map(|part| around(lattice, last, part)).collect();
+    let texels = parts[0].len();
+    let merged = |span: std::ops::Range<usize>| {
+        let parts = &parts[span];
+        (0..texels).map(move |i| Extremes::of(parts.iter().map(|part| part[i]))).collect::<Vec<_>>()
+    };
+    spans.flat_map(merged).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn grid(columns: usize, rows: usize, per_cell: usize, f: impl Fn(f64, f64) -> f64) -> Vec<TexelSample> {
-        let mut samples = Vec::new();
-        for j in 0..=(rows - 1) * per_cell {
-            for i in 0..=(columns - 1) * per_cell {
-                let (x, y) = (i as f64 / per_cell as f64, j as f64 / per_cell as f64);
-                samples.push(TexelSample { x, y, target: f(x, y), weight: 1.0 });
-            }
+    fn lattice(size: &[usize], per_cell: &[usize]) -> Lattice {
+        Lattice { size: size.to_vec(), per_cell: per_cell.to_vec() }
+    }
+
+    /// Values of a function of positions in texels at the texels, and at the samples.
+    fn wanted(lattice: &Lattice, f: impl Fn(&[f64]) -> f64) -> (Vec<f64>, Wanted) {
+        let values = |per_cell: &[usize]| -> Vec<f64> {
+            let grid = Lattice { size: lattice.size.clone(), per_cell: per_cell.to_vec() };
+            let place = |mut i: usize| -> Vec<f64> {
+                let along = |(axis, n): (usize, usize)| {
+                    let at = grid.position(axis, i % n);
+                    i /= n;
+                    at
+                };
+                grid.samples().into_iter().enumerate().map(along).collect()
+            };
+            (0..grid.samples().iter().product()).map(|i| f(&place(i))).collect()
+        };
+        let targets = values(&lattice.per_cell);
+        let weights = vec![1.0; targets.len()];
+        (values(&vec![1; lattice.size.len()]), Wanted { targets, weights })
+    }
+
+    /// Of one to four axes.
+    fn lattices() -> [Lattice; 4] {
+        [
+            lattice(&[9], &[4]),
+            lattice(&[6, 5], &[4, 3]),
+            lattice(&[5, 4, 3], &[2, 3, 4]),
+            lattice(&[4, 3, 3, 2], &[2, 2, 3, 2]),
+        ]
+    }
+
+    #[test]
+    fn what_is_linear_along_each_axis_is_left_alone() {
+        for lattice in lattices() {
+            let f = |x: &[f64]| x.iter().fold(1.0, |product, x| product * (1.0 + 0.1 * x));
+            let (start, wanted) = wanted(&lattice, f);
+            let (texels, error) = optimise(&lattice, &start, &wanted, 10);
+            assert!(error < 1e-14, "{error}");
+            assert!(texels.iter().zip(&start).all(|(a, b)| (a - b).abs() < 1e-13));
         }
-        samples
     }
 
-    fn exact(columns: usize, rows: usize, f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
-        (0..columns * rows).map(|i| f((i % columns) as f64, (i / columns) as f64)).collect()
+    /// Parabolas along all axes: interpolation errs by h^2 f''/8 for each axis to one side at the middle of a cell; shifting every
+    /// texel by half of the sum halves it, and nothing does better.
+    #[test]
+    fn a_paraboloid_reaches_half_the_interpolation_error() {
+        for lattice in [lattice(&[9], &[16]), lattice(&[9, 6], &[2, 2]), lattice(&[9, 6, 5], &[2, 2, 2])] {
+            let (start, wanted) = wanted(&lattice, |x| x.iter().map(|x| x * x).sum());
+            let least = 0.125 * lattice.size.len() as f64;
+            let (_, before) = optimise(&lattice, &start, &wanted, 0);
+            let (_, after) = optimise(&lattice, &start, &wanted, 20);
+            assert!(
+                (before - 2.0 * least).abs() < 1e-12 && (least..1.003 * least).contains(&after),
+                "{after}"
+            );
+        }
     }
 
     #[test]
-    fn a_bilinear_function_is_left_alone() {
-        let f = |x: f64, y: f64| 1.0 + 0.3 * x - 0.2 * y + 0.05 * x * y;
-        let start = exact(6, 5, f);
-        let (texels, error) = optimise(6, &start, &grid(6, 5, 4, f));
-        assert!(error < 1e-14);
-        assert!(texels.iter().zip(&start).all(|(a, b)| (a - b).abs() < 1e-12));
-    }
-
-    /// A parabola per cell: interpolation errs by h^2 f''/8 to one side; shifting every texel by half of it halves it, and
-    /// nothing does better.
-    #[test]
-    fn a_parabola_reaches_half_the_interpolation_error() {
-        let f = |x: f64, _: f64| x * x;
-        let start = exact(9, 2, f);
-        let (_, error) = optimise(9, &start, &grid(9, 2, 16, f));
-        assert!((0.125..0.1265).contains(&error), "{error}");
+    fn never_worse_than_the_start_and_the_same_on_any_number_of_threads() {
+        for lattice in lattices() {
+            let f = |x: &[f64]| x.iter().enumerate().map(|(k, x)| (x - 1.3 - k as f64 * 0.2).abs()).sum();
+            let (start, mut wanted) = wanted(&lattice, f);
+            for (i, weight) in wanted.weights.iter_mut().enumerate() {
+                *weight = (i % 7) as f64 / 6.0;
+            }
+            let run = || optimise(&lattice, &start, &wanted, 15);
+            let (_, before) = optimise(&lattice, &start, &wanted, 0);
+            let pool = |n| rayon::ThreadPoolBuilder::new().num_threads(n).build().expect("a pool");
+            let (one, three) = (pool(1).install(run), pool(3).install(run));
+            assert_eq!(one, three);
+            assert!(one.1 < 0.95 * before, "{} {before}", one.1);
+        }
     }
 
     #[test]
-    fn untouched_texels_keep_their_value() {
-        let f = |x: f64, y: f64| x * x + y;
-        let start = exact(8, 4, f);
-        let samples: Vec<_> = grid(8, 4, 4, f).into_iter().filter(|s| s.x >= 4.0).collect();
-        let (texels, _) = optimise(8, &start, &samples);
-        for row in 0..4 {
-            for column in 0..3 {
-                assert!((texels[row * 8 + column] - start[row * 8 + column]).abs() < 1e-9);
+    fn texels_that_no_sample_touches_stay_as_they_are() {
+        for lattice in [lattice(&[8, 4], &[4, 4]), lattice(&[8, 3, 3], &[2, 2, 2])] {
+            let (start, mut wanted) = wanted(&lattice, |x| x.iter().map(|x| x * x).sum());
+            let columns = lattice.samples()[0];
+            for (i, weight) in wanted.weights.iter_mut().enumerate() {
+                *weight = if i % columns >= 4 * lattice.per_cell[0] { 1.0 } else { 0.0 };
+            }
+            let (texels, _) = optimise(&lattice, &start, &wanted, 8);
+            for i in (0..texels.len()).filter(|i| i % 8 < 4) {
+                assert_eq!(texels[i], start[i], "{i}");
             }
         }
     }

@@ -19,7 +19,7 @@ use crate::data::{
     AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, TableError, TexelFormat,
     Warp,
 };
-use lobefit_fit::texels::{self, TexelSample};
+use lobefit_fit::texels::{self, Lattice, Wanted};
 use lobefit_truth::integrate::reflection::{Effort, albedo, split};
 
 /// What to bake.
@@ -53,6 +53,9 @@ fn per_cell(size: [usize; 2]) -> usize {
     }
 }
 
+/// Rounds of relaxation after which the error of these tables stands still.
+const ROUNDS: usize = 100;
+
 /// The table before its texels are rounded to their format.
 pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, TableError> {
     let axes = axes(spec);
@@ -85,10 +88,8 @@ fn axes(spec: &TableSpec) -> [Axis; 2] {
     [axis("mu", spec.size[0], warp, 0.0, 1.0), axis("roughness", spec.size[1], Warp::Linear, low, high)]
 }
 
-/// A point of the domain with its position in texels and its truth; B is 0 where the table does not hold it.
+/// A point of the domain with its truth; B is 0 where the table does not hold it.
 struct Node {
-    x: f64,
-    y: f64,
     mu: f64,
     e: f64,
     b: f64,
@@ -96,7 +97,7 @@ struct Node {
 
 impl Node {
     /// E and B at a position in texels.
-    fn new(spec: &TableSpec, axes: &[Axis; 2], x: f64, y: f64) -> Node {
+    fn new(spec: &TableSpec, axes: &[Axis; 2], [x, y]: [f64; 2]) -> Node {
         let (u, v) = (unit(&axes[0], x), unit(&axes[1], y));
         let alpha = spec.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
         let mu = axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0);
@@ -105,7 +106,7 @@ impl Node {
             Serves::SplitSum => split(spec.smith, alpha, mu, effort),
             Serves::Albedo => (albedo(spec.smith, alpha, mu, &effort.outer), 0.0),
         };
-        Node { x, y, mu, e, b }
+        Node { mu, e, b }
     }
 
     /// The encoded bias for a lookup whose albedo is `e`.
@@ -123,7 +124,8 @@ fn unit(axis: &Axis, position: f64) -> f64 {
 }
 
 fn sampled(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
-    let nodes = lattice(spec, axes, 1, counter);
+    let texels = Lattice { size: spec.size.to_vec(), per_cell: vec![1; 2] };
+    let nodes = nodes(spec, axes, &texels, counter);
     match spec.serves {
         Serves::Albedo => vec![channel("E", nodes.iter().map(|n| n.e).collect())],
         Serves::SplitSum => vec![
@@ -134,25 +136,32 @@ fn sampled(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel
 }
 
 fn optimised(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
-    let columns = spec.size[0];
-    let nodes = lattice(spec, axes, 1, counter);
-    let mut dense = lattice(spec, axes, per_cell(spec.size), counter);
-    dense.retain(|n| n.mu >= spec.region.mu[0]);
-    let start: Vec<f64> = nodes.iter().map(|n| 1.0 - n.e).collect();
-    let samples = |f: &dyn Fn(&Node) -> (f64, f64)| -> Vec<TexelSample> {
-        let sample = |n: &Node| {
-            let (target, weight) = f(n);
-            TexelSample { x: n.x, y: n.y, target, weight }
-        };
-        dense.iter().map(sample).collect()
+    let lattice = Lattice { size: spec.size.to_vec(), per_cell: vec![per_cell(spec.size); 2] };
+    let dense = nodes(spec, axes, &lattice, counter);
+    let columns = lattice.samples()[0];
+    let at_texels = |values: &[f64]| -> Vec<f64> {
+        let step = lattice.per_cell[0];
+        let rows = values.chunks_exact(columns).step_by(step);
+        rows.flat_map(|row| row.iter().copied().step_by(step)).collect()
     };
-    let (loss, _) = texels::optimise(columns, &start, &samples(&|n| (1.0 - n.e, 1.0)));
+    // Below the region's mu nothing is looked up.
+    let seen = |n: &Node| if n.mu >= spec.region.mu[0] { 1.0 } else { 0.0 };
+    let losses: Vec<f64> = dense.iter().map(|n| 1.0 - n.e).collect();
+    let start = at_texels(&losses);
+    let wanted = Wanted { targets: losses, weights: dense.iter().map(seen).collect() };
+    let (loss, _) = texels::optimise(&lattice, &start, &wanted, ROUNDS);
     let mut channels = vec![channel("loss", loss)];
     if spec.serves == Serves::SplitSum {
         // The bias is fitted to the albedo as looked up, so that their errors cancel in B where they can.
-        let albedo = |n: &Node| 1.0 - bilinear(&channels[0].texels, columns, n.x, n.y);
-        let start: Vec<f64> = nodes.iter().map(|n| n.bias(n.e)).collect();
-        let (bias, _) = texels::optimise(columns, &start, &samples(&|n| (n.bias(albedo(n)), albedo(n))));
+        let albedos: Vec<f64> =
+            texels::looked_up(&lattice, &channels[0].texels).into_iter().map(|loss| 1.0 - loss).collect();
+        let start = at_texels(&dense.iter().map(|n| n.bias(n.e)).collect::<Vec<_>>());
+        let pairs = || dense.iter().zip(&albedos);
+        let wanted = Wanted {
+            targets: pairs().map(|(n, e)| n.bias(*e)).collect(),
+            weights: pairs().map(|(n, e)| seen(n) * e).collect(),
+        };
+        let (bias, _) = texels::optimise(&lattice, &start, &wanted, ROUNDS);
         channels.push(channel("bias", bias));
     }
     channels
@@ -162,22 +171,14 @@ fn channel(name: &str, texels: Vec<f64>) -> Channel {
     Channel { name: name.into(), texels }
 }
 
-/// Truths at the texels and at `per_cell` - 1 points between neighbours along each axis.
-fn lattice(spec: &TableSpec, axes: &[Axis; 2], per_cell: usize, counter: &Counter) -> Vec<Node> {
-    let [columns, rows] = [0, 1].map(|k| (axes[k].size - 1) * per_cell + 1);
-    counter.add(columns * rows);
+/// Truths at the samples of a lattice.
+fn nodes(spec: &TableSpec, axes: &[Axis; 2], lattice: &Lattice, counter: &Counter) -> Vec<Node> {
+    let samples = lattice.samples();
+    counter.add(samples.iter().product());
     let row = |j: usize| -> Vec<Node> {
-        let y = j as f64 / per_cell as f64;
-        (0..columns).map(|i| Node::new(spec, axes, i as f64 / per_cell as f64, y)).collect()
+        let y = lattice.position(1, j);
+        (0..samples[0]).map(|i| Node::new(spec, axes, [lattice.position(0, i), y])).collect()
     };
-    let parts: Vec<Vec<Node>> = (0..rows).into_par_iter().map(row).collect();
+    let parts: Vec<Vec<Node>> = (0..samples[1]).into_par_iter().map(row).collect();
     parts.into_iter().flatten().collect()
-}
-
-fn bilinear(texels: &[f64], columns: usize, x: f64, y: f64) -> f64 {
-    let rows = texels.len() / columns;
-    let (x0, y0) = ((x.floor() as usize).min(columns - 2), (y.floor() as usize).min(rows - 2));
-    let (fx, fy) = (x - x0 as f64, y - y0 as f64);
-    let t = &texels[y0 * columns + x0..];
-    (t[0] * (1.0 - fx) + t[1] * fx) * (1.0 - fy) + (t[columns] * (1.0 - fx) + t[columns + 1] * fx) * fy
 }

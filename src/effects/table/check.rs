@@ -10,7 +10,7 @@ use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 
 use super::{Node, VolumePlan};
-use lobefit_fit::volume::Wanted;
+use lobefit_fit::texels::Wanted;
 use lobefit_truth::integrate::IntegrateError;
 
 /// Lines of alpha that are integrated whole.
@@ -45,7 +45,7 @@ pub fn check<const TABLES: usize>(
 ) -> Result<Checked, IntegrateError> {
     let [columns, rows, slices] = plan.samples();
     let index = |[column, row, slice]: [usize; 3]| (slice * rows + row) * columns + column;
-    let counts = |at: &[usize; 3]| wanted.iter().any(|w| w.counts[index(*at)]);
+    let counts = |at: &[usize; 3]| wanted.iter().any(|w| w.weights[index(*at)] > 0.0);
     let mut checked = Checked::default();
     let mut compare = |samples: Vec<[usize; 3]>| -> Result<Vec<(f64, [usize; 3])>, IntegrateError> {
         let nodes: Vec<Node> = samples.iter().map(|at| plan.sample(*at)).collect();

@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use crate::data::{AlphaMap, Axis, Surface};
-use lobefit_fit::volume::{self, Lattice, Wanted};
+use lobefit_fit::texels::{self, Lattice, Wanted};
 use lobefit_math::chebyshev::{self, Chebyshev};
 use lobefit_math::ops;
 
@@ -45,7 +45,8 @@ impl VolumePlan {
         smallest_mu: f64,
     ) -> VolumePlan {
         assert!(axes[1].min > 0.0, "a table of three axes begins at a roughness above 0");
-        let lattice = Lattice { size: [axes[0].size, axes[1].size, axes[2].size], per_cell };
+        let size = axes.iter().map(|axis| axis.size).collect();
+        let lattice = Lattice { size, per_cell: per_cell.to_vec() };
         let [low, high] = [axes[1].min, axes[1].max].map(|r| alpha_map.alpha(r));
         let ends = [low, high];
         let mut nodes: Vec<f64> =
@@ -57,7 +58,7 @@ impl VolumePlan {
 
     /// The points whose values [`VolumePlan::texels`] takes: columns fastest, then slices, then nodes of alpha.
     pub fn points(&self) -> Vec<Node> {
-        let [columns, _, slices] = self.lattice.samples();
+        let [columns, _, slices] = self.samples();
         let mut points = Vec::with_capacity(columns * slices * self.nodes.len());
         for alpha in &self.nodes {
             for slice in 0..slices {
@@ -82,34 +83,34 @@ impl VolumePlan {
     /// # Panics
     /// If there are not as many losses as points.
     pub fn targets(&self, losses: &[f64]) -> Wanted {
-        let [columns, rows, slices] = self.lattice.samples();
+        let [columns, rows, slices] = self.samples();
         assert_eq!(losses.len(), columns * slices * self.nodes.len(), "a loss for each point");
         let alphas: Vec<f64> = (0..rows).map(|row| self.alpha(row)).collect();
         let ends = [self.nodes[0], self.nodes[self.nodes.len() - 1]].map(ops::log);
         let mut targets = vec![0.0; columns * rows * slices];
-        let mut counts = vec![false; columns * rows * slices];
-        let planes = targets.par_chunks_mut(columns * rows).zip(counts.par_chunks_mut(columns * rows));
-        planes.enumerate().for_each(|(slice, (targets, counts))| {
+        let mut weights = vec![0.0; columns * rows * slices];
+        let planes = targets.par_chunks_mut(columns * rows).zip(weights.par_chunks_mut(columns * rows));
+        planes.enumerate().for_each(|(slice, (targets, weights))| {
             for column in 0..columns {
                 let at = |node: usize| losses[(node * slices + slice) * columns + column];
                 let along = Chebyshev::new(ends[0], ends[1], (0..self.nodes.len()).map(at).collect());
                 for (row, alpha) in alphas.iter().enumerate() {
                     targets[row * columns + column] = along.at(ops::log(*alpha).clamp(ends[0], ends[1]));
-                    counts[row * columns + column] = self.counts(column, slice, *alpha);
+                    weights[row * columns + column] = self.weight(column, slice, *alpha);
                 }
             }
         });
-        Wanted { targets, counts }
+        Wanted { targets, weights }
     }
 
     /// Texels for targets of this plan, as [`VolumePlan::texels`] gives them.
     pub fn optimised(&self, wanted: &Wanted, rounds: usize) -> (Vec<f64>, f64) {
-        volume::optimise(self.lattice, &self.at_texels(&wanted.targets), wanted, rounds)
+        texels::optimise(&self.lattice, &self.at_texels(&wanted.targets), wanted, rounds)
     }
 
     /// Columns, rows and slices of the lattice.
     pub fn samples(&self) -> [usize; 3] {
-        self.lattice.samples()
+        [0, 1, 2].map(|axis| (self.axes[axis].size - 1) * self.lattice.per_cell[axis] + 1)
     }
 
     /// The point of a sample of the lattice: column, row, slice.
@@ -119,15 +120,15 @@ impl VolumePlan {
         self.point(column, slice, alpha)
     }
 
-    /// Whether a lookup of the region comes near the sample.
-    fn counts(&self, column: usize, slice: usize, alpha: f64) -> bool {
-        let next = (column + 1).min(self.lattice.samples()[0] - 1);
-        self.mu(next, slice, alpha) > self.smallest_mu
+    /// 1 where a lookup of the region comes near the sample, else 0.
+    fn weight(&self, column: usize, slice: usize, alpha: f64) -> f64 {
+        let next = (column + 1).min(self.samples()[0] - 1);
+        f64::from(u8::from(self.mu(next, slice, alpha) > self.smallest_mu))
     }
 
     fn at_texels(&self, samples: &[f64]) -> Vec<f64> {
-        let ([columns, rows, _], step) = (self.lattice.samples(), self.lattice.per_cell);
-        let [x, y, z] = self.lattice.size;
+        let ([columns, rows, _], step) = (self.samples(), &self.lattice.per_cell);
+        let [x, y, z] = [0, 1, 2].map(|axis| self.axes[axis].size);
         let at = |i: usize| {
             let (column, row, slice) = (i % x * step[0], i / x % y * step[1], i / x / y * step[2]);
             samples[(slice * rows + row) * columns + column]
