@@ -1,19 +1,14 @@
 //! What makes a bake again.
 
-use crate::effects::UserHypothesis;
+use crate::effects::{UserHypothesis, catalogue_sources};
 use crate::emit::header::Recipe;
-use crate::plan::Plan;
 use crate::scene::Scene;
 
 /// Tool and version.
 pub const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
 
 /// The recipe of a scene: the hash covers the tool's version, the scene and every hypothesis, compiled in or the user's.
-pub fn recipe(
-    scene: &Scene,
-    plan: &Plan,
-    hypotheses: &[UserHypothesis],
-) -> Result<Recipe, serde_json::Error> {
+pub fn recipe(scene: &Scene, hypotheses: &[UserHypothesis]) -> Result<Recipe, serde_json::Error> {
     let scene_hash = scene.hash()?;
     let mut hasher = blake3::Hasher::new();
     let mut add = |text: &str| {
@@ -22,7 +17,7 @@ pub fn recipe(
     };
     add(TOOL);
     add(&scene_hash);
-    plan.catalogue.iter().flat_map(|effect| effect.sources()).for_each(&mut add);
+    catalogue_sources().for_each(&mut add);
     for hypothesis in hypotheses {
         add(&hypothesis.file);
         add(&hypothesis.source);

@@ -1,9 +1,11 @@
 //! `lobefit cost`: what accuracy costs in time.
 
-mod gpu;
+mod record;
 
-pub(super) use gpu::RECORD_BYTES;
+pub(super) use record::RECORD_BYTES;
+pub use record::RecordPlace;
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -12,14 +14,15 @@ use super::input::Input;
 use super::options::{SceneOption, ThreadsOption};
 use super::output::{Outcome, print};
 use super::progress::Bar;
-use super::{CliError, input};
+use super::{CliError, external, input};
 use crate::bake::{BakeError, Progress, Selection, recipe};
-use crate::plan::{self, Plan};
+use crate::plan;
 use crate::report::{self, Origin, Timings};
 use crate::store::{self, Files, Folder};
 use crate::timing::timings;
 
-pub(super) const EXAMPLES: &str = "\
+/// Examples of the help.
+pub const EXAMPLES: &str = "\
 Examples:
   lobefit cost                          measure, and write reports/timings.html and reports/timings.json
   lobefit cost scene.json --out assets --json
@@ -30,17 +33,18 @@ Examples:
                                         write the page of a record again
 
 Seconds differ from run to run; `check` ignores reports/timings.*, and tells which rows of the records in reports/gpu/ are of
-other code than the bake's. --gpu is there in builds with the feature `gpu`: cargo build --release --features gpu.";
+other code than the bake's. --gpu is in the package lobefit-gpu: cargo build --release -p lobefit-gpu.";
 
 /// The command that measures on the processor.
 const COMMAND: &str = "lobefit cost";
 
 /// What is said where there is nothing to measure.
-const NOTHING: &[u8] = b"the scene calls for no effect: nothing to measure, nothing written\n";
+pub const NOTHING: &[u8] = b"the scene calls for no effect: nothing to measure, nothing written\n";
 
 /// Options of `cost`.
 #[derive(Args)]
-pub(super) struct Options {
+pub struct Options {
+    /// The scene.
     #[command(flatten)]
     pub scene: SceneOption,
     /// Output folder, created if missing
@@ -61,6 +65,7 @@ pub(super) struct Options {
     /// Write the page of a record again, and measure nothing
     #[arg(long, value_name = "FILE", conflicts_with_all = ["gpu", "scene", "json"])]
     pub page: Option<PathBuf>,
+    /// The worker threads.
     #[command(flatten)]
     pub threads: ThreadsOption,
     /// Print the measurements as JSON on standard output
@@ -71,24 +76,25 @@ pub(super) struct Options {
     pub quiet: bool,
 }
 
-pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
+/// Runs the verb; `words` are those that follow it, for the package that drives graphics processors.
+pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliError> {
     if let Some(record) = &options.page {
-        return gpu::page(options, record);
+        return record::page(options, record);
     }
     if options.gpu {
-        return gpu::run(options);
+        return external::run("lobefit-gpu", words);
     }
     let input = input::load(&options.scene)?;
     let plan = plan::plan(&input.scene);
     let mut folder = Folder::open(&options.out)?;
     if plan.is_empty() {
-        return nothing(options, &input, &plan);
+        return nothing(options, &input);
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");
-        let measured = timings(&input.scene, &baked, origin(&input, &plan, COMMAND)?, device())?;
+        let measured = timings(&input.scene, &baked, origin(&input, COMMAND)?, device())?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);
@@ -103,9 +109,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 }
 
 /// The end for a scene that calls for no effect: there is nothing to measure and nothing is written.
-fn nothing(options: &Options, input: &Input, plan: &Plan) -> Result<Outcome, CliError> {
+fn nothing(options: &Options, input: &Input) -> Result<Outcome, CliError> {
     if options.json {
-        let origin = origin(input, plan, COMMAND)?;
+        let origin = origin(input, COMMAND)?;
         let empty = Timings {
             origin,
             device: device(),
@@ -127,10 +133,14 @@ fn json(files: &Files) -> &[u8] {
     files.get("reports/timings.json").map_or(&[], Vec::as_slice)
 }
 
-fn origin(input: &Input, plan: &Plan, command: &str) -> Result<Origin, CliError> {
+/// What a measurement of a scene is made from.
+///
+/// # Errors
+/// A recipe that cannot be written as JSON.
+pub fn origin(input: &Input, command: &str) -> Result<Origin, CliError> {
     Ok(Origin {
         scene: input.scene.name.clone(),
-        recipe: recipe(&input.scene, plan, &input.hypotheses)?.hash,
+        recipe: recipe(&input.scene, &input.hypotheses)?.hash,
         tool: env!("CARGO_PKG_VERSION").into(),
         command: command.into(),
     })

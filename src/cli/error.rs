@@ -103,10 +103,6 @@ pub enum CliError {
     /// A formula that was not fitted.
     #[error("{0}")]
     Fitting(#[from] Box<FittingError>),
-    /// Nothing was measured on a graphics processor.
-    #[cfg(feature = "gpu")]
-    #[error(transparent)]
-    Gpu(#[from] Box<crate::timing::gpu::GpuError>),
     /// A record of times on a graphics processor that cannot be used.
     #[error("{}: {source}", visible(file))]
     Record {

@@ -18,7 +18,7 @@ use lobefit_truth::optics::kernel::Kernel;
 
 /// A scene and what it refers to.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Input {
+pub struct Input {
     /// The scene.
     pub scene: Scene,
     /// Its hypothesis files, in order of first mention; each parses.
@@ -30,7 +30,10 @@ pub(super) struct Input {
 
 impl Input {
     /// Bakes the scene's plan. Errors name hypothesis files by the paths at which they were read.
-    pub(super) fn bake(
+    ///
+    /// # Errors
+    /// What the bake says.
+    pub fn bake(
         &self,
         plan: &Plan,
         selection: Selection,
@@ -71,7 +74,10 @@ fn hypothesis_file(error: &mut BakeError) -> Option<&mut String> {
 }
 
 /// Reads the scene of a verb: a file, standard input, or the built-in one.
-pub(super) fn load(option: &SceneOption) -> Result<Input, CliError> {
+///
+/// # Errors
+/// A scene, or a file that it names, that cannot be read or is refused.
+pub fn load(option: &SceneOption) -> Result<Input, CliError> {
     let Some(path) = &option.scene else {
         return Ok(Input { scene: Scene::built_in()?, hypotheses: Vec::new(), paths: BTreeMap::new() });
     };

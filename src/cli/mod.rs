@@ -4,12 +4,12 @@
 
 mod bake;
 mod check;
-mod cost;
+pub mod cost;
 mod error;
 mod eval;
 mod external;
 mod fit;
-mod input;
+pub mod input;
 pub mod options;
 pub mod output;
 mod plan;
@@ -75,7 +75,8 @@ enum Verb {
 
 /// Runs the program on its arguments (the first is its own name).
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let cli = match Cli::try_parse_from(external::help_of_verb(arguments)) {
+    let arguments = external::help_of_verb(arguments);
+    let cli = match Cli::try_parse_from(&arguments) {
         Ok(cli) => cli,
         Err(usage) => return output::usage(&usage),
     };
@@ -86,7 +87,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Eval(options) => eval::run(&options),
         Verb::Fit(options) => fit::run(&options),
         Verb::Audit(external) => external::run("lobefit-audit", &external.words),
-        Verb::Cost(options) => cost::run(&options),
+        Verb::Cost(options) => cost::run(&options, &arguments[2..]),
         Verb::Report(external) => external::run("lobefit-studies", &external.words),
         Verb::Schema(options) => schema::run(&options),
     };

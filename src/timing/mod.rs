@@ -1,7 +1,5 @@
 //! What accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
 
-#[cfg(feature = "gpu")]
-pub mod gpu;
 mod lookups;
 pub mod record;
 mod tables;

@@ -289,21 +289,9 @@ fn options_that_do_not_go_together_are_wrong_usage() {
         &["cost", "--gpu", "--page", "a.json"],
         &["cost", "--page", "a.txt"],
         &["cost", "--page", "no-such.json"],
-        #[cfg(feature = "gpu")]
-        &["cost", "-", "--gpu", "--record", "a.txt"],
     ] {
         let (code, text, error) = run(folder.path(), arguments);
         assert_eq!((code, text.as_str()), (2, ""), "{arguments:?}: {error}");
         assert!(!error.is_empty() && names(folder.path()).is_empty(), "{arguments:?}");
     }
-}
-
-#[cfg(not(feature = "gpu"))]
-#[test]
-fn a_build_without_the_feature_says_how_to_get_one() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let (code, text, error) = run(folder.path(), &["cost", "-", "--gpu", "--record", "a.json"]);
-    assert_eq!((code, text.as_str()), (2, ""), "{error}");
-    assert!(error.contains("cargo build --release --features gpu"), "{error}");
-    assert!(names(folder.path()).is_empty());
 }

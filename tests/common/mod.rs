@@ -7,7 +7,11 @@ use std::process::{Command, Output, Stdio};
 /// The program under test and the arguments that it takes: a package above `lobefit` has a binary for one verb, which takes what
 /// follows the verb.
 fn program<'a>(arguments: &'a [&'a str]) -> (&'static str, &'a [&'a str]) {
-    let verb = [option_env!("CARGO_BIN_EXE_lobefit-audit"), option_env!("CARGO_BIN_EXE_lobefit-studies")];
+    let verb = [
+        option_env!("CARGO_BIN_EXE_lobefit-audit"),
+        option_env!("CARGO_BIN_EXE_lobefit-gpu"),
+        option_env!("CARGO_BIN_EXE_lobefit-studies"),
+    ];
     match (option_env!("CARGO_BIN_EXE_lobefit"), verb.into_iter().flatten().next()) {
         (Some(program), _) => (program, arguments),
         (None, Some(program)) => (program, &arguments[1..]),

@@ -8,26 +8,26 @@ pub mod languages;
 pub mod programs;
 pub mod solid;
 
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::sync::OnceLock;
 
 use lobefit::approximate::{Counter, Field, Fit, PointSet, Region, TRUTH_ERROR, certification};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
-use lobefit::effects::demand::Job;
 use lobefit::effects::reflection::{TableSpec, build};
 use lobefit::effects::table::{self, Lookup, Truth, measure};
 use lobefit::emit::lookup::Readable;
-use lobefit::plan::plan;
+use lobefit::plan::{FitJob, plan};
 use lobefit::scene::Scene;
 
 /// The built-in scene's bake, once per test binary, with the fit that it called for.
-pub fn baked() -> &'static (Baked, Job) {
-    static BAKED: OnceLock<(Baked, Job)> = OnceLock::new();
+pub fn baked() -> &'static (Baked, FitJob) {
+    static BAKED: OnceLock<(Baked, FitJob)> = OnceLock::new();
     BAKED.get_or_init(|| {
         let scene = Scene::built_in().expect("the built-in scene");
         let plan = plan(&scene);
-        let fit = plan.jobs("reflection").last().cloned().expect("the built-in scene calls for fits");
+        let fit = plan.fit.clone().expect("the built-in scene calls for fits");
         // Not the number that the committed files were made with.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
         let baked = pool.install(|| bake(&scene, &plan, &[], Selection::default(), &Silent));
@@ -83,7 +83,7 @@ impl Points {
     /// The region that the fits hold in.
     pub fn of_fits() -> Points {
         let job = &baked().1;
-        Points::of(&job.region(AlphaMap::default()).expect("a region"))
+        Points::of(&Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map })
     }
 
     pub fn len(&self) -> usize {
@@ -206,4 +206,26 @@ pub fn missing(what: &str, install: &str) {
     let required = std::env::var("LOBEFIT_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
     assert!(!required, "{what}; LOBEFIT_REQUIRE_TOOLS=1 asks for it: install {install}");
     say(&format!("skipped: {what}; to run it, install {install}"));
+}
+
+/// The functions of a WGSL file by name, each with its whole text.
+pub fn functions(source: &str) -> BTreeMap<&str, &str> {
+    let mut functions = BTreeMap::new();
+    for (start, _) in source.match_indices("fn ").filter(|(i, _)| *i == 0 || source[..*i].ends_with('\n')) {
+        let text = &source[start..];
+        let end = text.find("\n}\n").unwrap_or_else(|| panic!("an end of\n{text}")) + "\n}\n".len();
+        let name = text["fn ".len()..].split('(').next().expect("a name");
+        assert!(functions.insert(name, &text[..end]).is_none(), "{name} is there twice");
+    }
+    functions
+}
+
+/// A function as a module of its own: the functions of the file that it calls, and theirs, before it.
+pub fn module(name: &str, functions: &BTreeMap<&str, &str>) -> String {
+    let text = functions.get(name).unwrap_or_else(|| panic!("no {name}"));
+    let called = functions.keys().filter(|other| **other != name && text.contains(&format!("{other}(")));
+    // A name may end in another: only a call begins where no name goes on.
+    let begins = |at: usize| !text[..at].ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
+    let called = called.filter(|other| text.match_indices(&format!("{other}(")).any(|(at, _)| begins(at)));
+    called.map(|other| module(other, functions)).collect::<String>() + text
 }

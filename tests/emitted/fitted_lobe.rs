@@ -1,6 +1,6 @@
 //! Lookups of the fitted lobe as emitted where it is hard: at grazing views, from below, and as alpha goes to 0.
 
-use crate::lookups::{EMITTED, Emitted, Point, text};
+use crate::lookup_support::{EMITTED, Emitted, Point, text};
 use lobefit_math::ops::{pow, sincos};
 use lobefit_math::vector::{Vec3, cross, length, minus, normalise};
 use lobefit_shade::code::Language;

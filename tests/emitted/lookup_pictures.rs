@@ -1,6 +1,6 @@
 //! Pictures by lookups as emitted, beside those by the study's.
 
-use crate::lookups::{EMITTED, Point, single, text};
+use crate::lookup_support::{EMITTED, Point, single, text};
 use lobefit::report::Image;
 use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
 use lobefit_shade::code::Language;

@@ -1,7 +1,7 @@
 //! The effect parallax in the hands of others: what is emitted for probes is read, compiled and run in every language.
 
 use crate::emit_support;
-use crate::tools::{functions, module};
+use crate::emit_support::{functions, module};
 
 use std::sync::LazyLock;
 

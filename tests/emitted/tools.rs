@@ -2,14 +2,15 @@
 
 use crate::emit_support;
 
-use std::collections::BTreeMap;
 use std::fs;
 
 use emit_support::accuracy::{CPU, bound};
 use emit_support::compilers::{self, Contraction, includes_in_cpp, loops};
 use emit_support::languages::{self, Called, FAMILY, compile, file};
 use emit_support::programs::{READ_EXR, compile_library, python, run};
-use emit_support::{Looked, Points, baked, baked_tables, emitted, manifest, other_tables, say, text};
+use emit_support::{
+    Looked, Points, baked, baked_tables, emitted, functions, manifest, module, other_tables, say, text,
+};
 use lobefit::approximate::Fit;
 use lobefit::effects::coupling::emitted as coupling;
 use lobefit::effects::parallax::PREFIX;
@@ -41,28 +42,6 @@ fn naga_validates_the_whole_wgsl_file_and_finds_the_functions_of_the_manifest() 
         assert!(function.arguments.iter().all(|a| f32(a.ty)), "{name}: f32 arguments");
         assert!(function.result.as_ref().is_some_and(|r| f32(r.ty)), "{name}: f32 result");
     }
-}
-
-/// The functions of a WGSL file by name, each with its whole text.
-pub fn functions(source: &str) -> BTreeMap<&str, &str> {
-    let mut functions = BTreeMap::new();
-    for (start, _) in source.match_indices("fn ").filter(|(i, _)| *i == 0 || source[..*i].ends_with('\n')) {
-        let text = &source[start..];
-        let end = text.find("\n}\n").unwrap_or_else(|| panic!("an end of\n{text}")) + "\n}\n".len();
-        let name = text["fn ".len()..].split('(').next().expect("a name");
-        assert!(functions.insert(name, &text[..end]).is_none(), "{name} is there twice");
-    }
-    functions
-}
-
-/// A function as a module of its own: the functions of the file that it calls, and theirs, before it.
-pub fn module(name: &str, functions: &BTreeMap<&str, &str>) -> String {
-    let text = functions.get(name).unwrap_or_else(|| panic!("no {name}"));
-    let called = functions.keys().filter(|other| **other != name && text.contains(&format!("{other}(")));
-    // A name may end in another: only a call begins where no name goes on.
-    let begins = |at: usize| !text[..at].ends_with(|c: char| c.is_ascii_alphanumeric() || c == '_');
-    let called = called.filter(|other| text.match_indices(&format!("{other}(")).any(|(at, _)| begins(at)));
-    called.map(|other| module(other, functions)).collect::<String>() + text
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::{figures, words};
 use crate::data::Use;
 use crate::report::{
-    ApproximationFinding, Block, Dot, ReportError, Scatter, Section, Spread, TextTable, check,
+    ApproximationFinding, Block, Dot, Findings, ReportError, Scatter, Section, Spread, TextTable, check,
 };
 
 const COLUMNS: [(&str, bool); 10] = [
@@ -19,20 +19,20 @@ const COLUMNS: [(&str, bool); 10] = [
     ("source", false),
 ];
 
-pub(crate) fn section(all: &[ApproximationFinding]) -> Result<Option<Section>, ReportError> {
-    if all.is_empty() {
+pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
+    if findings.approximations.is_empty() {
         return Ok(None);
     }
-    unique(all)?;
+    unique(&findings.approximations)?;
     let mut blocks = Vec::new();
-    for group in groups(all) {
+    for group in groups(&findings.approximations) {
         blocks.extend(chart(&group)?);
     }
-    blocks.push(Block::Table(list(all)));
+    blocks.push(Block::Table(list(&findings.approximations)));
     Ok(Some(Section {
         id: "approximations".into(),
         title: "What accuracy costs at run time".into(),
-        lead: lead(all, blocks.len() > 1),
+        lead: lead(&findings.approximations, blocks.len() > 1),
         blocks,
     }))
 }

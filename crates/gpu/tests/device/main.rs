@@ -1,0 +1,17 @@
+//! Emitted code on a Vulkan device: what it computes, and how long it takes.
+
+#[path = "../../../../tests/common/mod.rs"]
+mod common;
+#[path = "../../../../tests/emit_support/mod.rs"]
+mod emit_support;
+#[path = "../gpu_support/mod.rs"]
+mod gpu_support;
+#[path = "../../../../tests/lookup_support/mod.rs"]
+mod lookup_support;
+
+mod cli;
+mod cost;
+mod lookups;
+mod shaders;
+mod volume;
+mod wgsl;

@@ -1,0 +1,77 @@
+//! Records of times on a graphics processor as files: the JSON, and its page beside it.
+
+use std::path::{Path, PathBuf};
+
+use super::super::CliError;
+use super::super::output::{Outcome, print};
+use super::Options;
+use crate::report::GpuRecord;
+use crate::store::{self, Files, Folder};
+use crate::timing::record;
+
+/// Largest record that is read, bytes.
+pub(in crate::cli) const RECORD_BYTES: u64 = 16 << 20;
+
+/// A record and its page: the folder they lie in, and their names there.
+pub struct RecordPlace {
+    folder: PathBuf,
+    names: [String; 2],
+}
+
+impl RecordPlace {
+    /// Of the file that an option names.
+    ///
+    /// # Errors
+    /// A name that does not end with .json.
+    pub fn of(option: &str, record: &Path) -> Result<RecordPlace, CliError> {
+        let shown = record.display().to_string();
+        let stem = record.file_stem().and_then(|stem| stem.to_str());
+        match stem {
+            Some(stem) if record.extension().is_some_and(|e| e == "json") => Ok(RecordPlace {
+                folder: record.parent().map(Path::to_path_buf).unwrap_or_default(),
+                names: [format!("{stem}.json"), format!("{stem}.html")],
+            }),
+            _ => Err(CliError::Usage(format!(
+                "{option} {}: a name that ends with .json is called for; the page lies beside it",
+                crate::scene::escape::visible(&shown)
+            ))),
+        }
+    }
+
+    /// Opens the folder that they are written to.
+    ///
+    /// # Errors
+    /// A folder that cannot be written.
+    pub fn open(&self) -> Result<Folder, CliError> {
+        Ok(Folder::open_flat(&self.folder)?)
+    }
+
+    /// Writes a record and its page, and says so unless told to be quiet.
+    ///
+    /// # Errors
+    /// Data that is not finite, files that cannot be written.
+    pub fn write(&self, folder: &mut Folder, record: &GpuRecord, quiet: bool) -> Result<(), CliError> {
+        let shown = self.folder.join(&self.names[0]).display().to_string();
+        let (page, figures) =
+            record::page(record).map_err(|source| CliError::Record { file: shown, source })?;
+        let [json, html] = self.names.clone();
+        let written = folder.write(&Files::from([(json, figures), (html, page.into_bytes())]))?;
+        if !quiet {
+            let (new, same) = (written.written.len(), written.unchanged.len());
+            let names = self.names.join(", ");
+            print(format!("{names}: {new} files written, {same} unchanged\n").as_bytes())?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes the page of a record again, and the record as this version writes it.
+pub(super) fn page(options: &Options, path: &Path) -> Result<Outcome, CliError> {
+    let place = RecordPlace::of("--page", path)?;
+    let bytes = store::read(path, RECORD_BYTES)?;
+    let record = record::read(&bytes)
+        .map_err(|source| CliError::Record { file: path.display().to_string(), source })?;
+    let mut folder = place.open()?;
+    place.write(&mut folder, &record, options.quiet)?;
+    Ok(Outcome::Done)
+}

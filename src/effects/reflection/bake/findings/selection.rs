@@ -1,0 +1,48 @@
+//! Which fits get pictures: a reader's time is short, and most fits are beaten by another.
+
+use crate::approximate::Fit;
+use crate::data::Use;
+use crate::effects::catalogue_sources;
+
+/// Our versions of the source post's two formulas: shown beside the published constants whether beaten or not.
+const REFITTED: [&str; 2] = ["ggx_norm_n1.wgsl", "ggx_norm_n2.wgsl"];
+
+/// A fit to be shown, and why it is.
+pub struct Selected<'a> {
+    /// The fit.
+    pub fit: &'a Fit,
+    /// What earns it a picture, as it reads after a number of fits.
+    pub because: &'static str,
+}
+
+/// The emitted fits for a use of E, or of a coupling factor, that are worth a picture, in the order given.
+pub fn selected(fits: &[Fit], used_as: Use) -> Vec<Selected<'_>> {
+    let of_use = |f: &&Fit| {
+        let a = &f.approximation;
+        let whole = matches!(a.column.as_str(), "E" | "factor");
+        a.used_as == used_as && whole && f.wraps.is_none() && f.emitted
+    };
+    let emitted: Vec<&Fit> = fits.iter().filter(of_use).collect();
+    emitted.iter().filter_map(|fit| Some(Selected { fit, because: reason(fit, &emitted)? })).collect()
+}
+
+fn reason(fit: &Fit, emitted: &[&Fit]) -> Option<&'static str> {
+    let error = |f: &Fit| f.approximation.certificate.max_abs;
+    let ops = |f: &Fit| f.approximation.cost.ops;
+    let file = fit.hypothesis.file();
+    let beats = |o: &&Fit| {
+        (ops(o) <= ops(fit) && error(o) < error(fit)) || (ops(o) < ops(fit) && error(o) <= error(fit))
+    };
+    let better_twin = || emitted.iter().any(|o| o.hypothesis.file() == file && error(o) < error(fit));
+    if fit.norm() == "published" {
+        Some("of the source, with published constants")
+    } else if !catalogue_sources().any(|source| source == fit.hypothesis.source()) {
+        Some("of the user")
+    } else if !emitted.iter().any(beats) {
+        Some("on the frontier (no emitted formula is as cheap and more accurate, or cheaper and as accurate)")
+    } else if REFITTED.contains(&file) && !better_twin() {
+        Some("of the source's form, with fitted constants")
+    } else {
+        None
+    }
+}
