@@ -6,14 +6,14 @@
 // Prefiltered probes; alpha = roughness^2
 // Inputs: alpha is the width of the lobe, roughness the parameter it is made from, mu the cosine between normal
 // and view.
-// (`path_tracer_*` have a form and a map of their own, which their heads tell.)
 // f0 is the reflectance at normal incidence.
 // `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.
 // `*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel.
 // `*_lookup` is E from a table; `*_compensate_*` take it.
-// ior is the index of refraction, inside over outside, for rays from either side.
+// (`path_tracer_*` have a form and a map of their own, which their heads tell.)
 // anisotropy a in [0, 1] makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the
 // squared cosine of the view's azimuth from the alpha_x axis.
+// ior is the index of refraction, inside over outside, for rays from either side.
 // `coupling_*` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.
 // `parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its head names and no other; rho is the
 // distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.
