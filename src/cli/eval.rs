@@ -13,10 +13,10 @@ use super::points::{self, Points, Row};
 use crate::data::Smith;
 use crate::store;
 use lobefit_truth::integrate::{IntegrateError, monte_carlo};
-use lobefit_truth::quantity::{Choice, Quantity};
+use lobefit_truth::quantity::{Choice, QUANTITIES, Quantity};
 use rayon::prelude::*;
 
-pub(super) const EXAMPLES: &str = "\
+const EXAMPLES: &str = "\
 Examples:
   lobefit eval ggx-reflection --points points.csv > values.csv
   printf 'alpha,mu\\n0.25,0.5\\n' | lobefit eval ggx-reflection --points -
@@ -24,21 +24,32 @@ Examples:
   printf 'alpha,mu,f0,specular\\n0.25,0.5,0.04,compensated\\n' | lobefit eval diffuse-coupling --points -
   printf 'alpha,rho\\n0.25,0.5\\n' | lobefit eval parallax-alpha --kernel mine.json --points -
   lobefit eval ggx-reflection --points points.csv --method monte-carlo --samples 1048576 --seed 7
+";
 
-Quantities (input columns: appended columns):
-  ggx-reflection        alpha, mu: E, A, B, loss, error
-  ggx-reflection-aniso  alpha_x, alpha_y, mu, phi: E, loss, error (without phi: the mean over it)
-  ggx-average           alpha: E_avg, loss_avg, error
-  ggx-glass             alpha, mu, ior, side (outside or inside): R, T, E, loss, error
-  sheen-charlie         alpha, mu: E, error (E exceeds 1 at grazing where alpha is below 0.2; it has no Smith form)
-  diffuse-coupling      alpha, mu, f0, specular (single, normalised or compensated): factor, error
-  parallax-alpha        alpha, rho (distance of the shading point over that of the probe), kernel (ndf, half or half-cosine; half-cosine
-                        without it; one for all points, or a table of another: --kernel): alpha_adjusted, tv, saturated (0 or 1),
-                        error
+const REMARKS: &str = "\
 alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass, [1e-6, 1] for sheen);
 mu is in [0, 1] (from 1e-6 for glass), ior in [1, 4], f0 in [0, 1]; Monte Carlo takes no zeros (but mu of sheen). Other
-columns are kept as they are. `error` bounds the distance of every value from the truth; with Monte Carlo it is four
-standard errors. Of a kernel's table that is the truth of the lobes as they are interpolated: between few widths they may differ by more.";
+columns are kept as they are. `error` estimates the largest distance of a value from the truth, from two rules of quadrature of which
+one has twice the nodes: it holds at all but 1 of 1000 points. With Monte Carlo it is four standard errors. Of a kernel's table the truth
+is that of the lobes as they are interpolated: between few widths they may differ by more.";
+
+/// What the help says after the options: examples, and every quantity with its columns.
+pub(super) fn after_help() -> String {
+    let row = |quantity: &&dyn Quantity| {
+        let choices = quantity.choices().iter().filter(|choice| **choice != Choice::Smith);
+        let choices = choices.map(|choice| format!("{} ({})", choice.name(), choice.words().join(", ")));
+        let inputs: Vec<String> =
+            quantity.inputs().iter().map(|input| input.name.to_owned()).chain(choices).collect();
+        let remark = match quantity.remark() {
+            "" => String::new(),
+            remark => format!(" ({remark})"),
+        };
+        let (name, outputs) = (quantity.name(), quantity.outputs().join(", "));
+        format!("  {name:<20}  {}: {outputs}{remark}\n", inputs.join(", "))
+    };
+    let rows: String = QUANTITIES.iter().map(row).collect();
+    format!("{EXAMPLES}\nQuantities (input columns: appended columns):\n{rows}{REMARKS}")
+}
 
 /// How the truth is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

@@ -54,7 +54,7 @@ enum Verb {
     #[command(after_help = check::EXAMPLES)]
     Check(check::Options),
     /// Compute a quantity at the points of a CSV file
-    #[command(after_help = eval::EXAMPLES)]
+    #[command(after_help = eval::after_help())]
     Eval(eval::Options),
     /// Fit a formula of your own to a quantity, or search for formulas (--search)
     #[command(after_help = fit::EXAMPLES)]

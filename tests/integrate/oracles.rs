@@ -174,6 +174,13 @@ fn ends_of_the_domain_are_values() {
     assert!((edge.e - 1.0).abs() < 1e-12 && edge.loss == 0.0, "{edge:?}");
 }
 
+/// At alpha = 1 the half vector's density is 1/pi, and at mu = 0 B = int (1 - v.h)^5 over the facets that are seen is 1/21.
+#[test]
+fn bias_at_grazing_view_is_within_its_error() {
+    let edge = reflection(Smith::Correlated, 1.0, 0.0, 1e-10).expect("mu = 0");
+    assert!((edge.b - 1.0 / 21.0).abs() <= edge.error, "{edge:?}");
+}
+
 #[test]
 fn bad_inputs_are_named() {
     let (neither, outside) = ("is neither 0 nor in [1e-7, 1]", "is outside [0, 1]");

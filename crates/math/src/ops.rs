@@ -5,7 +5,7 @@
 //! `sqrt`, `abs`, `floor` and `mul_add` are exact by IEEE 754 and may be called directly.
 
 pub use libm::{
-    acos, acosf, acosh, asin, asinf, asinh, atan, atan2, atan2f, atanf, cbrt, cos, cosf, cosh, exp, exp2,
-    exp2f, expf, expm1, lgamma, log, log1p, log2, log2f, logf, pow, powf, sin, sincos, sinf, sinh, tan, tanf,
-    tanh,
+    acos, acosf, acosh, asin, asinf, asinh, atan, atan2, atan2f, atanf, cbrt, cos, cosf, cosh, erfc, exp,
+    exp2, exp2f, expf, expm1, lgamma, log, log1p, log2, log2f, logf, pow, powf, sin, sincos, sinf, sinh, tan,
+    tanf, tanh,
 };

@@ -18,6 +18,7 @@ use super::coupling::{self, Specular, Split};
 use super::reflection::check_inputs;
 use super::{Estimate, IntegrateError};
 use crate::optics::Smith;
+use crate::optics::distribution::{Distribution, Ggx};
 use crate::optics::fresnel;
 use crate::optics::ggx::{self, Vec3};
 use lobefit_math::sobol::{DIMENSIONS, Sobol};
@@ -87,8 +88,19 @@ type Weights = [f64; 3];
 
 /// Estimates `ggx-reflection` at alpha in [1e-7, 1], mu in (0, 1].
 pub fn reflection(smith: Smith, alpha: f64, mu: f64, run: Run) -> Result<SampledReflection, IntegrateError> {
-    check("ggx-reflection", alpha, mu, run)?;
-    let means = replicas(run, |x| sample(smith, alpha, mu, run.draw, x));
+    reflection_of("ggx-reflection", smith, Ggx(alpha), mu, run)
+}
+
+/// [`reflection`] of any distribution of normals, as the quantity of a name.
+pub fn reflection_of<D: Distribution>(
+    quantity: &'static str,
+    smith: Smith,
+    lobe: D,
+    mu: f64,
+    run: Run,
+) -> Result<SampledReflection, IntegrateError> {
+    check(quantity, lobe.alpha(), mu, run)?;
+    let means = replicas(run, |x| sample(smith, lobe, mu, run.draw, x));
     Ok(SampledReflection {
         e: column(&means, run.samples, |w| w[0]),
         a: column(&means, run.samples, |w| w[0] - w[1]),
@@ -100,7 +112,7 @@ pub fn reflection(smith: Smith, alpha: f64, mu: f64, run: Run) -> Result<Sampled
 /// Estimates `ggx-average` at alpha in [1e-7, 1]: E_avg and its loss. The third coordinate draws the cosine, mu^2 uniform.
 pub fn average(smith: Smith, alpha: f64, run: Run) -> Result<(Sampled, Sampled), IntegrateError> {
     check("ggx-average", alpha, 1.0, run)?;
-    let means = replicas(run, |x| sample(smith, alpha, x[2].sqrt(), run.draw, x));
+    let means = replicas(run, |x| sample(smith, Ggx(alpha), x[2].sqrt(), run.draw, x));
     Ok((column(&means, run.samples, |w| w[0]), column(&means, run.samples, |w| w[2])))
 }
 
@@ -189,27 +201,28 @@ fn column(means: &[Weights], samples: u64, f: impl Fn(&Weights) -> f64) -> Sampl
 }
 
 /// Weights of one sample: kept light, the same times (1 - v.h)^5, lost light.
-fn sample(smith: Smith, alpha: f64, mu: f64, draw: Draw, x: [f64; DIMENSIONS]) -> Weights {
+fn sample<D: Distribution>(smith: Smith, lobe: D, mu: f64, draw: Draw, x: [f64; DIMENSIONS]) -> Weights {
     let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
     match draw {
-        Draw::VisibleNormal => by_visible_normal(smith, alpha, view, x),
-        Draw::UniformLight => by_uniform_light(smith, alpha, view, x),
+        Draw::VisibleNormal => by_visible_normal(smith, lobe, view, x),
+        Draw::UniformLight => by_uniform_light(smith, lobe, view, x),
     }
 }
 
-fn by_visible_normal(smith: Smith, alpha: f64, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
-    let normal = ggx::visible_normal([alpha; 2], view, x[0], x[1]);
+fn by_visible_normal<D: Distribution>(smith: Smith, lobe: D, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
+    let normal = lobe.visible_normal(view, x[0], x[1]);
     let (light, cosine) = ggx::mirror(view, normal);
     if light[2] <= 0.0 {
         return [0.0, 0.0, 1.0];
     }
-    let kept = ggx::lit_given_visible(smith, alpha, view[2], light[2].min(1.0));
-    let lost = ggx::shadowed_given_visible(smith, alpha, view[2], light[2].min(1.0));
+    let (of_view, of_light) = (lobe.lambda(view[2]), lobe.lambda(light[2].min(1.0)));
+    let kept = smith.lit_given_visible(of_view, of_light);
+    let lost = smith.shadowed_given_visible(of_view, of_light);
     [kept, kept * fresnel::schlick_weight(1.0 - cosine.min(1.0)), lost]
 }
 
 /// 2 pi f cos of a light uniform over the hemisphere; the textbook estimator, with the textbook's variance.
-fn by_uniform_light(smith: Smith, alpha: f64, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
+fn by_uniform_light<D: Distribution>(smith: Smith, lobe: D, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
     let mu_l = x[1].max(f64::MIN_POSITIVE);
     let sine = ((1.0 - mu_l) * (1.0 + mu_l)).sqrt();
     let (sin_azimuth, cos_azimuth) = lobefit_math::ops::sincos(2.0 * std::f64::consts::PI * x[0]);
@@ -217,11 +230,12 @@ fn by_uniform_light(smith: Smith, alpha: f64, view: Vec3, x: [f64; DIMENSIONS]) 
     let sum = [light[0] + view[0], light[1] + view[1], light[2] + view[2]];
     let length = (sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]).sqrt();
     let half = [sum[0] / length, sum[1] / length, sum[2] / length];
+    let (of_view, of_light) = (lobe.lambda(view[2]), lobe.lambda(mu_l));
     let g2 = match smith {
-        Smith::Correlated => 1.0 / (1.0 + ggx::lambda(alpha, view[2]) + ggx::lambda(alpha, mu_l)),
-        Smith::Separable => 1.0 / ((1.0 + ggx::lambda(alpha, view[2])) * (1.0 + ggx::lambda(alpha, mu_l))),
+        Smith::Correlated => 1.0 / (1.0 + of_view + of_light),
+        Smith::Separable => 1.0 / ((1.0 + of_view) * (1.0 + of_light)),
     };
     // 2 pi f cos = 2 pi D G2/(4 mu_v)
-    let kept = 0.5 * std::f64::consts::PI * ggx::distribution(alpha, half) * g2 / view[2];
+    let kept = 0.5 * std::f64::consts::PI * lobe.density(half) * g2 / view[2];
     [kept, kept * fresnel::schlick_weight(1.0 - 0.5 * length), 1.0 - kept]
 }

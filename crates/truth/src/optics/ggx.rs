@@ -28,47 +28,10 @@ pub fn lambda_towards(alpha: [f64; 2], direction: Vec3) -> f64 {
     square / (2.0 * (1.0 + (1.0 + square).sqrt()))
 }
 
-/// Probability that a microfacet seen from `mu_v` is also lit from `mu_l`: G2/G1(v), in [0, 1].
-/// Correlated (1 + Lambda_v)/(1 + Lambda_v + Lambda_l), separable 1/(1 + Lambda_l); both cosines in (0, 1].
+/// [`Smith::lit_given_visible`] of two cosines in (0, 1].
 #[inline(always)]
 pub fn lit_given_visible(smith: Smith, alpha: f64, mu_v: f64, mu_l: f64) -> f64 {
-    let lit = lambda(alpha, mu_l);
-    match smith {
-        Smith::Correlated => 1.0 / (1.0 + lit / (1.0 + lambda(alpha, mu_v))),
-        Smith::Separable => 1.0 / (1.0 + lit),
-    }
-}
-
-/// The complement 1 - G2/G1(v), computed directly.
-#[inline(always)]
-pub fn shadowed_given_visible(smith: Smith, alpha: f64, mu_v: f64, mu_l: f64) -> f64 {
-    let lit = lambda(alpha, mu_l);
-    match smith {
-        Smith::Correlated => lit / (1.0 + lambda(alpha, mu_v) + lit),
-        Smith::Separable => lit / (1.0 + lit),
-    }
-}
-
-/// Geometry factor of the reflection integral, G2/mu_v with no 0/0 at mu_v = 0:
-/// correlated 2 mu_l/(mu_l s_v + mu_v s_l), separable 4 mu_l/((mu_v + s_v)(mu_l + s_l)), s = [`stretched_length`].
-#[inline(always)]
-pub fn shadowing_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64) -> f64 {
-    match smith {
-        Smith::Correlated => 2.0 * mu_l / (mu_l * s_v + mu_v * s_l),
-        Smith::Separable => 4.0 * mu_l / ((mu_v + s_v) * (mu_l + s_l)),
-    }
-}
-
-/// (G1(v) - G2)/mu_v, the light that shadowing takes, with no cancellation at small alpha. `spread` = s_l^2 - mu_l^2, which is
-/// alpha^2 (1 - mu_l^2) for an isotropic lobe: s_l - mu_l = spread/(s_l + mu_l).
-#[inline(always)]
-pub fn shadowed_over_cosine(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64, spread: f64) -> f64 {
-    let lift = spread / (s_l + mu_l);
-    let masking = 2.0 / (mu_v + s_v);
-    match smith {
-        Smith::Correlated => masking * mu_v * lift / (s_v * mu_l + s_l * mu_v),
-        Smith::Separable => masking * lift / (s_l + mu_l),
-    }
+    smith.lit_given_visible(lambda(alpha, mu_v), lambda(alpha, mu_l))
 }
 
 /// G2/(4 mu_l mu_v), finite where one cosine is 0: correlated 1/(2 (mu_l s_v + mu_v s_l)), separable 1/((mu_v + s_v)(mu_l + s_l)),
@@ -157,12 +120,13 @@ mod tests {
     fn complements_add_up() {
         for smith in [Smith::Correlated, Smith::Separable] {
             for (alpha, v, l) in [(0.3, 0.2, 0.7), (1.0, 0.01, 0.5), (1e-3, 0.5, 1e-3)] {
-                let sum = lit_given_visible(smith, alpha, v, l) + shadowed_given_visible(smith, alpha, v, l);
+                let (of_v, of_l) = (lambda(alpha, v), lambda(alpha, l));
+                let sum = smith.lit_given_visible(of_v, of_l) + smith.shadowed_given_visible(of_v, of_l);
                 assert!((sum - 1.0).abs() < 4e-16, "{sum}");
                 let (s_v, s_l) = (stretched_length(alpha, v), stretched_length(alpha, l));
-                let kept = shadowing_over_cosine(smith, v, s_v, l, s_l) * v;
-                let taken =
-                    shadowed_over_cosine(smith, v, s_v, l, s_l, alpha * alpha * (1.0 - l) * (1.0 + l)) * v;
+                let kept = smith.shadowing_over_cosine(v, s_v, l, s_l) * v;
+                let lift = alpha * alpha * (1.0 - l) * (1.0 + l) / (s_l + l);
+                let taken = smith.shadowed_over_cosine(v, s_v, l, s_l, lift) * v;
                 let masking = 2.0 * v / (v + s_v);
                 assert!((kept + taken - masking).abs() < 1e-15, "{smith:?} {alpha} {v} {l}");
             }

@@ -1,6 +1,7 @@
 //! Pure models of optics. Each function states its domain, its limits and its source.
 
 pub mod diffuse;
+pub mod distribution;
 pub mod footprint;
 pub mod fresnel;
 pub mod ggx;

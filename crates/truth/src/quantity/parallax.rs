@@ -35,8 +35,7 @@ impl Quantity for ParallaxAlpha {
     }
 
     fn remark(&self) -> &'static str {
-        "rho: distance of the shading point over that of the probe; without kernel: half-cosine; a table of another: --kernel; \
-         saturated: 0 or 1"
+        "rho: distance of the shading point over that of the probe; without kernel: half-cosine; a table: --kernel"
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

@@ -3,7 +3,6 @@
 
 use super::view::View;
 use crate::integrate::PanelRule;
-use crate::optics::ggx;
 use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::{ops, panels};
 
@@ -96,7 +95,7 @@ impl<'a> Ray<'a> {
         self.along(v, |mu_l, spread| {
             let mu_l = mu_l.max(0.0);
             let s_l = (mu_l * mu_l + spread).sqrt();
-            ggx::shadowing_over_cosine(view.smith, view.mu, view.s_v, mu_l, s_l)
+            view.smith.shadowing_over_cosine(view.mu, view.s_v, mu_l, s_l)
         })
     }
 
@@ -106,7 +105,7 @@ impl<'a> Ray<'a> {
         self.along(v, |mu_l, spread| {
             let mu_l = mu_l.max(0.0);
             let s_l = (mu_l * mu_l + spread).sqrt();
-            ggx::shadowed_over_cosine(view.smith, view.mu, view.s_v, mu_l, s_l, spread)
+            view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, spread / (s_l + mu_l))
         })
     }
 

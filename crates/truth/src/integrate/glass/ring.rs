@@ -109,7 +109,7 @@ impl<'a> Ring<'a> {
             self.along(v, |half| {
                 let mu_l = height.at(half).max(0.0);
                 let s_l = ggx::stretched_length(view.alpha, mu_l.min(1.0));
-                ggx::shadowing_over_cosine(view.smith, view.mu, view.s_v, mu_l, s_l)
+                view.smith.shadowing_over_cosine(view.mu, view.s_v, mu_l, s_l)
             })
         });
         let taken = rule.panels(&cuts, &|v| {
@@ -117,7 +117,7 @@ impl<'a> Ring<'a> {
                 let mu_l = height.at(half).clamp(0.0, 1.0);
                 let s_l = ggx::stretched_length(view.alpha, mu_l);
                 let spread = view.alpha * view.alpha * ((1.0 - mu_l) * (1.0 + mu_l));
-                ggx::shadowed_over_cosine(view.smith, view.mu, view.s_v, mu_l, s_l, spread)
+                view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, spread / (s_l + mu_l))
             })
         });
         [kept, taken]

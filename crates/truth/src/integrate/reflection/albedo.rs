@@ -2,16 +2,42 @@
 
 use crate::integrate::estimate::PanelRule;
 use crate::optics::Smith;
-use crate::optics::ggx;
+use crate::optics::distribution::{Distribution, Ggx};
 use lobefit_math::lanes::{F8, LANES};
 
-use super::geometry::View;
+use super::geometry::{Lights, View};
 
-/// E(alpha, mu) for F = 1 by one rule; alpha > 0, mu in [0, 1].
-/// E = int G2/(4 mu) K dmu_l over the lights above the horizon.
+/// E(alpha, mu) of the GGX lobe for F = 1 by one rule; alpha > 0, mu in [0, 1].
 pub fn albedo(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule) -> f64 {
-    let view = View::new(smith, alpha, mu);
-    rule.panels(&view.cuts(), &|u| albedo_integrand(&view, u))
+    kept(&View::new(smith, Ggx(alpha), mu), rule)
+}
+
+/// 1 - E(alpha, mu) of the GGX lobe, computed directly; alpha > 0, mu in [0, 1].
+pub fn loss(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule) -> f64 {
+    lost(&View::new(smith, Ggx(alpha), mu), rule)
+}
+
+/// E = int G2/(4 mu) K dmu_l over the lights above the horizon, K the azimuth integral of D.
+pub(super) fn kept<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
+    rule.panels(&view.cuts(), &|u| albedo_integrand(view, u, rule))
+}
+
+/// 1 - E, computed directly.
+///
+/// By the weak white furnace (Heitz 2014, sec. 5.1) int G1(v)/(4 mu) K dmu_l = 1 over mu_l in [-mu, 1], so the loss is the
+/// light shadowed above the horizon, (G1(v) - G2)/(4 mu) K, and all that leaves below it, G1(v)/(4 mu) K.
+pub(super) fn lost<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
+    let above = rule.panels(&view.cuts(), &|u| shadowed_integrand(view, u, rule));
+    // A peak with a power for a tail is smooth below the horizon, over the cosine itself; another is resolved as it is above.
+    let below = if D::REACH.is_finite() {
+        rule.panels(&view.cuts_below(), &|u| {
+            let at = view.lights_above(u, -1.0);
+            below_integrand(view, &at, rule)
+        })
+    } else {
+        rule.panel(-view.mu, 0.0, &|cosine| below_integrand(view, &view.lights_below(cosine), rule))
+    };
+    above + below
 }
 
 /// A value of E and the integrand evaluations that it took.
@@ -26,57 +52,45 @@ pub struct Work {
 /// E(alpha, mu) with its cost, on the graded panels or on one panel over the whole range: for studies of what accuracy
 /// costs. alpha > 0, mu in [0, 1].
 pub fn albedo_work(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule, graded: bool) -> Work {
-    let view = View::new(smith, alpha, mu);
+    let view = View::new(smith, Ggx(alpha), mu);
     let mut cuts = view.cuts();
     if !graded {
         cuts = vec![cuts[0], cuts[cuts.len() - 1]];
     }
-    let value = rule.panels(&cuts, &|u| albedo_integrand(&view, u));
+    let value = rule.panels(&cuts, &|u| albedo_integrand(&view, u, rule));
     Work { value, evaluations: (cuts.len() - 1) * rule.nodes() }
 }
 
-/// 1 - E(alpha, mu), computed directly; alpha > 0, mu in [0, 1].
-///
-/// By the weak white furnace (Heitz 2014, sec. 5.1) int G1(v)/(4 mu) K dmu_l = 1 over mu_l in [-mu, 1], so the loss is the
-/// light shadowed above the horizon, (G1(v) - G2)/(4 mu) K, and all that leaves below it, G1(v)/(4 mu) K.
-pub fn loss(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule) -> f64 {
-    let view = View::new(smith, alpha, mu);
-    let above = rule.panels(&view.cuts(), &|u| shadowed_integrand(&view, u));
-    let below = rule.panel(-view.mu, 0.0, &|cosine| below_integrand(&view, cosine));
-    above + below
-}
-
 #[inline(always)]
-fn albedo_integrand(view: &View, u: &F8) -> F8 {
+fn albedo_integrand<D: Distribution>(view: &View<D>, u: &F8, rule: &PanelRule) -> F8 {
     let at = view.lights(u);
-    let mut out = view.azimuth_integral(&at);
+    let mut out = view.azimuth_integral(&at, rule);
     for i in 0..LANES {
-        let geometry = ggx::shadowing_over_cosine(view.smith, view.mu, view.s_v, at.mu_l[i], at.s_l[i]);
+        let geometry = view.smith.shadowing_over_cosine(view.mu, view.s_v, at.mu_l[i], at.s_l[i]);
         out[i] *= 0.25 * geometry * at.jacobian[i];
     }
     out
 }
 
 #[inline(always)]
-fn shadowed_integrand(view: &View, u: &F8) -> F8 {
+fn shadowed_integrand<D: Distribution>(view: &View<D>, u: &F8, rule: &PanelRule) -> F8 {
     let at = view.lights(u);
-    let mut out = view.azimuth_integral(&at);
+    let mut out = view.azimuth_integral(&at, rule);
     for i in 0..LANES {
         let (mu_l, s_l) = (at.mu_l[i], at.s_l[i]);
-        let spread = view.alpha * view.alpha * at.sin_l[i] * at.sin_l[i];
-        let geometry = ggx::shadowed_over_cosine(view.smith, view.mu, view.s_v, mu_l, s_l, spread);
+        let lift = view.lobe.lift(mu_l, at.sin_l[i], s_l);
+        let geometry = view.smith.shadowed_over_cosine(view.mu, view.s_v, mu_l, s_l, lift);
         out[i] *= 0.25 * geometry * at.jacobian[i];
     }
     out
 }
 
 #[inline(always)]
-fn below_integrand(view: &View, cosine: &F8) -> F8 {
-    let at = view.lights_below(cosine);
-    let mut out = view.azimuth_integral(&at);
+fn below_integrand<D: Distribution>(view: &View<D>, at: &Lights, rule: &PanelRule) -> F8 {
+    let mut out = view.azimuth_integral(at, rule);
     let masking = 2.0 / (view.mu + view.s_v);
-    for value in &mut out {
-        *value *= 0.25 * masking;
+    for i in 0..LANES {
+        out[i] *= 0.25 * masking * at.jacobian[i];
     }
     out
 }

@@ -2,28 +2,27 @@
 //!
 //! With theta and theta_l the polar angles of view and light, put D = theta - theta_l and S = theta + theta_l. For a light
 //! at azimuth psi from the plane of incidence (psi = 0 on the mirror's side) the squared length of v + l is
-//! q(psi) = 4 cos^2(S/2) + 4 sin(theta) sin(theta_l) sin^2(psi/2), and with h = (v + l)/|v + l|
+//! q(psi) = 4 cos^2(S/2) + 4 sin(theta) sin(theta_l) sin^2(psi/2).
 //!
-//!   D(h) = (a^2/pi) (q/(q - k))^2,   k = (1 - a^2)(mu + mu_l)^2,
-//!   q - k at psi = 0 is 4 cos^2(S/2) P,   P = sin^2(D/2) + a^2 cos^2(D/2),
-//!   q - k at psi = pi is 4 cos^2(D/2) Q,  Q = sin^2(S/2) + a^2 cos^2(S/2).
-//!
-//! D is rational in cos(psi), so its azimuth integral is elementary and free of cancellation (numbered (1) below).
-//! The outer variable u, tan(-D/2) = a sinh(u), makes the peak at the mirror direction one unit wide for every alpha.
+//! The outer variable u, tan(-D/2) = a sinh(u), makes the peak at the mirror direction one unit wide for every alpha: at psi = 0 the
+//! tangent of the half vector's angle is a |sinh(u)|. The azimuth is integrated in closed form where there is one (`Ring` else).
 
+use super::effort::across;
+use super::schlick::Ring;
+use crate::integrate::estimate::PanelRule;
 use crate::optics::Smith;
-use crate::optics::ggx;
+use crate::optics::distribution::{Distribution, Polar};
 use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::{ops, panels};
 
 /// A fixed view direction onto a lobe.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(super) struct View<D> {
     pub smith: Smith,
-    pub alpha: f64,
+    pub lobe: D,
     pub mu: f64,
     pub sine: f64,
-    /// Stretched length of the view direction.
+    /// Projected area of all facets about the view direction.
     pub s_v: f64,
 }
 
@@ -37,47 +36,86 @@ pub(super) struct Lights {
     pub cos_s: F8,
     pub mu_l: F8,
     pub sin_l: F8,
-    /// Stretched length of the light direction.
+    /// Projected area of all facets about the light direction.
     pub s_l: F8,
     /// |d mu_l / du|.
     pub jacobian: F8,
 }
 
-/// Longest panel in u: the integrand is singular at u = +-i pi/2, so n Gauss nodes on a panel of length 2 leave
-/// (pi/2 + sqrt(pi^2/4 + 1))^-2n = 3.4^-2n: 1e-17 for n = 16.
+/// Longest panel in u of a distribution whose tail is a power: the integrand is singular at u = +-i pi/2, so n Gauss nodes on a panel of
+/// length 2 leave (pi/2 + sqrt(pi^2/4 + 1))^-2n = 3.4^-2n: 1e-17 for n = 16.
 pub(super) const LONGEST: f64 = 2.0;
+
+/// Longest panel in u of one whose tail is exp(-sinh^2 u): an entire function, which falls by e^-10 over such a panel at u = 2.
+const LONGEST_OF_GAUSSIAN: f64 = 0.75;
+
+/// Smallest panel at the horizon of a view at mu = 0, in units of alpha: what is left on it is below the rounding, and the cosines of
+/// lights on it are still told from 0.
+const FINEST: f64 = 1e-11;
 
 /// Cosines below this are 0: panels graded down to them would be many, and E differs from its limit by less.
 const GRAZING: f64 = 1e-100;
 
-impl View {
+impl<D: Distribution> View<D> {
     /// A view with alpha > 0 and mu in [0, 1]. A cosine below [`GRAZING`] is taken for 0, the limit that it cannot be told from.
-    pub fn new(smith: Smith, alpha: f64, mu: f64) -> View {
+    pub fn new(smith: Smith, lobe: D, mu: f64) -> View<D> {
         let mu = if mu < GRAZING { 0.0 } else { mu };
         let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
-        View { smith, alpha, mu, sine, s_v: ggx::stretched_length(alpha, mu) }
+        View { smith, lobe, mu, sine, s_v: lobe.area_at(mu) }
     }
 
     /// Cuts of the outer variable from theta_l = 0 to the horizon.
     pub fn cuts(&self) -> Vec<f64> {
-        let (a, mu) = (self.alpha, self.mu);
-        let from = -ops::asinh(self.sine / ((1.0 + mu) * a));
-        // tan((pi/2 - theta)/2) = mu / (1 + sin theta)
-        let m = mu / (1.0 + self.sine);
-        let to = ops::asinh(m / a);
+        let (a, mu) = (self.lobe.alpha(), self.mu);
         // At the horizon s_l has branch points at mu_l = +-i a, the correlated G2 a pole near mu_l = -mu, and v.h, which
         // Schlick's weight sees, a branch point near mu_l = -mu.
-        let scale = if mu > 0.0 { a.min(mu) } else { a };
+        self.cuts_down_to(if mu > 0.0 { a.min(mu) } else { a })
+    }
+
+    /// The cuts for a weight that sees v.h. At mu = 0 its branch point lies on the horizon.
+    pub fn cuts_for_weight(&self) -> Vec<f64> {
+        if self.mu > 0.0 { self.cuts() } else { self.cuts_down_to(FINEST * self.lobe.alpha()) }
+    }
+
+    /// Cuts that are graded to a cosine `scale` of the light.
+    fn cuts_down_to(&self, scale: f64) -> Vec<f64> {
+        let (a, mu) = (self.lobe.alpha(), self.mu);
+        let from = -ops::asinh((self.sine / ((1.0 + mu) * a)).min(D::REACH));
+        // tan((pi/2 - theta)/2) = mu / (1 + sin theta)
+        let m = mu / (1.0 + self.sine);
+        let to = ops::asinh((m / a).min(D::REACH));
         let slope = 2.0 * (a * a + m * m).sqrt() / (1.0 + m * m);
+        let longest = if D::REACH.is_finite() { LONGEST_OF_GAUSSIAN } else { LONGEST };
         let mut cuts = vec![from];
-        panels::towards_end(&mut cuts, from, to, LONGEST, scale / slope);
+        panels::towards_end(&mut cuts, from, to, longest, scale / slope);
         cuts
     }
 
-    /// The lights at eight values of the outer variable.
+    /// Cuts of the outer variable from the horizon to mu_l = -mu, where the half vector vanishes; of a distribution with a finite reach.
+    pub fn cuts_below(&self) -> Vec<f64> {
+        let a = self.lobe.alpha();
+        let m = self.mu / (1.0 + self.sine);
+        let from = ops::asinh((m / a).min(D::REACH));
+        // tan(pi/2 - theta) = mu / sin theta
+        let to = ops::asinh((self.mu / (self.sine * a)).min(D::REACH));
+        if to <= from {
+            return Vec::new();
+        }
+        let panels = ((to - from) / LONGEST_OF_GAUSSIAN).ceil().max(1.0);
+        (0..=panels as usize).map(|i| from + (to - from) * i as f64 / panels).collect()
+    }
+
+    /// The lights at eight values of the outer variable, above the horizon.
     #[inline(always)]
     pub fn lights(&self, u: &F8) -> Lights {
-        let (a, a2) = (self.alpha, self.alpha * self.alpha);
+        self.lights_above(u, 0.0)
+    }
+
+    /// The lights at eight values of the outer variable, no lower than a cosine; the areas of those below the horizon are meaningless.
+    #[inline(always)]
+    pub fn lights_above(&self, u: &F8, lowest: f64) -> Lights {
+        let a = self.lobe.alpha();
+        let a2 = a * a;
         let e = lanes::exp(u);
         let mut out = Lights::zero();
         for i in 0..LANES {
@@ -88,7 +126,7 @@ impl View {
             let sin_s = self.sine * cos_d - self.mu * sin_d;
             let cos_s = self.mu * cos_d + self.sine * sin_d;
             // cos(theta + 2 atan(m)): at grazing both terms are small, so their difference is good to eps times them.
-            let mu_l = ((self.mu * (1.0 - m) * (1.0 + m) - 2.0 * m * self.sine) / length2).max(0.0);
+            let mu_l = ((self.mu * (1.0 - m) * (1.0 + m) - 2.0 * m * self.sine) / length2).max(lowest);
             let sin_l = sin_s * cos_d - cos_s * sin_d;
             out.sin_d[i] = sin_d;
             out.cos_d[i] = cos_d;
@@ -96,7 +134,7 @@ impl View {
             out.cos_s[i] = cos_s;
             out.mu_l[i] = mu_l;
             out.sin_l[i] = sin_l;
-            out.s_l[i] = (mu_l * mu_l + a2 * sin_l * sin_l).sqrt();
+            out.s_l[i] = self.lobe.area(mu_l, sin_l);
             // theta_l = theta + 2 atan(m): d theta_l / du = 2 a cosh(u) / (1 + m^2)
             out.jacobian[i] = sin_l * 2.0 * (a2 + m * m).sqrt() / length2;
         }
@@ -107,7 +145,6 @@ impl View {
     /// peak above the horizon and is smooth here.
     #[inline(always)]
     pub fn lights_below(&self, cosine: &F8) -> Lights {
-        let a2 = self.alpha * self.alpha;
         let (sin_v, cos_v) = (((1.0 - self.mu) * 0.5).sqrt(), ((1.0 + self.mu) * 0.5).sqrt());
         let mut out = Lights::zero();
         for i in 0..LANES {
@@ -120,35 +157,36 @@ impl View {
             out.cos_s[i] = 0.5 * (self.mu + cosine[i]) / out.cos_d[i];
             out.mu_l[i] = cosine[i];
             out.sin_l[i] = 2.0 * sin_l * cos_l;
-            out.s_l[i] = (cosine[i] * cosine[i] + a2 * out.sin_l[i] * out.sin_l[i]).sqrt();
             out.jacobian[i] = 1.0;
         }
         out
     }
 
-    /// K = int_0^2pi D dpsi (1):
-    /// 2 a^2 [1 + 2 (1-a^2) C / sqrt(PQ) + (1-a^2)^2 C (cos^2(S/2) P + cos^2(D/2) Q) / (2 (PQ)^(3/2))],
-    /// C = cos(D/2) cos(S/2). For a <= 1 every term is positive.
+    /// int_0^2pi D dpsi of the lights, by `rule` where it has no closed form.
     #[inline(always)]
-    pub fn azimuth_integral(&self, at: &Lights) -> F8 {
-        let a2 = self.alpha * self.alpha;
-        let rest = (1.0 - self.alpha) * (1.0 + self.alpha);
+    pub fn azimuth_integral(&self, at: &Lights, rule: &PanelRule) -> F8 {
         let mut out = [0.0; LANES];
         for i in 0..LANES {
-            let (cos_d2, cos_s2) = (at.cos_d[i] * at.cos_d[i], at.cos_s[i] * at.cos_s[i]);
-            let p = at.sin_d[i] * at.sin_d[i] + a2 * cos_d2;
-            let q = at.sin_s[i] * at.sin_s[i] + a2 * cos_s2;
-            let c = rest * at.cos_d[i] * at.cos_s[i];
-            let inverse = 1.0 / (p * q);
-            let root = inverse.sqrt();
-            let tail = 0.5 * rest * (cos_s2 * p + cos_d2 * q) * inverse;
-            out[i] = 2.0 * a2 * (1.0 + c * root * (2.0 + tail));
+            let polar = at.polar(i);
+            out[i] = match self.lobe.azimuth_integral(&polar) {
+                Some(integral) => integral,
+                None => {
+                    let ring = Ring::new(self, at, i);
+                    self.lobe.alpha() * self.lobe.alpha() * ring.integral(&|_| across(rule), &|_| 1.0)
+                }
+            };
         }
         out
     }
 }
 
 impl Lights {
+    /// One of the polar angles.
+    #[inline(always)]
+    pub fn polar(&self, i: usize) -> Polar {
+        Polar { sin_d: self.sin_d[i], cos_d: self.cos_d[i], sin_s: self.sin_s[i], cos_s: self.cos_s[i] }
+    }
+
     fn zero() -> Lights {
         let zero = [0.0; LANES];
         Lights {

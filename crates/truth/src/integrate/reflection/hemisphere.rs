@@ -7,6 +7,7 @@
 use super::effort::Effort;
 use super::geometry::View;
 use crate::optics::Smith;
+use crate::optics::distribution::Ggx;
 use crate::optics::ggx::Vec3;
 use lobefit_math::lanes::LANES;
 use lobefit_math::ops;
@@ -32,7 +33,7 @@ pub struct Hemisphere {
 impl Hemisphere {
     /// Rings for a lobe of alpha in [1e-7, 1] seen at mu in [0, 1], for functions that are even in the y of the light.
     pub fn new(alpha: f64, mu: f64, effort: &Effort) -> Hemisphere {
-        let view = View::new(Smith::Correlated, alpha, mu);
+        let view = View::new(Smith::Correlated, Ggx(alpha), mu);
         let mut rings = Vec::new();
         for cut in view.cuts().windows(2) {
             effort.outer.each(cut[0], cut[1], |u, weight| {

@@ -22,6 +22,8 @@ pub use schlick::reflected;
 
 use super::{Estimate, IntegrateError};
 use crate::optics::Smith;
+use crate::optics::distribution::{Distribution, Ggx};
+use geometry::View;
 
 /// Smallest alpha above 0 that is integrated; below it the lobe is a mirror to 1e-8 in E wherever mu > 1e-3. The promise of 1e-10
 /// is tested from 1e-4, and E + loss = 1 down to here.
@@ -29,6 +31,9 @@ pub const SMALLEST_ALPHA: f64 = 1e-7;
 
 /// Smallest cosine at which the loss is held to its relative promise; below it, `error` alone bounds the loss.
 pub const SMALLEST_MU: f64 = 1e-4;
+
+/// Smallest loss of a distribution with a Gaussian tail that is held to its relative promise: it falls to 0 faster than any power.
+pub const SMALLEST_LOSS: f64 = 1e-12;
 
 /// The tolerance of a value when none is asked for: the promise for alpha, mu in [1e-4, 1].
 pub const TOLERANCE: f64 = 1e-10;
@@ -58,21 +63,36 @@ pub struct Reflection {
 ///
 /// Errors: an input outside its domain; a tolerance that the largest rule (64 nodes a panel) does not reach.
 pub fn reflection(smith: Smith, alpha: f64, mu: f64, tolerance: f64) -> Result<Reflection, IntegrateError> {
-    check_inputs("ggx-reflection", alpha, mu)?;
+    reflection_of(QUANTITY, smith, Ggx(alpha), mu, tolerance)
+}
+
+const QUANTITY: &str = "ggx-reflection";
+
+/// [`reflection`] of any distribution of normals, as the quantity of a name.
+pub fn reflection_of<D: Distribution>(
+    quantity: &'static str,
+    smith: Smith,
+    lobe: D,
+    mu: f64,
+    tolerance: f64,
+) -> Result<Reflection, IntegrateError> {
+    let alpha = lobe.alpha();
+    check_inputs(quantity, alpha, mu)?;
     if alpha == 0.0 {
         return Ok(mirror(mu));
     }
     let mut reached = f64::INFINITY;
     for pair in Effort::ladder().windows(2) {
-        let value = at_effort(smith, alpha, mu, &pair[0], &pair[1])?;
+        let value = of_pair(quantity, &View::new(smith, lobe, mu), &pair[0], &pair[1])?;
         reached = value.error;
-        let loss_kept = value.loss_error <= LOSS_TOLERANCE || mu < SMALLEST_MU;
+        let negligible = D::REACH.is_finite() && value.loss < SMALLEST_LOSS;
+        let loss_kept = value.loss_error <= LOSS_TOLERANCE || mu < SMALLEST_MU || negligible;
         if value.error <= tolerance && loss_kept {
             return Ok(value);
         }
     }
     Err(IntegrateError::Tolerance {
-        quantity: "ggx-reflection",
+        quantity,
         place: format!("alpha = {alpha:?}, mu = {mu:?}"),
         reached,
         tolerance,
@@ -86,7 +106,8 @@ pub fn split(smith: Smith, alpha: f64, mu: f64, effort: &Effort) -> (f64, f64) {
         let value = mirror(mu);
         return (value.e, value.b);
     }
-    (albedo(smith, alpha, mu, &effort.outer), schlick::bias(smith, alpha, mu, effort))
+    let view = View::new(smith, Ggx(alpha), mu);
+    (albedo::kept(&view, &effort.outer), schlick::bias(&view, effort))
 }
 
 /// Values of the finer effort with bounds from the pair; alpha > 0.
@@ -97,12 +118,24 @@ pub fn at_effort(
     coarse: &Effort,
     fine: &Effort,
 ) -> Result<Reflection, IntegrateError> {
-    let pair = |f: &dyn Fn(&Effort) -> f64, scale: f64| Estimate::from_pair(f(coarse), f(fine), scale);
-    let e = pair(&|effort| albedo(smith, alpha, mu, &effort.outer), 1.0);
-    let b = pair(&|effort| schlick::bias(smith, alpha, mu, effort), 1.0);
-    let fine_loss = loss(smith, alpha, mu, &fine.outer);
+    of_pair(QUANTITY, &View::new(smith, Ggx(alpha), mu), coarse, fine)
+}
+
+fn of_pair<D: Distribution>(
+    quantity: &'static str,
+    view: &View<D>,
+    coarse: &Effort,
+    fine: &Effort,
+) -> Result<Reflection, IntegrateError> {
+    let (alpha, mu) = (view.lobe.alpha(), view.mu);
+    // An integrand with a Gaussian tail has no nearest singularity, and twice the nodes need not square the error.
+    let estimate = if D::REACH.is_finite() { Estimate::from_slow_pair } else { Estimate::from_pair };
+    let pair = |f: &dyn Fn(&Effort) -> f64, scale: f64| estimate(f(coarse), f(fine), scale);
+    let e = pair(&|effort| albedo::kept(view, &effort.outer), 1.0);
+    let b = pair(&|effort| schlick::bias(view, effort), 1.0);
+    let fine_loss = albedo::lost(view, &fine.outer);
     let scale = if fine_loss > 0.0 { fine_loss } else { 1.0 };
-    let loss = Estimate::from_pair(loss(smith, alpha, mu, &coarse.outer), fine_loss, scale);
+    let loss = estimate(albedo::lost(view, &coarse.outer), fine_loss, scale);
     // Nodes carry eps of absolute rounding in a variable where the horizon's layer is as wide as the smaller of alpha and mu.
     let rounding = 4.0 * f64::EPSILON / if mu > 0.0 { mu.min(alpha) } else { alpha };
     let value = Reflection {
@@ -117,7 +150,7 @@ pub fn at_effort(
         Ok(value)
     } else {
         let place = format!("alpha = {alpha:?}, mu = {mu:?}");
-        Err(IntegrateError::NotFinite { quantity: "ggx-reflection", place })
+        Err(IntegrateError::NotFinite { quantity, place })
     }
 }
 
