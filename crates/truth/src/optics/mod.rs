@@ -1,5 +1,6 @@
 //! Pure models of optics. Each function states its domain, its limits and its source.
 
+pub mod beckmann;
 pub mod diffuse;
 pub mod distribution;
 pub mod footprint;

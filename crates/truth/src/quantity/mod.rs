@@ -5,6 +5,7 @@
 
 mod aniso;
 mod average;
+mod beckmann;
 mod coupling;
 mod glass;
 mod parallax;
@@ -14,6 +15,7 @@ mod variant;
 
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
+pub use beckmann::BeckmannReflection;
 pub use coupling::DiffuseCoupling;
 pub use glass::GgxGlass;
 pub use parallax::ParallaxAlpha;
@@ -108,7 +110,7 @@ impl PartialEq for dyn Quantity {
 }
 
 /// Every quantity of this version.
-pub static QUANTITIES: [&dyn Quantity; 7] = [
+pub static QUANTITIES: [&dyn Quantity; 8] = [
     &GgxReflection,
     &GgxReflectionAniso,
     &GgxAverage,
@@ -116,6 +118,7 @@ pub static QUANTITIES: [&dyn Quantity; 7] = [
     &SheenCharlie,
     &DiffuseCoupling,
     &ParallaxAlpha,
+    &BeckmannReflection,
 ];
 
 /// The quantity of a name.

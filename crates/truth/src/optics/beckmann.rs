@@ -1,0 +1,130 @@
+//! The Beckmann distribution (Beckmann and Spizzichino 1963; Walter et al. 2007, eqs. 25 to 29), isotropic: slopes of facets are normal with
+//! variance alpha^2/2 along either axis. With c = mu/(alpha sin theta) (Heitz 2014, eq. 68)
+//!
+//!   Lambda = (exp(-c^2)/(c sqrt(pi)) - erfc(c))/2,   s = mu (1 + 2 Lambda) = mu erf(c) + alpha sin(theta) exp(-c^2)/sqrt(pi),
+//!   s - mu = alpha sin(theta) ierfc(c),              ierfc(c) = exp(-c^2)/sqrt(pi) - c erfc(c), the integral of erfc beyond c.
+//!
+//! Ends: s = alpha/sqrt(pi) at grazing view, s = mu at normal incidence.
+
+use std::f64::consts::PI;
+
+use super::distribution::{Distribution, Polar};
+use super::ggx::Vec3;
+use lobefit_math::ops;
+
+/// Beckmann's distribution of a width alpha above 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Beckmann(pub f64);
+
+/// 1/sqrt(pi).
+const INVERSE_ROOT_PI: f64 = 0.564_189_583_547_756_3;
+
+/// c from which ierfc is taken from its continued fraction: below it the difference loses a digit at most.
+const FRACTION_FROM: f64 = 2.0;
+
+/// Terms of the continued fraction, which leave 1e-16 of it at c = 2.
+const TERMS: u32 = 80;
+
+/// Slopes beyond which exp(-x^2) is 0 beside 1.
+const STEEPEST: f64 = 6.5;
+
+/// Newton's steps or, where one leaves the interval, halvings: more than are taken.
+const STEPS: usize = 100;
+
+impl Beckmann {
+    /// c of a direction; infinite at normal incidence.
+    fn c(self, cosine: f64, sine: f64) -> f64 {
+        cosine / (self.0 * sine)
+    }
+}
+
+/// exp(-c^2)/sqrt(pi) - c erfc(c) for c >= 0. With erfc(c) = exp(-c^2)/sqrt(pi)/K(c), K = c + (1/2)/(c + (2/2)/(c + (3/2)/(c + ...)))
+/// (Abramowitz & Stegun, 7.1.14), it is exp(-c^2)/sqrt(pi) (K - c)/K, without cancellation.
+fn ierfc(c: f64) -> f64 {
+    let gauss = INVERSE_ROOT_PI * ops::exp(-c * c);
+    if c < FRACTION_FROM {
+        return gauss - c * ops::erfc(c);
+    }
+    let rest = (1..=TERMS).rev().fold(0.0, |rest, k| 0.5 * f64::from(k) / (c + rest));
+    gauss * rest / (c + rest)
+}
+
+impl Distribution for Beckmann {
+    /// exp(-28^2) is 0.
+    const REACH: f64 = 28.0;
+
+    fn alpha(self) -> f64 {
+        self.0
+    }
+
+    fn density(self, normal: Vec3) -> f64 {
+        let cos2 = normal[2] * normal[2];
+        let tan2 = (normal[0] * normal[0] + normal[1] * normal[1]) / cos2;
+        let a2 = self.0 * self.0;
+        ops::exp(-tan2 / a2) / (PI * a2 * cos2 * cos2)
+    }
+
+    /// With h of |v + l|^2/4 = cos^2(S/2) + t, tan^2 = (cos^2(S/2) sin^2(D/2) + t)/(cos^2(S/2) cos^2(D/2)).
+    fn density_of_half(self, polar: &Polar, t: f64) -> f64 {
+        let a2 = self.0 * self.0;
+        let (near, cos2) = (polar.cos_s * polar.cos_s, polar.cos_d * polar.cos_d);
+        let tan2 = (near * polar.sin_d * polar.sin_d + t) / (near * cos2);
+        let exponent = tan2 / a2;
+        if exponent > Self::REACH * Self::REACH || exponent.is_nan() {
+            return 0.0;
+        }
+        let ratio = (1.0 + tan2) / a2;
+        ratio * ratio * ops::exp(-exponent)
+    }
+
+    fn fall(self, polar: &Polar) -> f64 {
+        let product = self.0 * polar.cos_s * polar.cos_d;
+        (product * product).max(f64::MIN_POSITIVE)
+    }
+
+    fn area(self, cosine: f64, sine: f64) -> f64 {
+        cosine + self.lift(cosine, sine, cosine)
+    }
+
+    fn lift(self, cosine: f64, sine: f64, _: f64) -> f64 {
+        let c = self.c(cosine, sine);
+        if c < Self::REACH { self.0 * sine * ierfc(c) } else { 0.0 }
+    }
+
+    /// Slopes visible from the stretched view at angle theta: y is normal, and x along the view has density
+    /// (1 - x tan theta) exp(-x^2) up to cot theta, inverted by Newton's method.
+    fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3 {
+        let stretched = [self.0 * view[0], self.0 * view[1], view[2]];
+        let across = (stretched[0] * stretched[0] + stretched[1] * stretched[1]).sqrt();
+        let (cos_phi, sin_phi) =
+            if across > 0.0 { (stretched[0] / across, stretched[1] / across) } else { (1.0, 0.0) };
+        let (x, y) = (slope(across / stretched[2], u), slope(0.0, v));
+        // The facet of slopes (x, y) towards the view has the normal (-x, -y, 1).
+        let normal = [-self.0 * (cos_phi * x - sin_phi * y), -self.0 * (sin_phi * x + cos_phi * y), 1.0];
+        let length = (normal[0] * normal[0] + normal[1] * normal[1] + 1.0).sqrt();
+        normal.map(|k| k / length)
+    }
+}
+
+/// The slope below which a part `u` of (1 - x tan) exp(-x^2), x <= 1/tan, lies.
+fn slope(tangent: f64, u: f64) -> f64 {
+    let below = |x: f64| 0.5 * (ops::erfc(-x) / INVERSE_ROOT_PI + tangent * ops::exp(-x * x));
+    let (mut low, mut high) = (-STEEPEST, STEEPEST.min(1.0 / tangent));
+    let wanted = u * below(high);
+    let mut x = 0.5 * (low + high);
+    for _ in 0..STEPS {
+        let off = below(x) - wanted;
+        if off > 0.0 {
+            high = x
+        } else {
+            low = x
+        }
+        let newton = x - off / ((1.0 - x * tangent) * ops::exp(-x * x));
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= 1e-14 {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
