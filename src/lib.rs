@@ -17,16 +17,16 @@
 //! |---|---|---|
 //! | 1 | [`data`] | the nouns: axis, table, certificate, cost, approximation |
 //! | 2 | [`approximate`] | one formula for one quantity: target, samples, search, proof, certificate; knows no effect |
-//! | 3 | [`effects`] | the catalogue: quantities, tables, hypotheses and published rivals of each effect |
-//! | 3 | [`scene`] | bytes to a validated scene; owns all limits on input |
-//! | 4 | [`plan`] | scene to jobs, and to effects left out with the reason |
-//! | 4 | [`emit`] | tables, fits, lookups and compensations to bytes, one file per format |
-//! | 4 | [`report`] | results to plots, renders and pages |
-//! | 4 | [`store`] | the only module that touches the file system |
-//! | 5 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
-//! | 5 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
-//! | 6 | [`timing`] | what accuracy costs in seconds |
-//! | 7 | [`cli`] | one file per verb |
+//! | 2 | [`scene`] | bytes to a validated scene; owns all limits on input |
+//! | 2 | [`store`] | the only module that touches the file system |
+//! | 3 | [`emit`] | tables, fits, lookups and the manifest to bytes, one file per format; knows no effect |
+//! | 4 | [`report`] | results to plots, renders and pages; knows no effect |
+//! | 5 | [`effects`] | the catalogue: each effect declares who calls for it, its fits and tables, its code and its page |
+//! | 6 | [`plan`] | scene and catalogue to jobs, and to effects left out with the reason |
+//! | 7 | [`bake`] | the main job: plan to a bundle of files in memory; `check` compares such bundles |
+//! | 7 | [`fitting`] | a formula of the user's: samples, fit, certificates, code and page in memory |
+//! | 8 | [`timing`] | what accuracy costs in seconds |
+//! | 9 | [`cli`] | one file per verb |
 
 pub mod approximate;
 pub mod bake;

@@ -1,7 +1,7 @@
 //! The include files: one per language, everything that the scene called for and nothing else. Each effect has a section of its
 //! own between marks, so that a bake of some effects can keep the sections of the others.
 
-use super::part::Part;
+use crate::effects::Part;
 use crate::effects::context::Context;
 use crate::emit::compensation;
 use crate::emit::lookup::helpers;
@@ -23,7 +23,7 @@ const SHARED: &str = "shared";
 pub fn includes(parts: &[Part], opening: &[String], context: &Context) -> Vec<(Language, String)> {
     let file = |language: Language| {
         let sections: Vec<(&str, &str)> =
-            parts.iter().filter_map(|p| Some((p.effect.name(), p.code.get(&language)?.as_str()))).collect();
+            parts.iter().filter_map(|p| Some((p.by.name(), p.code.get(&language)?.as_str()))).collect();
         if sections.is_empty() {
             return None;
         }
@@ -58,7 +58,7 @@ pub fn section<'a>(text: &'a str, effect: &str) -> Option<&'a str> {
 /// What all sections share: the fetches that lookups call, and what a value of a table is used for.
 fn shared(language: Language, sections: &str, parts: &[Part]) -> String {
     let tables = parts.iter().flat_map(|part| &part.entries.tables);
-    let compensations = compensation::of(tables.filter_map(|entry| entry["quantity"].as_str()));
+    let compensations = compensation::of(tables.map(|entry| entry.quantity.as_str()));
     let compensations: String = compensations.iter().map(|c| format!("\n{}", c.print(language))).collect();
     helpers(language, &format!("{sections}{compensations}")) + &compensations
 }

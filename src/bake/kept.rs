@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use serde_json::Value;
+use serde::Deserialize;
 
 use super::build::{BUILD_FILE, is_signed};
 use super::includes::{path, section};
-use super::part::Part;
+use crate::effects::{Part, named};
 use crate::emit::header::Recipe;
-use crate::emit::manifest::Entries;
-use crate::plan::EffectName;
+use crate::emit::manifest::{Entries, Manifest};
+use crate::plan::Plan;
 use crate::store::{self, Files, MANIFEST, StoreError};
 use lobefit_shade::code::Language;
 
@@ -64,8 +64,8 @@ pub enum KeptError {
     Store(#[from] StoreError),
 }
 
-/// The parts of the effects not in `only` that the bake in a folder has; none where there is no bake.
-pub fn kept(root: &Path, recipe: &Recipe, only: &[EffectName]) -> Result<Vec<Part>, KeptError> {
+/// The parts of the plan's effects not in `only` that the bake in a folder has; none where there is no bake.
+pub fn kept(root: &Path, recipe: &Recipe, plan: &Plan, only: &[String]) -> Result<Vec<Part>, KeptError> {
     if !store::is_folder(root)? {
         return Ok(Vec::new());
     }
@@ -73,77 +73,63 @@ pub fn kept(root: &Path, recipe: &Recipe, only: &[EffectName]) -> Result<Vec<Par
     let Some(bytes) = old.get(MANIFEST) else { return Ok(Vec::new()) };
     let folder = root.display().to_string();
     let wrong = |reason: String| KeptError::Manifest { folder: folder.clone(), reason };
-    let manifest: Value = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
-    let found = manifest["recipe"].as_str().unwrap_or("that is not told").to_string();
-    if found != recipe.hash {
-        return Err(KeptError::Recipe { folder, found, expected: recipe.hash.clone() });
+    // The recipe first: another version's manifest may have another form.
+    let made: Made = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
+    if made.recipe != recipe.hash {
+        return Err(KeptError::Recipe { folder, found: made.recipe, expected: recipe.hash.clone() });
     }
     if !is_signed(&old) {
         return Err(KeptError::Build { folder });
     }
+    let manifest: Manifest = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
     let mut parts = Vec::new();
-    for finding in manifest["effects"].as_array().into_iter().flatten() {
-        let finding: crate::report::EffectFinding =
-            serde_json::from_value(finding.clone()).map_err(|e| wrong(format!("effects: {e}")))?;
-        let effect = EffectName::from_name(&finding.effect)
-            .ok_or_else(|| wrong(format!("effects: `{}` is none of this version", finding.effect)))?;
-        if only.contains(&effect) {
-            continue;
-        }
-        let entries = entries(&manifest, effect);
+    for finding in manifest.effects.iter().filter(|finding| !only.contains(&finding.effect)) {
+        let unknown = || wrong(format!("effects: `{}` is none of this version", finding.effect));
+        let by = named(&plan.catalogue, &finding.effect).ok_or_else(unknown)?;
+        let entries = manifest.entries.of(by.name());
         let files = files(root, &folder, &entries)?;
-        let code = code(root, &folder, &manifest, effect)?;
-        parts.push(Part { effect, finding, entries, code, files });
+        let code = code(root, &folder, &manifest, by.name())?;
+        parts.push(Part { by, finding: finding.clone(), entries, code, files });
     }
     Ok(parts)
 }
 
-/// The entries of an effect in the lists of a manifest.
-fn entries(manifest: &Value, effect: EffectName) -> Entries {
-    let mut entries = Entries::default();
-    for (name, list) in entries.lists() {
-        let all = manifest[name].as_array().into_iter().flatten();
-        list.extend(all.filter(|entry| entry["effect"] == effect.name()).cloned());
-    }
-    entries
+/// What tells whether the rest of a manifest is of this version.
+#[derive(Deserialize)]
+struct Made {
+    #[serde(default)]
+    recipe: String,
 }
 
 /// The files that entries list.
 fn files(root: &Path, folder: &str, entries: &Entries) -> Result<Files, KeptError> {
-    let listed = entries.tables.iter().chain(&entries.reports).flat_map(listed);
-    let names: Vec<String> = listed.collect();
-    let found = store::read_set(root, names.iter().map(String::as_str), FILE_BYTES)?;
-    match names.iter().find(|name| !found.contains_key(*name)) {
-        Some(file) => Err(KeptError::Missing { folder: folder.into(), file: file.clone() }),
+    let tables = entries.tables.iter().flat_map(|table| &table.files);
+    let names: Vec<&str> =
+        tables.chain(entries.reports.iter().map(|r| &r.file)).map(String::as_str).collect();
+    let found = store::read_set(root, names.iter().copied(), FILE_BYTES)?;
+    match names.iter().find(|name| !found.contains_key(**name)) {
+        Some(file) => Err(KeptError::Missing { folder: folder.into(), file: file.to_string() }),
         None => Ok(found),
     }
-}
-
-/// Every file that an entry names: its own, or those of all its containers.
-fn listed(entry: &Value) -> Vec<String> {
-    let all = entry["files"].as_array().into_iter().flatten();
-    let all: Vec<String> = all.filter_map(|file| file.as_str().map(String::from)).collect();
-    if all.is_empty() { entry["file"].as_str().map(String::from).into_iter().collect() } else { all }
 }
 
 /// The effect's sections of the include files that the manifest lists.
 fn code(
     root: &Path,
     folder: &str,
-    manifest: &Value,
-    effect: EffectName,
+    manifest: &Manifest,
+    effect: &str,
 ) -> Result<BTreeMap<Language, String>, KeptError> {
     let mut code = BTreeMap::new();
     for language in Language::ALL {
         let file = path(language);
-        let listed = manifest["includes"].as_array().into_iter().flatten().any(|i| i["file"] == *file);
-        if !listed {
+        if !manifest.includes.iter().any(|include| include.file == file) {
             continue;
         }
         let found = store::read_set(root, [file.as_str()], FILE_BYTES)?;
         let missing = || KeptError::Missing { folder: folder.into(), file: file.clone() };
         let text = found.get(&file).ok_or_else(missing)?;
-        if let Some(own) = section(&String::from_utf8_lossy(text), effect.name()) {
+        if let Some(own) = section(&String::from_utf8_lossy(text), effect) {
             code.insert(language, own.to_string());
         }
     }

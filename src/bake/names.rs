@@ -3,10 +3,9 @@
 
 use super::{BakeError, UserHypothesis};
 use crate::approximate::FitStageError;
-use crate::effects::coupling::emitted as coupling;
-use crate::effects::{catalogue_names, parallax};
 use crate::emit::compensation;
 use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
+use crate::plan::Plan;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code;
 use lobefit_shade::code::Language;
@@ -14,22 +13,21 @@ use lobefit_shade::code::Language;
 /// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
 const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];
 
-/// How the functions of tables, what they share, and those of lookups begin.
-const TABLES: [&str; 6] =
-    ["ggx_dfg_", "ggx_aniso_", "ggx_glass_", "path_tracer_", C_HELPER_PREFIX, parallax::PREFIX];
-
 /// Parses the user's hypotheses and refuses a name that is taken.
-pub fn check(hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
-    let mut taken: Vec<String> = catalogue_names().flat_map(|name| forms(&name)).collect();
+pub fn check(plan: &Plan, hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {
+    let formulas = plan.catalogue.iter().flat_map(|effect| effect.formulas());
+    let mut taken: Vec<String> = formulas.flat_map(|entry| forms(entry.name())).collect();
+    let prefixes = plan.catalogue.iter().flat_map(|effect| effect.prefixes()).copied();
+    let prefixes: Vec<&str> = prefixes.chain([C_HELPER_PREFIX]).collect();
     taken.extend(RUST_HELPER_NAMES.map(String::from));
     taken.extend(compensation::NAMES.map(String::from));
-    taken.extend(coupling::names());
+    taken.extend(plan.catalogue.iter().flat_map(|effect| effect.functions()));
     for user in hypotheses {
         let parsed = Hypothesis::parse(&user.file, &user.source).map_err(FitStageError::from)?;
         let names = forms(parsed.name());
         let clash = names
             .iter()
-            .find(|name| taken.contains(name) || TABLES.iter().any(|table| name.starts_with(table)));
+            .find(|name| taken.contains(name) || prefixes.iter().any(|prefix| name.starts_with(prefix)));
         if clash.is_some() {
             return Err(BakeError::Name { file: user.file.clone(), function: parsed.name().to_string() });
         }

@@ -1,14 +1,19 @@
 //! What makes a bake again.
 
-use crate::effects::{UserHypothesis, catalogue_sources};
+use crate::effects::UserHypothesis;
 use crate::emit::header::Recipe;
+use crate::plan::Plan;
 use crate::scene::Scene;
 
 /// Tool and version.
 pub const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
 
 /// The recipe of a scene: the hash covers the tool's version, the scene and every hypothesis, compiled in or the user's.
-pub fn recipe(scene: &Scene, hypotheses: &[UserHypothesis]) -> Result<Recipe, serde_json::Error> {
+pub fn recipe(
+    scene: &Scene,
+    plan: &Plan,
+    hypotheses: &[UserHypothesis],
+) -> Result<Recipe, serde_json::Error> {
     let scene_hash = scene.hash()?;
     let mut hasher = blake3::Hasher::new();
     let mut add = |text: &str| {
@@ -17,7 +22,7 @@ pub fn recipe(scene: &Scene, hypotheses: &[UserHypothesis]) -> Result<Recipe, se
     };
     add(TOOL);
     add(&scene_hash);
-    catalogue_sources().for_each(&mut add);
+    plan.catalogue.iter().flat_map(|effect| effect.sources()).for_each(&mut add);
     for hypothesis in hypotheses {
         add(&hypothesis.file);
         add(&hypothesis.source);

@@ -10,7 +10,7 @@ use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, kept, recipe, sign};
 use crate::emit::header::{operations, place, short};
-use crate::plan::{self, EffectName, Plan};
+use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
 use crate::store::{Folder, MANIFEST, Written};
 
@@ -35,7 +35,7 @@ pub(super) struct Options {
     /// folder of the others.
     /// An effect that the scene does not call for is refused with the reason from the plan
     #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
-    pub only: Vec<EffectName>,
+    pub only: Vec<String>,
     #[command(flatten)]
     pub threads: ThreadsOption,
     /// Print the manifest as JSON on standard output
@@ -53,7 +53,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
     let progress = Bar::new(options.quiet || options.json, &plan, 0);
-    let selection = selection(options, &input)?;
+    let selection = selection(options, &input, &plan)?;
     let mut baked = options.threads.install(|| input.bake(&plan, selection, &progress))?;
     drop(progress);
     for promise in &baked.broken {
@@ -74,21 +74,21 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 }
 
 /// An effect asked for by name must be one that the scene calls for.
-fn refuse_uncalled(only: &[EffectName], plan: &Plan) -> Result<(), CliError> {
-    let uncalled = |name: &&EffectName| !plan.effects.iter().any(|e| e.effect == **name);
+fn refuse_uncalled(only: &[String], plan: &Plan) -> Result<(), CliError> {
+    let uncalled = |name: &&String| !plan.effects.iter().any(|e| e.effect == **name);
     let Some(name) = only.iter().find(uncalled) else { return Ok(()) };
     let left_out = plan.left_out.iter().find(|l| l.effect == *name);
     let reason = left_out.map_or("it is not called for", |l| l.reason.as_str());
-    Err(CliError::Usage(format!("--only {}: {}", name.name(), visible(reason))))
+    Err(CliError::Usage(format!("--only {}: {}", name, visible(reason))))
 }
 
 /// The effects to bake, with the parts of the others that lie in the output folder.
-fn selection(options: &Options, input: &Input) -> Result<Selection, CliError> {
+fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection, CliError> {
     if options.only.is_empty() {
         return Ok(Selection::default());
     }
-    let recipe = recipe(&input.scene, &input.hypotheses)?;
-    let kept = kept(&options.out, &recipe, &options.only)?;
+    let recipe = recipe(&input.scene, plan, &input.hypotheses)?;
+    let kept = kept(&options.out, &recipe, plan, &options.only)?;
     Ok(Selection { only: options.only.clone(), kept })
 }
 
@@ -115,7 +115,7 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
     }
     if plan.is_empty() {
         lines.push("the scene calls for no effect:".into());
-        lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect.name(), l.reason)));
+        lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect, l.reason)));
     }
     let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
     lines.push(format!("{new} files written, {same} unchanged, {gone} removed"));

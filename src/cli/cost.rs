@@ -16,7 +16,7 @@ use super::output::{Outcome, print};
 use super::progress::Bar;
 use super::{CliError, external, input};
 use crate::bake::{BakeError, Progress, Selection, recipe};
-use crate::plan;
+use crate::plan::{self, Plan};
 use crate::report::{self, Origin, Timings};
 use crate::store::{self, Files, Folder};
 use crate::timing::timings;
@@ -88,13 +88,13 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     let plan = plan::plan(&input.scene);
     let mut folder = Folder::open(&options.out)?;
     if plan.is_empty() {
-        return nothing(options, &input);
+        return nothing(options, &input, &plan);
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
     let files = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         progress.stage("timings");
-        let measured = timings(&input.scene, &baked, origin(&input, COMMAND)?, device())?;
+        let measured = timings(&input.scene, &baked, origin(&input, &plan, COMMAND)?, device())?;
         Ok(report::timings_page(&measured).map_err(BakeError::from)?)
     })?;
     drop(progress);
@@ -109,9 +109,9 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
 }
 
 /// The end for a scene that calls for no effect: there is nothing to measure and nothing is written.
-fn nothing(options: &Options, input: &Input) -> Result<Outcome, CliError> {
+fn nothing(options: &Options, input: &Input, plan: &Plan) -> Result<Outcome, CliError> {
     if options.json {
-        let origin = origin(input, COMMAND)?;
+        let origin = origin(input, plan, COMMAND)?;
         let empty = Timings {
             origin,
             device: device(),
@@ -137,10 +137,10 @@ fn json(files: &Files) -> &[u8] {
 ///
 /// # Errors
 /// A recipe that cannot be written as JSON.
-pub fn origin(input: &Input, command: &str) -> Result<Origin, CliError> {
+pub fn origin(input: &Input, plan: &Plan, command: &str) -> Result<Origin, CliError> {
     Ok(Origin {
         scene: input.scene.name.clone(),
-        recipe: recipe(&input.scene, &input.hypotheses)?.hash,
+        recipe: recipe(&input.scene, plan, &input.hypotheses)?.hash,
         tool: env!("CARGO_PKG_VERSION").into(),
         command: command.into(),
     })

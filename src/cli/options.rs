@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::CliError;
 use crate::data::Smith;
-use crate::plan::EffectName;
+use crate::effects::catalogue;
 use crate::scene::limits;
 use lobefit_truth::quantity::{self, QUANTITIES, Quantity};
 
@@ -43,11 +43,12 @@ fn threads(text: &str) -> Result<usize, String> {
 }
 
 /// The name of an effect.
-pub fn effect(text: &str) -> Result<EffectName, String> {
-    EffectName::from_name(text).ok_or_else(|| {
-        let names: Vec<&str> = EffectName::ALL.into_iter().map(EffectName::name).collect();
-        format!("no such effect; the effects are {}", names.join(", "))
-    })
+pub fn effect(text: &str) -> Result<String, String> {
+    let names: Vec<&str> = catalogue().iter().map(|effect| effect.name()).collect();
+    match names.contains(&text) {
+        true => Ok(text.into()),
+        false => Err(format!("no such effect; the effects are {}", names.join(", "))),
+    }
 }
 
 /// The quantity of a name.

@@ -8,8 +8,9 @@ use super::CliError;
 use super::input;
 use super::options::SceneOption;
 use super::output::{Outcome, print, print_json};
+use crate::effects::Called;
 use crate::emit::header::short;
-use crate::plan::{self, Effect, Plan};
+use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
 
 pub(super) const EXAMPLES: &str = "\
@@ -53,13 +54,13 @@ fn text(plan: &Plan) -> String {
     out += "left out\n";
     for left in &plan.left_out {
         // Writing to a string cannot fail.
-        let _ = writeln!(out, "  {:<17}{}", left.effect.name(), visible(&left.reason));
+        let _ = writeln!(out, "  {:<17}{}", left.effect, visible(&left.reason));
     }
     out
 }
 
-fn effect_text(effect: &Effect) -> String {
-    let mut out = format!("{}\n", effect.effect.name());
+fn effect_text(effect: &Called) -> String {
+    let mut out = format!("{}\n", effect.effect);
     for reason in &effect.because {
         let _ = writeln!(out, "  because {}", visible(reason));
     }

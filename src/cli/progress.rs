@@ -28,9 +28,9 @@ impl Bar {
     }
 }
 
-/// Stages that a bake announces: fits, each table, the page of each effect.
+/// Stages that a bake announces: each job, and the page of each effect.
 fn stages(plan: &Plan) -> usize {
-    usize::from(plan.fit.is_some()) + plan.tables.len() + plan.volumes.len() + plan.effects.len()
+    plan.effects.iter().map(|called| called.work.len() + 1).sum()
 }
 
 impl Progress for Bar {

@@ -1,15 +1,19 @@
-//! The catalogues of all effects.
+//! The effects of this version: a line for each.
 
-use super::{coupling, parallax, reflection, sheen};
+use super::anisotropy::Anisotropy;
+use super::coupling::DiffuseCoupling;
+use super::effect::Effect;
+use super::glass::Glass;
+use super::parallax::Parallax;
+use super::reflection::Reflection;
+use super::sheen::Sheen;
 
-/// Names of the functions of the catalogues.
-pub fn catalogue_names() -> impl Iterator<Item = String> {
-    let surfaces = reflection::catalogue_names().chain(coupling::catalogue_names());
-    surfaces.chain(sheen::catalogue_names()).chain(parallax::catalogue_names())
+/// Every effect, in the order of plans, include files and manifests.
+pub fn catalogue() -> &'static [&'static dyn Effect] {
+    &[&Reflection, &Anisotropy, &Glass, &DiffuseCoupling, &Sheen, &Parallax]
 }
 
-/// Every WGSL source of the catalogues, in a fixed order: part of a bake's recipe.
-pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
-    let surfaces = reflection::catalogue_sources().chain(coupling::catalogue_sources());
-    surfaces.chain(sheen::catalogue_sources()).chain(parallax::catalogue_sources())
+/// The effect of a name.
+pub fn named(catalogue: &[&'static dyn Effect], name: &str) -> Option<&'static dyn Effect> {
+    catalogue.iter().copied().find(|effect| effect.name() == name)
 }

@@ -2,7 +2,7 @@
 
 use super::BakeError;
 use super::context::Context;
-use crate::data::{Certificate, Container, Decode, Table};
+use crate::data::{Certificate, Decode, Table};
 use crate::emit::container::{Described, encode};
 use crate::emit::header;
 use crate::store::Files;
@@ -13,7 +13,6 @@ pub fn contained(
     decode: Decode,
     certificate: &Certificate,
     note: Option<&str>,
-    formats: &[Container],
     context: &Context,
     files: &mut Files,
 ) -> Result<Vec<String>, BakeError> {
@@ -22,7 +21,7 @@ pub fn contained(
     header.extend(note.map(String::from));
     let described = Described { table, decode, certificate, header: &header };
     let mut paths = Vec::new();
-    for container in formats {
+    for container in &context.scene.formats {
         for file in encode(*container, &described)? {
             let path = format!("tables/{}.{}", table.name, file.extension);
             files.insert(path.clone(), file.bytes);

@@ -18,18 +18,6 @@ impl Progress for Silent {
     fn stage(&self, _: &str) {}
 }
 
-/// Shared state of a bake.
-pub struct Context<'a> {
-    /// What makes it again.
-    pub recipe: Recipe,
-    /// Truths integrated, or interpolated from integrals for the texels of tables of three axes.
-    pub counter: Counter,
-    /// Promises that were not kept.
-    pub broken: Vec<String>,
-    /// Where stages are announced.
-    pub progress: &'a dyn Progress,
-}
-
 /// A hypothesis of the user's.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UserHypothesis {
@@ -39,12 +27,28 @@ pub struct UserHypothesis {
     pub source: String,
 }
 
-/// What a page says of its making.
-pub fn origin(scene: &Scene, context: &Context) -> Origin {
-    Origin {
-        scene: scene.name.clone(),
-        recipe: context.recipe.hash.clone(),
-        tool: env!("CARGO_PKG_VERSION").into(),
-        command: context.recipe.command.clone(),
+/// What the effects of a bake share.
+pub struct Context<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The user's hypotheses, in order of first mention in the scene.
+    pub hypotheses: &'a [UserHypothesis],
+    /// What makes it again.
+    pub recipe: Recipe,
+    /// Truths integrated, or interpolated from integrals for the texels of tables of three axes.
+    pub counter: Counter,
+    /// Where stages are announced.
+    pub progress: &'a dyn Progress,
+}
+
+impl Context<'_> {
+    /// What a page says of its making.
+    pub fn origin(&self) -> Origin {
+        Origin {
+            scene: self.scene.name.clone(),
+            recipe: self.recipe.hash.clone(),
+            tool: env!("CARGO_PKG_VERSION").into(),
+            command: self.recipe.command.clone(),
+        }
     }
 }

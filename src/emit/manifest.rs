@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::data::{Approximation, Axis, Certificate, Form, Place, Smith, Table};
+use crate::data::{Approximation, Axis, Certificate, Form, Place, Table};
 
 /// Version of the manifest's form.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// The whole manifest. Entries are JSON already: those of an effect may come from an older manifest of the same recipe.
-#[derive(Clone, Debug, Serialize)]
+/// The whole manifest: written by a bake, and read back by one that keeps parts of an older bake.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
     /// Version of this form: 1.
     pub schema_version: u32,
@@ -22,7 +22,7 @@ pub struct Manifest {
     /// Hash of tool version, scene and hypotheses.
     pub recipe: String,
     /// Effects baked: what called for them, ranges, expected and measured error.
-    pub effects: Vec<Value>,
+    pub effects: Vec<EffectFinding>,
     /// What was made.
     #[serde(flatten)]
     pub entries: Entries,
@@ -33,58 +33,74 @@ pub struct Manifest {
 }
 
 /// The lists that every effect adds to; each entry names its effect.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Entries {
-    /// Tables baked: [`TableEntry`].
-    pub tables: Vec<Value>,
-    /// Fits made and published formulas emitted beside them: [`FitEntry`].
-    pub fits: Vec<Value>,
-    /// Hypotheses of the catalogue without a reliable fit in this scene: [`FitLeftOut`].
-    pub fits_left_out: Vec<Value>,
-    /// Functions of the levels of prefiltered chains: [`MipEntry`].
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub mips: Vec<Value>,
-    /// Functions that look a probe up through a proxy: [`LookupFunction`].
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub lookups: Vec<Value>,
-    /// Pages and their data: [`Report`].
-    pub reports: Vec<Value>,
+    /// Tables baked.
+    pub tables: Vec<TableEntry>,
+    /// Fits made and published formulas emitted beside them.
+    pub fits: Vec<FitEntry>,
+    /// Hypotheses of the catalogue without a reliable fit in this scene.
+    pub fits_left_out: Vec<FitLeftOut>,
+    /// Functions of the levels of prefiltered chains.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub mips: Vec<MipEntry>,
+    /// Functions that look a probe up through a proxy.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lookups: Vec<LookupFunction>,
+    /// Pages and their data.
+    pub reports: Vec<Report>,
 }
 
 impl Entries {
     /// Appends those of another effect.
-    pub fn extend(&mut self, other: &Entries) {
-        self.tables.extend_from_slice(&other.tables);
-        self.fits.extend_from_slice(&other.fits);
-        self.fits_left_out.extend_from_slice(&other.fits_left_out);
-        self.mips.extend_from_slice(&other.mips);
-        self.lookups.extend_from_slice(&other.lookups);
-        self.reports.extend_from_slice(&other.reports);
+    pub fn extend(&mut self, other: Entries) {
+        self.tables.extend(other.tables);
+        self.fits.extend(other.fits);
+        self.fits_left_out.extend(other.fits_left_out);
+        self.mips.extend(other.mips);
+        self.lookups.extend(other.lookups);
+        self.reports.extend(other.reports);
     }
 
-    /// The lists with their names, to be filtered alike.
-    pub fn lists(&mut self) -> [(&'static str, &mut Vec<Value>); 6] {
-        [
-            ("tables", &mut self.tables),
-            ("fits", &mut self.fits),
-            ("fits_left_out", &mut self.fits_left_out),
-            ("mips", &mut self.mips),
-            ("lookups", &mut self.lookups),
-            ("reports", &mut self.reports),
-        ]
+    /// Those of one effect.
+    pub fn of(&self, effect: &str) -> Entries {
+        Entries {
+            tables: self.tables.iter().filter(|e| e.effect == effect).cloned().collect(),
+            fits: self.fits.iter().filter(|e| e.effect == effect).cloned().collect(),
+            fits_left_out: self.fits_left_out.iter().filter(|e| e.effect == effect).cloned().collect(),
+            mips: self.mips.iter().filter(|e| e.effect == effect).cloned().collect(),
+            lookups: self.lookups.iter().filter(|e| e.effect == effect).cloned().collect(),
+            reports: self.reports.iter().filter(|e| e.effect.as_deref() == Some(effect)).cloned().collect(),
+        }
     }
 }
 
-/// A value as it reads back from JSON text: f32 in their shortest digits, keys in order.
-pub fn canonical(value: &impl Serialize) -> Result<Value, serde_json::Error> {
-    serde_json::from_str(&serde_json::to_string(value)?)
+/// One effect that the scene called for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EffectFinding {
+    /// Name of the effect: `reflection`, ...
+    pub effect: String,
+    /// What in the scene called for it.
+    pub because: Vec<String>,
+    /// Domain that the scene spans, by input.
+    pub ranges: BTreeMap<String, [f64; 2]>,
+    /// Approximation chosen.
+    pub approximation: String,
+    /// Error that the scene allows; none where it sets no limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expected_error: Option<f64>,
+    /// Error that was measured; none where nothing was made that has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub measured_error: Option<f64>,
+    /// What error that is: `furnace error |E N - 1|`, ...
+    pub metric: String,
 }
 
 /// One table.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TableEntry {
     /// Effect that called for it.
-    pub effect: &'static str,
+    pub effect: String,
     /// Name.
     pub name: String,
     /// File, relative to the manifest: the first of `files`.
@@ -95,17 +111,17 @@ pub struct TableEntry {
     pub quantity: String,
     /// What it is looked up for: `value` (E) or `f0-blend` (f0 A + B).
     #[serde(rename = "use")]
-    pub used_as: &'static str,
+    pub used_as: String,
     /// Shadowing form.
-    pub smith: &'static str,
+    pub smith: String,
     /// Roughness to alpha.
-    pub alpha_map: &'static str,
+    pub alpha_map: String,
     /// Channels by name.
     pub channels: Vec<String>,
     /// How E, A and B follow from the channels.
-    pub decode: BTreeMap<&'static str, &'static str>,
+    pub decode: BTreeMap<String, String>,
     /// Texel format.
-    pub format: &'static str,
+    pub format: String,
     /// Columns, then rows, then slices where there are any.
     pub axes: Vec<AxisEntry>,
     /// Measured errors.
@@ -117,14 +133,14 @@ pub struct TableEntry {
 }
 
 /// One axis.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AxisEntry {
     /// Physical variable.
     pub name: String,
     /// Texels.
     pub size: usize,
     /// `centre` or `endpoint`.
-    pub registration: &'static str,
+    pub registration: String,
     /// Formula of the unit coordinate.
     pub warp: String,
     /// Physical value at u = 0.
@@ -134,7 +150,7 @@ pub struct AxisEntry {
 }
 
 /// Errors of a table, told apart.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TableError {
     /// Largest error of what it was made from and judged against: the worst difference from direct integrals at a fixed sample, or the
     /// tolerance of integrals that are direct themselves. No more than that is known of places between the samples.
@@ -148,7 +164,7 @@ pub struct TableError {
 }
 
 /// Error of a lookup.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LookupEntry {
     /// Largest absolute error.
     pub max: f64,
@@ -159,10 +175,10 @@ pub struct LookupEntry {
 }
 
 /// One emitted formula.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FitEntry {
     /// Effect that called for it.
-    pub effect: &'static str,
+    pub effect: String,
     /// Name.
     pub name: String,
     /// Quantity.
@@ -171,11 +187,11 @@ pub struct FitEntry {
     pub column: String,
     /// Use, from which the error metric follows.
     #[serde(rename = "use")]
-    pub used_as: &'static str,
+    pub used_as: String,
     /// Shadowing form; null of a quantity that has none.
-    pub smith: Option<&'static str>,
+    pub smith: Option<String>,
     /// Roughness to alpha.
-    pub alpha_map: &'static str,
+    pub alpha_map: String,
     /// Function in the emitted code.
     pub function: String,
     /// Argument names in order.
@@ -190,13 +206,13 @@ pub struct FitEntry {
     pub certificate: Certificate,
     /// What multiplies the specular lobe above a base; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub specular: Option<&'static str>,
+    pub specular: Option<String>,
     /// Largest error over all f0 in [0, 1], whatever the certificate's are; none of formulas that do not depend on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub any_f0: Option<AnyF0Entry>,
     /// The lobe that a chain is prefiltered with; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub kernel: Option<&'static str>,
+    pub kernel: Option<String>,
     /// Total variation between the footprint wanted and the one fetched; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub total_variation: Option<VariationEntry>,
@@ -210,7 +226,7 @@ pub struct FitEntry {
 }
 
 /// Error of a coupling over all f0.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AnyF0Entry {
     /// Largest absolute error.
     pub max_abs: f64,
@@ -223,7 +239,7 @@ pub struct AnyF0Entry {
 }
 
 /// Total variation over the cells of a grid whose fetches are not saturated, of a fit and of the best width in every cell.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VariationEntry {
     /// Where the shading point is nearer than the probe, rho < 1; none without such cells.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -234,7 +250,7 @@ pub struct VariationEntry {
 }
 
 /// Total variation over some cells.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SpreadEntry {
     /// Mean.
     pub mean: f64,
@@ -251,23 +267,23 @@ pub struct SpreadEntry {
 }
 
 /// A function of the levels of a prefiltered chain.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MipEntry {
     /// Effect that called for it.
-    pub effect: &'static str,
+    pub effect: String,
     /// Function in the emitted code.
     pub function: String,
     /// What it gives: `mip`, `roughness`, `adjusted-mip`, `mip-bias`.
-    pub gives: &'static str,
+    pub gives: String,
     /// Argument names in order, of `mip`, `rho`, `roughness`, `alpha`.
     pub inputs: Vec<String>,
     /// The chain, in words.
     pub chain: String,
     /// Roughness to alpha.
-    pub alpha_map: &'static str,
+    pub alpha_map: String,
     /// The lobe that the chain is prefiltered with; none of functions that do not depend on it.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub kernel: Option<&'static str>,
+    pub kernel: Option<String>,
     /// Coefficients by parameter.
     pub coefficients: BTreeMap<String, f32>,
     /// Largest error in levels, of `roughness` there and back.
@@ -279,10 +295,10 @@ pub struct MipEntry {
 }
 
 /// A function that looks a probe up through a proxy of its room.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LookupFunction {
     /// Effect that called for it.
-    pub effect: &'static str,
+    pub effect: String,
     /// Function in the emitted code.
     pub function: String,
     /// Argument names in order.
@@ -290,20 +306,20 @@ pub struct LookupFunction {
     /// `box`, or the number of planes after `planes_`.
     pub proxy: String,
     /// `smooth` or `sharp`.
-    pub edges: &'static str,
+    pub edges: String,
     /// What the lobe of the surface is taken for: `mirror` or `fitted`.
-    pub lobe: &'static str,
+    pub lobe: String,
     /// The power of smooth edges, a formula of alpha, or of the `width` of the fitted lobe.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub power: Option<String>,
     /// What it returns beside a direction: `width` or `mip`.
-    pub gives: &'static str,
+    pub gives: String,
     /// The function of the width that it calls.
     pub width: String,
     /// The lobe that the chain is prefiltered with.
-    pub kernel: &'static str,
+    pub kernel: String,
     /// Roughness to alpha.
-    pub alpha_map: &'static str,
+    pub alpha_map: String,
     /// The chain, in words, where it returns levels.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub chain: Option<String>,
@@ -312,7 +328,7 @@ pub struct LookupFunction {
 }
 
 /// Cost of an evaluation.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CostEntry {
     /// Operations of the project's model.
     pub ops: u32,
@@ -323,29 +339,29 @@ pub struct CostEntry {
 }
 
 /// One include file.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Include {
     /// `rust`, `wgsl`, ...
-    pub language: &'static str,
+    pub language: String,
     /// File, relative to the manifest.
     pub file: String,
 }
 
 /// One page or data file of the report.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// Effect that it shows; none for the overview.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub effect: Option<&'static str>,
+    pub effect: Option<String>,
     /// File, relative to the manifest.
     pub file: String,
 }
 
 /// A hypothesis without a fit.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FitLeftOut {
     /// Effect that it belongs to.
-    pub effect: &'static str,
+    pub effect: String,
     /// Its name.
     pub hypothesis: String,
     /// Norm that was minimised.
@@ -355,7 +371,7 @@ pub struct FitLeftOut {
 }
 
 /// An effect left out.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
     /// Its name.
     pub effect: String,
@@ -369,7 +385,7 @@ impl AxisEntry {
         AxisEntry {
             name: axis.name.clone(),
             size: axis.size,
-            registration: axis.registration.name(),
+            registration: axis.registration.name().into(),
             warp: axis.formula(),
             min: axis.min,
             max: axis.max,
@@ -388,24 +404,24 @@ impl CostEntry {
 impl TableEntry {
     /// The entry of a table's approximation.
     pub fn new(
-        effect: &'static str,
+        effect: &str,
         approximation: &Approximation,
         table: &Table,
-        decode: BTreeMap<&'static str, &'static str>,
+        decode: &[(&str, &str)],
         error: TableError,
     ) -> TableEntry {
         TableEntry {
-            effect,
+            effect: effect.into(),
             name: table.name.clone(),
             file: format!("tables/{}.exr", table.name),
             files: vec![format!("tables/{}.exr", table.name)],
             quantity: table.quantity.clone(),
-            used_as: approximation.used_as.name(),
-            smith: table.smith.name(),
-            alpha_map: table.alpha_map.name(),
+            used_as: approximation.used_as.name().into(),
+            smith: table.smith.name().into(),
+            alpha_map: table.alpha_map.name().into(),
             channels: table.channels.iter().map(|c| c.name.clone()).collect(),
-            decode,
-            format: table.format.name(),
+            decode: decode.iter().map(|(name, formula)| (name.to_string(), formula.to_string())).collect(),
+            format: table.format.name().into(),
             axes: table.axes.iter().map(AxisEntry::new).collect(),
             error,
             bytes: table.bytes(),
@@ -424,20 +440,16 @@ impl TableEntry {
 
 impl FitEntry {
     /// The entry of a formula; `None` for a table.
-    pub fn new(
-        effect: &'static str,
-        alpha_map: &'static str,
-        approximation: &Approximation,
-    ) -> Option<FitEntry> {
+    pub fn new(effect: &str, alpha_map: &str, approximation: &Approximation) -> Option<FitEntry> {
         let Form::Formula(formula) = &approximation.form else { return None };
         Some(FitEntry {
-            effect,
+            effect: effect.into(),
             name: approximation.name.clone(),
             quantity: approximation.quantity.clone(),
             column: approximation.column.clone(),
-            used_as: approximation.used_as.name(),
-            smith: approximation.smith.map(Smith::name),
-            alpha_map,
+            used_as: approximation.used_as.name().into(),
+            smith: approximation.smith.map(|smith| smith.name().into()),
+            alpha_map: alpha_map.into(),
             function: approximation.name.clone(),
             inputs: formula.inputs.clone(),
             hypothesis: formula.hypothesis.clone(),
@@ -460,16 +472,16 @@ impl FitEntry {
     /// value below 0.
     pub fn under(
         self,
-        specular: &'static str,
+        specular: &str,
         any_f0: AnyF0Entry,
         safe: Option<BTreeMap<String, [f64; 2]>>,
     ) -> FitEntry {
-        FitEntry { specular: Some(specular), any_f0: Some(any_f0), safe, ..self }
+        FitEntry { specular: Some(specular.into()), any_f0: Some(any_f0), safe, ..self }
     }
 
     /// The entry of a width to fetch from a chain of this kernel.
-    pub fn fetching(self, kernel: &'static str, total_variation: VariationEntry) -> FitEntry {
-        FitEntry { kernel: Some(kernel), total_variation: Some(total_variation), ..self }
+    pub fn fetching(self, kernel: &str, total_variation: VariationEntry) -> FitEntry {
+        FitEntry { kernel: Some(kernel.into()), total_variation: Some(total_variation), ..self }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What was found out, as pictures and pages. Plain data in, bytes out; nothing is measured here.
 //!
-//! [`index`] is the overview of a bake, [`page`] shows the [`Findings`] of one of its effects, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a
+//! [`index`] is the overview of a bake, [`files`] are the page of one of its effects and its figures, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a
 //! [`Page`], a list of [`Section`]s of [`Block`]s; a new effect adds a section from the figures there are
 //! ([`HeatMap`], [`Curves`], [`Scatter`], [`Spheres`], [`Bars`]). The same data gives the same bytes for any number
 //! of threads: rows of pictures are computed in parallel and joined in order, coordinates have fixed decimals, and
@@ -21,13 +21,15 @@ mod timings;
 
 use serde::Serialize;
 
+use crate::emit::manifest::Manifest;
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
     ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure, Findings,
-    FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, Index, IndexRow, LeftOut, Marked,
-    Origin, SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study, StudySeries, TableFinding,
+    FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, LeftOut, Marked, Origin,
+    SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study, StudySeries, TableFinding,
 };
+pub use findings::{ExchangeAt, ReciprocityRow, SurfaceFurnace};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use image::{Image, displayed, luminance};
 pub use json::document;
@@ -52,18 +54,10 @@ pub struct File {
     pub bytes: Vec<u8>,
 }
 
-/// `reports/<effect>.html` and `reports/<effect>.json` of an effect.
-///
-/// # Errors
-/// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
-pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError> {
-    files(effect, &sections::of_findings(effect, findings)?, findings)
-}
-
 /// `reports/<effect>.html` of a page of sections, and `reports/<effect>.json` of its figures.
 ///
 /// # Errors
-/// As [`page`].
+/// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
 pub fn files(effect: &str, page: &Page, figures: &impl Serialize) -> Result<Vec<File>, ReportError> {
     let figures = json::document(&format!("{effect}.json"), figures)?;
     Ok(vec![
@@ -72,19 +66,27 @@ pub fn files(effect: &str, page: &Page, figures: &impl Serialize) -> Result<Vec<
     ])
 }
 
+/// The same of findings of fits and tables over roughness and mu.
+///
+/// # Errors
+/// As [`files`].
+pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError> {
+    files(effect, &sections::of_findings(effect, findings)?, findings)
+}
+
 /// `reports/index.html`: the overview of a bake, with links to the pages of its effects.
 ///
 /// # Errors
-/// As [`page`].
-pub fn index(index: &Index) -> Result<Vec<File>, ReportError> {
-    let text = html(&sections::of_index(index)?)?;
+/// As [`files`].
+pub fn index(origin: Origin, manifest: &Manifest) -> Result<Vec<File>, ReportError> {
+    let text = html(&sections::of_index(origin, manifest)?)?;
     Ok(vec![file("reports/index.html", text.into_bytes())])
 }
 
 /// `reports/timings.html` and `reports/timings.json` of a measurement.
 ///
 /// # Errors
-/// As [`page`].
+/// As [`files`].
 pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
     let figures = json::document("timings.json", timings)?;
     let text = html(&sections::of_timings(timings)?)?;
@@ -94,7 +96,7 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
 /// The page of times on a graphics processor as HTML, and its record as JSON; the page names the hash of the record's bytes.
 ///
 /// # Errors
-/// As [`page`].
+/// As [`files`].
 pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
     let figures = json::document("gpu.json", record)?;
     let hash = blake3::hash(&figures).to_hex();
@@ -104,7 +106,7 @@ pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
 /// The page of a formula that the user fits, as HTML.
 ///
 /// # Errors
-/// As [`page`].
+/// As [`files`].
 pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
     html(&sections::of_fit(findings)?)
 }
@@ -112,7 +114,7 @@ pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
 /// The page of a search over forms, as HTML.
 ///
 /// # Errors
-/// As [`page`].
+/// As [`files`].
 pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
     html(&sections::of_search(findings)?)
 }

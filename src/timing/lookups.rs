@@ -4,10 +4,9 @@ use std::hint::black_box;
 
 use super::seconds;
 use crate::data::{ProbeLookup, SurfaceLobe};
-use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
+use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width, lobes};
 use crate::effects::room::proxies::{Body, Tied};
 use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
-use crate::plan;
 use crate::report::TimedLookup;
 use crate::scene::Scene;
 use lobefit_math::sobol::Sobol;
@@ -18,9 +17,8 @@ const PIXELS: u32 = 1 << 12;
 
 /// Every lookup that a probe of the scene wants, once.
 pub(super) fn lookups(scene: &Scene) -> Vec<TimedLookup> {
-    let plan = plan::plan(scene);
     let mut wanted: Vec<ProbeLookup> =
-        plan.parallaxes.iter().flat_map(|job| &job.lookups).map(|(lookup, _)| *lookup).collect();
+        lobes(scene).iter().flat_map(|lobe| &lobe.lookups).map(|(lookup, _)| *lookup).collect();
     wanted.sort();
     wanted.dedup();
     wanted.into_iter().filter_map(timed).collect()

@@ -4,7 +4,8 @@ use std::sync::LazyLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::Use;
-use lobefit::plan::{EffectName, Plan, plan};
+use lobefit::effects::parallax::lobes;
+use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_math::ops;
 use lobefit_truth::integrate::footprint::{adjusted, measures};
@@ -115,7 +116,7 @@ fn certificates_of_widths_hold() {
 }
 
 fn left_out(plan: &Plan) -> &str {
-    &plan.left_out.iter().find(|l| l.effect == EffectName::Parallax).expect("left out").reason
+    &plan.left_out.iter().find(|l| l.effect == "parallax").expect("left out").reason
 }
 
 #[test]
@@ -125,7 +126,7 @@ fn without_a_probe_there_is_nothing_of_it() {
     // Scenes without one have the hash that they had before there were probes.
     assert!(!serde_json::to_string(&none).expect("JSON").contains("probe"));
     let smooth = plan(&scene(r#"{"name": "p", "roughness": 0.005}, {"name": "q", "roughness": [0, 0.009]}"#));
-    assert!(smooth.parallaxes.is_empty());
+    assert!(smooth.jobs("parallax").is_empty());
     assert_eq!(
         left_out(&smooth),
         "no probe is looked up with a rough lobe: `p` and 1 more stay below alpha 0.0001, which is smooth"
@@ -135,19 +136,22 @@ fn without_a_probe_there_is_nothing_of_it() {
 /// One job for each lobe: the hull of the ranges, every norm and chain once, the largest number of operations, each promise by itself.
 #[test]
 fn probes_are_planned_together() {
-    let plan = plan(&scene(
+    let scene = scene(
         r#"{"name": "a", "roughness": [0.2, 0.5], "rho": [0.5, 2], "max_ops": 9, "max_error": 0.05, "norms": ["max"],
             "mips": {"map": "linear", "count": 7}},
            {"name": "b", "kernel": "ndf", "roughness": 0.5, "rho": 1},
            {"name": "c", "roughness": [0.3, 1], "rho": [0.25, 1], "max_ops": 13, "norms": ["rms"],
             "mips": {"map": "linear", "count": 7}}"#,
-    ));
-    let [ndf, cosine] = &plan.parallaxes[..] else { panic!("{:?}", plan.parallaxes) };
-    assert_eq!((cosine.roughness, cosine.rho, cosine.max_ops), ([0.2, 1.0], [0.25, 2.0], Some(13)));
-    assert_eq!((cosine.norms.len(), cosine.chains.len(), cosine.promises.len()), (2, 1, 1));
-    assert_eq!(cosine.promises[0].limits[0].field, "probes[0].max_error");
-    assert!(ndf.roughness[1] - ndf.roughness[0] > 0.009 && ndf.rho[1] / ndf.rho[0] > 1.009, "{ndf:?}");
-    let effect = plan.effects.iter().find(|e| e.effect == EffectName::Parallax).expect("the effect");
+    );
+    let plan = plan(&scene);
+    let [ndf, cosine] = plan.jobs("parallax") else { panic!("{plan:?}") };
+    assert_eq!((cosine.ranges["roughness"], cosine.ranges["rho"]), ([0.2, 1.0], [0.25, 2.0]));
+    assert_eq!((cosine.goals.max_ops, cosine.goals.norms.len(), cosine.promises.len()), (Some(13), 2, 1));
+    assert_eq!(lobes(&scene)[1].chains.len(), 1);
+    assert_eq!(cosine.promises[0].by[0].1, "probes[0].max_error");
+    let (roughness, rho) = (ndf.ranges["roughness"], ndf.ranges["rho"]);
+    assert!(roughness[1] - roughness[0] > 0.009 && rho[1] / rho[0] > 1.009, "{ndf:?}");
+    let effect = plan.effects.iter().find(|e| e.effect == "parallax").expect("the effect");
     assert_eq!((effect.because.len(), effect.jobs.len()), (3, 2));
 }
 

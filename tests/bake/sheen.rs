@@ -5,7 +5,8 @@ use std::sync::LazyLock;
 use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
-use lobefit::plan::{EffectName, Plan, plan};
+use lobefit::effects::reflection::FitJob;
+use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
@@ -99,17 +100,17 @@ fn certificates_of_the_sheen_hold() {
 }
 
 fn left_out(plan: &Plan) -> &str {
-    let sheen = plan.left_out.iter().find(|l| l.effect == EffectName::Sheen).expect("left out");
+    let sheen = plan.left_out.iter().find(|l| l.effect == "sheen").expect("left out");
     &sheen.reason
 }
 
 #[test]
 fn without_a_sheen_there_is_nothing_of_it() {
     let without = plan(&scene(r#""kind": "metal", "f0": 1, "roughness": 0.5"#));
-    assert!(without.sheen.is_none());
+    assert!(without.jobs("sheen").is_empty());
     assert_eq!(left_out(&without), "no material has a sheen layer");
     let smooth = plan(&scene(r#""kind": "metal", "f0": 1, "roughness": 0.5, "sheen": {"roughness": 0.005}"#));
-    assert!(smooth.sheen.is_none());
+    assert!(smooth.jobs("sheen").is_empty());
     assert_eq!(
         left_out(&smooth),
         "no sheen is rough: the sheen of `m` stays below alpha 0.0001, which is smooth"
@@ -206,12 +207,13 @@ fn blends_are_fitted_for_every_f0() {
 fn sheens_are_planned_together() {
     let scene = Scene::from_json(include_bytes!("../../examples/cloth.json"), "cloth.json").expect("a scene");
     let plan = plan(&scene);
-    let job = plan.sheen.as_ref().expect("a job");
-    assert_eq!((job.roughness, job.mu, job.max_ops), ([0.1, 1.0], [0.01, 1.0], None));
-    assert_eq!(job.norms.len(), 2);
+    let [job] = plan.jobs("sheen") else { panic!("{plan:?}") };
+    assert_eq!((job.ranges["roughness"], job.ranges["mu"]), ([0.1, 1.0], [0.01, 1.0]));
+    assert_eq!((job.goals.max_ops, job.goals.norms.len()), (None, 2));
     assert_eq!((job.promises.len(), job.promises[0].max_error), (1, 0.06));
-    let effect = plan.effects.iter().find(|e| e.effect == EffectName::Sheen).expect("the effect");
+    let effect = plan.effects.iter().find(|e| e.effect == "sheen").expect("the effect");
     assert_eq!(effect.because.len(), 2);
     assert_eq!(effect.expected_error, Some(0.06));
-    assert!(plan.fit.as_ref().is_some_and(|fit| fit.blend));
+    let fit = plan.jobs("reflection").last().expect("fits");
+    assert!(FitJob::of(&scene, fit).blend);
 }

@@ -15,19 +15,20 @@ use std::sync::OnceLock;
 use lobefit::approximate::{Counter, Field, Fit, PointSet, Region, TRUTH_ERROR, certification};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
+use lobefit::effects::demand::Job;
 use lobefit::effects::reflection::{TableSpec, build};
 use lobefit::effects::table::{self, Lookup, Truth, measure};
 use lobefit::emit::lookup::Readable;
-use lobefit::plan::{FitJob, plan};
+use lobefit::plan::plan;
 use lobefit::scene::Scene;
 
 /// The built-in scene's bake, once per test binary, with the fit that it called for.
-pub fn baked() -> &'static (Baked, FitJob) {
-    static BAKED: OnceLock<(Baked, FitJob)> = OnceLock::new();
+pub fn baked() -> &'static (Baked, Job) {
+    static BAKED: OnceLock<(Baked, Job)> = OnceLock::new();
     BAKED.get_or_init(|| {
         let scene = Scene::built_in().expect("the built-in scene");
         let plan = plan(&scene);
-        let fit = plan.fit.clone().expect("the built-in scene calls for fits");
+        let fit = plan.jobs("reflection").last().cloned().expect("the built-in scene calls for fits");
         // Not the number that the committed files were made with.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().expect("a pool");
         let baked = pool.install(|| bake(&scene, &plan, &[], Selection::default(), &Silent));
@@ -83,7 +84,7 @@ impl Points {
     /// The region that the fits hold in.
     pub fn of_fits() -> Points {
         let job = &baked().1;
-        Points::of(&Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map })
+        Points::of(&job.region(AlphaMap::default()).expect("a region"))
     }
 
     pub fn len(&self) -> usize {

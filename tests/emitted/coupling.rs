@@ -10,7 +10,7 @@ use emit_support::programs::{compile_library, run};
 use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
-use lobefit::plan::{EffectName, Plan, plan};
+use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_shade::code::Language;
 use lobefit_truth::integrate::Estimate;
@@ -32,7 +32,7 @@ fn dielectric(name: &str, f0: &str, base: &str) -> String {
 }
 
 fn baked(scene: &Scene) -> Baked {
-    let only = vec![EffectName::DiffuseCoupling];
+    let only = vec!["diffuse-coupling".to_string()];
     let selection = Selection { only, ..Selection::default() };
     bake(scene, &plan(scene), &[], selection, &Silent).expect("a bake")
 }
@@ -309,7 +309,7 @@ fn ours_beat_the_bars() {
 }
 
 fn left_out(plan: &Plan) -> &str {
-    let left = plan.left_out.iter().find(|l| l.effect == EffectName::DiffuseCoupling).expect("left out");
+    let left = plan.left_out.iter().find(|l| l.effect == "diffuse-coupling").expect("left out");
     &left.reason
 }
 
@@ -333,7 +333,7 @@ fn without_a_base_there_is_nothing_of_it() {
         ),
     ] {
         let plan = of(material);
-        assert!(plan.couplings.is_empty());
+        assert!(plan.jobs("diffuse-coupling").is_empty());
         assert_eq!(left_out(&plan), reason);
     }
     // Scenes without a base have the hash that they had before there were bases.
@@ -376,17 +376,18 @@ fn bases_are_planned_together() {
         dielectric("d", "0.9", r#"{"albedo": 0}"#),
     ];
     let plan = plan(&scene(&materials.join(",")));
-    let [single, normalised] = &plan.couplings[..] else { panic!("{:?}", plan.couplings) };
-    assert_eq!((single.specular, single.f0, single.max_ops), (Specular::Single, [0.2, 0.2], None));
+    let [single, normalised] = plan.jobs("diffuse-coupling") else { panic!("{plan:?}") };
+    assert_eq!((single.name.as_str(), single.ranges["f0"]), ("coupling-single", [0.2, 0.2]));
+    assert_eq!(single.goals.max_ops, None);
     assert_eq!(
-        (normalised.specular, normalised.f0, normalised.max_ops),
-        (Specular::Normalised, [0.02, 0.05], Some(15))
+        (normalised.name.as_str(), normalised.ranges["f0"], normalised.goals.max_ops),
+        ("coupling-normalised", [0.02, 0.05], Some(15))
     );
     assert_eq!(
-        (normalised.roughness, normalised.norms.len(), normalised.promises.len()),
+        (normalised.ranges["roughness"], normalised.goals.norms.len(), normalised.promises.len()),
         ([0.05, 1.0], 2, 1)
     );
-    let effect = plan.effects.iter().find(|e| e.effect == EffectName::DiffuseCoupling).expect("the effect");
+    let effect = plan.effects.iter().find(|e| e.effect == "diffuse-coupling").expect("the effect");
     assert_eq!((effect.because.len(), effect.jobs.len(), effect.expected_error), (3, 2, None));
     assert_eq!(effect.ranges["f0"], [0.02, 0.2]);
 }

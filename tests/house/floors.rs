@@ -147,10 +147,10 @@ fn planted_edges_are_caught() {
         ["f.rs imports approximate"],
         "the floor above"
     );
-    assert_eq!(edges("plan", "use crate::emit::exr;", 2), ["f.rs imports emit"], "same floor");
+    assert_eq!(edges("bake", "use crate::fitting::Job;", 2), ["f.rs imports fitting"], "same floor");
     assert_eq!(edges("plan", "use crate::{\n  data::{Axis, Warp},\n  cli,\n};", 2), ["f.rs imports cli"]);
     assert_eq!(edges("effects", "fn f() -> crate::plan::Plan {}", 2), ["f.rs imports plan"]);
-    assert_eq!(edges("plan", "use super::super::store::Folder;", 2), ["f.rs imports store"]);
+    assert_eq!(edges("plan", "use super::super::bake::Baked;", 2), ["f.rs imports bake"]);
     assert_eq!(edges("plan", "use crate::nowhere::X;", 2), ["f.rs imports nowhere"]);
     assert!(
         edges("plan", "// use crate::cli::X;\nuse crate::scene::Scene;\nuse super::job::Job;", 2).is_empty()

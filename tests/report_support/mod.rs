@@ -292,6 +292,7 @@ pub fn findings() -> Findings {
             Field::sample("E", false, x.clone(), y.clone(), albedo),
             Field::sample("1/E", false, x, y, |r, m| 1.0 / albedo(r, m)),
         ],
+        caption: "E has a valley along the diagonal.".into(),
         approximations,
         fits: FITS.map(fit).to_vec(),
         averages: Some(averages()),

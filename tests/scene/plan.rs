@@ -1,8 +1,10 @@
 //! Scenes to plans: merging, ranges, what is left out and why.
 
-use lobefit::plan::{EffectName, Plan, plan};
+use lobefit::effects::catalogue;
+use lobefit::effects::demand::Job;
+use lobefit::effects::reflection::{FitJob, TableJob};
+use lobefit::plan::{Plan, plan};
 use lobefit::scene::{Norm, Scene};
-use lobefit_truth::integrate::coupling::Specular;
 
 fn scene(text: &str) -> Scene {
     Scene::from_json(text.as_bytes(), "test").unwrap_or_else(|e| panic!("{e}\n{text}"))
@@ -19,7 +21,17 @@ fn metals(materials: &[(&str, &str, &str)]) -> Scene {
     scene(&format!(r#"{{"schema_version":1,"materials":[{}]}}"#, list.join(",")))
 }
 
-fn reason(plan: &Plan, effect: EffectName) -> &str {
+/// The tables of two axes that a scene wants.
+fn tables(scene: &Scene) -> Vec<TableJob> {
+    TableJob::all(scene, plan(scene).jobs("reflection")).expect("jobs of tables")
+}
+
+/// The job of fits of the normalisation.
+fn fits(plan: &Plan) -> Option<&Job> {
+    plan.jobs("reflection").iter().find(|job| job.name == "normalisation")
+}
+
+fn reason<'a>(plan: &'a Plan, effect: &str) -> &'a str {
     &plan.left_out.iter().find(|l| l.effect == effect).expect("left out").reason
 }
 
@@ -27,20 +39,22 @@ fn reason(plan: &Plan, effect: EffectName) -> &str {
 fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload() {
     let scene = Scene::built_in().unwrap();
     let plan = plan(&scene);
-    let names: Vec<&str> = plan.tables.iter().map(|t| t.name.as_str()).collect();
+    let tables = tables(&scene);
+    let names: Vec<&str> = tables.iter().map(|t| t.name.as_str()).collect();
     assert_eq!(names, ["ggx-dfg-correlated-32x32", "ggx-dfg-correlated-64x64-split-sum"]);
-    assert!(plan.tables.iter().all(|t| t.roughness == [0.02, 1.0]));
-    let fit = plan.fit.as_ref().unwrap();
-    assert_eq!((fit.roughness, fit.mu), ([0.02, 1.0], [0.01, 1.0]));
-    assert_eq!((fit.max_ops, fit.max_error, fit.average), (Some(20), Some(0.0105), true));
-    assert_eq!(fit.norms, [Norm::Max, Norm::Rms]);
+    assert!(tables.iter().all(|t| t.roughness == [0.02, 1.0]));
+    let fit = fits(&plan).unwrap();
+    assert_eq!((fit.ranges["roughness"], fit.ranges["mu"]), ([0.02, 1.0], [0.01, 1.0]));
+    assert_eq!((fit.goals.max_ops, fit.goals.max_error), (Some(20), Some(0.0105)));
+    assert!(FitJob::of(&scene, fit).average);
+    assert_eq!(fit.goals.norms, [Norm::Max, Norm::Rms]);
     assert_eq!(fit.promises.len(), 1);
-    assert_eq!(fit.promises[0].materials, ["rough metal", "rough dielectric"]);
-    let effects: Vec<EffectName> = plan.effects.iter().map(|e| e.effect).collect();
-    use EffectName::{Anisotropy, DiffuseCoupling, Glass, Parallax, Reflection};
-    assert_eq!(effects, [Reflection, Anisotropy, Glass, DiffuseCoupling, Parallax]);
-    let volumes: Vec<&str> =
-        plan.volumes.iter().flat_map(|job| &job.tables).map(|table| table.name.as_str()).collect();
+    let by: Vec<&str> = fit.promises[0].by.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(by, ["rough metal", "rough dielectric"]);
+    let effects: Vec<&str> = plan.effects.iter().map(|e| e.effect).collect();
+    assert_eq!(effects, ["reflection", "anisotropy", "glass", "diffuse-coupling", "parallax"]);
+    let jobs = [plan.jobs("anisotropy"), plan.jobs("glass")].concat();
+    let volumes: Vec<&str> = jobs.iter().flat_map(|job| job.name.split(' ')).collect();
     assert_eq!(
         volumes,
         [
@@ -55,23 +69,24 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
     );
     assert_eq!(plan.effects[0].bytes, 32 * 32 * 2 + 64 * 64 * 2 * 2);
     assert_eq!(plan.effects[0].because.len(), 2);
-    let [coupling] = &plan.couplings[..] else { panic!("{:?}", plan.couplings) };
-    assert_eq!(
-        (coupling.specular, coupling.roughness, coupling.mu),
-        (Specular::Normalised, [0.02, 1.0], [0.01, 1.0])
-    );
-    assert!(coupling.f0[0] == coupling.f0[1] && (coupling.f0[0] - 0.04).abs() < 1e-12, "{:?}", coupling.f0);
-    assert_eq!((coupling.max_ops, coupling.promises[0].max_error), (Some(19), 0.007));
+    let [coupling] = plan.jobs("diffuse-coupling") else { panic!("{plan:?}") };
+    assert_eq!(coupling.name, "coupling-normalised");
+    assert_eq!((coupling.ranges["roughness"], coupling.ranges["mu"]), ([0.02, 1.0], [0.01, 1.0]));
+    let f0 = coupling.ranges["f0"];
+    assert!(f0[0] == f0[1] && (f0[0] - 0.04).abs() < 1e-12, "{f0:?}");
+    assert_eq!((coupling.goals.max_ops, coupling.promises[0].max_error), (Some(19), 0.007));
 }
 
 #[test]
 fn every_effect_is_either_planned_or_left_out() {
     for text in [r#"{"schema_version":1,"materials":[]}"#, include_str!("../../src/scene/default.json")] {
         let plan = plan(&scene(text));
-        let mut names: Vec<EffectName> = plan.effects.iter().map(|e| e.effect).collect();
+        let mut names: Vec<&str> = plan.effects.iter().map(|e| e.effect).collect();
         names.extend(plan.left_out.iter().map(|l| l.effect));
         names.sort();
-        assert_eq!(names, EffectName::ALL);
+        let mut all: Vec<&str> = catalogue().iter().map(|effect| effect.name()).collect();
+        all.sort();
+        assert_eq!(names, all);
         assert!(plan.left_out.iter().all(|l| !l.reason.is_empty()));
     }
 }
@@ -79,30 +94,31 @@ fn every_effect_is_either_planned_or_left_out() {
 #[test]
 fn a_scene_without_rough_speculars_plans_nothing_and_says_why() {
     let empty = plan(&scene(r#"{"schema_version":1,"materials":[]}"#));
-    assert!(empty.is_empty() && empty.tables.is_empty() && empty.fit.is_none());
-    assert_eq!(reason(&empty, EffectName::Reflection), "the scene has no materials");
+    assert!(empty.is_empty());
+    assert_eq!(reason(&empty, "reflection"), "the scene has no materials");
     let smooth = plan(&scene(include_str!("../../examples/mirrors.json")));
-    assert!(smooth.is_empty() && smooth.tables.is_empty() && smooth.fit.is_none());
+    assert!(smooth.is_empty());
     let one = plan(&metals(&[("m", "0", "{\"fit\":{}}")]));
-    let why = reason(&one, EffectName::Reflection);
+    let why = reason(&one, "reflection");
     assert!(why.ends_with(": `m` stays below alpha 0.0001, which is smooth"), "{why}");
-    let why = reason(&smooth, EffectName::Reflection);
+    let why = reason(&smooth, "reflection");
     assert!(why.contains("`mirror`, `window`") && why.contains("smooth"), "{why}");
 }
 
 #[test]
 fn a_fit_alone_plans_no_table_and_a_table_alone_no_fit() {
-    let fit = plan(&metals(&[("m", "0.5", r#"{"fit":{}}"#)]));
-    assert!(fit.tables.is_empty() && fit.fit.is_some());
+    let scene = metals(&[("m", "0.5", r#"{"fit":{}}"#)]);
+    let fit = plan(&scene);
+    assert!(tables(&scene).is_empty() && fits(&fit).is_some());
     assert_eq!(fit.effects[0].bytes, 0);
-    let table = plan(&metals(&[("m", "[0.1,0.5]", r#"{"table":{}}"#)]));
-    assert!(table.fit.is_none() && table.tables.len() == 1);
+    let scene = metals(&[("m", "[0.1,0.5]", r#"{"table":{}}"#)]);
+    assert!(fits(&plan(&scene)).is_none() && tables(&scene).len() == 1);
 }
 
 #[test]
 fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
     let table = |e: &str| format!(r#"{{"table":{{"size":[16,8]{e}}}}}"#);
-    let plan = plan(&metals(&[
+    let scene = metals(&[
         ("a", "[0.3,0.4]", &table(r#","max_error":0.1"#)),
         ("b", "[0.1,0.2]", &table(r#","max_error":0.01"#)),
         ("c", "0.9", &table("")),
@@ -112,28 +128,31 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
             "[0.5,0.7]",
             r#"{"table":{"size":[16,8],"format":"f32","layout":"plain","serves":"split-sum"}}"#,
         ),
-    ]));
-    assert_eq!(plan.tables.len(), 2);
-    let merged = &plan.tables[0];
+    ]);
+    let (tables, plan) = (tables(&scene), plan(&scene));
+    assert_eq!(tables.len(), 2);
+    let merged = &tables[0];
     assert_eq!((merged.columns, merged.rows), (Some(16), Some(8)));
     assert_eq!(merged.roughness, [0.1, 0.9]);
     assert_eq!(merged.max_error, Some(0.01));
-    assert_eq!(merged.materials, ["a", "b", "c"]);
-    assert_eq!(merged.limited_by(), "b (materials[1].wants.table.max_error)");
-    assert_eq!(plan.tables[1].name, "ggx-dfg-correlated-16x8-f32-plain-split-sum");
-    assert_eq!(plan.tables[1].max_error, None);
+    let names: Vec<&str> = plan.jobs("reflection")[0].demands.iter().map(|d| d.name.as_str()).collect();
+    assert_eq!(names, ["a", "b", "c"]);
+    assert_eq!(merged.limited_by, "b (materials[1].wants.table.max_error)");
+    assert_eq!(tables[1].name, "ggx-dfg-correlated-16x8-f32-plain-split-sum");
+    assert_eq!(tables[1].max_error, None);
 }
 
 #[test]
 fn an_open_size_has_a_limit() {
-    let plan = plan(&metals(&[
+    let scene = metals(&[
         ("a", "[0.1,1]", r#"{"table":{}}"#),
         ("b", "[0.1,1]", r#"{"table":{"serves":"split-sum"}}"#),
-    ]));
-    assert_eq!(plan.tables[0].name, "ggx-dfg-correlated-auto");
-    assert_eq!((plan.tables[0].columns, plan.tables[0].rows), (None, None));
-    assert_eq!(plan.tables[0].max_error, Some(1e-3));
-    assert_eq!(plan.tables[1].max_error, Some(3e-3));
+    ]);
+    let (tables, plan) = (tables(&scene), plan(&scene));
+    assert_eq!(tables[0].name, "ggx-dfg-correlated-auto");
+    assert_eq!((tables[0].columns, tables[0].rows), (None, None));
+    assert_eq!(tables[0].max_error, Some(1e-3));
+    assert_eq!(tables[1].max_error, Some(3e-3));
     let bytes: Vec<_> = plan.effects[0].jobs.iter().map(|j| (j.bytes, j.bytes_at_most)).collect();
     assert_eq!(bytes, [(128 * 128 * 2, true), (128 * 128 * 2 * 2, true)]);
     assert!(plan.effects[0].bytes_at_most);
@@ -156,18 +175,20 @@ fn a_single_roughness_is_told_with_the_range_of_its_job() {
 
 #[test]
 fn fits_merge_and_keep_each_promise() {
-    let plan = plan(&metals(&[
+    let scene = metals(&[
         ("a", "[0.3,0.4]", r#"{"fit":{"max_ops":8,"max_error":0.05,"norms":["rms"]}}"#),
         ("b", "[0.5,0.6]", r#"{"fit":{"max_ops":20,"max_error":0.0105,"norms":["max"],"average":true}}"#),
         ("c", "0.35", r#"{"fit":{"max_ops":8,"max_error":0.05,"norms":["rms"],"hypotheses":["x.wgsl"]}}"#),
-    ]));
-    let fit = plan.fit.unwrap();
-    assert_eq!(fit.roughness, [0.3, 0.6]);
-    assert_eq!((fit.max_ops, fit.max_error, fit.average), (Some(20), Some(0.0105), true));
-    assert_eq!(fit.norms, [Norm::Max, Norm::Rms]);
-    assert_eq!(fit.hypotheses, ["x.wgsl"]);
-    let promises: Vec<_> =
-        fit.promises.iter().map(|p| (p.max_ops, p.max_error, p.materials.join(" "))).collect();
+    ]);
+    let plan = plan(&scene);
+    let fit = fits(&plan).unwrap();
+    assert_eq!(fit.ranges["roughness"], [0.3, 0.6]);
+    assert_eq!((fit.goals.max_ops, fit.goals.max_error), (Some(20), Some(0.0105)));
+    assert_eq!(fit.goals.norms, [Norm::Max, Norm::Rms]);
+    let wants = FitJob::of(&scene, fit);
+    assert!(wants.average && wants.hypotheses == ["x.wgsl"], "{wants:?}");
+    let names = |by: &[(String, String)]| by.iter().map(|(n, _)| n.as_str()).collect::<Vec<_>>().join(" ");
+    let promises: Vec<_> = fit.promises.iter().map(|p| (p.max_ops, p.max_error, names(&p.by))).collect();
     assert_eq!(promises, [(Some(8), 0.05, "a c".into()), (Some(20), 0.0105, "b".into())]);
     let wanted: Vec<String> = fit.promises.iter().map(|p| p.wanted_by()).collect();
     let both = "a (materials[0].wants.fit.max_error), c (materials[2].wants.fit.max_error)";
@@ -176,13 +197,15 @@ fn fits_merge_and_keep_each_promise() {
         ("a", "0.5", r#"{"fit":{"max_ops":8}}"#),
         ("b", "0.5", r#"{"fit":{}}"#),
     ]));
-    assert_eq!(unlimited.fit.unwrap().max_ops, None);
+    assert_eq!(fits(&unlimited).unwrap().goals.max_ops, None);
 }
 
 #[test]
 fn ranges_begin_where_rough_begins_and_are_never_a_point() {
-    let range =
-        |roughness: &str| plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)])).fit.map(|f| f.roughness);
+    let range = |roughness: &str| {
+        let plan = plan(&metals(&[("m", roughness, r#"{"fit":{}}"#)]));
+        fits(&plan).map(|fit| fit.ranges["roughness"])
+    };
     assert_eq!(range("[0,1]"), Some([0.01, 1.0]));
     assert_eq!(range("[0.02,1]"), Some([0.02, 1.0]));
     assert_eq!(range("0.0099"), None);

@@ -4,7 +4,8 @@ use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::data::{AlphaMap, Container, Smith, TexelFormat};
-use lobefit::plan::{EffectName, Plan, VolumeJob, VolumeSpan, plan};
+use lobefit::effects::table::{VolumeJob, VolumeSpan};
+use lobefit::plan::{Plan, plan};
 use lobefit::scene::{Lobe, Scene, VolumeLayout};
 use lobefit_truth::integrate::glass::Side;
 use serde_json::{Value, json};
@@ -36,11 +37,18 @@ fn table_names(job: &VolumeJob) -> Vec<&str> {
     job.tables.iter().map(|t| t.name.as_str()).collect()
 }
 
-fn reason(plan: &Plan, effect: EffectName) -> &str {
+/// The jobs of tables of three axes, those of anisotropic lobes first.
+fn volumes(scene: &Scene) -> Vec<VolumeJob> {
+    let plan = plan(scene);
+    let jobs = [plan.jobs("anisotropy"), plan.jobs("glass")].concat();
+    VolumeJob::all(scene, &jobs).expect("jobs of tables")
+}
+
+fn reason<'a>(plan: &'a Plan, effect: &str) -> &'a str {
     &plan.left_out.iter().find(|l| l.effect == effect).expect("left out").reason
 }
 
-fn called_for(plan: &Plan) -> Vec<EffectName> {
+fn called_for(plan: &Plan) -> Vec<&'static str> {
     plan.effects.iter().map(|e| e.effect).collect()
 }
 
@@ -50,9 +58,10 @@ fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
     assert_eq!(scene.materials[0].lobe(), Lobe::Anisotropic);
     assert_eq!((scene.materials[1].lobe(), scene.materials[1].f0), (Lobe::Glass, None));
     let plan = plan(&scene);
-    assert_eq!(called_for(&plan), [EffectName::Anisotropy, EffectName::Glass]);
-    assert!(plan.tables.is_empty() && plan.fit.is_none() && !plan.is_empty());
-    let [brushed, glass] = &plan.volumes[..] else { panic!("{:?}", plan.volumes) };
+    assert_eq!(called_for(&plan), ["anisotropy", "glass"]);
+    assert!(plan.jobs("reflection").is_empty() && !plan.is_empty());
+    let volumes = volumes(&scene);
+    let [brushed, glass] = &volumes[..] else { panic!("{volumes:?}") };
     assert_eq!(table_names(brushed), ["ggx-aniso-correlated-64x64x32"]);
     assert_eq!((brushed.size, brushed.layout), ([64, 64, 32], VolumeLayout::Optimised));
     assert_eq!((brushed.format, brushed.max_error), (TexelFormat::F16, Some(2e-3)));
@@ -71,8 +80,8 @@ fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
 fn names_say_what_tells_tables_apart() {
     let all = r#"{"layout":"path-tracer"},{"format":"f32","size":[8,16,4]}"#;
     let azimuth = format!(r#"{{"layout":"azimuth"}},{all}"#);
-    let plan = plan(&of(&[&brushed("b", &tables(&azimuth)), &glass("g", &tables(all))]));
-    let found: Vec<&str> = plan.volumes.iter().flat_map(table_names).collect();
+    let volumes = volumes(&of(&[&brushed("b", &tables(&azimuth)), &glass("g", &tables(all))]));
+    let found: Vec<&str> = volumes.iter().flat_map(table_names).collect();
     assert_eq!(
         found,
         [
@@ -85,13 +94,13 @@ fn names_say_what_tells_tables_apart() {
             "ggx-glass-inside-correlated-8x16x4-f32",
         ]
     );
-    let limits: Vec<Option<f64>> = plan.volumes.iter().map(|job| job.max_error).collect();
+    let limits: Vec<Option<f64>> = volumes.iter().map(|job| job.max_error).collect();
     assert_eq!(limits, [Some(1e-2), None, None, None, None]);
 }
 
 #[test]
 fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
-    let job = |table: &str| plan(&of(&[&brushed("b", &tables(table))])).volumes[0].clone();
+    let job = |table: &str| volumes(&of(&[&brushed("b", &tables(table))]))[0].clone();
     let limit = job(r#"{"max_error":0.1}"#);
     assert_eq!((limit.size, limit.max_error), ([64, 64, 32], Some(0.1)));
     let size = job(r#"{"layout":"azimuth","size":[16,8,4]}"#);
@@ -106,13 +115,13 @@ fn the_path_tracers_tables_are_separable_and_alpha_is_roughness_whatever_the_sce
         brushed("b", &table),
         glass("g", &table)
     );
-    for jobs in plan(&scene(&text)).volumes.chunks(2) {
+    for jobs in volumes(&scene(&text)).chunks(2) {
         assert_eq!((jobs[0].smith, jobs[0].alpha_map), (Smith::Separable, AlphaMap::Roughness));
         assert_eq!((jobs[1].smith, jobs[1].alpha_map), (Smith::Correlated, AlphaMap::RoughnessFourth));
     }
     // Rows begin at alpha = 4e-4 in each map.
     let wide = brushed("b", &table).replace("[0.2,0.6]", "[0,1]");
-    let jobs = plan(&of(&[&wide])).volumes;
+    let jobs = volumes(&of(&[&wide]));
     assert_eq!((jobs[0].roughness, jobs[1].roughness), ([4e-4, 1.0], [2e-2, 1.0]));
 }
 
@@ -121,17 +130,16 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
     let limit = |e: &str| tables(&format!(r#"{{"layout":"path-tracer"}},{{"max_error":{e}}}"#));
     let wide = glass("c", &limit("0.05")).replace("[1.2,1.6]", "2").replace("[0.2,0.6]", "[0.5,0.9]");
     let smooth = glass("smooth", &limit("1e-9")).replace("[0.2,0.6]", "0");
-    let plan = plan(&of(&[&glass("a", &limit("0.1")), &brushed("b", ""), &wide, &smooth]));
-    let names: Vec<Vec<&str>> = plan.volumes.iter().map(table_names).collect();
-    assert_eq!(names.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2, 1]);
-    let merged = &plan.volumes[1];
+    let scene = of(&[&glass("a", &limit("0.1")), &brushed("b", ""), &wide, &smooth]);
+    let (plan, volumes) = (plan(&scene), volumes(&scene));
+    let names: Vec<Vec<&str>> = volumes.iter().map(table_names).collect();
+    assert_eq!(names.iter().map(Vec::len).collect::<Vec<_>>(), [1, 2, 2]);
+    let merged = &volumes[2];
     assert_eq!((merged.roughness, merged.span), ([0.2, 0.9], VolumeSpan::Ior([1.2, 2.0])));
-    assert_eq!(
-        (merged.max_error, &merged.materials[..]),
-        (Some(0.05), &["a".to_string(), "c".to_string()][..])
-    );
-    assert_eq!(merged.limited_by(), "c (materials[2].wants.tables[1].max_error)");
-    assert_eq!(plan.volumes[0].limited_by(), "");
+    let materials: Vec<&str> = plan.jobs("glass")[1].demands.iter().map(|d| d.name.as_str()).collect();
+    assert_eq!((merged.max_error, &materials[..]), (Some(0.05), &["a", "c"][..]));
+    assert_eq!(merged.limited_by, "c (materials[2].wants.tables[1].max_error)");
+    assert_eq!(volumes[1].limited_by, "");
     assert_eq!(plan.effects[1].because.len(), 2);
 }
 
@@ -139,15 +147,16 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
 fn spans_of_a_point_are_widened_inside_what_the_layout_reaches() {
     let spans = |ior: &str, layout: &str| {
         let table = tables(&format!(r#"{{"layout":"{layout}"}}"#));
-        plan(&of(&[&glass("g", &table).replace("[1.2,1.6]", ior)])).volumes[0].span.range()
+        volumes(&of(&[&glass("g", &table).replace("[1.2,1.6]", ior)]))[0].span.range()
     };
     assert_eq!(spans("1", "optimised"), [1.0, 1.01]);
     assert_eq!(spans("3", "optimised"), [2.99, 3.0]);
     assert_eq!(spans("2", "path-tracer"), [1.99, 2.0]);
     let [lo, hi] = spans("2", "optimised");
     assert!(lo < 2.0 && hi > 2.0 && (hi - lo - 0.01).abs() < 1e-12, "{lo} {hi}");
-    let one = plan(&of(&[&brushed("b", "").replace("[0.3,0.5]", "1")]));
-    assert_eq!(one.volumes[0].span, VolumeSpan::Anisotropy([0.99, 1.0]));
+    let scene = of(&[&brushed("b", "").replace("[0.3,0.5]", "1")]);
+    let (one, jobs) = (plan(&scene), volumes(&scene));
+    assert_eq!(jobs[0].span, VolumeSpan::Anisotropy([0.99, 1.0]));
     assert!(one.effects[0].because[0].contains("anisotropy 1, widened to 0.99 to 1)"), "{one:?}");
 }
 
@@ -173,25 +182,22 @@ fn the_reason_tells_where_rows_begin() {
     let alone = because("[0,1]", r#"{"layout":"path-tracer"}"#);
     assert!(alone.contains("(roughness 0.0001 to 1, in rows from 0.0004 on, "), "{alone}");
     let below = of(&[&brushed("b", "").replace("[0.2,0.6]", "[0.012,0.015]"), &brushed("c", "")]);
-    let jobs = plan(&below).volumes;
-    assert_eq!(jobs[0].unjudged_by().expect("one"), "b (materials[0].wants.tables[0].max_error)");
-    assert_eq!(plan(&of(&[&brushed("c", "")])).volumes[0].unjudged_by(), None);
+    let jobs = volumes(&below);
+    assert_eq!(jobs[0].unjudged_by.as_deref().expect("one"), "b (materials[0].wants.tables[0].max_error)");
+    assert_eq!(volumes(&of(&[&brushed("c", "")]))[0].unjudged_by, None);
 }
 
 #[test]
 fn an_anisotropic_material_calls_for_reflection_only_with_a_table_or_fits_of_it() {
     let with = |wants: &str| plan(&of(&[&brushed("b", &format!(r#","wants":{{{wants}}}"#))]));
     let both = with(r#""table":{},"tables":[{}]"#);
-    assert_eq!(called_for(&both), [EffectName::Reflection, EffectName::Anisotropy]);
+    assert_eq!(called_for(&both), ["reflection", "anisotropy"]);
     let fits = with(r#""fit":{}"#);
-    assert_eq!(called_for(&fits), [EffectName::Reflection]);
-    assert_eq!(
-        reason(&fits, EffectName::Anisotropy),
-        "no anisotropic material calls for it: `b` wants no table of it"
-    );
+    assert_eq!(called_for(&fits), ["reflection"]);
+    assert_eq!(reason(&fits, "anisotropy"), "no anisotropic material calls for it: `b` wants no table of it");
     let volumes = with(r#""tables":[{}]"#);
     assert_eq!(
-        reason(&volumes, EffectName::Reflection),
+        reason(&volumes, "reflection"),
         "no material wants a table or fits of a lobe that only reflects: `b` is anisotropic and wants tables of that"
     );
 }
@@ -202,25 +208,25 @@ fn an_anisotropy_of_zero_is_none() {
     let zero = of(&[&brushed("b", "").replace("[0.3,0.5]", "0")]);
     assert_eq!(plain, zero);
     assert_eq!(zero.materials[0].lobe(), Lobe::Isotropic);
-    assert_eq!(called_for(&plan(&zero)), [EffectName::Reflection]);
-    assert_eq!(reason(&plan(&zero), EffectName::Anisotropy), "no material is anisotropic");
+    assert_eq!(called_for(&plan(&zero)), ["reflection"]);
+    assert_eq!(reason(&plan(&zero), "anisotropy"), "no material is anisotropic");
 }
 
 #[test]
 fn smooth_glass_and_smooth_anisotropic_materials_call_for_nothing_and_the_plan_says_why() {
     let smooth = |fields: String| fields.replace("[0.2,0.6]", "[0,0.005]");
     let plan = plan(&of(&[&smooth(glass("window", "")), &smooth(brushed("mirror", ""))]));
-    assert!(plan.is_empty() && plan.volumes.is_empty());
+    assert!(plan.is_empty());
     let stays = "stays below alpha 0.0001, which is smooth";
-    assert_eq!(reason(&plan, EffectName::Glass), format!("no glass is rough: `window` {stays}"));
+    assert_eq!(reason(&plan, "glass"), format!("no glass is rough: `window` {stays}"));
     let why = format!("no anisotropic material calls for it: `mirror` {stays}");
-    assert_eq!(reason(&plan, EffectName::Anisotropy), why);
+    assert_eq!(reason(&plan, "anisotropy"), why);
     let why =
         "no material has a rough specular lobe: `window`, `mirror` stay below alpha 0.0001, which is smooth";
-    assert_eq!(reason(&plan, EffectName::Reflection), why);
+    assert_eq!(reason(&plan, "reflection"), why);
     let rough = lobefit::plan::plan(&of(&[&glass("a", ""), &glass("b", ""), &smooth(glass("c", ""))]));
     assert_eq!(
-        reason(&rough, EffectName::Reflection),
+        reason(&rough, "reflection"),
         format!(
             "no material wants a table or fits of a lobe that only reflects: `a`, `b` transmit light; `c` {stays}"
         )
@@ -271,14 +277,14 @@ fn the_json_of_a_plan_has_the_fields_of_the_contract() {
     assert!(effect["seconds"].as_f64().unwrap() > 0.0);
     assert!(effect["approximation"].as_str().unwrap().contains("table 64x64x32 f16, optimised layout"));
     let left = plan["left_out"].as_array().unwrap();
-    assert_eq!((left.len(), &left[0]["effect"]), (8, &json!("reflection")));
+    assert_eq!((left.len(), &left[0]["effect"]), (5, &json!("reflection")));
 }
 
 #[test]
 fn the_path_tracers_glass_has_no_limit_and_two_tables_of_each_layout() {
     let plan = plan(&scene(include_str!("../../examples/frosted-glass.json")));
     let effect = &plan.effects[0];
-    assert_eq!((effect.effect, effect.jobs.len(), effect.expected_error), (EffectName::Glass, 4, None));
+    assert_eq!((effect.effect, effect.jobs.len(), effect.expected_error), ("glass", 4, None));
     assert_eq!(effect.ranges["ior"], [1.0, 2.0]);
     assert_eq!(effect.bytes, 2 * 128 * 128 * 32 * (2 + 4));
     let path_tracer = &effect.jobs[2].approximation;

@@ -47,7 +47,7 @@ fn verb(options: &cost::Options) -> Result<Outcome, CliError> {
     let plan = plan::plan(&input.scene);
     let baked = options.threads.install(|| input.bake(&plan, Selection::default(), &progress))?;
     let work = if options.reduced { Work::REDUCED } else { Work::FULL };
-    let origin = cost::origin(&input, "lobefit cost --gpu --record FILE.json")?;
+    let origin = cost::origin(&input, &plan, "lobefit cost --gpu --record FILE.json")?;
     let record = measure(&baked, options.adapter.as_deref(), work, origin.clone(), &progress)?;
     drop(progress);
     let Some(record) = record else {

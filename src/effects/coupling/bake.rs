@@ -1,22 +1,13 @@
-//! The part of the effect `diffuse-coupling`: fits of the factor, one set for each kind of lobe that lies above a base.
+//! Jobs to fits of the factor, one set for each kind of lobe that lies above a base.
 
-use super::{code, findings};
-use crate::approximate::{Dropped, Fit, FitSet, Region};
-use crate::bake::Baked;
-use crate::bake::Part;
+use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_all, page, specular};
+use crate::approximate::{Dropped, Fit, FitSet};
 use crate::data::Use;
-use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::coupling::{AnyF0, CouplingSpec, anywhere, fit_all};
-use crate::effects::reflection::bake::unkept;
-use crate::emit::manifest::canonical;
-use crate::emit::manifest::{AnyF0Entry, Entries, FitEntry, FitLeftOut, Report};
-use crate::plan::{CouplingJob, Effect};
-use crate::report;
-use crate::scene::Scene;
-use crate::store::Files;
-
-const EFFECT: &str = "diffuse-coupling";
+use crate::effects::demand::Job;
+use crate::effects::page::smallest_error;
+use crate::effects::{BakeError, Called, Made};
+use crate::emit::manifest::{AnyF0Entry, FitEntry};
 
 /// What was made for the bases under one kind of lobe.
 pub(super) struct Lobe {
@@ -27,50 +18,39 @@ pub(super) struct Lobe {
     pub anywhere: Vec<AnyF0>,
 }
 
-/// Bakes the effect; its fits and hypotheses left out go into `baked` as well.
-pub fn part(
-    scene: &Scene,
-    jobs: &[CouplingJob],
-    effect: &Effect,
-    baked: &mut Baked,
-    context: &mut Context,
-) -> Result<Part, BakeError> {
+/// Bakes the effect.
+pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
     context.progress.stage("fits of the coupling");
-    let mut lobes = Vec::new();
-    for job in jobs {
-        let lobe = Lobe::fitted(job, context)?;
-        let what = format!("coupling under a {} lobe", job.specular.name());
-        for promise in &job.promises {
-            context.broken.extend(unkept(promise, &lobe.fits, &what, Use::Coupling));
-        }
-        lobes.push(lobe);
-    }
-    let (mut entries, mut files) = (Entries::default(), Files::new());
-    for lobe in &lobes {
-        lobe.enter(scene, &mut entries)?;
+    let lobes: Vec<Lobe> =
+        called.work.iter().map(|job| Lobe::fitted(job, context)).collect::<Result<_, _>>()?;
+    let worst = lobes.iter().filter_map(|lobe| smallest_error(&lobe.fits)).reduce(f64::max);
+    let metric = "error of the factor of the best fit, under the lobe where that is largest";
+    let mut made = Made::new(called, worst, metric);
+    for (job, lobe) in called.work.iter().zip(&lobes) {
+        let what = format!("coupling under a {} lobe", lobe.spec.specular.name());
+        made.promised(&job.promises, &lobe.fits, &what, Use::Coupling);
     }
     context.progress.stage("report of diffuse-coupling");
-    let findings = findings::findings(scene, &lobes, effect, context)?;
-    for file in report::files(EFFECT, &super::page::page(&findings)?, &findings)? {
-        entries.reports.push(canonical(&Report { effect: Some(EFFECT), file: file.path.clone() })?);
-        files.insert(file.path, file.bytes);
-    }
-    let code = code::section(&lobes)?;
+    let findings = findings::findings(&made.part.finding, &lobes, context)?;
+    made.page(&page::page(&findings)?, &findings)?;
+    made.code(|language| lobes.iter().map(|lobe| code::in_language(language, lobe)).collect())?;
     for lobe in lobes {
-        baked.take(lobe.fits, lobe.dropped);
+        let set = (lobe.fits.clone(), lobe.dropped.clone());
+        made.fits(context, set, |i, fit, entry| lobe.entry(i, fit, entry));
     }
-    Ok(Part { effect: effect.effect, finding: findings.effect, entries, code, files })
+    Ok(made)
 }
 
 impl Lobe {
-    fn fitted(job: &CouplingJob, context: &Context) -> Result<Lobe, BakeError> {
+    fn fitted(job: &Job, context: &Context) -> Result<Lobe, BakeError> {
+        let lacks = || BakeError::Internal(format!("{}: no base", job.name));
         let spec = CouplingSpec {
-            specular: job.specular,
-            smith: job.smith,
-            region: Region { roughness: job.roughness, mu: job.mu, alpha_map: job.alpha_map },
-            f0: job.f0,
-            max_ops: job.max_ops,
-            norms: job.norms.clone(),
+            specular: specular(context.scene, job).ok_or_else(lacks)?,
+            smith: context.scene.smith,
+            region: job.region(context.scene.alpha)?,
+            f0: job.range("f0")?,
+            max_ops: job.goals.max_ops,
+            norms: job.goals.norms.clone(),
         };
         let FitSet { fits, dropped } = fit_all(&spec, &context.counter)?;
         let anywhere = anywhere(&spec, &fits.iter().collect::<Vec<_>>(), &context.counter)?;
@@ -89,27 +69,15 @@ impl Lobe {
         emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
     }
 
-    /// Notes what is emitted, and what is left out.
-    fn enter(&self, scene: &Scene, entries: &mut Entries) -> Result<(), BakeError> {
-        for (fit, any) in self.measured().filter(|(fit, _)| fit.emitted) {
-            if let Some(entry) = FitEntry::new(EFFECT, scene.alpha.name(), &fit.approximation) {
-                let any = AnyF0Entry {
-                    max_abs: any.max,
-                    at: any.at.clone(),
-                    places: any.places,
-                    looked_at: any.f0.words(),
-                };
-                entries.fits.push(canonical(&entry.under(self.spec.specular.name(), any, fit.safe.clone()))?);
-            }
-        }
-        for dropped in &self.dropped {
-            entries.fits_left_out.push(canonical(&FitLeftOut {
-                effect: EFFECT,
-                hypothesis: dropped.hypothesis.clone(),
-                norm: dropped.norm.into(),
-                reason: dropped.reason.clone(),
-            })?);
-        }
-        Ok(())
+    /// The entry of a fit with its error over all f0, and where it is proven to have no pole and no value below 0.
+    fn entry(&self, i: usize, fit: &Fit, entry: FitEntry) -> FitEntry {
+        let any = &self.anywhere[i];
+        let any = AnyF0Entry {
+            max_abs: any.max,
+            at: any.at.clone(),
+            places: any.places,
+            looked_at: any.f0.words(),
+        };
+        entry.under(self.spec.specular.name(), any, fit.safe.clone())
     }
 }

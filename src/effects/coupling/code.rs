@@ -1,38 +1,21 @@
 //! The section of this effect in the include files: under each kind of lobe its factors, the exact one from E and B, and a material.
 
-use std::collections::BTreeMap;
-
 use super::bake::Lobe;
 use super::rule;
 use crate::approximate::Fit;
 use crate::effects::BakeError;
+use crate::effects::code::{documented, function};
 use crate::effects::coupling::AnyF0;
 use crate::effects::coupling::emitted as coupling;
 use crate::emit::header;
-use lobefit_shade::code::{self, Language};
+use lobefit_shade::code::Language;
 use lobefit_truth::integrate::coupling::Specular;
 
-/// Text by language; empty where nothing is emitted.
-pub fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {
-    let mut texts = BTreeMap::new();
-    for language in Language::ALL {
-        let mut text = String::new();
-        for lobe in lobes {
-            text += &in_language(language, lobe)?;
-        }
-        if !text.is_empty() {
-            texts.insert(language, text);
-        }
-    }
-    Ok(texts)
-}
-
-fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
+/// The text of a lobe; empty where nothing is emitted.
+pub fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
     let mut text = String::new();
     for (fit, any) in lobe.measured().filter(|(fit, _)| fit.emitted) {
-        let lines = lines(lobe, fit, any);
-        let function = code::print(language, &fit.hypothesis, &fit.coefficients(), &lines)?.text;
-        text += &format!("\n{function}");
+        text += &function(language, fit, &lines(lobe, fit, any))?;
     }
     let specular = lobe.spec.specular;
     if let Some(best) = lobe.best() {
@@ -50,10 +33,7 @@ fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {
 /// The header of a factor: what it is, its error and its cost.
 fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
     let a = &fit.approximation;
-    let mut lines: Vec<String> = fit.hypothesis.doc().to_vec();
-    if !lines.is_empty() {
-        lines.push(String::new());
-    }
+    let mut lines = documented(fit);
     let (smith, ops) = (lobe.spec.smith.name(), header::operations(a.cost.ops));
     lines.push(format!(
         "{} {}, specular {}, smith {smith}; {ops}; constants fitted for the smallest {} error",

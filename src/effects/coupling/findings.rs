@@ -1,27 +1,22 @@
 //! What the bake of the couplings found out, for their page.
 
 use super::bake::Lobe;
-use super::grid::Grid;
+use super::grid::Factors;
 use crate::approximate::Fit;
 use crate::data::Use;
+use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::coupling::results::{
     AnyF0Finding, CouplingCurves, CouplingFindings, CouplingFurnace, CouplingLobe, CouplingPanel,
     CouplingReciprocity,
 };
-use crate::effects::reflection::bake::{Selected, chosen, grazing, left_out, selected};
-use crate::effects::{BakeError, origin};
-use crate::plan::Effect;
-use crate::report::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow, Ruler};
-use crate::scene::Scene;
-use lobefit_shade::code::{self, Language};
+use crate::effects::grid::{Grid, chosen, grazing};
+use crate::effects::page::{self, left_out};
+use crate::effects::selection::{Selected, selected};
+use crate::report::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow};
 use lobefit_truth::integrate::coupling::Specular;
 
-/// Side of the maps' grids.
-const MAP: usize = 64;
-
-/// Cosines of curves, and of spheres.
-const COSINES: usize = 64;
+/// Cosines of spheres.
 const RADII: usize = 40;
 
 /// Roughness of the curves, and of the furnace's spheres, as far as they lie in the region.
@@ -39,15 +34,14 @@ const AMPLIFICATION: f64 = 10.0;
 
 /// The findings of the effect.
 pub fn findings(
-    scene: &Scene,
+    effect: &EffectFinding,
     lobes: &[Lobe],
-    called: &Effect,
     context: &Context,
 ) -> Result<CouplingFindings, BakeError> {
     let first = lobes.first().ok_or_else(|| BakeError::Internal("a coupling without a job".into()))?;
     Ok(CouplingFindings {
-        origin: origin(scene, context),
-        effect: effect(called, lobes),
+        origin: context.origin(),
+        effect: effect.clone(),
         left_out: lobes.iter().flat_map(|lobe| left_out(&lobe.dropped)).collect(),
         curves: curves(first, context),
         lobes: lobes.iter().map(|lobe| of_lobe(lobe, context)).collect::<Result<_, _>>()?,
@@ -57,8 +51,9 @@ pub fn findings(
 /// The factors under every kind of lobe beside 1 - Fresnel, at the middle f0.
 fn curves(lobe: &Lobe, context: &Context) -> CouplingCurves {
     let (region, f0) = (&lobe.spec.region, 0.5 * (lobe.spec.f0[0] + lobe.spec.f0[1]));
-    let grid = Grid::new(lobe.spec.smith, region, chosen(region, &CURVES), grazing(region, COSINES), context);
-    let factors = Specular::ALL.map(|s| (s.name(), grid.by_roughness(&grid.factors(s, f0))));
+    let truth = Factors::new(lobe.spec.smith, Grid::curves(region, &CURVES), context);
+    let grid = &truth.grid;
+    let factors = Specular::ALL.map(|s| (s.name(), grid.by_roughness(&truth.at(s, f0))));
     let panel = |(k, roughness): (usize, &f64)| CouplingPanel {
         roughness: *roughness,
         factors: factors.iter().map(|(name, all)| (name.to_string(), all[k].clone())).collect(),
@@ -77,10 +72,9 @@ fn curves(lobe: &Lobe, context: &Context) -> CouplingCurves {
 
 fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
-    let even = Ruler::even("roughness", region.roughness[0], region.roughness[1], MAP);
-    let map = Grid::new(spec.smith, region, even, grazing(region, MAP), context);
-    let lines = Grid::new(spec.smith, region, chosen(region, &CURVES), grazing(region, COSINES), context);
-    let shown = selected(&lobe.fits, Use::Coupling);
+    let map = Factors::new(spec.smith, Grid::map(region), context);
+    let lines = Factors::new(spec.smith, Grid::curves(region, &CURVES), context);
+    let shown = selected(&lobe.fits, Use::Coupling, context);
     let any = |(fit, any): (&Fit, &crate::effects::coupling::AnyF0)| AnyF0Finding {
         name: fit.approximation.name.clone(),
         max: any.max,
@@ -89,7 +83,7 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
         looked_at: any.f0.words(),
     };
     let f0 = spec.f0[0];
-    let truth = map.factors(spec.specular, f0);
+    let truth = map.at(spec.specular, f0);
     let fits = shown.iter().map(|one| fit_finding(lobe, one, (&map, &truth), &lines));
     let (table, table_anywhere) = super::table::rival(lobe, context)?;
     let formulas = lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation));
@@ -97,7 +91,7 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
         specular: spec.specular.name().into(),
         multiplier: spec.specular.formula().into(),
         f0,
-        truth: map.field("factor", false, truth.iter().copied()),
+        truth: map.grid.field("factor", false, truth.iter().copied()),
         approximations: formulas.chain([table]).collect(),
         anywhere: lobe.measured().map(any).chain([table_anywhere]).collect(),
         fits: fits.collect::<Result<_, _>>()?,
@@ -111,33 +105,28 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
 fn fit_finding(
     lobe: &Lobe,
     one: &Selected,
-    (map, truth): (&Grid, &[f64]),
-    lines: &Grid,
+    (map, truth): (&Factors, &[f64]),
+    lines: &Factors,
 ) -> Result<FitFinding, BakeError> {
-    let (fit, specular, f0) = (one.fit, lobe.spec.specular, lobe.spec.f0[0]);
-    let errors = map.values(fit, f0)?.into_iter().zip(truth).map(|(value, truth)| value - truth);
-    let formula = code::print(Language::Wgsl, &fit.hypothesis, &fit.coefficients(), &[])?;
-    Ok(FitFinding {
-        name: fit.approximation.name.clone(),
-        shown_as: one.because.into(),
-        formula: formula.text.trim_end().to_string(),
-        value: format!("factor at f0 = {f0}"),
-        curves: lines.curves(fit, specular, f0)?,
-        error: map.field("factor", true, errors),
-    })
+    let (specular, f0, map) = (lobe.spec.specular, lobe.spec.f0[0], &map.grid);
+    let errors = map.values(one.fit, f0)?.into_iter().zip(truth).map(|(value, truth)| value - truth);
+    let curves = lines.grid.lines(&lines.at(specular, f0), &lines.grid.values(one.fit, f0)?);
+    page::fit(one, format!("factor at f0 = {f0}"), curves, map.field("factor", true, errors))
 }
 
 /// Spheres of lobe and white base together, the lobe exact: without coupling, with published factors, and with ours of the frontier.
 fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<CouplingFurnace, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
-    let grid = Grid::new(spec.smith, region, chosen(region, &SPHERES), grazing(region, RADII), context);
+    let spheres = Grid::new(region, chosen(region, &SPHERES), grazing(region, RADII));
+    let exact = Factors::new(spec.smith, spheres, context);
+    let grid = &exact.grid;
     let of_rival = |name: &&str| lobe.fits.iter().find(|f| f.approximation.name == **name);
     let rivals = SHOWN.iter().filter_map(of_rival);
     let ours = [shown.first(), shown.last()];
     let ours = ours.into_iter().take(shown.len()).flatten().map(|one| one.fit);
     let rows: Vec<&Fit> = rivals.chain(ours).collect();
     let at = |f0: &f64| -> Result<(f64, Vec<FurnaceRow>), BakeError> {
-        let truth = grid.factors(spec.specular, *f0);
+        let truth = exact.at(spec.specular, *f0);
         let row = |fit: &&Fit| {
             let total: Vec<f64> =
                 grid.values(fit, *f0)?.into_iter().zip(&truth).map(|(v, t)| 1.0 + v - t).collect();
@@ -151,20 +140,4 @@ fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<Couplin
         amplification: AMPLIFICATION,
         panels: FURNACES.iter().map(at).collect::<Result<_, _>>()?,
     })
-}
-
-fn effect(called: &Effect, lobes: &[Lobe]) -> EffectFinding {
-    let best = |lobe: &Lobe| {
-        let emitted = lobe.fits.iter().filter(|f| f.emitted);
-        emitted.map(|f| f.approximation.certificate.max_abs).reduce(f64::min)
-    };
-    EffectFinding {
-        effect: called.effect.name().into(),
-        because: called.because.clone(),
-        ranges: called.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
-        approximation: called.approximation.clone(),
-        expected_error: called.expected_error,
-        measured_error: lobes.iter().filter_map(best).reduce(f64::max),
-        metric: "error of the factor of the best fit, under the lobe where that is largest".into(),
-    }
 }

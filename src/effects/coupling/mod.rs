@@ -3,7 +3,7 @@
 //! A factor stands for every albedo of the base: with albedo c the base sends back factor c, and the error of the factor counts c times.
 
 mod any;
-pub mod bake;
+mod bake;
 mod catalogue;
 mod code;
 pub mod emitted;
@@ -11,19 +11,152 @@ mod findings;
 mod grid;
 mod page;
 mod reciprocity;
-pub mod results;
+mod results;
 mod rivals;
 mod rule;
 mod table;
 
-use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, FitSet, FitStageError, Keeps, Region, Wanted};
+use std::collections::BTreeMap;
+
+use super::context::Context;
+use super::demand::{Demand, Goals, Job, Span, hull};
+use super::effect::Note;
+use super::who::{about, named, reasons, rough, stay_smooth, verb};
+use super::{BakeError, Called, Effect, JobSummary, Made};
+use crate::approximate::target::{Target, TargetSpec};
+use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Keeps, Region, Wanted};
 use crate::data::{Norm, Smith, Use};
+use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, anywhere};
-pub use catalogue::{catalogue_names, catalogue_sources, hypotheses, rivals};
+pub use catalogue::hypotheses;
+use catalogue::{entries, rivals, sources};
+use lobefit_fit::FitError;
+use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::coupling::Specular;
-use lobefit_truth::quantity::{DiffuseCoupling, Variant};
+use lobefit_truth::quantity::{self, Variant};
 pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS, light_ops};
+
+/// The effect.
+pub struct DiffuseCoupling;
+
+/// Seconds of the truths of the fits and of their pictures on one core, and of one of the fits.
+const TRUTH_S: f64 = 3.3;
+const FIT_S: f64 = 0.2;
+
+impl Effect for DiffuseCoupling {
+    fn name(&self) -> &'static str {
+        "diffuse-coupling"
+    }
+
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        let demands = rough(scene).filter_map(|(i, m, roughness)| demand(scene, (i, m), roughness));
+        demands.collect()
+    }
+
+    fn left_out(&self, scene: &Scene) -> String {
+        let dielectrics = scene.materials.iter().filter(|m| m.kind == Kind::Dielectric);
+        let (based, bare): (Vec<&Material>, Vec<&Material>) = dielectrics.partition(|m| m.base.is_some());
+        if based.is_empty() {
+            let but = about(&bare, |m| format!(": {} {} no `base`", named(m), verb(m, "have")));
+            return format!("no material is a dielectric with a diffuse base{}", but.unwrap_or_default());
+        }
+        let (black, lit): (Vec<&Material>, Vec<&Material>) =
+            based.into_iter().partition(|m| m.base.as_ref().is_some_and(Base::is_black));
+        let black = about(&black, |m| {
+            format!("{} {} a black base, which sends back nothing", named(m), verb(m, "have"))
+        });
+        let lit =
+            about(&lit, |m| format!("{}: there the factor is (1 - f0)(1 - (1 - mu)^5)", stay_smooth(m)));
+        let why = reasons([black, lit]).unwrap_or_default();
+        format!("no dielectric with a diffuse base calls for it: {why}")
+    }
+
+    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        let summary = |job: &Job| {
+            let specular = specular(scene, job)?;
+            let fits = hypotheses(specular).len() * job.goals.norms.len();
+            let of = format!("the coupling factor under a {} lobe", specular.name());
+            Some(JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S))
+        };
+        jobs.iter().filter_map(summary).collect()
+    }
+
+    fn formulas(&self) -> Vec<&'static Entry> {
+        entries().collect()
+    }
+
+    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
+        let kinds = target.variant.specular.into_iter().filter(|_| target.used_as == Use::Coupling);
+        kinds.flat_map(|s| hypotheses(s).iter().chain(rivals(s))).collect()
+    }
+
+    fn operations(&self, formula: &Hypothesis) -> Result<u32, FitError> {
+        Ok(light_ops(formula.name())?.unwrap_or_else(|| formula.tape().cost_ops()))
+    }
+
+    fn sources(&self) -> Vec<&'static str> {
+        sources().collect()
+    }
+
+    fn functions(&self) -> Vec<String> {
+        emitted::names().collect()
+    }
+
+    fn lobe(&self, scene: &Scene) -> String {
+        super::ggx(scene)
+    }
+
+    fn notes(&self) -> &'static [Note] {
+        &[
+            super::NOTE_F0,
+            (
+                &["coupling_"],
+                &[
+                    "`coupling_*` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.",
+                ],
+            ),
+        ]
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        bake::bake(called, context)
+    }
+}
+
+/// What a dielectric with a base that sends back light wants, if its lobe is rough.
+fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]) -> Option<Demand> {
+    let base = material.base.as_ref().filter(|base| !base.is_black())?;
+    let [first, rest @ ..] = material.f0?.map(twelve);
+    let f0 = rest.iter().fold([first; 2], |all, f0| hull(all, [*f0; 2]));
+    let roughness = Span::roughness(roughness, scene.alpha);
+    let (name, kind, specular) = (&material.name, material.kind.name(), base.specular.name());
+    let ignored = if material.anisotropy[1] > 0.0 { "; its anisotropy is left out of them" } else { "" };
+    Some(Demand {
+        job: format!("coupling-{specular}"),
+        rank: base.specular as usize,
+        of,
+        item: 0,
+        name: name.clone(),
+        field: format!("materials[{of}].base"),
+        because: format!(
+            "{name}: {kind} with a diffuse base under a {specular} lobe (roughness {}) wants fits{ignored}",
+            roughness.text()
+        ),
+        // f0 may be one value: a factor is close to a multiple of 1 - f0, and one f0 leaves two axes to fit over.
+        spans: BTreeMap::from([("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)]),
+        goals: Goals { max_ops: base.max_ops, max_error: base.max_error, norms: base.norms.clone() },
+    })
+}
+
+/// A reflectance in twelve digits, without the rounding error of ((1.5 - 1)/(1.5 + 1))^2.
+fn twelve(f0: f64) -> f64 {
+    format!("{f0:.11e}").parse().unwrap_or(f0)
+}
+
+/// What multiplies the lobe of a job: as its first demand's material has it.
+fn specular(scene: &Scene, job: &Job) -> Option<Specular> {
+    Some(scene.materials.get(job.demands.first()?.of)?.base.as_ref()?.specular)
+}
 
 /// Largest f0 for which a factor under a bare lobe is proven not to be negative: beyond any dielectric's.
 const SINGLE_F0: f64 = 0.9;
@@ -51,7 +184,7 @@ impl CouplingSpec {
         let Region { roughness, mu, alpha_map } = self.region;
         let domain = [("roughness", roughness), ("mu", mu), ("f0", f0)];
         TargetSpec {
-            quantity: &DiffuseCoupling,
+            quantity: &quantity::DiffuseCoupling,
             column: Some("factor".into()),
             used_as: Some(Use::Coupling),
             variant: Variant { specular: Some(self.specular), ..self.smith.into() },

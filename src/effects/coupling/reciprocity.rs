@@ -4,7 +4,7 @@ use super::bake::Lobe;
 use crate::approximate::Region;
 use crate::data::AlphaMap;
 use crate::effects::BakeError;
-use crate::effects::reflection::bake::{chosen, grazing};
+use crate::effects::grid::{chosen, grazing};
 use crate::effects::surface::table::{Grid, ReciprocityRow, rows_of};
 use crate::effects::surface::{Coupling, Factor, Lobe as Drawn};
 use lobefit_truth::integrate::coupling::Specular;

@@ -17,12 +17,12 @@ pub const RIVALS: [Entry; 5] = published![
     "parallax_godot" by "Godot, pull request 106292",
 ];
 
-/// Names of the functions of the catalogue: those of the files.
-pub fn catalogue_names() -> impl Iterator<Item = String> {
-    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS).map(|entry| entry.name().to_string())
+/// Every file of the catalogue, in a fixed order.
+pub(super) fn entries() -> impl Iterator<Item = &'static Entry> {
+    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS)
 }
 
-/// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.
+/// Their WGSL sources: part of a study's recipe.
 pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
-    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS).map(|entry| entry.source)
+    entries().map(|entry| entry.source)
 }

@@ -1,28 +1,98 @@
 //! The effect `parallax`: a prefiltered cubemap looked up where a ray meets the proxy of a room. Quantity `parallax-alpha`.
 
-pub mod bake;
+mod bake;
 mod catalogue;
 mod chain;
+mod demand;
 mod grid;
 pub mod lookups;
 mod page;
 pub mod probe;
-pub mod results;
+mod results;
 mod source;
 pub mod taps;
 mod variation;
 
+use super::context::Context;
+use super::demand::{Demand, Job};
+use super::effect::Note;
+use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, FitSet, FitStageError, Wanted};
+use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Wanted};
 use crate::data::{AlphaMap, Norm, Use};
-pub use catalogue::{HYPOTHESES, RIVALS, catalogue_names, catalogue_sources};
+use crate::scene::Scene;
+pub use catalogue::{HYPOTHESES, RIVALS, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
+pub use demand::{Lobe, lobes};
 pub use grid::{Cell, Grid, Spread};
 use lobefit_truth::optics::kernel::Kernel;
 use lobefit_truth::quantity::{ParallaxAlpha, Variant};
 pub use lookups::{Corrected, LobeFit, Ratio, Shading, ShadingLobe, Uncorrected, Width};
 pub use taps::{RuleTap, Stretch, TapRule, width};
 pub use variation::{Variation, variations};
+
+/// The effect.
+pub struct Parallax;
+
+/// Seconds of the page on one core.
+const REPORT_S: f64 = 0.2;
+
+impl Effect for Parallax {
+    fn name(&self) -> &'static str {
+        "parallax"
+    }
+
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        demand::demands(scene)
+    }
+
+    fn left_out(&self, scene: &Scene) -> String {
+        demand::left_out(scene)
+    }
+
+    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        jobs.iter().filter_map(|job| demand::summary(scene, job)).collect()
+    }
+
+    fn report_seconds(&self, _: &Scene, _: &[Job]) -> f64 {
+        REPORT_S
+    }
+
+    fn formulas(&self) -> Vec<&'static Entry> {
+        catalogue::entries().collect()
+    }
+
+    fn prefixes(&self) -> &'static [&'static str] {
+        &[PREFIX]
+    }
+
+    fn lobe(&self, scene: &Scene) -> String {
+        format!("Prefiltered probes; alpha = {}", scene.alpha.name())
+    }
+
+    fn notes(&self) -> &'static [Note] {
+        &[
+            (
+                &["parallax_"],
+                &[
+                    "`parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its head names and no other; rho is the",
+                    "distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.",
+                ],
+            ),
+            (
+                &["parallax_lookup_"],
+                &[
+                    "`parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and",
+                    "`parallax_fetch_*`, one fetch along a ray, are its parts.",
+                ],
+            ),
+        ]
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        bake::bake(called, context)
+    }
+}
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]

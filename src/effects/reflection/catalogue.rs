@@ -50,19 +50,9 @@ pub const SEEDS: [Entry; 2] = published![
 ];
 
 /// Every file of the catalogue, in a fixed order.
-fn entries() -> impl Iterator<Item = &'static Entry> {
+pub fn entries() -> impl Iterator<Item = &'static Entry> {
     let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&BLENDS).chain(&SEEDS);
     ours.chain(&RIVALS).chain(&BLEND_RIVALS).chain(&AVERAGE_RIVALS)
-}
-
-/// Names of the functions of the catalogue: those of the files.
-pub fn catalogue_names() -> impl Iterator<Item = String> {
-    entries().map(|entry| entry.name().to_string())
-}
-
-/// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.
-pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
-    entries().map(|entry| entry.source)
 }
 
 #[cfg(test)]
@@ -72,8 +62,8 @@ mod tests {
 
     #[test]
     fn functions_are_named_like_their_files() {
-        for (entry, name) in entries().zip(catalogue_names()) {
-            assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), name);
+        for entry in entries() {
+            assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), entry.name());
         }
     }
 }

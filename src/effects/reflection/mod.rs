@@ -3,12 +3,83 @@
 mod accuracy;
 pub mod bake;
 mod catalogue;
+mod demand;
 mod fits;
 mod rivals;
 mod table;
 
+use super::context::Context;
+use super::demand::{Demand, Job};
+use super::effect::Note;
+use super::{BakeError, Called, Effect, JobSummary, Made};
+use crate::approximate::Entry;
+use crate::approximate::target::Target;
+use crate::data::Use;
+use crate::scene::Scene;
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
-pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS, catalogue_names, catalogue_sources};
+pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
+pub use demand::{FitJob, TableJob};
 pub use fits::{FitSpec, fit_all};
 pub use rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
 pub use table::{TableSpec, build};
+
+/// The effect.
+pub struct Reflection;
+
+impl Effect for Reflection {
+    fn name(&self) -> &'static str {
+        "reflection"
+    }
+
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        demand::demands(scene)
+    }
+
+    fn left_out(&self, scene: &Scene) -> String {
+        demand::left_out(scene)
+    }
+
+    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        demand::summaries(scene, jobs)
+    }
+
+    fn formulas(&self) -> Vec<&'static Entry> {
+        catalogue::entries().collect()
+    }
+
+    fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
+        let prefix = match (target.quantity.name(), target.column, target.used_as) {
+            ("ggx-reflection", "E", Use::Normalisation) => "ggx_norm_",
+            ("ggx-reflection", _, Use::F0Blend) => "ggx_blend_",
+            ("ggx-reflection", "E", Use::Value) => "ggx_e_",
+            ("ggx-reflection", "B", Use::Value) => "ggx_b_",
+            ("ggx-average", "E_avg", Use::Value) => "ggx_eavg_",
+            _ => return Vec::new(),
+        };
+        catalogue::entries().filter(|entry| entry.name().starts_with(prefix)).collect()
+    }
+
+    fn prefixes(&self) -> &'static [&'static str] {
+        &["ggx_dfg_"]
+    }
+
+    fn lobe(&self, scene: &Scene) -> String {
+        super::ggx(scene)
+    }
+
+    fn notes(&self) -> &'static [Note] {
+        &[
+            super::NOTE_F0,
+            (&["ggx_norm_"], &["`ggx_norm_*` is N with E N = 1: multiply the specular lobe by it."]),
+            (
+                &["_saturating"],
+                &["`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel."],
+            ),
+            super::NOTE_LOOKUP,
+        ]
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        bake::bake(called, context)
+    }
+}

@@ -15,19 +15,21 @@ mod azimuth;
 pub mod bake;
 mod check;
 mod estimator;
+mod job;
 mod lookup;
 mod measure;
 mod page;
 mod plan;
 mod points;
 mod region;
-pub mod results;
+mod results;
 mod spec;
 
 pub use axes::{aniso_axes, azimuth_axes, glass_axes};
 pub use azimuth::Azimuth;
 pub use check::{Checked, check};
 pub use estimator::{DRAWN, SOURCES_SAMPLES, estimate};
+pub use job::{VolumeJob, VolumeSpan, VolumeTable, demands, summaries};
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, Judged, Truth, error_map, measure};
 pub use plan::{Node, VolumePlan};
@@ -44,3 +46,9 @@ pub const ANISO_SAMPLES: [usize; 3] = [2, 2, 2];
 
 /// Rounds of relaxation after which the error of these tables stands still.
 pub const ROUNDS: usize = 12;
+
+/// Seconds of the page of one of these effects on one core.
+pub const REPORT_S: f64 = 0.3;
+
+/// How the functions of tables in the path tracer's layout begin.
+pub const PATH_TRACER: &str = "path_tracer_";

@@ -3,23 +3,10 @@
 use super::Rival;
 use crate::approximate::certificate;
 use crate::approximate::target::{Sampled, Target};
-use crate::data::{AlphaMap, Smith, Use};
-use crate::effects::{coupling, reflection, sheen};
+use crate::data::{AlphaMap, Smith};
+use crate::effects::catalogue;
 use crate::fitting::FittingError;
 use lobefit_shade::{Hypothesis, Precision};
-
-/// How the names begin of the catalogue's formulas for a use of a quantity.
-fn prefix(target: &Target) -> Option<&'static str> {
-    match (target.quantity.name(), target.column, target.used_as) {
-        ("ggx-reflection", "E", Use::Normalisation) => Some("ggx_norm_"),
-        ("ggx-reflection", _, Use::F0Blend) => Some("ggx_blend_"),
-        ("ggx-reflection", "E", Use::Value) => Some("ggx_e_"),
-        ("ggx-reflection", "B", Use::Value) => Some("ggx_b_"),
-        ("ggx-average", "E_avg", Use::Value) => Some("ggx_eavg_"),
-        ("sheen-charlie", "E", Use::Value) => Some("charlie_e_"),
-        _ => None,
-    }
-}
 
 /// Measured at the same points; none where the conventions are others than the catalogue's.
 pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, FittingError> {
@@ -30,14 +17,17 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
     }
     let known = target.inputs();
     let mut rivals = Vec::new();
-    for (name, source) in suiting(target) {
-        let hypothesis = Hypothesis::parse(&format!("{name}.wgsl"), source)?;
+    let all =
+        catalogue().iter().flat_map(|effect| effect.formulas_for(target).into_iter().map(|e| (*effect, e)));
+    for (effect, entry) in all {
+        let name = entry.name().to_string();
+        let hypothesis = Hypothesis::parse(&format!("{name}.wgsl"), entry.source)?;
         if !hypothesis.inputs().iter().all(|input| known.contains(input)) {
             continue;
         }
         let constants: Vec<f32> = hypothesis.parameters().iter().map(|p| p.start).collect();
         let certificate = certificate(&hypothesis, &constants, target, measured, Precision::F32)?;
-        let ops = coupling::light_ops(&name)?.unwrap_or_else(|| hypothesis.tape().cost_ops());
+        let ops = effect.operations(&hypothesis)?;
         rivals.push(Rival {
             name,
             ops,
@@ -47,24 +37,4 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
         });
     }
     Ok(rivals)
-}
-
-/// Names and sources of the formulas for the target's use.
-fn suiting(target: &Target) -> Vec<(String, &'static str)> {
-    if target.used_as == Use::Coupling {
-        let all = target
-            .variant
-            .specular
-            .into_iter()
-            .flat_map(|s| coupling::hypotheses(s).iter().chain(coupling::rivals(s)));
-        return all.map(|entry| (entry.name().to_string(), entry.source)).collect();
-    }
-    let Some(prefix) = prefix(target) else { return Vec::new() };
-    catalogue().filter(|(name, _)| name.starts_with(prefix)).collect()
-}
-
-/// Names and sources of the catalogues of formulas that are known by their names.
-fn catalogue() -> impl Iterator<Item = (String, &'static str)> {
-    let sheen = sheen::RIVALS.iter().map(|entry| (entry.name().to_string(), entry.source));
-    reflection::catalogue_names().zip(reflection::catalogue_sources()).chain(sheen)
 }

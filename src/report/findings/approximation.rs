@@ -18,7 +18,6 @@ pub struct ApproximationFinding {
     #[serde(rename = "use")]
     pub used_as: Use,
     /// Shadowing form, of a quantity that has one.
-    // The document of findings refuses null, which stands for numbers that are not finite.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub smith: Option<Smith>,
     /// `fitted`, `baked` for a table of ours, or the publication.

@@ -3,21 +3,20 @@
 
 mod approximation;
 mod furnace;
-mod index;
 mod own;
+mod reciprocity;
 mod search;
 mod table;
-
-use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 use super::Field;
 
+pub use crate::emit::manifest::{EffectFinding, LeftOut};
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
-pub use index::{Index, IndexRow};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
+pub use reciprocity::{ExchangeAt, ReciprocityRow, SurfaceFurnace};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 
@@ -53,6 +52,9 @@ pub struct Findings {
     pub tables: Vec<TableFinding>,
     /// Truths over their inputs: E over roughness and mu.
     pub truths: Vec<Field>,
+    /// What to see in them.
+    #[serde(skip)]
+    pub caption: String,
     /// Every approximation, ours and published, in the order in which the page lists them.
     pub approximations: Vec<ApproximationFinding>,
     /// Fits shown beside their truth; each names one of `approximations`.
@@ -67,32 +69,21 @@ pub struct Findings {
     pub studies: Vec<Study>,
 }
 
-/// One effect that the scene called for.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EffectFinding {
-    /// Name of the effect: `reflection`, ...
-    pub effect: String,
-    /// What in the scene called for it.
-    pub because: Vec<String>,
-    /// Domain that the scene spans, by input.
-    pub ranges: BTreeMap<String, [f64; 2]>,
-    /// Approximation chosen.
-    pub approximation: String,
-    /// Error that the scene allows; none where it sets no limit.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub expected_error: Option<f64>,
-    /// Error that was measured; none where nothing was made that has one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub measured_error: Option<f64>,
-    /// What error that is: `furnace error |E N - 1|`, ...
-    pub metric: String,
-}
-
-/// One effect that the scene did not call for.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct LeftOut {
-    /// Name of the effect.
-    pub effect: String,
-    /// Why it was left out.
-    pub reason: String,
+impl Findings {
+    /// Nothing yet.
+    pub fn new(origin: Origin) -> Findings {
+        Findings {
+            origin,
+            effects: Vec::new(),
+            left_out: Vec::new(),
+            tables: Vec::new(),
+            truths: Vec::new(),
+            caption: String::new(),
+            approximations: Vec::new(),
+            fits: Vec::new(),
+            averages: None,
+            furnace: None,
+            studies: Vec::new(),
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use super::{figures, words};
 use crate::data::Use;
 use crate::report::{
-    ApproximationFinding, Block, Dot, Findings, ReportError, Scatter, Section, Spread, TextTable, check,
+    ApproximationFinding, Block, Dot, ReportError, Scatter, Section, Spread, TextTable, check,
 };
 
 const COLUMNS: [(&str, bool); 10] = [
@@ -19,20 +19,20 @@ const COLUMNS: [(&str, bool); 10] = [
     ("source", false),
 ];
 
-pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
-    if findings.approximations.is_empty() {
+pub(crate) fn section(all: &[ApproximationFinding]) -> Result<Option<Section>, ReportError> {
+    if all.is_empty() {
         return Ok(None);
     }
-    unique(&findings.approximations)?;
+    unique(all)?;
     let mut blocks = Vec::new();
-    for group in groups(&findings.approximations) {
+    for group in groups(all) {
         blocks.extend(chart(&group)?);
     }
-    blocks.push(Block::Table(list(&findings.approximations)));
+    blocks.push(Block::Table(list(all)));
     Ok(Some(Section {
         id: "approximations".into(),
         title: "What accuracy costs at run time".into(),
-        lead: lead(&findings.approximations, blocks.len() > 1),
+        lead: lead(all, blocks.len() > 1),
         blocks,
     }))
 }

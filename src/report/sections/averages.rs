@@ -1,12 +1,17 @@
 //! The average albedo: a curve over roughness instead of maps.
 
 use super::{figures, words};
-use crate::report::{AverageFinding, Block, Curves, Findings, ReportError, Series, Spread, Style, check};
+use crate::report::{
+    ApproximationFinding, AverageFinding, Block, Curves, ReportError, Series, Spread, Style, check,
+};
 
 /// Truth and fits over roughness, and what they miss by.
-pub(super) fn blocks(findings: &Findings) -> Result<Vec<Block>, ReportError> {
-    let Some(average) = &findings.averages else { return Ok(Vec::new()) };
-    checked(average, findings)?;
+pub(super) fn blocks(
+    averages: Option<&AverageFinding>,
+    approximations: &[ApproximationFinding],
+) -> Result<Vec<Block>, ReportError> {
+    let Some(average) = averages else { return Ok(Vec::new()) };
+    checked(average, approximations)?;
     let values =
         average.fits.iter().enumerate().map(|(i, f)| line(average, i, &f.name, f.values.iter().copied()));
     let truth = Series { style: Style::Truth, ..line(average, 0, "truth", average.truth.iter().copied()) };
@@ -25,7 +30,7 @@ pub(super) fn blocks(findings: &Findings) -> Result<Vec<Block>, ReportError> {
     Ok(vec![Block::Heading { text: average.name.clone() }, figures(&[above, below], &caption)?])
 }
 
-fn checked(average: &AverageFinding, findings: &Findings) -> Result<(), ReportError> {
+fn checked(average: &AverageFinding, approximations: &[ApproximationFinding]) -> Result<(), ReportError> {
     let section = format!("average {}", average.name);
     let n = average.roughness.values.len();
     check::increasing(&section, "roughness", &average.roughness.values)?;
@@ -33,7 +38,7 @@ fn checked(average: &AverageFinding, findings: &Findings) -> Result<(), ReportEr
     check::values(&section, "truth", &average.truth)?;
     check::filled(&section, "fits", average.fits.len())?;
     for fit in &average.fits {
-        if !findings.approximations.iter().any(|a| a.name == fit.name) {
+        if !approximations.iter().any(|a| a.name == fit.name) {
             return Err(check::domain(
                 &section,
                 &format!("fit {}", fit.name),

@@ -3,20 +3,23 @@
 use super::{averages, figures, selection, words};
 use crate::report::plot::Scale;
 use crate::report::{
-    ApproximationFinding, Block, Curves, Dot, Field, Findings, FitCurve, FitFinding, HeatMap, ReportError,
-    Section, Series, Shade, Spread, Style, Worst, check, numbers,
+    ApproximationFinding, AverageFinding, Block, Curves, Dot, Field, FitCurve, FitFinding, HeatMap,
+    ReportError, Section, Series, Shade, Spread, Style, Worst, check, numbers,
 };
 
 /// Fits that may share one chart of curves before colours repeat.
 const TOGETHER: usize = 6;
 
-pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
-    if findings.fits.is_empty() && findings.averages.is_none() {
+pub(crate) fn section(
+    fits: &[FitFinding],
+    averages: Option<&AverageFinding>,
+    approximations: &[ApproximationFinding],
+) -> Result<Option<Section>, ReportError> {
+    if fits.is_empty() && averages.is_none() {
         return Ok(None);
     }
-    let shown: Vec<Shown> =
-        findings.fits.iter().map(|f| Shown::of(f, &findings.approximations)).collect::<Result<_, _>>()?;
-    let mut blocks = selection::told(findings);
+    let shown: Vec<Shown> = fits.iter().map(|f| Shown::of(f, approximations)).collect::<Result<_, _>>()?;
+    let mut blocks = selection::shown(fits, averages, approximations);
     if !shown.is_empty() {
         blocks.push(overview(&shown)?);
         blocks.extend(together(&shown)?);
@@ -24,7 +27,7 @@ pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     for s in &shown {
         blocks.extend(card(s)?);
     }
-    blocks.extend(averages::blocks(findings)?);
+    blocks.extend(averages::blocks(averages, approximations)?);
     Ok(Some(Section {
         id: "fits".into(),
         title: "Fits beside the truth".into(),

@@ -1,7 +1,8 @@
 //! The overview: what was called for, what was made, and where to read on.
 
 use super::{called_for, words};
-use crate::report::{Block, Index, IndexRow, Section};
+use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
+use crate::report::{Block, Section};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -15,12 +16,12 @@ const COLUMNS: [(&str, bool); 9] = [
     ("bytes", true),
 ];
 
-pub(super) fn sections(index: &Index) -> Vec<Section> {
-    let mut sections = vec![called_for::of(&index.effects, &index.left_out)];
-    if index.effects.is_empty() {
+pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
+    let mut sections = vec![called_for::of(&manifest.effects, &manifest.left_out)];
+    if manifest.effects.is_empty() {
         return sections;
     }
-    let links = index.effects.iter().map(|e| (e.effect.clone(), format!("{}.html", e.effect)));
+    let links = manifest.effects.iter().map(|e| (e.effect.clone(), format!("{}.html", e.effect)));
     sections.push(Section {
         id: "pages".into(),
         title: "Pages".into(),
@@ -33,23 +34,36 @@ pub(super) fn sections(index: &Index) -> Vec<Section> {
         lead: "Tables and formulas in the order of the manifest, which has all their figures.".into(),
         blocks: vec![Block::Table(words::table(
             &COLUMNS,
-            index.rows.iter().map(row).collect(),
+            rows(manifest),
             "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.",
         ))],
     });
     sections
 }
 
-fn row(r: &IndexRow) -> Vec<String> {
-    vec![
-        r.effect.clone(),
-        r.name.clone(),
-        r.quantity.clone(),
-        r.used_as.clone(),
-        r.smith.clone(),
-        r.max_error.map_or_else(|| "–".into(), words::max),
-        r.ops.to_string(),
-        r.fetches.to_string(),
-        r.bytes.to_string(),
-    ]
+/// Tables and fits by effect, in the order of the effects.
+fn rows(manifest: &Manifest) -> Vec<Vec<String>> {
+    let of_effect = |effect: &str| {
+        let entries = manifest.entries.of(effect);
+        let tables = entries.tables.iter().map(table).collect::<Vec<_>>();
+        tables.into_iter().chain(entries.fits.iter().map(fit)).collect::<Vec<_>>()
+    };
+    manifest.effects.iter().flat_map(|e| of_effect(&e.effect)).collect()
+}
+
+fn table(t: &TableEntry) -> Vec<String> {
+    let names = [&t.effect, &t.name, &t.quantity, &t.used_as, &t.smith];
+    row(names.map(String::as_str), t.error.lookup.max, &t.cost)
+}
+
+fn fit(f: &FitEntry) -> Vec<String> {
+    let smith = f.smith.as_deref().unwrap_or_default();
+    let names = [&f.effect, &f.name, &f.quantity, &f.used_as].map(String::as_str);
+    let [effect, name, quantity, used_as] = names;
+    row([effect, name, quantity, used_as, smith], f.certificate.max_abs, &f.cost)
+}
+
+fn row(names: [&str; 5], max: f64, cost: &CostEntry) -> Vec<String> {
+    let figures = [words::max(max), cost.ops.to_string(), cost.fetches.to_string(), cost.bytes.to_string()];
+    names.into_iter().map(String::from).chain(figures).collect()
 }

@@ -17,16 +17,17 @@ mod timed_tables;
 mod timings;
 pub mod words;
 
-use super::{Block, Figure, Findings, FitPage, GpuRecord, Index, Page, ReportError, SearchPage, Timings};
+use super::{Block, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage, Timings};
+use crate::emit::manifest::Manifest;
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::section(findings)?];
-    sections.extend(approximations::section(findings)?);
+    sections.extend(approximations::section(&findings.approximations)?);
     sections.extend(furnace::section(findings)?);
-    sections.extend(tables::truths(findings)?);
+    sections.extend(tables::truths(&findings.truths, &findings.caption)?);
     sections.extend(tables::section(findings)?);
-    sections.extend(fits::section(findings)?);
+    sections.extend(fits::section(&findings.fits, findings.averages.as_ref(), &findings.approximations)?);
     sections.extend(study::section(&findings.studies)?);
     Ok(Page {
         title: format!("lobefit report: {}: {effect}", findings.origin.scene),
@@ -40,14 +41,14 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
 }
 
 /// The overview of a bake.
-pub(crate) fn of_index(index: &Index) -> Result<Page, ReportError> {
+pub(crate) fn of_index(origin: Origin, manifest: &Manifest) -> Result<Page, ReportError> {
     Ok(Page {
-        title: format!("lobefit report: {}", index.origin.scene),
-        origin: index.origin.clone(),
+        title: format!("lobefit report: {}", origin.scene),
+        origin,
         lead: "What the scene called for and what was made for it, with its largest measured error and its cost. Each effect has \
                a page of its own, with the truth, the errors and the pictures."
             .into(),
-        sections: index::sections(index),
+        sections: index::sections(manifest),
     })
 }
 

@@ -1,9 +1,10 @@
 //! Lobes and couplings as functions of two directions: who keeps energy, who keeps reciprocity, and at what cost.
 
 use super::words;
-use crate::effects::surface::table::{ExchangeAt, FurnaceRow, ReciprocityRow};
 use crate::report::numbers::{bound, brief, significant};
-use crate::report::{Block, ReportError, Section, TextTable, check};
+use crate::report::{
+    Block, ExchangeAt, ReciprocityRow, ReportError, Section, SurfaceFurnace, TextTable, check,
+};
 
 /// A furnace departure below this is the error of the measurement.
 const CLOSED: f64 = 1e-5;
@@ -126,7 +127,7 @@ fn place(row: &ReciprocityRow) -> String {
 /// What each kind of author may want: the cheapest that closes the furnace and is reciprocal, the cheapest that closes it, and the least
 /// wrong without a texel.
 fn picks(rows: &[&ReciprocityRow]) -> impl Iterator<Item = String> {
-    let dielectric = |f: &&FurnaceRow| f.f0 <= DIELECTRIC;
+    let dielectric = |f: &&SurfaceFurnace| f.f0 <= DIELECTRIC;
     let worst = |row: &ReciprocityRow| {
         row.furnace.iter().filter(dielectric).fold(0.0_f64, |worst, f| worst.max(f.worst.abs()))
     };

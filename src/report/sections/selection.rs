@@ -2,24 +2,31 @@
 
 use super::words;
 use crate::data::Use;
-use crate::report::{ApproximationFinding, Block, Findings};
+use crate::report::{ApproximationFinding, AverageFinding, Block, Findings, FitFinding};
 
 /// What the section of the fits shows, and what it leaves to the table.
-pub(super) fn told(findings: &Findings) -> Vec<Block> {
+pub(super) fn shown(
+    fits: &[FitFinding],
+    averages: Option<&AverageFinding>,
+    approximations: &[ApproximationFinding],
+) -> Vec<Block> {
     let mut texts = Vec::new();
-    if !findings.fits.is_empty() {
+    if !fits.is_empty() {
         texts.push(format!(
             "{} with pictures: {}. First all of these on one colour scale, then the most accurate of the frontier in one chart \
              per roughness, then each by itself on its own scale.{}",
-            words::count(findings.fits.len(), "fit", "fits"),
-            reasons(findings).join("; "),
-            findings.averages.as_ref().map_or_else(String::new, |a| format!(
+            words::count(fits.len(), "fit", "fits"),
+            reasons(fits).join("; "),
+            averages.map_or_else(String::new, |a| format!(
                 " The fits of {} follow at the end, as curves over roughness.",
                 a.name
             )),
         ));
     }
-    let rest: Vec<&str> = without_pictures(findings).map(|a| a.name.as_str()).collect();
+    let averaged = averages.iter().flat_map(|a| &a.fits).map(|f| &f.name);
+    let pictured: Vec<&String> = fits.iter().map(|f| &f.name).chain(averaged).collect();
+    let plain = approximations.iter().filter(|a| !a.table && !pictured.contains(&&a.name));
+    let rest: Vec<&str> = plain.map(|a| a.name.as_str()).collect();
     if !rest.is_empty() {
         texts.push(format!(
             "Without pictures, but listed with error and cost under “What accuracy costs at run time”: {}.",
@@ -30,23 +37,15 @@ pub(super) fn told(findings: &Findings) -> Vec<Block> {
 }
 
 /// `11 on the frontier`, one for each reason, in the order of their first fit.
-fn reasons(findings: &Findings) -> Vec<String> {
+fn reasons(fits: &[FitFinding]) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
-    for fit in &findings.fits {
+    for fit in fits {
         match counts.iter_mut().find(|c| c.0 == fit.shown_as) {
             Some(count) => count.1 += 1,
             None => counts.push((&fit.shown_as, 1)),
         }
     }
     counts.into_iter().map(|(reason, n)| format!("{n} {reason}")).collect()
-}
-
-fn without_pictures(findings: &Findings) -> impl Iterator<Item = &ApproximationFinding> {
-    let pictured = |name: &str| {
-        let averages = findings.averages.iter().flat_map(|a| &a.fits);
-        findings.fits.iter().any(|f| f.name == name) || averages.into_iter().any(|f| f.name == name)
-    };
-    findings.approximations.iter().filter(move |a| !a.table && !pictured(&a.name))
 }
 
 /// Formulas that would have a place in the furnace and none there.

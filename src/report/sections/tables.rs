@@ -10,15 +10,15 @@ use crate::report::{
 
 const COLUMNS: [(&str, bool); 4] = [("error of", false), ("max", true), ("RMS", true), ("where", false)];
 
-/// The truths over their inputs.
-pub(crate) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError> {
-    if findings.truths.is_empty() {
+/// The truths over their inputs; the caption says what to see in them.
+pub(crate) fn truths(truths: &[Field], caption: &str) -> Result<Option<Section>, ReportError> {
+    if truths.is_empty() {
         return Ok(None);
     }
-    for f in &findings.truths {
+    for f in truths {
         f.check("truth")?;
     }
-    let fields: Vec<Field> = findings.truths.iter().map(words::labelled).collect();
+    let fields: Vec<Field> = truths.iter().map(words::labelled).collect();
     let maps: Vec<HeatMap> =
         fields.iter().map(|f| HeatMap { size: (250.0, 220.0), ..HeatMap::of(&f.name, f) }).collect();
     Ok(Some(Section {
@@ -26,36 +26,8 @@ pub(crate) fn truths(findings: &Findings) -> Result<Option<Section>, ReportError
         title: "The truth".into(),
         lead: "What is approximated, by quadrature: the values that every table and fit is measured against."
             .into(),
-        blocks: vec![figures(&maps, &landscape(findings))?],
+        blocks: vec![figures(&maps, caption)?],
     }))
-}
-
-/// What to see in the maps of the truth; a part of the domain need not show it.
-fn landscape(findings: &Findings) -> String {
-    let field = &findings.truths[0];
-    if findings.approximations.iter().any(|a| a.quantity == "sheen-charlie") {
-        return "E of the sheen's lobe: near 0 where a narrow lobe is seen face on, and largest at grazing view, where with its \
-                visibility term it returns more than it receives the narrower it is: a value above 1 is the model's own, no error \
-                of its integral."
-            .into();
-    }
-    let ends = |r: &Ruler| [r.values[0], r.values[r.values.len() - 1]];
-    let (roughness, mu) = (ends(&field.x), ends(&field.y));
-    let valley = "1 for a smooth surface and at grazing view; between the two lies a valley along the diagonal where mu is \
-                  about alpha, which never closes however smooth the surface. Polynomials cannot follow it.";
-    if roughness[0] <= 0.1 && roughness[1] >= 0.9 && mu[0] <= 0.05 && mu[1] >= 0.9 {
-        return format!("For the GGX lobe: E is {valley}");
-    }
-    format!(
-        "The part of the domain that the scene spans: {} {} to {}, {} {} to {}. Over the whole domain E of the GGX lobe is \
-         {valley} How much of that is seen here depends on the part.",
-        words::symbol(&field.x.name),
-        brief(roughness[0], 3),
-        brief(roughness[1], 3),
-        words::symbol(&field.y.name),
-        brief(mu[0], 3),
-        brief(mu[1], 3),
-    )
 }
 
 /// The tables: texels, errors, lookup error over the domain.

@@ -1,30 +1,20 @@
 //! The bases under one kind of lobe: what accuracy costs, and fits beside the truth.
 
+use std::slice;
+
 use crate::effects::coupling::results::{AnyF0Finding, CouplingLobe};
 use crate::report::sections::{approximations, fits, tables, words};
-use crate::report::{Block, Findings, Origin, ReportError, Section, check, numbers};
+use crate::report::{Block, ReportError, Section, check, numbers};
 
 /// Their sections, with the kind of lobe in title and anchor.
-pub(super) fn sections(lobe: &CouplingLobe, origin: &Origin) -> Result<Vec<Section>, ReportError> {
-    let findings = Findings {
-        origin: origin.clone(),
-        effects: Vec::new(),
-        left_out: Vec::new(),
-        tables: Vec::new(),
-        truths: vec![lobe.truth.clone()],
-        approximations: lobe.approximations.clone(),
-        fits: lobe.fits.clone(),
-        averages: None,
-        furnace: None,
-        studies: Vec::new(),
-    };
+pub(super) fn sections(lobe: &CouplingLobe) -> Result<Vec<Section>, ReportError> {
     let mut sections = Vec::new();
-    if let Some(mut costs) = approximations::section(&findings)? {
+    if let Some(mut costs) = approximations::section(&lobe.approximations)? {
         costs.blocks.push(anywhere(lobe)?);
         sections.push(costs);
     }
-    sections.extend(tables::truths(&findings)?.map(|section| truth(section, lobe)));
-    sections.extend(fits::section(&findings)?);
+    sections.extend(tables::truths(slice::from_ref(&lobe.truth), &truth(lobe))?);
+    sections.extend(fits::section(&lobe.fits, None, &lobe.approximations)?);
     for section in &mut sections {
         section.id = format!("{}-{}", section.id, lobe.specular);
         section.title = format!("{}, {} lobe", section.title, lobe.specular);
@@ -32,20 +22,14 @@ pub(super) fn sections(lobe: &CouplingLobe, origin: &Origin) -> Result<Vec<Secti
     Ok(sections)
 }
 
-/// The map of the factor, told as what it is.
-fn truth(mut section: Section, lobe: &CouplingLobe) -> Section {
-    let caption = format!(
+/// What to see in the map of the factor.
+fn truth(lobe: &CouplingLobe) -> String {
+    format!(
         "The factor at f0 = {} under a lobe that is multiplied by {}: where it is 1, all light reaches the base. Face on it is about 1 − f0; at \
          grazing a smooth lobe takes nearly all of the light, a rough one much less, since few of its facets are seen at grazing.",
         numbers::place(lobe.f0),
         lobe.multiplier
-    );
-    for block in &mut section.blocks {
-        if let Block::Figures { caption: told, .. } = block {
-            told.clone_from(&caption);
-        }
-    }
-    section
+    )
 }
 
 /// What each factor is worth at every f0, not the scene's alone.

@@ -14,7 +14,7 @@ pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::of(std::slice::from_ref(&findings.effect), &findings.left_out)];
     sections.push(curves::section(&findings.curves)?);
     for one in &findings.lobes {
-        sections.extend(lobe::sections(one, &findings.origin)?);
+        sections.extend(lobe::sections(one)?);
         sections.push(furnace::section(one)?);
         sections.extend(reciprocity::section(one)?);
     }

@@ -1,57 +1,46 @@
 //! The section of this effect in the include files: under each lobe its fits, then the functions of its chains.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::Lobe;
 use crate::approximate::Fit;
 use crate::effects::BakeError;
+use crate::effects::code::{documented, function};
 use crate::effects::parallax::probe;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
 use crate::emit::header;
 use lobefit_shade::code::{self, Language};
 
-/// Text by language; empty where nothing is emitted.
-pub(super) fn section(lobes: &[Lobe]) -> Result<BTreeMap<Language, String>, BakeError> {
-    let mut texts = BTreeMap::new();
-    for language in Language::ALL {
-        let (mut text, mut known) = (String::new(), BTreeSet::new());
-        let lookups: Vec<probe::Wanted> =
-            lobes.iter().flat_map(|lobe| &lobe.lookups).map(|l| l.wanted.clone()).collect();
-        for lobe in lobes {
-            for (fit, variation) in lobe.measured().filter(|(fit, _)| fit.emitted) {
-                let lines = lines(lobe, fit, variation);
-                let function = code::print(language, &fit.hypothesis, &fit.coefficients(), &lines)?.text;
+/// The text of all lobes; empty where nothing is emitted.
+pub(super) fn in_language(language: Language, lobes: &[Lobe]) -> Result<String, BakeError> {
+    let (mut text, mut known) = (String::new(), BTreeSet::new());
+    let lookups: Vec<probe::Wanted> =
+        lobes.iter().flat_map(|lobe| &lobe.lookups).map(|l| l.wanted.clone()).collect();
+    for lobe in lobes {
+        for (fit, variation) in lobe.measured().filter(|(fit, _)| fit.emitted) {
+            text += &function(language, fit, &lines(lobe, fit, variation))?;
+        }
+        for one in &lobe.functions {
+            if known.insert(one.hypothesis.name().to_string()) {
+                let lines = level_lines(lobe, one);
+                let function = code::print(language, &one.hypothesis, &one.coefficients, &lines)?.text;
                 text += &format!("\n{function}");
             }
-            for one in &lobe.functions {
-                if known.insert(one.hypothesis.name().to_string()) {
-                    let lines = level_lines(lobe, one);
-                    let function = code::print(language, &one.hypothesis, &one.coefficients, &lines)?.text;
-                    text += &format!("\n{function}");
-                }
-            }
-        }
-        text += &probe::print(language, &lookups);
-        if !text.is_empty() {
-            texts.insert(language, text);
         }
     }
-    Ok(texts)
+    Ok(text + &probe::print(language, &lookups))
 }
 
 /// What a function holds of, so that it is not paired with another chain.
 pub(super) fn paired(lobe: &Lobe) -> String {
-    let (kernel, map) = (lobe.job.kernel, lobe.job.alpha_map.name());
+    let (kernel, map) = (lobe.spec.kernel, lobe.spec.alpha_map.name());
     format!("for chains prefiltered with the {} lobe {}, alpha = {map}", kernel.word(), kernel.formula())
 }
 
 /// The header of a width: what it is, its error and its cost.
 fn lines(lobe: &Lobe, fit: &Fit, variation: &Variation) -> Vec<String> {
     let a = &fit.approximation;
-    let mut lines: Vec<String> = fit.hypothesis.doc().to_vec();
-    if !lines.is_empty() {
-        lines.push(String::new());
-    }
+    let mut lines = documented(fit);
     let ops = header::operations(a.cost.ops);
     lines.push(format!("{} {}, {}", a.quantity, a.column, paired(lobe)));
     lines.push(format!("{ops}; constants fitted for the smallest {} error", fit.norm()));
@@ -104,7 +93,7 @@ fn level_lines(lobe: &Lobe, one: &LevelFunction) -> Vec<String> {
         Gives::Adjusted | Gives::Bias => "in levels, against the best width where that is below 1",
     };
     if matches!(one.gives, Gives::Adjusted | Gives::Bias) {
-        let [roughness, rho] = [lobe.job.roughness, lobe.job.rho];
+        let [roughness, rho] = [lobe.spec.roughness, lobe.spec.rho];
         lines.push(format!(
             "{}; roughness [{}, {}], rho [{}, {}]",
             paired(lobe),

@@ -1,40 +1,28 @@
 //! What this effect puts into the manifest.
 
-use super::{EFFECT, Lobe};
+use super::Lobe;
 use crate::data::Place;
-use crate::effects::BakeError;
+use crate::effects::Effect;
+use crate::effects::parallax::Parallax;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
-use crate::emit::manifest::canonical;
-use crate::emit::manifest::{Entries, FitEntry, FitLeftOut, MipEntry, SpreadEntry, VariationEntry};
-use crate::scene::Scene;
+use crate::emit::manifest::{Entries, FitEntry, MipEntry, SpreadEntry, VariationEntry};
 
-/// Notes what is emitted for a lobe, and what is left out.
-pub(super) fn enter(lobe: &Lobe, scene: &Scene, entries: &mut Entries) -> Result<(), BakeError> {
-    let (kernel, alpha_map) = (lobe.job.kernel.word(), scene.alpha.name());
-    for (fit, variation) in lobe.measured().filter(|(fit, _)| fit.emitted) {
-        if let Some(entry) = FitEntry::new(EFFECT, alpha_map, &fit.approximation) {
-            entries.fits.push(canonical(&entry.fetching(kernel, beside(variation, &lobe.least)))?);
-        }
-    }
-    for dropped in &lobe.dropped {
-        entries.fits_left_out.push(canonical(&FitLeftOut {
-            effect: EFFECT,
-            hypothesis: dropped.hypothesis.clone(),
-            norm: dropped.norm.into(),
-            reason: dropped.reason.clone(),
-        })?);
-    }
+/// Notes the functions of levels and of lookups.
+pub(super) fn enter(lobe: &Lobe, alpha_map: &str, entries: &mut Entries) {
+    let kernel = lobe.spec.kernel.word();
     for function in &lobe.functions {
-        let entry = canonical(&mip(function, alpha_map, kernel))?;
+        let entry = mip(function, alpha_map, kernel);
         // Maps do not depend on the lobe: two lobes have one function.
         if !entries.mips.contains(&entry) {
             entries.mips.push(entry);
         }
     }
-    for lookup in &lobe.lookups {
-        entries.lookups.push(canonical(&lookup.entry(kernel, alpha_map))?);
-    }
-    Ok(())
+    entries.lookups.extend(lobe.lookups.iter().map(|lookup| lookup.entry(kernel, alpha_map)));
+}
+
+/// The entry of the fit at an index with its total variation.
+pub(super) fn fetching(lobe: &Lobe, i: usize, entry: FitEntry) -> FitEntry {
+    entry.fetching(lobe.spec.kernel.word(), beside(&lobe.variations[i], &lobe.least))
 }
 
 /// A total variation beside the least.
@@ -59,17 +47,17 @@ pub(super) fn place(spread: &Spread) -> Place {
     [("roughness", roughness), ("rho", rho)].map(|(name, x)| (name.to_string(), x)).into_iter().collect()
 }
 
-fn mip(function: &LevelFunction, alpha_map: &'static str, kernel: &'static str) -> MipEntry {
+fn mip(function: &LevelFunction, alpha_map: &str, kernel: &str) -> MipEntry {
     let of_kernel = matches!(function.gives, Gives::Adjusted | Gives::Bias);
     let names = function.hypothesis.parameters().iter().map(|p| p.name.clone());
     MipEntry {
-        effect: EFFECT,
+        effect: Parallax.name().into(),
         function: function.hypothesis.name().to_string(),
-        gives: function.gives.name(),
+        gives: function.gives.name().into(),
         inputs: function.hypothesis.inputs().to_vec(),
         chain: function.chain.text(),
-        alpha_map,
-        kernel: of_kernel.then_some(kernel),
+        alpha_map: alpha_map.into(),
+        kernel: of_kernel.then(|| kernel.into()),
         coefficients: names.zip(function.coefficients.iter().copied()).collect(),
         max_mips: function.error.max,
         at: function.error.at.clone(),

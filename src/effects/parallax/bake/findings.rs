@@ -4,16 +4,14 @@ use super::Lobe;
 use super::entries::place;
 use super::lookups::Lookup;
 use crate::approximate::{Fit, FitStageError};
+use crate::effects::BakeError;
 use crate::effects::context::Context;
+use crate::effects::page::left_out;
 use crate::effects::parallax::results::{
     ChainFinding, ParallaxCurve, ParallaxFindings, ParallaxLobe, ParallaxMap, VariationFinding, VariationRow,
 };
 use crate::effects::parallax::{Cell, LevelFunction, Spread, Variation};
-use crate::effects::reflection::bake::left_out;
-use crate::effects::{BakeError, origin};
-use crate::plan::Effect;
 use crate::report::{ApproximationFinding, EffectFinding, Field, Ruler};
-use crate::scene::Scene;
 use lobefit_shade::code::{self, Language};
 use lobefit_truth::integrate::footprint::Measures;
 
@@ -28,14 +26,13 @@ const BEST: &str = "best width";
 
 /// The findings of the effect.
 pub(super) fn findings(
-    scene: &Scene,
+    effect: &EffectFinding,
     lobes: &[Lobe],
-    called: &Effect,
     context: &Context,
 ) -> Result<ParallaxFindings, BakeError> {
     Ok(ParallaxFindings {
-        origin: origin(scene, context),
-        effect: effect(called, lobes),
+        origin: context.origin(),
+        effect: effect.clone(),
         left_out: lobes.iter().flat_map(|lobe| left_out(&lobe.dropped)).collect(),
         lobes: lobes.iter().map(of_lobe).collect::<Result<_, _>>()?,
     })
@@ -57,8 +54,8 @@ fn of_lobe(lobe: &Lobe) -> Result<ParallaxLobe, BakeError> {
     });
     let saturated = lobe.grid.cells.iter().filter(|cell| cell.saturated);
     Ok(ParallaxLobe {
-        kernel: lobe.job.kernel.name().into(),
-        formula: lobe.job.kernel.formula().into(),
+        kernel: lobe.spec.kernel.name().into(),
+        formula: lobe.spec.kernel.formula().into(),
         approximations: lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation)).collect(),
         variations,
         saturated: saturated.map(|cell| (cell.roughness, cell.rho)).collect(),
@@ -160,21 +157,5 @@ fn chain(function: &LevelFunction) -> ChainFinding {
         ops: function.hypothesis.tape().cost_ops(),
         max: function.error.max,
         at: function.error.at.clone(),
-    }
-}
-
-fn effect(called: &Effect, lobes: &[Lobe]) -> EffectFinding {
-    EffectFinding {
-        effect: called.effect.name().into(),
-        because: called.because.clone(),
-        ranges: called.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
-        approximation: called.approximation.clone(),
-        expected_error: called.expected_error,
-        measured_error: lobes
-            .iter()
-            .filter_map(|lobe| lobe.least_variation(None))
-            .map(|(_, max)| max)
-            .reduce(f64::max),
-        metric: "largest total variation of the best fit, where a fetch is not saturated".into(),
     }
 }

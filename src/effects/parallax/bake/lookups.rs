@@ -1,9 +1,11 @@
 //! The lookups of a kind of lobe: what is emitted, with what is said of it.
 
-use super::{EFFECT, Lobe, code};
+use super::{Lobe, code};
 use crate::approximate::{Fit, FitStageError};
 use crate::data::{MipChain, ProbeLookup};
 use crate::effects::BakeError;
+use crate::effects::Effect;
+use crate::effects::parallax::Parallax;
 use crate::effects::parallax::probe::{Called, Wanted};
 use crate::effects::parallax::results::LookupFinding;
 use crate::effects::parallax::{Gives, TapRule, named};
@@ -24,7 +26,7 @@ pub(super) fn of(lobe: &Lobe, identifiers: &[(MipChain, String)]) -> Result<Vec<
     let one = |(lookup, chain): &(ProbeLookup, Option<MipChain>)| {
         one(lobe, best, *lookup, chain.as_ref(), identifiers)
     };
-    lobe.job.lookups.iter().map(one).collect()
+    lobe.wants.lookups.iter().map(one).collect()
 }
 
 fn one(
@@ -48,15 +50,15 @@ fn one(
     let fetches = lookup.taps as usize;
     let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
     let mut wanted = Wanted {
-        fetch: named(lobe.job.kernel, &fetch),
-        name: named(lobe.job.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
+        fetch: named(lobe.spec.kernel, &fetch),
+        name: named(lobe.spec.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
         lookup,
-        rule: TapRule::of(lobe.job.kernel, fetches)
-            .ok_or(BakeError::NoRule { kernel: lobe.job.kernel.word(), fetches })?,
+        rule: TapRule::of(lobe.spec.kernel, fetches)
+            .ok_or(BakeError::NoRule { kernel: lobe.spec.kernel.word(), fetches })?,
         header: Vec::new(),
         width: called(&best.hypothesis),
         level: level.map(called),
-        alpha_map: lobe.job.alpha_map,
+        alpha_map: lobe.spec.alpha_map,
         power: Tied::FITTED,
     };
     let ops = wanted.operations().map_err(FitStageError::from)?;
@@ -70,7 +72,7 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
     let mut lines = wanted.lines();
     lines.push(format!("Pairing: {}", code::paired(lobe)));
     lines.extend(chain.map(|chain| format!("  {}", chain.text())));
-    let [roughness, rho] = [lobe.job.roughness, lobe.job.rho].map(|[lo, hi]| format!("[{lo}, {hi}]"));
+    let [roughness, rho] = [lobe.spec.roughness, lobe.spec.rho].map(|[lo, hi]| format!("[{lo}, {hi}]"));
     lines.push(format!(
         "The width is certified over roughness {roughness} and rho {rho}, the distance of the place"
     ));
@@ -93,20 +95,20 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
 
 impl Lookup {
     /// Its entry in the manifest.
-    pub fn entry(&self, kernel: &'static str, alpha_map: &'static str) -> LookupFunction {
+    pub fn entry(&self, kernel: &str, alpha_map: &str) -> LookupFunction {
         let Wanted { name, lookup, width, level, .. } = &self.wanted;
         LookupFunction {
-            effect: EFFECT,
+            effect: Parallax.name().into(),
             function: name.clone(),
             inputs: self.wanted.inputs(),
             proxy: lookup.shape(),
-            edges: lookup.edges(),
-            lobe: lookup.lobe.name(),
+            edges: lookup.edges().into(),
+            lobe: lookup.lobe.name().into(),
             power: lookup.smooth.then(|| self.wanted.power_formula()),
-            gives: if level.is_some() { "mip" } else { "width" },
+            gives: if level.is_some() { "mip" } else { "width" }.into(),
             width: width.name.clone(),
-            kernel,
-            alpha_map,
+            kernel: kernel.into(),
+            alpha_map: alpha_map.into(),
             chain: self.chain.as_ref().map(MipChain::text),
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
         }

@@ -1,34 +1,27 @@
-//! The part of the effect `parallax`: fits of the width of a fetch, one set for each lobe that chains are prefiltered with.
+//! Jobs to fits of the width of a fetch, one set for each lobe that chains are prefiltered with.
 
 mod code;
 mod entries;
 mod findings;
 mod lookups;
 
+use super::{Grid, LevelFunction, ParallaxSpec, Variation, bias, demand, fit_all, of_chain, variations};
 use crate::approximate::{Dropped, Fit, FitSet};
-use crate::bake::Baked;
-use crate::bake::Part;
 use crate::data::MipChain;
-use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::parallax::{
-    Grid, LevelFunction, ParallaxSpec, Variation, bias, fit_all, of_chain, variations,
-};
-use crate::emit::manifest::canonical;
-use crate::emit::manifest::{Entries, Report};
-use crate::plan::{Effect, FitPromise, ParallaxJob};
-use crate::report;
+use crate::effects::demand::{Demand, Job, Promise};
+use crate::effects::{BakeError, Called, Made};
 use crate::scene::Scene;
-use crate::store::Files;
-
-const EFFECT: &str = "parallax";
 
 /// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among them.
 const GRID: [usize; 2] = [19, 29];
 
 /// What was made for the chains of one kind of lobe.
 struct Lobe<'a> {
-    job: &'a ParallaxJob,
+    scene: &'a Scene,
+    job: &'a Job,
+    wants: demand::Lobe,
+    spec: ParallaxSpec,
     fits: Vec<Fit>,
     dropped: Vec<Dropped>,
     grid: Grid,
@@ -42,44 +35,41 @@ struct Lobe<'a> {
     lookups: Vec<lookups::Lookup>,
 }
 
-/// Bakes the effect; its fits and hypotheses left out go into `baked` as well.
-pub fn part(
-    scene: &Scene,
-    jobs: &[ParallaxJob],
-    effect: &Effect,
-    baked: &mut Baked,
-    context: &mut Context,
-) -> Result<Part, BakeError> {
+/// Bakes the effect.
+pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
     context.progress.stage("fits of lookups");
-    let identifiers = identifiers(jobs);
-    let mut lobes = Vec::new();
-    for job in jobs {
-        let lobe = Lobe::fitted(job, &identifiers, context)?;
-        context.broken.extend(job.promises.iter().filter_map(|promise| lobe.unkept(promise)));
-        context.broken.extend(lobe.without_lookups(scene));
-        lobes.push(lobe);
-    }
-    let (mut entries, mut files) = (Entries::default(), Files::new());
+    let wants = called.work.iter().map(|job| {
+        let lacks = || BakeError::Internal(format!("{}: no probe", job.name));
+        Ok((job, demand::wanted(context.scene, job).ok_or_else(lacks)?))
+    });
+    let wants: Vec<(&Job, demand::Lobe)> = wants.collect::<Result<_, BakeError>>()?;
+    let identifiers = identifiers(wants.iter().flat_map(|(_, lobe)| &lobe.chains));
+    let fitted = wants.into_iter().map(|(job, wants)| Lobe::fitted(job, wants, &identifiers, context));
+    let lobes: Vec<Lobe> = fitted.collect::<Result<_, _>>()?;
+    let least = |lobe: &Lobe| Some(lobe.least_variation(None)?.1);
+    let worst = lobes.iter().filter_map(least).reduce(f64::max);
+    let mut made =
+        Made::new(called, worst, "largest total variation of the best fit, where a fetch is not saturated");
     for lobe in &lobes {
-        entries::enter(lobe, scene, &mut entries)?;
+        made.broken.extend(lobe.job.promises.iter().filter_map(|promise| lobe.unkept(promise)));
+        made.broken.extend(lobe.without_lookups());
+        entries::enter(lobe, context.scene.alpha.name(), &mut made.part.entries);
     }
     context.progress.stage("report of parallax");
-    let findings = findings::findings(scene, &lobes, effect, context)?;
-    for file in report::files(EFFECT, &super::page::page(&findings)?, &findings)? {
-        entries.reports.push(canonical(&Report { effect: Some(EFFECT), file: file.path.clone() })?);
-        files.insert(file.path, file.bytes);
-    }
-    let code = code::section(&lobes)?;
+    let findings = findings::findings(&made.part.finding, &lobes, context)?;
+    made.page(&super::page::page(&findings)?, &findings)?;
+    made.code(|language| code::in_language(language, &lobes))?;
     for lobe in lobes {
-        baked.take(lobe.fits, lobe.dropped);
+        let set = (lobe.fits.clone(), lobe.dropped.clone());
+        made.fits(context, set, |i, _, entry| entries::fetching(&lobe, i, entry));
     }
-    Ok(Part { effect: effect.effect, finding: findings.effect, entries, code, files })
+    Ok(made)
 }
 
 /// The different chains of all jobs, with what tells each from the others in the names of its functions.
-fn identifiers(jobs: &[ParallaxJob]) -> Vec<(MipChain, String)> {
+fn identifiers<'a>(chains: impl Iterator<Item = &'a MipChain>) -> Vec<(MipChain, String)> {
     let mut known: Vec<(MipChain, String)> = Vec::new();
-    for chain in jobs.iter().flat_map(|job| &job.chains) {
+    for chain in chains {
         if known.iter().any(|(k, _)| k == chain) {
             continue;
         }
@@ -100,26 +90,38 @@ fn identifiers(jobs: &[ParallaxJob]) -> Vec<(MipChain, String)> {
 
 impl<'a> Lobe<'a> {
     fn fitted(
-        job: &'a ParallaxJob,
+        job: &'a Job,
+        wants: demand::Lobe,
         identifiers: &[(MipChain, String)],
-        context: &Context,
+        context: &Context<'a>,
     ) -> Result<Lobe<'a>, BakeError> {
         let spec = ParallaxSpec {
-            kernel: job.kernel,
-            alpha_map: job.alpha_map,
-            roughness: job.roughness,
-            rho: job.rho,
-            max_ops: job.max_ops,
-            norms: job.norms.clone(),
+            kernel: wants.kernel,
+            alpha_map: context.scene.alpha,
+            roughness: job.range("roughness")?,
+            rho: job.range("rho")?,
+            max_ops: job.goals.max_ops,
+            norms: job.goals.norms.clone(),
         };
         let FitSet { fits, dropped } = fit_all(&spec, &context.counter)?;
-        let grid = Grid::new(job.kernel, job.alpha_map, job.roughness, job.rho, GRID)?;
+        let grid = Grid::new(spec.kernel, spec.alpha_map, spec.roughness, spec.rho, GRID)?;
         context.counter.add(grid.cells.len());
         let variations = variations(&grid, &fits)?;
         let best: Vec<f64> = grid.cells.iter().map(|cell| cell.best).collect();
         let least = Variation::of(&grid, &best)?;
-        let mut lobe =
-            Lobe { job, fits, dropped, grid, variations, least, functions: Vec::new(), lookups: Vec::new() };
+        let mut lobe = Lobe {
+            scene: context.scene,
+            job,
+            wants,
+            spec,
+            fits,
+            dropped,
+            grid,
+            variations,
+            least,
+            functions: Vec::new(),
+            lookups: Vec::new(),
+        };
         lobe.functions = lobe.levels(identifiers)?;
         lobe.lookups = lookups::of(&lobe, identifiers)?;
         Ok(lobe)
@@ -129,10 +131,10 @@ impl<'a> Lobe<'a> {
     fn levels(&self, identifiers: &[(MipChain, String)]) -> Result<Vec<LevelFunction>, BakeError> {
         let Some(best) = self.best() else { return Ok(Vec::new()) };
         let mut functions = Vec::new();
-        for (chain, identifier) in identifiers.iter().filter(|(chain, _)| self.job.chains.contains(chain)) {
-            functions.extend(of_chain(chain, identifier, self.job.alpha_map, best, &self.grid)?);
+        for (chain, identifier) in identifiers.iter().filter(|(chain, _)| self.wants.chains.contains(chain)) {
+            functions.extend(of_chain(chain, identifier, self.spec.alpha_map, best, &self.grid)?);
         }
-        functions.extend(bias(&self.job.chains, self.job.alpha_map, &self.grid)?);
+        functions.extend(bias(&self.wants.chains, self.spec.alpha_map, &self.grid)?);
         Ok(functions)
     }
 
@@ -158,16 +160,17 @@ impl<'a> Lobe<'a> {
     }
 
     /// What says that lookups are wanted and no fit is emitted that they could take the width from: every lookup is a promise.
-    fn without_lookups(&self, scene: &Scene) -> Option<String> {
-        if self.job.lookups.is_empty() || self.best().is_some() {
+    fn without_lookups(&self) -> Option<String> {
+        if self.wants.lookups.is_empty() || self.best().is_some() {
             return None;
         }
-        let kernel = self.job.kernel;
-        let probes = scene.probes.iter().enumerate();
-        let wanting = probes.filter(|(_, probe)| probe.kernel == kernel && !probe.lookups.is_empty());
+        let kernel = self.spec.kernel;
+        let wants =
+            |demand: &&Demand| self.scene.probes.get(demand.of).is_some_and(|p| !p.lookups.is_empty());
+        let wanting = self.job.demands.iter().filter(wants);
         let names: Vec<String> =
-            wanting.map(|(i, probe)| format!("{} (probes[{i}].lookups)", probe.name)).collect();
-        let limit = match self.job.max_ops {
+            wanting.map(|demand| format!("{} ({}.lookups)", demand.name, demand.field)).collect();
+        let limit = match self.spec.max_ops {
             Some(ops) => format!("raise max_ops, {ops} operations by now"),
             None => "widen the ranges of roughness and rho".into(),
         };
@@ -179,10 +182,8 @@ impl<'a> Lobe<'a> {
     }
 
     /// A promise that is not kept, in words.
-    fn unkept(&self, promise: &FitPromise) -> Option<String> {
-        let kernel = self.job.kernel.name();
-        let within = promise.max_ops.map_or_else(String::new, |ops| format!(" within {ops} operations"));
-        let wanted = format!("max_error {}{within}, wanted by {}", promise.max_error, promise.wanted_by());
+    fn unkept(&self, promise: &Promise) -> Option<String> {
+        let (kernel, wanted) = (self.spec.kernel.name(), promise.text());
         match self.least_variation(promise.max_ops) {
             None => Some(format!("parallax of {kernel} chains: no fit is that cheap: {wanted}")),
             Some((fit, max)) if max > promise.max_error => {

@@ -8,13 +8,13 @@ mod widths;
 
 use crate::effects::parallax::results::{ParallaxFindings, ParallaxLobe};
 use crate::report::sections::{approximations, called_for};
-use crate::report::{Findings, Origin, Page, ReportError, Section};
+use crate::report::{Page, ReportError, Section};
 
 /// The whole page.
 pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
     let mut sections = vec![called_for::of(std::slice::from_ref(&findings.effect), &findings.left_out)];
     for one in &findings.lobes {
-        sections.extend(of_lobe(one, &findings.origin)?);
+        sections.extend(of_lobe(one)?);
     }
     Ok(Page {
         title: format!("lobefit report: {}: {}", findings.origin.scene, findings.effect.effect),
@@ -30,21 +30,9 @@ pub(super) fn page(findings: &ParallaxFindings) -> Result<Page, ReportError> {
 }
 
 /// The sections of a lobe, with its name in title and anchor.
-fn of_lobe(lobe: &ParallaxLobe, origin: &Origin) -> Result<Vec<Section>, ReportError> {
-    let findings = Findings {
-        origin: origin.clone(),
-        effects: Vec::new(),
-        left_out: Vec::new(),
-        tables: Vec::new(),
-        truths: Vec::new(),
-        approximations: lobe.approximations.clone(),
-        fits: Vec::new(),
-        averages: None,
-        furnace: None,
-        studies: Vec::new(),
-    };
+fn of_lobe(lobe: &ParallaxLobe) -> Result<Vec<Section>, ReportError> {
     let mut sections = vec![variation::section(lobe)?];
-    sections.extend(approximations::section(&findings)?);
+    sections.extend(approximations::section(&lobe.approximations)?);
     sections.push(widths::section(lobe)?);
     sections.extend(chains::section(lobe));
     sections.extend(lookups::section(lobe));

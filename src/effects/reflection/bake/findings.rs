@@ -1,25 +1,20 @@
 //! What the bake found out, for the report.
 
-mod selection;
-
-pub(in crate::effects) use selection::{Selected, selected};
-
-use super::fits::region as region_of_fit;
-use super::pictures::{Grid, averages};
+use super::pictures::{Exact, averages};
 use super::tables::BakedTable;
 use crate::approximate::{Dropped, Fit, Region};
 use crate::data::{Place, Serves, Smith, Use};
 use crate::effects::Deviation;
 use crate::effects::context::Context;
 use crate::effects::reflection::{Study, studies};
-use crate::effects::{BakeError, origin};
-use crate::plan::{Effect, Plan};
+use crate::effects::selection::{Selected, selected};
+use crate::effects::{BakeError, page};
+use crate::report::numbers::brief;
+use crate::report::sections::words;
 use crate::report::{
-    self, ApproximationFinding, AverageFinding, ChannelFinding, EffectFinding, ErrorFigure, Findings,
-    FitFinding, Furnace, LeftOut, Marked, StudySeries, TableFinding,
+    self, ApproximationFinding, AverageFinding, ChannelFinding, EffectFinding, ErrorFigure, Field, Findings,
+    Furnace, Marked, Ruler, StudySeries, TableFinding,
 };
-use crate::scene::Scene;
-use lobefit_shade::code::{self, Language};
 
 /// How often the furnace's departure from white is amplified.
 const AMPLIFICATION: f64 = 10.0;
@@ -27,73 +22,77 @@ const AMPLIFICATION: f64 = 10.0;
 /// f0 of the curves of a blend: a dielectric of index 1.5.
 const DIELECTRIC: f64 = 0.04;
 
-/// The findings of the effect.
+/// The findings of the effect; `region` is that of the fits.
 pub fn findings(
-    scene: &Scene,
-    plan: &Plan,
-    called: &Effect,
+    effect: &EffectFinding,
+    region: Option<Region>,
     tables: &[BakedTable],
-    fits: &[Fit],
-    dropped: &[Dropped],
+    (fits, dropped): (&[Fit], &[Dropped]),
     context: &Context,
 ) -> Result<Findings, BakeError> {
-    let shown = selected(fits, Use::Normalisation);
-    let blends = selected(fits, Use::F0Blend);
-    let mut averages = None;
-    let mut truths = Vec::new();
-    let mut furnace = None;
-    let mut fit_findings = Vec::new();
-    if let Some(job) = &plan.fit {
-        let region = region_of_fit(job);
-        let map = Grid::map(job.smith, &region, false, context);
-        let curves = Grid::curves(job.smith, &region, context);
-        truths.push(map.albedo());
+    let smith = context.scene.smith;
+    let shown = selected(fits, Use::Normalisation, context);
+    let blends = selected(fits, Use::F0Blend, context);
+    let mut found = Findings::new(context.origin());
+    if let Some(region) = &region {
+        let map = Exact::map(smith, region, false, context);
+        let curves = Exact::curves(smith, region, context);
+        found.truths.push(map.albedo());
         for one in &shown {
-            fit_findings.push(fit_finding(one, &map, &curves)?);
+            found.fits.push(page::fit(
+                one,
+                "N = 1/E".into(),
+                curves.fit_curves(one.fit)?,
+                map.furnace_error(one.fit)?,
+            )?);
         }
         if !blends.is_empty() {
-            let (map, curves) = (Grid::split_map(&map, context), Grid::split_map(&curves, context));
+            let (map, curves) = (Exact::split_map(&map, context), Exact::split_map(&curves, context));
+            let value = format!("f0 A + B at f0 = {DIELECTRIC}");
+            // Curves are those of a dielectric, errors those at the worse end of f0.
             for one in &blends {
-                fit_findings.push(blend_finding(one, &map, &curves)?);
+                let curves = curves.blend_curves(one.fit, DIELECTRIC)?;
+                found.fits.push(page::fit(one, value.clone(), curves, map.blend_error(one.fit)?)?);
             }
         }
-        averages = average_finding(job.smith, &region, fits, context)?;
+        found.averages = average_finding(smith, region, fits, context)?;
     } else if let Some(baked) = tables.first() {
-        truths.push(Grid::map(scene.smith, &baked.region, false, context).albedo());
+        found.truths.push(Exact::map(smith, &baked.region, false, context).albedo());
     }
-    if let Some(region) = region_of_furnace(plan, tables) {
-        furnace = Some(furnace_of(&Grid::furnace(scene.smith, &region, context), tables, &shown)?);
+    found.caption = found.truths.first().map_or_else(String::new, landscape);
+    if let Some(region) = region.or_else(|| tables.first().map(|t| t.region)) {
+        found.furnace = Some(furnace_of(&Exact::furnace(smith, &region, context), tables, &shown)?);
     }
-    let studies = studies(scene.smith)?;
-    Ok(Findings {
-        origin: origin(scene, context),
-        effects: vec![effect(called, tables, fits)],
-        left_out: left_out(dropped),
-        tables: tables.iter().filter_map(|t| table(t, context).transpose()).collect::<Result<_, _>>()?,
-        truths,
-        approximations: approximations(tables, fits),
-        fits: fit_findings,
-        averages,
-        furnace,
-        studies: studies.iter().map(study).collect(),
-    })
+    found.effects = vec![effect.clone()];
+    found.left_out = page::left_out(dropped);
+    found.tables = tables.iter().filter_map(|t| table(t, context).transpose()).collect::<Result<_, _>>()?;
+    found.approximations = approximations(tables, fits);
+    found.studies = studies(smith)?.iter().map(study).collect();
+    Ok(found)
 }
 
-/// Hypotheses that have no reliable fit in the scene.
-pub(in crate::effects) fn left_out(dropped: &[Dropped]) -> Vec<LeftOut> {
-    let fit = |d: &Dropped| LeftOut {
-        effect: format!("fit {} ({})", d.hypothesis, d.norm),
-        reason: d.reason.clone(),
-    };
-    dropped.iter().map(fit).collect()
+/// What to see in the maps of the truth; a part of the domain need not show it.
+fn landscape(field: &Field) -> String {
+    let ends = |r: &Ruler| [r.values[0], r.values[r.values.len() - 1]];
+    let (roughness, mu) = (ends(&field.x), ends(&field.y));
+    let valley = "1 for a smooth surface and at grazing view; between the two lies a valley along the diagonal where mu is \
+                  about alpha, which never closes however smooth the surface. Polynomials cannot follow it.";
+    if roughness[0] <= 0.1 && roughness[1] >= 0.9 && mu[0] <= 0.05 && mu[1] >= 0.9 {
+        return format!("For the GGX lobe: E is {valley}");
+    }
+    format!(
+        "The part of the domain that the scene spans: {} {} to {}, {} {} to {}. Over the whole domain E of the GGX lobe is \
+         {valley} How much of that is seen here depends on the part.",
+        words::symbol(&field.x.name),
+        brief(roughness[0], 3),
+        brief(roughness[1], 3),
+        words::symbol(&field.y.name),
+        brief(mu[0], 3),
+        brief(mu[1], 3),
+    )
 }
 
-fn region_of_furnace(plan: &Plan, tables: &[BakedTable]) -> Option<Region> {
-    let of_fit = plan.fit.as_ref().map(region_of_fit);
-    of_fit.or_else(|| tables.first().map(|t| t.region))
-}
-
-fn furnace_of(grid: &Grid, tables: &[BakedTable], shown: &[Selected]) -> Result<Furnace, BakeError> {
+fn furnace_of(grid: &Exact, tables: &[BakedTable], shown: &[Selected]) -> Result<Furnace, BakeError> {
     let mut rows = vec![grid.uncompensated()];
     for table in tables {
         rows.extend(grid.furnace_of_table(table)?);
@@ -102,39 +101,10 @@ fn furnace_of(grid: &Grid, tables: &[BakedTable], shown: &[Selected]) -> Result<
         rows.push(grid.furnace_of_fit(one.fit)?);
     }
     Ok(Furnace {
-        roughness: grid.roughness.values.clone(),
-        mu: grid.mu.values.clone(),
+        roughness: grid.grid.roughness.values.clone(),
+        mu: grid.grid.mu.values.clone(),
         rows,
         amplification: AMPLIFICATION,
-    })
-}
-
-fn fit_finding(one: &Selected, map: &Grid, curves: &Grid) -> Result<FitFinding, BakeError> {
-    let fit = one.fit;
-    Ok(FitFinding {
-        name: fit.approximation.name.clone(),
-        shown_as: one.because.into(),
-        formula: code::print(Language::Wgsl, &fit.hypothesis, &fit.coefficients(), &[])?
-            .text
-            .trim_end()
-            .to_string(),
-        value: "N = 1/E".into(),
-        curves: curves.fit_curves(fit)?,
-        error: map.furnace_error(fit)?,
-    })
-}
-
-/// A fit of f0 A + B: its curves are those of a dielectric, its errors those at the worse end of f0.
-fn blend_finding(one: &Selected, map: &Grid, curves: &Grid) -> Result<FitFinding, BakeError> {
-    let fit = one.fit;
-    let formula = code::print(Language::Wgsl, &fit.hypothesis, &fit.coefficients(), &[])?;
-    Ok(FitFinding {
-        name: fit.approximation.name.clone(),
-        shown_as: one.because.into(),
-        formula: formula.text.trim_end().to_string(),
-        value: format!("f0 A + B at f0 = {DIELECTRIC}"),
-        curves: curves.blend_curves(fit, DIELECTRIC)?,
-        error: map.blend_error(fit)?,
     })
 }
 
@@ -157,7 +127,7 @@ fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFindi
 fn table(baked: &BakedTable, context: &Context) -> Result<Option<TableFinding>, BakeError> {
     let Some(table) = baked.table() else { return Ok(None) };
     let split = baked.serves == Serves::SplitSum;
-    let map = Grid::map(table.smith, &baked.region, split, context);
+    let map = Exact::map(table.smith, &baked.region, split, context);
     let channel =
         |c: &crate::data::Channel| ChannelFinding { name: c.name.clone(), texels: c.texels.clone() };
     Ok(Some(TableFinding {
@@ -195,21 +165,8 @@ fn errors(baked: &BakedTable) -> Vec<(String, ErrorFigure)> {
     lines
 }
 
-fn effect(effect: &Effect, tables: &[BakedTable], fits: &[Fit]) -> EffectFinding {
-    let (measured_error, metric) = measured(tables, fits);
-    EffectFinding {
-        effect: effect.effect.name().into(),
-        because: effect.because.clone(),
-        ranges: effect.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
-        approximation: effect.approximation.clone(),
-        expected_error: effect.expected_error,
-        measured_error,
-        metric: metric.into(),
-    }
-}
-
 /// The error of what was baked, and what error that is.
-fn measured(tables: &[BakedTable], fits: &[Fit]) -> (Option<f64>, &'static str) {
+pub fn measured(tables: &[BakedTable], fits: &[Fit]) -> (Option<f64>, &'static str) {
     let of_tables = tables.iter().map(|t| t.errors.lookup.max).reduce(f64::max);
     let of_fits = fits
         .iter()

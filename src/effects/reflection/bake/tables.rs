@@ -8,9 +8,9 @@ use crate::data::{
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::reflection::{TableSpec, build};
+use crate::effects::demand::JUDGED_MU;
+use crate::effects::reflection::{TableJob, TableSpec, build};
 use crate::effects::table::{Errors, Points, Truth, measure};
-use crate::plan::{JUDGED_MU, TableJob};
 use lobefit_shade::round_up;
 
 /// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
@@ -57,8 +57,12 @@ fn truth(field: &Field) -> Truth<'_> {
     Truth { e: &field.e, b: (!field.b.is_empty()).then_some(&field.b) }
 }
 
-/// Bakes the jobs in order. A promise that a table does not keep is noted in the context.
-pub fn bake_tables(jobs: &[TableJob], context: &mut Context) -> Result<Vec<BakedTable>, BakeError> {
+/// Bakes the jobs in order; returns also the promises that tables do not keep, in words.
+pub fn bake_tables(
+    jobs: &[TableJob],
+    context: &Context,
+) -> Result<(Vec<BakedTable>, Vec<String>), BakeError> {
+    let mut broken = Vec::new();
     let mut judges: Vec<Judge> = Vec::new();
     let mut baked = Vec::new();
     for job in jobs {
@@ -66,16 +70,14 @@ pub fn bake_tables(jobs: &[TableJob], context: &mut Context) -> Result<Vec<Baked
         let judge = judge(job, jobs, &mut judges, context);
         let table = bake_table(job, judge, context)?;
         if let Some(limit) = job.max_error.filter(|limit| table.errors.lookup.max > *limit) {
-            context.broken.push(format!(
+            broken.push(format!(
                 "table {}: lookup error {} exceeds the max_error {limit} of {}",
-                table.approximation.name,
-                table.errors.lookup.max,
-                job.limited_by(),
+                table.approximation.name, table.errors.lookup.max, job.limited_by,
             ));
         }
         baked.push(table);
     }
-    Ok(baked)
+    Ok((baked, broken))
 }
 
 fn region(job: &TableJob) -> Region {

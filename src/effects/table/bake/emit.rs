@@ -1,43 +1,23 @@
 //! The files, entries and functions of tables of three axes.
 
-use std::collections::BTreeMap;
-
 use super::BakedVolume;
-use crate::data::Container;
-use crate::effects::BakeError;
-use crate::effects::Deviation;
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
+use crate::effects::{BakeError, Deviation, Part};
 use crate::emit::header;
 use crate::emit::lookup::Readable;
-use crate::emit::manifest::canonical;
-use crate::emit::manifest::{Entries, LookupEntry, TableEntry, TableError};
-use crate::store::Files;
+use crate::emit::manifest::{LookupEntry, TableEntry, TableError};
 use lobefit_shade::code::Language;
 
-/// Every table in every container.
-pub fn tables(
-    effect: &'static str,
-    tables: &[BakedVolume],
-    formats: &[Container],
-    context: &Context,
-    files: &mut Files,
-    entries: &mut Entries,
-) -> Result<(), BakeError> {
+/// Every table in every container of the scene.
+pub fn tables(tables: &[BakedVolume], context: &Context, part: &mut Part) -> Result<(), BakeError> {
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let written = contained(
-            table,
-            baked.decode,
-            &baked.approximation.certificate,
-            baked.note(),
-            formats,
-            context,
-            files,
-        )?;
-        let decode = baked.decode.formulas().iter().copied().collect();
-        let entry = TableEntry::new(effect, &baked.approximation, table, decode, errors(baked));
-        entries.tables.push(canonical(&entry.in_files(written))?);
+        let (certificate, files) = (&baked.approximation.certificate, &mut part.files);
+        let written = contained(table, baked.decode, certificate, baked.note(), context, files)?;
+        let formulas = baked.decode.formulas();
+        let entry = TableEntry::new(part.by.name(), &baked.approximation, table, formulas, errors(baked));
+        part.entries.tables.push(entry.in_files(written));
     }
     Ok(())
 }
@@ -52,17 +32,14 @@ fn errors(baked: &BakedVolume) -> TableError {
     }
 }
 
-/// The lookups, by language.
-pub fn section(tables: &[BakedVolume]) -> BTreeMap<Language, String> {
-    let mut texts: BTreeMap<Language, String> = BTreeMap::new();
+/// The lookups in a language.
+pub fn in_language(language: Language, tables: &[BakedVolume]) -> String {
+    let mut text = String::new();
     for baked in tables {
         let Some(table) = baked.table() else { continue };
         let mut lines = header::table_lines(table, baked.decode.formulas(), &baked.approximation.certificate);
         lines.extend(baked.note().map(String::from));
-        let readable = Readable { table, decode: baked.decode, header: &lines };
-        for language in Language::ALL {
-            *texts.entry(language).or_default() += &format!("\n{}", readable.print(language));
-        }
+        text += &format!("\n{}", Readable { table, decode: baked.decode, header: &lines }.print(language));
     }
-    texts
+    text
 }

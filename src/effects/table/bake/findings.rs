@@ -1,7 +1,5 @@
 //! What the bake of an effect found out, for its page.
 
-use serde_json::Value;
-
 use super::grid::{Grid, grazing};
 use super::tables::Judge;
 use super::{BakedVolume, azimuth, furnaces};
@@ -9,12 +7,10 @@ use crate::data::{Smith, VolumeLayout};
 use crate::effects::Deviation;
 use crate::effects::context::Context;
 use crate::effects::table::results::{SourcesFinding, VolumeFindings, VolumeTable};
-use crate::effects::table::{Lookup, Region, SOURCES_SAMPLES, Third, estimate};
-use crate::effects::{BakeError, origin};
-use crate::emit::manifest::Entries;
-use crate::plan::{Effect, VolumeJob};
-use crate::report::{EffectFinding, ErrorFigure, Field, Ruler};
-use crate::scene::Scene;
+use crate::effects::table::{Lookup, Region, SOURCES_SAMPLES, Third, VolumeJob, estimate};
+use crate::effects::{BakeError, Part};
+use crate::emit::manifest::TableEntry;
+use crate::report::{ErrorFigure, Field, Ruler};
 use lobefit_truth::integrate::glass::Side;
 
 /// Side of the maps.
@@ -30,12 +26,9 @@ fn wanted(third: Third) -> &'static [f64] {
 
 /// The findings of the effect.
 pub fn findings(
-    scene: &Scene,
-    effect: &Effect,
-    jobs: &[&VolumeJob],
+    part: &Part,
     tables: &[BakedVolume],
     judges: &[Judge],
-    entries: &Entries,
     context: &Context,
 ) -> Result<VolumeFindings, BakeError> {
     let mut shown = Vec::new();
@@ -43,7 +36,7 @@ pub fn findings(
     let mut maps: Vec<(Smith, Region, Vec<Grid>)> = Vec::new();
     let own = || tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).map(|t| t.region.roughness);
     let alike = own().all(|roughness| own().next() == Some(roughness));
-    for (baked, entry) in tables.iter().zip(&entries.tables) {
+    for (baked, entry) in tables.iter().zip(&part.entries.tables) {
         let key = (baked.smith, baked.region);
         let known = maps.iter().position(|(smith, region, _)| (*smith, *region) == key);
         let index = match known {
@@ -67,19 +60,9 @@ pub fn findings(
         }
         shown.push(shown_table(baked, entry, grids)?);
     }
-    let measured = tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer);
-    let measured_error = measured.map(|t| t.errors.lookup.max).reduce(f64::max);
     Ok(VolumeFindings {
-        origin: origin(scene, context),
-        effect: EffectFinding {
-            effect: effect.effect.name().into(),
-            because: effect.because.clone(),
-            ranges: effect.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
-            approximation: effect.approximation.clone(),
-            expected_error: expected(jobs),
-            measured_error,
-            metric: "lookup error of the worst table in a layout of ours".into(),
-        },
+        origin: context.origin(),
+        effect: part.finding.clone(),
         sources: sources(tables)?,
         furnaces: furnaces::findings(tables)?,
         azimuth: azimuth::findings(tables, judges)?,
@@ -88,8 +71,14 @@ pub fn findings(
     })
 }
 
+/// The largest lookup error of a table in a layout of ours.
+pub fn measured(tables: &[BakedVolume]) -> Option<f64> {
+    let own = tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer);
+    own.map(|t| t.errors.lookup.max).reduce(f64::max)
+}
+
 /// The largest error that the scene allows a table in a layout of ours; none where one has no limit.
-fn expected(jobs: &[&VolumeJob]) -> Option<f64> {
+pub fn expected(jobs: &[VolumeJob]) -> Option<f64> {
     let own: Vec<Option<f64>> =
         jobs.iter().filter(|job| job.layout != VolumeLayout::PathTracer).map(|job| job.max_error).collect();
     if own.is_empty() {
@@ -117,17 +106,16 @@ fn named(grid: &Grid, baked: &BakedVolume, what: &str) -> String {
     format!("{what}, {} {}{side}", baked.region.third.name(), grid.third)
 }
 
-fn shown_table(baked: &BakedVolume, entry: &Value, grids: &[Grid]) -> Result<VolumeTable, BakeError> {
+fn shown_table(baked: &BakedVolume, entry: &TableEntry, grids: &[Grid]) -> Result<VolumeTable, BakeError> {
     let table = baked.table().ok_or_else(|| BakeError::Internal("a volume without a table".into()))?;
     let lookup = Lookup::new(table, baked.decode)?;
     // A map at one azimuth would not tell of a table that resolves it: its section does.
     let maps = if baked.layout == VolumeLayout::Azimuth { &[] } else { grids };
-    let files = entry["files"].as_array().into_iter().flatten();
     let formulas: Vec<String> =
         baked.decode.formulas().iter().map(|(name, formula)| format!("{name} = {formula}")).collect();
     Ok(VolumeTable {
         name: table.name.clone(),
-        files: files.filter_map(|f| f.as_str().map(String::from)).collect(),
+        files: entry.files.clone(),
         quantity: table.quantity.clone(),
         smith: table.smith,
         alpha_map: table.alpha_map,

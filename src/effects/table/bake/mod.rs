@@ -1,4 +1,4 @@
-//! The part of an effect whose tables have three axes: `anisotropy` and `glass`.
+//! Jobs of tables of three axes to measured tables.
 
 mod azimuth;
 mod emit;
@@ -8,41 +8,25 @@ mod grid;
 mod readings;
 mod tables;
 
-use crate::bake::Baked;
-use crate::bake::Part;
-use crate::effects::BakeError;
+use super::{VolumeJob, page};
 use crate::effects::context::Context;
-use crate::emit::manifest::canonical;
-use crate::emit::manifest::{Entries, Report};
-use crate::plan::{Effect, Plan, VolumeJob};
-use crate::report;
-use crate::scene::Scene;
-use crate::store::Files;
+use crate::effects::{BakeError, Called, Made};
 pub use tables::BakedVolume;
 pub(crate) use tables::measured_again;
 
-/// Bakes the effect; its tables go into `baked` as well.
-pub fn part(
-    scene: &Scene,
-    plan: &Plan,
-    effect: &Effect,
-    baked: &mut Baked,
-    context: &mut Context,
-) -> Result<Part, BakeError> {
-    let jobs: Vec<&VolumeJob> =
-        plan.volumes.iter().filter(|job| job.span.effect() == effect.effect).collect();
-    let (tables, judges) = tables::bake(&jobs, context)?;
-    let mut entries = Entries::default();
-    let mut files = Files::new();
-    let name = effect.effect.name();
-    emit::tables(name, &tables, &scene.formats, context, &mut files, &mut entries)?;
-    context.progress.stage(&format!("report of {name}"));
-    let findings = findings::findings(scene, effect, &jobs, &tables, &judges, &entries, context)?;
-    for file in report::files(name, &super::page::page(&findings)?, &findings)? {
-        entries.reports.push(canonical(&Report { effect: Some(name), file: file.path.clone() })?);
-        files.insert(file.path, file.bytes);
-    }
-    let code = emit::section(&tables);
-    baked.volumes.extend(tables);
-    Ok(Part { effect: effect.effect, finding: findings.effect, entries, code, files })
+/// Bakes an effect whose tables have three axes.
+pub(in crate::effects) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
+    let jobs = VolumeJob::all(context.scene, &called.work)?;
+    let tables::Baked { tables, judges, broken } = tables::bake(&jobs, context)?;
+    let metric = "lookup error of the worst table in a layout of ours";
+    let mut made = Made::new(called, findings::measured(&tables), metric);
+    made.part.finding.expected_error = findings::expected(&jobs);
+    made.broken = broken;
+    emit::tables(&tables, context, &mut made.part)?;
+    context.progress.stage(&format!("report of {}", called.effect));
+    let findings = findings::findings(&made.part, &tables, &judges, context)?;
+    made.page(&page::page(&findings)?, &findings)?;
+    made.code(|language| Ok(emit::in_language(language, &tables)))?;
+    made.volumes = tables;
+    Ok(made)
 }

@@ -7,9 +7,12 @@ use crate::data::{
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::table::{Errors, Made, Points, Region, Spec, Third, Truth, measure};
+use crate::effects::demand::JUDGED_MU;
+use crate::effects::table::{
+    Errors, Made, Points, Region, Spec, Third, Truth, VolumeJob, VolumeSpan, measure,
+};
 use crate::effects::{anisotropy, glass};
-use crate::plan::{JUDGED_MU, VolumeJob, VolumeSpan};
+
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
 
@@ -101,9 +104,19 @@ impl Judge {
     }
 }
 
-/// Bakes the jobs in order; returns also the truths that they were judged against. A promise that a table does not keep is noted in
-/// the context.
-pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<(Vec<BakedVolume>, Vec<Judge>), BakeError> {
+/// What jobs gave.
+pub struct Baked {
+    /// The tables, in the order of the jobs.
+    pub tables: Vec<BakedVolume>,
+    /// The truths that they were measured against.
+    pub judges: Vec<Judge>,
+    /// The promises that tables do not keep, in words.
+    pub broken: Vec<String>,
+}
+
+/// Bakes the jobs in order.
+pub fn bake(jobs: &[VolumeJob], context: &Context) -> Result<Baked, BakeError> {
+    let mut broken = Vec::new();
     let mut judges: Vec<Judge> = Vec::new();
     let mut baked = Vec::new();
     for job in jobs {
@@ -127,14 +140,14 @@ pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<(Vec<BakedVolu
             let one = finish(job, &region, table, planned.side, made, judge)?;
             let error = one.errors.lookup.max;
             if let Some(limit) = job.max_error.filter(|limit| error.is_nan() || error > *limit) {
-                let (name, by) = (&planned.name, job.limited_by());
-                context.broken.push(format!(
+                let (name, by) = (&planned.name, &job.limited_by);
+                broken.push(format!(
                     "table {name}: lookup error {error} exceeds the max_error {limit} of {by}"
                 ));
             }
-            if let Some(by) = job.unjudged_by() {
+            if let Some(by) = &job.unjudged_by {
                 let (name, least) = (&planned.name, job.roughness[0]);
-                context.broken.push(format!(
+                broken.push(format!(
                     "table {name}: rows begin at roughness {least}, above all of the material's, so that no lookup tells whether the \
                      max_error of {by} is kept: raise its roughness, or set a size without max_error"
                 ));
@@ -142,7 +155,7 @@ pub fn bake(jobs: &[&VolumeJob], context: &mut Context) -> Result<(Vec<BakedVolu
             baked.push(one);
         }
     }
-    Ok((baked, judges))
+    Ok(Baked { tables: baked, judges, broken })
 }
 
 /// Where a job's lookups must hold.

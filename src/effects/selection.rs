@@ -1,8 +1,8 @@
 //! Which fits get pictures: a reader's time is short, and most fits are beaten by another.
 
+use super::context::Context;
 use crate::approximate::Fit;
 use crate::data::Use;
-use crate::effects::catalogue_sources;
 
 /// Our versions of the source post's two formulas: shown beside the published constants whether beaten or not.
 const REFITTED: [&str; 2] = ["ggx_norm_n1.wgsl", "ggx_norm_n2.wgsl"];
@@ -16,17 +16,20 @@ pub struct Selected<'a> {
 }
 
 /// The emitted fits for a use of E, or of a coupling factor, that are worth a picture, in the order given.
-pub fn selected(fits: &[Fit], used_as: Use) -> Vec<Selected<'_>> {
+pub fn selected<'a>(fits: &'a [Fit], used_as: Use, context: &Context) -> Vec<Selected<'a>> {
     let of_use = |f: &&Fit| {
         let a = &f.approximation;
         let whole = matches!(a.column.as_str(), "E" | "factor");
         a.used_as == used_as && whole && f.wraps.is_none() && f.emitted
     };
     let emitted: Vec<&Fit> = fits.iter().filter(of_use).collect();
-    emitted.iter().filter_map(|fit| Some(Selected { fit, because: reason(fit, &emitted)? })).collect()
+    emitted
+        .iter()
+        .filter_map(|fit| Some(Selected { fit, because: reason(fit, &emitted, context)? }))
+        .collect()
 }
 
-fn reason(fit: &Fit, emitted: &[&Fit]) -> Option<&'static str> {
+fn reason(fit: &Fit, emitted: &[&Fit], context: &Context) -> Option<&'static str> {
     let error = |f: &Fit| f.approximation.certificate.max_abs;
     let ops = |f: &Fit| f.approximation.cost.ops;
     let file = fit.hypothesis.file();
@@ -36,7 +39,7 @@ fn reason(fit: &Fit, emitted: &[&Fit]) -> Option<&'static str> {
     let better_twin = || emitted.iter().any(|o| o.hypothesis.file() == file && error(o) < error(fit));
     if fit.norm() == "published" {
         Some("of the source, with published constants")
-    } else if !catalogue_sources().any(|source| source == fit.hypothesis.source()) {
+    } else if context.hypotheses.iter().any(|user| user.source == fit.hypothesis.source()) {
         Some("of the user")
     } else if !emitted.iter().any(beats) {
         Some("on the frontier (no emitted formula is as cheap and more accurate, or cheaper and as accurate)")

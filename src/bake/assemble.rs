@@ -1,0 +1,43 @@
+//! The parts of all effects as one set of files.
+
+use super::{BakeError, includes, opening};
+use crate::effects::Part;
+use crate::effects::context::Context;
+use crate::emit::manifest::{Entries, Include, LeftOut, Manifest, Report, SCHEMA_VERSION};
+use crate::plan::Plan;
+use crate::report;
+use crate::store::{Files, MANIFEST};
+
+/// Every file of a bake: those of the parts, the include files, the overview, the manifest.
+pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<Files, BakeError> {
+    let mut files = Files::new();
+    let mut manifest = Manifest {
+        schema_version: SCHEMA_VERSION,
+        tool: context.recipe.tool.clone(),
+        scene: context.recipe.scene.clone(),
+        recipe: context.recipe.hash.clone(),
+        effects: parts.iter().map(|part| part.finding.clone()).collect(),
+        entries: Entries::default(),
+        includes: Vec::new(),
+        left_out: plan
+            .left_out
+            .iter()
+            .map(|l| LeftOut { effect: l.effect.into(), reason: l.reason.clone() })
+            .collect(),
+    };
+    for (language, text) in includes::includes(&parts, &opening::opening(&parts, context), context) {
+        let file = includes::path(language);
+        manifest.includes.push(Include { language: language.name().into(), file: file.clone() });
+        files.insert(file, text.into_bytes());
+    }
+    for part in parts {
+        files.extend(part.files);
+        manifest.entries.extend(part.entries);
+    }
+    for file in report::index(context.origin(), &manifest)? {
+        manifest.entries.reports.push(Report { effect: None, file: file.path.clone() });
+        files.insert(file.path, file.bytes);
+    }
+    files.insert(MANIFEST.to_string(), manifest.bytes()?);
+    Ok(files)
+}

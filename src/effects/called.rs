@@ -1,0 +1,141 @@
+//! What a plan says of an effect: why the scene calls for it, its jobs, and what they should take.
+
+use serde::Serialize;
+
+use super::demand::{Demand, Job, Ranges, hull, merged};
+use super::{BakeError, Effect};
+use crate::report::EffectFinding;
+use crate::scene::Scene;
+
+/// One job of an effect, for people and scripts.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct JobSummary {
+    /// Name of the table or of the family of fits.
+    pub name: String,
+    /// What it is, in words.
+    pub approximation: String,
+    /// Domain by input.
+    pub ranges: Ranges,
+    /// Bytes of texels; the most that there can be where `bytes_at_most`.
+    pub bytes: u64,
+    /// Whether the bake chooses the size.
+    pub bytes_at_most: bool,
+    /// The error that the scene allows; `None` where it sets no limit.
+    pub expected_error: Option<f64>,
+    /// Expected time on one core.
+    pub seconds: f64,
+}
+
+/// An effect that the scene calls for: the jobs, and their sum.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Called {
+    /// Its name.
+    pub effect: &'static str,
+    /// The materials or probes that call for it, and why: one sentence each.
+    pub because: Vec<String>,
+    /// Hull of the jobs' domains, by input.
+    pub ranges: Ranges,
+    /// The jobs' approximations in words.
+    pub approximation: String,
+    /// Bytes of texels of all jobs; the most that there can be where `bytes_at_most`.
+    pub bytes: u64,
+    /// Whether the bake chooses the size of a table.
+    pub bytes_at_most: bool,
+    /// The largest error that the scene allows any of the jobs; `None` where one of them has no limit.
+    pub expected_error: Option<f64>,
+    /// Expected time of all jobs and of their report on one core.
+    pub seconds: f64,
+    /// The jobs one by one.
+    pub jobs: Vec<JobSummary>,
+    /// The same as the bake takes them.
+    #[serde(skip)]
+    pub work: Vec<Job>,
+    /// The effect itself.
+    #[serde(skip)]
+    pub by: &'static dyn Effect,
+}
+
+/// An effect that is left out.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LeftOut {
+    /// Its name.
+    pub effect: &'static str,
+    /// Why.
+    pub reason: String,
+}
+
+impl JobSummary {
+    /// The summary of a job of fits.
+    pub fn fits(job: &Job, of: &str, seconds: f64) -> JobSummary {
+        JobSummary {
+            name: job.name.clone(),
+            approximation: format!("fits of {of}, {}", job.goals.text()),
+            ranges: job.ranges.clone(),
+            bytes: 0,
+            bytes_at_most: false,
+            expected_error: job.goals.max_error,
+            seconds,
+        }
+    }
+}
+
+impl Called {
+    /// An effect with the jobs that demands merge into; `None` where there is no demand.
+    pub fn new(by: &'static dyn Effect, scene: &Scene, demands: Vec<Demand>) -> Option<Called> {
+        let mut because: Vec<String> = Vec::new();
+        for demand in &demands {
+            if !because.contains(&demand.because) {
+                because.push(demand.because.clone());
+            }
+        }
+        let work = merged(demands);
+        if work.is_empty() {
+            return None;
+        }
+        let jobs = by.expects(scene, &work);
+        let mut ranges = Ranges::new();
+        for (&input, &range) in jobs.iter().flat_map(|job| &job.ranges) {
+            let all = ranges.entry(input).or_insert(range);
+            *all = hull(*all, range);
+        }
+        Some(Called {
+            effect: by.name(),
+            because,
+            ranges,
+            approximation: jobs.iter().map(|j| j.approximation.as_str()).collect::<Vec<_>>().join("; "),
+            bytes: jobs.iter().map(|j| j.bytes).sum(),
+            bytes_at_most: jobs.iter().any(|j| j.bytes_at_most),
+            expected_error: jobs.iter().try_fold(0.0_f64, |worst, j| j.expected_error.map(|e| worst.max(e))),
+            seconds: jobs.iter().map(|j| j.seconds).sum::<f64>() + by.report_seconds(scene, &work),
+            jobs,
+            work,
+            by,
+        })
+    }
+
+    /// What its page and the manifest say of it, with the error that was measured and what error that is.
+    pub fn finding(&self, measured_error: Option<f64>, metric: &str) -> EffectFinding {
+        EffectFinding {
+            effect: self.effect.into(),
+            because: self.because.clone(),
+            ranges: self.ranges.iter().map(|(name, range)| (name.to_string(), *range)).collect(),
+            approximation: self.approximation.clone(),
+            expected_error: self.expected_error,
+            measured_error,
+            metric: metric.into(),
+        }
+    }
+
+    /// Its only job.
+    ///
+    /// # Errors
+    /// None or several: a defect of the effect.
+    pub fn only_job(&self) -> Result<&Job, BakeError> {
+        match self.work.as_slice() {
+            [job] => Ok(job),
+            jobs => {
+                Err(BakeError::Internal(format!("{}: {} jobs where there is one", self.effect, jobs.len())))
+            }
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! What a scene wants of an effect: a demand for each material or probe, merged into jobs.
+
+use std::collections::BTreeMap;
+
+use super::BakeError;
+use crate::approximate::Region;
+use crate::data::{AlphaMap, Norm};
+use crate::scene::smallest_rough;
+
+/// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no second dimension to fit, so it is
+/// widened about itself to this width; the figure is a choice, small beside the curvature of E in roughness.
+pub const ROUGHNESS_WIDTH_MIN: f64 = 0.01;
+
+/// Range of mu over which every table is measured, whatever the fits' domain is.
+pub const JUDGED_MU: [f64; 2] = [1e-3, 1.0];
+
+/// Range by input.
+pub type Ranges = BTreeMap<&'static str, [f64; 2]>;
+
+/// How good and how cheap a fit or a table must be.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Goals {
+    /// Most operations of an emitted fit; `None`: any.
+    pub max_ops: Option<u32>,
+    /// Largest error of the use; `None`: any.
+    pub max_error: Option<f64>,
+    /// Errors to minimise, each once, in the order max, rms; empty for a table.
+    pub norms: Vec<Norm>,
+}
+
+/// The range of an input that a material spans, and how narrow the range of its job may be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Span {
+    /// Smallest and largest value.
+    pub range: [f64; 2],
+    least: Least,
+}
+
+/// The narrowest range of a job, inside a domain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Least {
+    /// One value.
+    Point,
+    /// This difference of its ends.
+    Width(f64, [f64; 2]),
+    /// This ratio of its ends.
+    Ratio(f64, [f64; 2]),
+}
+
+/// What one material or probe wants of an effect.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// Name of the job that it joins; demands of one job have one name.
+    pub job: String,
+    /// Place of the job among the effect's; equal ranks keep the order of first mention.
+    pub rank: usize,
+    /// Place of the material or probe in its list of the scene.
+    pub of: usize,
+    /// Place of the want, where the material has several.
+    pub item: usize,
+    /// Name of the material or probe.
+    pub name: String,
+    /// Field of the scene that holds the goals: `materials[0].wants.fit`.
+    pub field: String,
+    /// Why, as a sentence.
+    pub because: String,
+    /// Domain by input.
+    pub spans: BTreeMap<&'static str, Span>,
+    /// What must be met.
+    pub goals: Goals,
+}
+
+/// A limit that materials or probes set: one emitted fit of at most `max_ops` operations within `max_error`, or the table within it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Promise {
+    /// Most operations; `None`: any.
+    pub max_ops: Option<u32>,
+    /// Largest error of the use.
+    pub max_error: f64,
+    /// Who sets it: name of the material or probe, and the field.
+    pub by: Vec<(String, String)>,
+}
+
+/// Demands that one fit or table serves.
+///
+/// Merge rule: the hull of the ranges; the largest `max_ops` (a material content with fewer operations finds such fits among the
+/// others); every norm that is wanted; the strictest `max_error`, for summaries. Each different pair of `max_ops` and `max_error` is a
+/// [`Promise`] of its own, since an error belongs to its number of operations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Job {
+    /// Name, unique in its plan.
+    pub name: String,
+    /// Hull of the demands' ranges, widened where it is too narrow.
+    pub ranges: Ranges,
+    /// The goals of all demands together.
+    pub goals: Goals,
+    /// What must hold of the result, each by itself.
+    pub promises: Vec<Promise>,
+    /// The demands, in the scene's order.
+    pub demands: Vec<Demand>,
+}
+
+impl Span {
+    /// A range that may be one value.
+    pub fn new(range: [f64; 2]) -> Span {
+        Span { range, least: Least::Point }
+    }
+
+    /// A range whose job is at least `width` wide, inside a domain.
+    pub fn at_least(range: [f64; 2], width: f64, domain: [f64; 2]) -> Span {
+        Span { range, least: Least::Width(width, domain) }
+    }
+
+    /// A range whose job's ends have at least this ratio, inside a domain.
+    pub fn by_ratio(range: [f64; 2], ratio: f64, domain: [f64; 2]) -> Span {
+        Span { range, least: Least::Ratio(ratio, domain) }
+    }
+
+    /// A range of roughness.
+    pub fn roughness(range: [f64; 2], map: AlphaMap) -> Span {
+        Span::at_least(range, ROUGHNESS_WIDTH_MIN, [smallest_rough(map), 1.0])
+    }
+
+    /// The range, or where it is too narrow for a job, a wider one about it inside the domain.
+    pub fn widened(self) -> [f64; 2] {
+        let [low, high] = self.range;
+        match self.least {
+            Least::Width(width, domain) if high - low < width => {
+                let middle = 0.5 * (low + high);
+                let lo = (middle - 0.5 * width).max(domain[0]).min(domain[1] - width);
+                [lo.min(low), (lo + width).min(domain[1]).max(high)]
+            }
+            Least::Ratio(ratio, domain) if high < ratio * low => {
+                let lo = (low / ratio.sqrt()).clamp(domain[0], domain[1] / ratio);
+                [lo.min(low), (lo * ratio).min(domain[1]).max(high)]
+            }
+            _ => self.range,
+        }
+    }
+
+    /// The range, and that of its job where it is too narrow: `0.3, widened to 0.295 to 0.305`.
+    pub fn text(self) -> String {
+        let (own, job) = (range_text(self.range), self.widened());
+        if job == self.range {
+            return own;
+        }
+        // Digits for people: the sums of widening have rounding errors behind them.
+        let [lo, hi] = job.map(|x| (x * 1e9).round() / 1e9);
+        format!("{own}, widened to {lo} to {hi}")
+    }
+}
+
+/// `0.3`, `0.1 to 0.4`.
+pub fn range_text([lo, hi]: [f64; 2]) -> String {
+    if lo == hi { format!("{lo}") } else { format!("{lo} to {hi}") }
+}
+
+/// The smallest range that holds both.
+pub fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
+}
+
+impl Goals {
+    /// A limit on the error alone, as of a table.
+    pub fn error(max_error: Option<f64>) -> Goals {
+        Goals { max_error, ..Goals::default() }
+    }
+
+    fn join(&mut self, other: &Goals) {
+        self.max_ops = self.max_ops.zip(other.max_ops).map(|(a, b)| a.max(b));
+        self.max_error = [self.max_error, other.max_error].into_iter().flatten().reduce(f64::min);
+        self.norms.extend(&other.norms);
+        self.norms.sort();
+        self.norms.dedup();
+    }
+
+    /// `up to 20 operations, max and rms`.
+    pub fn text(&self) -> String {
+        let ops = self.max_ops.map_or_else(|| "any number of".into(), |n| format!("up to {n}"));
+        let norms: Vec<&str> = self.norms.iter().map(|n| n.name()).collect();
+        format!("{ops} operations, {}", norms.join(" and "))
+    }
+}
+
+impl Demand {
+    /// Who sets the limit on the error: name, and field.
+    pub fn limit(&self) -> (String, String) {
+        (self.name.clone(), format!("{}.max_error", self.field))
+    }
+}
+
+impl Promise {
+    /// `max_error 0.01 within 20 operations, wanted by gold (materials[0].wants.fit.max_error)`.
+    pub fn text(&self) -> String {
+        let within = self.max_ops.map_or_else(String::new, |ops| format!(" within {ops} operations"));
+        format!("max_error {}{within}, wanted by {}", self.max_error, self.wanted_by())
+    }
+
+    /// Who asks for it, with the field of each: `gold (materials[0].wants.fit.max_error)`.
+    pub fn wanted_by(&self) -> String {
+        listed(&self.by)
+    }
+}
+
+/// Names with their fields.
+pub fn listed(by: &[(String, String)]) -> String {
+    by.iter().map(|(name, field)| format!("{name} ({field})")).collect::<Vec<_>>().join(", ")
+}
+
+impl Job {
+    fn new(demand: &Demand) -> Job {
+        Job {
+            name: demand.job.clone(),
+            ranges: Ranges::new(),
+            goals: demand.goals.clone(),
+            promises: Vec::new(),
+            demands: Vec::new(),
+        }
+    }
+
+    fn join(&mut self, demand: Demand) {
+        for (&input, span) in &demand.spans {
+            let all = self.ranges.entry(input).or_insert(span.range);
+            *all = hull(*all, span.range);
+        }
+        self.goals.join(&demand.goals);
+        if let Some(max_error) = demand.goals.max_error {
+            let (max_ops, by) = (demand.goals.max_ops, demand.limit());
+            match self.promises.iter_mut().find(|p| p.max_ops == max_ops && p.max_error == max_error) {
+                Some(known) => known.by.push(by),
+                None => self.promises.push(Promise { max_ops, max_error, by: vec![by] }),
+            }
+        }
+        self.demands.push(demand);
+    }
+
+    fn widen(&mut self) {
+        for (input, span) in self.demands.iter().flat_map(|demand| &demand.spans) {
+            if let Some(range) = self.ranges.get_mut(input) {
+                *range = Span { range: *range, ..*span }.widened();
+            }
+        }
+    }
+
+    /// The range of an input.
+    ///
+    /// # Errors
+    /// An input that no demand has: a defect of the effect.
+    pub fn range(&self, input: &str) -> Result<[f64; 2], BakeError> {
+        let lacks = || BakeError::Internal(format!("job {}: no range of {input}", self.name));
+        self.ranges.get(input).copied().ok_or_else(lacks)
+    }
+
+    /// Its region of roughness and mu.
+    ///
+    /// # Errors
+    /// As [`Job::range`].
+    pub fn region(&self, alpha_map: AlphaMap) -> Result<Region, BakeError> {
+        Ok(Region { roughness: self.range("roughness")?, mu: self.range("mu")?, alpha_map })
+    }
+
+    /// The materials that set the strictest limit, with the field of each: `gold (materials[0].wants.table.max_error)`.
+    pub fn limited_by(&self) -> String {
+        let strictest = self.promises.iter().filter(|p| Some(p.max_error) == self.goals.max_error);
+        strictest.map(Promise::wanted_by).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// The jobs of an effect's demands.
+pub fn merged(demands: Vec<Demand>) -> Vec<Job> {
+    let mut jobs: Vec<(usize, Job)> = Vec::new();
+    for demand in demands {
+        let known = jobs.iter().position(|(_, job)| job.name == demand.job);
+        let index = known.unwrap_or_else(|| {
+            jobs.push((demand.rank, Job::new(&demand)));
+            jobs.len() - 1
+        });
+        jobs[index].1.join(demand);
+    }
+    jobs.sort_by_key(|(rank, _)| *rank);
+    let mut jobs: Vec<Job> = jobs.into_iter().map(|(_, job)| job).collect();
+    jobs.iter_mut().for_each(Job::widen);
+    jobs
+}

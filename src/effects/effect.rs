@@ -1,0 +1,97 @@
+//! What an effect declares. The plan, the bake and its files loop over a catalogue of such values and know none of them by name.
+
+use std::fmt;
+
+use super::context::Context;
+use super::demand::{Demand, Job};
+use super::{BakeError, Called, JobSummary, Made};
+use crate::approximate::Entry;
+use crate::approximate::target::Target;
+use crate::scene::Scene;
+use lobefit_fit::FitError;
+use lobefit_shade::Hypothesis;
+
+/// Lines for the head of the include files, and the texts in the emitted code of which any calls for them.
+pub type Note = (&'static [&'static str], &'static [&'static str]);
+
+/// Seconds of a page and its pictures on one core, where an effect does not say otherwise.
+const REPORT_S: f64 = 0.7;
+
+/// One thing that a scene can call for. Its folder holds everything of it; one line in the [catalogue](super::catalogue) adds it.
+pub trait Effect: Sync {
+    /// Its name in options, files and the manifest.
+    fn name(&self) -> &'static str;
+
+    /// What the scene's materials or probes want of it, in the scene's order.
+    fn demands(&self, scene: &Scene) -> Vec<Demand>;
+
+    /// Why a scene without demands leaves it out.
+    fn left_out(&self, scene: &Scene) -> String;
+
+    /// What a plan says of the jobs: one summary for each table and each family of fits.
+    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary>;
+
+    /// Seconds of its page on one core.
+    fn report_seconds(&self, _scene: &Scene, _jobs: &[Job]) -> f64 {
+        REPORT_S
+    }
+
+    /// Its formulas, those with free parameters and published ones.
+    fn formulas(&self) -> Vec<&'static Entry> {
+        Vec::new()
+    }
+
+    /// The formulas that compete where the user searches for one to this target.
+    fn formulas_for(&self, _target: &Target) -> Vec<&'static Entry> {
+        Vec::new()
+    }
+
+    /// Operations of a formula, with what it takes beside its own text.
+    ///
+    /// # Errors
+    /// A formula of the catalogue that does not parse.
+    fn operations(&self, formula: &Hypothesis) -> Result<u32, FitError> {
+        Ok(formula.tape().cost_ops())
+    }
+
+    /// Every shader source that its results depend on: part of a bake's recipe.
+    fn sources(&self) -> Vec<&'static str> {
+        self.formulas().into_iter().map(|entry| entry.source).collect()
+    }
+
+    /// Names, beside those of the formulas, that its emitted functions have.
+    fn functions(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// How names of its other emitted functions begin.
+    fn prefixes(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// The lobe of its quantities, for the head of the include files.
+    fn lobe(&self, scene: &Scene) -> String;
+
+    /// What the head of the include files says of its functions.
+    fn notes(&self) -> &'static [Note] {
+        &[]
+    }
+
+    /// Makes its jobs: fits and tables with their entries, code, and page.
+    ///
+    /// # Errors
+    /// A formula or a domain that is refused; a truth that cannot be integrated.
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError>;
+}
+
+impl fmt::Debug for dyn Effect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl PartialEq for dyn Effect {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name()
+    }
+}

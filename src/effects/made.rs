@@ -1,0 +1,166 @@
+//! What the bake of an effect made.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::context::Context;
+use super::demand::Promise;
+use super::reflection::bake::BakedTable;
+use super::table::bake::BakedVolume;
+use super::{BakeError, Called, Effect};
+use crate::approximate::{Dropped, Fit};
+use crate::data::Use;
+use crate::emit::manifest::{Entries, FitEntry, FitLeftOut, Report};
+use crate::report::{self, EffectFinding, File, Findings, Page};
+use crate::store::Files;
+use lobefit_shade::code::Language;
+
+/// What one effect adds to the files of a bake. The same recipe gives the same part, so one that an older bake left on the disk stands
+/// for the one that would be made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The effect.
+    pub by: &'static dyn Effect,
+    /// What the scene called for and what was measured.
+    pub finding: EffectFinding,
+    /// Its entries in the manifest.
+    pub entries: Entries,
+    /// Its section of each include file, by language.
+    pub code: BTreeMap<Language, String>,
+    /// Its tables and pages.
+    pub files: Files,
+}
+
+/// The part of an effect, with the results that it was made from.
+#[derive(Debug)]
+pub struct Made {
+    /// What it adds to the files.
+    pub part: Part,
+    /// Promises of the scene that are not kept, each a sentence.
+    pub broken: Vec<String>,
+    /// Fits, and published formulas for comparison; each name once.
+    pub fits: Vec<Fit>,
+    /// Hypotheses of the catalogue that have no reliable fit in this scene.
+    pub dropped: Vec<Dropped>,
+    /// Tables of two axes.
+    pub tables: Vec<BakedTable>,
+    /// Tables of three axes.
+    pub volumes: Vec<BakedVolume>,
+}
+
+impl Made {
+    /// Nothing yet, with the error that was measured and what error that is.
+    pub fn new(called: &Called, measured: Option<f64>, metric: &str) -> Made {
+        Made {
+            part: Part {
+                by: called.by,
+                finding: called.finding(measured, metric),
+                entries: Entries::default(),
+                code: BTreeMap::new(),
+                files: Files::new(),
+            },
+            broken: Vec::new(),
+            fits: Vec::new(),
+            dropped: Vec::new(),
+            tables: Vec::new(),
+            volumes: Vec::new(),
+        }
+    }
+
+    /// Enters the emitted fits of a job, with what `more` adds to the entry of the fit at an index, and the hypotheses without one.
+    /// A published formula is measured for every job; one result of a name is enough.
+    pub fn fits(
+        &mut self,
+        context: &Context,
+        (fits, dropped): (Vec<Fit>, Vec<Dropped>),
+        more: impl Fn(usize, &Fit, FitEntry) -> FitEntry,
+    ) {
+        let (effect, alpha_map) = (self.part.by.name(), context.scene.alpha.name());
+        let entries = &mut self.part.entries;
+        for (i, fit) in fits.iter().enumerate().filter(|(_, fit)| fit.emitted) {
+            let entry = FitEntry::new(effect, alpha_map, &fit.approximation);
+            entries.fits.extend(entry.map(|entry| more(i, fit, entry)));
+        }
+        entries.fits_left_out.extend(dropped.iter().map(|dropped| FitLeftOut {
+            effect: effect.into(),
+            hypothesis: dropped.hypothesis.clone(),
+            norm: dropped.norm.into(),
+            reason: dropped.reason.clone(),
+        }));
+        for fit in fits {
+            if self.fits.iter().all(|known| known.approximation.name != fit.approximation.name) {
+                self.fits.push(fit);
+            }
+        }
+        self.dropped.extend(dropped);
+    }
+
+    /// Notes the promises that no emitted fit keeps.
+    pub fn promised(&mut self, promises: &[Promise], fits: &[Fit], what: &str, used_as: Use) {
+        self.broken.extend(promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as)));
+    }
+
+    /// The section of each include file; none in a language without text.
+    ///
+    /// # Errors
+    /// A formula that cannot be printed.
+    pub fn code(&mut self, print: impl Fn(Language) -> Result<String, BakeError>) -> Result<(), BakeError> {
+        for language in Language::ALL {
+            let text = print(language)?;
+            if !text.is_empty() {
+                self.part.code.insert(language, text);
+            }
+        }
+        Ok(())
+    }
+
+    /// The page, and its figures as JSON.
+    ///
+    /// # Errors
+    /// Figures that are not finite.
+    pub fn page(&mut self, page: &Page, figures: &impl Serialize) -> Result<(), BakeError> {
+        self.reports(report::files(self.part.by.name(), page, figures)?);
+        Ok(())
+    }
+
+    /// The default page: of fits and tables over roughness and mu.
+    ///
+    /// # Errors
+    /// As [`Made::page`].
+    pub fn findings(&mut self, findings: &Findings) -> Result<(), BakeError> {
+        self.reports(report::page(self.part.by.name(), findings)?);
+        Ok(())
+    }
+
+    fn reports(&mut self, files: Vec<File>) {
+        let effect = self.part.by.name();
+        for file in files {
+            let entry = Report { effect: Some(effect.into()), file: file.path.clone() };
+            self.part.entries.reports.push(entry);
+            self.part.files.insert(file.path, file.bytes);
+        }
+    }
+}
+
+/// A sentence, after `what`, where no emitted fit for the use, of at most so many operations, is within the promised error.
+fn unkept(promise: &Promise, fits: &[Fit], what: &str, used_as: Use) -> Option<String> {
+    let emitted = fits.iter().filter(|f| f.emitted && f.wraps.is_none());
+    let affordable = emitted
+        .map(|f| &f.approximation)
+        .filter(|a| a.used_as == used_as)
+        .filter(|a| promise.max_ops.is_none_or(|most| a.cost.ops <= most));
+    let best = affordable.min_by(|a, b| a.certificate.max_abs.total_cmp(&b.certificate.max_abs));
+    let wanted = promise.text();
+    let (name, error) = match used_as {
+        Use::Normalisation => ("normalisation", "furnace error"),
+        _ => ("fit", "error"),
+    };
+    match best {
+        None => Some(format!("{what}: no {name} is that cheap: {wanted}")),
+        Some(a) if a.certificate.max_abs > promise.max_error => {
+            Some(format!("{what}: the best is {} with {error} {}: {wanted}", a.name, a.certificate.max_abs))
+        }
+        Some(_) => None,
+    }
+}

@@ -1,0 +1,20 @@
+//! What several effects say at the head of the include files.
+
+use super::Note;
+use crate::scene::Scene;
+
+/// Of the tables in the path tracer's layout.
+pub(super) const NOTE_PATH_TRACER: Note =
+    (&["path_tracer_"], &["(`path_tracer_*` have a form and a map of their own, which their heads tell.)"]);
+
+/// Of f0.
+pub(super) const NOTE_F0: Note = (&["f0"], &["f0 is the reflectance at normal incidence."]);
+
+/// Of lookups of E.
+pub(super) const NOTE_LOOKUP: Note =
+    (&["_lookup("], &["`*_lookup` is E from a table; `*_compensate_*` take it."]);
+
+/// The GGX lobe in the scene's conventions.
+pub(super) fn ggx(scene: &Scene) -> String {
+    format!("GGX lobe, smith: {}; alpha = {}", scene.smith.name(), scene.alpha.name())
+}
