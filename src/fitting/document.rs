@@ -147,6 +147,7 @@ fn solver(fit: &Certified) -> Value {
     json!({
         "converged": fitted.termination.is_converged(),
         "termination": words::end(fitted),
+        "second_order": fitted.second_order.name(),
         "optimality": kind,
         "gap": gap.filter(|gap| gap.is_finite()),
         "bound": fitted.bound,

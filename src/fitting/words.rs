@@ -5,7 +5,7 @@ use super::one::Weighted;
 use super::weight::PERCEPTUAL;
 use crate::approximate::target::Target;
 use crate::data::Use;
-use lobefit_fit::{Fitted, Gap, Goal, Method, Stage, Termination};
+use lobefit_fit::{Fitted, Gap, Goal, Method, SecondOrder, Stage, Termination};
 
 /// `max`, `rms`, `p=8`: as on the command line.
 pub(super) fn goal(goal: Goal) -> String {
@@ -71,7 +71,15 @@ pub(super) fn metric(used_as: Use) -> &'static str {
 
 /// How the search for a fit ended.
 pub(super) fn end(fitted: &Fitted) -> String {
-    within(fitted.termination, fitted.is_first_order())
+    let end = within(fitted.termination, fitted.is_first_order());
+    match fitted.second_order {
+        SecondOrder::NotChecked => {
+            format!(
+                "{end}; not checked to second order: beside these coefficients the formula is not finite, or a divisor changes its sign"
+            )
+        }
+        SecondOrder::Checked | SecondOrder::Unused => end,
+    }
 }
 
 /// How a search ended that looked at the first order alone, as it does within constraints, or not.

@@ -4,7 +4,9 @@
 use crate::fit_support;
 
 use fit_support::parse;
-use lobefit_fit::{Condition, Constraint, Fitted, Goal, Options, Samples, Termination, optimise};
+use lobefit_fit::{
+    Condition, Constraint, Fitted, Goal, Options, Samples, SecondOrder, Termination, optimise,
+};
 
 fn curve(n: usize, f: impl Fn(f64) -> f64) -> Samples {
     let x: Vec<f64> = (0..n).map(|i| i as f64 / (n - 1) as f64).collect();
@@ -136,4 +138,27 @@ fn saddles_within_constraints_are_left() {
     assert!(fitted.rms < 0.226 && fitted.termination.is_converged(), "{fitted:?}");
     assert!(fitted.constraints.iter().all(|held| held.worst <= held.tolerance), "{fitted:?}");
     assert_eq!(from(0).termination, Termination::Saddle);
+}
+
+/// Where the formula is not finite a step beside its minimum there are no second derivatives: the end is not said to be checked.
+#[test]
+fn a_minimum_beside_the_end_of_the_reals_is_not_said_to_be_checked() {
+    let near = "override a: f32 = 2e-5; fn f(x: f32) -> f32 { return 0.001 * sqrt(a) * x; }";
+    let far = "override a: f32 = 2.0; fn f(x: f32) -> f32 { return 0.001 * sqrt(a) * x; }";
+    let even = |slope: f64| {
+        let samples = curve(101, |x| 1.0 + slope * (2.0 * x - 1.0));
+        let inputs = samples.inputs.iter().map(|column| column.iter().map(|x| 2.0 * x - 1.0).collect());
+        Samples { inputs: inputs.collect(), ..samples }
+    };
+    for (source, least, second_order) in
+        [(near, 1e-5_f64, SecondOrder::NotChecked), (far, 1.0, SecondOrder::Checked)]
+    {
+        for goal in [Goal::Rms, Goal::Power(4.0)] {
+            let fitted = fit(source, &even(1e-3 * least.sqrt()), goal);
+            assert!(fitted.termination.is_converged(), "{goal}: {fitted:?}");
+            assert_eq!(fitted.second_order, second_order, "{goal}: {fitted:?}");
+        }
+    }
+    let exact = fit(far, &even(1e-3), Goal::Max);
+    assert_eq!(exact.second_order, SecondOrder::Unused, "programs do not use second derivatives");
 }

@@ -2,7 +2,8 @@
 //! hypothesis is any formula of the shader language.
 //!
 //! [`optimise`] finds a formula's coefficients, [`rational`] the globally best ones of forms that are a quotient of linear ones,
-//! [`mod@search`] the forms themselves. [`texels`] does for tables what [`optimise`] does for formulas.
+//! [`mod@search`] the forms themselves. [`least`] minimises sums of squares that are not a formula's. [`texels`] does for tables
+//! what [`optimise`] does for formulas.
 
 mod error;
 mod norm;
@@ -14,6 +15,6 @@ pub mod texels;
 pub use error::FitError;
 pub use norm::Norm;
 pub use solve::{
-    Condition, Constraint, Fitted, Gap, Goal, Held, Method, Options, Samples, Stage, Termination, optimise,
-    residual_range, round_to_f32,
+    Condition, Constraint, Fitted, Gap, Goal, Halt, Held, Least, Limits, Method, Options, Samples,
+    SecondOrder, Squares, Stage, Termination, Triangle, least, optimise, residual_range, round_to_f32,
 };

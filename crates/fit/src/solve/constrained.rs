@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::bounds::{Bounds, violation};
 use super::descent::{Descent, Problem};
 use super::escape::{LOWER, beside};
-use super::fitted::{Gap, Held, Method, Stage, Termination};
+use super::fitted::{Gap, Held, Method, SecondOrder, Stage, Termination};
 use super::levenberg::Search;
 use super::objective::{Objective, Refused};
 use super::options::{Goal, Options};
@@ -74,7 +74,8 @@ pub(super) fn constrained(
     let last = Stage { method: Method::Programs, end: termination, max: descent.max, rms: descent.rms };
     let gap = if options.goal == Goal::Max { Gap::Local(descent.gap) } else { Gap::Unknown };
     let (coefficients, stages) = (descent.coefficients, vec![last]);
-    Ok(Route { coefficients, termination, stages, evaluations, gap, bound: None })
+    let second_order = SecondOrder::Unused;
+    Ok(Route { coefficients, termination, second_order, stages, evaluations, gap, bound: None })
 }
 
 /// The best of the ends from some starts; none if all are refused.

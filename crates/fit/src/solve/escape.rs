@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, SymmetricEigen};
 use rayon::prelude::*;
 
 use super::bounds::{Bounds, LinearBounds};
+use super::fitted::SecondOrder;
 use super::levenberg::{End, Search, search};
 use super::objective::{Linear, Objective, largest};
 use super::options::{Goal, Options};
@@ -53,7 +54,8 @@ pub(super) fn escaped(
         if !matches!(at.end, End::Minimum { .. }) {
             return Ok(at);
         }
-        let Some(better) = better(objective, &at, norm, options.iterations)? else { return Ok(at) };
+        let (better, second_order) = better(objective, &at, norm, options.iterations)?;
+        let Some(better) = better else { return Ok(Search { second_order, ..at }) };
         at = Search { evaluations: at.evaluations + better.evaluations, ..better };
     }
     if matches!(at.end, End::Minimum { .. }) {
@@ -62,16 +64,21 @@ pub(super) fn escaped(
     Ok(at)
 }
 
-/// The best of the searches from points beside a halt, if it is a better one.
+/// The best of the searches from points beside a halt, if it is a better one; and whether second derivatives chose among the points.
 fn better(
     objective: &Objective,
     at: &Search,
     norm: PNorm,
     iterations: u64,
-) -> Result<Option<Search>, FitError> {
-    let Ok(linear) = objective.linearise(&at.coefficients) else { return Ok(None) };
+) -> Result<(Option<Search>, SecondOrder), FitError> {
+    let Ok(linear) = objective.linearise(&at.coefficients) else {
+        return Ok((None, SecondOrder::NotChecked));
+    };
     let units = units(&at.coefficients, &linear);
-    let mut points = below(objective, at, norm, &linear, &units);
+    let (mut points, second_order) = match hessian(objective, &at.coefficients, norm, &linear, &units) {
+        Some(hessian) => (below(objective, at, norm, hessian, &units), SecondOrder::Checked),
+        None => (Vec::new(), SecondOrder::NotChecked),
+    };
     points.extend(unseen(&at.coefficients, &units, &null(&linear)));
     let found: Vec<_> = points.par_iter().map(|point| search(objective, point, norm, iterations)).collect();
     let mut best: Option<Search> = None;
@@ -84,7 +91,8 @@ fn better(
             best = Some(search);
         }
     }
-    Ok(best.filter(|b| b.value < at.value * (1.0 - LOWER)).map(|b| Search { evaluations, ..b }))
+    let best = best.filter(|b| b.value < at.value * (1.0 - LOWER));
+    Ok((best.map(|b| Search { evaluations, ..b }), second_order))
 }
 
 /// The size of each parameter: its own magnitude, or what moves the residuals by their own size, at most 1.
@@ -96,8 +104,13 @@ fn units(p: &[f64], linear: &Linear) -> Vec<f64> {
 }
 
 /// Points with a lower norm along the directions of negative curvature, the lowest of each.
-fn below(objective: &Objective, at: &Search, norm: PNorm, linear: &Linear, units: &[f64]) -> Vec<Vec<f64>> {
-    let Some(hessian) = hessian(objective, &at.coefficients, norm, linear, units) else { return Vec::new() };
+fn below(
+    objective: &Objective,
+    at: &Search,
+    norm: PNorm,
+    hessian: DMatrix<f64>,
+    units: &[f64],
+) -> Vec<Vec<f64>> {
     let eigen = SymmetricEigen::new(hessian);
     let mut points = Vec::new();
     for k in (0..units.len()).filter(|&k| eigen.eigenvalues[k] < -CURVED) {
@@ -124,7 +137,7 @@ fn steps() -> impl Iterator<Item = f64> {
 }
 
 /// Second derivatives of the mean power of the residuals, in units of the largest at the point, by central differences of its
-/// gradient; none where the formula is not finite beside the point.
+/// gradient; `None` where the formula is not finite beside the point, or a divisor changes its sign.
 fn hessian(
     objective: &Objective,
     p: &[f64],

@@ -5,8 +5,8 @@ use super::rank;
 /// How a fit has ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Termination {
-    /// Least squares or p-norm: the residuals, weighted by the norm, are orthogonal to the Jacobian within this cosine. Without
-    /// constraints the second order has been looked at as well.
+    /// Least squares or p-norm: the residuals, weighted by the norm, are orthogonal to the Jacobian within this cosine.
+    /// [`Fitted::second_order`] says whether second derivatives were looked at.
     Converged {
         /// Largest cosine between the residuals and a column of the Jacobian.
         cosine: f64,
@@ -48,6 +48,29 @@ impl Termination {
                 | Termination::Saddle
                 | Termination::TooFewSamples
         )
+    }
+}
+
+/// What second derivatives say of where a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SecondOrder {
+    /// No direction of negative curvature leads to lower ground.
+    Checked,
+    /// Second derivatives could not be computed: beside the end the formula is not finite, or a divisor changes its sign.
+    NotChecked,
+    /// The search does not use them: it ended short of a minimum, reproduced the targets, has a proof over all coefficients, or is one
+    /// of programs, which look at the first order and search from beside the end.
+    Unused,
+}
+
+impl SecondOrder {
+    /// The word for it in reports; none where second derivatives have no part in the search.
+    pub fn name(self) -> Option<&'static str> {
+        match self {
+            SecondOrder::Checked => Some("checked"),
+            SecondOrder::NotChecked => Some("not checked"),
+            SecondOrder::Unused => None,
+        }
     }
 }
 
@@ -141,6 +164,8 @@ pub struct Fitted {
     pub coefficients: Vec<f64>,
     /// How the search ended.
     pub termination: Termination,
+    /// Whether the end was checked to second order.
+    pub second_order: SecondOrder,
     /// The norm asked for, over the samples.
     pub value: f64,
     /// Root of the mean square residual over the samples.

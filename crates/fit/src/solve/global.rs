@@ -1,7 +1,7 @@
 //! The globally best largest residual of formulas that are recognised as quotients of affine expressions.
 
 use super::bounds::Bounds;
-use super::fitted::{Gap, Method, Stage, Termination};
+use super::fitted::{Gap, Method, SecondOrder, Stage, Termination};
 use super::objective::{Objective, largest};
 use super::power::PNorm;
 use super::recognise::{Rows, recognise};
@@ -82,6 +82,7 @@ fn arrive(
     Some(Route {
         coefficients,
         termination,
+        second_order: SecondOrder::Unused,
         stages: vec![stage],
         evaluations: programs,
         gap: bound.map_or(Gap::Unknown, |bound| Gap::Global(gap(bound))),

@@ -1,22 +1,12 @@
-//! Levenberg-Marquardt as an argmin solver: least squares, or another p-norm, from one start.
-//!
-//! For p > 2 it was preferred to L-BFGS: the weighted problem has the same cost per iteration and converges quadratically, where
-//! L-BFGS takes hundreds of evaluations on rational forms and its line search gives up early.
+//! A formula's coefficients from one start: least squares, or another p-norm.
 
-use argmin::core::{
-    Error, Executor, IterState, KV, Problem, Solver, State, TerminationReason, TerminationStatus,
-};
-
+use super::fitted::SecondOrder;
+use super::marquardt::{Halt, Least, Limits, NEARLY_ORTHOGONAL, ORTHOGONAL, Squares, least};
 use super::objective::{Linear, Objective, Refused, largest, rms};
 use super::power::{Model, PNorm};
+use super::reduce::Triangle;
 use super::route::is_zero;
 use crate::FitError;
-
-/// Residuals orthogonal to the Jacobian within this cosine are a minimum.
-const ORTHOGONAL: f64 = 1e-10;
-
-/// A minimum that rounding keeps from being sharper than [`ORTHOGONAL`] still counts up to here.
-const NEARLY_ORTHOGONAL: f64 = 1e-5;
 
 /// A search that comes to a halt with residuals this much of the targets times 1e-14 has reproduced them: rounding hides the rest.
 const NEARLY_ZERO: f64 = 0.01;
@@ -24,16 +14,11 @@ const NEARLY_ZERO: f64 = 0.01;
 /// Trials of larger damping before an iteration gives up.
 const TRIALS: usize = 40;
 
-/// Trials at what may be a minimum already: only its last digits are left to gain.
-const LAST_TRIALS: usize = 6;
-
 /// Undamped steps at the end of a search.
 const POLISHES: usize = 3;
 
 /// Rounding of a norm.
 const ROUNDING: f64 = 1e-14;
-
-type LeastSquaresState = IterState<Vec<f64>, (), (), (), (), f64>;
 
 /// How a least-squares search has ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,6 +48,8 @@ pub(super) struct Search {
     /// Lengths of the Jacobian's columns.
     pub norms: Vec<f64>,
     pub evaluations: u64,
+    /// What [`super::escape`] has found beside the end; before it, `Unused`.
+    pub second_order: SecondOrder,
 }
 
 /// Searches from one start.
@@ -78,17 +65,10 @@ pub(super) fn search(
     if let Err(refused) = objective.linearise(start) {
         return Ok(Err(refused));
     }
-    let solver = Marquardt { norm, damping: 1e-3, growth: 2.0, scale: vec![0.0; start.len()] };
-    let outcome = Executor::new(objective.clone(), solver)
-        .configure(|state: LeastSquaresState| state.param(start.to_vec()).max_iters(iterations))
-        .ctrlc(false)
-        .timer(false)
-        .run()
-        .map_err(|e| FitError::Solver { message: e.to_string() })?;
-    let evaluations = outcome.problem.counts.values().sum();
-    let status = outcome.state.get_termination_status().clone();
-    let coefficients = outcome.state.get_best_param().cloned().unwrap_or_else(|| start.to_vec());
-    // argmin's Ok, and even its reason, says nothing of convergence: look again at where it ended.
+    let limits = Limits { iterations, trials: TRIALS, longest: f64::INFINITY, settled: None };
+    let Least { at: coefficients, halt, evaluations, .. } =
+        least(&Normed { objective, norm }, start, limits)?;
+    // The driver's reason to end says nothing of convergence: look again at where it ended.
     let linear = match objective.linearise(&coefficients) {
         Ok(linear) => linear,
         Err(refused) => return Ok(Err(refused)),
@@ -100,7 +80,7 @@ pub(super) fn search(
         End::Minimum { cosine }
     } else if is_zero(objective, NEARLY_ZERO * rms(&linear.residuals)) {
         End::Zero
-    } else if status == TerminationStatus::Terminated(TerminationReason::MaxItersReached) {
+    } else if halt == Halt::Cap {
         End::Cap
     } else {
         End::Stalled { cosine }
@@ -108,7 +88,8 @@ pub(super) fn search(
     let (rank, norms) = (linear.triangle.rank(), linear.triangle.column_norms());
     let residuals = &linear.residuals;
     let (value, rms, max) = (norm.of(residuals), rms(residuals), largest(residuals));
-    Ok(Ok(Search { coefficients, value, rms, max, end, rank, norms, evaluations }))
+    let second_order = SecondOrder::Unused;
+    Ok(Ok(Search { coefficients, value, rms, max, end, rank, norms, evaluations, second_order }))
 }
 
 /// Undamped steps from a halt beside a minimum, as long as each makes the residuals more orthogonal: there the norm is flat to rounding, so
@@ -135,93 +116,45 @@ fn polished(objective: &Objective, norm: PNorm, start: Vec<f64>, linear: Linear)
     (best.0, best.1, cosine)
 }
 
-/// Levenberg-Marquardt with Nielsen's damping and Moré's scaling (columns of the largest length seen).
-struct Marquardt {
+/// Residuals in a norm.
+struct Normed<'a, 'b> {
+    objective: &'a Objective<'b>,
     norm: PNorm,
-    damping: f64,
-    growth: f64,
-    scale: Vec<f64>,
 }
 
-/// A refused point, as argmin's error.
-fn refuse(refused: Refused) -> Error {
-    Error::msg(format!("sample {} is not finite", refused.sample))
+/// The quadratic model of the norm's powers, and the root mean square of the residuals.
+struct Local {
+    model: Model,
+    rms: f64,
 }
 
-impl<'a> Solver<Objective<'a>, LeastSquaresState> for Marquardt {
-    fn name(&self) -> &str {
-        "Levenberg-Marquardt"
+impl Squares for Normed<'_, '_> {
+    type Point = Vec<f64>;
+    type Model = Local;
+
+    fn point(&self, at: &[f64]) -> Option<Vec<f64>> {
+        self.objective.residuals(at).ok()
     }
 
-    fn init(
-        &mut self,
-        problem: &mut Problem<Objective<'a>>,
-        state: LeastSquaresState,
-    ) -> Result<(LeastSquaresState, Option<KV>), Error> {
-        let start = state.get_param().cloned().unwrap_or_default();
-        let residuals = problem.problem("cost_count", |o| o.residuals(&start).map_err(refuse))?;
-        Ok((state.param(start).cost(self.norm.of(&residuals)), None))
+    fn value(&self, residuals: &Vec<f64>) -> f64 {
+        self.norm.of(residuals)
     }
 
-    fn next_iter(
-        &mut self,
-        problem: &mut Problem<Objective<'a>>,
-        state: LeastSquaresState,
-    ) -> Result<(LeastSquaresState, Option<KV>), Error> {
-        let at = state.get_param().cloned().unwrap_or_default();
-        let linear = problem.problem("jacobian_count", |o| o.linearise(&at).map_err(refuse))?;
-        let model = self.norm.model(&linear);
-        for (scale, norm) in self.scale.iter_mut().zip(model.triangle.column_norms()) {
-            *scale = scale.max(norm);
-        }
-        let zero = problem.problem("zero_count", |o| Ok(is_zero(o, rms(&linear.residuals))))?;
-        if zero || model.triangle.orthogonality() <= ORTHOGONAL {
-            return Ok((state.terminate_with(TerminationReason::SolverConverged), None));
-        }
-        match self.advance(problem, &at, &model) {
-            Some((next, cost)) => Ok((state.param(next).cost(cost), None)),
-            None => {
-                let reason = TerminationReason::SolverExit("no step makes the residuals smaller".into());
-                Ok((state.terminate_with(reason), None))
-            }
-        }
+    fn model(&self, at: &[f64], _: &Vec<f64>) -> Result<Local, String> {
+        let linear = self.objective.linearise(at);
+        let linear = linear.map_err(|refused| format!("sample {} is not finite", refused.sample))?;
+        Ok(Local { model: self.norm.model(&linear), rms: rms(&linear.residuals) })
     }
-}
 
-impl Marquardt {
-    /// The next point and its norm, with damping raised until the norm shrinks. None if nothing shrinks it.
-    fn advance(
-        &mut self,
-        problem: &mut Problem<Objective>,
-        at: &[f64],
-        model: &Model,
-    ) -> Option<(Vec<f64>, f64)> {
-        let near = model.triangle.orthogonality() <= NEARLY_ORTHOGONAL;
-        for _ in 0..if near { LAST_TRIALS } else { TRIALS } {
-            let trial = model.triangle.step(&self.scale, self.damping).and_then(|step| {
-                let next: Vec<f64> = at.iter().zip(&step).map(|(p, d)| p + d).collect();
-                let moved = next.iter().zip(at).any(|(a, b)| a != b);
-                let trial = |o: &Objective| Ok(o.residuals(&next).ok());
-                let residuals = problem.problem("cost_count", trial).ok().flatten();
-                residuals.filter(|_| moved).map(|r| (next.clone(), r, step))
-            });
-            if let Some((next, residuals, step)) = trial {
-                let (gained, promised) = self.norm.gain(model, &residuals, &step);
-                if gained > 0.0 && promised > 0.0 {
-                    let ratio = (gained / promised).min(1.0);
-                    let t = 2.0 * ratio - 1.0;
-                    // Nielsen 1999: smooth between 1/3 and 2
-                    self.damping = (self.damping * (1.0 - t * t * t).max(1.0 / 3.0)).max(1e-15);
-                    self.growth = 2.0;
-                    return Some((next, self.norm.of(&residuals)));
-                }
-            }
-            self.damping *= self.growth;
-            self.growth *= 2.0;
-            if !self.damping.is_finite() {
-                return None;
-            }
-        }
-        None
+    fn triangle<'a>(&self, local: &'a Local) -> &'a Triangle {
+        &local.model.triangle
+    }
+
+    fn gain(&self, local: &Local, residuals: &Vec<f64>, step: &[f64]) -> (f64, f64) {
+        self.norm.gain(&local.model, residuals, step)
+    }
+
+    fn is_zero(&self, local: &Local) -> bool {
+        is_zero(self.objective, local.rms)
     }
 }

@@ -10,6 +10,7 @@ mod fitted;
 mod global;
 mod inside;
 mod levenberg;
+mod marquardt;
 mod objective;
 mod options;
 mod power;
@@ -23,8 +24,10 @@ mod starts;
 mod ties;
 
 pub use constraint::{Condition, Constraint};
-pub use fitted::{Fitted, Gap, Held, Method, Stage, Termination};
+pub use fitted::{Fitted, Gap, Held, Method, SecondOrder, Stage, Termination};
+pub use marquardt::{Halt, Least, Limits, Squares, least};
 pub use options::{Goal, Options};
+pub use reduce::Triangle;
 pub use samples::Samples;
 
 use crate::FitError;
@@ -85,7 +88,7 @@ fn finish(
     found: Route,
 ) -> Result<Fitted, FitError> {
     let goal = options.goal;
-    let Route { coefficients, termination, stages, evaluations, gap, bound } = found;
+    let Route { coefficients, termination, second_order, stages, evaluations, gap, bound } = found;
     round_to_f32(&coefficients).map_err(|error| named(hypothesis, error))?;
     let linear = objective.linearise(&coefficients).map_err(|_| route::refused(objective, &coefficients))?;
     let (rms, max) = (PNorm::SQUARE.of(&linear.residuals), largest(&linear.residuals));
@@ -116,6 +119,7 @@ fn finish(
     Ok(Fitted {
         coefficients,
         termination,
+        second_order,
         value,
         rms,
         max,

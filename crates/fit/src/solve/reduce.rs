@@ -1,7 +1,7 @@
 //! Orthogonal reduction of a tall Jacobian to a small triangle: everything that least squares needs, without ever
 //! forming normal equations (which square the condition number).
 
-use nalgebra::{ColPivQR, DMatrix, DVector, Dyn};
+use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, SymmetricEigen};
 use rayon::prelude::*;
 
 use lobefit_math::lanes::{self, LANES};
@@ -14,13 +14,13 @@ pub(super) const RANK_TOLERANCE: f64 = 1e-11;
 
 /// The triangular factor of [J | r]: |J d + r|^2 = |R d + q|^2 + rest^2 for every d.
 #[derive(Clone, Debug)]
-pub(super) struct Triangle {
+pub struct Triangle {
     /// R, n x n.
-    pub r: DMatrix<f64>,
+    pub(super) r: DMatrix<f64>,
     /// The first n components of r in the basis of J.
-    pub q: DVector<f64>,
+    pub(super) q: DVector<f64>,
     /// What no d can remove.
-    pub rest: f64,
+    pub(super) rest: f64,
 }
 
 /// Reduces a Jacobian of n columns, given row by row, and its residuals.
@@ -92,7 +92,36 @@ fn dot(x: &[f64], y: &[f64]) -> f64 {
     lanes::sum(&sums) + x_rest.iter().zip(y_rest).map(|(x, y)| x * y).sum::<f64>()
 }
 
+/// Eigenvalues of normal equations with a unit diagonal below this are rounding: their square roots are below 1e-6.
+const NO_CURVATURE: f64 = 1e-12;
+
 impl Triangle {
+    /// A factor from normal equations |r|^2, J^T r and J^T J, where the rows of J are too many to keep: half the digits of [`reduce`], and
+    /// square instead of triangular. `None` where they are those of no sum of squares.
+    pub fn of_products(square: f64, gradient: &DVector<f64>, hessian: &DMatrix<f64>) -> Option<Triangle> {
+        let n = gradient.len();
+        let lengths: Vec<f64> = hessian.diagonal().iter().map(|d| d.sqrt()).collect();
+        let over = |i: usize| if lengths[i] > 0.0 { 1.0 / lengths[i] } else { 0.0 };
+        let eigen = SymmetricEigen::new(DMatrix::from_fn(n, n, |i, j| over(i) * hessian[(i, j)] * over(j)));
+        let bad = |x: &f64| !(*x >= -NO_CURVATURE * n as f64);
+        if lengths.iter().any(|x| !x.is_finite()) || eigen.eigenvalues.iter().any(bad) {
+            return None;
+        }
+        let root = |k: usize| eigen.eigenvalues[k].max(0.0).sqrt();
+        let along =
+            |k: usize| (0..n).map(|i| eigen.eigenvectors[(i, k)] * over(i) * gradient[i]).sum::<f64>();
+        let q =
+            DVector::from_fn(
+                n,
+                |k, _| {
+                    if eigen.eigenvalues[k] > NO_CURVATURE { along(k) / root(k) } else { 0.0 }
+                },
+            );
+        let r = DMatrix::from_fn(n, n, |k, j| root(k) * eigen.eigenvectors[(j, k)] * lengths[j]);
+        let rest = (square - q.norm_squared()).max(0.0).sqrt();
+        Some(Triangle { r, q, rest })
+    }
+
     /// Length of each column of the Jacobian.
     pub fn column_norms(&self) -> Vec<f64> {
         self.r.column_iter().map(|c| c.norm()).collect()

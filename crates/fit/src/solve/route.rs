@@ -6,7 +6,7 @@ use super::bounds::Bounds;
 use super::constrained::constrained;
 use super::descent::{Descent, Problem};
 use super::escape::{LOWER, beside, escaped};
-use super::fitted::{Gap, Method, Stage, Termination};
+use super::fitted::{Gap, Method, SecondOrder, Stage, Termination};
 use super::global::{global, seed};
 use super::levenberg::{End, Search, search};
 use super::objective::Objective;
@@ -29,6 +29,7 @@ const ZERO: f64 = 1e-14;
 pub(super) struct Route {
     pub coefficients: Vec<f64>,
     pub termination: Termination,
+    pub second_order: SecondOrder,
     pub stages: Vec<Stage>,
     pub evaluations: u64,
     pub gap: Gap,
@@ -39,7 +40,16 @@ impl Route {
     /// Coefficients that were not searched for.
     pub fn unmoved(coefficients: Vec<f64>, termination: Termination) -> Route {
         let stages = Vec::new();
-        Route { coefficients, termination, stages, evaluations: 0, gap: Gap::Unknown, bound: None }
+        let second_order = SecondOrder::Unused;
+        Route {
+            coefficients,
+            termination,
+            second_order,
+            stages,
+            evaluations: 0,
+            gap: Gap::Unknown,
+            bound: None,
+        }
     }
 }
 
@@ -197,6 +207,7 @@ fn least_squares(searches: &[Search]) -> Route {
     Route {
         coefficients: best.coefficients.clone(),
         termination: end(best),
+        second_order: best.second_order,
         stages: vec![stage(Method::LeastSquares, best)],
         evaluations: searches.iter().map(|s| s.evaluations).sum(),
         gap: Gap::Unknown,
@@ -250,6 +261,7 @@ fn power(objective: &Objective, searches: &[Search], p: f64, options: &Options) 
     Ok(Route {
         coefficients: last.coefficients.clone(),
         termination: end(last),
+        second_order: last.second_order,
         stages: best.iter().map(|(method, search)| stage(*method, search)).collect(),
         evaluations: searches.iter().skip(finalists.len()).map(|s| s.evaluations).sum::<u64>() + climbing,
         gap: Gap::Unknown,
@@ -294,7 +306,8 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
     let first = stage(Method::LeastSquares, &searches[index]);
     let last = Stage { method: Method::Programs, end: termination, max: best.max, rms: best.rms };
     let (stages, gap) = (vec![first, last], Gap::Local(best.gap));
-    Ok(Route { coefficients: best.coefficients, termination, stages, evaluations, gap, bound: None })
+    let (coefficients, second_order) = (best.coefficients, SecondOrder::Unused);
+    Ok(Route { coefficients, termination, second_order, stages, evaluations, gap, bound: None })
 }
 
 /// The descent, or a better one from beside its end, where the first order holds it in fewer directions than there are; the

@@ -3,10 +3,11 @@
 use rayon::prelude::*;
 
 use super::fit::Situation;
+use super::least::least;
 use super::rule::TapRule;
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::{Normal, least};
+use lobefit_truth::integrate::footprint::slant::Normal;
 use lobefit_truth::optics::footprint::Stretch;
 
 /// The formula of an expected total variation and how far off it is.
@@ -56,25 +57,29 @@ pub fn expected(
     iterations: u64,
 ) -> Result<Expectation, IntegrateError> {
     let truth: Vec<f64> = situations.par_iter().map(|situation| situation.variation(rule)).collect();
-    let residuals = |constants: &[f64]| -> Option<Vec<f64>> {
-        let constants: [f64; 4] = constants.try_into().ok()?;
-        let of = |(s, tv): (&Situation, &f64)| variation(&constants, &s.case.stretch, s.case.alpha) - tv;
-        Some(situations.iter().zip(&truth).map(of).collect())
+    let residuals = |constants: &[f64; 4]| -> Vec<f64> {
+        let of = |(s, tv): (&Situation, &f64)| variation(constants, &s.case.stretch, s.case.alpha) - tv;
+        situations.iter().zip(&truth).map(of).collect()
     };
     let squares = |constants: &[f64]| -> Option<Normal> {
-        let here = residuals(constants)?;
+        let constants: [f64; 4] = constants.try_into().ok()?;
+        let here = residuals(&constants);
         let mut columns = Vec::new();
         for j in 0..constants.len() {
-            let mut moved = constants.to_vec();
+            let mut moved = constants;
             moved[j] += STEP;
-            columns.push(residuals(&moved)?.iter().zip(&here).map(|(a, b)| (a - b) / STEP).collect());
+            columns.push(residuals(&moved).iter().zip(&here).map(|(a, b)| (a - b) / STEP).collect());
         }
         Normal::of(&here, &columns)
     };
     let found = least(squares, start, iterations)?;
-    let at: [f64; 4] = std::array::from_fn(|i| found.at.get(i).copied().unwrap_or(start[i]));
+    let not_finite = || IntegrateError::NotFinite {
+        quantity: "expected variation",
+        place: format!("constants {:?}", found.at),
+    };
+    let at: [f64; 4] = found.at.as_slice().try_into().map_err(|_| not_finite())?;
     let off = |constants: &[f64; 4]| {
-        let sum: f64 = residuals(constants).unwrap_or_default().iter().map(|r| r * r).sum();
+        let sum: f64 = residuals(constants).iter().map(|r| r * r).sum();
         (sum / truth.len().max(1) as f64).sqrt()
     };
     Ok(Expectation { constants: at, off: [off(start), off(&at)] })

@@ -5,11 +5,12 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
+use super::least::least;
 use super::rule::TapRule;
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::{Case, Normal, Resolution, Slant, Stand, least};
+use lobefit_truth::integrate::footprint::slant::{Case, Normal, Resolution, Slant, Stand};
 use lobefit_truth::optics::footprint::RuleTap;
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -165,8 +166,12 @@ pub fn fit(rule: &TapRule, situations: &[Situation], iterations: u64) -> Result<
         }
         sum.finite()
     };
-    let start = squares(rule.constants()).map_or(f64::NAN, |normal| normal.value);
+    let not_finite = || IntegrateError::NotFinite {
+        quantity: "fetches",
+        place: format!("constants {:?}", rule.constants()),
+    };
+    let start = squares(rule.constants()).ok_or_else(not_finite)?.value;
     let found = least(squares, rule.constants(), iterations)?;
-    let fitted = rule.with(&found.at).unwrap_or(*rule);
+    let fitted = rule.with(&found.at).ok_or_else(not_finite)?;
     Ok(RuleFit { rule: fitted, sums: [start, found.value], settled: found.settled })
 }

@@ -5,10 +5,12 @@
 //! is a ray of its own, traced to the proxy, narrowed or widened by its own ratio of footprints ([`width`]);
 //! [`Corrected`](super::Corrected) does so for a shading point.
 
+pub mod best;
 pub mod constants;
 pub mod expected;
 pub mod fit;
 pub mod horizon;
+pub mod least;
 mod rule;
 
 pub use constants::Constants;

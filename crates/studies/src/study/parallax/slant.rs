@@ -11,14 +11,13 @@ use crate::report::{
 };
 use crate::study::{Size, StudyError};
 use lobefit::bake::Progress;
+use lobefit::effects::parallax::taps::best::{Found, best_taps};
 use lobefit::effects::parallax::taps::expected::expected;
 use lobefit::effects::parallax::taps::fit::{Situation, fit, situations};
 use lobefit::effects::parallax::{RuleTap, TapRule};
 use lobefit::report::{Field, Ruler};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::{
-    Case, Found, Nearest, Resolution, Slant, best_taps, best_width,
-};
+use lobefit_truth::integrate::footprint::slant::{Case, Nearest, Resolution, Slant, best_width};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// What this part covers.

@@ -2,7 +2,7 @@
 
 use super::QUANTITY;
 use super::geometry::{OUTWARD, Slant};
-use super::marquardt::Normal;
+use super::normal::Normal;
 use super::wall::{Footprint, Resolution, Wall, per_area};
 use crate::integrate::IntegrateError;
 use crate::optics::footprint::{Hit, RuleTap, Stretch, width};
@@ -176,7 +176,7 @@ impl Case {
     }
 
     /// A fetch from its tilt over alpha and the logarithms of its width and weight, whose weights sum to `whole`.
-    pub(super) fn rule_tap(&self, [tilt, width, weight]: [f64; 3], whole: f64) -> RuleTap {
+    pub fn rule_tap(&self, [tilt, width, weight]: [f64; 3], whole: f64) -> RuleTap {
         use lobefit_math::ops::exp;
         RuleTap { tilt: tilt * self.alpha, width: exp(width), weight: exp(weight) / whole }
     }

@@ -15,13 +15,13 @@
 mod best;
 mod case;
 mod geometry;
-mod marquardt;
+mod normal;
 mod wall;
 
-pub use best::{Found, Nearest, best_taps, best_width};
+pub use best::{Nearest, best_width};
 pub use case::{Case, Off, Squares};
 pub use geometry::{Slant, Stand};
-pub use marquardt::{Least, Normal, least};
+pub use normal::Normal;
 pub use wall::{Footprint, Resolution, Wall};
 
 pub(super) const QUANTITY: &str = "slanted footprint";
