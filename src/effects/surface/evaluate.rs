@@ -153,7 +153,7 @@ impl Surface {
         let boost = self.f0.map(|f0| match self.material.lobe {
             Lobe::Normalised => 1.0 / column.e,
             Lobe::Compensated => multiscatter::compensation(f0, column.e, column.loss),
-            _ => 1.0,
+            Lobe::Single | Lobe::KullaConty | Lobe::KullaContyOnce => 1.0,
         });
         let stretched = ggx::stretched_length(self.material.alpha, mu);
         Side { mu, column, left, stretched, boost, factor: self.factor(mu, &left) }

@@ -34,15 +34,35 @@ const LEAST_LENGTH: f64 = 1e-6;
 /// A rule for a number of fetches: one fetch of the lobe itself where the footprint is round and grows nowhere, and continuous in the stretch
 /// but where it is round (z = 0) and grows.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(into = "Row")]
 pub struct TapRule {
-    count: usize,
-    /// Those of [`Two`] or [`Three`], then nothing.
-    constants: [f64; MOST],
+    form: Form,
     expected: Expected,
 }
 
-/// Most constants of a rule.
-const MOST: usize = size_of::<Three>() / size_of::<f64>();
+/// The formula of a number of fetches, with its constants.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form {
+    One,
+    Two(Two),
+    Three(Three),
+}
+
+/// A rule in JSON: rows of one length, the constants followed by zeros.
+#[derive(serde::Serialize)]
+struct Row {
+    count: usize,
+    constants: Vec<f64>,
+    expected: Expected,
+}
+
+impl From<TapRule> for Row {
+    fn from(rule: TapRule) -> Row {
+        let mut constants = rule.constants().to_vec();
+        constants.resize(size_of::<Three>() / size_of::<f64>(), 0.0);
+        Row { count: rule.count(), constants, expected: rule.expected }
+    }
+}
 
 /// A lobe on a wall, as a rule sees it.
 struct Skew {
@@ -56,52 +76,56 @@ impl TapRule {
     /// fetch from a chain of such a kernel is taken to be as far off as one from half-cosine chains.
     pub fn of(kernel: Kernel, fetches: usize) -> Option<TapRule> {
         let constants = Constants::of(kernel);
+        let rule = |form, of: &Constants| TapRule { form, expected: of.expected[fetches - 1] };
         match fetches {
-            1 => Some(TapRule::new(&[], 1, constants.unwrap_or(&HALF_COSINE))),
-            2 => constants.map(|constants| TapRule::new(&constants.two, 2, constants)),
-            3 => constants.map(|constants| TapRule::new(&constants.three, 3, constants)),
+            1 => Some(rule(Form::One, constants.unwrap_or(&HALF_COSINE))),
+            2 => constants.map(|constants| rule(Form::Two(constants.two), constants)),
+            3 => constants.map(|constants| rule(Form::Three(constants.three), constants)),
             _ => None,
         }
     }
 
-    fn new(constants: &[f64], count: usize, of: &Constants) -> TapRule {
-        TapRule { count, constants: padded(constants), expected: of.expected[count - 1] }
-    }
-
     /// One fetch along the lobe's axis.
     pub fn one() -> TapRule {
-        TapRule::new(&[], 1, &HALF_COSINE)
+        TapRule { form: Form::One, expected: HALF_COSINE.expected[0] }
     }
 
     /// Two fetches from a half-cosine chain.
     pub fn two() -> TapRule {
-        TapRule::new(&HALF_COSINE.two, 2, &HALF_COSINE)
+        TapRule { form: Form::Two(HALF_COSINE.two), expected: HALF_COSINE.expected[1] }
     }
 
     /// Three fetches from a half-cosine chain.
     pub fn three() -> TapRule {
-        TapRule::new(&HALF_COSINE.three, 3, &HALF_COSINE)
+        TapRule { form: Form::Three(HALF_COSINE.three), expected: HALF_COSINE.expected[2] }
     }
 
     /// The rule of as many fetches with other constants; `None` of another number of them.
     pub fn with(&self, constants: &[f64]) -> Option<TapRule> {
-        let same = constants.len() == self.constants().len();
-        same.then(|| TapRule { constants: padded(constants), ..*self })
+        let form = match self.form {
+            Form::One => constants.is_empty().then_some(Form::One)?,
+            Form::Two(_) => Form::Two(constants.try_into().ok()?),
+            Form::Three(_) => Form::Three(constants.try_into().ok()?),
+        };
+        Some(TapRule { form, ..*self })
     }
 
     /// How many fetches.
     pub fn count(&self) -> usize {
-        self.count
+        match self.form {
+            Form::One => 1,
+            Form::Two(_) => 2,
+            Form::Three(_) => 3,
+        }
     }
 
     /// The constants, in the order of [`Two`] and [`Three`].
     pub fn constants(&self) -> &[f64] {
-        let used = match self.count {
-            2 => size_of::<Two>() / size_of::<f64>(),
-            3 => MOST,
-            _ => 0,
-        };
-        &self.constants[..used]
+        match &self.form {
+            Form::One => &[],
+            Form::Two(constants) => constants,
+            Form::Three(constants) => constants,
+        }
     }
 
     /// The fetches for a lobe of width `alpha` in [0, 1], from the one nearest to the shading point to the farthest.
@@ -111,10 +135,10 @@ impl TapRule {
             let y = (1.0 + a * alpha) * alpha * stretch.growth / (z + alpha).max(f64::MIN_POSITIVE);
             Skew { z, y, alpha }
         };
-        let mut taps = match (self.count, self.constants()) {
-            (2, &[a, ref rest @ ..]) => two(&skew(a), rest),
-            (3, &[a, ref rest @ ..]) => three(&skew(a), rest),
-            _ => vec![RuleTap { tilt: 0.0, width: 1.0, weight: 1.0 }],
+        let mut taps = match &self.form {
+            Form::One => vec![RuleTap { tilt: 0.0, width: 1.0, weight: 1.0 }],
+            Form::Two(constants) => two(skew, constants).to_vec(),
+            Form::Three(constants) => three(skew, constants).to_vec(),
         };
         for tap in &mut taps {
             let tilt = tap.tilt * alpha;
@@ -135,29 +159,23 @@ impl TapRule {
     }
 }
 
-fn padded(constants: &[f64]) -> [f64; MOST] {
-    std::array::from_fn(|i| constants.get(i).copied().unwrap_or(0.0))
-}
-
-fn two(skew: &Skew, constants: &[f64]) -> Vec<RuleTap> {
-    let &[c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1] = constants else { return Vec::new() };
-    let &Skew { z, y, alpha } = skew;
+fn two(skew: impl Fn(f64) -> Skew, constants: &Two) -> [RuleTap; 2] {
+    let &[a, c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1] = constants;
+    let Skew { z, y, alpha } = skew(a);
     let tilt = z * (c0 + c1 * z) / (1.0 + c2 * alpha);
     let width = 1.0 + z * (e0 + e1 * z + e2 * alpha);
     let k = y * (w0 + w1 * z);
     let lean = 0.5 * k / (z * z + k * k).max(f64::MIN_POSITIVE).sqrt();
-    vec![
+    [
         RuleTap { tilt: -tilt, width: width + y * (n0 + n1 * z), weight: 0.5 + lean },
         RuleTap { tilt, width: width + y * (f0 + f1 * z), weight: 0.5 - lean },
     ]
 }
 
-fn three(skew: &Skew, constants: &[f64]) -> Vec<RuleTap> {
-    let &[b0, b1, c0, c1, c2, d0, d1, e0, e1, e2, e3, n0, n1, f0, f1, g0, g1, g2, w0, w1, h0, h1] = constants
-    else {
-        return Vec::new();
-    };
-    let &Skew { z, y, alpha } = skew;
+fn three(skew: impl Fn(f64) -> Skew, constants: &Three) -> [RuleTap; 3] {
+    let &[a, b0, b1, c0, c1, c2, d0, d1, e0, e1, e2, e3, n0, n1, f0, f1, g0, g1, g2, w0, w1, h0, h1] =
+        constants;
+    let Skew { z, y, alpha } = skew(a);
     let over = y / z.max(LEAST_LENGTH);
     let skewed = (over * (b0 + b1 * z)).clamp(0.0, MOST_SKEWED);
     let root = (1.0 + skewed * skewed).sqrt();
@@ -167,7 +185,7 @@ fn three(skew: &Skew, constants: &[f64]) -> Vec<RuleTap> {
     let lean = (1.0 + leaning * leaning).sqrt();
     let outer = z * z * (h0 * z + h1 * alpha);
     let share = 1.0 / (1.0 + 2.0 * outer * lean);
-    vec![
+    [
         RuleTap {
             tilt: -tilt * (root - skewed),
             width: width + y * (n0 + n1 * z),

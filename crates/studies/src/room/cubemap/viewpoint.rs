@@ -55,7 +55,7 @@ impl Viewpoint {
                 let edge = to_edge(proxy, place, wall);
                 if edge.is_finite() { edge / (edge + widths * alpha * far) } else { 1.0 }
             }
-            _ => 1.0,
+            Viewpoint::Probe | Viewpoint::Perpendicular => 1.0,
         };
         let above = minus(place, scaled(normal, height));
         let eye = plus(probe, scaled(minus(above, probe), share));
