@@ -10,7 +10,7 @@ use crate::approximate::FitStageError;
 use crate::approximate::target::TargetError;
 use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
 use crate::plan::Plan;
-use crate::scene::{self, Scene, limits};
+use crate::scene::{self, Scene, SceneError, limits};
 use crate::store;
 use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
@@ -21,6 +21,8 @@ use lobefit_truth::optics::kernel::Kernel;
 pub struct Input {
     /// The scene.
     pub scene: Scene,
+    /// Its file, as the user named it.
+    name: String,
     /// Its hypothesis files, in order of first mention; each parses.
     pub hypotheses: Vec<UserHypothesis>,
     /// The paths at which they were read, by the paths that the scene gives: for messages only, since nothing that is
@@ -29,7 +31,7 @@ pub struct Input {
 }
 
 impl Input {
-    /// Bakes the scene's plan. Errors name hypothesis files by the paths at which they were read.
+    /// Bakes the scene's plan. Errors name the scene and its hypothesis files by the paths at which they were read.
     ///
     /// # Errors
     /// What the bake says.
@@ -40,6 +42,9 @@ impl Input {
         progress: &dyn Progress,
     ) -> Result<Baked, CliError> {
         let mut baked = bake(&self.scene, plan, &self.hypotheses, selection, progress);
+        if let Err(BakeError::Scene { field, message }) = baked {
+            return Err(SceneError::Whole { file: self.name.clone(), path: field, message }.into());
+        }
         if let Some(file) = baked.as_mut().err().and_then(hypothesis_file)
             && let Some(path) = self.paths.get(file.as_str())
         {
@@ -79,7 +84,12 @@ fn hypothesis_file(error: &mut BakeError) -> Option<&mut String> {
 /// A scene, or a file that it names, that cannot be read or is refused.
 pub fn load(option: &SceneOption) -> Result<Input, CliError> {
     let Some(path) = &option.scene else {
-        return Ok(Input { scene: Scene::built_in()?, hypotheses: Vec::new(), paths: BTreeMap::new() });
+        return Ok(Input {
+            scene: Scene::built_in()?,
+            name: "the built-in scene".into(),
+            hypotheses: Vec::new(),
+            paths: BTreeMap::new(),
+        });
     };
     let (bytes, name, folder) = if path.as_os_str() == "-" {
         let name = "<stdin>".to_owned();
@@ -106,7 +116,7 @@ pub fn load(option: &SceneOption) -> Result<Input, CliError> {
         paths.insert(path.to_owned(), shown);
         hypotheses.push(UserHypothesis { file: path.into(), source });
     }
-    Ok(Input { scene, hypotheses, paths })
+    Ok(Input { scene, name, hypotheses, paths })
 }
 
 /// The kernel of a word of a command line: one of those with a formula, or the path of a table.

@@ -14,6 +14,14 @@ use lobefit_truth::integrate::IntegrateError;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BakeError {
+    /// A field of the scene asks for what there is not.
+    #[error("{field}: {message}")]
+    Scene {
+        /// The field, as a path from the top of the scene.
+        field: String,
+        /// What is wrong with it, and what to change.
+        message: String,
+    },
     /// A hypothesis or a fit.
     #[error(transparent)]
     Fit(#[from] FitStageError),

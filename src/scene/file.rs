@@ -194,8 +194,7 @@ impl Scene {
         Ok(())
     }
 
-    /// A probe whose every fetch is saturated has nothing to fit; rules of several fetches, and the lobe of a surface, are fitted for one
-    /// kernel alone.
+    /// Rules of several fetches are fitted for kernels with a formula, the lobe of a surface for one kernel alone.
     fn check_probes(&self) -> Result<(), (String, String)> {
         self.check_kernels()?;
         for (i, probe) in self.probes.iter().enumerate() {
@@ -215,12 +214,7 @@ impl Scene {
                 return Err((format!("probes[{i}].lookups[{j}].lobe"), message));
             }
         }
-        let saturated = self.probes.iter().position(|probe| probe.is_saturated(self.alpha));
-        saturated.map_or(Ok(()), |i| {
-            let message = "every fetch is saturated there: the widest lobe is too narrow for the smallest ratio at the smallest \
-                           roughness; begin at a smaller one of them";
-            Err((format!("probes[{i}].rho"), message.into()))
-        })
+        Ok(())
     }
 
     /// Functions are named by their kernel's name: two tables of one name would have the same functions.

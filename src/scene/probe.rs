@@ -11,7 +11,6 @@ use super::number::{ErrorLimit, In, Levels, Ops, Planes, Ratio, Span, TapCount, 
 use super::value::{List, Maybe, Text, Word, about, from_file};
 use super::wants::norms;
 use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup, SurfaceLobe};
-use lobefit_truth::integrate::footprint;
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Roughness where the scene gives none: below it a fetch is as sharp as the texels.
@@ -64,12 +63,6 @@ impl Probe {
     pub(super) fn unfitted(&self) -> Option<usize> {
         let fitted = self.lookups.iter().position(|lookup| lookup.is_fitted());
         fitted.filter(|_| self.kernel != Kernel::HalfCosine)
-    }
-
-    /// Whether every fetch is saturated, as the one of the smallest ratio at the smallest width is: the best width grows with both.
-    pub(super) fn is_saturated(&self, map: AlphaMap) -> bool {
-        let narrowest = self.rough_range(map).map(|[lo, _]| map.alpha(lo));
-        narrowest.is_some_and(|alpha| footprint::best(self.kernel, alpha, self.rho[0]).is_ok_and(|b| b.1))
     }
 }
 

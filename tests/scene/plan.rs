@@ -31,6 +31,23 @@ fn fits(plan: &Plan) -> Option<&Job> {
     plan.jobs("reflection").iter().find(|job| job.name == "normalisation")
 }
 
+/// What is integrated is found wrong when it is: reading and planning cost nothing, whatever the kernel.
+#[test]
+fn reading_a_scene_integrates_nothing() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/scene");
+    for entry in folder.read_dir().expect("a folder") {
+        let path = entry.expect("an entry").path();
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path:?}: {e}"));
+        for line in text.lines().filter(|line| line.contains("lobefit_truth::integrate")) {
+            assert_eq!(line, "use lobefit_truth::integrate::coupling::Specular;", "{path:?}");
+        }
+    }
+    // Every fetch is saturated, which the bake says.
+    let saturated = r#"{"name":"p","roughness":1,"rho":[2,4]}"#;
+    let scene = scene(&format!(r#"{{"schema_version":1,"materials":[],"probes":[{saturated}]}}"#));
+    assert_eq!(plan(&scene).effects.len(), 1);
+}
+
 fn reason<'a>(plan: &'a Plan, effect: &str) -> &'a str {
     &plan.left_out.iter().find(|l| l.effect == effect).expect("left out").reason
 }

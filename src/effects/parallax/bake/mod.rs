@@ -12,6 +12,7 @@ use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Made};
 use crate::scene::Scene;
+use lobefit_truth::integrate::footprint;
 
 /// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among them.
 const GRID: [usize; 2] = [19, 29];
@@ -38,6 +39,7 @@ struct Lobe<'a> {
 /// Bakes the effect.
 pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
     context.progress.stage("fits of lookups");
+    refuse_saturated(context.scene)?;
     let wants = called.work.iter().map(|job| {
         let lacks = || BakeError::Internal(format!("{}: no probe", job.name));
         Ok((job, demand::wanted(context.scene, job).ok_or_else(lacks)?))
@@ -64,6 +66,21 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         made.fits(context, set, |i, _, entry| entries::fetching(&lobe, i, entry));
     }
     Ok(made)
+}
+
+/// A probe whose every fetch is saturated has nothing to fit. That of the smallest ratio at the smallest width is the last to saturate: the
+/// best width grows with both.
+fn refuse_saturated(scene: &Scene) -> Result<(), BakeError> {
+    for (i, probe) in scene.probes.iter().enumerate() {
+        let Some([lowest, _]) = probe.rough_range(scene.alpha) else { continue };
+        let (_, saturated) = footprint::best(probe.kernel, scene.alpha.alpha(lowest), probe.rho[0])?;
+        if saturated {
+            let message = "every fetch is saturated there: the widest lobe is too narrow for the smallest ratio at the smallest \
+                           roughness; begin at a smaller ratio or roughness";
+            return Err(BakeError::Scene { field: format!("probes[{i}].rho"), message: message.into() });
+        }
+    }
+    Ok(())
 }
 
 /// The different chains of all jobs, with what tells each from the others in the names of its functions.
