@@ -1,22 +1,27 @@
 //! Same scene, same bytes, whatever the number of threads. What is baked here has every effect and every kind of job in little;
 //! the built-in scene is baked again, and compared with the committed files, in tests/emitted/committed.rs.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::OnceLock;
 
 use lobefit::bake::{Selection, Silent, bake};
 use lobefit::plan::plan;
-use lobefit::scene::Scene;
+use lobefit::scene::{Scene, SceneError};
 use lobefit::store::Files;
+use lobefit_truth::optics::kernel::Kernel;
 
 const SCENE: &str = r#"{"schema_version":1,"name":"all in little","formats":["exr","dds","npy","raw"],"materials":[
-{"name":"plastic","kind":"dielectric","ior":1.5,"roughness":[0.4,0.6],"wants":{
+{"name":"plastic","kind":"dielectric","ior":1.5,"roughness":[0.4,0.6],"base":{"albedo":0.5,"max_ops":11},"wants":{
  "table":{"size":[16,16],"serves":"split-sum"},"fit":{"max_ops":8,"average":true}}},
+{"name":"felt","kind":"dielectric","f0":0.04,"roughness":[0.5,0.7],"sheen":{"roughness":[0.3,0.6],"max_ops":11}},
 {"name":"open","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"table":{"max_error":0.01}}},
 {"name":"brushed","kind":"metal","f0":0.9,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{"tables":[
  {"size":[16,16,8]},{"layout":"azimuth","size":[12,8,6]},{"layout":"path-tracer"}]}},
 {"name":"frosted","kind":"glass","ior":[1.3,1.7],"roughness":[0.5,0.8],"wants":{"tables":[
- {"size":[16,16,8]},{"layout":"path-tracer"}]}}]}"#;
+ {"size":[16,16,8]},{"layout":"path-tracer"}]}}],"probes":[
+{"name":"hall","roughness":[0.3,0.6],"rho":[0.5,2],"mips":{"map":"linear","count":5},"max_ops":9,
+ "lookups":[{"taps":3,"lobe":"fitted"},{"planes":8}]}]}"#;
 
 fn files(threads: usize) -> Files {
     let scene = Scene::from_json(SCENE.as_bytes(), "scene.json").expect("a scene");
@@ -30,11 +35,25 @@ fn one() -> &'static Files {
     ONE.get_or_init(|| files(1))
 }
 
+/// Every effect that the built-in scene or an example calls for.
+fn called_for() -> BTreeSet<String> {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples").read_dir().expect("examples");
+    let paths = examples.map(|entry| entry.expect("an entry").path());
+    let scenes = paths.filter(|path| path.extension().is_some_and(|e| e == "json")).map(|path| {
+        let bytes = std::fs::read(&path).expect("a file");
+        let kernel = |_: &str, _| Ok::<_, SceneError>(Kernel::default());
+        Scene::with_kernels(&bytes, &path.display().to_string(), kernel).expect("a scene")
+    });
+    let scenes = scenes.chain([Scene::built_in().expect("a scene")]);
+    let effects = scenes.flat_map(|scene| plan(&scene).effects);
+    effects.map(|effect| effect.effect.name().to_string()).collect()
+}
+
 #[test]
 fn any_number_of_threads_gives_the_same_bytes() {
     let one = one();
-    for effect in ["reflection", "anisotropy", "glass"] {
-        assert!(one.contains_key(&format!("reports/{effect}.html")), "{effect} is baked");
+    for effect in called_for() {
+        assert!(one.contains_key(&format!("reports/{effect}.html")), "{effect} is not baked");
     }
     for threads in [2, 7] {
         let other = files(threads);
