@@ -66,12 +66,13 @@ impl Rounding {
 
 fn rounding(exact: &Channel, stored: &Channel, table: &Table) -> Rounding {
     let gaps: Vec<f64> = exact.texels.iter().zip(&stored.texels).map(|(a, b)| (a - b).abs()).collect();
-    let worst = (0..gaps.len()).fold(0, |worst, i| if gaps[i] > gaps[worst] { i } else { worst });
+    let larger = |(worst, max), (i, gap): (usize, &f64)| if *gap > max { (i, *gap) } else { (worst, max) };
+    let (worst, max) = gaps.iter().enumerate().fold((0, 0.0), larger);
     let place = ["column", "row", "slice"].into_iter().zip(table.place(worst));
     let squares: Vec<f64> = gaps.iter().map(|g| g * g).collect();
     Rounding {
         channel: exact.name.clone(),
-        max: gaps.get(worst).copied().unwrap_or(0.0),
+        max,
         rms: sum::mean(&squares).sqrt(),
         at: place.map(|(name, i)| (name.to_string(), i as f64)).collect(),
     }

@@ -194,7 +194,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Rules of several fetches are fitted for kernels with a formula, the lobe of a surface for one kernel alone.
+    /// A chain holds some of the roughness that it is looked up with. Rules of several fetches are fitted for kernels with a
+    /// formula, the lobe of a surface for one kernel alone.
     fn check_probes(&self) -> Result<(), (String, String)> {
         self.check_kernels()?;
         for (i, probe) in self.probes.iter().enumerate() {
@@ -205,6 +206,14 @@ impl Scene {
                     probe.kernel.name()
                 );
                 return Err((format!("probes[{i}].lookups[{j}].taps"), message));
+            }
+            if let Some([first, last]) = probe.unheld() {
+                let [low, high] = probe.roughness;
+                let message = format!(
+                    "the chain holds roughness {first} to {last}, and the probe is looked up with {low} to {high}: no level could be \
+                     measured; give a chain or a `roughness` of which the other holds a part"
+                );
+                return Err((format!("probes[{i}].mips"), message));
             }
             if let Some(j) = probe.unfitted() {
                 let message = format!(

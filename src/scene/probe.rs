@@ -59,6 +59,13 @@ impl Probe {
         several.filter(|_| !self.kernel.is_analytic()).map(|j| (j, self.lookups[j].taps))
     }
 
+    /// The roughness of the first and of the last level of its chain, where none that it is looked up with lies between.
+    pub(super) fn unheld(&self) -> Option<[f64; 2]> {
+        let chain = self.mips.as_ref()?;
+        let ends = [0.0, chain.widest()].map(|level| chain.roughness(level));
+        (self.roughness[1] < ends[0] || self.roughness[0] > ends[1]).then_some(ends)
+    }
+
     /// The first lookup of the fitted lobe, where it is fitted for another: with fetches of the half-cosine lobe.
     pub(super) fn unfitted(&self) -> Option<usize> {
         let fitted = self.lookups.iter().position(|lookup| lookup.is_fitted());

@@ -8,7 +8,6 @@ use serde_json::Value;
 
 use super::commit::Prepared;
 use super::disk::{Disk, Kind, TEMP_SUFFIX};
-use super::path::{inside, is_ours};
 use super::write::{folder_of, stage};
 use super::{LocalDisk, Operation, StoreError};
 
@@ -312,6 +311,21 @@ impl Layout {
             Layout::Flat => &[],
         }
     }
+}
+
+/// The path of `name` below `root`, where `name` is a plain relative path with `/`: no empty part, no `.`, no `..`, no
+/// backslash, no drive, no control character.
+pub fn inside(root: &Path, name: &str) -> Result<PathBuf, StoreError> {
+    let hostile = |c: char| c.is_control() || matches!(c, '\\' | ':');
+    if name.contains(hostile) || name.split('/').any(|part| matches!(part, "" | "." | "..")) {
+        return Err(StoreError::Outside { name: name.escape_debug().to_string(), writing: false });
+    }
+    Ok(root.join(name.split('/').collect::<PathBuf>()))
+}
+
+/// Whether the name is one that a bake may write or remove: the manifest, or a file in one of its folders.
+fn is_ours(name: &str) -> bool {
+    name == MANIFEST || name.split_once('/').is_some_and(|(folder, _)| SUBFOLDERS.contains(&folder))
 }
 
 /// Whether a name lies in a folder.

@@ -11,16 +11,14 @@ mod commit;
 mod disk;
 mod error;
 mod local;
-mod path;
 mod read;
 #[cfg(test)]
 mod tests;
 mod write;
 
-pub use bundle::{Files, Folder, Layout, MANIFEST, SUBFOLDERS, Written};
+pub use bundle::{Files, Folder, Layout, MANIFEST, SUBFOLDERS, Written, inside};
 pub use disk::{Disk, Kind, TEMP_SUFFIX, Temp};
 pub use error::{Operation, StoreError};
 pub use local::{LocalDisk, LocalTemp};
-pub use path::inside;
 pub use read::{Entry, is_folder, list, read, read_set, read_stream};
 pub use write::write;

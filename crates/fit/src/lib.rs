@@ -6,15 +6,13 @@
 //! what [`optimise`] does for formulas.
 
 mod error;
-mod norm;
 pub mod rational;
 pub mod search;
 mod solve;
 pub mod texels;
 
 pub use error::FitError;
-pub use norm::Norm;
 pub use solve::{
-    Condition, Constraint, Fitted, Gap, Goal, Halt, Held, Least, Limits, Method, Options, Samples,
+    Condition, Constraint, Fitted, Gap, Goal, Halt, Held, Least, Limits, Method, Norm, Options, Samples,
     SecondOrder, Squares, Stage, Termination, Triangle, least, optimise, residual_range, round_to_f32,
 };

@@ -104,7 +104,7 @@ fn level_error(level: &Hypothesis, chain: &MipChain) -> Result<LevelError, FitEr
     let inputs: Vec<f32> = (0..=STEPS).map(|i| i as f32 / STEPS as f32).collect();
     let found = level.tape().evaluate(std::slice::from_ref(&inputs), &[])?;
     let off = inputs.iter().zip(&found).map(|(r, f)| f64::from(*f) - chain.level(f64::from(*r)));
-    Ok(worst(off, |i| [("roughness".to_string(), shortest(inputs[i]))].into_iter().collect()))
+    worst(off, |i| [("roughness".to_string(), shortest(inputs[i]))].into_iter().collect())
 }
 
 fn round_trip(level: &Hypothesis, inverse: &Hypothesis, chain: &MipChain) -> Result<LevelError, FitError> {
@@ -113,7 +113,7 @@ fn round_trip(level: &Hypothesis, inverse: &Hypothesis, chain: &MipChain) -> Res
     let there = inverse.tape().evaluate(std::slice::from_ref(&mips), &[])?;
     let back = level.tape().evaluate(&[there], &[])?;
     let off = mips.iter().zip(&back).map(|(m, b)| f64::from(*b) - f64::from(*m));
-    Ok(worst(off, |i| [("mip".to_string(), shortest(mips[i]))].into_iter().collect()))
+    worst(off, |i| [("mip".to_string(), shortest(mips[i]))].into_iter().collect())
 }
 
 /// Cells that a chain holds and that one fetch can serve.
@@ -138,7 +138,7 @@ fn adjusted_error(
         .zip(&found)
         .map(|(cell, found)| f64::from(*found) - chain.level(map.roughness(cell.best)));
     let at = |i: usize| [("mip", mips[i]), ("rho", rho[i])].map(|(name, x)| (name.to_string(), shortest(x)));
-    Ok(worst(off, |i| at(i).into_iter().collect()))
+    worst(off, |i| at(i).into_iter().collect())
 }
 
 /// The levels to add in logarithmic chains, fitted for the smallest error in levels; none where no chain is logarithmic.
@@ -166,7 +166,7 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
     let at = |i: usize| {
         [("alpha", cells[i].alpha), ("rho", cells[i].rho)].map(|(n, x)| (n.to_string(), shortest(x as f32)))
     };
-    let error = worst(off, |i| at(i).into_iter().collect());
+    let error = worst(off, |i| at(i).into_iter().collect())?;
     let hypothesis = found.hypothesis.renamed(&named(grid.kernel, found.hypothesis.name()));
     let (coefficients, gives, chain) = (found.coefficients, Gives::Bias, chain.clone());
     Ok(Some(LevelFunction { hypothesis, coefficients, gives, chain, error }))
@@ -182,12 +182,15 @@ fn domain(grid: &Grid) -> Result<Domain, ShadeError> {
     Domain::new(&[("alpha", a0, a1), ("rho", r0, r1)])
 }
 
-fn worst(off: impl Iterator<Item = f64>, place: impl Fn(usize) -> Place) -> LevelError {
+/// The largest of some differences, with its place.
+///
+/// # Errors
+/// There is no difference: nothing is measured, and nothing is known of the function.
+fn worst(off: impl Iterator<Item = f64>, place: impl Fn(usize) -> Place) -> Result<LevelError, FitError> {
     let off: Vec<f64> = off.map(f64::abs).collect();
-    let at = (0..off.len()).max_by(|a, b| off[*a].total_cmp(&off[*b]));
-    LevelError {
-        max: round_up(at.map_or(0.0, |i| off[i]), 4),
-        at: at.map_or_else(Place::new, place),
-        points: off.len(),
-    }
+    let Some(at) = (0..off.len()).max_by(|a, b| off[*a].total_cmp(&off[*b])) else {
+        let message = "no fetch that is not saturated has its roughness in the chain of levels".into();
+        return Err(FitError::Solver { message });
+    };
+    Ok(LevelError { max: round_up(off[at], 4), at: place(at), points: off.len() })
 }

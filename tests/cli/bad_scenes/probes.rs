@@ -24,6 +24,11 @@ fn not_a_probe() -> Vec<Case> {
             top("\"probes\":[{\"name\":\"p\",\"roughness\":1,\"rho\":[2,4]}]"),
             "probes[0].rho: every fetch is saturated there",
         ),
+        // Its level function used to be emitted with an error of 0, measured at 0 points.
+        case(
+            top("\"probes\":[{\"name\":\"p\",\"roughness\":[0.2,0.3],\"mips\":{\"levels\":[0.5,1]}}]"),
+            "probes[0].mips: the chain holds roughness 0.5 to 1, and the probe is looked up with 0.2 to 0.3",
+        ),
         case(top("\"probes\":[{\"name\":\"p\",\"norms\":[]}]"), "probes[0].norms: the list is empty"),
         case(
             top("\"probes\":[{\"name\":\"p\",\"lookups\":[]}]"),

@@ -8,7 +8,6 @@ mod descent;
 mod escape;
 mod fitted;
 mod global;
-mod inside;
 mod levenberg;
 mod marquardt;
 mod objective;
@@ -26,7 +25,7 @@ mod ties;
 pub use constraint::{Condition, Constraint};
 pub use fitted::{Fitted, Gap, Held, Method, SecondOrder, Stage, Termination};
 pub use marquardt::{Halt, Least, Limits, Squares, least};
-pub use options::{Goal, Options};
+pub use options::{Goal, Norm, Options};
 pub use reduce::Triangle;
 pub use samples::Samples;
 

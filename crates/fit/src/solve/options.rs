@@ -2,11 +2,33 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::FitError;
-use crate::norm::Norm;
 
 /// Largest power of a p-norm. Beyond it |r|^p of a residual 1 % below the largest is nothing in f64: that is the maximum.
 const LARGEST_POWER: f64 = 1000.0;
+
+/// The error that coefficients minimise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "lowercase")]
+pub enum Norm {
+    /// The largest error.
+    Max,
+    /// The root of the mean square error.
+    Rms,
+}
+
+impl Norm {
+    /// The word used in scenes, names of fits and the manifest.
+    pub fn name(self) -> &'static str {
+        match self {
+            Norm::Max => "max",
+            Norm::Rms => "rms",
+        }
+    }
+}
 
 /// What coefficients minimise over the samples.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,6 @@
 
 use nalgebra::DMatrix;
 
-use super::inside::inside;
 use super::reduce::{RANK_TOLERANCE, Triangle};
 use lobefit_shade::Tape;
 use lobefit_shade::tape::{BinaryOp, Op, UnaryOp};
@@ -89,4 +88,28 @@ fn null_space(triangle: &Triangle) -> DMatrix<f64> {
         null -= row.transpose() * row;
     }
     null
+}
+
+/// For each parameter, whether an operand depends on it that `chosen` picks by its operation and its place among the operands.
+pub(super) fn inside(tape: &Tape, chosen: impl Fn(&Op, usize) -> bool) -> Vec<bool> {
+    let mut found = vec![false; tape.parameters()];
+    let mut reach: Vec<Vec<bool>> = Vec::with_capacity(tape.ops().len());
+    for op in tape.ops() {
+        let mut own = vec![false; tape.parameters()];
+        if let Op::Parameter(i) = *op {
+            own[usize::from(i)] = true;
+        }
+        for (place, operand) in op.operands().enumerate() {
+            join(&mut own, &reach[operand as usize]);
+            if chosen(op, place) {
+                join(&mut found, &reach[operand as usize]);
+            }
+        }
+        reach.push(own);
+    }
+    found
+}
+
+fn join(all: &mut [bool], more: &[bool]) {
+    all.iter_mut().zip(more).for_each(|(all, more)| *all |= more);
 }

@@ -1,6 +1,6 @@
 //! Starting points: the declared one, low-discrepancy points around it, and the declared one with signs turned.
 
-use super::inside::inside;
+use super::rank::inside;
 use lobefit_shade::Tape;
 use lobefit_shade::tape::{BinaryOp, Op, UnaryOp};
 
