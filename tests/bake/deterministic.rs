@@ -46,7 +46,7 @@ fn called_for() -> BTreeSet<String> {
     });
     let scenes = scenes.chain([Scene::built_in().expect("a scene")]);
     let effects = scenes.flat_map(|scene| plan(&scene).effects);
-    effects.map(|effect| effect.effect.name().to_string()).collect()
+    effects.map(|effect| effect.effect.to_string()).collect()
 }
 
 #[test]
