@@ -40,7 +40,3 @@ pub mod report;
 pub mod scene;
 pub mod store;
 pub mod timing;
-
-/// Hash of the sources of this package and of those below it (`build/main.rs`): 32 hexadecimal digits, the same on every machine, other
-/// ones after any edit. For what is made from results that are not computed again.
-pub const BUILD: &str = env!("LOBEFIT_BUILD");

@@ -1,6 +1,7 @@
 //! Why there is no fit.
 
-use super::Runaway;
+use std::fmt;
+
 use super::target::TargetError;
 use lobefit_fit::{FitError, Termination};
 use lobefit_shade::ShadeError;
@@ -62,5 +63,25 @@ pub enum FitStageError {
 impl From<ShadeError> for FitStageError {
     fn from(error: ShadeError) -> Self {
         FitError::from(error).into()
+    }
+}
+
+/// A coefficient on its way to infinity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Runaway {
+    /// Its name.
+    pub coefficient: String,
+    /// Its value.
+    pub value: f64,
+}
+
+impl fmt::Display for Runaway {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Runaway { coefficient, value } = self;
+        write!(
+            f,
+            "coefficient {coefficient} ran away to {value:e}: the formula is a simpler one in disguise, or its parameters are not \
+             independent; reduce it or give better starting values"
+        )
     }
 }

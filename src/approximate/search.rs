@@ -1,8 +1,6 @@
 //! The search of one hypothesis' coefficients in one norm.
 
-use std::fmt;
-
-use super::FitStageError;
+use super::{FitStageError, Runaway};
 use crate::data::Norm;
 use lobefit_fit::{Constraint, FitError, Options, Samples, Termination, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, prove_regular};
@@ -46,24 +44,6 @@ pub(crate) fn searched(
 /// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1] or not far
 /// from it.
 const RUN_AWAY: f64 = 1e6;
-
-/// A coefficient on its way to infinity.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Runaway {
-    coefficient: String,
-    value: f64,
-}
-
-impl fmt::Display for Runaway {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Runaway { coefficient, value } = self;
-        write!(
-            f,
-            "coefficient {coefficient} ran away to {value:e}: the formula is a simpler one in disguise, or its parameters are not \
-             independent; reduce it or give better starting values"
-        )
-    }
-}
 
 /// The coefficients of a formula that are on their way to infinity.
 pub fn runaways(hypothesis: &Hypothesis, coefficients: &[f64]) -> impl Iterator<Item = Runaway> {

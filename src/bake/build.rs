@@ -7,6 +7,10 @@
 
 use crate::store::{Files, MANIFEST};
 
+/// Hash of the sources of this package and of those below it (`build/main.rs`): 32 hexadecimal digits, the same on every machine, other
+/// ones after any edit. For what is made from results that are not computed again.
+pub const BUILD: &str = env!("LOBEFIT_BUILD");
+
 /// The file that names the build, relative to the folder of a bake. It is no part of the bake: the manifest does not list it, `check`
 /// does not compare it, and a repository has no use for it.
 pub const BUILD_FILE: &str = "reports/build.txt";
@@ -14,7 +18,7 @@ pub const BUILD_FILE: &str = "reports/build.txt";
 /// The file's content: this build, and the manifest that it wrote. Beside another manifest (a checkout of another commit, say) the file
 /// says nothing.
 fn content(manifest: &[u8]) -> String {
-    format!("build {}\nmanifest {}\n", crate::BUILD, blake3::hash(manifest).to_hex())
+    format!("build {}\nmanifest {}\n", BUILD, blake3::hash(manifest).to_hex())
 }
 
 /// Adds the file that names this build to a bake.

@@ -20,7 +20,7 @@ use crate::effects::{Made, Part};
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::store::Files;
-pub use build::{BUILD_FILE, sign};
+pub use build::{BUILD, BUILD_FILE, sign};
 pub use compare::{Difference, Kind, compare};
 pub use kept::{KeptError, kept};
 pub use recipe::{TOOL, recipe};

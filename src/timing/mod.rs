@@ -4,6 +4,7 @@ mod lookups;
 pub mod record;
 mod tables;
 
+use lobefit_shade::ShadeError;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -149,12 +150,30 @@ fn volume_entry(volume: &BakedVolume) -> Result<Option<TimedApproximation>, Bake
 }
 
 fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {
-    let inputs = fit.columns(points, 1.0).map_err(FitStageError::from)?;
+    let inputs = columns(fit, points).map_err(FitStageError::from)?;
     let (tape, coefficients) = (fit.hypothesis.tape(), fit.coefficients());
     tape.evaluate(&inputs, &coefficients).map_err(FitStageError::from)?;
     Ok(seconds(|| {
         let _ = black_box(tape.evaluate(&inputs, &coefficients));
     }))
+}
+
+/// The columns of a fit's inputs: those of the points, and evenly spaced values of any other input of its certified domain.
+fn columns(fit: &Fit, points: &PointSet) -> Result<Vec<Vec<f32>>, ShadeError> {
+    let domain = &fit.approximation.certificate.domain;
+    let spread = |[low, high]: [f64; 2]| {
+        let step = (high - low) / points.len().max(1) as f64;
+        (0..points.len()).map(|i| (low + (i as f64 + 0.5) * step) as f32).collect::<Vec<f32>>()
+    };
+    let column = |name: &String| {
+        let given = points.column(name).map(<[f32]>::to_vec);
+        given.or_else(|| domain.get(name).copied().map(spread)).ok_or_else(|| ShadeError::UnknownInput {
+            function: fit.hypothesis.name().into(),
+            input: name.clone(),
+            given: domain.keys().cloned().collect::<Vec<_>>().join(", "),
+        })
+    };
+    fit.hypothesis.inputs().iter().map(column).collect()
 }
 
 /// The region that a fit was certified in.

@@ -177,7 +177,7 @@ fn the_bake_of_another_build_is_not_mixed_in() {
     let folder = folder();
     let record = folder.path().join(BUILD_FILE);
     let own = std::fs::read_to_string(&record).expect("a record");
-    assert!(own.starts_with(&format!("build {}\nmanifest ", lobefit::BUILD)), "{own}");
+    assert!(own.starts_with(&format!("build {}\nmanifest ", lobefit::bake::BUILD)), "{own}");
     let other_manifest = own.replace("manifest ", "manifest 0");
     for other in [Some(own.replace("build ", "build 0")), Some(other_manifest), None] {
         match other {
@@ -202,7 +202,7 @@ fn another_source_is_another_build() {
     for place in ["src", "crates/math", "crates/truth", "crates/shade", "crates/fit", "fits/hypotheses"] {
         assert!(places.iter().any(|p| p == place), "{place} is not in {places:?}");
     }
-    assert_eq!(sources::hash(root, &places, |bytes| bytes).expect("sources"), lobefit::BUILD);
+    assert_eq!(sources::hash(root, &places, |bytes| bytes).expect("sources"), lobefit::bake::BUILD);
     let hash = |files: &[(&str, &str)]| {
         let copy = tempfile::tempdir().expect("a folder");
         for (name, text) in files {

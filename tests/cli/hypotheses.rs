@@ -47,7 +47,7 @@ fn bad_ones_are_refused_with_their_place() {
             "fn mine(mu: f32) -> f32 {\n    let v = vec2<f32>(mu, mu);\n    return v.x;\n}\n",
             ["mine.wgsl:2:", "vectors", ""],
         ),
-        ("fn mine(nu: f32) -> f32 { return nu; }\n", ["mine.wgsl", "`nu`", "roughness, alpha, mu"]),
+        ("fn mine(nu: f32) -> f32 { return nu; }\n", ["mine.wgsl:1:9", "`nu`", "roughness, mu, alpha"]),
         ("fn mine(mu: f32) -> f32 { return sqrt(mu - 0.5); }\n", ["mine.wgsl:1:", "negative", ""]),
         (
             "override c: f32 = 1.0;\nfn ggx_norm_n1(mu: f32) -> f32 { return 1.0 + c * mu; }\n",
@@ -131,7 +131,11 @@ fn files_are_read_by_plan_and_named_where_they_lie() {
             "error: below/mine.wgsl:1:",
             &["plan", "bake", "check", "cost"],
         ),
-        (Some("fn mine(nu: f32) -> f32 { return nu; }"), "error: below/mine.wgsl: argument `nu`", &["bake"]),
+        (
+            Some("fn mine(nu: f32) -> f32 { return nu; }"),
+            "error: below/mine.wgsl:1:9: argument `nu`",
+            &["bake"],
+        ),
         (
             Some("fn mine(mu: f32) -> f32 { return 1.0 / (mu - 0.5); }"),
             "error: below/mine.wgsl:1:",

