@@ -23,6 +23,6 @@ pub(super) fn entries() -> impl Iterator<Item = &'static Entry> {
 }
 
 /// Their WGSL sources: part of a study's recipe.
-pub fn catalogue_sources() -> impl Iterator<Item = &'static str> {
-    entries().map(|entry| entry.source)
+pub fn catalogue_sources() -> Vec<&'static str> {
+    entries().map(|entry| entry.source).collect()
 }

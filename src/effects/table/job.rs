@@ -331,6 +331,6 @@ fn summary(ranges: &Ranges, job: &VolumeJob, table: &VolumeTable, seconds: f64) 
         bytes: job.bytes(),
         bytes_at_most: false,
         expected_error: job.max_error,
-        seconds: seconds,
+        seconds,
     }
 }

@@ -103,7 +103,7 @@ impl Triangle {
         let lengths: Vec<f64> = hessian.diagonal().iter().map(|d| d.sqrt()).collect();
         let over = |i: usize| if lengths[i] > 0.0 { 1.0 / lengths[i] } else { 0.0 };
         let eigen = SymmetricEigen::new(DMatrix::from_fn(n, n, |i, j| over(i) * hessian[(i, j)] * over(j)));
-        let bad = |x: &f64| !(*x >= -NO_CURVATURE * n as f64);
+        let bad = |x: &f64| x.is_nan() || *x < -NO_CURVATURE * n as f64;
         if lengths.iter().any(|x| !x.is_finite()) || eigen.eigenvalues.iter().any(bad) {
             return None;
         }
