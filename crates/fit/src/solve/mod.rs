@@ -44,7 +44,7 @@ const TINY: f64 = 1e-30;
 ///
 /// The search starts from the declared values and from points around them; coefficients at which a residual is not
 /// finite, or a divisor changes sign among the samples, are never accepted. Whether the formula has a pole between
-/// the samples is [`super::prove_regular`]'s to say.
+/// the samples is [`lobefit_shade::prove_regular`]'s to say.
 ///
 /// # Errors
 /// Data that are not finite or of the wrong shape, with the index; a p-norm's power out of range; no start at which the formula is

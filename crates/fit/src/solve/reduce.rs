@@ -96,7 +96,7 @@ fn dot(x: &[f64], y: &[f64]) -> f64 {
 const NO_CURVATURE: f64 = 1e-12;
 
 impl Triangle {
-    /// A factor from normal equations |r|^2, J^T r and J^T J, where the rows of J are too many to keep: half the digits of [`reduce`], and
+    /// A factor from normal equations |r|^2, J^T r and J^T J, where the rows of J are too many to keep: half the digits of `reduce`, and
     /// square instead of triangular. `None` where they are those of no sum of squares.
     pub fn of_products(square: f64, gradient: &DVector<f64>, hessian: &DMatrix<f64>) -> Option<Triangle> {
         let n = gradient.len();

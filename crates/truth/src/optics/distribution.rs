@@ -66,7 +66,7 @@ pub trait Distribution: Copy + Sync {
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3;
 }
 
-/// GGX, or Trowbridge-Reitz (1975): [`ggx`](super::ggx).
+/// GGX, or Trowbridge-Reitz (1975): [`ggx`].
 #[derive(Clone, Copy, Debug)]
 pub struct Ggx(pub f64);
 
