@@ -37,15 +37,15 @@ fn numbers_that_are_not_finite_are_named() {
         (Box::new(|f| f.truths[0].values[7] = f32::NAN), "truth: E: values[7] is not finite"),
         (
             Box::new(|f| f.fits[2].curves[1].fit[5] = f64::NEG_INFINITY),
-            "fits[2].curves[1].fit[5] is not finite",
+            "fit n_sqrt: curve at roughness 0.3: fit[5] is not finite",
         ),
         (
             Box::new(|f| furnace(f).rows[1].factors[2][3] = f64::NAN),
-            "furnace.rows[1].factors[2][3] is not finite",
+            "row ggx-dfg 32x32 f16, column 2[3] is not finite",
         ),
         (
             Box::new(|f| f.studies[1].series[0].error[0] = f64::NAN),
-            "studies[1].series[0].error[0] is not finite",
+            "study hard: uniform: error[0] is not finite",
         ),
         (
             Box::new(|f| f.tables[0].channels[1].texels[9] = f64::NAN),
