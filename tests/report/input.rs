@@ -45,7 +45,7 @@ fn numbers_that_are_not_finite_are_named() {
         ),
         (
             Box::new(|f| f.studies[1].series[0].error[0] = f64::NAN),
-            "study hard: uniform: error[0] is not finite",
+            "study hard: Monte Carlo, uniform: error[0] is not finite",
         ),
         (
             Box::new(|f| f.tables[0].channels[1].texels[9] = f64::NAN),
