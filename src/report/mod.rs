@@ -11,6 +11,7 @@ mod error;
 mod field;
 mod findings;
 mod gpu;
+mod html;
 mod image;
 mod json;
 pub mod numbers;
@@ -31,9 +32,10 @@ pub use findings::{
 };
 pub use findings::{ExchangeAt, ReciprocityRow, SurfaceFurnace};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
+pub use html::html;
 pub use image::{Image, displayed, luminance};
 pub use json::document;
-pub use page::{Block, Page, Section, TextTable, html};
+pub use page::{Block, Page, Section, TextTable};
 pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
     Spheres, Spread, Style, Tile, Worst, disc, signed,
@@ -61,7 +63,7 @@ pub struct File {
 pub fn files(effect: &str, page: &Page, figures: &impl Serialize) -> Result<Vec<File>, ReportError> {
     let figures = json::document(&format!("{effect}.json"), figures)?;
     Ok(vec![
-        file(&format!("reports/{effect}.html"), html(page)?.into_bytes()),
+        file(&format!("reports/{effect}.html"), html(page).into_bytes()),
         file(&format!("reports/{effect}.json"), figures),
     ])
 }
@@ -79,7 +81,7 @@ pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError>
 /// # Errors
 /// As [`files`].
 pub fn index(origin: Origin, manifest: &Manifest) -> Result<Vec<File>, ReportError> {
-    let text = html(&sections::of_index(origin, manifest)?)?;
+    let text = html(&sections::of_index(origin, manifest)?);
     Ok(vec![file("reports/index.html", text.into_bytes())])
 }
 
@@ -89,7 +91,7 @@ pub fn index(origin: Origin, manifest: &Manifest) -> Result<Vec<File>, ReportErr
 /// As [`files`].
 pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
     let figures = json::document("timings.json", timings)?;
-    let text = html(&sections::of_timings(timings)?)?;
+    let text = html(&sections::of_timings(timings)?);
     Ok(vec![file("reports/timings.html", text.into_bytes()), file("reports/timings.json", figures)])
 }
 
@@ -100,7 +102,7 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
 pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
     let figures = json::document("gpu.json", record)?;
     let hash = blake3::hash(&figures).to_hex();
-    Ok((html(&sections::of_gpu(record, &hash)?)?, figures))
+    Ok((html(&sections::of_gpu(record, &hash)?), figures))
 }
 
 /// The page of a formula that the user fits, as HTML.
@@ -108,7 +110,7 @@ pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
 /// # Errors
 /// As [`files`].
 pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
-    html(&sections::of_fit(findings)?)
+    Ok(html(&sections::of_fit(findings)?))
 }
 
 /// The page of a search over forms, as HTML.
@@ -116,7 +118,7 @@ pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
 /// # Errors
 /// As [`files`].
 pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
-    html(&sections::of_search(findings)?)
+    Ok(html(&sections::of_search(findings)?))
 }
 
 fn file(path: &str, bytes: Vec<u8>) -> File {

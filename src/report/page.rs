@@ -1,14 +1,9 @@
-//! A page: a list of sections, each a list of blocks; one self-contained HTML file without script or network.
+//! A page: a list of sections, each a list of blocks.
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
-use minijinja::{AutoEscape, Environment, context};
-use serde::Serialize;
-
-use super::{Origin, ReportError, plot};
+use super::Origin;
 
 /// A page of sections.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Page {
     /// Title.
     pub title: String,
@@ -21,7 +16,7 @@ pub struct Page {
 }
 
 /// A titled part of a page.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// Anchor: lower-case letters and hyphens.
     pub id: String,
@@ -34,8 +29,7 @@ pub struct Section {
 }
 
 /// A piece of a section. All text is plain and escaped on the way into the page; only `svg` is markup.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Block {
     /// A paragraph.
     Text {
@@ -81,7 +75,7 @@ pub enum Block {
 }
 
 /// A table of text.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TextTable {
     /// Heads of the columns, and whether they hold figures (aligned right).
     pub columns: Vec<(String, bool)>,
@@ -91,25 +85,4 @@ pub struct TextTable {
     pub muted: Vec<bool>,
     /// What to see in it.
     pub caption: String,
-}
-
-/// The page as HTML.
-///
-/// # Errors
-/// [`ReportError::Drawing`] if the template refuses, a defect of this program.
-pub fn html(page: &Page) -> Result<String, ReportError> {
-    render(page).map_err(|e| ReportError::Drawing { section: page.title.clone(), reason: e.to_string() })
-}
-
-fn render(page: &Page) -> Result<String, minijinja::Error> {
-    let mut environment = Environment::new();
-    environment.set_auto_escape_callback(|_| AutoEscape::Html);
-    environment.set_trim_blocks(true);
-    environment.set_lstrip_blocks(true);
-    environment.add_template("page", include_str!("assets/page.html"))?;
-    environment.get_template("page")?.render(context! {
-        page,
-        css => include_str!("assets/page.css"),
-        font => STANDARD.encode(plot::FONT_BYTES),
-    })
 }

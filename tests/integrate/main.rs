@@ -5,6 +5,7 @@ mod coupling;
 mod error_bound;
 mod footprint;
 mod glass_table;
+mod interpolant;
 mod kernel_table;
 mod lobes;
 mod monte_carlo;

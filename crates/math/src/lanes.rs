@@ -76,6 +76,27 @@ fn ln_tail(f: f64, k: f64) -> f64 {
     half - (s * (half + r) + k * LN2_LO)
 }
 
+/// Sine and cosine of 2 pi x of eight numbers in [0, 1], within 3e-14 (tested against `libm`).
+#[inline(always)]
+pub fn sincos_turns(x: &F8) -> (F8, F8) {
+    let (mut sines, mut cosines) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        // The nearest quarter; its number is left in the low bits, as in `exp`.
+        let shifted = 4.0 * x[i] + ROUND;
+        let quarter = shifted.to_bits().wrapping_sub(1023);
+        let r = (x[i] - 0.25 * (shifted - ROUND)) * (2.0 * std::f64::consts::PI);
+        let z = r * r;
+        let sine = 1.0 / 362_880.0 - z * (1.0 / 39_916_800.0 - z * (1.0 / 6_227_020_800.0));
+        let sine = r * (1.0 - z * (1.0 / 6.0 - z * (1.0 / 120.0 - z * (1.0 / 5_040.0 - z * sine))));
+        let cosine = 1.0 / 3_628_800.0 - z * (1.0 / 479_001_600.0 - z * (1.0 / 87_178_291_200.0));
+        let cosine = 1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40_320.0 - z * cosine));
+        let cosine = 1.0 - z * (0.5 - z * cosine);
+        let (s, c) = if quarter & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
+        (sines[i], cosines[i]) = if quarter & 2 == 0 { (s, c) } else { (-s, -c) };
+    }
+    (sines, cosines)
+}
+
 /// Sum of eight values in a fixed tree.
 #[inline(always)]
 pub fn sum(x: &F8) -> f64 {
@@ -110,6 +131,16 @@ mod tests {
             assert!(off <= 2.0, "exp({x}): {off} eps");
         }
         assert_eq!(exp(&[0.0; LANES])[3], 1.0);
+    }
+
+    #[test]
+    fn sines_and_cosines_of_turns_are_within_their_bound() {
+        for step in 0..=200_000 {
+            let x = f64::from(step) / 200_000.0;
+            let (got, want) = (sincos_turns(&[x; LANES]), ops::sincos(2.0 * std::f64::consts::PI * x));
+            let off = (got.0[4] - want.0).abs().max((got.1[4] - want.1).abs());
+            assert!(off <= 3e-14, "{x}: {off:e}");
+        }
     }
 
     #[test]

@@ -1,8 +1,11 @@
 //! The measured error of a formula in a shader's arithmetic, with its coefficients as emitted.
 
-use half::f16;
+use std::ops::Range;
 
-use super::tape::{Node, Op, Real};
+use half::f16;
+use rayon::prelude::*;
+
+use super::tape::{BLOCK, Node, Op, Real, Workspace};
 use super::{ShadeError, Tape};
 use lobefit_math::lanes;
 
@@ -136,40 +139,87 @@ pub fn measure_in(
             return Err(shape(name, column.len(), points));
         }
     }
-    let mut values = values(tape, coefficients, inputs, precision)?;
-    if let ([value], true) = (values.as_slice(), inputs.is_empty()) {
-        values = vec![*value; points];
-    }
-    let finite = |column: &str, index: usize, value: f64| {
-        if value.is_finite() {
-            return Ok(value);
-        }
-        let column = format!("{}: {column}", tape.function());
-        Err(ShadeError::NotFinite { column, index, value })
-    };
-    let mut errors = Vec::with_capacity(points);
-    for (i, value) in values.iter().enumerate() {
-        if !value.is_finite() {
-            return Err(unmeasurable(tape, coefficients, inputs, i, precision));
-        }
-        errors.push(finite("scale", i, scale[i])? * value - finite("target", i, target[i])?);
-    }
+    let contracted = precision.is_fused().then(|| tape.contracted());
+    let used = contracted.as_ref().unwrap_or(tape);
     let first = first.min(points);
-    Ok(summarise(&errors, target, first))
+    let sums = if precision.is_half() {
+        let (inputs, coefficients) = halved(used, coefficients, inputs, precision)?;
+        let values = Values { tape: used, inputs: &inputs, coefficients: &coefficients, wide: f16::to_f64 };
+        values.runs(scale, target, first)
+    } else {
+        let values = Values { tape: used, inputs, coefficients, wide: f64::from };
+        values.runs(scale, target, first)
+    };
+    let (mut all, mut head) = (Sums::default(), Sums::default());
+    for run in sums {
+        let run = run.map_err(|fault| match fault {
+            Fault::Value(index) => unmeasurable(tape, coefficients, inputs, index, precision),
+            Fault::Column(name, index, value) => {
+                let column = format!("{}: {name}", tape.function());
+                ShadeError::NotFinite { column, index, value }
+            }
+        })?;
+        all.join(&run);
+        if all.points == first {
+            head = all;
+        }
+    }
+    Ok((all.measured(), head.measured()))
 }
 
-/// The formula's values in an arithmetic.
-fn values(
+/// What is not finite: the formula at a point, or a column there with its value.
+enum Fault {
+    Value(usize),
+    Column(&'static str, usize, f64),
+}
+
+/// A formula with what it is evaluated on.
+struct Values<'a, R> {
+    tape: &'a Tape,
+    inputs: &'a [Vec<R>],
+    coefficients: &'a [R],
+    wide: fn(R) -> f64,
+}
+
+impl<R: Real + Send + Sync> Values<'_, R> {
+    /// The errors of runs of points, in order; no run holds points on both sides of `first`.
+    fn runs(&self, scale: &[f64], target: &[f64], first: usize) -> Vec<Result<Sums, Fault>> {
+        let starts = (0..first).step_by(RUN).chain((first..target.len()).step_by(RUN));
+        let starts: Vec<usize> = starts.collect();
+        let end = |start: usize| (start + RUN).min(if start < first { first } else { target.len() });
+        starts.par_iter().map(|start| self.run(*start..end(*start), scale, target)).collect()
+    }
+
+    fn run(&self, points: Range<usize>, scale: &[f64], target: &[f64]) -> Result<Sums, Fault> {
+        let mut workspace = Workspace::new(self.tape);
+        let mut errors = Vec::with_capacity(points.len());
+        for start in points.clone().step_by(BLOCK) {
+            let count = BLOCK.min(points.end - start);
+            self.tape.forward(self.inputs, start, count, self.coefficients, &mut workspace);
+            for (i, value) in (start..start + count).zip(workspace.result()) {
+                let value = (self.wide)(*value);
+                if !value.is_finite() {
+                    return Err(Fault::Value(i));
+                }
+                for (column, x) in [("scale", scale[i]), ("target", target[i])] {
+                    if !x.is_finite() {
+                        return Err(Fault::Column(column, i, x));
+                    }
+                }
+                errors.push(scale[i] * value - target[i]);
+            }
+        }
+        Ok(Sums::of(&errors, &target[points.clone()], points.start))
+    }
+}
+
+/// Inputs and coefficients in half precision.
+fn halved(
     tape: &Tape,
     coefficients: &[f32],
     inputs: &[Vec<f32>],
     precision: Precision,
-) -> Result<Vec<f64>, ShadeError> {
-    let contracted = precision.is_fused().then(|| tape.contracted());
-    let tape = contracted.as_ref().unwrap_or(tape);
-    if !precision.is_half() {
-        return Ok(tape.evaluate(inputs, coefficients)?.into_iter().map(f64::from).collect());
-    }
+) -> Result<(Vec<Vec<f16>>, Vec<f16>), ShadeError> {
     let scale = "scale the formula";
     let half = |what: &str, numbers: &[f32], remedy| {
         to_half(numbers).map_err(|x| ShadeError::Unrepresentable {
@@ -188,8 +238,7 @@ fn values(
     let coefficients = half("coefficient ", coefficients, scale)?;
     let columns = tape.inputs().iter().zip(inputs);
     let inputs = columns.map(|(name, column)| half(&format!("input {name} = "), column, "narrow the domain"));
-    let inputs = inputs.collect::<Result<Vec<_>, ShadeError>>()?;
-    Ok(tape.evaluate(&inputs, &coefficients)?.into_iter().map(f16::to_f64).collect())
+    Ok((inputs.collect::<Result<_, ShadeError>>()?, coefficients))
 }
 
 /// Numbers rounded to half precision, or the first that is infinite there.
@@ -241,17 +290,8 @@ fn first_not_finite<R: Real>(
     found
 }
 
-/// The errors of all points and of the `first` of them.
-fn summarise(errors: &[f64], target: &[f64], first: usize) -> (Measured, Measured) {
-    let mut sums = Sums::default();
-    sums.add(&errors[..first], &target[..first]);
-    let head = sums.measured();
-    sums.add(&errors[first..], &target[first..]);
-    (sums.measured(), head)
-}
-
-/// What is known of the errors so far.
-#[derive(Default)]
+/// What is known of the errors of some points.
+#[derive(Clone, Copy, Default)]
 struct Sums {
     max_abs: f64,
     max_rel: f64,
@@ -262,26 +302,32 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(&mut self, errors: &[f64], target: &[f64]) {
-        for (errors, target) in errors.chunks(RUN).zip(target.chunks(RUN)) {
-            self.largest(errors, target);
-            self.squares += lanes::total(errors, |e| e * e);
-            self.total += lanes::total(errors, |e| e);
-            self.points += errors.len();
-        }
-    }
-
-    fn largest(&mut self, errors: &[f64], target: &[f64]) {
+    /// Of a run of points, the first of which has the index `start`.
+    fn of(errors: &[f64], target: &[f64], start: usize) -> Sums {
+        let mut sums = Sums { worst: start, points: errors.len(), ..Sums::default() };
         for (i, (error, target)) in errors.iter().zip(target).enumerate() {
             let (error, target) = (error.abs(), target.abs());
-            if error > self.max_abs {
-                (self.max_abs, self.worst) = (error, self.points + i);
+            if error > sums.max_abs {
+                (sums.max_abs, sums.worst) = (error, start + i);
             }
             // The product spares a division wherever the ratio cannot be larger; its rounding is made good by the margin.
-            if error >= self.max_rel * target * BELOW && target >= f64::from(f32::MIN_POSITIVE) {
-                self.max_rel = self.max_rel.max(error / target);
+            if error >= sums.max_rel * target * BELOW && target >= f64::from(f32::MIN_POSITIVE) {
+                sums.max_rel = sums.max_rel.max(error / target);
             }
         }
+        (sums.squares, sums.total) = (lanes::total(errors, |e| e * e), lanes::total(errors, |e| e));
+        sums
+    }
+
+    /// Adds the points that follow.
+    fn join(&mut self, next: &Sums) {
+        if next.max_abs > self.max_abs {
+            (self.max_abs, self.worst) = (next.max_abs, next.worst);
+        }
+        self.max_rel = self.max_rel.max(next.max_rel);
+        self.squares += next.squares;
+        self.total += next.total;
+        self.points += next.points;
     }
 
     fn measured(&self) -> Measured {

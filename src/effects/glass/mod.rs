@@ -128,7 +128,7 @@ impl Truth {
 /// Points of one task: work is cut by index alone.
 const CHUNK: usize = 256;
 
-/// E of both sides at (alpha, mu, ior), and the evaluations that took.
+/// E of both sides at (alpha, mu, ior), and the evaluations that took. Neighbours of the same alpha and mu share their rings.
 fn energies(
     smith: Smith,
     inputs: &[[f64; 3]],
@@ -140,10 +140,11 @@ fn energies(
         .map(|chunk| {
             let mut evaluations = 0;
             let mut values = Vec::with_capacity(chunk.len());
-            for [alpha, mu, ior] in chunk {
-                let mut one = [Energies::default()];
-                evaluations += kernel.energies(*alpha, *mu, &[*ior], &mut one)?;
-                values.push(one[0].e());
+            for same in chunk.chunk_by(|a, b| a[..2] == b[..2]) {
+                let iors: Vec<f64> = same.iter().map(|[_, _, ior]| *ior).collect();
+                let mut energies = vec![Energies::default(); iors.len()];
+                evaluations += kernel.energies(same[0][0], same[0][1], &iors, &mut energies)?;
+                values.extend(energies.iter().map(Energies::e));
             }
             Ok((values, evaluations))
         })

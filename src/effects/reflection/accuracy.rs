@@ -1,11 +1,13 @@
 //! What accuracy costs: the error of E against the number of integrand evaluations, for Monte Carlo, scrambled Sobol points and
 //! the quadrature, with the setting of the path tracer of the sources.
 
+use multiversion::multiversion;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::data::Smith;
+use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_truth::integrate::monte_carlo::{self, Draw, Points, Run};
 use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, Work, albedo_work, reflection};
 use lobefit_truth::integrate::{IntegrateError, PanelRule};
@@ -108,23 +110,26 @@ fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [Series; 2] {
     ]
 }
 
+/// Samples of two dispatches, in lanes.
+type Pair = [F8; 2 * PER_DISPATCH as usize / LANES];
+
 fn sources(smith: Smith, alpha: f64, mu: f64) -> Sources {
-    let view = [((1.0 - mu) * (1.0 + mu)).sqrt(), 0.0, mu];
     let mut random = Pcg64::seed_from_u64(10);
     let (mut running, mut sum, mut squares) = (0.0_f32, 0.0_f64, 0.0_f64);
-    for _ in 0..DISPATCHES {
-        let mut dispatch = 0.0_f64;
-        for _ in 0..PER_DISPATCH {
-            let normal = ggx::visible_normal([alpha; 2], view, random.random(), random.random());
-            let light = ggx::mirror(view, normal).0;
-            if light[2] > 1e-5 {
-                let weight = ggx::lit_given_visible(smith, alpha, mu, light[2].min(1.0));
-                dispatch += weight;
-                squares += weight * weight;
+    for _ in 0..DISPATCHES / 2 {
+        let mut drawn = [Pair::default(); 2];
+        for block in 0..drawn[0].len() {
+            for lane in 0..LANES {
+                (drawn[0][block][lane], drawn[1][block][lane]) = (random.random(), random.random());
             }
         }
-        running += (dispatch / f64::from(PER_DISPATCH)) as f32;
-        sum += dispatch;
+        let weights = weights(smith, alpha, mu, &drawn);
+        for dispatch in weights.as_flattened().chunks(PER_DISPATCH as usize) {
+            let total: f64 = dispatch.iter().sum();
+            running += (total / f64::from(PER_DISPATCH)) as f32;
+            sum += total;
+            squares += dispatch.iter().map(|w| w * w).sum::<f64>();
+        }
     }
     let samples = f64::from(DISPATCHES) * f64::from(PER_DISPATCH);
     let mean = sum / samples;
@@ -133,6 +138,33 @@ fn sources(smith: Smith, alpha: f64, mu: f64) -> Sources {
         noise: ((squares / samples - mean * mean).max(0.0) / samples).sqrt(),
         bias: (f64::from(running) / f64::from(DISPATCHES) - mean).abs(),
     }
+}
+
+/// Shadowing of the lights mirrored about visible normals, 0 below the horizon: `ggx::visible_normal` and `ggx::mirror` of an isotropic
+/// lobe, of which the light's height alone is wanted.
+#[multiversion(targets(
+    "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
+    "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
+))]
+fn weights(smith: Smith, alpha: f64, mu: f64, [azimuth, height]: &[Pair; 2]) -> Pair {
+    let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
+    let length = ggx::stretched_length(alpha, mu);
+    let (view_x, view_z) = (alpha * sine / length, mu / length);
+    let mut out = Pair::default();
+    for (out, (azimuth, height)) in out.iter_mut().zip(azimuth.iter().zip(height)) {
+        let (sines, cosines) = lanes::sincos_turns(azimuth);
+        for i in 0..LANES {
+            let z = (1.0 - height[i]) * (1.0 + view_z) - view_z;
+            let cap = ((1.0 - z) * (1.0 + z)).max(0.0).sqrt();
+            let normal_x = alpha * (cap * cosines[i] + view_x);
+            let (normal_y, normal_z) = (alpha * (cap * sines[i]), z + view_z);
+            let square = normal_x * normal_x + normal_y * normal_y + normal_z * normal_z;
+            let light = 2.0 * (sine * normal_x + mu * normal_z) * normal_z / square - mu;
+            let weight = ggx::lit_given_visible(smith, alpha, mu, light.clamp(1e-5, 1.0));
+            out[i] = if light > 1e-5 { weight } else { 0.0 };
+        }
+    }
+    out
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ use crate::data::{
     Warp,
 };
 use lobefit_fit::texels::{self, Lattice, Wanted};
-use lobefit_truth::integrate::reflection::{Effort, albedo, split};
+use lobefit_truth::integrate::reflection::{Effort, Interpolant, albedo, split};
 
 /// What to bake.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,13 +96,15 @@ struct Node {
 }
 
 impl Node {
-    /// E and B at a position in texels.
-    fn new(spec: &TableSpec, axes: &[Axis; 2], [x, y]: [f64; 2]) -> Node {
+    /// E and B at a position in texels; from the interpolant where it is given and holds.
+    fn new(spec: &TableSpec, axes: &[Axis; 2], known: Option<&Interpolant>, [x, y]: [f64; 2]) -> Node {
         let (u, v) = (unit(&axes[0], x), unit(&axes[1], y));
         let alpha = spec.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
         let mu = axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0);
         let effort = &Effort::ladder()[1];
+        let known = known.filter(|_| alpha.min(mu) >= Interpolant::SMALLEST);
         let (e, b) = match spec.serves {
+            Serves::SplitSum if let Some(known) = known => known.at(alpha, mu),
             Serves::SplitSum => split(spec.smith, alpha, mu, effort),
             Serves::Albedo => (albedo(spec.smith, alpha, mu, &effort.outer), 0.0),
         };
@@ -175,10 +177,18 @@ fn channel(name: &str, texels: Vec<f64>) -> Channel {
 fn nodes(spec: &TableSpec, axes: &[Axis; 2], lattice: &Lattice, counter: &Counter) -> Vec<Node> {
     let samples = lattice.samples();
     counter.add(samples.iter().product());
+    let many = lattice.per_cell.iter().any(|n| *n > 1) && spec.serves == Serves::SplitSum;
+    let known = many.then(|| interpolant(spec)).flatten();
     let row = |j: usize| -> Vec<Node> {
         let y = lattice.position(1, j);
-        (0..samples[0]).map(|i| Node::new(spec, axes, [lattice.position(0, i), y])).collect()
+        (0..samples[0]).map(|i| Node::new(spec, axes, known.as_ref(), [lattice.position(0, i), y])).collect()
     };
     let parts: Vec<Vec<Node>> = (0..samples[1]).into_par_iter().map(row).collect();
     parts.into_iter().flatten().collect()
+}
+
+/// E and B over the rows of a table; none where they begin below what it holds, or no polynomial follows the integrals: each is
+/// integrated then.
+fn interpolant(spec: &TableSpec) -> Option<Interpolant> {
+    Interpolant::new(spec.smith, spec.region.alpha(), [Interpolant::SMALLEST, 1.0]).ok()
 }

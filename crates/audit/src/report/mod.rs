@@ -15,5 +15,5 @@ use lobefit::report::{ReportError, document, html};
 /// # Errors
 /// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
 pub fn audit_page(audit: &AuditFindings) -> Result<(String, Vec<u8>), ReportError> {
-    Ok((html(&page::page(audit)?)?, document("audit.json", audit)?))
+    Ok((html(&page::page(audit)?), document("audit.json", audit)?))
 }

@@ -174,7 +174,7 @@ pub fn run(study: Study, size: Size, progress: &dyn Progress) -> Result<Files, S
             (report::parallax::page(&found)?, document("results.json", &found)?)
         }
     };
-    Ok(study.files(size).into_iter().zip([html(&page)?.into_bytes(), results]).collect())
+    Ok(study.files(size).into_iter().zip([html(&page).into_bytes(), results]).collect())
 }
 
 /// What is wrong with a study in a folder.

@@ -13,11 +13,13 @@ mod average;
 mod effort;
 mod geometry;
 pub mod hemisphere;
+mod interpolant;
 mod schlick;
 
 pub use albedo::{Work, albedo, albedo_work, loss};
 pub use average::{Average, average};
 pub use effort::Effort;
+pub use interpolant::Interpolant;
 pub use schlick::reflected;
 
 use super::{Estimate, IntegrateError};

@@ -1,9 +1,7 @@
 //! The node integrals of a table: rows and columns in groups, each pair of groups a tensor of nodes.
 //!
-//! A row or a column that lies far from its neighbour (the sources' alpha = 1e-4 beside 1/64) is a group of its own, exact in that
-//! variable. A row that the floor raises is too, and exact in every slice: it is not smooth in the anisotropy.
-
-use std::ops::Range;
+//! A row or a column that lies far from its neighbour in value (alpha = 1e-4 beside 1/64) is a group of its own, exact in that
+//! variable. Rows and columns may come in any order. A row that the floor raises is too, and exact in every slice: it is not smooth in the anisotropy.
 
 use super::axes::{self, Cosine};
 use super::barycentric::Nodes;
@@ -15,7 +13,7 @@ const APART: f64 = 1.5;
 
 /// Rows that share nodes.
 pub(super) struct Rows {
-    pub rows: Range<usize>,
+    pub rows: Vec<usize>,
     /// alpha_x and alpha_y of the nodes, those of one slice of nodes together.
     pub alphas: Vec<[f64; 2]>,
     /// Nodes over alpha, and over the anisotropy.
@@ -27,25 +25,19 @@ pub(super) struct Rows {
 
 /// Columns that share nodes.
 pub(super) struct Cosines {
-    pub columns: Range<usize>,
+    pub columns: Vec<usize>,
     pub cosine: Cosine,
     pub nodes: Nodes,
     /// mu of the nodes.
     pub mu: Vec<f64>,
 }
 
-/// Groups of consecutive values that are not far apart.
-fn groups(values: &[f64]) -> Vec<Range<usize>> {
-    let logs: Vec<f64> = values.iter().map(|x| ops::log(*x)).collect();
-    let mut out = Vec::new();
-    let mut start = 0;
-    for i in 1..=values.len() {
-        if i == values.len() || (logs[i] - logs[i - 1]).abs() > APART {
-            out.push(start..i);
-            start = i;
-        }
-    }
-    out
+/// Indices of values in groups of ascending values, neighbours not far apart.
+fn groups(values: &[f64]) -> Vec<Vec<usize>> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+    let near = |a: &usize, b: &usize| ops::log(values[*b]) - ops::log(values[*a]) <= APART;
+    order.chunk_by(near).map(<[usize]>::to_vec).collect()
 }
 
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
@@ -56,15 +48,10 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 pub(super) fn rows(grid: &Grid, digits: f64) -> Vec<Rows> {
     let mut out = Vec::new();
     for group in groups(grid.alphas) {
-        let raised: Vec<usize> = group.clone().filter(|row| grid.raised(*row)).collect();
-        out.extend(raised.iter().map(|row| raised_row(grid, *row)));
-        let mut start = group.start;
-        for end in raised.into_iter().chain([group.end]) {
-            if start < end {
-                out.push(smooth_rows(grid, start..end, digits));
-            }
-            start = end + 1;
-        }
+        let raised = |row: &usize| grid.raised(*row);
+        out.extend(group.iter().filter(|row| raised(row)).map(|row| raised_row(grid, *row)));
+        let smooth = group.split(raised).filter(|rows| !rows.is_empty());
+        out.extend(smooth.map(|rows| smooth_rows(grid, rows.to_vec(), digits)));
     }
     out
 }
@@ -73,7 +60,7 @@ fn raised_row(grid: &Grid, row: usize) -> Rows {
     let slices = grid.aspects.len();
     let unit = |slice| (0..slices).map(|k| if k == slice { 1.0 } else { 0.0 }).collect();
     Rows {
-        rows: row..row + 1,
+        rows: vec![row],
         alphas: grid.aspects.iter().map(|aspect| grid.alpha(grid.alphas[row], *aspect)).collect(),
         size: [1, slices],
         to_rows: vec![vec![1.0]],
@@ -81,8 +68,8 @@ fn raised_row(grid: &Grid, row: usize) -> Rows {
     }
 }
 
-fn smooth_rows(grid: &Grid, rows: Range<usize>, digits: f64) -> Rows {
-    let logs: Vec<f64> = grid.alphas[rows.clone()].iter().map(|x| ops::log(*x)).collect();
+fn smooth_rows(grid: &Grid, rows: Vec<usize>, digits: f64) -> Rows {
+    let logs: Vec<f64> = rows.iter().map(|row| ops::log(grid.alphas[*row])).collect();
     let squares: Vec<f64> = grid.aspects.iter().map(|x| axes::lean(*x) * axes::lean(*x)).collect();
     let alpha = axes::alphas(range(logs.iter().copied()), digits);
     let lean = axes::leans(range(squares.iter().copied()), digits);
@@ -106,15 +93,17 @@ pub(super) fn cosines(grid: &Grid, digits: f64) -> Vec<Cosines> {
         Columns::Fixed(mu) => groups(mu)
             .into_iter()
             .map(|columns| {
-                let over = range(mu[columns.clone()].iter().copied());
+                let over = range(columns.iter().map(|column| mu[*column]));
                 group_of_columns(columns, over, digits)
             })
             .collect(),
-        Columns::Varying { count, .. } => vec![group_of_columns(0..count, grid.cosines(), digits)],
+        Columns::Varying { count, .. } => {
+            vec![group_of_columns((0..count).collect(), grid.cosines(), digits)]
+        }
     }
 }
 
-fn group_of_columns(columns: Range<usize>, [low, high]: [f64; 2], digits: f64) -> Cosines {
+fn group_of_columns(columns: Vec<usize>, [low, high]: [f64; 2], digits: f64) -> Cosines {
     let cosine = Cosine::from(low);
     let nodes = axes::cosines(cosine, [low, high], digits);
     // The ends are nodes; rounding must not carry them out of the range.

@@ -25,8 +25,8 @@ pub(super) fn fill(grid: &Grid, rows: &Rows, cosines: &Cosines, values: &[f64], 
     let nodes = cosines.mu.len();
     let values = match grid.columns {
         Columns::Fixed(mu) => {
-            let weights = |column: usize| cosines.nodes.weights(cosines.cosine.of(mu[column]));
-            let matrix: Vec<Vec<f64>> = cosines.columns.clone().map(weights).collect();
+            let weights = |column: &usize| cosines.nodes.weights(cosines.cosine.of(mu[*column]));
+            let matrix: Vec<Vec<f64>> = cosines.columns.iter().map(weights).collect();
             along(values, nodes, 1, &matrix)
         }
         Columns::Varying { .. } => values.to_vec(),
@@ -40,18 +40,17 @@ pub(super) fn fill(grid: &Grid, rows: &Rows, cosines: &Cosines, values: &[f64], 
     let [columns, all_rows, _] = grid.size();
     let mut lines = values.chunks(width);
     for (slice, aspect) in grid.aspects.iter().enumerate() {
-        for row in rows.rows.clone() {
+        for &row in &rows.rows {
             let Some(line) = lines.next() else { return };
-            let start = (slice * all_rows + row) * columns + cosines.columns.start;
-            let target = &mut e[start..start + cosines.columns.len()];
-            match grid.columns {
-                Columns::Fixed(_) => target.copy_from_slice(line),
-                Columns::Varying { mu, .. } => {
-                    for (column, texel) in target.iter_mut().enumerate() {
+            let target = &mut e[(slice * all_rows + row) * columns..][..columns];
+            for (i, &column) in cosines.columns.iter().enumerate() {
+                target[column] = match grid.columns {
+                    Columns::Fixed(_) => line[i],
+                    Columns::Varying { mu, .. } => {
                         let at = cosines.cosine.of(mu(column, row, *aspect));
-                        *texel = cosines.nodes.weights(at).iter().zip(line).map(|(w, x)| w * x).sum();
+                        cosines.nodes.weights(at).iter().zip(line).map(|(w, x)| w * x).sum()
                     }
-                }
+                };
             }
         }
     }
