@@ -10,6 +10,8 @@ mod names;
 mod opening;
 mod recipe;
 
+use rayon::prelude::*;
+
 use crate::approximate::{Counter, Dropped, Fit};
 pub use crate::effects::BakeError;
 use crate::effects::context::Context;
@@ -89,8 +91,12 @@ pub fn bake(
         dropped: Vec::new(),
         volumes: Vec::new(),
     };
-    for called in plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)) {
-        parts.push(baked.take(called.by.bake(called, &context)?));
+    let wanted: Vec<_> =
+        plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();
+    // The end of each effect's work, where its own parts have run dry, overlaps with the next effect's.
+    let made: Vec<_> = wanted.par_iter().with_max_len(1).map(|called| called.by.bake(called, &context)).collect();
+    for made in made {
+        parts.push(baked.take(made?));
     }
     parts.sort_by_key(|part| plan.catalogue.iter().position(|effect| *effect == part.by));
     baked.files = assemble::assemble(plan, parts, &context)?;
