@@ -94,7 +94,8 @@ pub fn bake(
     let wanted: Vec<_> =
         plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();
     // The end of each effect's work, where its own parts have run dry, overlaps with the next effect's.
-    let made: Vec<_> = wanted.par_iter().with_max_len(1).map(|called| called.by.bake(called, &context)).collect();
+    let made: Vec<_> =
+        wanted.par_iter().with_max_len(1).map(|called| called.by.bake(called, &context)).collect();
     for made in made {
         parts.push(baked.take(made?));
     }

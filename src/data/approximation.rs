@@ -46,6 +46,17 @@ impl Use {
             Use::Parallax => "parallax",
         }
     }
+
+    /// What its error is.
+    pub fn metric(self) -> &'static str {
+        match self {
+            Use::Value => "absolute error",
+            Use::Normalisation => "furnace error |E N - 1|",
+            Use::F0Blend => "error of f0 A + B, for the worst f0",
+            Use::Coupling => "error of the coupling factor",
+            Use::Parallax => "relative error of the adjusted alpha",
+        }
+    }
 }
 
 /// Where the numbers of an approximation come from.

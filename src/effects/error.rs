@@ -1,6 +1,7 @@
 //! Why an effect could not be baked.
 
-use super::surface::SurfaceError;
+use std::error::Error;
+
 use super::table::{LookupError, VolumeError};
 use crate::approximate::FitStageError;
 use crate::data::TableError;
@@ -71,9 +72,9 @@ pub enum BakeError {
         /// What the printer says.
         reason: String,
     },
-    /// A whole material.
+    /// What an effect says of its own.
     #[error(transparent)]
-    Surface(#[from] SurfaceError),
+    Effect(Box<dyn Error + Send + Sync>),
     /// A table of three axes.
     #[error(transparent)]
     Volume(#[from] VolumeError),

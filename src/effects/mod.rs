@@ -3,7 +3,6 @@
 
 pub mod anisotropy;
 mod called;
-mod catalogue;
 mod code;
 mod containers;
 pub mod context;
@@ -19,18 +18,32 @@ mod notes;
 pub mod page;
 pub mod parallax;
 pub mod reflection;
-pub mod room;
 mod selection;
 pub mod sheen;
-pub mod surface;
 pub mod table;
 mod who;
 
 pub use called::{Called, JobSummary, LeftOut};
-pub use catalogue::{catalogue, named};
 pub use context::UserHypothesis;
 pub use deviation::{Deviation, Rounding};
 pub use effect::{Effect, Note};
 pub use error::BakeError;
 pub use made::{Made, Part};
 use notes::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER, ggx};
+
+/// Every effect of this version, in the order of plans, include files and manifests.
+pub fn catalogue() -> &'static [&'static dyn Effect] {
+    &[
+        &reflection::Reflection,
+        &anisotropy::Anisotropy,
+        &glass::Glass,
+        &coupling::DiffuseCoupling,
+        &sheen::Sheen,
+        &parallax::Parallax,
+    ]
+}
+
+/// The effect of a name.
+pub fn named(catalogue: &[&'static dyn Effect], name: &str) -> Option<&'static dyn Effect> {
+    catalogue.iter().copied().find(|effect| effect.name() == name)
+}

@@ -73,7 +73,7 @@ fn lines(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<String> {
     if !demands.is_empty() {
         lines.push(format!("constraints: {}", demands.join("; ")));
     }
-    lines.extend(header::certificate_lines(words::metric(a.used_as), &a.certificate));
+    lines.extend(header::certificate_lines(a.used_as.metric(), &a.certificate));
     lines.extend(fit.certificates.iter().skip(1).filter_map(|(_, c)| Some(short(c.as_ref().ok()?))));
     lines
 }

@@ -64,7 +64,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     line(format!("  domain       {}", domain.join(", ")));
     line(format!(
         "  error        {}; {} points, none inside the domain fitted on",
-        words::metric(a.used_as),
+        a.used_as.metric(),
         a.certificate.points
     ));
     for (precision, certificate) in &fit.certificates {

@@ -4,7 +4,6 @@ use super::Kept;
 use super::one::Weighted;
 use super::weight::PERCEPTUAL;
 use crate::approximate::target::Target;
-use crate::data::Use;
 use lobefit_fit::{Fitted, Gap, Goal, Method, SecondOrder, Stage, Termination};
 
 /// `max`, `rms`, `p=8`: as on the command line.
@@ -56,17 +55,6 @@ pub(super) fn minimised(goal: Goal) -> String {
 /// `, smith correlated`, or nothing where the quantity has no such form.
 pub(super) fn smith(target: &Target) -> String {
     target.variant.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()))
-}
-
-/// What the error of a use is.
-pub(super) fn metric(used_as: Use) -> &'static str {
-    match used_as {
-        Use::Value => "absolute error",
-        Use::Normalisation => "furnace error |E N - 1|",
-        Use::F0Blend => "error of f0 A + B, for the worst f0",
-        Use::Coupling => "error of the coupling factor",
-        Use::Parallax => "relative error of the adjusted alpha",
-    }
 }
 
 /// How the search for a fit ended.

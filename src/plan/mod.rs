@@ -57,6 +57,3 @@ impl Plan {
         self.effects.iter().find(|called| called.effect == effect).map_or(&[], |called| &called.work)
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -30,7 +30,6 @@ pub use findings::{
     FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, LeftOut, Marked, Origin,
     SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study, StudySeries, TableFinding,
 };
-pub use findings::{ExchangeAt, ReciprocityRow, SurfaceFurnace};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use html::html;
 pub use image::{Image, displayed, luminance};
@@ -40,7 +39,6 @@ pub use plot::{
     Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
     Spheres, Spread, Style, Tile, Worst, disc, signed,
 };
-pub use sections::reciprocity::section as reciprocity;
 pub use sections::{figures, words};
 pub use timings::{
     TimedApproximation, TimedEstimator, TimedLookup, TimedPoint, TimedSeries, TimedTableRun, TimedTables,

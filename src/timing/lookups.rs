@@ -4,9 +4,9 @@ use std::hint::black_box;
 
 use super::seconds;
 use crate::data::{ProbeLookup, SurfaceLobe};
+use crate::effects::parallax::room::proxies::{Body, Tied};
+use crate::effects::parallax::room::{Convex, Lookup, Plane, Proxy, Seen};
 use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width, lobes};
-use crate::effects::room::proxies::{Body, Tied};
-use crate::effects::room::{Convex, Lookup, Plane, Proxy, Seen};
 use crate::report::TimedLookup;
 use crate::scene::Scene;
 use lobefit_math::sobol::Sobol;

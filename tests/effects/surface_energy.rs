@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::sync::{Arc, Mutex};
 
 use lobefit::data::Smith;
-use lobefit::effects::surface::measure::{self, Rules, TOLERANCE};
-use lobefit::effects::surface::{
+use lobefit::effects::coupling::surface::measure::{self, Rules, TOLERANCE};
+use lobefit::effects::coupling::surface::{
     Albedos, Base, Coupling, Factor, FactorAt, Fresnel, Lobe, Material, Surface, SurfaceError,
 };
 use lobefit_math::gauss::Gauss;

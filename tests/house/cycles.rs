@@ -106,7 +106,7 @@ const TABLES: [&str; 3] = ["anisotropy", "glass", "table"];
 #[test]
 fn effects_do_not_import_one_another() {
     let graph = folders("effects");
-    assert!(graph.len() > 7 && graph["parallax"].contains("room"), "{graph:?}");
+    assert!(graph.len() > 5 && graph["glass"].contains("table"), "{graph:?}");
     assert_eq!(cycles(&graph), BTreeSet::from([TABLES.to_vec()]), "{graph:#?}");
 }
 

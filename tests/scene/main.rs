@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod expected_time;
 mod limits;
 mod plan;
 mod schema;

@@ -21,7 +21,7 @@ Examples:
   lobefit fit --search --to ggx-reflection:E --use normalisation --max-ops 13 --out found
   lobefit fit --search --to ggx-reflection --use f0-blend --max-ops 16 --out found
   lobefit fit --search --to diffuse-coupling --fix specular=normalised --max-ops 12
-  lobefit fit --search --to sheen-charlie:E --max-ops 14 --helpers exp2,complement
+  lobefit fit --search --to ggx-reflection:E --max-ops 14 --helpers exp2,complement
   lobefit fit thin.wgsl --to ggx-glass:R --fix side=outside --domain ior=1.5..1.5 --limit 0.01
 
 The formula is the last function of a WGSL file; its free parameters are `override` declarations, whose values are where the

@@ -9,11 +9,12 @@ mod code;
 pub mod emitted;
 mod findings;
 mod grid;
-mod page;
+pub mod page;
 mod reciprocity;
 mod results;
 mod rivals;
 mod rule;
+pub mod surface;
 mod table;
 
 use std::collections::BTreeMap;

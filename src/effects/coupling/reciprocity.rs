@@ -4,9 +4,9 @@ use super::bake::Lobe;
 use crate::approximate::Region;
 use crate::data::AlphaMap;
 use crate::effects::BakeError;
+use crate::effects::coupling::surface::table::{Grid, ReciprocityRow, rows_of};
+use crate::effects::coupling::surface::{Coupling, Factor, Lobe as Drawn};
 use crate::effects::grid::{chosen, grazing};
-use crate::effects::surface::table::{Grid, ReciprocityRow, rows_of};
-use crate::effects::surface::{Coupling, Factor, Lobe as Drawn};
 use lobefit_truth::integrate::coupling::Specular;
 
 /// Roughness and cosines, as far as they lie in the region: a few, since every material is integrated over the hemisphere as it is drawn.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::data::Place;
-use crate::effects::surface::table::{Grid, ReciprocityRow};
+use crate::effects::coupling::surface::table::{Grid, ReciprocityRow};
 use crate::report::Field;
 use crate::report::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow, LeftOut, Origin};
 

@@ -9,6 +9,7 @@ pub mod lookups;
 mod page;
 pub mod probe;
 mod results;
+pub mod room;
 mod source;
 pub mod taps;
 mod variation;

@@ -4,7 +4,6 @@
 mod approximation;
 mod furnace;
 mod own;
-mod reciprocity;
 mod search;
 mod table;
 
@@ -16,7 +15,6 @@ pub use crate::emit::manifest::{EffectFinding, LeftOut};
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};
-pub use reciprocity::{ExchangeAt, ReciprocityRow, SurfaceFurnace};
 pub use search::{SearchPage, SearchRow};
 pub use table::{ChannelFinding, ErrorFigure, TableFinding};
 

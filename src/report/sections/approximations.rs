@@ -83,7 +83,7 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
     }
     let has = |kind: fn(&ApproximationFinding) -> bool| group.iter().any(|a| kind(a));
     let first = group[0];
-    let (used_as, metric) = (first.used_as, words::metric(first.used_as));
+    let (used_as, metric) = (first.used_as, first.used_as.metric());
     let smith = first.smith.map_or_else(String::new, |smith| format!(", {} Smith", smith.name()));
     let title = format!("{} as {}{smith}", first.quantity, used_as.name());
     let scatter = Scatter {

@@ -236,7 +236,7 @@ fn facts(s: &Shown) -> Vec<(String, String)> {
                 words::place(&c.at),
                 words::mean(c.rms),
                 words::mean(c.mean),
-                words::metric(a.used_as),
+                a.used_as.metric(),
             ),
         ),
         (

@@ -133,7 +133,7 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
     for (_, dot) in dots.iter_mut().enumerate().filter(|(i, d)| !d.published && !best.contains(i)) {
         dot.name.clear();
     }
-    let metric = words::metric(first.used_as);
+    let metric = first.used_as.metric();
     let scatter = Scatter {
         title: format!("{} as {}", first.quantity, first.used_as.name()),
         x: ("picoseconds per evaluation (square-root scale)".into(), Spread::Root),

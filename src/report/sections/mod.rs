@@ -8,7 +8,6 @@ pub(crate) mod furnace;
 mod gpu;
 mod index;
 mod own;
-pub(crate) mod reciprocity;
 mod search;
 mod selection;
 mod study;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::data::{Place, Use};
+use crate::data::Place;
 use crate::report::numbers::{bound, brief, significant};
 use crate::report::{Dot, Field, Ruler, TextTable};
 
@@ -65,17 +65,6 @@ pub fn operations(n: u32) -> String {
 /// A number with its noun.
 pub fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
-}
-
-/// What the error of a use is.
-pub fn metric(used_as: Use) -> &'static str {
-    match used_as {
-        Use::Value => "absolute error",
-        Use::Normalisation => "furnace error |E\u{a0}N\u{a0}−\u{a0}1|",
-        Use::F0Blend => "error of f0 A + B, for the worst f0",
-        Use::Coupling => "error of the coupling factor",
-        Use::Parallax => "relative error of the adjusted alpha",
-    }
 }
 
 /// Whether points tell more than their rows in a table: three or more, not all at one place of the horizontal axis.

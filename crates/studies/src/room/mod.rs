@@ -17,4 +17,4 @@ pub use exact::{Exact, Fan, Fineness, GgxRays, Outlook, Patches};
 pub use faded::{Faded, Slant};
 pub use fetch::Rays;
 pub use light::{Checker, Panel, Room, Wall};
-pub use lobefit::effects::room::{Convex, Fetch, Lookup, Meeting, Plane, Proxy, Seen, Tap};
+pub use lobefit::effects::parallax::room::{Convex, Fetch, Lookup, Meeting, Plane, Proxy, Seen, Tap};

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
 use lobefit::data::Smith;
-use lobefit::effects::surface::source;
+use lobefit::effects::coupling::surface::source;
 use lobefit_truth::optics::ggx::Vec3;
 
 /// Where materials are evaluated: rough enough for light of several bounces, at a reflectance of a dielectric and two of metals, over a grey base.

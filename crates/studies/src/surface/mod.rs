@@ -10,7 +10,7 @@ pub mod opinion;
 mod rows;
 
 pub use fingerprint::{Fingerprint, fingerprint};
-pub use lobefit::effects::surface::{
+pub use lobefit::effects::coupling::surface::{
     Albedos, Base, Coupling, Facet, Factor, FactorAt, Fresnel, Lobe, Material, Side, Surface, SurfaceError,
     cost, formula, measure, table,
 };

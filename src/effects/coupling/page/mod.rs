@@ -3,7 +3,7 @@
 mod curves;
 mod furnace;
 mod lobe;
-mod reciprocity;
+pub mod materials;
 
 use crate::effects::coupling::results::CouplingFindings;
 use crate::report::sections::called_for;
@@ -16,7 +16,7 @@ pub(super) fn page(findings: &CouplingFindings) -> Result<Page, ReportError> {
     for one in &findings.lobes {
         sections.extend(lobe::sections(one)?);
         sections.push(furnace::section(one)?);
-        sections.extend(reciprocity::section(one)?);
+        sections.extend(materials::of_lobe(one)?);
     }
     Ok(Page {
         title: format!("lobefit report: {}: {}", findings.origin.scene, findings.effect.effect),

@@ -8,8 +8,8 @@ use crate::effects::Effect;
 use crate::effects::parallax::Parallax;
 use crate::effects::parallax::probe::{Called, Wanted};
 use crate::effects::parallax::results::LookupFinding;
+use crate::effects::parallax::room::proxies::Tied;
 use crate::effects::parallax::{Gives, TapRule, named};
-use crate::effects::room::proxies::Tied;
 use crate::emit::header;
 use crate::emit::manifest::{CostEntry, LookupFunction};
 

@@ -1,9 +1,9 @@
 //! Lookups with and without parallax.
 
 use super::shading::{Shading, ShadingLobe};
+use crate::effects::parallax::room::{Lookup, Meeting, Proxy, Seen, Tap};
 use crate::effects::parallax::taps::horizon::fade;
 use crate::effects::parallax::{RuleTap, Stretch, TapRule, width};
-use crate::effects::room::{Lookup, Meeting, Proxy, Seen, Tap};
 use lobefit_math::vector::{Vec3, length, minus, normalise, plus, scaled};
 
 /// How much wider a lobe looks from the probe.

@@ -3,7 +3,7 @@
 //! - what the lobe of the surface is taken for ([`Shading`]): round about the mirror ray, leaning towards the normal, narrower across the plane
 //!   of incidence;
 //! - how many fetches stand for it ([`TapRule`](super::TapRule));
-//! - what the room is taken for ([`Proxy`](crate::effects::room::Proxy));
+//! - what the room is taken for ([`Proxy`](crate::effects::parallax::room::Proxy));
 //! - how much wider it looks from the probe ([`Ratio`]), and which width is fetched for that ([`Width`]).
 
 mod corrected;

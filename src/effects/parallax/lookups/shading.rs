@@ -1,7 +1,7 @@
 //! What the lobe of a surface is taken for.
 
+use crate::effects::parallax::room::Seen;
 use crate::effects::parallax::width;
-use crate::effects::room::Seen;
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, cross, dot, length, minus, normalise, plus, scaled, tangents};
 

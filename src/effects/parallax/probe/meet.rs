@@ -1,10 +1,10 @@
-//! Where a ray meets a proxy, as scripts: the formulas of [`crate::effects::room::proxies`], in f32.
+//! Where a ray meets a proxy, as scripts: the formulas of [`crate::effects::parallax::room::proxies`], in f32.
 
 use super::script::{Kind, Routine};
 use crate::data::ProbeLookup;
-use crate::effects::room::proxies::Tie;
+use crate::effects::parallax::room::proxies::Tie;
 
-/// [`NEAREST`](crate::effects::room::proxies::NEAREST) as scripts write it.
+/// [`NEAREST`](crate::effects::parallax::room::proxies::NEAREST) as scripts write it.
 pub(super) const NEAREST: &str = "0.0001";
 
 /// Least share of the nearest plane's inverse distance that counts: pow(0, p) is undefined in some languages, and a smaller one is that of a
@@ -85,7 +85,7 @@ fn of_box(smooth: bool) -> String {
     script + &if smooth { powered(SMOOTH_BOX).replace("LEAST", LEAST_SHARE) } else { SHARP_BOX.into() }
 }
 
-/// A script with the power of the blend by the sums of [`crate::effects::room::proxies::Tied`] over the planes.
+/// A script with the power of the blend by the sums of [`crate::effects::parallax::room::proxies::Tied`] over the planes.
 fn powered(script: &str) -> String {
     let [least, most] = [1.0 / Tie::MOST, 1.0 / Tie::LEAST].map(|x| format!("{:?}", x as f32));
     script.replace("GRAZING", &format!("{:?}", Tie::GRAZING as f32)).replace(

@@ -13,8 +13,8 @@ mod single;
 
 use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::TapRule;
+use crate::effects::parallax::room::proxies::Tie;
 use crate::effects::parallax::taps::horizon::FADE;
-use crate::effects::room::proxies::Tie;
 use lobefit_fit::FitError;
 use lobefit_shade::code::Language;
 

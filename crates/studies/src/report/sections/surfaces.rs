@@ -4,9 +4,10 @@ use super::{metals, walks};
 use crate::surface::SurfaceRows;
 use crate::surface::darker::DarkRow;
 use crate::surface::interface::{Difference, SchlickRow};
+use lobefit::effects::coupling::page::materials;
 use lobefit::report::numbers::{bound, brief, significant};
+use lobefit::report::words;
 use lobefit::report::{Block, ReportError, Section, check};
-use lobefit::report::{reciprocity, words};
 
 /// The sections of all rows, in the order of a page.
 ///
@@ -14,7 +15,7 @@ use lobefit::report::{reciprocity, words};
 /// Data that cannot be shown, by section and field.
 pub fn sections(rows: &SurfaceRows) -> Result<Vec<Section>, ReportError> {
     Ok(vec![
-        reciprocity(&rows.reciprocity)?,
+        materials::section(&rows.reciprocity)?,
         metals::section(&rows.colour, &rows.views)?,
         walks::section(&rows.bounces)?,
         schlick(&rows.schlick)?,

@@ -14,7 +14,7 @@ mod rounded;
 mod smooth;
 
 pub use law::Law;
-pub use lobefit::effects::room::proxies::{Body, NEAREST, Tie, Tied, blended};
+pub use lobefit::effects::parallax::room::proxies::{Body, NEAREST, Tie, Tied, blended};
 pub use moved::{Faded, Pushed};
 pub use rounded::Rounded;
 pub use smooth::Smooth;

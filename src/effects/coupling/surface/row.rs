@@ -4,7 +4,7 @@ use serde::Serialize;
 
 /// The furnace of one f0: what a white material sends back less 1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct SurfaceFurnace {
+pub struct FurnaceRow {
     /// Reflectance at normal incidence.
     pub f0: f64,
     /// The largest departure in size, with its sign: above 0 the material makes light.
@@ -43,7 +43,7 @@ pub struct ReciprocityRow {
     /// Whether f(l, v) = f(v, l) by its formula.
     pub reciprocal: bool,
     /// Furnace of a white base by f0; of the lobe alone only at f0 = 1, where all light must come back.
-    pub furnace: Vec<SurfaceFurnace>,
+    pub furnace: Vec<FurnaceRow>,
     /// Largest |f(l, v) - f(v, l)| over the mean of their sizes, 2 at most.
     pub reciprocity: f64,
     /// Where.

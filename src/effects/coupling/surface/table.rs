@@ -7,9 +7,9 @@ use serde::Serialize;
 
 use super::cost::cost;
 use super::measure::{self, Pair, Rules};
+pub use super::row::{ExchangeAt, FurnaceRow, ReciprocityRow};
 use super::{Albedos, Base, Coupling, Fresnel, Lobe, Material, Surface, SurfaceError};
 use crate::data::{AlphaMap, Smith};
-pub use crate::report::{ExchangeAt, ReciprocityRow, SurfaceFurnace as FurnaceRow};
 use lobefit_truth::integrate::Estimate;
 
 /// Where surfaces are measured.

@@ -1,10 +1,9 @@
 //! Lobes and couplings as functions of two directions: who keeps energy, who keeps reciprocity, and at what cost.
 
-use super::words;
-use crate::report::numbers::{bound, brief, significant};
-use crate::report::{
-    Block, ExchangeAt, ReciprocityRow, ReportError, Section, SurfaceFurnace, TextTable, check,
-};
+use crate::effects::coupling::results::CouplingLobe;
+use crate::effects::coupling::surface::table::{ExchangeAt, FurnaceRow, ReciprocityRow};
+use crate::report::numbers::{self, bound, brief, significant};
+use crate::report::{Block, ReportError, Section, TextTable, check, words};
 
 /// A furnace departure below this is the error of the measurement.
 const CLOSED: f64 = 1e-5;
@@ -51,6 +50,29 @@ pub fn section(rows: &[ReciprocityRow]) -> Result<Section, ReportError> {
             .into(),
         blocks,
     })
+}
+
+/// The section of a lobe; none where it was not measured.
+pub(super) fn of_lobe(lobe: &CouplingLobe) -> Result<Option<Section>, ReportError> {
+    let Some(measured) = &lobe.reciprocity else { return Ok(None) };
+    let section = section(&measured.rows)?;
+    let list = |values: &[f64]| values.iter().map(|x| numbers::place(*x)).collect::<Vec<_>>().join(", ");
+    let lead = format!(
+        "Whole materials as functions f(l, v) of the directions of light and view, integrated over the hemisphere as they are drawn: at \
+         roughness {} and cosine of the view {} alone. Furnace: what a white material sends back less 1, the largest of those places; \
+         minus loses light, plus makes it. The tables above look at the whole domain, where errors are larger, at grazing above all. \
+         Reciprocity: the largest |f(l, v) − f(v, l)| relative to their mean there, between 0 and 2. A path tracer that connects paths \
+         from both ends needs 0; a game that shades towards one eye does not. All lobes, couplings and places are those of the study, \
+         “lobefit report --study coupling”.",
+        list(&measured.places.roughness),
+        list(&measured.places.mu),
+    );
+    Ok(Some(Section {
+        id: format!("{}-{}", section.id, lobe.specular),
+        title: format!("{}, {} lobe", section.title, lobe.specular),
+        lead,
+        blocks: section.blocks,
+    }))
 }
 
 fn lobes(rows: &[&ReciprocityRow]) -> TextTable {
@@ -127,7 +149,7 @@ fn place(row: &ReciprocityRow) -> String {
 /// What each kind of author may want: the cheapest that closes the furnace and is reciprocal, the cheapest that closes it, and the least
 /// wrong without a texel.
 fn picks(rows: &[&ReciprocityRow]) -> impl Iterator<Item = String> {
-    let dielectric = |f: &&SurfaceFurnace| f.f0 <= DIELECTRIC;
+    let dielectric = |f: &&FurnaceRow| f.f0 <= DIELECTRIC;
     let worst = |row: &ReciprocityRow| {
         row.furnace.iter().filter(dielectric).fold(0.0_f64, |worst, f| worst.max(f.worst.abs()))
     };

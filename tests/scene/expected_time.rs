@@ -1,6 +1,7 @@
 //! The time that a plan expects.
 
-use super::*;
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
 
 /// CPU seconds of `bake --only EFFECT --threads 1` of the built-in scene.
 #[test]

@@ -11,6 +11,7 @@ mod error;
 mod evaluate;
 mod material;
 pub mod measure;
+mod row;
 pub mod table;
 
 pub use albedos::{ALPHA, Albedos, Column, IOR};
