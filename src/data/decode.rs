@@ -1,6 +1,6 @@
 //! What the channels of a table mean.
 
-use super::{Layout, Serves, Surface, VolumeLayout};
+use super::{Layout, Serves, Surface};
 use lobefit_math::ops;
 
 /// What a lookup returns.
@@ -30,22 +30,16 @@ pub enum Decode {
 }
 
 impl Decode {
-    /// The decoding of a table of isotropic reflection.
+    /// The decoding of a table; with a third axis it serves the albedo.
     pub fn of(layout: Layout, serves: Serves) -> Decode {
         match (layout, serves) {
             (Layout::Homogeneous, Serves::Albedo) => Decode::Loss,
             (Layout::Homogeneous, Serves::SplitSum) => Decode::LossBias,
-            (_, Serves::Albedo) => Decode::Albedo,
-            (_, Serves::SplitSum) => Decode::SplitSum,
-        }
-    }
-
-    /// The decoding of a table of three axes.
-    pub fn of_volume(layout: VolumeLayout) -> Decode {
-        match layout {
-            VolumeLayout::Optimised => Decode::Loss,
-            VolumeLayout::PathTracer => Decode::Albedo,
-            VolumeLayout::Azimuth => Decode::AzimuthCubic,
+            (Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Decode::Albedo,
+            (Layout::Plain | Layout::PlainSquared, Serves::SplitSum) => Decode::SplitSum,
+            (Layout::Optimised, _) => Decode::Loss,
+            (Layout::PathTracer, _) => Decode::Albedo,
+            (Layout::Azimuth, _) => Decode::AzimuthCubic,
         }
     }
 

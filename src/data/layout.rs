@@ -3,19 +3,24 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Which coordinates a table is laid out in.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
+/// Which coordinates a table is laid out in. The first three are over mu and roughness; the others have a third axis, the
+/// anisotropy of the lobe or the index of refraction of glass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Layout {
-    /// u = sqrt(mu (1 + alpha) / (mu + alpha)): small tables for a reciprocal more in the shader.
-    #[default]
+    /// Over mu and roughness, u = sqrt(mu (1 + alpha) / (mu + alpha)): small tables for a reciprocal more in the shader.
     Homogeneous,
-    /// mu and roughness linear, texel centres: what engines use today.
+    /// Over mu and roughness, both linear, texel centres: what engines use today.
     Plain,
-    /// mu = u^2, roughness linear, texel centres.
+    /// Over mu and roughness, mu = u^2, texel centres.
     PlainSquared,
+    /// With a third axis: registration, warp and texel values chosen for the trilinear lookup.
+    Optimised,
+    /// With a third axis: the nodes, shadowing form and roughness map of a known path tracer, to drop into it.
+    PathTracer,
+    /// With a third axis, of anisotropic lobes only: the azimuth of the view is a coordinate, where the other layouts hold the
+    /// mean over it.
+    Azimuth,
 }
 
 impl Layout {
@@ -25,6 +30,17 @@ impl Layout {
             Layout::Homogeneous => "homogeneous",
             Layout::Plain => "plain",
             Layout::PlainSquared => "plain-squared",
+            Layout::Optimised => "optimised",
+            Layout::PathTracer => "path-tracer",
+            Layout::Azimuth => "azimuth",
+        }
+    }
+
+    /// Axes of a table.
+    pub fn axes(self) -> usize {
+        match self {
+            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => 2,
+            Layout::Optimised | Layout::PathTracer | Layout::Azimuth => 3,
         }
     }
 }
@@ -49,44 +65,5 @@ impl Serves {
             Serves::Albedo => "albedo",
             Serves::SplitSum => "split-sum",
         }
-    }
-
-    /// Channels of a texel.
-    pub fn channels(self) -> u64 {
-        match self {
-            Serves::Albedo => 1,
-            Serves::SplitSum => 2,
-        }
-    }
-}
-
-/// Which coordinates a table of three axes is laid out in.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
-)]
-#[serde(rename_all = "kebab-case")]
-pub enum VolumeLayout {
-    /// Registration, warp and texel values chosen for the trilinear lookup.
-    #[default]
-    Optimised,
-    /// The nodes, shadowing form and roughness map of a known path tracer, to drop into it.
-    PathTracer,
-    /// Anisotropic lobes only: the azimuth of the view is a coordinate, where the other layouts hold the mean over it.
-    Azimuth,
-}
-
-impl VolumeLayout {
-    /// The word used in scenes and table names.
-    pub fn name(self) -> &'static str {
-        match self {
-            VolumeLayout::Optimised => "optimised",
-            VolumeLayout::PathTracer => "path-tracer",
-            VolumeLayout::Azimuth => "azimuth",
-        }
-    }
-
-    /// Channels of a texel: with the azimuth the four coefficients of a cubic, else one value.
-    pub fn channels(self) -> u64 {
-        super::Decode::of_volume(self).channels() as u64
     }
 }

@@ -18,7 +18,7 @@ pub use axis::{Axis, Expression, Registration, Surface, Warp};
 pub use certificate::{Certificate, Place, nine_digits, shortest};
 pub use container::Container;
 pub use decode::{Decode, Values};
-pub use layout::{Layout, Serves, VolumeLayout};
+pub use layout::{Layout, Serves};
 pub use lobefit_fit::Norm;
 pub use lobefit_truth::optics::Smith;
 pub use lookup::{ProbeLookup, SurfaceLobe};

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use super::table::{LookupError, VolumeError};
+use super::table::{BuildError, LookupError};
 use crate::approximate::FitStageError;
 use crate::data::TableError;
 use crate::emit::container::ContainerError;
@@ -75,9 +75,9 @@ pub enum BakeError {
     /// What an effect says of its own.
     #[error(transparent)]
     Effect(Box<dyn Error + Send + Sync>),
-    /// A table of three axes.
+    /// A table that cannot be built.
     #[error(transparent)]
-    Volume(#[from] VolumeError),
+    Build(#[from] BuildError),
     /// A table cannot be looked up.
     #[error(transparent)]
     Lookup(#[from] LookupError),

@@ -12,9 +12,10 @@ use super::material::{Lobe, Material};
 use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
 use super::probe::Probe;
+use super::table::TableWant;
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
-use crate::data::{AlphaMap, Container, Smith};
+use crate::data::{AlphaMap, Container, Decode, Smith};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Domain of mu for fits where the scene gives none.
@@ -244,23 +245,18 @@ impl Scene {
 
     /// Holds the texels of all different tables together to the limits, before anything is allocated.
     fn check_texels(&self) -> Result<(), (String, String)> {
-        let (mut tables, mut volumes) = (BTreeSet::new(), BTreeSet::new());
+        let mut tables = BTreeSet::new();
         let mut total = (0, 0);
         for (i, material) in self.materials.iter().enumerate() {
-            if let Some(table) = &material.wants.table
-                && tables.insert((table.size, table.format.name(), table.layout, table.serves))
-            {
-                let size = table.size.unwrap_or([AUTO_SIDE; 2]);
-                let texel_bytes = table.serves.channels() * table.format.bytes();
-                total = add_table(total, size, texel_bytes, || format!("materials[{i}].wants.table.size"))?;
-            }
             let lobe = material.lobe();
-            for (j, volume) in material.wants.tables.iter().enumerate() {
-                if volumes.insert((lobe == Lobe::Glass, volume.layout, volume.size, volume.format.name())) {
-                    let [columns, rows, slices] = volume.size;
-                    let size = [columns, rows * slices * lobe.sides()];
+            for (j, table) in material.wants.tables.iter().enumerate() {
+                let TableWant { layout, size, format, serves, .. } = table;
+                if tables.insert((lobe == Lobe::Glass, *layout, size.clone(), format.name(), *serves)) {
+                    let size = size.clone().unwrap_or_else(|| vec![AUTO_SIDE; 2]);
+                    let [columns, rest @ ..] = &size[..] else { continue };
+                    let size = [*columns, rest.iter().product::<usize>() * lobe.sides()];
                     let field = || format!("materials[{i}].wants.tables[{j}].size");
-                    let texel_bytes = volume.layout.channels() * volume.format.bytes();
+                    let texel_bytes = Decode::of(*layout, *serves).channels() as u64 * format.bytes();
                     total = add_table(total, size, texel_bytes, field)?;
                 }
             }

@@ -14,18 +14,18 @@ pub const STRING_BYTES: usize = 4096;
 pub const AXIS_MIN: usize = 2;
 /// Most texels of a table axis.
 pub const AXIS_MAX: usize = 1024;
-/// Fewest texels of an axis of a table of three: below it nothing is left to choose texels for.
-pub const VOLUME_AXIS_MIN: usize = 4;
+/// Fewest texels of an axis of a table with a third: below it nothing is left to choose texels for.
+pub const SLICED_AXIS_MIN: usize = 4;
 /// Most texels of an axis of a table of three.
-pub const VOLUME_AXIS_MAX: usize = 256;
+pub const SLICED_AXIS_MAX: usize = 256;
 /// Most texels of a table of three axes. One whose texels are optimised has eight samples a texel, which with their errors take 17 bytes
 /// each: of this size 0.6 GB, of glass, whose sides share their integrals, 0.9 GB.
-pub const VOLUME_CELLS: usize = 1 << 22;
+pub const SLICED_CELLS: usize = 1 << 22;
 /// Most columns times slices of a table of three axes whose texels are optimised. Each is sampled eightfold at up to 26 alphas, so that
 /// this takes up to 3.4 million integrals of some ten microseconds, and 0.3 GB for their inputs and values.
-pub const VOLUME_LINES: usize = 1 << 14;
-/// Most tables of three axes that a material may want.
-pub const VOLUMES: usize = 4;
+pub const SLICED_LINES: usize = 1 << 14;
+/// Most tables that a material may want.
+pub const TABLES: usize = 4;
 /// Most texels of all tables of a scene together.
 pub const CELLS: u64 = 1 << 24;
 /// Most bytes of all texels of a scene together.

@@ -9,9 +9,8 @@ use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
 use super::sheen::Sheen;
 use super::value::{Maybe, Text, Word, about, from_file};
-use super::volume::VolumeLayout;
 use super::wants::{OpenWants, Wants};
-use crate::data::AlphaMap;
+use crate::data::{AlphaMap, Layout};
 use lobefit_truth::optics::fresnel::f0_of_ior;
 
 /// What a material is made of.
@@ -49,7 +48,7 @@ pub enum Lobe {
 }
 
 impl Lobe {
-    /// Tables that stand for one table of three axes: of glass two, for rays from outside and from inside.
+    /// Tables that stand for a wanted table: of glass two, for rays from outside and from inside.
     pub fn sides(self) -> usize {
         if self == Lobe::Glass { 2 } else { 1 }
     }
@@ -127,25 +126,15 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
 
 /// A material.
 #[derive(Deserialize, JsonSchema)]
-// A diffuse base is a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric either, glass `ior`. Tables of three axes are for anisotropic
-// materials and for glass, which has neither anisotropy nor the approximations of lobes that only reflect.
+// A diffuse base is a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric either, glass `ior`. Tables with a
+// third axis are for anisotropic materials and for glass, which has neither anisotropy nor the approximations of lobes that only
+// reflect.
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
-        {
-            "required": ["f0"],
-            "properties": { "kind": { "const": "metal" }, "base": false },
-            "anyOf": [{ "required": ["anisotropy"] }, { "properties": { "wants": { "properties": { "tables": false } } } }],
-        },
-        {
-            "required": ["f0"],
-            "properties": { "kind": { "const": "dielectric" } },
-            "anyOf": [{ "required": ["anisotropy"] }, { "properties": { "wants": { "properties": { "tables": false } } } }],
-        },
-        {
-            "properties": { "kind": { "const": "dielectric" }, "ior": { "type": "number", "exclusiveMinimum": 1.0 } },
-            "anyOf": [{ "required": ["anisotropy"] }, { "properties": { "wants": { "properties": { "tables": false } } } }],
-        },
+        { "required": ["f0"], "properties": { "kind": { "const": "metal" }, "base": false } },
+        { "required": ["f0"], "properties": { "kind": { "const": "dielectric" } } },
+        { "properties": { "kind": { "const": "dielectric" }, "ior": { "type": "number", "exclusiveMinimum": 1.0 } } },
         {
             "required": ["ior"],
             "properties": {
@@ -153,10 +142,36 @@ pub fn smallest_rough(map: AlphaMap) -> f64 {
                 "ior": { "maximum": 3.0, "items": { "maximum": 3.0 } },
                 "anisotropy": false,
                 "base": false,
-                "wants": { "properties": { "table": false, "fit": false } },
+                "wants": { "properties": { "fit": false } },
             },
         },
     ],
+    "allOf" = [{
+        "anyOf": [
+            { "required": ["anisotropy"], "properties": { "wants": { "properties": { "tables": { "items": {
+                "anyOf": [
+                    { "required": ["layout"] },
+                    { "properties": { "size": { "minItems": 3 }, "serves": { "const": "albedo" } } },
+                ],
+            } } } } } },
+            { "properties": {
+                "kind": { "const": "glass" },
+                "wants": { "properties": { "tables": { "items": { "properties": {
+                    "layout": { "enum": ["optimised", "path-tracer"] },
+                    "size": { "minItems": 3 },
+                    "serves": { "const": "albedo" },
+                } } } } },
+            } },
+            { "properties": {
+                "kind": { "enum": ["metal", "dielectric"] },
+                "anisotropy": { "maximum": 0.0, "items": { "maximum": 0.0 } },
+                "wants": { "properties": { "tables": { "items": { "properties": {
+                    "layout": { "enum": ["homogeneous", "plain", "plain-squared"] },
+                    "size": { "maxItems": 2 },
+                } } } } },
+            } },
+        ],
+    }],
 ))]
 #[serde(deny_unknown_fields, expecting = "an object that describes a material")]
 struct MaterialFile {
@@ -184,7 +199,7 @@ struct MaterialFile {
     /// The diffuse base of a dielectric; without it, none.
     #[serde(default)]
     base: Maybe<Base>,
-    /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a table of three axes, with
+    /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a table with a third axis, with
     /// their defaults.
     #[serde(default)]
     wants: Maybe<OpenWants>,
@@ -265,7 +280,7 @@ fn reflectance(kind: Kind, f0: Option<[f64; 3]>, ior: Option<[f64; 2]>) -> Resul
 /// The path tracer's tables must reach the material's index of refraction.
 fn check_path_tracer(wants: &Wants, ior: Option<[f64; 2]>) -> Result<(), String> {
     let highest = ior.map_or(1.0, |range| range[1]);
-    let path_tracer = wants.tables.iter().position(|t| t.layout == VolumeLayout::PathTracer);
+    let path_tracer = wants.tables.iter().position(|t| t.layout == Layout::PathTracer);
     match path_tracer.filter(|_| highest > PATH_TRACER_IOR) {
         None => Ok(()),
         Some(i) => {

@@ -14,9 +14,9 @@ mod name;
 mod number;
 mod probe;
 mod sheen;
+mod table;
 mod text;
 mod value;
-mod volume;
 mod wants;
 
 pub use base::Base;
@@ -26,5 +26,5 @@ pub use kernel::{kernel, kernel_schema};
 pub use material::{Kind, Lobe, Material, smallest_rough};
 pub use probe::Probe;
 pub use sheen::Sheen;
-pub use volume::{VolumeLayout, VolumeWant};
-pub use wants::{FitWant, Layout, Norm, Serves, TableWant, Wants};
+pub use table::{Layout, Serves, TableWant};
+pub use wants::{FitWant, Norm, Wants};

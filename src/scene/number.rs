@@ -45,8 +45,6 @@ intervals! {
     Cosine = super::limits::MU_MIN, 1.0, false, "[0.0001, 1]";
     /// Texels of an axis.
     AxisSize = super::limits::AXIS_MIN as f64, super::limits::AXIS_MAX as f64, false, "[2, 1024]";
-    /// Texels of an axis of a table of three.
-    VolumeAxisSize = super::limits::VOLUME_AXIS_MIN as f64, super::limits::VOLUME_AXIS_MAX as f64, false, "[4, 256]";
     /// Operations of a fit.
     Ops = 1.0, super::limits::FIT_OPS as f64, false, "[1, 1000]";
     /// Ratio of the distances of shading point and probe from what they see.

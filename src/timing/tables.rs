@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::seconds;
 use crate::data::Smith;
-use crate::effects::table::{DRAWN, SOURCES_SAMPLES, Third, estimate};
+use crate::effects::table::{DRAWN, SOURCES_SAMPLES, SliceAxis, estimate};
 use crate::effects::{anisotropy, glass};
 use crate::report::{TimedEstimator, TimedTableRun, TimedTables};
 use lobefit_truth::integrate::{IntegrateError, Path};
@@ -70,11 +70,11 @@ fn fastest<T>(work: impl Fn() -> Result<T, IntegrateError>) -> Result<(T, f64), 
 fn estimator() -> Result<TimedEstimator, IntegrateError> {
     let mut rates = [0.0; 2];
     let mut deviation = [0.0; 2];
-    for (i, third) in [Third::Anisotropy, Third::Ior].into_iter().enumerate() {
-        deviation[i] = estimate(third)?;
+    for (i, slice) in [SliceAxis::Anisotropy, SliceAxis::Ior].into_iter().enumerate() {
+        deviation[i] = estimate(slice)?;
         rates[i] = DRAWN as f64
             / seconds(|| {
-                let _ = std::hint::black_box(estimate(third));
+                let _ = std::hint::black_box(estimate(slice));
             });
     }
     Ok(TimedEstimator {

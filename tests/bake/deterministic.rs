@@ -13,9 +13,9 @@ use lobefit_truth::optics::kernel::Kernel;
 
 const SCENE: &str = r#"{"schema_version":1,"name":"all in little","formats":["exr","dds","npy","raw"],"materials":[
 {"name":"plastic","kind":"dielectric","ior":1.5,"roughness":[0.4,0.6],"base":{"albedo":0.5,"max_ops":11},"wants":{
- "table":{"size":[16,16],"serves":"split-sum"},"fit":{"max_ops":8,"average":true}}},
+ "tables":[{"size":[16,16],"serves":"split-sum"}],"fit":{"max_ops":8,"average":true}}},
 {"name":"felt","kind":"dielectric","f0":0.04,"roughness":[0.5,0.7],"sheen":{"roughness":[0.3,0.6],"max_ops":11}},
-{"name":"open","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"table":{"max_error":0.01}}},
+{"name":"open","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"tables":[{"max_error":0.01}]}},
 {"name":"brushed","kind":"metal","f0":0.9,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{"tables":[
  {"size":[16,16,8]},{"layout":"azimuth","size":[12,8,6]},{"layout":"path-tracer"}]}},
 {"name":"frosted","kind":"glass","ior":[1.3,1.7],"roughness":[0.5,0.8],"wants":{"tables":[

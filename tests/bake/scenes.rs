@@ -19,7 +19,7 @@ fn names(baked: &Baked) -> Vec<&str> {
     baked.files.keys().map(String::as_str).collect()
 }
 
-const TABLE: &str = r#"{"table": {"size": [16, 16], "serves": "albedo"}}"#;
+const TABLE: &str = r#"{"tables":[{"size": [16, 16], "serves": "albedo"}]}"#;
 const FIT: &str = r#"{"fit": {"max_ops": 3, "norms": ["max"]}}"#;
 
 fn metal(roughness: &str, wants: &str) -> String {
@@ -94,7 +94,7 @@ fn a_roughness_range_narrows_table_and_fit() {
 #[test]
 fn an_open_size_is_the_smallest_that_keeps_the_limit() {
     let wants = |limit: &str| {
-        format!(r#"{{"table": {{"serves": "split-sum", "format": "f32", "max_error": {limit}}}}}"#)
+        format!(r#"{{"tables":[{{"serves": "split-sum", "format": "f32", "max_error": {limit}}}]}}"#)
     };
     let loose = baked(&metal("[0.1, 1]", &wants("0.01")));
     let tight = baked(&metal("[0.1, 1]", &wants("0.002")));
@@ -105,7 +105,7 @@ fn an_open_size_is_the_smallest_that_keeps_the_limit() {
 
 #[test]
 fn promises_that_are_not_kept_are_told() {
-    let table = baked(&metal("[0.1, 1]", r#"{"table": {"size": [8, 8], "max_error": 1e-6}}"#));
+    let table = baked(&metal("[0.1, 1]", r#"{"tables":[{"size": [8, 8], "max_error": 1e-6}]}"#));
     assert!(table.broken.len() == 1 && table.broken[0].contains("max_error 0.000001"), "{:?}", table.broken);
     let fit = baked(&metal("[0.1, 1]", r#"{"fit": {"max_ops": 3, "max_error": 0.001, "norms": ["max"]}}"#));
     assert!(fit.broken.len() == 1 && fit.broken[0].contains("within 3 operations"), "{:?}", fit.broken);

@@ -10,7 +10,7 @@ use common::{lobefit, stderr};
 /// A scene whose bake takes little: a small table of samples.
 const SCENE: &[u8] =
     br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
-    "wants":{"table":{"size":[32,32],"layout":"plain","format":"f32"}}}]}"#;
+    "wants":{"tables":[{"size":[32,32],"layout":"plain","format":"f32"}]}}]}"#;
 const TABLE: &str = "tables/ggx-dfg-correlated-32x32-f32-plain.exr";
 
 fn check(folder: &Path, options: &[&str]) -> (i32, String) {

@@ -242,7 +242,7 @@ fn code_is_that_of_a_function_and_of_what_it_calls() {
 fn textured(format: &str) -> Baked {
     let scene = format!(
         r#"{{"schema_version": 1, "materials": [{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.5, 0.6],
-           "wants": {{"table": {{"size": [4, 4]{format}}}}}}}]}}"#
+           "wants": {{"tables":[{{"size": [4, 4]{format}}}]}}}}]}}"#
     );
     let scene = Scene::from_json(scene.as_bytes(), "test.json").expect("a scene");
     bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")

@@ -252,7 +252,7 @@ fn an_effect_that_is_not_called_for_or_not_there_is_refused_with_the_reason_of_t
 fn the_only_effect_asked_for_by_name_is_the_whole_bake() {
     let folder = tempfile::tempdir().unwrap();
     let scene = br#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,0.6],
-        "wants":{"table":{"size":[4,4],"layout":"plain"}}}]}"#;
+        "wants":{"tables":[{"size":[4,4],"layout":"plain"}]}}]}"#;
     let bake = |options: &[&str]| {
         let output = lobefit(folder.path(), &[&["bake", "-", "--json"], options].concat(), scene);
         assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""));

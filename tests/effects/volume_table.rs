@@ -1,7 +1,7 @@
 //! The layouts for the trilinear lookup: plans of points, texels from their values, and what the lookup returns.
 
 use lobefit::data::{AlphaMap, Axis, Smith, Surface};
-use lobefit::effects::table::{Node, VolumePlan, aniso_axes, check, glass_axes};
+use lobefit::effects::table::{Node, TexelPlan, aniso_axes, check, glass_axes};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::reflection::{Effort, albedo};
 
@@ -32,7 +32,7 @@ fn lookup(axes: &[Axis; 3], texels: &[f64], values: [f64; 3], surface: Surface<f
 #[test]
 fn optimised_texels_halve_the_error() {
     let axes = aniso_axes([32, 24, 2], [0.15, 1.0], [0.0, 1.0]);
-    let plan = VolumePlan::new(axes.clone(), AlphaMap::RoughnessSquared, [2, 2, 1], 20, 0.001);
+    let plan = TexelPlan::new(axes.clone(), AlphaMap::RoughnessSquared, [2, 2, 1], 20, 0.001);
     let effort = &Effort::ladder()[1].outer;
     let loss = |alpha: f64, mu: f64| 1.0 - albedo(Smith::Correlated, alpha, mu, effort);
     let points = plan.points();
@@ -67,7 +67,7 @@ fn the_check_finds_what_interpolation_leaves() {
     let loss = |node: &Node| 1.0 - albedo(Smith::Correlated, node.alpha, node.mu, effort);
     let direct = |nodes: &[Node]| Ok((nodes.iter().map(|node| [loss(node)]).collect(), nodes.len() as u64));
     for (nodes, most) in [(6, 1e-1), (14, 1e-3)] {
-        let plan = VolumePlan::new(axes.clone(), AlphaMap::RoughnessSquared, [2, 2, 1], nodes, 0.001);
+        let plan = TexelPlan::new(axes.clone(), AlphaMap::RoughnessSquared, [2, 2, 1], nodes, 0.001);
         let losses: Vec<f64> = plan.points().iter().map(loss).collect();
         let mut wanted = plan.targets(&losses);
         let [columns, rows, slices] = plan.samples();
@@ -93,13 +93,13 @@ fn the_check_finds_what_interpolation_leaves() {
 #[test]
 fn points_of_a_glass_table_span_its_ranges() {
     let axes = glass_axes([16, 8, 8], [0.02, 1.0], [1.0, 2.0]);
-    let plan = VolumePlan::new(axes, AlphaMap::Roughness, [2, 1, 3], 6, 0.001);
+    let plan = TexelPlan::new(axes, AlphaMap::Roughness, [2, 1, 3], 6, 0.001);
     let points = plan.points();
     assert_eq!(points.len(), 31 * 22 * 6);
     let span = |f: fn(&lobefit::effects::table::Node) -> f64| {
         points.iter().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
     };
-    assert_eq!(span(|p| p.third), [1.0, 2.0]);
+    assert_eq!(span(|p| p.slice), [1.0, 2.0]);
     assert_eq!(span(|p| p.alpha), [0.02, 1.0]);
     assert_eq!(span(|p| p.mu), [0.00025, 1.0]);
 }

@@ -27,7 +27,7 @@ fn scene(materials: &str) -> Scene {
 fn dielectric(name: &str, f0: &str, base: &str) -> String {
     format!(
         r#"{{"name": "{name}", "kind": "dielectric", "f0": {f0}, "roughness": [0.1, 1], "base": {base},
-            "wants": {{"table": {{"size": [2, 2], "layout": "plain"}}}}}}"#
+            "wants": {{"tables":[{{"size": [2, 2], "layout": "plain"}}]}}}}"#
     )
 }
 

@@ -18,7 +18,7 @@ use furnace_support::{Emitted, F0, Returned, include, returned};
 use lobefit::data::{AlphaMap, Decode, Smith, Table};
 use lobefit::effects::anisotropy::{Judge, at_azimuths, means};
 use lobefit::effects::glass::Truth;
-use lobefit::effects::table::{self, Point, Points, Region, Third, aspect, measure};
+use lobefit::effects::table::{self, Point, Points, Region, SliceAxis, Slices, aspect, measure};
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
 use lobefit_math::ops;
@@ -75,8 +75,13 @@ struct Lit {
 }
 
 /// Where the small tables are certified: the hull of the points, in which their few texels suffice.
-fn region(third: Third, span: [f64; 2]) -> Region {
-    Region { roughness: [0.52, 0.97], mu: [0.21, 0.93], third, span, alpha_map: AlphaMap::RoughnessSquared }
+fn region(axis: SliceAxis, range: [f64; 2]) -> Region {
+    Region {
+        roughness: [0.52, 0.97],
+        mu: [0.21, 0.93],
+        slices: Slices { axis, range },
+        alpha_map: AlphaMap::RoughnessSquared,
+    }
 }
 
 /// Largest error of a table's lookup at points of the region, as a certificate states it: of the reference lookup, not of the emitted
@@ -93,7 +98,7 @@ fn certificate(table: &Table, decode: Decode, judged: &Points, truth: &[f64]) ->
 /// The certificate of a table of the anisotropic lobe.
 fn of_metal(table: &Table, decode: Decode) -> f64 {
     let azimuth = decode == Decode::AzimuthCubic;
-    let judge = Judge::new(&region(Third::Anisotropy, [0.1, 0.77]), azimuth);
+    let judge = Judge::new(&region(SliceAxis::Anisotropy, [0.1, 0.77]), azimuth);
     let (truth, _) = if azimuth { at_azimuths(table.smith, &judge) } else { means(table.smith, &judge) }
         .expect("the truths of a judge");
     certificate(table, decode, &judge.points, &truth)
@@ -129,13 +134,13 @@ fn judge(table: &Table, certificate: f64, rule: &Rule, points: &[Point], lit: &[
     ));
 }
 
-/// Roughness, cosine and third input of the points: alpha from 0.27 to 0.94, off the texels.
+/// Roughness, cosine and slice input of the points: alpha from 0.27 to 0.94, off the texels.
 fn combinations(thirds: &[f32], mut point: impl FnMut(f32) -> Point) -> Vec<Point> {
     let mut points = Vec::new();
-    for third in thirds {
+    for slice in thirds {
         for roughness in [0.52_f32, 0.74, 0.97] {
             for mu in [0.21_f32, 0.55, 0.93] {
-                points.push(Point { roughness, alpha: roughness * roughness, mu, ..point(*third) });
+                points.push(Point { roughness, alpha: roughness * roughness, mu, ..point(*slice) });
             }
         }
     }
@@ -286,7 +291,7 @@ fn compensated_glass_is_white_from_both_sides() {
     let inputs: Vec<(&Emitted, &[Point])> = emitted.iter().map(|e| (e, &points[..])).collect();
     let found = returned(&text, Compensation::Glass, &inputs);
     let (outside, inside) = (OUTSIDE.pair(), INSIDE.pair());
-    let judged = Points::certification(&region(Third::Ior, [1.25, 1.9]), 11);
+    let judged = Points::certification(&region(SliceAxis::Ior, [1.25, 1.9]), 11);
     let truths = SMITHS.map(|smith| Truth::at(smith, &judged).expect("the truths of a judge"));
     for (((smith, side), table), found) in cases.into_iter().zip(&tables).zip(&found) {
         let (rule, rules) = match side {

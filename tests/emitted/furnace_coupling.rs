@@ -512,7 +512,7 @@ fn a_table_of_e_and_b_makes_an_exact_factor() {
     const TABLE: &str = r#"{"schema_version": 1, "materials": [
         {"name": "b", "kind": "dielectric", "f0": [0.02, 0.05, 0.08], "roughness": [0.01, 1],
          "base": {"max_ops": 8, "norms": ["max"]},
-         "wants": {"table": {"size": [32, 32], "format": "f32", "serves": "split-sum"}}}]}"#;
+         "wants": {"tables":[{"size": [32, 32], "format": "f32", "serves": "split-sum"}]}}]}"#;
     let scene = Scene::from_json(TABLE.as_bytes(), "table.json").expect("a scene");
     let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
     let [made] = &baked.tables[..] else { panic!("{} tables", baked.tables.len()) };

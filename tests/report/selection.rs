@@ -45,7 +45,7 @@ fn fits_alone_show_refits_beside_the_published_forms() -> Outcome {
 
 #[test]
 fn a_table_alone_is_baked_not_fitted() -> Outcome {
-    let (findings, page) = report(r#"{"table": {"size": [16, 16], "serves": "albedo"}}"#, &[])?;
+    let (findings, page) = report(r#"{"tables":[{"size": [16, 16], "serves": "albedo"}]}"#, &[])?;
     assert_eq!(list(&findings, "approximations", "source"), ["baked"]);
     assert_eq!(findings["effects"][0]["metric"], "lookup error of the worst table");
     assert!(!page.contains("ormalisation") && !page.contains("our fits"), "no word of fits");

@@ -2,7 +2,8 @@
 
 use lobefit::effects::catalogue;
 use lobefit::effects::demand::Job;
-use lobefit::effects::reflection::{FitJob, TableJob};
+use lobefit::effects::reflection::FitJob;
+use lobefit::effects::table::TableJob;
 use lobefit::plan::{Plan, plan};
 use lobefit::scene::{Norm, Scene};
 
@@ -23,7 +24,9 @@ fn metals(materials: &[(&str, &str, &str)]) -> Scene {
 
 /// The tables of two axes that a scene wants.
 fn tables(scene: &Scene) -> Vec<TableJob> {
-    TableJob::all(scene, plan(scene).jobs("reflection")).expect("jobs of tables")
+    let plan = plan(scene);
+    let jobs = plan.jobs("reflection").iter().filter(|job| job.name != "normalisation");
+    jobs.map(|job| TableJob::of(scene, job).expect("a job of tables")).collect()
 }
 
 /// The job of fits of the normalisation.
@@ -58,10 +61,7 @@ fn reason<'a>(plan: &'a Plan, effect: &str) -> &'a str {
 fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload() {
     let scene = Scene::built_in().unwrap();
     let plan = plan(&scene);
-    let tables = tables(&scene);
-    let names: Vec<&str> = tables.iter().map(|t| t.name.as_str()).collect();
-    assert_eq!(names, ["ggx-dfg-correlated-32x32", "ggx-dfg-correlated-64x64-split-sum"]);
-    assert!(tables.iter().all(|t| t.roughness == [0.02, 1.0]));
+    assert!(tables(&scene).iter().all(|t| t.roughness == [0.02, 1.0]));
     let fit = fits(&plan).unwrap();
     assert_eq!((fit.ranges["roughness"], fit.ranges["mu"]), ([0.02, 1.0], [0.01, 1.0]));
     assert_eq!((fit.goals.max_ops, fit.goals.max_error), (Some(20), Some(0.0105)));
@@ -72,11 +72,14 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
     assert_eq!(by, ["rough metal", "rough dielectric"]);
     let effects: Vec<&str> = plan.effects.iter().map(|e| e.effect).collect();
     assert_eq!(effects, ["reflection", "anisotropy", "glass", "diffuse-coupling", "parallax"]);
-    let jobs = [plan.jobs("anisotropy"), plan.jobs("glass")].concat();
-    let volumes: Vec<&str> = jobs.iter().flat_map(|job| job.name.split(' ')).collect();
+    let jobs = ["reflection", "anisotropy", "glass"].map(|effect| plan.jobs(effect)).concat();
+    let names: Vec<&str> =
+        jobs.iter().flat_map(|job| job.name.split(' ')).filter(|name| *name != "normalisation").collect();
     assert_eq!(
-        volumes,
+        names,
         [
+            "ggx-dfg-correlated-32x32",
+            "ggx-dfg-correlated-64x64-split-sum",
             "ggx-aniso-correlated-64x64x32",
             "path-tracer-reflection-separable-64x64x32",
             "ggx-aniso-azimuth-correlated-64x16x16",
@@ -130,13 +133,13 @@ fn a_fit_alone_plans_no_table_and_a_table_alone_no_fit() {
     let fit = plan(&scene);
     assert!(tables(&scene).is_empty() && fits(&fit).is_some());
     assert_eq!(fit.effects[0].bytes, 0);
-    let scene = metals(&[("m", "[0.1,0.5]", r#"{"table":{}}"#)]);
+    let scene = metals(&[("m", "[0.1,0.5]", r#"{"tables":[{}]}"#)]);
     assert!(fits(&plan(&scene)).is_none() && tables(&scene).len() == 1);
 }
 
 #[test]
 fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
-    let table = |e: &str| format!(r#"{{"table":{{"size":[16,8]{e}}}}}"#);
+    let table = |e: &str| format!(r#"{{"tables":[{{"size":[16,8]{e}}}]}}"#);
     let scene = metals(&[
         ("a", "[0.3,0.4]", &table(r#","max_error":0.1"#)),
         ("b", "[0.1,0.2]", &table(r#","max_error":0.01"#)),
@@ -145,31 +148,31 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
         (
             "other",
             "[0.5,0.7]",
-            r#"{"table":{"size":[16,8],"format":"f32","layout":"plain","serves":"split-sum"}}"#,
+            r#"{"tables":[{"size":[16,8],"format":"f32","layout":"plain","serves":"split-sum"}]}"#,
         ),
     ]);
     let (tables, plan) = (tables(&scene), plan(&scene));
     assert_eq!(tables.len(), 2);
     let merged = &tables[0];
-    assert_eq!((merged.columns, merged.rows), (Some(16), Some(8)));
+    assert_eq!(merged.size, Some(vec![16, 8]));
     assert_eq!(merged.roughness, [0.1, 0.9]);
     assert_eq!(merged.max_error, Some(0.01));
     let names: Vec<&str> = plan.jobs("reflection")[0].demands.iter().map(|d| d.name.as_str()).collect();
     assert_eq!(names, ["a", "b", "c"]);
-    assert_eq!(merged.limited_by, "b (materials[1].wants.table.max_error)");
-    assert_eq!(tables[1].name, "ggx-dfg-correlated-16x8-f32-plain-split-sum");
+    assert_eq!(merged.limited_by, "b (materials[1].wants.tables[0].max_error)");
+    assert_eq!(tables[1].names(), "ggx-dfg-correlated-16x8-f32-plain-split-sum");
     assert_eq!(tables[1].max_error, None);
 }
 
 #[test]
 fn an_open_size_has_a_limit() {
     let scene = metals(&[
-        ("a", "[0.1,1]", r#"{"table":{}}"#),
-        ("b", "[0.1,1]", r#"{"table":{"serves":"split-sum"}}"#),
+        ("a", "[0.1,1]", r#"{"tables":[{}]}"#),
+        ("b", "[0.1,1]", r#"{"tables":[{"serves":"split-sum"}]}"#),
     ]);
     let (tables, plan) = (tables(&scene), plan(&scene));
-    assert_eq!(tables[0].name, "ggx-dfg-correlated-auto");
-    assert_eq!((tables[0].columns, tables[0].rows), (None, None));
+    assert_eq!(tables[0].names(), "ggx-dfg-correlated-auto");
+    assert_eq!(tables[0].size, None);
     assert_eq!(tables[0].max_error, Some(1e-3));
     assert_eq!(tables[1].max_error, Some(3e-3));
     let bytes: Vec<_> = plan.effects[0].jobs.iter().map(|j| (j.bytes, j.bytes_at_most)).collect();
@@ -240,7 +243,7 @@ fn the_hash_is_of_the_meaning() {
         r#"{"schema_version":1,"materials":[{"name":"m","kind":"dielectric","ior":1.5,"roughness":0.5}]}"#,
     );
     let same = scene(
-        r#"{ "materials" : [ {"roughness":[5e-1,0.5],"wants":{"fit":{"norms":["rms","max"]},"table":{"format":"f16"}},
+        r#"{ "materials" : [ {"roughness":[5e-1,0.5],"wants":{"fit":{"norms":["rms","max"]},"tables":[{"format":"f16"}]},
             "kind":"dielectric","ior":1.50,"name":"\u006d"} ], "alpha":"roughness^2","schema_version":1,"probes":[]}"#,
     );
     let other = scene(

@@ -4,9 +4,9 @@ use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::data::{AlphaMap, Container, Smith, TexelFormat};
-use lobefit::effects::table::{VolumeJob, VolumeSpan};
+use lobefit::effects::table::{SliceAxis, Slices, TableJob};
 use lobefit::plan::{Plan, plan};
-use lobefit::scene::{Lobe, Scene, VolumeLayout};
+use lobefit::scene::{Layout, Lobe, Scene};
 use lobefit_truth::integrate::glass::Side;
 use serde_json::{Value, json};
 
@@ -33,15 +33,15 @@ fn tables(list: &str) -> String {
     format!(r#","wants":{{"tables":[{list}]}}"#)
 }
 
-fn table_names(job: &VolumeJob) -> Vec<&str> {
+fn table_names(job: &TableJob) -> Vec<&str> {
     job.tables.iter().map(|t| t.name.as_str()).collect()
 }
 
-/// The jobs of tables of three axes, those of anisotropic lobes first.
-fn volumes(scene: &Scene) -> Vec<VolumeJob> {
+/// The jobs of tables with slices, those of anisotropic lobes first.
+fn sliced(scene: &Scene) -> Vec<TableJob> {
     let plan = plan(scene);
     let jobs = [plan.jobs("anisotropy"), plan.jobs("glass")].concat();
-    VolumeJob::all(scene, &jobs).expect("jobs of tables")
+    TableJob::all(scene, &jobs).expect("jobs of tables")
 }
 
 fn reason<'a>(plan: &'a Plan, effect: &str) -> &'a str {
@@ -60,17 +60,23 @@ fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
     let plan = plan(&scene);
     assert_eq!(called_for(&plan), ["anisotropy", "glass"]);
     assert!(plan.jobs("reflection").is_empty() && !plan.is_empty());
-    let volumes = volumes(&scene);
-    let [brushed, glass] = &volumes[..] else { panic!("{volumes:?}") };
+    let jobs = sliced(&scene);
+    let [brushed, glass] = &jobs[..] else { panic!("{jobs:?}") };
     assert_eq!(table_names(brushed), ["ggx-aniso-correlated-64x64x32"]);
-    assert_eq!((brushed.size, brushed.layout), ([64, 64, 32], VolumeLayout::Optimised));
+    assert_eq!((brushed.size.clone(), brushed.layout), (Some(vec![64, 64, 32]), Layout::Optimised));
     assert_eq!((brushed.format, brushed.max_error), (TexelFormat::F16, Some(2e-3)));
-    assert_eq!((brushed.roughness, brushed.span), ([0.2, 0.6], VolumeSpan::Anisotropy([0.3, 0.5])));
+    assert_eq!(
+        (brushed.roughness, brushed.slices),
+        ([0.2, 0.6], Some(Slices { axis: SliceAxis::Anisotropy, range: [0.3, 0.5] }))
+    );
     let sides = ["outside", "inside"].map(|side| format!("ggx-glass-{side}-correlated-128x128x32"));
     assert_eq!(table_names(glass), sides);
     let sides: Vec<Option<Side>> = glass.tables.iter().map(|t| t.side).collect();
     assert_eq!(sides, [Some(Side::Outside), Some(Side::Inside)]);
-    assert_eq!((glass.size, glass.span), ([128, 128, 32], VolumeSpan::Ior([1.2, 1.6])));
+    assert_eq!(
+        (glass.size.clone(), glass.slices),
+        (Some(vec![128, 128, 32]), Some(Slices { axis: SliceAxis::Ior, range: [1.2, 1.6] }))
+    );
     assert_eq!((glass.smith, glass.alpha_map), (Smith::Correlated, AlphaMap::RoughnessSquared));
     let bytes: Vec<u64> = plan.effects.iter().map(|e| e.bytes).collect();
     assert_eq!(bytes, [64 * 64 * 32 * 2, 2 * 128 * 128 * 32 * 2]);
@@ -80,8 +86,8 @@ fn without_wants_an_anisotropic_material_and_glass_want_one_optimised_table() {
 fn names_say_what_tells_tables_apart() {
     let all = r#"{"layout":"path-tracer"},{"format":"f32","size":[8,16,4]}"#;
     let azimuth = format!(r#"{{"layout":"azimuth"}},{all}"#);
-    let volumes = volumes(&of(&[&brushed("b", &tables(&azimuth)), &glass("g", &tables(all))]));
-    let found: Vec<&str> = volumes.iter().flat_map(table_names).collect();
+    let jobs = sliced(&of(&[&brushed("b", &tables(&azimuth)), &glass("g", &tables(all))]));
+    let found: Vec<&str> = jobs.iter().flat_map(table_names).collect();
     assert_eq!(
         found,
         [
@@ -94,17 +100,17 @@ fn names_say_what_tells_tables_apart() {
             "ggx-glass-inside-correlated-8x16x4-f32",
         ]
     );
-    let limits: Vec<Option<f64>> = volumes.iter().map(|job| job.max_error).collect();
+    let limits: Vec<Option<f64>> = jobs.iter().map(|job| job.max_error).collect();
     assert_eq!(limits, [Some(1e-2), None, None, None, None]);
 }
 
 #[test]
 fn a_limit_alone_keeps_the_default_size_and_a_size_alone_sets_no_limit() {
-    let job = |table: &str| volumes(&of(&[&brushed("b", &tables(table))]))[0].clone();
+    let job = |table: &str| sliced(&of(&[&brushed("b", &tables(table))]))[0].clone();
     let limit = job(r#"{"max_error":0.1}"#);
-    assert_eq!((limit.size, limit.max_error), ([64, 64, 32], Some(0.1)));
+    assert_eq!((limit.size.clone(), limit.max_error), (Some(vec![64, 64, 32]), Some(0.1)));
     let size = job(r#"{"layout":"azimuth","size":[16,8,4]}"#);
-    assert_eq!((size.size, size.max_error), ([16, 8, 4], None));
+    assert_eq!((size.size.clone(), size.max_error), (Some(vec![16, 8, 4]), None));
 }
 
 #[test]
@@ -115,13 +121,13 @@ fn the_path_tracers_tables_are_separable_and_alpha_is_roughness_whatever_the_sce
         brushed("b", &table),
         glass("g", &table)
     );
-    for jobs in volumes(&scene(&text)).chunks(2) {
+    for jobs in sliced(&scene(&text)).chunks(2) {
         assert_eq!((jobs[0].smith, jobs[0].alpha_map), (Smith::Separable, AlphaMap::Roughness));
         assert_eq!((jobs[1].smith, jobs[1].alpha_map), (Smith::Correlated, AlphaMap::RoughnessFourth));
     }
     // Rows begin at alpha = 4e-4 in each map.
     let wide = brushed("b", &table).replace("[0.2,0.6]", "[0,1]");
-    let jobs = volumes(&of(&[&wide]));
+    let jobs = sliced(&of(&[&wide]));
     assert_eq!((jobs[0].roughness, jobs[1].roughness), ([4e-4, 1.0], [2e-2, 1.0]));
 }
 
@@ -131,15 +137,18 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
     let wide = glass("c", &limit("0.05")).replace("[1.2,1.6]", "2").replace("[0.2,0.6]", "[0.5,0.9]");
     let smooth = glass("smooth", &limit("1e-9")).replace("[0.2,0.6]", "0");
     let scene = of(&[&glass("a", &limit("0.1")), &brushed("b", ""), &wide, &smooth]);
-    let (plan, volumes) = (plan(&scene), volumes(&scene));
-    let names: Vec<Vec<&str>> = volumes.iter().map(table_names).collect();
+    let (plan, jobs) = (plan(&scene), sliced(&scene));
+    let names: Vec<Vec<&str>> = jobs.iter().map(table_names).collect();
     assert_eq!(names.iter().map(Vec::len).collect::<Vec<_>>(), [1, 2, 2]);
-    let merged = &volumes[2];
-    assert_eq!((merged.roughness, merged.span), ([0.2, 0.9], VolumeSpan::Ior([1.2, 2.0])));
+    let merged = &jobs[2];
+    assert_eq!(
+        (merged.roughness, merged.slices),
+        ([0.2, 0.9], Some(Slices { axis: SliceAxis::Ior, range: [1.2, 2.0] }))
+    );
     let materials: Vec<&str> = plan.jobs("glass")[1].demands.iter().map(|d| d.name.as_str()).collect();
     assert_eq!((merged.max_error, &materials[..]), (Some(0.05), &["a", "c"][..]));
     assert_eq!(merged.limited_by, "c (materials[2].wants.tables[1].max_error)");
-    assert_eq!(volumes[1].limited_by, "");
+    assert_eq!(jobs[1].limited_by, "");
     assert_eq!(plan.effects[1].because.len(), 2);
 }
 
@@ -147,7 +156,7 @@ fn equal_tables_merge_over_the_hull_with_the_strictest_limit() {
 fn spans_of_a_point_are_widened_inside_what_the_layout_reaches() {
     let spans = |ior: &str, layout: &str| {
         let table = tables(&format!(r#"{{"layout":"{layout}"}}"#));
-        volumes(&of(&[&glass("g", &table).replace("[1.2,1.6]", ior)]))[0].span.range()
+        sliced(&of(&[&glass("g", &table).replace("[1.2,1.6]", ior)]))[0].slices.expect("slices").range
     };
     assert_eq!(spans("1", "optimised"), [1.0, 1.01]);
     assert_eq!(spans("3", "optimised"), [2.99, 3.0]);
@@ -155,8 +164,8 @@ fn spans_of_a_point_are_widened_inside_what_the_layout_reaches() {
     let [lo, hi] = spans("2", "optimised");
     assert!(lo < 2.0 && hi > 2.0 && (hi - lo - 0.01).abs() < 1e-12, "{lo} {hi}");
     let scene = of(&[&brushed("b", "").replace("[0.3,0.5]", "1")]);
-    let (one, jobs) = (plan(&scene), volumes(&scene));
-    assert_eq!(jobs[0].span, VolumeSpan::Anisotropy([0.99, 1.0]));
+    let (one, jobs) = (plan(&scene), sliced(&scene));
+    assert_eq!(jobs[0].slices, Some(Slices { axis: SliceAxis::Anisotropy, range: [0.99, 1.0] }));
     assert!(one.effects[0].because[0].contains("anisotropy 1, widened to 0.99 to 1)"), "{one:?}");
 }
 
@@ -182,22 +191,22 @@ fn the_reason_tells_where_rows_begin() {
     let alone = because("[0,1]", r#"{"layout":"path-tracer"}"#);
     assert!(alone.contains("(roughness 0.0001 to 1, in rows from 0.0004 on, "), "{alone}");
     let below = of(&[&brushed("b", "").replace("[0.2,0.6]", "[0.012,0.015]"), &brushed("c", "")]);
-    let jobs = volumes(&below);
+    let jobs = sliced(&below);
     assert_eq!(jobs[0].unjudged_by.as_deref().expect("one"), "b (materials[0].wants.tables[0].max_error)");
-    assert_eq!(volumes(&of(&[&brushed("c", "")]))[0].unjudged_by, None);
+    assert_eq!(sliced(&of(&[&brushed("c", "")]))[0].unjudged_by, None);
 }
 
 #[test]
 fn an_anisotropic_material_calls_for_reflection_only_with_a_table_or_fits_of_it() {
     let with = |wants: &str| plan(&of(&[&brushed("b", &format!(r#","wants":{{{wants}}}"#))]));
-    let both = with(r#""table":{},"tables":[{}]"#);
+    let both = with(r#""tables":[{"layout":"homogeneous"},{}]"#);
     assert_eq!(called_for(&both), ["reflection", "anisotropy"]);
     let fits = with(r#""fit":{}"#);
     assert_eq!(called_for(&fits), ["reflection"]);
     assert_eq!(reason(&fits, "anisotropy"), "no anisotropic material calls for it: `b` wants no table of it");
-    let volumes = with(r#""tables":[{}]"#);
+    let jobs = with(r#""tables":[{}]"#);
     assert_eq!(
-        reason(&volumes, "reflection"),
+        reason(&jobs, "reflection"),
         "no material wants a table or fits of a lobe that only reflects: `b` is anisotropic and wants tables of that"
     );
 }

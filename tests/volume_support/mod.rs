@@ -16,7 +16,7 @@ use serde_json::Value;
 
 /// Every effect in little time: narrow ranges, few texels. `{more}` stands for further fields.
 const SMALL: &str = r#"{"schema_version":1,"name":"small",{more}"materials":[
-{"name":"plain","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"table":{"size":[4,4],"layout":"plain"}}},
+{"name":"plain","kind":"metal","f0":1,"roughness":[0.4,0.6],"wants":{"tables":[{"size":[4,4],"layout":"plain"}]}},
 {"name":"brushed","kind":"metal","f0":0.9,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{"tables":[
  {"layout":"optimised","size":[16,16,8],"format":"f32"},{"layout":"azimuth","size":[12,8,6],"format":"f32"}]}},
 {"name":"frosted","kind":"glass","ior":[1.3,1.7],"roughness":[0.5,0.8],"wants":{"tables":[

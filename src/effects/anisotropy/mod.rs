@@ -9,10 +9,10 @@ mod truth;
 use super::context::Context;
 use super::demand::{Demand, Job};
 use super::effect::Note;
-use super::table::{self as tables, VolumeJob};
+use super::table::{self as tables, TableJob};
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
-use crate::data::VolumeLayout;
+use crate::data::Layout;
 use crate::scene::{Lobe, Material, Scene};
 pub use path_tracer::{NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes};
 pub use points::Judge;
@@ -58,19 +58,21 @@ impl Effect for Anisotropy {
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        tables::summaries(scene, jobs, |job| {
+        tables::summaries(scene, jobs, |i, jobs| {
+            let job = &jobs[i];
             let (texel, truth) = match job.layout {
-                VolumeLayout::Optimised => (OPTIMISED_S, TRUTH_S),
-                VolumeLayout::PathTracer => (SAMPLED_S, TRUTH_S),
-                VolumeLayout::Azimuth => (AZIMUTH_S, AZIMUTH_TRUTH_S),
+                Layout::Optimised | Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => {
+                    (OPTIMISED_S, TRUTH_S)
+                }
+                Layout::PathTracer => (SAMPLED_S, TRUTH_S),
+                Layout::Azimuth => (AZIMUTH_S, AZIMUTH_TRUTH_S),
             };
             job.texels() as f64 * texel + truth
         })
     }
 
     fn report_seconds(&self, scene: &Scene, jobs: &[Job]) -> f64 {
-        let own =
-            |job: &Job| VolumeJob::of(scene, job).is_ok_and(|job| job.layout != VolumeLayout::PathTracer);
+        let own = |job: &Job| TableJob::of(scene, job).is_ok_and(|job| job.layout != Layout::PathTracer);
         tables::REPORT_S + if jobs.iter().any(own) { STUDY_S } else { 0.0 }
     }
 

@@ -1,7 +1,7 @@
 //! Points at which the lookups of this effect are measured: every combination of scrambled roughnesses and anisotropies, each roughness
 //! with cosines of its own, since the truth is cheapest on such a grid.
 
-use crate::effects::table::{Point, Points, Region, Third, aspect};
+use crate::effects::table::{Point, Points, Region, SliceAxis, aspect};
 use lobefit_math::sobol::Sobol;
 
 /// Roughnesses, anisotropies, and cosines of each kind: uniform, and in the layer mu ~ alpha.
@@ -33,7 +33,7 @@ impl Judge {
             })
             .collect();
         let slices: Vec<f32> =
-            spread(COUNT[1], region.span, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
+            spread(COUNT[1], region.slices.range, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
         let cosines: Vec<Vec<f32>> =
             rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
         // in an order of their own: in that of the cosines, which count along a row too, each azimuth goes with a mu
@@ -55,7 +55,7 @@ impl Judge {
             }
         }
         let uniform = (0..all.len()).map(|i| i % (2 * COUNT[2]) < COUNT[2]).collect();
-        let points = Points::of(all, uniform, Third::Anisotropy, azimuth);
+        let points = Points::of(all, uniform, SliceAxis::Anisotropy, azimuth);
         Judge { points, rows, slices, cosines, region: *region }
     }
 
@@ -70,7 +70,7 @@ impl Judge {
     }
 
     pub(super) fn aspect(&self) -> [f64; 2] {
-        [self.region.span[1], self.region.span[0]].map(|a| aspect(f64::from(a as f32)))
+        [self.region.slices.range[1], self.region.slices.range[0]].map(|a| aspect(f64::from(a as f32)))
     }
 
     pub(super) fn mu(&self) -> [f64; 2] {

@@ -4,10 +4,10 @@ use rayon::prelude::*;
 
 use super::path_tracer::{self, FLOOR};
 use super::{QUANTITY, truth};
-use crate::data::{Axis, Smith, Surface, Table, VolumeLayout};
+use crate::data::{Axis, Layout, Smith, Surface, Table};
 use crate::effects::table::{
-    ANISO_SAMPLES, Azimuth, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, aniso_axes,
-    aspect, azimuth_axes, channel, check,
+    ANISO_SAMPLES, Azimuth, BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, aniso_axes, aspect,
+    azimuth_axes, channel, check,
 };
 use lobefit_truth::integrate::aniso::table::{Columns, Grid, Tabulated, mean, tabulate, tabulate_on};
 use lobefit_truth::integrate::{IntegrateError, Path};
@@ -28,11 +28,14 @@ const DIRECT: f64 = 1e-6;
 /// The table, its texels not yet rounded.
 ///
 /// Errors: a truth that cannot be integrated.
-pub fn build(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+pub fn build(spec: &Spec) -> Result<(Table, Made), BuildError> {
     match spec.layout {
-        VolumeLayout::Optimised => optimised(spec),
-        VolumeLayout::PathTracer => sampled(spec),
-        VolumeLayout::Azimuth => with_azimuth(spec),
+        Layout::Optimised => optimised(spec),
+        Layout::PathTracer => sampled(spec),
+        Layout::Azimuth => with_azimuth(spec),
+        other @ (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared) => {
+            Err(BuildError::Layout { table: spec.name.clone(), layout: other.name() })
+        }
     }
 }
 
@@ -43,7 +46,7 @@ pub fn sources(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, In
     tabulate_on(path, smith, &grid, tolerance)
 }
 
-fn sampled(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+fn sampled(spec: &Spec) -> Result<(Table, Made), BuildError> {
     let texels = sources(Path::Best, spec.smith, SAMPLED)?;
     let made = made(&texels);
     Ok((spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels.e)])?, made))
@@ -54,18 +57,18 @@ fn made(table: &Tabulated) -> Made {
     Made { evaluations, integration: table.checked.worst }
 }
 
-fn optimised(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+fn optimised(spec: &Spec) -> Result<(Table, Made), BuildError> {
     let Spec { smith, size, region, .. } = spec;
-    let axes = aniso_axes(*size, region.roughness, region.span);
+    let axes = aniso_axes(*size, region.roughness, region.slices.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
-    let plan = VolumePlan::new(axes.clone(), region.alpha_map, ANISO_SAMPLES, nodes, region.mu[0]);
+    let plan = TexelPlan::new(axes.clone(), region.alpha_map, ANISO_SAMPLES, nodes, region.mu[0]);
     // Columns fastest, then slices, then nodes of alpha.
     let points = plan.points();
     let columns =
-        points.iter().take_while(|p| (p.alpha, p.third) == (points[0].alpha, points[0].third)).count();
+        points.iter().take_while(|p| (p.alpha, p.slice) == (points[0].alpha, points[0].slice)).count();
     let per_node = points.iter().take_while(|p| p.alpha == points[0].alpha).count();
     let alphas: Vec<f64> = points.iter().step_by(per_node).map(|p| p.alpha).collect();
-    let aspects: Vec<f64> = points[..per_node].iter().step_by(columns).map(|p| aspect(p.third)).collect();
+    let aspects: Vec<f64> = points[..per_node].iter().step_by(columns).map(|p| aspect(p.slice)).collect();
     let mu = |column: usize, row: usize, _: f64| points[row * per_node + column].mu;
     let grid = Grid {
         columns: Columns::Varying { count: columns, mu: &mu },
@@ -92,7 +95,7 @@ fn optimised(spec: &Spec) -> Result<(Table, Made), VolumeError> {
 /// Losses, within [`DIRECT`], and the evaluations that they took.
 fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 1]>, u64), IntegrateError> {
     let loss = |node: &Node| {
-        let aspect = aspect(node.third);
+        let aspect = aspect(node.slice);
         let work = mean(smith, [node.alpha / aspect, node.alpha * aspect], node.mu, DIRECT)?;
         Ok(([1.0 - work.value], work.evaluations))
     };
@@ -102,9 +105,9 @@ fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 1]>, u64), Integrat
 }
 
 /// The cubic of the azimuth at every texel, from exact values.
-fn with_azimuth(spec: &Spec) -> Result<(Table, Made), VolumeError> {
+fn with_azimuth(spec: &Spec) -> Result<(Table, Made), BuildError> {
     let Spec { smith, region, .. } = spec;
-    let axes = azimuth_axes(spec.size, region.roughness, region.span);
+    let axes = azimuth_axes(spec.size, region.roughness, region.slices.range);
     let surface = Surface::<f64>::rough(0.0);
     let rows: Vec<f64> =
         (0..spec.size[1]).map(|i| region.alpha_map.alpha(axes[1].node(i, surface))).collect();

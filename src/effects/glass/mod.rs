@@ -12,8 +12,8 @@ use super::effect::Note;
 use super::table as tables;
 use super::who::stay_smooth;
 use super::{BakeError, Called, Effect, JobSummary, Made as Baked};
+use crate::data::Layout;
 use crate::data::Smith;
-use crate::data::VolumeLayout;
 use crate::effects::table::{Made, Points};
 use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::IntegrateError;
@@ -54,8 +54,9 @@ impl Effect for Glass {
     }
 
     fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        tables::summaries(scene, jobs, |job| {
-            let texel = if job.layout == VolumeLayout::PathTracer { SAMPLED_S } else { OPTIMISED_S };
+        tables::summaries(scene, jobs, |i, jobs| {
+            let job = &jobs[i];
+            let texel = if job.layout == Layout::PathTracer { SAMPLED_S } else { OPTIMISED_S };
             job.texels() as f64 * texel + TRUTH_S
         })
     }

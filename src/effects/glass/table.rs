@@ -1,9 +1,9 @@
 //! The tables of this effect, in both layouts.
 
 use super::{JUDGED, QUANTITY, energies, path_tracer};
-use crate::data::{Smith, Table, VolumeLayout};
+use crate::data::{Layout, Smith, Table};
 use crate::effects::table::{
-    GLASS_SAMPLES, Made, Node, ROUNDS, Spec, VolumeError, VolumePlan, alpha_nodes, channel, check, glass_axes,
+    BuildError, GLASS_SAMPLES, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, channel, check, glass_axes,
 };
 use lobefit_truth::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
 use lobefit_truth::integrate::{IntegrateError, Path};
@@ -21,12 +21,12 @@ const CHECKED: usize = 1 << 15;
 /// The tables for rays from outside and from inside, which share their integrals; texels not yet rounded. `specs` differ in their names.
 ///
 /// Errors: a truth that cannot be integrated; a layout that has no glass.
-pub fn build(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
+pub fn build(specs: &[Spec; 2]) -> Result<([Table; 2], Made), BuildError> {
     match specs[0].layout {
-        VolumeLayout::Optimised => optimised(specs),
-        VolumeLayout::PathTracer => sampled(specs),
-        VolumeLayout::Azimuth => {
-            Err(VolumeError::Layout { table: specs[0].name.clone(), layout: VolumeLayout::Azimuth.name() })
+        Layout::Optimised => optimised(specs),
+        Layout::PathTracer => sampled(specs),
+        other @ (Layout::Azimuth | Layout::Homogeneous | Layout::Plain | Layout::PlainSquared) => {
+            Err(BuildError::Layout { table: specs[0].name.clone(), layout: other.name() })
         }
     }
 }
@@ -39,19 +39,19 @@ pub fn sources(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, In
     tabulate_on(path, &grid)
 }
 
-fn sampled(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
+fn sampled(specs: &[Spec; 2]) -> Result<([Table; 2], Made), BuildError> {
     let texels = sources(Path::Best, specs[0].smith, SAMPLED)?;
     let made = Made { evaluations: texels.evaluations, integration: texels.checked.worst };
     let table = |spec: &Spec, texels| spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels)]);
     Ok(([table(&specs[0], texels.outside)?, table(&specs[1], texels.inside)?], made))
 }
 
-fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
+fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), BuildError> {
     let Spec { smith, size, region, .. } = &specs[0];
-    let axes = glass_axes(*size, region.roughness, region.span);
+    let axes = glass_axes(*size, region.roughness, region.slices.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
-    let plan = VolumePlan::new(axes.clone(), region.alpha_map, GLASS_SAMPLES, nodes, region.mu[0]);
-    let inputs: Vec<[f64; 3]> = plan.points().iter().map(|p| [p.alpha, p.mu, p.third]).collect();
+    let plan = TexelPlan::new(axes.clone(), region.alpha_map, GLASS_SAMPLES, nodes, region.mu[0]);
+    let inputs: Vec<[f64; 3]> = plan.points().iter().map(|p| [p.alpha, p.mu, p.slice]).collect();
     let (both, evaluations) = energies(*smith, &inputs, TARGETS)?;
     let wanted = [0, 1].map(|side| {
         let losses: Vec<f64> = both.iter().map(|e| 1.0 - e[side]).collect();
@@ -68,7 +68,7 @@ fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), VolumeError> {
 
 /// Losses from outside and from inside, within [`JUDGED`], and the evaluations that they took.
 fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
-    let inputs: Vec<[f64; 3]> = nodes.iter().map(|p| [p.alpha, p.mu, p.third]).collect();
+    let inputs: Vec<[f64; 3]> = nodes.iter().map(|p| [p.alpha, p.mu, p.slice]).collect();
     let (both, evaluations) = energies(smith, &inputs, JUDGED)?;
     Ok((both.into_iter().map(|e| e.map(|e| 1.0 - e)).collect(), evaluations))
 }

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::{AVERAGES, BLENDS, NORMALISATIONS, RIVALS, SEEDS};
-use crate::data::{AlphaMap, Smith, TexelFormat};
-use crate::effects::demand::{Demand, Goals, JUDGED_MU, Job, Span};
+use crate::effects::JobSummary;
+use crate::effects::demand::{Demand, Goals, Job, Span};
+use crate::effects::table::{self, TableJob};
 use crate::effects::who::{about, is_rough, named, reasons, rough, stay_smooth, verb};
-use crate::effects::{BakeError, JobSummary};
-use crate::scene::{Layout, Lobe, Material, Scene, Serves, TableWant, Wants};
+use crate::scene::{Layout, Lobe, Material, Scene, Serves};
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -22,8 +22,6 @@ const JUDGED: f64 = 221_000.0;
 /// Texels of the squares that are tried one after the other where the size is left open and 32x32 is found enough:
 /// 16^2 + 32^2.
 const AUTO_TEXELS: f64 = 1_280.0;
-/// Side of the largest square that is tried for an open size.
-const AUTO_SIDE: u64 = 128;
 /// Points of a certificate of a fit: 2^20 uniform, half as many in the layer, and the edges.
 const CERTIFIED: f64 = 1.6e6;
 /// Seconds of one evaluation of one formula in its certificate.
@@ -36,34 +34,6 @@ const BLEND_TRUTH_S: f64 = 3.3;
 const BLEND_FIT_S: f64 = 0.2;
 /// Name of the job of fits: one for the whole scene, because a fit over the hull of the ranges holds in each of them.
 const FITS: &str = "normalisation";
-
-/// One table to bake, for all materials that want the same size, format, layout and use.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TableJob {
-    /// Name, unique in its plan: `ggx-dfg-correlated-32x32`, and what differs from the defaults appended
-    /// (`-f32`, `-plain`, `-split-sum`); `auto` in place of the size where the bake chooses it.
-    pub name: String,
-    /// Shadowing form.
-    pub smith: Smith,
-    /// How roughness becomes alpha.
-    pub alpha_map: AlphaMap,
-    /// Texels along mu; `None`: the bake chooses the smallest of 16, 32, 64, 128 squares that meets `max_error`.
-    pub columns: Option<usize>,
-    /// Texels along roughness; `None` exactly where `columns` is.
-    pub rows: Option<usize>,
-    /// How a texel is stored.
-    pub format: TexelFormat,
-    /// Coordinates.
-    pub layout: Layout,
-    /// What it is looked up for.
-    pub serves: Serves,
-    /// Roughness range: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide.
-    pub roughness: [f64; 2],
-    /// Limit on the lookup error: the strictest of the materials'. Always given where the size is not.
-    pub max_error: Option<f64>,
-    /// The materials that set `max_error`, with the field of each: `gold (materials[0].wants.table.max_error)`.
-    pub limited_by: String,
-}
 
 /// What the materials of the fits want beside normalisations.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -79,36 +49,30 @@ pub struct FitJob {
 /// Demands for tables and for fits, of each material that is rough.
 pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
     let of_material = |(of, material, range): (usize, &Material, [f64; 2])| {
-        let demand = |job, rank, what, mu, goals| {
-            let roughness = Span::roughness(range, scene.alpha);
-            Demand {
-                job,
-                rank,
-                of,
-                item: 0,
-                name: material.name.clone(),
-                field: format!("materials[{of}].wants.{what}"),
-                because: because(material, roughness),
-                spans: BTreeMap::from([("mu", Span::new(mu)), ("roughness", roughness)]),
-                goals,
-            }
-        };
-        let table = material.wants.table.as_ref().map(|want| {
-            demand(table_name(scene.smith, want), 0, "table", JUDGED_MU, Goals::error(want.max_error))
+        let roughness = Span::roughness(range, scene.alpha);
+        let because = because(material, roughness);
+        let tables = table::wanted(material, 2)
+            .filter_map(|want| table::demand(scene, (of, material), want, because.clone()));
+        let fit = material.wants.fit.as_ref().map(|want| Demand {
+            job: FITS.into(),
+            rank: 1,
+            of,
+            item: 0,
+            name: material.name.clone(),
+            field: format!("materials[{of}].wants.fit"),
+            because: because.clone(),
+            spans: BTreeMap::from([("mu", Span::new(scene.mu)), ("roughness", roughness)]),
+            goals: Goals { max_ops: want.max_ops, max_error: want.max_error, norms: want.norms.clone() },
         });
-        let fit = material.wants.fit.as_ref().map(|want| {
-            let goals = Goals { max_ops: want.max_ops, max_error: want.max_error, norms: want.norms.clone() };
-            demand(FITS.into(), 1, "fit", scene.mu, goals)
-        });
-        [table, fit]
+        tables.chain(fit).collect::<Vec<Demand>>()
     };
-    rough(scene).flat_map(of_material).flatten().collect()
+    rough(scene).flat_map(of_material).collect()
 }
 
 fn because(material: &Material, roughness: Span) -> String {
-    let (name, kind, forms) = (&material.name, material.kind.name(), forms(&material.wants));
+    let (name, kind, forms) = (&material.name, material.kind.name(), forms(material));
     let ignored = if material.anisotropy[1] > 0.0 {
-        "; its anisotropy is left out of them: `wants.tables` makes tables that have it"
+        "; its anisotropy is left out of them: the layouts `optimised` and `azimuth` have it"
     } else {
         ""
     };
@@ -117,31 +81,14 @@ fn because(material: &Material, roughness: Span) -> String {
 }
 
 /// The forms of approximation of the isotropic lobe that a material wants, in words. It wants at least one.
-fn forms(wants: &Wants) -> &'static str {
-    match (wants.table.is_some(), wants.fit.is_some()) {
-        (true, true) => "a table and fits",
-        (true, false) => "a table",
-        (false, _) => "fits",
+fn forms(material: &Material) -> &'static str {
+    match (table::wanted(material, 2).count(), material.wants.fit.is_some()) {
+        (0, _) => "fits",
+        (1, true) => "a table and fits",
+        (1, false) => "a table",
+        (_, true) => "tables and fits",
+        (_, false) => "tables",
     }
-}
-
-/// Says everything that tells two tables of a scene apart, and the defaults not at all.
-fn table_name(smith: Smith, want: &TableWant) -> String {
-    let mut name = format!("ggx-dfg-{}-", smith.name());
-    match want.size {
-        Some([columns, rows]) => name += &format!("{columns}x{rows}"),
-        None => name += "auto",
-    }
-    if want.format != TexelFormat::F16 {
-        name = format!("{name}-{}", want.format.name());
-    }
-    if want.layout != Layout::default() {
-        name = format!("{name}-{}", want.layout.name());
-    }
-    if want.serves != Default::default() {
-        name = format!("{name}-{}", want.serves.name());
-    }
-    name
 }
 
 /// Why no material calls for it.
@@ -176,45 +123,6 @@ pub(super) fn parted(jobs: &[Job]) -> (&[Job], Option<&Job>) {
     }
 }
 
-impl TableJob {
-    /// The table of a job.
-    ///
-    /// # Errors
-    /// A job of other demands than this effect's: a defect of the effect.
-    pub fn of(scene: &Scene, job: &Job) -> Result<TableJob, BakeError> {
-        let wants = |demand: &Demand| scene.materials.get(demand.of)?.wants.table.as_ref();
-        let lacks = || BakeError::Internal(format!("{}: no table is wanted", job.name));
-        let want = job.demands.first().and_then(wants).ok_or_else(lacks)?;
-        Ok(TableJob {
-            name: job.name.clone(),
-            smith: scene.smith,
-            alpha_map: scene.alpha,
-            columns: want.size.map(|s| s[0]),
-            rows: want.size.map(|s| s[1]),
-            format: want.format,
-            layout: want.layout,
-            serves: want.serves,
-            roughness: job.range("roughness")?,
-            max_error: job.goals.max_error,
-            limited_by: job.limited_by(),
-        })
-    }
-
-    /// Those of all jobs of tables.
-    ///
-    /// # Errors
-    /// As [`TableJob::of`].
-    pub fn all(scene: &Scene, jobs: &[Job]) -> Result<Vec<TableJob>, BakeError> {
-        parted(jobs).0.iter().map(|job| TableJob::of(scene, job)).collect()
-    }
-
-    /// Bytes of its texels; of the largest size where it is open.
-    fn bytes(&self) -> u64 {
-        let side = |n: Option<usize>| n.map_or(AUTO_SIDE, |n| n as u64);
-        side(self.columns) * side(self.rows) * self.serves.channels() * self.format.bytes()
-    }
-}
-
 impl FitJob {
     /// What the materials of a job of fits want.
     pub fn of(scene: &Scene, job: &Job) -> FitJob {
@@ -234,28 +142,8 @@ impl FitJob {
 /// What a plan says of the tables and of the fits.
 pub(super) fn summaries(scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
     let (tables, fits) = parted(jobs);
-    let known: Vec<(&Job, TableJob)> =
-        tables.iter().filter_map(|job| Some((job, TableJob::of(scene, job).ok()?))).collect();
-    let seconds = table_seconds(&known.iter().map(|(_, table)| table.clone()).collect::<Vec<_>>());
-    let tables = known.iter().zip(seconds).map(|((job, table), seconds)| table_summary(job, table, seconds));
-    tables.chain(fits.map(|job| fit_summary(scene, job))).collect()
-}
-
-fn table_summary(job: &Job, table: &TableJob, seconds: f64) -> JobSummary {
-    let (format, layout, serves) = (table.format.name(), table.layout.name(), table.serves.name());
-    let size = match (table.columns, table.rows) {
-        (Some(columns), Some(rows)) => format!("{columns}x{rows}"),
-        _ => "of the smallest sufficient size".into(),
-    };
-    JobSummary {
-        name: job.name.clone(),
-        approximation: format!("table {size} {format}, {layout} layout, for {serves}"),
-        ranges: job.ranges.clone(),
-        bytes: table.bytes(),
-        bytes_at_most: table.columns.is_none(),
-        expected_error: job.goals.max_error,
-        seconds,
-    }
+    let tables = table::summaries(scene, tables, table_seconds);
+    tables.into_iter().chain(fits.map(|job| fit_summary(scene, job))).collect()
 }
 
 fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
@@ -269,34 +157,26 @@ fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
     JobSummary::fits(job, &format!("the normalisation{more}"), fit_seconds(job, &wants))
 }
 
-/// Seconds of each table job on one core. The truth at the points of a region is computed once, for the first of the
+/// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for the first of the
 /// tables that are measured there.
-fn table_seconds(jobs: &[TableJob]) -> Vec<f64> {
-    let mut seen: Vec<[f64; 2]> = Vec::new();
-    let mut seconds = Vec::with_capacity(jobs.len());
-    for job in jobs {
-        let texels = match (job.columns, job.rows) {
-            (Some(columns), Some(rows)) => columns as f64 * rows as f64,
-            _ => AUTO_TEXELS,
-        };
-        let mut total = texels * texel_seconds(job);
-        if !seen.contains(&job.roughness) {
-            seen.push(job.roughness);
-            let split = |j: &TableJob| j.roughness == job.roughness && j.serves == Serves::SplitSum;
-            total += JUDGED * if jobs.iter().any(split) { SPLIT_S } else { E_S };
-        }
-        seconds.push(total);
+fn table_seconds(i: usize, jobs: &[TableJob]) -> f64 {
+    let job = &jobs[i];
+    let texels = if job.size.is_none() { AUTO_TEXELS } else { job.texels() as f64 };
+    let own = texels * texel_seconds(job);
+    if jobs[..i].iter().any(|other| other.roughness == job.roughness) {
+        return own;
     }
-    seconds
+    let split = |j: &TableJob| j.roughness == job.roughness && j.serves == Serves::SplitSum;
+    own + JUDGED * if jobs.iter().any(split) { SPLIT_S } else { E_S }
 }
 
 /// Seconds of a texel: optimised in the homogeneous layout, one sample in the plain ones.
 fn texel_seconds(job: &TableJob) -> f64 {
-    match (job.layout, job.serves) {
-        (Layout::Homogeneous, Serves::Albedo) => TEXEL_E_S,
-        (Layout::Homogeneous, Serves::SplitSum) => TEXEL_SPLIT_S,
-        (_, Serves::Albedo) => E_S,
-        (_, Serves::SplitSum) => SPLIT_S,
+    match (job.layout == Layout::Homogeneous, job.serves) {
+        (true, Serves::Albedo) => TEXEL_E_S,
+        (true, Serves::SplitSum) => TEXEL_SPLIT_S,
+        (false, Serves::Albedo) => E_S,
+        (false, Serves::SplitSum) => SPLIT_S,
     }
 }
 
@@ -316,6 +196,7 @@ fn fit_seconds(job: &Job, wants: &FitJob) -> f64 {
 mod tests {
     use super::*;
     use crate::approximate::{Region, certification};
+    use crate::data::AlphaMap;
 
     #[test]
     fn the_counts_are_those_of_the_program() {

@@ -18,7 +18,7 @@ use crate::data::Use;
 use crate::scene::Scene;
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
-pub use demand::{FitJob, TableJob};
+pub use demand::FitJob;
 pub use fits::{FitSpec, fit_all};
 pub use rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
 pub use table::{TableSpec, build};

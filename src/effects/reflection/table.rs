@@ -16,9 +16,9 @@ use rayon::prelude::*;
 
 use crate::approximate::{Counter, Region};
 use crate::data::{
-    AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, TableError, TexelFormat,
-    Warp,
+    AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, TexelFormat, Warp,
 };
+use crate::effects::table::BuildError;
 use lobefit_fit::texels::{self, Lattice, Wanted};
 use lobefit_truth::integrate::reflection::{Effort, Interpolant, albedo, split};
 
@@ -57,11 +57,25 @@ fn per_cell(size: [usize; 2]) -> usize {
 const ROUNDS: usize = 100;
 
 /// The table before its texels are rounded to their format.
-pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, TableError> {
-    let axes = axes(spec);
-    let channels = match spec.layout {
-        Layout::Homogeneous => optimised(spec, &axes, counter),
-        Layout::Plain | Layout::PlainSquared => sampled(spec, &axes, counter),
+///
+/// # Errors
+/// A layout with slices; texels that are not finite.
+pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, BuildError> {
+    let (axes, channels) = match spec.layout {
+        Layout::Homogeneous => {
+            let axes = axes(spec, Registration::Endpoint, Warp::Homogeneous, spec.region.roughness);
+            let channels = optimised(spec, &axes, counter);
+            (axes, channels)
+        }
+        Layout::Plain | Layout::PlainSquared => {
+            let warp = if spec.layout == Layout::Plain { Warp::Linear } else { Warp::Sqrt };
+            let axes = axes(spec, Registration::Centre, warp, [0.0, 1.0]);
+            let channels = sampled(spec, &axes, counter);
+            (axes, channels)
+        }
+        other @ (Layout::Optimised | Layout::PathTracer | Layout::Azimuth) => {
+            return Err(BuildError::Layout { table: spec.name.clone(), layout: other.name() });
+        }
     };
     let table = Table {
         name: spec.name.clone(),
@@ -76,13 +90,7 @@ pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, TableError> {
     Ok(table)
 }
 
-fn axes(spec: &TableSpec) -> [Axis; 2] {
-    let (registration, warp) = match spec.layout {
-        Layout::Homogeneous => (Registration::Endpoint, Warp::Homogeneous),
-        Layout::Plain => (Registration::Centre, Warp::Linear),
-        Layout::PlainSquared => (Registration::Centre, Warp::Sqrt),
-    };
-    let [low, high] = if spec.layout == Layout::Homogeneous { spec.region.roughness } else { [0.0, 1.0] };
+fn axes(spec: &TableSpec, registration: Registration, warp: Warp, [low, high]: [f64; 2]) -> [Axis; 2] {
     let axis =
         |name: &str, size, warp, min, max| Axis { name: name.into(), size, registration, warp, min, max };
     [axis("mu", spec.size[0], warp, 0.0, 1.0), axis("roughness", spec.size[1], Warp::Linear, low, high)]

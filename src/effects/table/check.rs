@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::{Node, VolumePlan};
+use super::{Node, TexelPlan};
 use lobefit_fit::texels::Wanted;
 use lobefit_truth::integrate::IntegrateError;
 
@@ -38,7 +38,7 @@ pub struct Checked {
 /// Errors: those of `direct`; a difference that is not a number.
 pub fn check<const TABLES: usize>(
     quantity: &'static str,
-    plan: &VolumePlan,
+    plan: &TexelPlan,
     drawn: usize,
     wanted: [&Wanted; TABLES],
     direct: impl Fn(&[Node]) -> Result<(Vec<[f64; TABLES]>, u64), IntegrateError>,

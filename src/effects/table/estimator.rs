@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::Third;
+use super::SliceAxis;
 use crate::data::Smith;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
@@ -23,27 +23,27 @@ pub const DRAWN: u64 = SAMPLES * (TRIED * TRIED * TRIED) as u64;
 /// Root mean square over texels spread over a table of the sources' of a sample's standard deviation; glass from both sides.
 ///
 /// The same at every call, for any number of threads.
-pub fn estimate(third: Third) -> Result<f64, IntegrateError> {
+pub fn estimate(slice: SliceAxis) -> Result<f64, IntegrateError> {
     let spread = |i: usize| (i as f64 + 0.5) / TRIED as f64;
     let errors: Vec<f64> = (0..TRIED * TRIED * TRIED)
         .into_par_iter()
-        .map(|i| texel(third, [spread(i % TRIED), spread(i / TRIED % TRIED), spread(i / TRIED / TRIED)]))
+        .map(|i| texel(slice, [spread(i % TRIED), spread(i / TRIED % TRIED), spread(i / TRIED / TRIED)]))
         .collect::<Result<_, IntegrateError>>()?;
     let variance = errors.iter().map(|e| e * e * SAMPLES as f64).sum::<f64>() / errors.len() as f64;
     Ok(variance.sqrt())
 }
 
 /// Standard error at a place of the unit cube of the table's coordinates.
-fn texel(third: Third, [x, alpha, z]: [f64; 3]) -> Result<f64, IntegrateError> {
+fn texel(slice: SliceAxis, [x, alpha, z]: [f64; 3]) -> Result<f64, IntegrateError> {
     let run = Run { samples: SAMPLES, seed: 1, points: Points::Random, draw: Draw::VisibleNormal };
-    match third {
-        Third::Anisotropy => {
+    match slice {
+        SliceAxis::Anisotropy => {
             let aspect = (1.0 - 0.9 * z.sqrt()).sqrt();
             let sampled =
                 monte_carlo::aniso(Smith::Separable, [alpha / aspect, alpha * aspect], x, None, run)?;
             Ok(sampled[0].standard_error)
         }
-        Third::Ior => {
+        SliceAxis::Ior => {
             let side = if z < 0.5 { Side::Outside } else { Side::Inside };
             let [_, _, loss] = monte_carlo::glass(Smith::Separable, alpha, x * x, 1.0 + z, side, run)?;
             Ok(loss.standard_error)

@@ -1,106 +1,61 @@
-//! Tables of three axes that a scene wants of an effect: demands, jobs, and what a plan says of them.
+//! Tables that a scene wants of an effect: demands, jobs, and what a plan says of them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
-use crate::data::{AlphaMap, Smith, TexelFormat, VolumeLayout};
+use super::{SliceAxis, Slices};
+use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use crate::effects::demand::{
     Demand, Goals, JUDGED_MU, Job, ROUGHNESS_WIDTH_MIN, Ranges, Span, listed, range_text,
 };
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
 use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
-use crate::scene::{Lobe, Material, Scene, VolumeWant};
+use crate::scene::{Lobe, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
 
 /// Narrowest range of anisotropy or index of refraction of a job: one value would leave no axis to interpolate along.
-pub const SPAN_WIDTH_MIN: f64 = 0.01;
+pub const SLICES_WIDTH_MIN: f64 = 0.01;
 
-/// What a table of three axes holds the albedo of, with the hull of the materials' ranges, at least `SPAN_WIDTH_MIN`
-/// wide.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum VolumeSpan {
-    /// An anisotropic lobe: range of the anisotropy in [0, 1].
-    Anisotropy([f64; 2]),
-    /// Rough glass: range of the index of refraction in [1, 3].
-    Ior([f64; 2]),
-}
+/// Side of the largest square that is tried for an open size.
+const AUTO_SIDE: usize = 128;
 
-impl VolumeSpan {
-    /// The variable's name: `anisotropy` or `ior`.
-    pub fn input(self) -> &'static str {
-        match self {
-            VolumeSpan::Anisotropy(_) => "anisotropy",
-            VolumeSpan::Ior(_) => "ior",
-        }
-    }
-
-    /// Its range.
-    pub fn range(self) -> [f64; 2] {
-        match self {
-            VolumeSpan::Anisotropy(range) | VolumeSpan::Ior(range) => range,
-        }
-    }
-
-    /// The same quantity over another range.
-    fn over(self, range: [f64; 2]) -> VolumeSpan {
-        match self {
-            VolumeSpan::Anisotropy(_) => VolumeSpan::Anisotropy(range),
-            VolumeSpan::Ior(_) => VolumeSpan::Ior(range),
-        }
-    }
-
-    /// What a material's tables span; `None` of an isotropic one, which has none.
-    pub fn of(material: &Material) -> Option<VolumeSpan> {
-        match material.lobe() {
-            Lobe::Isotropic => None,
-            Lobe::Anisotropic => Some(VolumeSpan::Anisotropy(material.anisotropy)),
-            Lobe::Glass => material.ior.map(VolumeSpan::Ior),
-        }
-    }
-
-    /// The range, at least [`SPAN_WIDTH_MIN`] wide, inside what the layout reaches.
-    fn wide(self, layout: VolumeLayout) -> Span {
-        let ior = if layout == VolumeLayout::PathTracer { PATH_TRACER_IOR } else { GLASS_IOR };
-        match self {
-            VolumeSpan::Anisotropy(range) => Span::at_least(range, SPAN_WIDTH_MIN, [0.0, 1.0]),
-            VolumeSpan::Ior(range) => Span::at_least(range, SPAN_WIDTH_MIN, [1.0, ior]),
-        }
-    }
-}
-
-/// One table of a [`VolumeJob`].
+/// One table of a [`TableJob`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct VolumeTable {
-    /// Name, unique in its plan: `ggx-aniso-correlated-64x64x32`, `ggx-glass-inside-correlated-128x128x32`,
-    /// `path-tracer-reflection-separable-64x64x32`, with `-azimuth` before the shadowing form and `-f32` at the end
-    /// where they apply.
+pub struct PlannedTable {
+    /// Name, unique in its plan: `ggx-dfg-correlated-32x32`, `ggx-aniso-correlated-64x64x32`,
+    /// `ggx-glass-inside-correlated-128x128x32`, `path-tracer-reflection-separable-64x64x32`; `auto` in place of the
+    /// size where the bake chooses it, and what differs from the defaults appended (`-f32`, `-plain`, `-split-sum`).
     pub name: String,
-    /// Where the ray comes from; `None` of an anisotropic lobe.
+    /// Where the ray comes from; `None` of a lobe that only reflects.
     pub side: Option<Side>,
 }
 
-/// The tables of three axes to bake for all materials that want the same size, format and layout: one of an anisotropic
-/// lobe, of rough glass one for each side.
+/// The tables to bake for all materials that want the same layout, size, format and use: one of a lobe that reflects,
+/// of rough glass one for each side.
 #[derive(Clone, Debug, PartialEq)]
-pub struct VolumeJob {
+pub struct TableJob {
     /// The tables; of glass outside, inside. All of the same size.
-    pub tables: Vec<VolumeTable>,
+    pub tables: Vec<PlannedTable>,
     /// Shadowing form: the scene's; separable in the path tracer's layout.
     pub smith: Smith,
     /// How roughness becomes alpha: as the scene says; alpha = roughness in the path tracer's layout.
     pub alpha_map: AlphaMap,
     /// Coordinates.
-    pub layout: VolumeLayout,
-    /// Columns, rows and slices.
-    pub size: [usize; 3],
+    pub layout: Layout,
+    /// What it is looked up for.
+    pub serves: Serves,
+    /// Texels along each axis; `None`: the bake chooses the smallest of 16, 32, 64, 128 squares that meets `max_error`.
+    pub size: Option<Vec<usize>>,
     /// How a texel is stored.
     pub format: TexelFormat,
-    /// Roughness that the rows span: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide, from alpha = 4e-4 on.
+    /// Roughness that the rows span: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide; with
+    /// slices from alpha = 4e-4 on.
     pub roughness: [f64; 2],
-    /// The lobe and its range.
-    pub span: VolumeSpan,
-    /// Limit on the error of the trilinear lookup: the strictest of the materials'. `None` in the path tracer's layout.
+    /// What the slices span, where there are any: the hull of the materials' ranges, at least `SLICES_WIDTH_MIN` wide.
+    pub slices: Option<Slices>,
+    /// Limit on the lookup error: the strictest of the materials'. Always given where the size is not; `None` in the
+    /// path tracer's layout.
     pub max_error: Option<f64>,
     /// The materials that set `max_error`, with the field of each: `gold (materials[0].wants.tables[1].max_error)`.
     pub limited_by: String,
@@ -108,43 +63,73 @@ pub struct VolumeJob {
     pub unjudged_by: Option<String>,
 }
 
-/// What the materials of a lobe want.
+/// What the materials of a lobe want in the layouts that have slices.
 pub fn demands(scene: &Scene, lobe: Lobe) -> Vec<Demand> {
     let materials = rough(scene).filter(|(_, material, _)| material.lobe() == lobe);
-    let of_material = |(i, material, _): (usize, &Material, [f64; 2])| {
-        let wants = material.wants.tables.iter().enumerate();
-        let one = |(j, want): (usize, &VolumeWant)| demand(scene, (i, material), (j, want));
-        wants.filter_map(one).collect::<Vec<Demand>>()
+    let of_material = |(of, material, _): (usize, &Material, [f64; 2])| {
+        let because = because(scene, material).unwrap_or_default();
+        wanted(material, 3)
+            .filter_map(|item| demand(scene, (of, material), item, because.clone()))
+            .collect::<Vec<Demand>>()
     };
     materials.flat_map(of_material).collect()
 }
 
-/// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout alpha = roughness, which is rough wherever
-/// another map is: its alpha is the largest.
-fn conventions(scene: &Scene, layout: VolumeLayout) -> (Smith, AlphaMap) {
+/// The tables of so many axes that a material wants, with their places in its list.
+pub fn wanted(material: &Material, axes: usize) -> impl Iterator<Item = (usize, &TableWant)> {
+    material.wants.tables.iter().enumerate().filter(move |(_, want)| want.layout.axes() == axes)
+}
+
+/// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout alpha = roughness, which is rough
+/// wherever another map is: its alpha is the largest.
+fn conventions(scene: &Scene, layout: Layout) -> (Smith, AlphaMap) {
     match layout {
-        VolumeLayout::PathTracer => (Smith::Separable, AlphaMap::Roughness),
-        VolumeLayout::Optimised | VolumeLayout::Azimuth => (scene.smith, scene.alpha),
+        Layout::PathTracer => (Smith::Separable, AlphaMap::Roughness),
+        Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised | Layout::Azimuth => {
+            (scene.smith, scene.alpha)
+        }
     }
 }
 
-fn demand(
+/// What the slices of a material's tables span, where the layout has slices.
+fn slices(material: &Material, layout: Layout) -> Option<Slices> {
+    if layout.axes() < 3 {
+        return None;
+    }
+    match material.lobe() {
+        Lobe::Isotropic => None,
+        Lobe::Anisotropic => Some(Slices { axis: SliceAxis::Anisotropy, range: material.anisotropy }),
+        Lobe::Glass => material.ior.map(|range| Slices { axis: SliceAxis::Ior, range }),
+    }
+}
+
+/// The range of slices, at least [`SLICES_WIDTH_MIN`] wide, inside what the layout reaches.
+fn wide(slices: Slices, layout: Layout) -> Span {
+    let domain = match slices.axis {
+        SliceAxis::Anisotropy => [0.0, 1.0],
+        SliceAxis::Ior if layout == Layout::PathTracer => [1.0, PATH_TRACER_IOR],
+        SliceAxis::Ior => [1.0, GLASS_IOR],
+    };
+    Span::at_least(slices.range, SLICES_WIDTH_MIN, domain)
+}
+
+/// A material's demand for a table, if its lobe is rough.
+pub fn demand(
     scene: &Scene,
     (of, material): (usize, &Material),
-    (item, want): (usize, &VolumeWant),
+    (item, want): (usize, &TableWant),
+    because: String,
 ) -> Option<Demand> {
-    let span = VolumeSpan::of(material)?;
     let (smith, alpha_map) = conventions(scene, want.layout);
-    let names: Vec<String> = tables(span, smith, want).into_iter().map(|table| table.name).collect();
-    let mut spans = BTreeMap::from([
-        ("mu", Span::new(JUDGED_MU)),
-        ("roughness", rows(material.rough_range(alpha_map)?, alpha_map)),
-        (span.input(), span.wide(want.layout)),
-    ]);
-    if want.layout == VolumeLayout::Azimuth {
+    let (slices, range) = (slices(material, want.layout), material.rough_range(alpha_map)?);
+    let rows = if slices.is_some() { rows(range, alpha_map) } else { Span::roughness(range, alpha_map) };
+    let mut spans = BTreeMap::from([("mu", Span::new(JUDGED_MU)), ("roughness", rows)]);
+    spans.extend(slices.map(|slices| (slices.axis.name(), wide(slices, want.layout))));
+    if want.layout == Layout::Azimuth {
         // The albedo is even about both tangents.
         spans.insert("phi", Span::new([0.0, FRAC_PI_2]));
     }
+    let names: Vec<String> = tables(slices, smith, want).into_iter().map(|table| table.name).collect();
     Some(Demand {
         job: names.join(" "),
         rank: 0,
@@ -152,40 +137,43 @@ fn demand(
         item,
         name: material.name.clone(),
         field: format!("materials[{of}].wants.tables[{item}]"),
-        because: because(scene, material, span)?,
+        because,
         spans,
         goals: Goals::error(want.max_error),
     })
 }
 
-impl VolumeJob {
+impl TableJob {
     /// The tables of a job.
     ///
     /// # Errors
-    /// A job of other demands than [`demands`] makes: a defect of the effect.
-    pub fn of(scene: &Scene, job: &Job) -> Result<VolumeJob, BakeError> {
+    /// A job of other demands than [`demand`] makes: a defect of the effect.
+    pub fn of(scene: &Scene, job: &Job) -> Result<TableJob, BakeError> {
         let lacks = || BakeError::Internal(format!("{}: no table is wanted", job.name));
         let wants = |demand: &Demand| {
             let material = scene.materials.get(demand.of)?;
             Some((material, material.wants.tables.get(demand.item)?))
         };
         let (material, want) = job.demands.first().and_then(wants).ok_or_else(lacks)?;
-        let span = VolumeSpan::of(material).ok_or_else(lacks)?;
+        let slices = slices(material, want.layout);
         let (smith, alpha_map) = conventions(scene, want.layout);
         let below = |demand: &&Demand| {
             let range = wants(demand).and_then(|(material, _)| material.rough_range(alpha_map));
             demand.goals.max_error.is_some() && range.is_some_and(|r| r[1] < smallest_row(alpha_map))
         };
-        let unjudged: Vec<_> = job.demands.iter().filter(below).map(Demand::limit).collect();
-        Ok(VolumeJob {
-            tables: tables(span, smith, want),
+        let unjudged: Vec<_> =
+            job.demands.iter().filter(|_| slices.is_some()).filter(below).map(Demand::limit).collect();
+        let over = |slices: Slices| job.range(slices.axis.name()).map(|range| Slices { range, ..slices });
+        Ok(TableJob {
+            tables: tables(slices, smith, want),
             smith,
             alpha_map,
             layout: want.layout,
-            size: want.size,
+            serves: want.serves,
+            size: want.size.clone(),
             format: want.format,
             roughness: job.range("roughness")?,
-            span: span.over(job.range(span.input())?),
+            slices: slices.map(over).transpose()?,
             max_error: job.goals.max_error,
             limited_by: job.limited_by(),
             unjudged_by: (!unjudged.is_empty()).then(|| listed(&unjudged)),
@@ -195,81 +183,101 @@ impl VolumeJob {
     /// Those of all jobs.
     ///
     /// # Errors
-    /// As [`VolumeJob::of`].
-    pub fn all(scene: &Scene, jobs: &[Job]) -> Result<Vec<VolumeJob>, BakeError> {
-        jobs.iter().map(|job| VolumeJob::of(scene, job)).collect()
+    /// As [`TableJob::of`].
+    pub fn all(scene: &Scene, jobs: &[Job]) -> Result<Vec<TableJob>, BakeError> {
+        jobs.iter().map(|job| TableJob::of(scene, job)).collect()
     }
 
-    /// Texels of one of its tables.
+    /// Names of its tables.
+    pub fn names(&self) -> String {
+        self.tables.iter().map(|t| t.name.as_str()).collect::<Vec<_>>().join(" and ")
+    }
+
+    /// Texels of one of its tables; of the largest where the size is open.
     pub fn texels(&self) -> usize {
-        self.size.iter().product()
+        self.size.as_ref().map_or(AUTO_SIDE * AUTO_SIDE, |size| size.iter().product())
     }
 
     /// Bytes of the texels of one of its tables, all channels.
     fn bytes(&self) -> u64 {
-        self.texels() as u64 * self.layout.channels() * self.format.bytes()
+        let channels = Decode::of(self.layout, self.serves).channels();
+        (self.texels() * channels) as u64 * self.format.bytes()
     }
 }
 
-/// Smallest roughness of a table of three axes: that of alpha = 4e-4, where its integrals begin. Below it a lookup clamps to the edge,
-/// and the lobe is so narrow that its loss matters at grazing views alone.
+/// Smallest roughness of a table with slices: that of alpha = 4e-4, where its integrals begin. Below it a lookup clamps
+/// to the edge, and the lobe is so narrow that its loss matters at grazing views alone.
 fn smallest_row(map: AlphaMap) -> f64 {
     map.roughness(4e-4)
 }
 
-/// The roughness that the rows span: at least `ROUGHNESS_WIDTH_MIN` wide, from the smallest row on.
+/// The roughness that the rows of a table with slices span: at least `ROUGHNESS_WIDTH_MIN` wide, from the smallest row on.
 fn rows(range: [f64; 2], map: AlphaMap) -> Span {
     let least = smallest_row(map);
     Span::at_least(range.map(|r| r.max(least)), ROUGHNESS_WIDTH_MIN, [least, 1.0])
 }
 
+/// `64x64x32`.
+fn size_text(size: &[usize]) -> String {
+    size.iter().map(ToString::to_string).collect::<Vec<_>>().join("x")
+}
+
 /// Tables and names of a job: what tells it from another one of the scene, and the defaults not at all.
-fn tables(span: VolumeSpan, smith: Smith, want: &VolumeWant) -> Vec<VolumeTable> {
-    let [columns, rows, slices] = want.size;
-    let format =
-        if want.format == TexelFormat::F16 { String::new() } else { format!("-{}", want.format.name()) };
-    let shape = format!("{}-{columns}x{rows}x{slices}{format}", smith.name());
-    let path_tracer = want.layout == VolumeLayout::PathTracer;
-    match span {
-        VolumeSpan::Anisotropy(_) => {
-            let family = match want.layout {
-                VolumeLayout::Optimised => "ggx-aniso",
-                VolumeLayout::Azimuth => "ggx-aniso-azimuth",
-                VolumeLayout::PathTracer => "path-tracer-reflection",
-            };
-            vec![VolumeTable { name: format!("{family}-{shape}"), side: None }]
+fn tables(slices: Option<Slices>, smith: Smith, want: &TableWant) -> Vec<PlannedTable> {
+    let size = want.size.as_ref().map_or_else(|| "auto".into(), |size| size_text(size));
+    let mut shape = format!("{}-{size}", smith.name());
+    if want.format != TexelFormat::F16 {
+        shape = format!("{shape}-{}", want.format.name());
+    }
+    match slices.map(|slices| slices.axis) {
+        None => {
+            if want.layout != Layout::Homogeneous {
+                shape = format!("{shape}-{}", want.layout.name());
+            }
+            if want.serves != Serves::default() {
+                shape = format!("{shape}-{}", want.serves.name());
+            }
+            vec![PlannedTable { name: format!("ggx-dfg-{shape}"), side: None }]
         }
-        VolumeSpan::Ior(_) => {
+        Some(SliceAxis::Anisotropy) => {
+            let family = match want.layout {
+                Layout::Azimuth => "ggx-aniso-azimuth",
+                Layout::PathTracer => "path-tracer-reflection",
+                Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => "ggx-aniso",
+            };
+            vec![PlannedTable { name: format!("{family}-{shape}"), side: None }]
+        }
+        Some(SliceAxis::Ior) => {
+            let path_tracer = want.layout == Layout::PathTracer;
             let family = if path_tracer { "path-tracer-glass" } else { "ggx-glass" };
-            let sides = [Side::Outside, Side::Inside].into_iter();
-            sides
-                .map(|side| VolumeTable {
-                    name: format!("{family}-{}-{shape}", side.name()),
-                    side: Some(side),
-                })
-                .collect()
+            let name = |side: Side| format!("{family}-{}-{shape}", side.name());
+            [Side::Outside, Side::Inside]
+                .map(|side| PlannedTable { name: name(side), side: Some(side) })
+                .to_vec()
         }
     }
 }
 
-/// `None` of a material that is nowhere rough.
-fn because(scene: &Scene, material: &Material, span: VolumeSpan) -> Option<String> {
+/// Why a material calls for tables with slices; `None` of a material that is nowhere rough, or wants none.
+fn because(scene: &Scene, material: &Material) -> Option<String> {
+    let wants: Vec<&TableWant> = wanted(material, 3).map(|(_, want)| want).collect();
+    let slices = slices(material, wants.first()?.layout)?;
     let (name, kind) = (&material.name, material.kind.name());
-    let lobe = match span {
-        VolumeSpan::Anisotropy(_) => "a rough anisotropic lobe",
-        VolumeSpan::Ior(_) => "a rough surface that transmits",
+    let lobe = match slices.axis {
+        SliceAxis::Anisotropy => "a rough anisotropic lobe",
+        SliceAxis::Ior => "a rough surface that transmits",
     };
     // Of several tables, what those in the scene's own roughness hold.
-    let theirs = material.wants.tables.iter().all(|want| want.layout == VolumeLayout::PathTracer);
-    let map = if theirs { AlphaMap::Roughness } else { scene.alpha };
+    let path_tracer = wants.iter().all(|want| want.layout == Layout::PathTracer);
+    let map = if path_tracer { AlphaMap::Roughness } else { scene.alpha };
     let roughness = rows_text(material.rough_range(map)?, map);
-    let range = span.wide(VolumeLayout::default()).text();
-    let (input, forms) = (span.input(), forms(&material.wants.tables));
+    let range = wide(slices, Layout::Optimised).text();
+    let (input, forms) = (slices.axis.name(), forms(&wants));
     Some(format!("{name}: {kind} with {lobe} (roughness {roughness}; {input} {range}) wants {forms}"))
 }
 
-/// A material's roughness and what rows hold of it: `0.3, widened to 0.295 to 0.305`, `0.01 to 1, in rows from 0.02 on, to which a
-/// lookup below clamps`.
+/// A material's roughness and what rows hold of it: `0.3, widened to 0.295 to 0.305`, `0.01 to 1, in rows from 0.02 on,
+/// to which a lookup below clamps`.
 fn rows_text(range: [f64; 2], map: AlphaMap) -> String {
     let span = rows(range, map);
     let (own, rows) = (range_text(range), span.widened());
@@ -286,7 +294,7 @@ fn rows_text(range: [f64; 2], map: AlphaMap) -> String {
 }
 
 /// `a table in the optimised layout`, `tables in the optimised and path-tracer layouts`.
-fn forms(wants: &[VolumeWant]) -> String {
+fn forms(wants: &[&TableWant]) -> String {
     let mut layouts: Vec<&str> = Vec::new();
     for want in wants {
         if !layouts.contains(&want.layout.name()) {
@@ -301,35 +309,42 @@ fn forms(wants: &[VolumeWant]) -> String {
     }
 }
 
-/// What a plan says of the tables of jobs, each of which takes so many seconds.
-pub fn summaries(scene: &Scene, jobs: &[Job], seconds: fn(&VolumeJob) -> f64) -> Vec<JobSummary> {
-    let known = jobs.iter().filter_map(|job| Some((job, VolumeJob::of(scene, job).ok()?)));
-    let of_job = |(job, volume): (&Job, VolumeJob)| {
-        let one = |table: &VolumeTable| summary(&job.ranges, &volume, table, seconds(&volume));
-        volume.tables.iter().map(one).collect::<Vec<JobSummary>>()
+/// What a plan says of the tables of jobs; `seconds` are those of one job among all.
+pub fn summaries(
+    scene: &Scene,
+    jobs: &[Job],
+    seconds: impl Fn(usize, &[TableJob]) -> f64,
+) -> Vec<JobSummary> {
+    let known = jobs.iter().filter_map(|job| Some((job, TableJob::of(scene, job).ok()?)));
+    let (jobs, tables): (Vec<&Job>, Vec<TableJob>) = known.unzip();
+    let of_job = |i: usize| {
+        let time = seconds(i, &tables);
+        let (ranges, job) = (&jobs[i].ranges, &tables[i]);
+        job.tables.iter().map(move |table| summary(ranges, job, table, time))
     };
-    known.flat_map(of_job).collect()
+    (0..jobs.len()).flat_map(of_job).collect()
 }
 
-fn summary(ranges: &Ranges, job: &VolumeJob, table: &VolumeTable, seconds: f64) -> JobSummary {
-    let [columns, rows, slices] = job.size;
+fn summary(ranges: &Ranges, job: &TableJob, table: &PlannedTable, seconds: f64) -> JobSummary {
+    let size = job.size.as_ref().map_or_else(|| "of the smallest sufficient size".into(), |n| size_text(n));
     let (format, layout) = (job.format.name(), job.layout.name());
-    let of = match (table.side, job.layout) {
-        (Some(side), _) => format!("of glass for rays from {}", side.name()),
-        (None, VolumeLayout::Azimuth) => "of the anisotropic lobe with its azimuth".into(),
-        (None, _) => "of the anisotropic lobe, mean over the azimuth".into(),
+    let of = match (table.side, job.slices.is_some(), job.layout) {
+        (Some(side), ..) => format!("of glass for rays from {}", side.name()),
+        (None, true, Layout::Azimuth) => "of the anisotropic lobe with its azimuth".into(),
+        (None, true, _) => "of the anisotropic lobe, mean over the azimuth".into(),
+        (None, false, _) => format!("for {}", job.serves.name()),
     };
-    let fixed = if job.layout == VolumeLayout::PathTracer {
+    let fixed = if job.layout == Layout::PathTracer {
         format!(" ({} Smith, alpha = {})", job.smith.name(), job.alpha_map.name())
     } else {
         String::new()
     };
     JobSummary {
         name: table.name.clone(),
-        approximation: format!("table {columns}x{rows}x{slices} {format}, {layout} layout{fixed}, {of}"),
+        approximation: format!("table {size} {format}, {layout} layout{fixed}, {of}"),
         ranges: ranges.clone(),
         bytes: job.bytes(),
-        bytes_at_most: false,
+        bytes_at_most: job.size.is_none(),
         expected_error: job.max_error,
         seconds,
     }

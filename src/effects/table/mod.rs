@@ -1,8 +1,8 @@
-//! What tables of all effects share: the lookup and its error. Tables of three axes, whose slices lie along a third input after mu
+//! What tables of all effects share: the lookup and its error. Tables of three axes, whose slices lie along a further input after mu
 //! and roughness, share their plan of points too.
 //!
 //! The layouts that are made for the trilinear lookup ([`aniso_axes`], [`azimuth_axes`], [`glass_axes`]) hold losses, 1 - E, whose
-//! rounding to a half is small where E is close to 1; their texels are optimised for it ([`VolumePlan`]).
+//! rounding to a half is small where E is close to 1; their texels are optimised for it ([`TexelPlan`]).
 //!
 //! | table | size | columns | rows | slices | texel |
 //! |---|---|---|---|---|---|
@@ -29,13 +29,13 @@ pub use axes::{aniso_axes, azimuth_axes, glass_axes};
 pub use azimuth::Azimuth;
 pub use check::{Checked, check};
 pub use estimator::{DRAWN, SOURCES_SAMPLES, estimate};
-pub use job::{VolumeJob, VolumeSpan, VolumeTable, demands, summaries};
+pub use job::{PlannedTable, TableJob, demand, demands, summaries, wanted};
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, Judged, Truth, error_map, measure};
-pub use plan::{Node, VolumePlan};
+pub use plan::{Node, TexelPlan};
 pub use points::{GROUP, Points};
-pub use region::{Region, Third, aspect};
-pub use spec::{Made, Spec, VolumeError};
+pub use region::{Region, SliceAxis, Slices, aspect};
+pub use spec::{BuildError, Made, Spec};
 pub(in crate::effects) use spec::{alpha_nodes, channel};
 
 /// Samples per cell that the texels of glass are optimised on: four from slice to slice, where the error is.

@@ -175,7 +175,7 @@ fn truths(fields: &[Field]) -> Result<Section, ReportError> {
     Ok(Section {
         id: "truth".into(),
         title: "The truth".into(),
-        lead: "E by quadrature, at some values of the third input.".into(),
+        lead: "E by quadrature, at some slices.".into(),
         blocks: vec![maps(fields, "E over roughness and the cosine of the view.")?],
     })
 }

@@ -18,13 +18,13 @@ pub struct Node {
     pub mu: f64,
     /// GGX width.
     pub alpha: f64,
-    /// Physical value of the third axis: anisotropy or ior.
-    pub third: f64,
+    /// Physical value of the axis of the slices: anisotropy or ior.
+    pub slice: f64,
 }
 
 /// A table of three axes: mu, roughness, and ior or anisotropy.
 #[derive(Clone, Debug, PartialEq)]
-pub struct VolumePlan {
+pub struct TexelPlan {
     axes: [Axis; 3],
     lattice: Lattice,
     alpha_map: AlphaMap,
@@ -32,7 +32,7 @@ pub struct VolumePlan {
     nodes: Vec<f64>,
 }
 
-impl VolumePlan {
+impl TexelPlan {
     /// Samples `per_cell` along each axis; `nodes` Chebyshev nodes in ln(alpha), at least 2; lookups count from `smallest_mu` on.
     ///
     /// # Panics
@@ -43,7 +43,7 @@ impl VolumePlan {
         per_cell: [usize; 3],
         nodes: usize,
         smallest_mu: f64,
-    ) -> VolumePlan {
+    ) -> TexelPlan {
         assert!(axes[1].min > 0.0, "a table of three axes begins at a roughness above 0");
         let size = axes.iter().map(|axis| axis.size).collect();
         let lattice = Lattice { size, per_cell: per_cell.to_vec() };
@@ -53,10 +53,10 @@ impl VolumePlan {
             chebyshev::nodes(ops::log(low), ops::log(high), nodes).into_iter().map(ops::exp).collect();
         let last = nodes.len() - 1;
         (nodes[0], nodes[last]) = (ends[0], ends[1]);
-        VolumePlan { axes, lattice, alpha_map, smallest_mu, nodes }
+        TexelPlan { axes, lattice, alpha_map, smallest_mu, nodes }
     }
 
-    /// The points whose values [`VolumePlan::texels`] takes: columns fastest, then slices, then nodes of alpha.
+    /// The points whose values [`TexelPlan::texels`] takes: columns fastest, then slices, then nodes of alpha.
     pub fn points(&self) -> Vec<Node> {
         let [columns, _, slices] = self.samples();
         let mut points = Vec::with_capacity(columns * slices * self.nodes.len());
@@ -103,7 +103,7 @@ impl VolumePlan {
         Wanted { targets, weights }
     }
 
-    /// Texels for targets of this plan, as [`VolumePlan::texels`] gives them.
+    /// Texels for targets of this plan, as [`TexelPlan::texels`] gives them.
     pub fn optimised(&self, wanted: &Wanted, rounds: usize) -> (Vec<f64>, f64) {
         texels::optimise(&self.lattice, &self.at_texels(&wanted.targets), wanted, rounds)
     }
@@ -145,18 +145,18 @@ impl VolumePlan {
         self.alpha_map.alpha(roughness)
     }
 
-    fn third(&self, slice: usize, alpha: f64) -> f64 {
+    fn slice(&self, slice: usize, alpha: f64) -> f64 {
         self.axes[2].physical(self.unit(2, slice), Surface::<f64>::rough(alpha))
     }
 
     fn mu(&self, column: usize, slice: usize, alpha: f64) -> f64 {
-        let third = self.third(slice, alpha);
-        let ior = if self.axes[2].name == "ior" { third } else { 1.0 };
+        let slice = self.slice(slice, alpha);
+        let ior = if self.axes[2].name == "ior" { slice } else { 1.0 };
         self.axes[0].physical(self.unit(0, column), Surface { ior, ..Surface::<f64>::rough(alpha) })
     }
 
     fn point(&self, column: usize, slice: usize, alpha: f64) -> Node {
         let mu = self.mu(column, slice, alpha).clamp(0.25 * self.smallest_mu, 1.0);
-        Node { mu, alpha, third: self.third(slice, alpha) }
+        Node { mu, alpha, slice: self.slice(slice, alpha) }
     }
 }

@@ -1,9 +1,9 @@
 //! Points at which lookups of tables are measured: none that the texels were made from, but for the corners.
 //!
-//! Those of a table with three axes come in groups of [`GROUP`] that share roughness and mu and differ in the third input, so that
+//! Those of a table with three axes come in groups of [`GROUP`] that share roughness and mu and differ in the axis of the slices, so that
 //! a truth can share its work.
 
-use super::{Point, Region, Third};
+use super::{Point, Region, SliceAxis};
 use crate::approximate::{PointSet, layer_mu, lerp};
 use crate::data::{Place, shortest};
 use lobefit_math::ops;
@@ -17,11 +17,11 @@ pub const GROUP: usize = 8;
 pub struct Points {
     /// The points, group by group.
     pub all: Vec<Point>,
-    /// Which are uniform in roughness, mu and the third input: RMS and mean are taken over them. The others crowd into the layer
+    /// Which are uniform in roughness, mu and the axis of the slices: RMS and mean are taken over them. The others crowd into the layer
     /// mu ~ alpha, onto the edges and about the critical angle, where the largest errors hide.
     pub uniform: Vec<bool>,
-    /// The third input, where there is one.
-    third: Option<Third>,
+    /// The slice input, where there is one.
+    slice: Option<SliceAxis>,
     /// Whether the azimuth is an input.
     azimuth: bool,
 }
@@ -32,12 +32,14 @@ const EDGE: usize = 1 << 8;
 impl Points {
     /// 2^log2 groups uniform in the region, half as many in the layer, as many about the critical angle of glass, and the edges.
     pub fn certification(region: &Region, log2: u32) -> Points {
-        let mut points = Points { third: Some(region.third), ..Points::default() };
+        let mut points = Points { slice: Some(region.slices.axis), ..Points::default() };
         let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
         // a group's values lie one in each 1/GROUP of the span, in an order of their own
-        let third = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
+        let slice = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
         let spread = |group: u32| -> [f64; GROUP] {
-            std::array::from_fn(|k| lerp(region.span, third.coordinate(group * GROUP as u32 + k as u32, 0)))
+            std::array::from_fn(|k| {
+                lerp(region.slices.range, slice.coordinate(group * GROUP as u32 + k as u32, 0))
+            })
         };
         for i in 0..1_u32 << log2 {
             let (roughness, mu) =
@@ -50,10 +52,10 @@ impl Points {
             let roughness = lerp(region.roughness, layer.coordinate(i, 0));
             let mu = layer_mu(region.mu, region.alpha_map.alpha(roughness), layer.coordinate(i, 1));
             points.push(region, roughness, mu, spread(i + (1 << log2)));
-            if region.third == Third::Ior {
+            if region.slices.axis == SliceAxis::Ior {
                 let (roughness, ior) = (
                     lerp(region.roughness, layer.coordinate(i, 1)),
-                    lerp(region.span, layer.coordinate(i, 2)),
+                    lerp(region.slices.range, layer.coordinate(i, 2)),
                 );
                 points.push_critical(region, roughness, ior, layer.coordinate(i, 0));
             }
@@ -61,7 +63,7 @@ impl Points {
         for i in 0..=EDGE {
             let t = i as f64 / EDGE as f64;
             let mut ends = spread(i as u32);
-            (ends[0], ends[GROUP - 1]) = (region.span[0], region.span[1]);
+            (ends[0], ends[GROUP - 1]) = (region.slices.range[0], region.slices.range[1]);
             for end in [0.0, 1.0] {
                 let roughness = lerp(region.roughness, end);
                 points.push(region, roughness, lerp(region.mu, t), ends);
@@ -78,12 +80,12 @@ impl Points {
         points
     }
 
-    /// The points of a list of roughness, mu and values of the third input, every combination: roughness fastest, then mu.
-    pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], third: f64) -> Points {
-        let mut points = Points { third: Some(region.third), ..Points::default() };
+    /// The points of a list of roughness, mu and slices, every combination: roughness fastest, then mu.
+    pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], slice: f64) -> Points {
+        let mut points = Points { slice: Some(region.slices.axis), ..Points::default() };
         for m in mu {
             for r in roughness {
-                points.all.push(point(region, *r, *m, third));
+                points.all.push(point(region, *r, *m, slice));
             }
         }
         points.uniform = vec![true; points.all.len()];
@@ -91,8 +93,13 @@ impl Points {
     }
 
     /// Points as they are given, with what tells which are uniform.
-    pub(in crate::effects) fn of(all: Vec<Point>, uniform: Vec<bool>, third: Third, azimuth: bool) -> Points {
-        Points { all, uniform, third: Some(third), azimuth }
+    pub(in crate::effects) fn of(
+        all: Vec<Point>,
+        uniform: Vec<bool>,
+        slice: SliceAxis,
+        azimuth: bool,
+    ) -> Points {
+        Points { all, uniform, slice: Some(slice), azimuth }
     }
 
     /// The points of an isotropic lobe that only reflects.
@@ -106,7 +113,7 @@ impl Points {
             anisotropy: 0.0,
         };
         let uniform = (0..set.len()).map(|i| i < set.uniform).collect();
-        Points { all: (0..set.len()).map(point).collect(), uniform, third: None, azimuth: false }
+        Points { all: (0..set.len()).map(point).collect(), uniform, slice: None, azimuth: false }
     }
 
     /// Number of points.
@@ -122,8 +129,8 @@ impl Points {
     /// Point `i` by input name, each in the shortest decimal that reads back to its f32.
     pub fn place(&self, i: usize) -> Place {
         let p = &self.all[i];
-        let third = self.third.map(|third| (third.name(), third.of(p)));
-        let inputs = [("alpha", p.alpha), ("mu", p.mu), ("roughness", p.roughness)].into_iter().chain(third);
+        let slice = self.slice.map(|slice| (slice.name(), slice.of(p)));
+        let inputs = [("alpha", p.alpha), ("mu", p.mu), ("roughness", p.roughness)].into_iter().chain(slice);
         let mut place: Place = inputs.map(|(name, x)| (name.to_string(), shortest(x))).collect();
         if self.azimuth {
             let phi = ops::atan2f((1.0 - p.cos2_phi).sqrt(), p.cos2_phi.sqrt());
@@ -132,8 +139,8 @@ impl Points {
         place
     }
 
-    fn push(&mut self, region: &Region, roughness: f64, mu: f64, third: [f64; GROUP]) {
-        self.all.extend(third.map(|x| point(region, roughness, mu, x)));
+    fn push(&mut self, region: &Region, roughness: f64, mu: f64, slice: [f64; GROUP]) {
+        self.all.extend(slice.map(|x| point(region, roughness, mu, x)));
     }
 
     /// A group about the critical angle of an index of refraction: mu a few alpha beside its cosine, and indices beside it.
@@ -143,19 +150,19 @@ impl Points {
         let mu = (cosine(ior) + alpha * (8.0 * t - 4.0)).clamp(region.mu[0], region.mu[1]);
         let beside = |k: usize| {
             let c = (cosine(ior) + alpha * (k as f64 - 3.0)).clamp(0.0, 0.999);
-            (1.0 / ((1.0 - c) * (1.0 + c)).sqrt()).clamp(region.span[0], region.span[1])
+            (1.0 / ((1.0 - c) * (1.0 + c)).sqrt()).clamp(region.slices.range[0], region.slices.range[1])
         };
         self.push(region, roughness, mu, std::array::from_fn(beside));
     }
 }
 
-fn point(region: &Region, roughness: f64, mu: f64, third: f64) -> Point {
+fn point(region: &Region, roughness: f64, mu: f64, slice: f64) -> Point {
     let roughness = roughness as f32;
     let mut point =
         Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), mu: mu as f32, ..Point::default() };
-    match region.third {
-        Third::Anisotropy => point.anisotropy = third as f32,
-        Third::Ior => point.ior = third as f32,
+    match region.slices.axis {
+        SliceAxis::Anisotropy => point.anisotropy = slice as f32,
+        SliceAxis::Ior => point.ior = slice as f32,
     }
     point
 }

@@ -1,34 +1,42 @@
-//! The region in which a table of three axes must hold.
+//! The region in which a table with slices must hold.
 
 use super::Point;
 use crate::data::{AlphaMap, nine_digits};
 
-/// The third input of a table, after mu and roughness.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Third {
+/// What the slices of a table lie along, after mu along its columns and roughness along its rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SliceAxis {
     /// Anisotropy a in [0, 1]: aspect = sqrt(1 - 0.9 a), alpha_x = alpha/aspect, alpha_y = alpha aspect (Burley 2012).
-    #[default]
     Anisotropy,
     /// Index of refraction, inside over outside.
     Ior,
 }
 
-impl Third {
+impl SliceAxis {
     /// Its name in axes, certificates and arguments.
     pub fn name(self) -> &'static str {
         match self {
-            Third::Anisotropy => "anisotropy",
-            Third::Ior => "ior",
+            SliceAxis::Anisotropy => "anisotropy",
+            SliceAxis::Ior => "ior",
         }
     }
 
     /// Its value at a point.
     pub fn of(self, point: &Point) -> f32 {
         match self {
-            Third::Anisotropy => point.anisotropy,
-            Third::Ior => point.ior,
+            SliceAxis::Anisotropy => point.anisotropy,
+            SliceAxis::Ior => point.ior,
         }
     }
+}
+
+/// The slices of a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slices {
+    /// The axis.
+    pub axis: SliceAxis,
+    /// Its range: of the anisotropy in [0, 1], of the index of refraction in [1, 3].
+    pub range: [f64; 2],
 }
 
 /// Ranges of the inputs, and how roughness becomes alpha.
@@ -38,10 +46,8 @@ pub struct Region {
     pub roughness: [f64; 2],
     /// Cosine of the view, inside [0, 1].
     pub mu: [f64; 2],
-    /// The third input.
-    pub third: Third,
-    /// Its range.
-    pub span: [f64; 2],
+    /// What the slices span.
+    pub slices: Slices,
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
 }

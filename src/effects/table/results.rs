@@ -18,7 +18,7 @@ pub struct VolumeFindings {
     /// The sources' method beside ours; none without a table in their layout.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sources: Option<SourcesFinding>,
-    /// Truths over roughness and mu at some values of the third input, which their names tell.
+    /// Truths over roughness and mu at some slices, which their names tell.
     pub truths: Vec<Field>,
     /// What a shader gets from each layout.
     pub furnaces: Vec<FurnaceFinding>,
@@ -59,7 +59,7 @@ pub struct VolumeTable {
     pub evaluations: u64,
     /// Errors, a line each.
     pub errors: Vec<(String, ErrorFigure)>,
-    /// Error of the lookup over roughness and mu at some values of the third input.
+    /// Error of the lookup over roughness and mu at some slices.
     pub lookup_error: Vec<Field>,
 }
 

@@ -1,7 +1,7 @@
 //! What to bake, and what came of it.
 
 use super::Region;
-use crate::data::{Axis, Channel, Smith, Table, TableError, TexelFormat, VolumeLayout};
+use crate::data::{Axis, Channel, Layout, Smith, Table, TableError, TexelFormat};
 
 /// A table of three axes to bake.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub struct Spec {
     /// Texel format.
     pub format: TexelFormat,
     /// Coordinates.
-    pub layout: VolumeLayout,
+    pub layout: Layout,
     /// Where the lookup must hold.
     pub region: Region,
 }
@@ -55,7 +55,7 @@ pub struct Made {
 /// Why a table could not be made or measured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum VolumeError {
+pub enum BuildError {
     /// A truth could not be integrated.
     #[error(transparent)]
     Integrate(#[from] lobefit_truth::integrate::IntegrateError),

@@ -4,7 +4,7 @@ use super::{Case, case, refused, wants};
 use crate::common::{lobefit, stderr};
 
 fn table(value: &str) -> String {
-    wants(&format!(r#"{{"table":{{{value}}}}}"#))
+    wants(&format!(r#"{{"tables":[{{{value}}}]}}"#))
 }
 
 fn fit(value: &str) -> String {
@@ -14,45 +14,52 @@ fn fit(value: &str) -> String {
 /// A material, and wants that cannot be met.
 fn not_a_want() -> Vec<Case> {
     vec![
-        case(wants("{}"), "materials[0].wants: wants neither `table` nor `fit`"),
+        case(wants("{}"), "materials[0].wants: wants neither `tables` nor `fit`"),
         case(wants("null"), "materials[0].wants: invalid type: null"),
         case(wants("[]"), "materials[0].wants: invalid type: sequence"),
         case(wants("\"both\""), "materials[0].wants: invalid type: string \"both\""),
-        case(wants("{\"table\":null}"), "materials[0].wants.table: invalid type: null"),
-        case(wants("{\"table\":true}"), "materials[0].wants.table: invalid type: boolean"),
-        case(wants("{\"texture\":{}}"), "unknown field `texture`, expected one of `table`, `fit`, `tables`"),
+        case(wants("{\"tables\":null}"), "materials[0].wants.tables: invalid type: null"),
+        case(wants("{\"tables\":true}"), "materials[0].wants.tables: invalid type: boolean"),
+        case(
+            wants("{\"table\":{\"size\":[32,32]}}"),
+            "materials[0].wants.table: the field is now an entry of the list `tables`: write \"tables\": [{ ... }]",
+        ),
+        case(wants("{\"texture\":{}}"), "unknown field `texture`, expected one of `tables`, `fit`"),
         case(wants("{\"fit\":{},\"fit\":{}}"), "duplicate field `fit`"),
         case(
             table("\"size\":32"),
-            "wants.table.size: invalid type: integer `32`, expected a list of 2 numbers in [2, 1024]",
+            "wants.tables[0].size: invalid type: integer `32`, expected a list of at most 3",
         ),
-        case(table("\"size\":[32]"), "wants.table.size: 1 number where 2 are called for"),
-        case(table("\"size\":[0,32]"), "wants.table.size[0]: 0 is outside [2, 1024]"),
-        case(table("\"size\":[32,1]"), "wants.table.size[1]: 1 is outside [2, 1024]"),
-        case(table("\"size\":[32,1025]"), "wants.table.size[1]: 1025 is outside [2, 1024]"),
-        case(table("\"size\":[-1,32]"), "wants.table.size[0]: -1 is outside [2, 1024]"),
+        case(
+            table("\"size\":[32]"),
+            "wants.tables[0].size: 1 number where the homogeneous layout has 2 axes",
+        ),
+        case(table("\"size\":[0,32]"), "wants.tables[0].size[0]: 0 is outside [2, 1024]"),
+        case(table("\"size\":[32,1]"), "wants.tables[0].size[1]: 1 is outside [2, 1024]"),
+        case(table("\"size\":[32,1025]"), "wants.tables[0].size[1]: 1025 is outside [2, 1024]"),
+        case(table("\"size\":[-1,32]"), "wants.tables[0].size[0]: -1 is outside [2, 1024]"),
         case(
             table("\"size\":[9223372036854775808,32]"),
-            "wants.table.size[0]: 9223372036854775808 is outside [2, 1024]",
+            "wants.tables[0].size[0]: 9223372036854775808 is outside [2, 1024]",
         ),
-        case(table("\"size\":[1e3,32]"), "wants.table.size[0]: invalid type: floating point"),
+        case(table("\"size\":[1e3,32]"), "wants.tables[0].size[0]: invalid type: floating point"),
         case(
             table("\"size\":[99999999999999999999999,32]"),
-            "wants.table.size[0]: invalid type: floating point",
+            "wants.tables[0].size[0]: invalid type: floating point",
         ),
-        case(table("\"size\":[\"32\",\"32\"]"), "wants.table.size[0]: invalid type: string"),
+        case(table("\"size\":[\"32\",\"32\"]"), "wants.tables[0].size[0]: invalid type: string"),
         case(
             table("\"format\":\"f64\""),
-            "wants.table.format: unknown variant `f64`, expected `f16` or `f32`",
+            "wants.tables[0].format: unknown variant `f64`, expected `f16` or `f32`",
         ),
-        case(table("\"layout\":\"cubic\""), "wants.table.layout: unknown variant `cubic`"),
+        case(table("\"layout\":\"cubic\""), "wants.tables[0].layout: unknown variant `cubic`"),
         case(
             table("\"serves\":\"E\""),
-            "wants.table.serves: unknown variant `E`, expected `albedo` or `split-sum`",
+            "wants.tables[0].serves: unknown variant `E`, expected `albedo` or `split-sum`",
         ),
-        case(table("\"max_error\":0"), "wants.table.max_error: 0 is outside (0, 1]"),
-        case(table("\"max_error\":\"1e-3\""), "wants.table.max_error: invalid type: string"),
-        case(table("\"size\":[32,32],\"size\":[32,32]"), "wants.table: duplicate field `size`"),
+        case(table("\"max_error\":0"), "wants.tables[0].max_error: 0 is outside (0, 1]"),
+        case(table("\"max_error\":\"1e-3\""), "wants.tables[0].max_error: invalid type: string"),
+        case(table("\"size\":[32,32],\"size\":[32,32]"), "wants.tables[0]: duplicate field `size`"),
         case(fit("\"max_ops\":0"), "wants.fit.max_ops: 0 is outside [1, 1000]"),
         case(fit("\"max_ops\":1001"), "wants.fit.max_ops: 1001 is outside [1, 1000]"),
         case(fit("\"max_ops\":4294967297"), "wants.fit.max_ops: 4294967297 is outside [1, 1000]"),

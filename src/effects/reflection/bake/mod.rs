@@ -7,11 +7,12 @@ mod fits;
 mod pictures;
 mod tables;
 
+use super::FitJob;
 use super::demand::parted;
-use super::{FitJob, TableJob};
 use crate::approximate::FitSet;
 use crate::data::Use;
 use crate::effects::context::Context;
+use crate::effects::table::TableJob;
 use crate::effects::{BakeError, Called, Made};
 pub use tables::BakedTable;
 pub(crate) use tables::measured_again;
@@ -19,12 +20,12 @@ pub(crate) use tables::measured_again;
 /// Bakes the effect.
 pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
     // Fits first: a hypothesis that is refused must not cost the tables.
-    let (_, fit) = parted(&called.work);
+    let (jobs, fit) = parted(&called.work);
     let FitSet { fits, dropped } = match fit {
         Some(job) => fits::bake_fits(job, &FitJob::of(context.scene, job), context)?,
         None => FitSet { fits: Vec::new(), dropped: Vec::new() },
     };
-    let jobs = TableJob::all(context.scene, &called.work)?;
+    let jobs = TableJob::all(context.scene, jobs)?;
     let (tables, broken) = tables::bake_tables(&jobs, context)?;
     let (measured, metric) = findings::measured(&tables, &fits);
     let mut made = Made::new(called, measured, metric);

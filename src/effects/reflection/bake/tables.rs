@@ -9,8 +9,8 @@ use crate::data::{
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::demand::JUDGED_MU;
-use crate::effects::reflection::{TableJob, TableSpec, build};
-use crate::effects::table::{Errors, Points, Truth, measure};
+use crate::effects::reflection::{TableSpec, build};
+use crate::effects::table::{Errors, Points, TableJob, Truth, measure};
 use lobefit_shade::round_up;
 
 /// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
@@ -66,7 +66,7 @@ pub fn bake_tables(
     let mut judges: Vec<Judge> = Vec::new();
     let mut baked = Vec::new();
     for job in jobs {
-        context.progress.stage(&format!("table {}", job.name));
+        context.progress.stage(&format!("table {}", job.names()));
         let judge = judge(job, jobs, &mut judges, context);
         let table = bake_table(job, judge, context)?;
         if let Some(limit) = job.max_error.filter(|limit| table.errors.lookup.max > *limit) {
@@ -104,9 +104,10 @@ fn judge<'a>(job: &TableJob, jobs: &[TableJob], judges: &'a mut Vec<Judge>, cont
 }
 
 fn bake_table(job: &TableJob, judge: &Judge, context: &Context) -> Result<BakedTable, BakeError> {
-    let sizes: Vec<[usize; 2]> = match (job.columns, job.rows) {
-        (Some(columns), Some(rows)) => vec![[columns, rows]],
-        _ => SIZES.map(|n| [n, n]).to_vec(),
+    let sizes: Vec<[usize; 2]> = match job.size.as_deref() {
+        Some(&[columns, rows]) => vec![[columns, rows]],
+        Some(_) => return Err(BakeError::Internal(format!("table {}: not a size of two axes", job.names()))),
+        None => SIZES.map(|n| [n, n]).to_vec(),
     };
     let mut last = None;
     for size in sizes {
@@ -125,7 +126,7 @@ fn bake_table(job: &TableJob, judge: &Judge, context: &Context) -> Result<BakedT
 
 fn spec(job: &TableJob, region: Region, size: [usize; 2]) -> TableSpec {
     TableSpec {
-        name: job.name.replace("auto", &format!("{}x{}", size[0], size[1])),
+        name: job.names().replace("auto", &format!("{}x{}", size[0], size[1])),
         smith: job.smith,
         alpha_map: job.alpha_map,
         size,

@@ -2,7 +2,7 @@
 
 use super::BakedVolume;
 use super::tables::Judge;
-use crate::data::{Smith, VolumeLayout};
+use crate::data::{Layout, Smith};
 use crate::effects::BakeError;
 use crate::effects::anisotropy;
 use crate::effects::table::results::{AzimuthFinding, AzimuthWay};
@@ -17,7 +17,7 @@ const MAP: [usize; 2] = [46, 40];
 /// table is judged where it must hold, and not beside it.
 pub fn findings(tables: &[BakedVolume], judges: &[Judge]) -> Result<Vec<AzimuthFinding>, BakeError> {
     let own: Vec<&BakedVolume> =
-        tables.iter().filter(|t| t.side.is_none() && t.layout != VolumeLayout::PathTracer).collect();
+        tables.iter().filter(|t| t.side.is_none() && t.layout != Layout::PathTracer).collect();
     let key = |t: &BakedVolume| (t.smith, t.region);
     let mut keys: Vec<(Smith, Region)> = Vec::new();
     for table in &own {
@@ -44,7 +44,7 @@ fn finding<'a>(
         }
     };
     let roughness = ROUGHNESS.clamp(region.roughness[0], region.roughness[1]);
-    let anisotropy = region.span[1];
+    let anisotropy = region.slices.range[1];
     let rulers = rulers(&region);
     let map = anisotropy::azimuth_map(
         smith,
@@ -57,7 +57,7 @@ fn finding<'a>(
     for baked in own {
         let Some(table) = baked.table() else { continue };
         let name = match baked.layout {
-            VolumeLayout::Azimuth => "azimuth in the table",
+            Layout::Azimuth => "azimuth in the table",
             _ => "mean over the azimuth",
         };
         let errors = measure(table, baked.decode, &judge.points, judge.truth(None), 0.0)?;
@@ -84,7 +84,7 @@ fn finding<'a>(
         });
     }
     let at = format!("roughness {roughness}, anisotropy {anisotropy}");
-    let ([r0, r1], [a0, a1]) = (region.roughness, region.span);
+    let ([r0, r1], [a0, a1]) = (region.roughness, region.slices.range);
     let domain = format!("roughness {r0} to {r1}, anisotropy {a0} to {a1}");
     Ok(AzimuthFinding { domain, at, fields, ways })
 }

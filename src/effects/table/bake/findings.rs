@@ -3,11 +3,11 @@
 use super::grid::{Grid, grazing};
 use super::tables::Judge;
 use super::{BakedVolume, azimuth, furnaces};
-use crate::data::{Smith, VolumeLayout};
+use crate::data::{Layout, Smith};
 use crate::effects::Deviation;
 use crate::effects::context::Context;
 use crate::effects::table::results::{SourcesFinding, VolumeFindings, VolumeTable};
-use crate::effects::table::{Lookup, Region, SOURCES_SAMPLES, Third, VolumeJob, estimate};
+use crate::effects::table::{Lookup, Region, SOURCES_SAMPLES, SliceAxis, TableJob, estimate};
 use crate::effects::{BakeError, Part};
 use crate::emit::manifest::TableEntry;
 use crate::report::{ErrorFigure, Field, Ruler};
@@ -16,11 +16,11 @@ use lobefit_truth::integrate::glass::Side;
 /// Side of the maps.
 const MAP: usize = 32;
 
-/// Values of the third input at which pictures are drawn, as far as they lie in the range.
-fn wanted(third: Third) -> &'static [f64] {
-    match third {
-        Third::Anisotropy => &[0.0, 0.5, 1.0],
-        Third::Ior => &[1.1, 1.5, 2.0],
+/// Values of the axis of the slices at which pictures are drawn, as far as they lie in the range.
+fn wanted(slice: SliceAxis) -> &'static [f64] {
+    match slice {
+        SliceAxis::Anisotropy => &[0.0, 0.5, 1.0],
+        SliceAxis::Ior => &[1.1, 1.5, 2.0],
     }
 }
 
@@ -34,7 +34,7 @@ pub fn findings(
     let mut shown = Vec::new();
     let mut truths: Vec<Field> = Vec::new();
     let mut maps: Vec<(Smith, Region, Vec<Grid>)> = Vec::new();
-    let own = || tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer).map(|t| t.region.roughness);
+    let own = || tables.iter().filter(|t| t.layout != Layout::PathTracer).map(|t| t.region.roughness);
     let alike = own().all(|roughness| own().next() == Some(roughness));
     for (baked, entry) in tables.iter().zip(&part.entries.tables) {
         let key = (baked.smith, baked.region);
@@ -43,14 +43,15 @@ pub fn findings(
             Some(known) => known,
             None => {
                 let roughness = Ruler::even("roughness", key.1.roughness[0], key.1.roughness[1], MAP);
-                let grids = Grid::all(key.0, &key.1, &roughness, &grazing(&key.1, MAP), &thirds(&key.1))?;
+                let grids =
+                    Grid::all(key.0, &key.1, &roughness, &grazing(&key.1, MAP), &values_shown(&key.1))?;
                 maps.push((key.0, key.1, grids));
                 maps.len() - 1
             }
         };
         let grids = &maps[index].2;
         let rows = if alike { String::new() } else { roughness_text(baked.region.roughness) };
-        if baked.layout != VolumeLayout::PathTracer {
+        if baked.layout != Layout::PathTracer {
             for grid in grids {
                 let name = named(grid, baked, "E") + &rows;
                 if truths.iter().all(|t| t.name != name) {
@@ -73,14 +74,14 @@ pub fn findings(
 
 /// The largest lookup error of a table in a layout of ours.
 pub fn measured(tables: &[BakedVolume]) -> Option<f64> {
-    let own = tables.iter().filter(|t| t.layout != VolumeLayout::PathTracer);
+    let own = tables.iter().filter(|t| t.layout != Layout::PathTracer);
     own.map(|t| t.errors.lookup.max).reduce(f64::max)
 }
 
 /// The largest error that the scene allows a table in a layout of ours; none where one has no limit.
-pub fn expected(jobs: &[VolumeJob]) -> Option<f64> {
+pub fn expected(jobs: &[TableJob]) -> Option<f64> {
     let own: Vec<Option<f64>> =
-        jobs.iter().filter(|job| job.layout != VolumeLayout::PathTracer).map(|job| job.max_error).collect();
+        jobs.iter().filter(|job| job.layout != Layout::PathTracer).map(|job| job.max_error).collect();
     if own.is_empty() {
         None
     } else {
@@ -89,10 +90,10 @@ pub fn expected(jobs: &[VolumeJob]) -> Option<f64> {
 }
 
 /// The wanted values in the range, or its ends.
-pub fn thirds(region: &Region) -> Vec<f64> {
-    let inside = |x: &&f64| (region.span[0]..=region.span[1]).contains(*x);
-    let values: Vec<f64> = wanted(region.third).iter().filter(inside).copied().collect();
-    if values.is_empty() { region.span.to_vec() } else { values }
+pub fn values_shown(region: &Region) -> Vec<f64> {
+    let inside = |x: &&f64| (region.slices.range[0]..=region.slices.range[1]).contains(*x);
+    let values: Vec<f64> = wanted(region.slices.axis).iter().filter(inside).copied().collect();
+    if values.is_empty() { region.slices.range.to_vec() } else { values }
 }
 
 /// `, roughness 0.2 to 0.6`: tells apart what was made in several ranges.
@@ -103,14 +104,14 @@ pub fn roughness_text([low, high]: [f64; 2]) -> String {
 /// `E, ior 1.5, inside`.
 fn named(grid: &Grid, baked: &BakedVolume, what: &str) -> String {
     let side = baked.side.map_or_else(String::new, |side| format!(", {}", side.name()));
-    format!("{what}, {} {}{side}", baked.region.third.name(), grid.third)
+    format!("{what}, {} {}{side}", baked.region.slices.axis.name(), grid.slice)
 }
 
 fn shown_table(baked: &BakedVolume, entry: &TableEntry, grids: &[Grid]) -> Result<VolumeTable, BakeError> {
     let table = baked.table().ok_or_else(|| BakeError::Internal("a volume without a table".into()))?;
     let lookup = Lookup::new(table, baked.decode)?;
     // A map at one azimuth would not tell of a table that resolves it: its section does.
-    let maps = if baked.layout == VolumeLayout::Azimuth { &[] } else { grids };
+    let maps = if baked.layout == Layout::Azimuth { &[] } else { grids };
     let formulas: Vec<String> =
         baked.decode.formulas().iter().map(|(name, formula)| format!("{name} = {formula}")).collect();
     Ok(VolumeTable {
@@ -157,7 +158,7 @@ fn errors(baked: &BakedVolume) -> Vec<(String, ErrorFigure)> {
 
 /// The sources' method beside ours, where their layout was baked.
 fn sources(tables: &[BakedVolume]) -> Result<Option<SourcesFinding>, BakeError> {
-    let theirs: Vec<&BakedVolume> = tables.iter().filter(|t| t.layout == VolumeLayout::PathTracer).collect();
+    let theirs: Vec<&BakedVolume> = tables.iter().filter(|t| t.layout == Layout::PathTracer).collect();
     let Some(first) = theirs.first() else { return Ok(None) };
     let texels =
         theirs.iter().filter_map(|t| t.table()).map(|t| t.size().iter().product::<usize>() as u64).sum();
@@ -169,6 +170,6 @@ fn sources(tables: &[BakedVolume]) -> Result<Option<SourcesFinding>, BakeError> 
         evaluations: jobs().map(|made| made.evaluations).sum(),
         worst: jobs().map(|made| made.integration).fold(0.0, f64::max),
         samples,
-        noise: estimate(first.region.third)? / SOURCES_SAMPLES.sqrt(),
+        noise: estimate(first.region.slices.axis)? / SOURCES_SAMPLES.sqrt(),
     }))
 }

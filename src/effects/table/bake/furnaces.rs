@@ -1,13 +1,13 @@
 //! Spheres under every condition: what each layout gives, and what the sources' reading of theirs gives.
 
 use super::BakedVolume;
-use super::findings::{roughness_text, thirds};
+use super::findings::{roughness_text, values_shown};
 use super::grid::{Grid, grazing};
 use super::readings::as_the_sources_read;
-use crate::data::VolumeLayout;
+use crate::data::Layout;
 use crate::effects::BakeError;
 use crate::effects::table::results::FurnaceFinding;
-use crate::effects::table::{Lookup, Third};
+use crate::effects::table::{Lookup, SliceAxis};
 use crate::report::{Furnace, FurnaceRow, Ruler};
 use lobefit_truth::integrate::glass::Side;
 
@@ -21,29 +21,30 @@ const COSINES: usize = 64;
 /// Fewest spheres of a picture that several tables share.
 const SHARED: usize = 3;
 
-/// Tables of one side that hold the same roughnesses, at one value of the third input.
+/// Tables of one side that hold the same roughnesses, at one slice.
 struct Group<'a> {
     /// Roughness that all of them hold.
     roughness: [f64; 2],
     tables: Vec<&'a BakedVolume>,
 }
 
-/// A picture for each value of the third input, each side, and each group of tables that hold them: no lookup is drawn where its
+/// A picture for each slice, each side, and each group of tables that hold them: no lookup is drawn where its
 /// table would be clamped.
 pub fn findings(tables: &[BakedVolume]) -> Result<Vec<FurnaceFinding>, BakeError> {
     // With the azimuth in the table there is no mean to compensate by.
-    let means = || tables.iter().filter(|t| t.layout != VolumeLayout::Azimuth);
-    let mut values: Vec<f64> = means().flat_map(|t| thirds(&t.region)).collect();
+    let means = || tables.iter().filter(|t| t.layout != Layout::Azimuth);
+    let mut values: Vec<f64> = means().flat_map(|t| values_shown(&t.region)).collect();
     values.sort_by(f64::total_cmp);
     values.dedup();
     let mut found = Vec::new();
-    for third in values {
+    for slice in values {
         for side in [None, Some(Side::Outside), Some(Side::Inside)] {
-            let holds =
-                |t: &&BakedVolume| t.side == side && (t.region.span[0]..=t.region.span[1]).contains(&third);
+            let holds = |t: &&BakedVolume| {
+                t.side == side && (t.region.slices.range[0]..=t.region.slices.range[1]).contains(&slice)
+            };
             let groups = groups(means().filter(holds));
             for group in &groups {
-                found.push(furnace(group, third, side, groups.len() > 1)?);
+                found.push(furnace(group, slice, side, groups.len() > 1)?);
             }
         }
     }
@@ -70,7 +71,7 @@ fn groups<'a>(tables: impl Iterator<Item = &'a BakedVolume>) -> Vec<Group<'a>> {
 
 fn furnace(
     group: &Group,
-    third: f64,
+    slice: f64,
     side: Option<Side>,
     told_apart: bool,
 ) -> Result<FurnaceFinding, BakeError> {
@@ -80,7 +81,7 @@ fn furnace(
     for baked in &group.tables {
         let Some(table) = baked.table() else { continue };
         let (smith, region) = (baked.smith, &baked.region);
-        let grids = Grid::all(smith, region, &roughness, &mu, &[third])?;
+        let grids = Grid::all(smith, region, &roughness, &mu, &[slice])?;
         let (grid, alpha) = (&grids[0], region.alpha_map.name());
         let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());
         if rows.iter().all(|row| row.name != uncompensated) {
@@ -90,8 +91,8 @@ fn furnace(
             |name: String, lookup: &Lookup| FurnaceRow { name, factors: grid.compensated(lookup, side) };
         let name = called(group, baked);
         rows.push(compensated(format!("{name}, as registered"), &Lookup::new(table, baked.decode)?));
-        if baked.layout == VolumeLayout::PathTracer {
-            let misread = as_the_sources_read(table, region.third, third);
+        if baked.layout == Layout::PathTracer {
+            let misread = as_the_sources_read(table, region.slices.axis, slice);
             rows.push(compensated(
                 format!("{name}, as the sources read it"),
                 &Lookup::new(&misread, baked.decode)?,
@@ -100,9 +101,9 @@ fn furnace(
     }
     let side = side.map_or_else(String::new, |side| format!(", from {}", side.name()));
     let range = if told_apart { roughness_text(group.roughness) } else { String::new() };
-    let title = match first.region.third {
-        Third::Anisotropy => format!("Metal, anisotropy {third} (mean over the azimuth){range}"),
-        Third::Ior => format!("Glass, index of refraction {third}{side}{range}"),
+    let title = match first.region.slices.axis {
+        SliceAxis::Anisotropy => format!("Metal, anisotropy {slice} (mean over the azimuth){range}"),
+        SliceAxis::Ior => format!("Glass, index of refraction {slice}{side}{range}"),
     };
     let furnace = Furnace { roughness: roughness.values, mu: mu.values, rows, amplification: AMPLIFICATION };
     Ok(FurnaceFinding { title, furnace })

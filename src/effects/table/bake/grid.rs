@@ -1,16 +1,16 @@
-//! The truth over roughness and mu at some values of the third input: what pictures are drawn from.
+//! The truth over roughness and mu at some slices: what pictures are drawn from.
 
 use crate::data::Smith;
 use crate::effects::BakeError;
-use crate::effects::table::{Judged, Lookup, LookupError, Points, Region, Third, Truth, error_map};
+use crate::effects::table::{Judged, Lookup, LookupError, Points, Region, SliceAxis, Truth, error_map};
 use crate::effects::{anisotropy, glass};
 use crate::report::{Field, Ruler};
 use lobefit_truth::integrate::glass::Side;
 
 /// The truth on one grid.
 pub struct Grid {
-    /// The third input.
-    pub third: f64,
+    /// The slice input.
+    pub slice: f64,
     /// Ruler of roughness.
     pub roughness: Ruler,
     /// Ruler of mu.
@@ -20,28 +20,28 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// A grid per value of the third input.
+    /// A grid per slice.
     pub fn all(
         smith: Smith,
         region: &Region,
         roughness: &Ruler,
         mu: &Ruler,
-        thirds: &[f64],
+        values_shown: &[f64],
     ) -> Result<Vec<Grid>, BakeError> {
-        let grid = |third: &f64| {
-            let points = Points::grid(region, &roughness.values, &mu.values, *third);
-            let truths = match region.third {
-                Third::Ior => {
+        let grid = |slice: &f64| {
+            let points = Points::grid(region, &roughness.values, &mu.values, *slice);
+            let truths = match region.slices.axis {
+                SliceAxis::Ior => {
                     let truth = glass::Truth::at(smith, &points)?;
                     vec![truth.outside, truth.inside]
                 }
-                Third::Anisotropy => {
+                SliceAxis::Anisotropy => {
                     vec![anisotropy::means_on(smith, &points, roughness.values.len())?]
                 }
             };
-            Ok(Grid { third: *third, roughness: roughness.clone(), mu: mu.clone(), points, truths })
+            Ok(Grid { slice: *slice, roughness: roughness.clone(), mu: mu.clone(), points, truths })
         };
-        thirds.iter().map(grid).collect()
+        values_shown.iter().map(grid).collect()
     }
 
     fn truth(&self, side: Option<Side>) -> &[f64] {

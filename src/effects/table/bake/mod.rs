@@ -8,7 +8,7 @@ mod grid;
 mod readings;
 mod tables;
 
-use super::{VolumeJob, page};
+use super::{TableJob, page};
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Called, Made};
 pub use tables::BakedVolume;
@@ -16,7 +16,7 @@ pub(crate) use tables::measured_again;
 
 /// Bakes an effect whose tables have three axes.
 pub(in crate::effects) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
-    let jobs = VolumeJob::all(context.scene, &called.work)?;
+    let jobs = TableJob::all(context.scene, &called.work)?;
     let tables::Baked { tables, judges, broken } = tables::bake(&jobs, context)?;
     let metric = "lookup error of the worst table in a layout of ours";
     let mut made = Made::new(called, findings::measured(&tables), metric);

@@ -1,17 +1,17 @@
 //! Ways of reading a table of the sources' layout: as it is laid out, and as the sources read it.
 
 use crate::data::{Axis, Registration, Table, Warp};
-use crate::effects::table::Third;
+use crate::effects::table::SliceAxis;
 
-/// The table as the sources' shader sees it at one value of the third input: mu (its root for glass) and roughness as texture
+/// The table as the sources' shader sees it at one slice: mu (its root for glass) and roughness as texture
 /// coordinates, which a texture unit takes for texel centres; the layer rounded to the nearest of 32 a unit, not interpolated.
 ///
 /// The result has two equal slices, so that a trilinear lookup returns that layer.
-pub fn as_the_sources_read(table: &Table, third: Third, value: f64) -> Table {
+pub fn as_the_sources_read(table: &Table, slice: SliceAxis, value: f64) -> Table {
     let [columns, rows, slices] = table.size();
-    let unit = match third {
-        Third::Anisotropy => value * value,
-        Third::Ior => value - 1.0,
+    let unit = match slice {
+        SliceAxis::Anisotropy => value * value,
+        SliceAxis::Ior => value - 1.0,
     };
     let layer = ((unit * slices as f64).round() as usize).min(slices - 1);
     let mut read = table.clone();

@@ -3,14 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::data::{
-    Approximation, Certificate, Channel, Cost, Decode, Form, Smith, Source, Table, Use, VolumeLayout,
+    Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Smith, Source, Table, Use,
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::demand::JUDGED_MU;
-use crate::effects::table::{
-    Errors, Made, Points, Region, Spec, Third, Truth, VolumeJob, VolumeSpan, measure,
-};
+use crate::effects::table::{Errors, Made, Points, Region, SliceAxis, Spec, TableJob, Truth, measure};
 use crate::effects::{anisotropy, glass};
 
 use lobefit_shade::round_up;
@@ -29,7 +27,7 @@ pub struct BakedVolume {
     /// What its channels mean.
     pub decode: Decode,
     /// Coordinates.
-    pub layout: VolumeLayout,
+    pub layout: Layout,
     /// Region in which it was measured.
     pub region: Region,
     /// Shadowing form.
@@ -44,8 +42,8 @@ impl BakedVolume {
     /// What the axes do not tell of the nodes, for headers.
     pub fn note(&self) -> Option<&'static str> {
         match (self.layout, self.side) {
-            (VolumeLayout::PathTracer, None) => Some(anisotropy::PATH_TRACER_NOTE),
-            (VolumeLayout::PathTracer, Some(_)) => Some(glass::PATH_TRACER_NOTE),
+            (Layout::PathTracer, None) => Some(anisotropy::PATH_TRACER_NOTE),
+            (Layout::PathTracer, Some(_)) => Some(glass::PATH_TRACER_NOTE),
             _ => None,
         }
     }
@@ -74,13 +72,13 @@ pub struct Judge {
 impl Judge {
     /// Integrates at the points of a region.
     pub fn new(smith: Smith, region: &Region, azimuth: bool) -> Result<Judge, BakeError> {
-        let (points, truths, made) = match region.third {
-            Third::Ior => {
+        let (points, truths, made) = match region.slices.axis {
+            SliceAxis::Ior => {
                 let points = Points::certification(region, LOG2_GROUPS);
                 let truth = glass::Truth::at(smith, &points)?;
                 (points, vec![truth.outside, truth.inside], truth.made)
             }
-            Third::Anisotropy => {
+            SliceAxis::Anisotropy => {
                 let judge = anisotropy::Judge::new(region, azimuth);
                 let (truth, made) = if azimuth {
                     anisotropy::at_azimuths(smith, &judge)?
@@ -115,14 +113,13 @@ pub struct Baked {
 }
 
 /// Bakes the jobs in order.
-pub fn bake(jobs: &[VolumeJob], context: &Context) -> Result<Baked, BakeError> {
+pub fn bake(jobs: &[TableJob], context: &Context) -> Result<Baked, BakeError> {
     let mut broken = Vec::new();
     let mut judges: Vec<Judge> = Vec::new();
     let mut baked = Vec::new();
     for job in jobs {
-        let names: Vec<&str> = job.tables.iter().map(|t| t.name.as_str()).collect();
-        context.progress.stage(&format!("table {}", names.join(" and ")));
-        let (region, azimuth) = (region(job), job.layout == VolumeLayout::Azimuth);
+        context.progress.stage(&format!("table {}", job.names()));
+        let (region, azimuth) = (region(job)?, job.layout == Layout::Azimuth);
         let known = |j: &Judge| j.smith == job.smith && j.region == region && j.azimuth == azimuth;
         let judge = match judges.iter().position(known) {
             Some(known) => &judges[known],
@@ -135,7 +132,7 @@ pub fn bake(jobs: &[VolumeJob], context: &Context) -> Result<Baked, BakeError> {
         };
         let (tables, made) = build(job, &region)?;
         // By texel, as the tables of two axes count, though most come from fewer integrals than texels.
-        context.counter.add(tables.len() * job.texels());
+        context.counter.add(tables.iter().map(|table| table.size().iter().product::<usize>()).sum());
         for (table, planned) in tables.into_iter().zip(&job.tables) {
             let one = finish(job, &region, table, planned.side, made, judge)?;
             let error = one.errors.lookup.max;
@@ -159,35 +156,30 @@ pub fn bake(jobs: &[VolumeJob], context: &Context) -> Result<Baked, BakeError> {
 }
 
 /// Where a job's lookups must hold.
-fn region(job: &VolumeJob) -> Region {
-    let third = match job.span {
-        VolumeSpan::Anisotropy(_) => Third::Anisotropy,
-        VolumeSpan::Ior(_) => Third::Ior,
-    };
-    Region {
-        roughness: job.roughness,
-        mu: JUDGED_MU,
-        third,
-        span: job.span.range(),
-        alpha_map: job.alpha_map,
-    }
+fn region(job: &TableJob) -> Result<Region, BakeError> {
+    let none = || BakeError::Internal(format!("table {}: no slices", job.names()));
+    let slices = job.slices.ok_or_else(none)?;
+    Ok(Region { roughness: job.roughness, mu: JUDGED_MU, slices, alpha_map: job.alpha_map })
 }
 
-fn build(job: &VolumeJob, region: &Region) -> Result<(Vec<Table>, Made), BakeError> {
+fn build(job: &TableJob, region: &Region) -> Result<(Vec<Table>, Made), BakeError> {
+    let size = job.size.as_ref().and_then(|size| <[usize; 3]>::try_from(size.as_slice()).ok());
+    let none = || BakeError::Internal(format!("table {}: not a size of three axes", job.names()));
+    let size = size.ok_or_else(none)?;
     let spec = |name: &str| Spec {
         name: name.into(),
         smith: job.smith,
-        size: job.size,
+        size,
         format: job.format,
         layout: job.layout,
         region: *region,
     };
-    match (region.third, job.tables.as_slice()) {
-        (Third::Ior, [outside, inside]) => {
+    match (region.slices.axis, job.tables.as_slice()) {
+        (SliceAxis::Ior, [outside, inside]) => {
             let (tables, made) = glass::build(&[spec(&outside.name), spec(&inside.name)])?;
             Ok((tables.to_vec(), made))
         }
-        (Third::Anisotropy, [one]) => {
+        (SliceAxis::Anisotropy, [one]) => {
             let (table, made) = anisotropy::build(&spec(&one.name))?;
             Ok((vec![table], made))
         }
@@ -196,14 +188,14 @@ fn build(job: &VolumeJob, region: &Region) -> Result<(Vec<Table>, Made), BakeErr
 }
 
 fn finish(
-    job: &VolumeJob,
+    job: &TableJob,
     region: &Region,
     table: Table,
     side: Option<Side>,
     made: Made,
     judge: &Judge,
 ) -> Result<BakedVolume, BakeError> {
-    let decode = Decode::of_volume(job.layout);
+    let decode = Decode::of(job.layout, job.serves);
     let integration = made.integration.max(judge.made.integration);
     let mut errors = measure(&table, decode, &judge.points, judge.truth(side), round_up(integration, 2))?;
     for lookup in [&mut errors.lookup, &mut errors.lookup_8_bit, &mut errors.lookup_e] {
@@ -244,7 +236,7 @@ fn ranges(region: &Region) -> BTreeMap<String, [f64; 2]> {
         ("alpha", region.alpha()),
         ("mu", region.mu),
         ("roughness", region.roughness),
-        (region.third.name(), region.span),
+        (region.slices.axis.name(), region.slices.range),
     ];
     inputs.into_iter().map(|(name, range)| (name.to_string(), range)).collect()
 }
@@ -259,7 +251,7 @@ pub fn measured_again(baked: &BakedVolume, channels: &[Channel]) -> Result<f64, 
         let found = channels.iter().find(|c| c.name == channel.name);
         channel.texels = found.ok_or_else(|| lacks(&format!("channel {}", channel.name)))?.texels.clone();
     }
-    let judge = Judge::new(table.smith, &baked.region, baked.layout == VolumeLayout::Azimuth)?;
+    let judge = Judge::new(table.smith, &baked.region, baked.layout == Layout::Azimuth)?;
     let errors = measure(&table, baked.decode, &judge.points, judge.truth(baked.side), 0.0)?;
     Ok(errors.lookup.max)
 }

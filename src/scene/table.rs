@@ -1,0 +1,199 @@
+//! Wanted tables: of the lobe of a metal or a dielectric, with or without its anisotropy, and of rough glass.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::limits::{AXIS_MAX, AXIS_MIN, SLICED_AXIS_MAX, SLICED_AXIS_MIN, SLICED_CELLS, SLICED_LINES};
+use super::material::Lobe;
+use super::number::{AxisSize, ErrorLimit, In, Whole};
+use super::value::{List, Maybe, Word, about, from_file};
+use crate::data::{AXES, TexelFormat};
+pub use crate::data::{Layout, Serves};
+
+/// The limit on the lookup error where neither size nor limit is given: what a 32x32 table in the homogeneous layout (64x64 for
+/// split sum), a 64x64x32 (anisotropic) or 128x128x32 (glass) one in the optimised layout for alpha >= 0.02, and a 64x16x16 one
+/// with the azimuth reach with room to spare.
+fn default_limit(layout: Layout, serves: Serves) -> Option<f64> {
+    match (layout, serves) {
+        (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Some(1e-3),
+        (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::SplitSum) => Some(3e-3),
+        (Layout::Optimised, _) => Some(2e-3),
+        (Layout::Azimuth, _) => Some(1e-2),
+        (Layout::PathTracer, _) => None,
+    }
+}
+
+/// Texels along each axis where the scene gives none: open for tables of two axes, fixed for the path tracer's.
+fn default_size(lobe: Lobe, layout: Layout) -> Option<Vec<usize>> {
+    match (layout, lobe) {
+        (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, _) => None,
+        (Layout::Azimuth, _) => Some(vec![64, 16, 16]),
+        (Layout::Optimised | Layout::PathTracer, Lobe::Glass) => Some(vec![128, 128, 32]),
+        (Layout::Optimised | Layout::PathTracer, Lobe::Isotropic | Lobe::Anisotropic) => {
+            Some(vec![64, 64, 32])
+        }
+    }
+}
+
+/// A wanted table; of glass two tables, one for rays from outside and one for rays from inside.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TableWant {
+    /// Coordinates, and with them the number of axes.
+    pub layout: Layout,
+    /// Texels along each axis; `None`, of two axes alone: the smallest of 16, 32, 64, 128 squares that meets the limit.
+    pub size: Option<Vec<usize>>,
+    /// How a texel is stored.
+    pub format: TexelFormat,
+    /// What it is looked up for: with a third axis the albedo.
+    pub serves: Serves,
+    /// Largest lookup error that the bake may deliver; always given where `size` is `None`, never in the path tracer's layout.
+    pub max_error: Option<f64>,
+}
+
+/// A wanted table; what the lobe decides is open.
+pub(super) struct OpenTable {
+    layout: Option<Layout>,
+    size: Option<Vec<usize>>,
+    format: TexelFormat,
+    serves: Option<Serves>,
+    max_error: Option<f64>,
+}
+
+/// A table of the albedo: over mu and roughness; with the anisotropy as a third axis, as the mean over the azimuth of the view or
+/// with it; or of rough glass with the index of refraction as a third axis, for rays from outside and from inside. The error of a
+/// table is that of its linear lookup after rounding to the texel format.
+#[derive(Default, Deserialize, JsonSchema)]
+#[schemars(rename = "Table", extend("anyOf" = [
+    {
+        "properties": {
+            "layout": { "enum": ["homogeneous", "plain", "plain-squared"] },
+            "size": { "maxItems": 2 },
+        },
+    },
+    {
+        "properties": {
+            "layout": { "enum": ["optimised", "path-tracer", "azimuth"] },
+            "size": { "minItems": 3, "items": { "minimum": 4, "maximum": 256 } },
+            "serves": { "const": "albedo" },
+        },
+    },
+]))]
+#[serde(deny_unknown_fields, default, expecting = "an object that describes a table")]
+struct TableFile {
+    /// Coordinates of the texels. Over mu and roughness: `homogeneous` (the default of isotropic materials), `plain`,
+    /// `plain-squared`. With a third axis, of anisotropic materials and of glass: `optimised` (their default), `path-tracer`, which
+    /// takes separable Smith and alpha = roughness whatever the scene says, has its own size and takes no `max_error`, and
+    /// `azimuth`, which is for anisotropic materials.
+    layout: Maybe<Word<Layout>>,
+    /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to 256 along three, of these at
+    /// most 4194304 together, and in the optimised layout 16384 columns times slices. Default of two axes: the smallest of 16x16,
+    /// 32x32, 64x64, 128x128 that meets `max_error`; of three: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32.
+    #[schemars(extend("minItems" = 2))]
+    size: Maybe<List<Whole<AxisSize>, AXES>>,
+    /// Texel format; default `f16`.
+    format: Maybe<Word<TexelFormat>>,
+    /// What the table is looked up for; default `albedo`, the only one with a third axis.
+    serves: Maybe<Word<Serves>>,
+    /// Limit on the lookup error; the bake fails where it is exceeded. Default without `size`: 0.001 for `albedo`, 0.003 for
+    /// `split-sum`, with a third axis 0.002, with the azimuth 0.01; with `size`: no limit.
+    max_error: Maybe<In<ErrorLimit>>,
+}
+
+impl TryFrom<TableFile> for OpenTable {
+    type Error = String;
+
+    fn try_from(file: TableFile) -> Result<Self, String> {
+        Ok(OpenTable {
+            layout: file.layout.0.map(|w| w.0),
+            size: file.size.0.map(|List(size)| size.into_iter().map(|n| n.0 as usize).collect()),
+            format: file.format.0.map_or(TexelFormat::F16, |w| w.0),
+            serves: file.serves.0.map(|w| w.0),
+            max_error: file.max_error.0.map(|e| e.0),
+        })
+    }
+}
+
+impl OpenTable {
+    /// The table that a material wants where it does not say.
+    pub(super) fn default() -> Result<OpenTable, String> {
+        OpenTable::try_from(TableFile::default())
+    }
+
+    /// The table as a material with this lobe wants it.
+    pub(super) fn of(self, lobe: Lobe) -> Result<TableWant, String> {
+        let isotropic = lobe == Lobe::Isotropic;
+        let layout = self.layout.unwrap_or(if isotropic { Layout::Homogeneous } else { Layout::Optimised });
+        fits_lobe(layout, lobe).map_err(|e| about("layout", e))?;
+        if layout == Layout::PathTracer {
+            if self.size.is_some() {
+                return Err(about("size", "the path-tracer layout has its own; leave it out"));
+            }
+            if self.max_error.is_some() {
+                let message = "the error of the path-tracer layout is reported, not chosen; leave it out";
+                return Err(about("max_error", message));
+            }
+        }
+        if let Some(size) = &self.size {
+            check_size(layout, size)?;
+        }
+        let serves = self.serves.unwrap_or_default();
+        if layout.axes() > 2 && serves != Serves::Albedo {
+            let message = format!(
+                "the {} layout serves the albedo; for `split-sum` give `homogeneous`, `plain` or `plain-squared`",
+                layout.name()
+            );
+            return Err(about("serves", message));
+        }
+        let default_limit = || if self.size.is_none() { default_limit(layout, serves) } else { None };
+        let max_error = self.max_error.or_else(default_limit);
+        let size = self.size.or_else(|| default_size(lobe, layout));
+        Ok(TableWant { layout, size, format: self.format, serves, max_error })
+    }
+}
+
+/// Whether tables of a lobe have the layout; if not, the message.
+fn fits_lobe(layout: Layout, lobe: Lobe) -> Result<(), String> {
+    let name = layout.name();
+    match (lobe, layout) {
+        (Lobe::Isotropic, Layout::Optimised | Layout::PathTracer | Layout::Azimuth) => Err(format!(
+            "`{name}` is for anisotropic materials and for glass; give `anisotropy`, or one of `homogeneous`, `plain`, \
+             `plain-squared`"
+        )),
+        (Lobe::Glass, Layout::Azimuth) => {
+            Err(format!("`{name}` is for anisotropic materials; of glass give `optimised` or `path-tracer`"))
+        }
+        (Lobe::Glass, Layout::Homogeneous | Layout::Plain | Layout::PlainSquared) => {
+            Err(format!("`{name}` is of lobes that only reflect; of glass give `optimised` or `path-tracer`"))
+        }
+        (Lobe::Isotropic, Layout::Homogeneous | Layout::Plain | Layout::PlainSquared)
+        | (Lobe::Glass, Layout::Optimised | Layout::PathTracer)
+        | (Lobe::Anisotropic, _) => Ok(()),
+    }
+}
+
+/// Holds a size to its number of axes and to the limits.
+fn check_size(layout: Layout, size: &[usize]) -> Result<(), String> {
+    let (axes, name) = (layout.axes(), layout.name());
+    if size.len() != axes {
+        let numbers = if size.len() == 1 { "1 number".into() } else { format!("{} numbers", size.len()) };
+        return Err(about("size", format!("{numbers} where the {name} layout has {axes} axes")));
+    }
+    let [low, high] = if axes == 2 { [AXIS_MIN, AXIS_MAX] } else { [SLICED_AXIS_MIN, SLICED_AXIS_MAX] };
+    if let Some((i, n)) = size.iter().enumerate().find(|(_, n)| !(low..=high).contains(*n)) {
+        return Err(about(format!("size[{i}]"), format!("{n} is outside [{low}, {high}]")));
+    }
+    let &[columns, _, slices] = size else { return Ok(()) };
+    if size.iter().product::<usize>() > SLICED_CELLS {
+        let size: Vec<String> = size.iter().map(ToString::to_string).collect();
+        return Err(about("size", format!("{} is more than {SLICED_CELLS} texels", size.join("x"))));
+    }
+    if layout == Layout::Optimised && columns * slices > SLICED_LINES {
+        let message = format!(
+            "{columns} columns x {slices} slices of the optimised layout are more than {SLICED_LINES}; rows cost less"
+        );
+        return Err(about("size", message));
+    }
+    Ok(())
+}
+
+from_file!(OpenTable, TableFile);
