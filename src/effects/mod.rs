@@ -21,6 +21,7 @@ pub mod reflection;
 mod selection;
 pub mod sheen;
 pub mod table;
+pub mod value;
 mod who;
 
 pub use called::{Called, JobSummary, LeftOut};

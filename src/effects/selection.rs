@@ -15,12 +15,11 @@ pub struct Selected<'a> {
     pub because: &'static str,
 }
 
-/// The emitted fits for a use of E, or of a coupling factor, that are worth a picture, in the order given.
-pub fn selected<'a>(fits: &'a [Fit], used_as: Use, context: &Context) -> Vec<Selected<'a>> {
+/// The emitted fits of a whole column (no part of a pair) for a use that are worth a picture, in the order given.
+pub fn selected<'a>(fits: &'a [Fit], column: &str, used_as: Use, context: &Context) -> Vec<Selected<'a>> {
     let of_use = |f: &&Fit| {
         let a = &f.approximation;
-        let whole = matches!(a.column.as_str(), "E" | "factor");
-        a.used_as == used_as && whole && f.wraps.is_none() && f.emitted
+        a.used_as == used_as && a.column == column && f.wraps.is_none() && f.emitted
     };
     let emitted: Vec<&Fit> = fits.iter().filter(of_use).collect();
     emitted

@@ -74,7 +74,7 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
     let map = Factors::new(spec.smith, Grid::map(region), context);
     let lines = Factors::new(spec.smith, Grid::curves(region, &CURVES), context);
-    let shown = selected(&lobe.fits, Use::Coupling, context);
+    let shown = selected(&lobe.fits, "factor", Use::Coupling, context);
     let any = |(fit, any): (&Fit, &crate::effects::coupling::AnyF0)| AnyF0Finding {
         name: fit.approximation.name.clone(),
         max: any.max,

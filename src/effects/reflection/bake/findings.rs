@@ -31,8 +31,8 @@ pub fn findings(
     context: &Context,
 ) -> Result<Findings, BakeError> {
     let smith = context.scene.smith;
-    let shown = selected(fits, Use::Normalisation, context);
-    let blends = selected(fits, Use::F0Blend, context);
+    let shown = selected(fits, "E", Use::Normalisation, context);
+    let blends = selected(fits, "E", Use::F0Blend, context);
     let mut found = Findings::new(context.origin());
     if let Some(region) = &region {
         let map = Exact::map(smith, region, false, context);

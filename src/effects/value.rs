@@ -1,0 +1,153 @@
+//! Fits of one column of a quantity of alpha and mu: all that an effect needs which a shader answers with formulas alone.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::context::Context;
+use super::demand::{Demand, Goals, Job, Span};
+use super::grid::Grid;
+use super::selection::{Selected, selected};
+use super::{BakeError, Called, JobSummary, Made, code, page};
+use crate::approximate::target::TargetSpec;
+use crate::approximate::{self, Dropped, Entry, Fit, FitSet, Region, Wanted};
+use crate::data::Use;
+use crate::report::{ApproximationFinding, EffectFinding, Findings};
+use crate::scene::Scene;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::quantity::{Quantity, Variant};
+
+/// What is fitted and how its page shows it.
+pub struct ValueFits<'a> {
+    /// A quantity whose inputs are alpha and mu.
+    pub quantity: &'static dyn Quantity,
+    /// The column that formulas stand for.
+    pub column: &'static str,
+    /// Formulas with free parameters.
+    pub own: &'a [Entry],
+    /// Published formulas: measured and reported, not emitted.
+    pub published: &'a [Entry],
+    /// What it is of, in messages: `sheen`.
+    pub of: &'static str,
+    /// The field of a material that holds the goals.
+    pub field: &'static str,
+    /// What a material has that calls for it: `with a sheen layer`.
+    pub because: &'static str,
+    /// What to see in the map of the truth.
+    pub caption: &'static str,
+    /// Roughness of the page's curves, as far as they lie in the region.
+    pub curves: &'a [f64],
+    /// Seconds on one core of the truth, and of one fit.
+    pub seconds: [f64; 2],
+}
+
+impl ValueFits<'_> {
+    /// The demand of the material at place `of` in the scene for fits over its roughness.
+    pub fn demand(&self, scene: &Scene, of: usize, roughness: [f64; 2], goals: Goals) -> Demand {
+        let (name, kind) = (&scene.materials[of].name, scene.materials[of].kind.name());
+        let roughness = Span::roughness(roughness, scene.alpha);
+        Demand {
+            job: self.of.into(),
+            rank: 0,
+            of,
+            item: 0,
+            name: name.clone(),
+            field: format!("materials[{of}].{}", self.field),
+            because: format!("{name}: {kind} {} (roughness {})", self.because, roughness.text()),
+            spans: BTreeMap::from([("roughness", roughness), ("mu", Span::new(scene.mu))]),
+            goals,
+        }
+    }
+
+    /// What a plan says of the jobs.
+    pub fn expects(&self, jobs: &[Job]) -> Vec<JobSummary> {
+        let [truth, fit] = self.seconds;
+        let seconds = |job: &Job| truth + (self.own.len() * job.goals.norms.len()) as f64 * fit;
+        let what = format!("{} of {}", self.column, self.of);
+        jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job))).collect()
+    }
+
+    /// Fits, their code and their page.
+    ///
+    /// # Errors
+    /// A formula or a domain that is refused; a truth that cannot be integrated.
+    pub fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        let job = called.only_job()?;
+        context.progress.stage(&format!("fits of {}", self.of));
+        let region = job.region(context.scene.alpha)?;
+        let FitSet { fits, dropped } = approximate::fit_all(&self.wanted(job, &region), &context.counter)?;
+        context.progress.stage(&format!("report of {}", called.effect));
+        let metric = format!("error of {} of the best fit", self.column);
+        let mut made = Made::new(called, page::smallest_error(&fits), &metric);
+        made.promised(&job.promises, &fits, self.of, Use::Value);
+        made.code(|language| code::functions(language, &fits))?;
+        let findings = self.findings(&made.part.finding, context, &region, (&fits, &dropped))?;
+        made.findings(&findings)?;
+        made.fits(context, (fits, dropped), |_, _, entry| entry);
+        Ok(made)
+    }
+
+    /// The published formulas stand beside ours where the map of roughness is theirs.
+    fn wanted<'a>(&'a self, job: &'a Job, region: &Region) -> Wanted<'a> {
+        let Region { roughness, mu, alpha_map } = *region;
+        Wanted {
+            spec: TargetSpec {
+                quantity: self.quantity,
+                column: Some(self.column.into()),
+                used_as: Some(Use::Value),
+                variant: Variant::default(),
+                alpha_map,
+                domain: BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]),
+            },
+            own: self.own,
+            user: &[],
+            published: self.published.iter().collect(),
+            norms: &job.goals.norms,
+            max_ops: job.goals.max_ops,
+            keeps: None,
+            with_f0: None,
+        }
+    }
+
+    fn findings(
+        &self,
+        effect: &EffectFinding,
+        context: &Context,
+        region: &Region,
+        (fits, dropped): (&[Fit], &[Dropped]),
+    ) -> Result<Findings, BakeError> {
+        let (map, lines) = (Grid::map(region), Grid::curves(region, self.curves));
+        let (truth, along) = (self.truths(&map, context)?, self.truths(&lines, context)?);
+        let finding = |one: &Selected| {
+            let values = map.values(one.fit, 1.0)?;
+            let errors = values.iter().zip(&truth).map(|(value, truth)| value - truth);
+            let curves = lines.lines(&along, &lines.values(one.fit, 1.0)?);
+            page::fit(one, self.column.into(), curves, map.field(self.column, true, errors))
+        };
+        let shown = selected(fits, self.column, Use::Value, context);
+        Ok(Findings {
+            effects: vec![effect.clone()],
+            left_out: page::left_out(dropped),
+            truths: vec![map.field(self.column, false, truth.iter().copied())],
+            caption: self.caption.into(),
+            approximations: fits.iter().map(|f| ApproximationFinding::from(&f.approximation)).collect(),
+            fits: shown.iter().map(finding).collect::<Result<_, BakeError>>()?,
+            ..Findings::new(context.origin())
+        })
+    }
+
+    fn truths(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>, BakeError> {
+        let points = &grid.points;
+        context.counter.add(points.len());
+        let (quantity, variant) = (self.quantity, Variant::default());
+        let column = quantity.outputs().iter().position(|output| *output == self.column);
+        let lacks = || BakeError::Internal(format!("{} has no column {}", quantity.name(), self.column));
+        let (column, tolerance) = (column.ok_or_else(lacks)?, quantity.tolerance(&variant));
+        let at = |i: usize| {
+            let place = [f64::from(points.alpha[i]), f64::from(points.mu[i].min(1.0))];
+            Ok(quantity.at(&variant, &place, tolerance)?[column])
+        };
+        let all: Vec<Result<f64, IntegrateError>> = (0..points.len()).into_par_iter().map(at).collect();
+        Ok(all.into_iter().collect::<Result<_, _>>()?)
+    }
+}
