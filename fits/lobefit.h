@@ -78,12 +78,9 @@ static inline float ggx_compensate_reflection_factor(float f0, float e) {
 /// e = 0 itself, which no table holds for a view above the horizon, the result is not finite.
 /// Turquin, "Practical multiple scattering compensation for microfacet models", 2019.
 static inline lobefit_float3 ggx_compensate_reflection(lobefit_float3 f_ss, lobefit_float3 f0, float e) {
-    const lobefit_float3 f_ms = {
-        f_ss.x * ggx_compensate_reflection_factor(f0.x, e),
-        f_ss.y * ggx_compensate_reflection_factor(f0.y, e),
-        f_ss.z * ggx_compensate_reflection_factor(f0.z, e)
-    };
-    return f_ms;
+    const lobefit_float3 result = {f_ss.x * (1.0f + f0.x * ((1.0f - e) / e)),
+            f_ss.y * (1.0f + f0.y * ((1.0f - e) / e)), f_ss.z * (1.0f + f0.z * ((1.0f - e) / e))};
+    return result;
 }
 
 /// The factor of ggx_compensate_glass, 1/E: for lobes that are sampled, to multiply the path's weight by.
@@ -100,8 +97,8 @@ static inline float ggx_compensate_glass_factor(float e) {
 /// itself, which no table holds for a view above the horizon, the result is not finite.
 /// Turquin, "Practical multiple scattering compensation for microfacet models", 2019.
 static inline lobefit_float3 ggx_compensate_glass(lobefit_float3 f, float e) {
-    const lobefit_float3 f_ms = {f.x / e, f.y / e, f.z / e};
-    return f_ms;
+    const lobefit_float3 result = {f.x / e, f.y / e, f.z / e};
+    return result;
 }
 
 // ---- reflection ----
@@ -732,7 +729,8 @@ static inline float ggx_norm_i20_rms(float roughness, float alpha, float mu) {
 ///   worst at alpha = 1, f0 = 1, mu = 1, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r1_saturating(float alpha, float f0) {
-    return 1.0f + f0 * (ggx_norm_r1(alpha) - 1.0f);
+    const float n = ggx_norm_r1(alpha);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -742,7 +740,8 @@ static inline float ggx_norm_r1_saturating(float alpha, float f0) {
 ///   worst at alpha = 1, f0 = 1, mu = 1, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_n2_saturating(float alpha, float f0) {
-    return 1.0f + f0 * (ggx_norm_n2(alpha) - 1.0f);
+    const float n = ggx_norm_n2(alpha);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -752,7 +751,8 @@ static inline float ggx_norm_n2_saturating(float alpha, float f0) {
 ///   worst at alpha = 0.31414163, f0 = 1, mu = 1, roughness = 0.5604834; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r2_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r2(alpha, mu) - 1.0f);
+    const float n = ggx_norm_r2(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -762,7 +762,8 @@ static inline float ggx_norm_r2_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.2955634, f0 = 1, mu = 0.25855446, roughness = 0.5436574; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_n1_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_n1(alpha, mu) - 1.0f);
+    const float n = ggx_norm_n1(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -772,7 +773,8 @@ static inline float ggx_norm_n1_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.008688643, f0 = 1, mu = 0.01, roughness = 0.09321289; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r3p_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r3p(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r3p(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -782,7 +784,8 @@ static inline float ggx_norm_r3p_saturating(float roughness, float alpha, float 
 ///   worst at alpha = 0.008291846, f0 = 1, mu = 0.01, roughness = 0.09105957; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r4_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r4(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r4(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -792,7 +795,8 @@ static inline float ggx_norm_r4_saturating(float roughness, float alpha, float m
 ///   worst at alpha = 0.008958327, f0 = 1, mu = 0.01, roughness = 0.094648436; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r4p_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r4p(alpha, mu) - 1.0f);
+    const float n = ggx_norm_r4p(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -802,7 +806,8 @@ static inline float ggx_norm_r4p_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.008161641, f0 = 1, mu = 0.01, roughness = 0.0903418; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r5_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r5(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r5(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -812,7 +817,8 @@ static inline float ggx_norm_r5_saturating(float roughness, float alpha, float m
 ///   worst at alpha = 0.007989636, f0 = 1, mu = 0.01, roughness = 0.089384764; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r6_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r6(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r6(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -822,7 +828,8 @@ static inline float ggx_norm_r6_saturating(float roughness, float alpha, float m
 ///   worst at alpha = 0.007989636, f0 = 1, mu = 0.01, roughness = 0.089384764; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_r8_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r8(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r8(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -832,7 +839,8 @@ static inline float ggx_norm_r8_saturating(float roughness, float alpha, float m
 ///   worst at alpha = 0.062165264, f0 = 1, mu = 0.34233052, roughness = 0.24932963; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_i10_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i10(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i10(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -842,7 +850,8 @@ static inline float ggx_norm_i10_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 1, f0 = 1, mu = 0.34136963, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_i11_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i11(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i11(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -852,7 +861,8 @@ static inline float ggx_norm_i11_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.007861835, f0 = 1, mu = 0.01, roughness = 0.08866699; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_i12_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i12(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_i12(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -862,7 +872,8 @@ static inline float ggx_norm_i12_saturating(float roughness, float alpha, float 
 ///   worst at alpha = 0.007319939, f0 = 1, mu = 0.01, roughness = 0.08555664; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_q13_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_q13(alpha, mu) - 1.0f);
+    const float n = ggx_norm_q13(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -872,7 +883,8 @@ static inline float ggx_norm_q13_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 1, f0 = 1, mu = 0.03203963, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_i13_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i13(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i13(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -882,7 +894,8 @@ static inline float ggx_norm_i13_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.103955865, f0 = 1, mu = 1, roughness = 0.32242188; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_i14_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i14(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i14(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -892,7 +905,8 @@ static inline float ggx_norm_i14_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.4825324, f0 = 1, mu = 0.6352203, roughness = 0.6946455; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_i15_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i15(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_i15(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -902,7 +916,8 @@ static inline float ggx_norm_i15_saturating(float roughness, float alpha, float 
 ///   worst at alpha = 1, f0 = 1, mu = 0.7568506, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 static inline float ggx_norm_i17_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i17(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_i17(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Cosine-weighted mean over directions of the GGX reflection albedo, E_avg.
@@ -1075,8 +1090,8 @@ static inline float ggx_norm_pesce_n1(float alpha, float mu) {
 static inline lobefit_float2 ggx_dfg_correlated_32x32_uv(float roughness, float alpha, float mu) {
     const float u = sqrtf(mu * (1.0f + alpha) / (mu + alpha)) * 0.96875f + 0.015625f;
     const float v = roughness * 0.9885204f - 0.004145408f;
-    const lobefit_float2 uv = {u, v};
-    return uv;
+    const lobefit_float2 result = {u, v};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1106,8 +1121,8 @@ static inline float ggx_dfg_correlated_32x32_lookup(const float *texels, float r
 static inline lobefit_float2 ggx_dfg_correlated_64x64_split_sum_uv(float roughness, float alpha, float mu) {
     const float u = sqrtf(mu * (1.0f + alpha) / (mu + alpha)) * 0.984375f + 0.0078125f;
     const float v = roughness * 1.0044643f - 0.012276785f;
-    const lobefit_float2 uv = {u, v};
-    return uv;
+    const lobefit_float2 result = {u, v};
+    return result;
 }
 
 /// E, A and B from a texel of the table above.
@@ -1116,8 +1131,8 @@ static inline lobefit_float3 ggx_dfg_correlated_64x64_split_sum_decode(lobefit_f
     const float x = 1.0f - mu;
     const float x2 = x * x;
     const float b = e * (texel.y + x2 * x2 * x);
-    const lobefit_float3 values = {e, e - b, b};
-    return values;
+    const lobefit_float3 result = {e, e - b, b};
+    return result;
 }
 
 /// E, A and B by a bilinear fetch, clamped to the edge, from 64 x 64 texels of 2 channels each, row by row.
@@ -1160,8 +1175,8 @@ static inline lobefit_float3 ggx_aniso_correlated_64x64x32_uvw(
     const float v = roughness * 1.1464884f - 0.15430097f;
     const float q = 1.0f - 0.9f * anisotropy;
     const float w = 1.432398f - sqrtf(q) * 1.416773f;
-    const lobefit_float3 uvw = {u, v, w};
-    return uvw;
+    const lobefit_float3 result = {u, v, w};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1205,8 +1220,8 @@ static inline lobefit_float3 path_tracer_reflection_separable_64x64x32_uvw(
     const float u = mu * 1.0f + 0.0078125f;
     const float v = roughness * 1.0f + 0.0078125f;
     const float w = anisotropy * anisotropy * 1.0f + 0.015625f;
-    const lobefit_float3 uvw = {u, v, w};
-    return uvw;
+    const lobefit_float3 result = {u, v, w};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1253,8 +1268,8 @@ static inline lobefit_float3 ggx_aniso_azimuth_correlated_64x16x16_uvw(
     const float u = sqrtf(mu * (1.0f + l) / (mu + l)) * 0.984375f + 0.0078125f;
     const float v = roughness * 1.0918938f - 0.12314378f;
     const float w = 1.4023206f - sqrtf(q) * 1.3710706f;
-    const lobefit_float3 uvw = {u, v, w};
-    return uvw;
+    const lobefit_float3 result = {u, v, w};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1316,8 +1331,8 @@ static inline lobefit_float3 ggx_glass_outside_correlated_128x128x32_uvw(
     const float v = roughness * 1.1555876f - 0.15949383f;
     const float c = 0.001f + 0.55f * sqrtf(alpha);
     const float w = sqrtf(r * (1.0f + c) / (r + c) + 0.01f) * 1.0704567f - 0.09142067f;
-    const lobefit_float3 uvw = {u, v, w};
-    return uvw;
+    const lobefit_float3 result = {u, v, w};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1364,8 +1379,8 @@ static inline lobefit_float3 ggx_glass_inside_correlated_128x128x32_uvw(
     const float v = roughness * 1.1555876f - 0.15949383f;
     const float c = 0.001f + 0.55f * sqrtf(alpha);
     const float w = sqrtf(r * (1.0f + c) / (r + c) + 0.01f) * 1.0704567f - 0.09142067f;
-    const lobefit_float3 uvw = {u, v, w};
-    return uvw;
+    const lobefit_float3 result = {u, v, w};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1405,8 +1420,8 @@ static inline lobefit_float3 path_tracer_glass_outside_separable_128x128x32_uvw(
     const float u = sqrtf(mu) * 0.9921875f + 0.00390625f;
     const float v = roughness * 0.9921875f + 0.00390625f;
     const float w = ior * 0.96875f - 0.953125f;
-    const lobefit_float3 uvw = {u, v, w};
-    return uvw;
+    const lobefit_float3 result = {u, v, w};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1445,8 +1460,8 @@ static inline lobefit_float3 path_tracer_glass_inside_separable_128x128x32_uvw(f
     const float u = sqrtf(mu) * 0.9921875f + 0.00390625f;
     const float v = roughness * 0.9921875f + 0.00390625f;
     const float w = ior * 0.96875f - 0.953125f;
-    const lobefit_float3 uvw = {u, v, w};
-    return uvw;
+    const lobefit_float3 result = {u, v, w};
+    return result;
 }
 
 /// E from a texel of the table above.
@@ -1630,12 +1645,9 @@ static inline lobefit_float3 diffuse_coupled_normalised(
     float f0
 ) {
     const float base = coupling_normalised_19(roughness, alpha, mu, f0) * 0.31830987f;
-    const lobefit_float3 value = {
-        lobe.x + albedo.x * base,
-        lobe.y + albedo.y * base,
-        lobe.z + albedo.z * base
-    };
-    return value;
+    const lobefit_float3 result = {lobe.x + albedo.x * base, lobe.y + albedo.y * base, lobe.z
+            + albedo.z * base};
+    return result;
 }
 
 /// The same with a reflectance per colour channel: three factors, each that of its channel's f0.
@@ -1650,12 +1662,9 @@ static inline lobefit_float3 diffuse_coupled_normalised_rgb(
     const float red = coupling_normalised_19(roughness, alpha, mu, f0.x) * 0.31830987f;
     const float green = coupling_normalised_19(roughness, alpha, mu, f0.y) * 0.31830987f;
     const float blue = coupling_normalised_19(roughness, alpha, mu, f0.z) * 0.31830987f;
-    const lobefit_float3 value = {
-        lobe.x + albedo.x * red,
-        lobe.y + albedo.y * green,
-        lobe.z + albedo.z * blue
-    };
-    return value;
+    const lobefit_float3 result = {lobe.x + albedo.x * red, lobe.y + albedo.y * green, lobe.z
+            + albedo.z * blue};
+    return result;
 }
 
 // ---- parallax ----

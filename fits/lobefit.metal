@@ -692,7 +692,8 @@ inline float ggx_norm_i20_rms(float roughness, float alpha, float mu) {
 ///   worst at alpha = 1, f0 = 1, mu = 1, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r1_saturating(float alpha, float f0) {
-    return 1.0f + f0 * (ggx_norm_r1(alpha) - 1.0f);
+    const float n = ggx_norm_r1(alpha);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -702,7 +703,8 @@ inline float ggx_norm_r1_saturating(float alpha, float f0) {
 ///   worst at alpha = 1, f0 = 1, mu = 1, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_n2_saturating(float alpha, float f0) {
-    return 1.0f + f0 * (ggx_norm_n2(alpha) - 1.0f);
+    const float n = ggx_norm_n2(alpha);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -712,7 +714,8 @@ inline float ggx_norm_n2_saturating(float alpha, float f0) {
 ///   worst at alpha = 0.31414163, f0 = 1, mu = 1, roughness = 0.5604834; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r2_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r2(alpha, mu) - 1.0f);
+    const float n = ggx_norm_r2(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -722,7 +725,8 @@ inline float ggx_norm_r2_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.2955634, f0 = 1, mu = 0.25855446, roughness = 0.5436574; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_n1_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_n1(alpha, mu) - 1.0f);
+    const float n = ggx_norm_n1(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -732,7 +736,8 @@ inline float ggx_norm_n1_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.008688643, f0 = 1, mu = 0.01, roughness = 0.09321289; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r3p_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r3p(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r3p(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -742,7 +747,8 @@ inline float ggx_norm_r3p_saturating(float roughness, float alpha, float mu, flo
 ///   worst at alpha = 0.008291846, f0 = 1, mu = 0.01, roughness = 0.09105957; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r4_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r4(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r4(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -752,7 +758,8 @@ inline float ggx_norm_r4_saturating(float roughness, float alpha, float mu, floa
 ///   worst at alpha = 0.008958327, f0 = 1, mu = 0.01, roughness = 0.094648436; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r4p_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r4p(alpha, mu) - 1.0f);
+    const float n = ggx_norm_r4p(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -762,7 +769,8 @@ inline float ggx_norm_r4p_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.008161641, f0 = 1, mu = 0.01, roughness = 0.0903418; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r5_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r5(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r5(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -772,7 +780,8 @@ inline float ggx_norm_r5_saturating(float roughness, float alpha, float mu, floa
 ///   worst at alpha = 0.007989636, f0 = 1, mu = 0.01, roughness = 0.089384764; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r6_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r6(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r6(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -782,7 +791,8 @@ inline float ggx_norm_r6_saturating(float roughness, float alpha, float mu, floa
 ///   worst at alpha = 0.007989636, f0 = 1, mu = 0.01, roughness = 0.089384764; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_r8_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_r8(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_r8(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -792,7 +802,8 @@ inline float ggx_norm_r8_saturating(float roughness, float alpha, float mu, floa
 ///   worst at alpha = 0.062165264, f0 = 1, mu = 0.34233052, roughness = 0.24932963; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_i10_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i10(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i10(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -802,7 +813,8 @@ inline float ggx_norm_i10_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 1, f0 = 1, mu = 0.34136963, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_i11_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i11(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i11(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -812,7 +824,8 @@ inline float ggx_norm_i11_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.007861835, f0 = 1, mu = 0.01, roughness = 0.08866699; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_i12_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i12(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_i12(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -822,7 +835,8 @@ inline float ggx_norm_i12_saturating(float roughness, float alpha, float mu, flo
 ///   worst at alpha = 0.007319939, f0 = 1, mu = 0.01, roughness = 0.08555664; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_q13_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_q13(alpha, mu) - 1.0f);
+    const float n = ggx_norm_q13(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -832,7 +846,8 @@ inline float ggx_norm_q13_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 1, f0 = 1, mu = 0.03203963, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_i13_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i13(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i13(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -842,7 +857,8 @@ inline float ggx_norm_i13_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.103955865, f0 = 1, mu = 1, roughness = 0.32242188; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_i14_saturating(float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i14(alpha, mu) - 1.0f);
+    const float n = ggx_norm_i14(alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -852,7 +868,8 @@ inline float ggx_norm_i14_saturating(float alpha, float mu, float f0) {
 ///   worst at alpha = 0.4825324, f0 = 1, mu = 0.6352203, roughness = 0.6946455; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_i15_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i15(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_i15(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -862,7 +879,8 @@ inline float ggx_norm_i15_saturating(float roughness, float alpha, float mu, flo
 ///   worst at alpha = 1, f0 = 1, mu = 0.7568506, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 inline float ggx_norm_i17_saturating(float roughness, float alpha, float mu, float f0) {
-    return 1.0f + f0 * (ggx_norm_i17(roughness, alpha, mu) - 1.0f);
+    const float n = ggx_norm_i17(roughness, alpha, mu);
+    return 1.0f + f0 * (n - 1.0f);
 }
 
 /// Cosine-weighted mean over directions of the GGX reflection albedo, E_avg.
@@ -1528,14 +1546,7 @@ inline float diffuse_coupling_normalised(float f0, float e, float b) {
 /// Energy: in a white environment lobe and white base together send back 1, within the certificates of the factor and of
 /// what multiplies the lobe; an albedo below 1 scales the base's share and its error. Not reciprocal: the factor is of the
 /// view alone.
-inline float3 diffuse_coupled_normalised(
-    float3 lobe,
-    float3 albedo,
-    float roughness,
-    float alpha,
-    float mu,
-    float f0
-) {
+inline float3 diffuse_coupled_normalised(float3 lobe, float3 albedo, float roughness, float alpha, float mu, float f0) {
     const float base = coupling_normalised_19(roughness, alpha, mu, f0) * 0.31830987f;
     return lobe + albedo * base;
 }

@@ -60,11 +60,8 @@ pub fn ggx_compensate_reflection_factor(f0: f32, e: f32) -> f32 {
 /// e = 0 itself, which no table holds for a view above the horizon, the result is not finite.
 /// Turquin, "Practical multiple scattering compensation for microfacet models", 2019.
 pub fn ggx_compensate_reflection(f_ss: [f32; 3], f0: [f32; 3], e: f32) -> [f32; 3] {
-    [
-        f_ss[0] * ggx_compensate_reflection_factor(f0[0], e),
-        f_ss[1] * ggx_compensate_reflection_factor(f0[1], e),
-        f_ss[2] * ggx_compensate_reflection_factor(f0[2], e)
-    ]
+    [f_ss[0] * (1.0 + f0[0] * ((1.0 - e) / e)), f_ss[1] * (1.0 + f0[1] * ((1.0 - e) / e)),
+            f_ss[2] * (1.0 + f0[2] * ((1.0 - e) / e))]
 }
 
 /// The factor of ggx_compensate_glass, 1/E: for lobes that are sampled, to multiply the path's weight by.
@@ -706,7 +703,8 @@ pub fn ggx_norm_i20_rms(roughness: f32, alpha: f32, mu: f32) -> f32 {
 ///   worst at alpha = 1, f0 = 1, mu = 1, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r1_saturating(alpha: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r1(alpha) - 1.0)
+    let n = ggx_norm_r1(alpha);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -716,7 +714,8 @@ pub fn ggx_norm_r1_saturating(alpha: f32, f0: f32) -> f32 {
 ///   worst at alpha = 1, f0 = 1, mu = 1, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_n2_saturating(alpha: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_n2(alpha) - 1.0)
+    let n = ggx_norm_n2(alpha);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -726,7 +725,8 @@ pub fn ggx_norm_n2_saturating(alpha: f32, f0: f32) -> f32 {
 ///   worst at alpha = 0.31414163, f0 = 1, mu = 1, roughness = 0.5604834; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r2_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r2(alpha, mu) - 1.0)
+    let n = ggx_norm_r2(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -736,7 +736,8 @@ pub fn ggx_norm_r2_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 0.2955634, f0 = 1, mu = 0.25855446, roughness = 0.5436574; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_n1_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_n1(alpha, mu) - 1.0)
+    let n = ggx_norm_n1(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -746,7 +747,8 @@ pub fn ggx_norm_n1_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 0.008688643, f0 = 1, mu = 0.01, roughness = 0.09321289; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r3p_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r3p(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_r3p(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -756,7 +758,8 @@ pub fn ggx_norm_r3p_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> 
 ///   worst at alpha = 0.008291846, f0 = 1, mu = 0.01, roughness = 0.09105957; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r4_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r4(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_r4(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -766,7 +769,8 @@ pub fn ggx_norm_r4_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f
 ///   worst at alpha = 0.008958327, f0 = 1, mu = 0.01, roughness = 0.094648436; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r4p_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r4p(alpha, mu) - 1.0)
+    let n = ggx_norm_r4p(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -776,7 +780,8 @@ pub fn ggx_norm_r4p_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 0.008161641, f0 = 1, mu = 0.01, roughness = 0.0903418; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r5_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r5(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_r5(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -786,7 +791,8 @@ pub fn ggx_norm_r5_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f
 ///   worst at alpha = 0.007989636, f0 = 1, mu = 0.01, roughness = 0.089384764; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r6_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r6(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_r6(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -796,7 +802,8 @@ pub fn ggx_norm_r6_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f
 ///   worst at alpha = 0.007989636, f0 = 1, mu = 0.01, roughness = 0.089384764; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_r8_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_r8(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_r8(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -806,7 +813,8 @@ pub fn ggx_norm_r8_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f
 ///   worst at alpha = 0.062165264, f0 = 1, mu = 0.34233052, roughness = 0.24932963; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_i10_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_i10(alpha, mu) - 1.0)
+    let n = ggx_norm_i10(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -816,7 +824,8 @@ pub fn ggx_norm_i10_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 1, f0 = 1, mu = 0.34136963, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_i11_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_i11(alpha, mu) - 1.0)
+    let n = ggx_norm_i11(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -826,7 +835,8 @@ pub fn ggx_norm_i11_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 0.007861835, f0 = 1, mu = 0.01, roughness = 0.08866699; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_i12_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_i12(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_i12(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -836,7 +846,8 @@ pub fn ggx_norm_i12_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> 
 ///   worst at alpha = 0.007319939, f0 = 1, mu = 0.01, roughness = 0.08555664; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_q13_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_q13(alpha, mu) - 1.0)
+    let n = ggx_norm_q13(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -846,7 +857,8 @@ pub fn ggx_norm_q13_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 1, f0 = 1, mu = 0.03203963, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_i13_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_i13(alpha, mu) - 1.0)
+    let n = ggx_norm_i13(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -856,7 +868,8 @@ pub fn ggx_norm_i13_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 0.103955865, f0 = 1, mu = 1, roughness = 0.32242188; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_i14_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_i14(alpha, mu) - 1.0)
+    let n = ggx_norm_i14(alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -866,7 +879,8 @@ pub fn ggx_norm_i14_saturating(alpha: f32, mu: f32, f0: f32) -> f32 {
 ///   worst at alpha = 0.4825324, f0 = 1, mu = 0.6352203, roughness = 0.6946455; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_i15_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_i15(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_i15(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.
@@ -876,7 +890,8 @@ pub fn ggx_norm_i15_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> 
 ///   worst at alpha = 1, f0 = 1, mu = 0.7568506, roughness = 1; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], f0 [1, 1], mu [0.01, 1], roughness [0.02, 1]
 pub fn ggx_norm_i17_saturating(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {
-    1.0 + f0 * (ggx_norm_i17(roughness, alpha, mu) - 1.0)
+    let n = ggx_norm_i17(roughness, alpha, mu);
+    1.0 + f0 * (n - 1.0)
 }
 
 /// Cosine-weighted mean over directions of the GGX reflection albedo, E_avg.
@@ -1045,7 +1060,7 @@ pub fn ggx_norm_pesce_n1(alpha: f32, mu: f32) -> f32 {
 ///   worst at alpha = 0.425468, mu = 0.90266013, roughness = 0.6522791; measured at 221190 points in f16 texels, f32 lookup
 ///   domain: alpha [0.0004, 1], mu [0.001, 1], roughness [0.02, 1]
 pub fn ggx_dfg_correlated_32x32_uv(roughness: f32, alpha: f32, mu: f32) -> [f32; 2] {
-    let u = f32::sqrt(mu * (1.0 + alpha) / (mu + alpha)) * 0.96875 + 0.015625;
+    let u = (mu * (1.0 + alpha) / (mu + alpha)).sqrt() * 0.96875 + 0.015625;
     let v = roughness * 0.9885204 - 0.004145408;
     [u, v]
 }
@@ -1080,7 +1095,7 @@ pub fn ggx_dfg_correlated_32x32_lookup(texels: &[f32], roughness: f32, alpha: f3
 ///   worst at alpha = 0.03832991, mu = 0.42766377, roughness = 0.19578026; measured at 221190 points in f16 texels, f32 lookup
 ///   domain: alpha [0.0004, 1], mu [0.001, 1], roughness [0.02, 1]
 pub fn ggx_dfg_correlated_64x64_split_sum_uv(roughness: f32, alpha: f32, mu: f32) -> [f32; 2] {
-    let u = f32::sqrt(mu * (1.0 + alpha) / (mu + alpha)) * 0.984375 + 0.0078125;
+    let u = (mu * (1.0 + alpha) / (mu + alpha)).sqrt() * 0.984375 + 0.0078125;
     let v = roughness * 1.0044643 - 0.012276785;
     [u, v]
 }
@@ -1098,12 +1113,7 @@ pub fn ggx_dfg_correlated_64x64_split_sum_decode(texel: [f32; 2], mu: f32) -> [f
 ///
 /// # Panics
 /// If `texels` has fewer than 64 x 64 entries.
-pub fn ggx_dfg_correlated_64x64_split_sum_lookup(
-    texels: &[[f32; 2]],
-    roughness: f32,
-    alpha: f32,
-    mu: f32
-) -> [f32; 3] {
+pub fn ggx_dfg_correlated_64x64_split_sum_lookup(texels: &[[f32; 2]], roughness: f32, alpha: f32, mu: f32) -> [f32; 3] {
     let [u, v] = ggx_dfg_correlated_64x64_split_sum_uv(roughness, alpha, mu);
     let (column, right, fx) = cell(u * 64.0 - 0.5, 64);
     let (row, down, fy) = cell(v * 64.0 - 0.5, 64);
@@ -1127,10 +1137,10 @@ pub fn ggx_dfg_correlated_64x64_split_sum_lookup(
 ///   worst at alpha = 0.019993959, anisotropy = 1, mu = 1, roughness = 0.1414; measured at 184320 points in f16 texels, f32 lookup
 ///   domain: alpha [0.01999396, 1], anisotropy [0, 1], mu [0.001, 1], roughness [0.1414, 1]
 pub fn ggx_aniso_correlated_64x64x32_uvw(roughness: f32, alpha: f32, mu: f32, anisotropy: f32) -> [f32; 3] {
-    let u = f32::sqrt(mu * (1.0 + alpha) / (mu + alpha)) * 0.984375 + 0.0078125;
+    let u = (mu * (1.0 + alpha) / (mu + alpha)).sqrt() * 0.984375 + 0.0078125;
     let v = roughness * 1.1464884 - 0.15430097;
     let q = 1.0 - 0.9 * anisotropy;
-    let w = 1.432398 - f32::sqrt(q) * 1.416773;
+    let w = 1.432398 - q.sqrt() * 1.416773;
     [u, v, w]
 }
 
@@ -1228,10 +1238,10 @@ pub fn ggx_aniso_azimuth_correlated_64x16x16_uvw(
 ) -> [f32; 3] {
     let q = 1.0 - 0.9 * anisotropy;
     let spread = cos2_phi / q + (1.0 - cos2_phi) * q;
-    let l = alpha * f32::sqrt(spread);
-    let u = f32::sqrt(mu * (1.0 + l) / (mu + l)) * 0.984375 + 0.0078125;
+    let l = alpha * spread.sqrt();
+    let u = (mu * (1.0 + l) / (mu + l)).sqrt() * 0.984375 + 0.0078125;
     let v = roughness * 1.0918938 - 0.12314378;
-    let w = 1.4023206 - f32::sqrt(q) * 1.3710706;
+    let w = 1.4023206 - q.sqrt() * 1.3710706;
     [u, v, w]
 }
 
@@ -1239,7 +1249,7 @@ pub fn ggx_aniso_azimuth_correlated_64x16x16_uvw(
 pub fn ggx_aniso_azimuth_correlated_64x16x16_decode(texel: [f32; 4], anisotropy: f32, cos2_phi: f32) -> f32 {
     let q = 1.0 - 0.9 * anisotropy;
     let spread = cos2_phi / q + (1.0 - cos2_phi) * q;
-    let t = f32::log2(spread) / f32::max(-f32::log2(q), 1e-6);
+    let t = spread.log2() / (-q.log2()).max(1e-6);
     1.0 - (texel[0] + t * (texel[1] + t * (texel[2] + t * texel[3])))
 }
 
@@ -1281,12 +1291,12 @@ pub fn ggx_aniso_azimuth_correlated_64x16x16_lookup(
 ///   worst at alpha = 0.020899514, ior = 1.5417153, mu = 0.030206328, roughness = 0.14456664; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.01999396, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
 pub fn ggx_glass_outside_correlated_128x128x32_uvw(roughness: f32, alpha: f32, mu: f32, ior: f32) -> [f32; 3] {
-    let r = f32::sqrt(f32::max(ior - 1.0, 0.0));
+    let r = (ior - 1.0).max(0.0).sqrt();
     let l = alpha + 3.0 * r;
-    let u = f32::sqrt(mu * (1.0 + l) / (mu + l)) * 0.9921875 + 0.00390625;
+    let u = (mu * (1.0 + l) / (mu + l)).sqrt() * 0.9921875 + 0.00390625;
     let v = roughness * 1.1555876 - 0.15949383;
-    let c = 0.001 + 0.55 * f32::sqrt(alpha);
-    let w = f32::sqrt(r * (1.0 + c) / (r + c) + 0.01) * 1.0704567 - 0.09142067;
+    let c = 0.001 + 0.55 * alpha.sqrt();
+    let w = (r * (1.0 + c) / (r + c) + 0.01).sqrt() * 1.0704567 - 0.09142067;
     [u, v, w]
 }
 
@@ -1330,12 +1340,12 @@ pub fn ggx_glass_outside_correlated_128x128x32_lookup(
 ///   worst at alpha = 0.07320268, ior = 1.6482002, mu = 0.79111946, roughness = 0.27055994; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.01999396, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
 pub fn ggx_glass_inside_correlated_128x128x32_uvw(roughness: f32, alpha: f32, mu: f32, ior: f32) -> [f32; 3] {
-    let r = f32::sqrt(f32::max(ior - 1.0, 0.0));
+    let r = (ior - 1.0).max(0.0).sqrt();
     let l = alpha + 3.0 * r;
-    let u = f32::sqrt(mu * (1.0 + l) / (mu + l)) * 0.9921875 + 0.00390625;
+    let u = (mu * (1.0 + l) / (mu + l)).sqrt() * 0.9921875 + 0.00390625;
     let v = roughness * 1.1555876 - 0.15949383;
-    let c = 0.001 + 0.55 * f32::sqrt(alpha);
-    let w = f32::sqrt(r * (1.0 + c) / (r + c) + 0.01) * 1.0704567 - 0.09142067;
+    let c = 0.001 + 0.55 * alpha.sqrt();
+    let w = (r * (1.0 + c) / (r + c) + 0.01).sqrt() * 1.0704567 - 0.09142067;
     [u, v, w]
 }
 
@@ -1380,7 +1390,7 @@ pub fn ggx_glass_inside_correlated_128x128x32_lookup(
 ///   domain: alpha [0.1414, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
 /// texels are exact at the nodes clamped as the sources clamp them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
 pub fn path_tracer_glass_outside_separable_128x128x32_uvw(roughness: f32, mu: f32, ior: f32) -> [f32; 3] {
-    let u = f32::sqrt(mu) * 0.9921875 + 0.00390625;
+    let u = mu.sqrt() * 0.9921875 + 0.00390625;
     let v = roughness * 0.9921875 + 0.00390625;
     let w = ior * 0.96875 - 0.953125;
     [u, v, w]
@@ -1395,12 +1405,7 @@ pub fn path_tracer_glass_outside_separable_128x128x32_decode(texel: f32) -> f32 
 ///
 /// # Panics
 /// If `texels` has fewer than 128 x 128 x 32 entries.
-pub fn path_tracer_glass_outside_separable_128x128x32_lookup(
-    texels: &[f32],
-    roughness: f32,
-    mu: f32,
-    ior: f32
-) -> f32 {
+pub fn path_tracer_glass_outside_separable_128x128x32_lookup(texels: &[f32], roughness: f32, mu: f32, ior: f32) -> f32 {
     let [u, v, w] = path_tracer_glass_outside_separable_128x128x32_uvw(roughness, mu, ior);
     let (column, right, fx) = cell(u * 128.0 - 0.5, 128);
     let (row, down, fy) = cell(v * 128.0 - 0.5, 128);
@@ -1426,7 +1431,7 @@ pub fn path_tracer_glass_outside_separable_128x128x32_lookup(
 ///   domain: alpha [0.1414, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
 /// texels are exact at the nodes clamped as the sources clamp them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
 pub fn path_tracer_glass_inside_separable_128x128x32_uvw(roughness: f32, mu: f32, ior: f32) -> [f32; 3] {
-    let u = f32::sqrt(mu) * 0.9921875 + 0.00390625;
+    let u = mu.sqrt() * 0.9921875 + 0.00390625;
     let v = roughness * 0.9921875 + 0.00390625;
     let w = ior * 0.96875 - 0.953125;
     [u, v, w]

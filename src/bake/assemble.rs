@@ -25,7 +25,7 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
             .map(|l| LeftOut { effect: l.effect.into(), reason: l.reason.clone() })
             .collect(),
     };
-    for (language, text) in includes::includes(&parts, &opening::opening(&parts, context), context) {
+    for (language, text) in includes::includes(&parts, &opening::opening(&parts, context), context)? {
         let file = includes::path(language);
         manifest.includes.push(Include { language: language.name().into(), file: file.clone() });
         files.insert(file, text.into_bytes());

@@ -4,8 +4,7 @@
 use crate::effects::Part;
 use crate::effects::context::Context;
 use crate::emit::compensation;
-use crate::emit::lookup::helpers;
-use lobefit_shade::code::Language;
+use lobefit_shade::code::{CodeError, Language, helpers};
 use lobefit_shade::comment::comment;
 
 /// Path of a language's include file.
@@ -20,30 +19,36 @@ const MARK: &str = "// ---- ";
 const SHARED: &str = "shared";
 
 /// Language and text of every include file; none where there is nothing to include.
-pub fn includes(parts: &[Part], opening: &[String], context: &Context) -> Vec<(Language, String)> {
+///
+/// # Errors
+/// A text of compensations that does not parse, a defect of this program.
+pub fn includes(
+    parts: &[Part],
+    opening: &[String],
+    context: &Context,
+) -> Result<Vec<(Language, String)>, CodeError> {
     let file = |language: Language| {
         let sections: Vec<(&str, &str)> =
             parts.iter().filter_map(|p| Some((p.by.name(), p.code.get(&language)?.as_str()))).collect();
         if sections.is_empty() {
-            return None;
+            return Ok(None);
         }
         let notes: Vec<String> = language.notes().iter().map(ToString::to_string).collect();
         let mut text =
             comment(language.comment(), &[context.recipe.lines(), opening.to_vec(), notes].concat());
-        if language == Language::Rust {
-            text += "\n// An engine uses some of these functions, not all.\n#![allow(dead_code)]\n";
-        } else if !language.opening().is_empty() {
-            text += &format!("\n{}", language.opening());
+        let preamble = language.preamble();
+        if !preamble.is_empty() {
+            text += &format!("\n{preamble}");
         }
         let of_effects: String =
             sections.iter().map(|(effect, section)| format!("\n{MARK}{effect} ----\n{section}")).collect();
-        let shared = shared(language, &of_effects, parts);
+        let shared = shared(language, &of_effects, parts)?;
         if !shared.is_empty() {
             text += &format!("\n{MARK}{SHARED} ----\n\n{}", shared.trim_start());
         }
-        Some((language, text + &of_effects))
+        Ok(Some((language, text + &of_effects)))
     };
-    Language::ALL.into_iter().filter_map(file).collect()
+    Language::ALL.into_iter().filter_map(|language| file(language).transpose()).collect()
 }
 
 /// The section of an effect in the text of an include file.
@@ -56,9 +61,11 @@ pub fn section<'a>(text: &'a str, effect: &str) -> Option<&'a str> {
 }
 
 /// What all sections share: the fetches that lookups call, and what a value of a table is used for.
-fn shared(language: Language, sections: &str, parts: &[Part]) -> String {
+fn shared(language: Language, sections: &str, parts: &[Part]) -> Result<String, CodeError> {
     let tables = parts.iter().flat_map(|part| &part.entries.tables);
-    let compensations = compensation::of(tables.map(|entry| entry.quantity.as_str()));
-    let compensations: String = compensations.iter().map(|c| format!("\n{}", c.print(language))).collect();
-    helpers(language, &format!("{sections}{compensations}")) + &compensations
+    let mut text = String::new();
+    for compensation in compensation::of(tables.map(|entry| entry.quantity.as_str())) {
+        text += &format!("\n{}", compensation.print(language)?);
+    }
+    Ok(helpers(language, &format!("{sections}{text}")) + &text)
 }

@@ -4,7 +4,6 @@
 use super::{BakeError, UserHypothesis};
 use crate::approximate::FitStageError;
 use crate::emit::compensation;
-use crate::emit::lookup::{C_HELPER_PREFIX, RUST_HELPER_NAMES};
 use crate::plan::Plan;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code;
@@ -18,8 +17,8 @@ pub fn check(plan: &Plan, hypotheses: &[UserHypothesis]) -> Result<(), BakeError
     let formulas = plan.catalogue.iter().flat_map(|effect| effect.formulas());
     let mut taken: Vec<String> = formulas.flat_map(|entry| forms(entry.name())).collect();
     let prefixes = plan.catalogue.iter().flat_map(|effect| effect.prefixes()).copied();
-    let prefixes: Vec<&str> = prefixes.chain([C_HELPER_PREFIX]).collect();
-    taken.extend(RUST_HELPER_NAMES.map(String::from));
+    let prefixes: Vec<&str> = prefixes.chain([code::C_PREFIX]).collect();
+    taken.extend(code::RUST_HELPERS.map(String::from));
     taken.extend(compensation::NAMES.map(String::from));
     taken.extend(plan.catalogue.iter().flat_map(|effect| effect.functions()));
     for user in hypotheses {

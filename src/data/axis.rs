@@ -66,6 +66,34 @@ pub enum Warp {
     Aspect,
 }
 
+impl Warp {
+    /// Every warp, in the order of the declaration.
+    pub const ALL: [Warp; 8] = [
+        Warp::Linear,
+        Warp::Sqrt,
+        Warp::Homogeneous,
+        Warp::HomogeneousIor,
+        Warp::HomogeneousAzimuth,
+        Warp::Square,
+        Warp::Ior,
+        Warp::Aspect,
+    ];
+
+    /// Its function in `warps.wgsl`.
+    pub(super) fn function(self) -> &'static str {
+        match self {
+            Warp::Linear => "linear",
+            Warp::Sqrt => "root",
+            Warp::Homogeneous => "homogeneous",
+            Warp::HomogeneousIor => "homogeneous_ior",
+            Warp::HomogeneousAzimuth => "homogeneous_azimuth",
+            Warp::Square => "square",
+            Warp::Ior => "layered",
+            Warp::Aspect => "aspect",
+        }
+    }
+}
+
 /// The variables of other axes that a warp may use.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<T> {
@@ -97,17 +125,6 @@ impl Surface<f32> {
     pub fn rough(alpha: f32) -> Surface<f32> {
         Surface { alpha, ior: 1.0, anisotropy: 0.0, cos2_phi: 1.0 }
     }
-
-    /// (alpha_v/alpha)^2 with the alpha towards the view: what [`Decode`](super::Decode) and the warps share.
-    pub fn spread(self) -> f32 {
-        let q = self.squash();
-        self.cos2_phi / q + (1.0 - self.cos2_phi) * q
-    }
-
-    /// alpha_y/alpha_x.
-    pub fn squash(self) -> f32 {
-        1.0 - SQUASH as f32 * self.anisotropy
-    }
 }
 
 /// Width of the onset of total internal reflection in [`Warp::HomogeneousIor`], in units of sqrt(ior - 1). Empirical, as are the
@@ -122,28 +139,6 @@ const CROWDING: f64 = 0.1;
 
 /// alpha_y/alpha_x of the strongest anisotropy is 1 - `SQUASH`.
 const SQUASH: f64 = 0.9;
-
-/// An expression in a shader's arithmetic, with the quantities that it names first.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Expression {
-    /// Name and value of each quantity, in the order in which they follow from one another.
-    pub steps: Vec<(String, String)>,
-    /// The expression.
-    pub value: String,
-}
-
-impl Expression {
-    fn of(value: String) -> Expression {
-        Expression { steps: Vec::new(), value }
-    }
-
-    fn after(steps: &[(&str, String)], value: String) -> Expression {
-        Expression {
-            steps: steps.iter().map(|(name, step)| (name.to_string(), step.clone())).collect(),
-            value,
-        }
-    }
-}
 
 /// One axis of a table. The first axis is the texture's x (columns), the second its y (rows, first row at the top).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -163,7 +158,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Physical value at unit coordinate `u`, the inverse of the warp.
+    /// Physical value at unit coordinate `u`, the inverse of the warp that `warps.wgsl` has.
     pub fn physical(&self, u: f64, surface: Surface<f64>) -> f64 {
         let Surface { alpha, ior, .. } = surface;
         // u^2 (x + l) = x (1 + l)
@@ -247,98 +242,8 @@ impl Axis {
     }
 
     /// sqrt(max - min), as a shader's constant.
-    fn whole(&self) -> f32 {
+    pub(super) fn whole(&self) -> f32 {
         (self.max - self.min).sqrt() as f32
-    }
-
-    /// The texture coordinate in a shader's arithmetic, that of [`Axis::expression`].
-    pub fn texture_coordinate(&self, x: f32, surface: Surface<f32>) -> f32 {
-        let Surface { alpha, ior, .. } = surface;
-        let value = match self.warp {
-            Warp::Linear => x,
-            Warp::Sqrt => x.sqrt(),
-            Warp::Homogeneous => (x * (1.0 + alpha) / (x + alpha)).sqrt(),
-            Warp::HomogeneousAzimuth => {
-                let v = alpha * surface.spread().sqrt();
-                (x * (1.0 + v) / (x + v)).sqrt()
-            }
-            Warp::Square => x * x,
-            Warp::HomogeneousIor => {
-                let l = alpha + ONSET as f32 * (ior - 1.0).max(0.0).sqrt();
-                (x * (1.0 + l) / (x + l)).sqrt()
-            }
-            Warp::Ior => {
-                let (whole, c) = (self.whole(), LAYER[0] as f32 + LAYER[1] as f32 * alpha.sqrt());
-                let q = (x - self.min as f32).max(0.0).sqrt();
-                (q * (whole + c) / (whole * (q + c)) + (CROWDING * CROWDING) as f32).sqrt()
-            }
-            Warp::Aspect => (1.0 - SQUASH as f32 * x).sqrt(),
-        };
-        match self.affine() {
-            (1.0, 0.0) => value,
-            (scale, offset) => value * scale + offset,
-        }
-    }
-
-    /// The warp's value, before [`Axis::affine`], in terms of the variables of [`Surface`] and the axis' own name; its functions are
-    /// spelled alike in WGSL, GLSL and HLSL. The axes of one table may give a quantity the same name only if it is the same.
-    pub fn expression(&self) -> Expression {
-        let name = &self.name;
-        let layer = |steps: &[(&str, String)]| {
-            Expression::after(steps, format!("sqrt({name} * (1.0 + l) / ({name} + l))"))
-        };
-        match self.warp {
-            Warp::Linear => Expression::of(name.clone()),
-            Warp::Sqrt => Expression::of(format!("sqrt({name})")),
-            Warp::Homogeneous => Expression::of(format!("sqrt({name} * (1.0 + alpha) / ({name} + alpha))")),
-            Warp::HomogeneousAzimuth => layer(&[
-                ("q", format!("1.0 - {:?} * anisotropy", SQUASH as f32)),
-                ("spread", "cos2_phi / q + (1.0 - cos2_phi) * q".into()),
-                ("l", "alpha * sqrt(spread)".into()),
-            ]),
-            Warp::Square => Expression::of(format!("{name} * {name}")),
-            Warp::HomogeneousIor => layer(&[
-                ("r", "sqrt(max(ior - 1.0, 0.0))".into()),
-                ("l", format!("alpha + {:?} * r", ONSET as f32)),
-            ]),
-            Warp::Ior => {
-                // From a minimum of 1 it is the root of Warp::HomogeneousIor.
-                let r = if self.min == 1.0 { "r" } else { "r_min" };
-                let (whole, rest) = (self.whole(), (CROWDING * CROWDING) as f32);
-                let below =
-                    if whole == 1.0 { format!("({r} + c)") } else { format!("({whole:?} * ({r} + c))") };
-                Expression::after(
-                    &[
-                        (r, format!("sqrt(max({name} - {:?}, 0.0))", self.min as f32)),
-                        ("c", format!("{:?} + {:?} * sqrt(alpha)", LAYER[0] as f32, LAYER[1] as f32)),
-                    ],
-                    format!("sqrt({r} * ({whole:?} + c) / {below} + {rest:?})"),
-                )
-            }
-            // What Warp::HomogeneousAzimuth calls so.
-            Warp::Aspect => {
-                Expression::after(&[("q", format!("1.0 - {:?} * {name}", SQUASH as f32))], "sqrt(q)".into())
-            }
-        }
-    }
-
-    /// Operations of [`Axis::texture_coordinate`] by the model of [`Cost`](super::Cost); a mul fuses into a following add.
-    ///
-    /// `Homogeneous`: 1 + alpha, times mu, mu + alpha, division 5, sqrt 4. `HomogeneousAzimuth`: q 1, division 5, 1 - c, fma, sqrt 4,
-    /// times alpha before that. `HomogeneousIor`: ior - 1, max, sqrt 4, fma before that. `Ior`: x - min, max, sqrt 4, c from sqrt 4 and
-    /// fma, two sums, two products, division 5, sum, sqrt 4. `Aspect`: fma, sqrt 4.
-    pub fn ops(&self) -> u32 {
-        let warp = match self.warp {
-            Warp::Linear => 0,
-            Warp::Square => 1,
-            Warp::Sqrt => 4,
-            Warp::Aspect => 5,
-            Warp::Homogeneous => 12,
-            Warp::HomogeneousIor => 7 + 12,
-            Warp::HomogeneousAzimuth => 13 + 12,
-            Warp::Ior => 25,
-        };
-        warp + if self.affine() == (1.0, 0.0) { 0 } else { 1 }
     }
 
     /// Physical value of texel `i`.

@@ -1,7 +1,6 @@
 //! What the channels of a table mean.
 
-use super::{Layout, Serves, Surface};
-use lobefit_math::ops;
+use super::{Layout, Serves};
 
 /// What a lookup returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,8 +11,8 @@ pub struct Values {
     pub b: Option<f32>,
 }
 
-/// How values follow from the channels of a texel. Another meaning is another variant: its channels, its formula, its f32
-/// arithmetic here and the lines that the emitted code has for it.
+/// How values follow from the channels of a texel. Another meaning is another variant: its channels, its formula for headers, and its
+/// function in `decodings.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Decode {
     /// `E`: the directional albedo.
@@ -43,16 +42,24 @@ impl Decode {
         }
     }
 
-    /// Operations of the decoding by the model of [`Cost`](super::Cost), what it shares with the coordinates counted there.
-    ///
-    /// `AzimuthCubic`: two log2 8, max 1, division 5, three fma, 1 - x. `LossBias`: see its formula.
-    pub fn ops(self) -> u32 {
+    /// Every decoding, in the order of the declaration.
+    pub const ALL: [Decode; 5] =
+        [Decode::Albedo, Decode::Loss, Decode::SplitSum, Decode::AzimuthCubic, Decode::LossBias];
+
+    /// Its function in `decodings.wgsl`.
+    pub(super) fn function(self) -> &'static str {
         match self {
-            Decode::Albedo => 0,
-            Decode::Loss | Decode::SplitSum => 1,
-            Decode::LossBias => 7,
-            Decode::AzimuthCubic => 18,
+            Decode::Albedo => "albedo",
+            Decode::Loss => "loss",
+            Decode::SplitSum => "split_sum",
+            Decode::AzimuthCubic => "azimuth_cubic",
+            Decode::LossBias => "loss_bias",
         }
+    }
+
+    /// Number of values of the decoding: E, or E, A and B.
+    pub fn count(self) -> usize {
+        self.formulas().len()
     }
 
     /// Channels of a texel: those that the variant names, in this order.
@@ -81,25 +88,6 @@ impl Decode {
             )],
             Decode::SplitSum => &[("E", "A + B"), ("B", "B"), ("A", "A")],
             Decode::LossBias => &[("E", "1 - loss"), ("B", "E * (bias + (1 - mu)^5)"), ("A", "E - B")],
-        }
-    }
-
-    /// The values of a texel in a shader's arithmetic; what lies beyond the table's channels is not read.
-    pub fn values(self, texel: [f32; 4], mu: f32, surface: Surface<f32>) -> Values {
-        match self {
-            Decode::Albedo => Values { e: texel[0], b: None },
-            Decode::Loss => Values { e: 1.0 - texel[0], b: None },
-            Decode::LossBias => {
-                let (e, x) = (1.0 - texel[0], 1.0 - mu);
-                let x2 = x * x;
-                Values { e, b: Some(e * (texel[1] + x2 * x2 * x)) }
-            }
-            Decode::AzimuthCubic => {
-                let [c0, c1, c2, c3] = texel;
-                let t = ops::log2f(surface.spread()) / (-ops::log2f(surface.squash())).max(1e-6);
-                Values { e: 1.0 - (c0 + t * (c1 + t * (c2 + t * c3))), b: None }
-            }
-            Decode::SplitSum => Values { e: texel[0] + texel[1], b: Some(texel[1]) },
         }
     }
 }

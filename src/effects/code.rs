@@ -25,7 +25,7 @@ pub fn functions(language: Language, fits: &[Fit]) -> Result<String, BakeError> 
 /// A formula that cannot be printed.
 pub fn function(language: Language, fit: &Fit, lines: &[String]) -> Result<String, BakeError> {
     let text = match &fit.wraps {
-        Some(inner) => saturating(language, &fit.approximation.name, fit.hypothesis.inputs(), inner, lines),
+        Some(inner) => saturating(language, &fit.approximation.name, fit.hypothesis.inputs(), inner, lines)?,
         None => code::print(language, &fit.hypothesis, &fit.coefficients(), lines)?.text,
     };
     Ok(format!("\n{text}"))

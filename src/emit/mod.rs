@@ -10,5 +10,4 @@ pub mod manifest;
 pub mod npy;
 pub mod raw;
 pub mod sidecar;
-pub(crate) mod spelling;
 mod texels;

@@ -229,7 +229,7 @@ pub struct Differences {
 pub fn azimuth_bound(texel: [f32; 4], point: &Point, differences: &Differences) -> f64 {
     let surface = surface(point);
     let log2 = |x: f32| ops::log(f64::from(x)) / std::f64::consts::LN_2;
-    let (numerator, divisor) = (log2(surface.spread()).abs(), (-log2(surface.squash())).max(1e-6));
+    let (numerator, divisor) = (log2(spread(surface)).abs(), (-log2(squash(surface))).max(1e-6));
     let [dn, dl] = [numerator, divisor].map(|log| differences.relative * log + differences.absolute);
     let (t, ulp) = (numerator / divisor, f64::from(f32::EPSILON));
     let dt = (dn + t * dl) / (divisor - dl).max(1e-6) + 3.5 * ulp * t;
@@ -239,6 +239,16 @@ pub fn azimuth_bound(texel: [f32; 4], point: &Point, differences: &Differences) 
     let by_t = dt * (c1 + most * (2.0 * c2 + most * 3.0 * c3));
     let size = 1.0 + c0 + most * (c1 + most * (c2 + most * c3));
     by_channels + by_t + 7.0 * 1.5 * ulp * size
+}
+
+/// alpha_y/alpha_x.
+pub fn squash(surface: Surface<f32>) -> f32 {
+    1.0 - 0.9 * surface.anisotropy
+}
+
+/// (alpha_v/alpha)^2, alpha_v being the alpha towards the view.
+fn spread(surface: Surface<f32>) -> f32 {
+    surface.cos2_phi / squash(surface) + (1.0 - surface.cos2_phi) * squash(surface)
 }
 
 /// A certificate as the files bear it.

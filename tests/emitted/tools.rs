@@ -16,9 +16,9 @@ use lobefit::effects::coupling::emitted as coupling;
 use lobefit::effects::parallax::PREFIX;
 use lobefit::effects::table;
 use lobefit::emit::compensation::NAMES;
-use lobefit::emit::lookup::helpers;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
+use lobefit_shade::code::helpers;
 
 #[test]
 fn naga_validates_the_whole_wgsl_file_and_finds_the_functions_of_the_manifest() {
@@ -171,7 +171,7 @@ fn look_up_elsewhere(language: Language, code: &str, tables: &[Looked]) {
         let (readable, points) = (table.readable(), Points::of(&table.region));
         let lookup = Called {
             identifier: readable.identifier(),
-            arguments: readable.arguments(),
+            arguments: readable.arguments().expect("printed"),
             table: readable.table,
             decode: readable.decode,
         };
@@ -188,7 +188,8 @@ fn the_lookups_of_the_other_languages_return_the_bits_that_were_certified() {
     let (baked, others) = (baked_tables(), other_tables());
     for language in FAMILY {
         look_up_elsewhere(language, &text(&include(language)), &baked);
-        let lookups: String = others.iter().map(|table| table.readable().print(language)).collect();
+        let lookups: String =
+            others.iter().map(|table| table.readable().print(language).expect("printed")).collect();
         let code = file(language, &format!("{}{lookups}", helpers(language, &lookups)));
         look_up_elsewhere(language, &code, &others);
     }
@@ -256,7 +257,7 @@ fn the_rust_lookups_return_the_bits_that_were_certified() {
         let mut readable = table.readable();
         let header = ["A table.".to_string()];
         readable.header = &header;
-        let lookup = readable.print(Language::Rust);
+        let lookup = readable.print(Language::Rust).expect("printed");
         look_up(&format!("{lookup}\n{}", helpers(Language::Rust, &lookup)), &table);
     }
 }

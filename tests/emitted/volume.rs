@@ -10,9 +10,10 @@ use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surf
 use lobefit::data::{Axis, Decode, Registration, Surface, TexelFormat, Warp};
 use lobefit::effects::table::{Lookup, Point};
 use lobefit::emit::compensation::{self, Compensation, NAMES};
-use lobefit::emit::lookup::{Readable, helpers};
+use lobefit::emit::lookup::Readable;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
+use lobefit_shade::code::helpers;
 
 fn readable(solid: &Solid) -> Readable<'_> {
     Readable { table: &solid.table, decode: solid.decode, header: &[] }
@@ -23,10 +24,13 @@ fn all(language: Language, tables: &[Solid]) -> String {
     let header = ["A table.".to_string()];
     let mut text = String::new();
     for compensation in [Compensation::Reflection, Compensation::Glass] {
-        text += &format!("\n{}", compensation.print(language));
+        text += &format!("\n{}", compensation.print(language).expect("printed"));
     }
     for solid in tables {
-        text += &format!("\n{}", Readable { header: &header, ..readable(solid) }.print(language));
+        text += &format!(
+            "\n{}",
+            Readable { header: &header, ..readable(solid) }.print(language).expect("printed")
+        );
     }
     format!("{}\n{text}", helpers(language, &text))
 }
@@ -38,8 +42,10 @@ fn rust(tables: &[Solid]) -> String {
 
 /// Every WGSL function of them.
 fn wgsl(tables: &[Solid]) -> String {
-    let compensations = [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl));
-    let tables: Vec<String> = tables.iter().map(|solid| readable(solid).print(Language::Wgsl)).collect();
+    let compensations =
+        [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl).expect("printed"));
+    let tables: Vec<String> =
+        tables.iter().map(|solid| readable(solid).print(Language::Wgsl).expect("printed")).collect();
     [tables.join("\n"), compensations.join("\n")].join("\n")
 }
 
@@ -65,7 +71,7 @@ fn naga_validates_the_lookups_and_compensations() {
     for solid in &tables {
         let name = readable(solid).identifier();
         assert_eq!(arguments(&format!("{name}_lookup"))[2..], *solid.arguments, "{name}");
-        assert_eq!(readable(solid).arguments(), solid.arguments, "{name}");
+        assert_eq!(readable(solid).arguments().expect("printed"), solid.arguments, "{name}");
         let uvw = arguments(&format!("{name}_uvw"));
         assert!(uvw.iter().all(|a| solid.arguments.contains(&a.as_str())), "{name}: {uvw:?}");
         let decode = arguments(&format!("{name}_decode"));
@@ -86,7 +92,7 @@ fn naga_validates_the_lookups_and_compensations() {
 #[test]
 fn coordinates_name_what_they_share() {
     for solid in to_look_up() {
-        for text in Language::ALL.map(|language| readable(&solid).print(language)) {
+        for text in Language::ALL.map(|language| readable(&solid).print(language).expect("printed")) {
             let body = text.split_once("_decode").expect("a decoding").0;
             let name = &solid.table.name;
             for shared in ["ior - 1.0,", "0.9 * anisotropy"] {
@@ -101,9 +107,9 @@ fn coordinates_name_what_they_share() {
 #[test]
 fn a_table_in_f32_says_what_its_device_must_have() {
     for mut solid in to_look_up() {
-        assert!(!readable(&solid).print(Language::Wgsl).contains("float32-filterable"));
+        assert!(!readable(&solid).print(Language::Wgsl).expect("printed").contains("float32-filterable"));
         solid.table.format = TexelFormat::F32;
-        assert!(readable(&solid).print(Language::Wgsl).contains("float32-filterable"));
+        assert!(readable(&solid).print(Language::Wgsl).expect("printed").contains("float32-filterable"));
     }
 }
 
@@ -390,7 +396,7 @@ fn the_factors_in_wgsl_have_the_bits_of_those_in_rust() {
     for (k, (compensation, name)) in
         [Compensation::Reflection, Compensation::Glass].into_iter().zip(names).enumerate()
     {
-        let text = compensation.print(Language::Wgsl);
+        let text = compensation.print(Language::Wgsl).expect("printed");
         let function = &text[text.find(&format!("fn {name}(")).expect("the function")..];
         let function = function.split("\n///").next().expect("its text");
         let read = Hypothesis::parse("compensation", function).unwrap_or_else(|e| panic!("{e}"));
@@ -416,8 +422,9 @@ fn a_compensation_is_emitted_for_the_quantities_that_call_for_it() {
     );
     assert_eq!(compensation::of(["sheen-charlie", "ggx-average"]), []);
     for name in NAMES {
-        let texts = [Reflection, Glass].map(|c| (c.print(Language::Rust), c.print(Language::Wgsl)));
+        let texts = [Reflection, Glass]
+            .map(|c| [Language::Rust, Language::Wgsl].map(|l| c.print(l).expect("printed")));
         let holds = |text: &str| text.contains(&format!("fn {name}("));
-        assert_eq!(texts.iter().filter(|(rust, wgsl)| holds(rust) && holds(wgsl)).count(), 1, "{name}");
+        assert_eq!(texts.iter().filter(|[rust, wgsl]| holds(rust) && holds(wgsl)).count(), 1, "{name}");
     }
 }

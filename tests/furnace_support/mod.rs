@@ -5,8 +5,9 @@ pub mod textbook;
 
 use lobefit::effects::table::Point;
 use lobefit::emit::compensation::Compensation;
-use lobefit::emit::lookup::{Readable, helpers};
+use lobefit::emit::lookup::Readable;
 use lobefit_shade::code::Language;
+use lobefit_shade::code::helpers;
 
 use crate::emit_support::{programs, solid};
 
@@ -28,7 +29,7 @@ impl Emitted {
         let texel = |i: usize| channels.iter().map(move |c| c.texels[i] as f32);
         Emitted {
             identifier: readable.identifier(),
-            arguments: readable.arguments().into_iter().map(String::from).collect(),
+            arguments: readable.arguments().expect("printed").into_iter().map(String::from).collect(),
             channels: channels.len(),
             texels: (0..channels[0].texels.len()).flat_map(texel).collect(),
         }
@@ -37,9 +38,11 @@ impl Emitted {
 
 /// The Rust file that a bake emits for these tables.
 pub fn include(readables: &[Readable], compensation: Compensation) -> String {
-    let lookups: Vec<String> = readables.iter().map(|readable| readable.print(Language::Rust)).collect();
+    let lookups: Vec<String> =
+        readables.iter().map(|readable| readable.print(Language::Rust).expect("printed")).collect();
     let lookups = lookups.join("\n");
-    let (shared, compensation) = (helpers(Language::Rust, &lookups), compensation.print(Language::Rust));
+    let (shared, compensation) =
+        (helpers(Language::Rust, &lookups), compensation.print(Language::Rust).expect("printed"));
     format!("#![allow(dead_code)]\n{lookups}\n{shared}\n{compensation}")
 }
 

@@ -19,12 +19,12 @@ pub fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError>
     }
     let specular = lobe.spec.specular;
     if let Some(best) = lobe.best() {
-        text += &format!("\n{}", coupling::exact(language, specular));
+        text += &format!("\n{}", coupling::exact(language, specular)?);
         let (name, inputs) = (best.hypothesis.name(), best.hypothesis.inputs());
-        text += &format!("\n{}", coupling::coupled(language, specular, name, inputs));
+        text += &format!("\n{}", coupling::coupled(language, specular, name, inputs)?);
         if specular == Specular::Single {
             let error = rule::error(&lobe.spec.region, lobe.spec.f0, best)?;
-            text += &format!("\n{}", coupling::reciprocal(language, name, inputs, error));
+            text += &format!("\n{}", coupling::reciprocal(language, name, inputs, error)?);
         }
     }
     Ok(text)

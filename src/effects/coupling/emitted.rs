@@ -1,12 +1,23 @@
-//! The functions around the coupling factors, in every language: the exact factor from E and B, and a base under a lobe.
+//! The functions around the coupling factors, in every language: the exact factor from E and B, and a base under a lobe. Their
+//! formulas are those of `coupling.wgsl`.
 
-use crate::emit::spelling::{argument, declare, expression, finish, head, part, vector};
-use lobefit_shade::code::Language;
-use lobefit_shade::comment::comment;
+use lobefit_shade::code::{CodeError, Language};
+use lobefit_shade::{ShadeError, Source, Tape};
 use lobefit_truth::integrate::coupling::Specular;
 
-/// 1/pi, of Lambert's lobe.
-const INVERSE_PI: &str = "0.31830987";
+const TEXT: &str = include_str!("coupling.wgsl");
+
+/// Functions of the text that are written out in those that call them: no file has them.
+const INSIDE: [&str; 8] = [
+    "factor",
+    "base_multiplied",
+    "positive",
+    "base_single",
+    "coloured",
+    "average_nodes",
+    "average_of",
+    "least_average",
+];
 
 const COUPLED: &str = "\
 The diffuse base is Lambert's: albedo/pi times the factor, which is that of the view, for every light alike.
@@ -41,19 +52,7 @@ fn coloured(name: &str) -> String {
     format!("{name}_rgb")
 }
 
-/// Nodes and weights of the Gauss rule of four nodes for the integral of f(mu) 2 mu over [0, 1].
-const RULE: [(&str, &str); 4] = [
-    ("0.13975986", "0.062361942"),
-    ("0.41640957", "0.2596951"),
-    ("0.72315699", "0.40692914"),
-    ("0.9428958", "0.27101383"),
-];
-
-/// Smallest average that the base is divided by. Where the average is smaller, which is where f0 is next to 1 on a smooth lobe, the
-/// base sends back less than the factor says, never more, and no more is lost than the factor itself.
-const FLOOR: &str = "0.001";
-
-/// What the four nodes of [`average`] are off, measured over a material's roughness and all f0.
+/// What the four nodes of [`AverageRule`] are off, measured over a material's roughness and all f0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RuleError {
     /// Largest error of the average.
@@ -64,25 +63,53 @@ pub struct RuleError {
     pub any_energy: f64,
 }
 
-/// The cosines at which the emitted average has its factor.
-pub fn average_nodes() -> [f32; 4] {
-    RULE.map(|(mu, _)| number(mu))
+/// The functions about the function `factor` of the same file.
+fn about(factor: &str, inputs: &[String]) -> Result<Source, ShadeError> {
+    let arguments: Vec<String> = inputs.iter().map(|name| format!("{name}: f32")).collect();
+    // the factor's name and arguments; what it computes is printed elsewhere
+    let stands = format!("fn {factor}({}) -> f32 {{ return {}; }}", arguments.join(", "), inputs.join(" + "));
+    let called = format!(
+        "fn factor(roughness: f32, alpha: f32, mu: f32, f0: f32) -> f32 {{ return {factor}({}); }}",
+        inputs.join(", ")
+    );
+    let source = Source::parse("coupling.wgsl", &format!("{stands}\n{called}\n{TEXT}"))?;
+    Ok(source.inlined(|name| INSIDE.contains(&name)).trimmed())
 }
 
-/// The average as the emitted function has it, of a factor's values at those cosines.
-pub fn average(values: [f32; 4]) -> f32 {
-    let terms = RULE.iter().zip(values).map(|((_, weight), value)| number(weight) * value.max(0.0));
-    terms.sum()
+/// The functions that no factor is called by.
+fn alone() -> Result<Source, ShadeError> {
+    about("unfitted", &["f0".to_string()])
 }
 
-/// A literal of this file.
-fn number(digits: &str) -> f32 {
-    digits.parse().unwrap_or(f32::NAN)
+/// The rule by which the emitted average takes its integral.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AverageRule {
+    /// The cosines at which it has the factor.
+    pub nodes: [f32; 4],
+    /// The smallest average that a base is divided by.
+    pub least: f32,
+    average: Tape,
 }
 
-/// The smallest average that a base is divided by, as a number.
-pub fn floor() -> f32 {
-    number(FLOOR)
+impl AverageRule {
+    /// The rule of the text.
+    ///
+    /// # Errors
+    /// A text that does not parse, a defect of this program.
+    pub fn new() -> Result<AverageRule, ShadeError> {
+        let source = alone()?;
+        let mut nodes = [0.0; 4];
+        for (i, node) in nodes.iter_mut().enumerate() {
+            *node = source.tape("average_nodes", i)?.at(&[], &[]);
+        }
+        let least = source.tape("least_average", 0)?.at(&[], &[]);
+        Ok(AverageRule { nodes, least, average: source.tape("average_of", 0)? })
+    }
+
+    /// The average as the emitted function has it, of a factor's values at the nodes.
+    pub fn average(&self, values: [f32; 4]) -> f32 {
+        self.average.at(&values, &[])
+    }
 }
 
 fn average_text(error: RuleError) -> String {
@@ -94,14 +121,14 @@ fn average_text(error: RuleError) -> String {
     )
 }
 
-fn reciprocal_text(error: RuleError) -> String {
+fn reciprocal_text(error: RuleError, least: f32) -> String {
     format!(
         "A dielectric's BRDF per colour channel whose directions can be exchanged, for path tracers: its bare specular lobe over a\n\
          diffuse base, the factor of the light mu_l times that of the view mu over their average (Kelemen and Szirmay-Kalos, \"A\n\
          microfacet based coupled specular-matte BRDF model with importance sampling\", 2001).\n\
          average is that of the function above. Energy: as the average of the light's factor is the average, the base sends back\n\
          what the view's factor alone would, within {} for the f0 of the certificate and {} for all f0 (measured). Limits: as\n\
-         f0 goes to 1 the factor goes to the loss of the bare lobe; an average below {FLOOR} counts as {FLOOR}, which fades the\n\
+         f0 goes to 1 the factor goes to the loss of the bare lobe; an average below {least} counts as {least}, which fades the\n\
          base out and never brightens it.",
         error.energy, error.any_energy
     )
@@ -116,18 +143,10 @@ fn coupled_name(specular: Specular) -> String {
 }
 
 /// The factor from E and B, exact: for a table that holds both, or for fits of one's own.
-pub fn exact(language: Language, specular: Specular) -> String {
-    let number = vector(language, 1);
-    let arguments = ["f0", "e", "b"].map(|name| argument(language, name, &number));
-    let left = "(1.0 - f0) * (1.0 - b / e)";
-    let (lines, value) = match specular {
-        Specular::Single => (String::new(), "1.0 - (b + f0 * (e - b))"),
-        Specular::Normalised => (String::new(), left),
-        Specular::Compensated => (
-            declare(language, &number, "left", &expression(language, left)),
-            "left + (1.0 - f0) * (1.0 - e) * (1.0 - left)",
-        ),
-    };
+///
+/// # Errors
+/// A text that does not parse, a defect of this program.
+pub fn exact(language: Language, specular: Specular) -> Result<String, CodeError> {
     let what = format!(
         "The coupling factor of a white base under a lobe that is multiplied by {}, exact for the albedo e = E = A + B and the\n\
          bias b = B of the lobe at the same view, from a table of both or from fits: what f0 A + B leaves after that.\n\
@@ -135,159 +154,73 @@ pub fn exact(language: Language, specular: Specular) -> String {
         specular.formula(),
         if specular == Specular::Single { ", but for the loss 1 - e" } else { "" }
     );
-    let comment = comment("///", &what.lines().map(String::from).collect::<Vec<_>>());
-    let head = head(language, &exact_name(specular), &arguments, &number);
-    format!("{comment}{head}{lines}{}", finish(language, "factor", &[expression(language, value)]))
+    alone()?.print(language, &exact_name(specular), &lines(&what))
+}
+
+/// Operations of the exact factor.
+///
+/// # Errors
+/// A text that does not parse, a defect of this program.
+pub fn exact_ops(specular: Specular) -> Result<u32, ShadeError> {
+    alone()?.cost_ops(&[&exact_name(specular)])
 }
 
 /// A material: the specular lobe `lobe`, per colour channel and multiplied as the name says, over a base whose factor is that of the
 /// function `factor` with these arguments; and the same for an f0 per channel.
-pub fn coupled(language: Language, specular: Specular, factor: &str, inputs: &[String]) -> String {
+///
+/// # Errors
+/// Arguments that no factor has; a text that does not parse, a defect of this program.
+pub fn coupled(
+    language: Language,
+    specular: Specular,
+    factor: &str,
+    inputs: &[String],
+) -> Result<String, CodeError> {
     let name = coupled_name(specular);
-    let first = match specular {
-        Specular::Single => {
-            "A dielectric's BRDF per colour channel: its bare specular lobe over a diffuse base.".to_string()
-        }
-        _ => format!(
-            "A dielectric's BRDF per colour channel: its specular lobe, multiplied by {} (N for 1/E), over a diffuse base.",
-            specular.formula()
+    let (first, kind) = match specular {
+        Specular::Single => (
+            "A dielectric's BRDF per colour channel: its bare specular lobe over a diffuse base.".to_string(),
+            "coupled_single",
+        ),
+        Specular::Normalised | Specular::Compensated => (
+            format!(
+                "A dielectric's BRDF per colour channel: its specular lobe, multiplied by {} (N for 1/E), over a diffuse base.",
+                specular.formula()
+            ),
+            "coupled_multiplied",
         ),
     };
-    let base = |i: Option<usize>| {
-        let value = call(language, factor, inputs, &[], i);
-        // The others are proven not to be negative for all f0.
-        let kept = match specular {
-            Specular::Single => not_negative(language, &value),
-            Specular::Normalised | Specular::Compensated => value,
-        };
-        times_inverse_pi(language, &kept)
-    };
-    let function = |channels: &[Option<usize>], name: &str, text: &str| {
-        let arguments = arguments(language, &["lobe", "albedo"], inputs, channels.len() == 3);
-        let head = head(language, name, &arguments, &vector(language, 3));
-        let bases: Vec<String> = channels.iter().map(|i| base(*i)).collect();
-        format!("{}{head}{}", lines(text), sum(language, &bases))
-    };
-    let one = function(&[None], &name, &format!("{first}\n{COUPLED}"));
-    let three = function(&CHANNELS, &coloured(&name), PER_CHANNEL);
-    format!("{one}\n{three}")
+    let source = about(factor, inputs)?.renamed(kind, &name)?.renamed(&coloured(kind), &coloured(&name))?;
+    let one = source.print(language, &name, &lines(&format!("{first}\n{COUPLED}")))?;
+    let three = source.print(language, &coloured(&name), &lines(PER_CHANNEL))?;
+    Ok(format!("{one}\n{three}"))
 }
 
 /// The same for path tracers, with the average that it takes: a base under a bare lobe, which may exchange light and view.
-pub fn reciprocal(language: Language, factor: &str, inputs: &[String], error: RuleError) -> String {
-    let number = vector(language, 1);
-    let constant: Vec<String> = inputs.iter().filter(|input| *input != "mu").cloned().collect();
-    let kept = |mu: &str, i: Option<usize>| {
-        not_negative(language, &call(language, factor, inputs, &[("mu", mu)], i))
-    };
-    let terms = RULE.iter().enumerate().map(|(i, (mu, weight))| {
-        let term = format!("{} * {}", expression(language, weight), kept(&expression(language, mu), None));
-        declare(language, &number, &format!("term_{i}"), &term)
-    });
-    let average = lines(&format!("The factor {factor} without its direction:\n{}", average_text(error)))
-        + &head(language, AVERAGE, &arguments(language, &[], &constant, false), &number)
-        + &terms.collect::<String>()
-        + &finish(language, "average", &["term_0 + term_1 + term_2 + term_3".into()]);
-    let averages = lines("Its averages for a reflectance per colour channel.")
-        + &head(
-            language,
-            &coloured(AVERAGE),
-            &arguments(language, &[], &constant, true),
-            &vector(language, 3),
-        )
-        + &finish(language, "averages", &CHANNELS.map(|i| call(language, AVERAGE, &constant, &[], i)));
-    let with_light: Vec<String> =
-        ["average", "mu_l"].map(String::from).into_iter().chain(inputs.iter().cloned()).collect();
-    let least = format!("{}(average, {})", function(language, "max"), expression(language, FLOOR));
-    let share = lines(EXCHANGED_TEXT)
-        + &head(language, EXCHANGED, &arguments(language, &[], &with_light, false), &number)
-        + &declare(language, &number, "light", &kept("mu_l", None))
-        + &declare(language, &number, "view", &kept("mu", None))
-        + &finish(language, "share", &[format!("light * view / {least}")]);
-    let base = |i: Option<usize>| {
-        let mean = i.map_or("average".into(), |i| part(language, "average", i));
-        times_inverse_pi(language, &call(language, EXCHANGED, &with_light, &[("average", &mean)], i))
-    };
-    let material = |channels: &[Option<usize>], name: &str, text: &str| {
-        let coloured = channels.len() == 3;
-        let all = arguments(language, &["lobe", "albedo"], &with_light, coloured);
-        let bases: Vec<String> = channels.iter().map(|i| base(*i)).collect();
-        format!(
-            "{}{}{}",
-            lines(text),
-            head(language, name, &all, &vector(language, 3)),
-            sum(language, &bases)
-        )
-    };
-    let one = material(&[None], RECIPROCAL, &reciprocal_text(error));
-    let three = material(&CHANNELS, &coloured(RECIPROCAL), PER_CHANNEL);
-    [average, averages, share, one, three].join("\n")
-}
-
-/// The channels of a colour.
-const CHANNELS: [Option<usize>; 3] = [Some(0), Some(1), Some(2)];
-
-/// A comment of documentation.
-fn lines(text: &str) -> String {
-    comment("///", &text.lines().map(String::from).collect::<Vec<_>>())
-}
-
-/// Colours, then the factor's arguments, f0 among them a colour where it is `coloured`.
-fn arguments(language: Language, colours: &[&str], inputs: &[String], coloured: bool) -> Vec<String> {
-    let (colour, number) = (vector(language, 3), vector(language, 1));
-    let kind = |input: &String| {
-        if coloured && ["f0", "average"].contains(&input.as_str()) { &colour } else { &number }
-    };
-    let colours = colours.iter().map(|name| argument(language, name, &colour));
-    colours.chain(inputs.iter().map(|input| argument(language, input, kind(input)))).collect()
-}
-
-/// A call with the names of the inputs, some of them `replaced`, and f0 that of a channel where there is one.
-fn call(
+///
+/// # Errors
+/// Arguments that no factor has; a text that does not parse, a defect of this program.
+pub fn reciprocal(
     language: Language,
-    function: &str,
+    factor: &str,
     inputs: &[String],
-    replaced: &[(&str, &str)],
-    channel: Option<usize>,
-) -> String {
-    let passed = |input: &String| match (replaced.iter().find(|(name, _)| name == input), channel) {
-        (Some((_, with)), _) => with.to_string(),
-        (None, Some(i)) if input == "f0" => part(language, "f0", i),
-        _ => input.clone(),
-    };
-    format!("{function}({})", inputs.iter().map(passed).collect::<Vec<_>>().join(", "))
+    error: RuleError,
+) -> Result<String, CodeError> {
+    let (source, least) = (about(factor, inputs)?, AverageRule::new()?.least);
+    let of_average = format!("The factor {factor} without its direction:\n{}", average_text(error));
+    let functions = [
+        (AVERAGE.to_string(), of_average),
+        (coloured(AVERAGE), "Its averages for a reflectance per colour channel.".to_string()),
+        (EXCHANGED.to_string(), EXCHANGED_TEXT.to_string()),
+        (RECIPROCAL.to_string(), reciprocal_text(error, least)),
+        (coloured(RECIPROCAL), PER_CHANNEL.to_string()),
+    ];
+    let printed: Result<Vec<String>, CodeError> =
+        functions.iter().map(|(name, text)| source.print(language, name, &lines(text))).collect();
+    Ok(printed?.join("\n"))
 }
 
-fn function(language: Language, name: &str) -> String {
-    expression(language, name)
-}
-
-fn not_negative(language: Language, value: &str) -> String {
-    format!("{}({value}, {})", function(language, "max"), expression(language, "0.0"))
-}
-
-fn times_inverse_pi(language: Language, value: &str) -> String {
-    format!("{value} * {}", expression(language, INVERSE_PI))
-}
-
-/// The end of a material: its lobe and the share of its albedo, one for all channels or one for each.
-fn sum(language: Language, bases: &[String]) -> String {
-    if let [one] = bases {
-        let line = declare(language, &vector(language, 1), "base", one);
-        let channel = |i| format!("{} + {} * base", part(language, "lobe", i), part(language, "albedo", i));
-        return line
-            + &match language {
-                Language::Rust | Language::C => finish(language, "value", &[0, 1, 2].map(channel)),
-                _ => "    return lobe + albedo * base;\n}\n".into(),
-            };
-    }
-    let names = ["red", "green", "blue"];
-    let declared = names.iter().zip(bases);
-    let declared: String =
-        declared.map(|(name, base)| declare(language, &vector(language, 1), name, base)).collect();
-    let channel = |(i, name): (usize, &&str)| {
-        format!("{} + {} * {name}", part(language, "lobe", i), part(language, "albedo", i))
-    };
-    let values: Vec<String> = names.iter().enumerate().map(channel).collect();
-    declared + &finish(language, "value", &values)
+/// Lines of documentation.
+fn lines(text: &str) -> Vec<String> {
+    text.lines().map(String::from).collect()
 }

@@ -2,7 +2,7 @@
 
 use crate::approximate::{Fit, FitStageError, PointSet, Region};
 use crate::effects::BakeError;
-use crate::effects::coupling::emitted::{RuleError, average, average_nodes, floor};
+use crate::effects::coupling::emitted::{AverageRule, RuleError};
 use lobefit_math::chebyshev;
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::round_up;
@@ -25,8 +25,8 @@ pub fn error(region: &Region, f0: [f64; 2], fit: &Fit) -> Result<RuleError, Bake
 fn largest(region: &Region, f0: [f64; 2], fit: &Fit) -> Result<[f64; 2], BakeError> {
     let rule = Gauss::new(NODES);
     let cosines: Vec<f64> = rule.nodes.iter().map(|x| 0.5 * (1.0 + x)).collect();
-    let floor = f64::from(floor());
-    let nodes = average_nodes().map(f64::from);
+    let emitted = AverageRule::new().map_err(FitStageError::from)?;
+    let (least, nodes) = (f64::from(emitted.least), emitted.nodes.map(f64::from));
     let [low, high] = region.roughness;
     let (mut of_average, mut energy) = (0.0_f64, 0.0_f64);
     for roughness in chebyshev::nodes(low, high, ROUGHNESS) {
@@ -36,11 +36,11 @@ fn largest(region: &Region, f0: [f64; 2], fit: &Fit) -> Result<[f64; 2], BakeErr
             // 2 mu over half the range of the rule
             let integral: f64 = weighted.map(|((v, w), mu)| w * mu * v).sum();
             let at_nodes = self::values(region, fit, roughness, f0, &nodes)?;
-            let stated = f64::from(average([0, 1, 2, 3].map(|i| at_nodes[i] as f32)));
+            let stated = f64::from(emitted.average([0, 1, 2, 3].map(|i| at_nodes[i] as f32)));
             of_average = of_average.max((stated - integral).abs());
-            let scale = integral / stated.max(floor) - 1.0;
-            // Below the floor the base only fades, which is told apart.
-            let scale = if stated < floor { scale.max(0.0) } else { scale.abs() };
+            let scale = integral / stated.max(least) - 1.0;
+            // Below the least average the base only fades, which another figure states.
+            let scale = if stated < least { scale.max(0.0) } else { scale.abs() };
             energy = values.iter().fold(energy, |most, v| most.max(v * scale));
         }
     }

@@ -5,19 +5,19 @@ use std::collections::BTreeMap;
 use super::bake::Lobe;
 use crate::approximate::{Field, FitStageError, PointSet, Region, certification};
 use crate::data::{
-    Approximation, Axis, Certificate, Cost, Decode, Form, Layout, Serves, Source, Table, TexelFormat, Use,
+    Approximation, Certificate, Cost, Decode, Form, Layout, Serves, Source, Table, TexelFormat, Use,
+    lookup_ops,
 };
 use crate::effects::BakeError;
 use crate::effects::Deviation;
 use crate::effects::context::Context;
 use crate::effects::coupling::CouplingSpec;
-use crate::effects::coupling::emitted::exact;
+use crate::effects::coupling::emitted::exact_ops;
 use crate::effects::coupling::results::AnyF0Finding;
 use crate::effects::reflection::{TableSpec, build};
 use crate::effects::table::{Lookup, LookupError, Points};
 use crate::report::ApproximationFinding;
-use lobefit_shade::code::Language;
-use lobefit_shade::{Hypothesis, round_up};
+use lobefit_shade::round_up;
 use lobefit_truth::integrate::Estimate;
 use lobefit_truth::integrate::coupling::{Split, factor};
 
@@ -49,10 +49,8 @@ pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, An
     let measured = Measured::new(lobe, &quantised, context)?;
     let here = measured.over(&[f0[0], f0[1]]);
     let any = measured.over(&ANY);
-    let text = exact(Language::Wgsl, *specular);
-    let formula = Hypothesis::parse("coupling_table.wgsl", &text).map_err(FitStageError::from)?;
-    let lookup = table.axes.iter().map(Axis::ops).sum::<u32>() + Decode::SplitSum.ops();
-    let ops = lookup + formula.tape().cost_ops();
+    let ops = lookup_ops(&table.axes, Decode::of(spec.layout, spec.serves))
+        + exact_ops(*specular).map_err(FitStageError::from)?;
     let approximation = Approximation {
         name: spec.name.clone(),
         quantity: "diffuse-coupling".into(),

@@ -6,7 +6,7 @@ use crate::gpu_support;
 
 use emit_support::accuracy::{CPU, WGSL, bound};
 use emit_support::say;
-use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, surface, to_look_up};
+use emit_support::solid::{Differences, Solid, azimuth_bound, bytes, points, squash, surface, to_look_up};
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
 use lobefit::data::{Axis, Decode, Warp};
@@ -72,7 +72,7 @@ fn allowed(solid: &Solid, changes: [f64; 4], texel: [f32; 4], point: &Point) -> 
 /// WGSL's log2 is within 2^-21 of the exact value for an argument between 0.5 and 2, elsewhere within 3 units in the last place, libm's
 /// within one. The arguments are off by those of q, 3 units of 1, and by 8 units of their own.
 fn logarithms(point: &Point, channels: [f64; 4]) -> Differences {
-    let q = f64::from(surface(point).squash());
+    let q = f64::from(squash(surface(point)));
     let argument = (3.0 / q + 8.0) * ULP / std::f64::consts::LN_2;
     Differences { relative: 4.0 * ULP, absolute: 4.0 * ULP + argument, channels }
 }
@@ -111,7 +111,7 @@ fn look_up(gpu: &Gpu, solid: &Solid, points: &[Point]) -> Vec<f32> {
     test_values[id.x] = {value};
 }}
 ",
-        readable.print(Language::Wgsl),
+        readable.print(Language::Wgsl).expect("printed"),
         readable.identifier(),
         solid.arguments.join(", ")
     );
@@ -164,7 +164,8 @@ fn every_lookup_in_space_is_that_of_the_tables_measure() {
 #[test]
 fn the_compensations_are_those_of_rust_up_to_the_accuracy_of_wgsl() {
     let Some(gpu) = gpu() else { return };
-    let texts = [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl));
+    let texts =
+        [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl).expect("printed"));
     let source = format!(
         "{}{}
 @group(0) @binding(0) var<storage, read> test_points: array<vec4<f32>>;

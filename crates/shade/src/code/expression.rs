@@ -1,6 +1,10 @@
 //! Expressions and statements as text, with what a language does differently left to it.
 
+use std::collections::BTreeMap;
+
 use super::lines::lines;
+use super::names::free;
+use super::printer::Printer;
 use crate::{Binary, Builtin, Expr, ExprKind, Function, Kind, Statement, Unary, power_steps};
 
 /// How tightly an expression binds: it needs parentheses where more is asked for.
@@ -32,47 +36,99 @@ impl Text {
     }
 }
 
-/// What a language does its own way.
-pub(super) trait Dialect {
-    /// A literal; `typed` where nothing else says that it is an f32.
-    fn number(&self, x: f32, typed: bool) -> String;
-    /// true or false.
-    fn truth(&self, x: bool) -> String {
-        x.to_string()
-    }
-    /// A built-in function.
-    fn builtin(&self, writer: &Writer<Self>, builtin: Builtin, operands: &[Expr], typed: bool) -> Text
-    where
-        Self: Sized;
-    /// Printed name of a function that the language lacks, by what it computes (`pow5`).
-    fn helper(&self, base: &str) -> String;
-    /// `let name = ` or `let mut name: f32 = `.
-    fn declare(&self, name: &str, kind: Kind, mutable: bool, typed: bool) -> String;
-    /// The condition of an `if`.
-    fn condition(&self, condition: String) -> String;
-    /// Whether a function's last value is written without `return`.
-    fn tail(&self) -> bool;
-}
-
 /// Writes one function's body.
-pub(super) struct Writer<'a, D> {
-    pub dialect: &'a D,
+pub(super) struct Writer<'a> {
+    /// The language's printer.
+    pub printer: &'a dyn Printer,
+    /// Every function of the formula, for what calls return.
+    pub functions: &'a [Function],
+    /// The function that is written.
     pub function: &'a Function,
     /// Printed names of the functions.
     pub function_names: &'a [String],
     /// Printed names of the function's variables.
     pub names: &'a [String],
+    /// Printed names of what stands in for built-ins that the language lacks, by what they compute (`mix`, `pow5`).
+    pub helpers: &'a BTreeMap<String, String>,
 }
 
-impl<D: Dialect> Writer<'_, D> {
-    /// An expression.
+impl Writer<'_> {
+    /// The kind of an expression's value.
+    pub fn kind(&self, expr: &Expr) -> Kind {
+        expr.value(&self.function.variables, self.functions)
+    }
+
+    /// An expression; where the language has no arithmetic of vectors, those are written component by component.
     pub fn expression(&self, expr: &Expr, typed: bool) -> Text {
+        let whole = matches!(expr.kind, ExprKind::Variable(_) | ExprKind::Call(..));
+        if let Kind::Vector(n) = self.kind(expr)
+            && !whole
+            && !self.printer.has_vectors()
+        {
+            let components: Vec<String> =
+                (0..n).map(|i| self.expression(&self.component(expr, i), false).text).collect();
+            return Text::atom(self.printer.vector(&components));
+        }
+        self.plain(expr, typed)
+    }
+
+    /// Component `i` of an expression; a number is each of its components.
+    fn component(&self, expr: &Expr, i: u8) -> Expr {
+        if !matches!(self.kind(expr), Kind::Vector(_)) {
+            return expr.clone();
+        }
+        let boxed = |e: &Expr| Box::new(self.component(e, i));
+        let kind = match &expr.kind {
+            ExprKind::Compose(components) => return components[usize::from(i)].clone(),
+            ExprKind::Unary(op, a) => ExprKind::Unary(*op, boxed(a)),
+            ExprKind::Binary(op, a, b) => ExprKind::Binary(*op, boxed(a), boxed(b)),
+            ExprKind::Builtin(builtin, operands) => {
+                ExprKind::Builtin(*builtin, operands.iter().map(|e| self.component(e, i)).collect())
+            }
+            _ => ExprKind::Component(Box::new(expr.clone()), i),
+        };
+        Expr { kind, span: expr.span }
+    }
+
+    /// The scalar product in the order of the tape: the sum of the products, first component first.
+    pub fn dot(&self, a: &Expr, b: &Expr, typed: bool) -> Text {
+        let n = match self.kind(a) {
+            Kind::Vector(n) => n,
+            Kind::Number | Kind::Truth => 1,
+        };
+        let product = |i: u8| {
+            let operands = [a, b].map(|e| Box::new(self.component(e, i)));
+            let [x, y] = operands;
+            Expr { kind: ExprKind::Binary(Binary::Multiply, x, y), span: a.span }
+        };
+        let sum = (1..n).fold(product(0), |sum, i| Expr {
+            kind: ExprKind::Binary(Binary::Add, Box::new(sum), Box::new(product(i))),
+            span: a.span,
+        });
+        self.expression(&sum, typed)
+    }
+
+    /// `plane.xyz`: the first components of a variable.
+    fn swizzle(&self, components: &[Expr]) -> Option<String> {
+        let variable = |e: &Expr, place: usize| match &e.kind {
+            ExprKind::Component(vector, i) if usize::from(*i) == place => match vector.kind {
+                ExprKind::Variable(index) => Some(index),
+                _ => None,
+            },
+            _ => None,
+        };
+        let first = variable(components.first()?, 0)?;
+        let same = components.iter().enumerate().all(|(i, e)| variable(e, i) == Some(first));
+        same.then(|| format!("{}.{}", self.names[first], &"xyzw"[..components.len()]))
+    }
+
+    fn plain(&self, expr: &Expr, typed: bool) -> Text {
         match &expr.kind {
             ExprKind::Number(x) => {
                 let level = if x.is_sign_negative() { Level::Sign } else { Level::Atom };
-                Text { text: self.dialect.number(*x, typed), level }
+                Text { text: self.printer.number(*x, typed), level }
             }
-            ExprKind::Truth(x) => Text::atom(self.dialect.truth(*x)),
+            ExprKind::Truth(x) => Text::atom(self.printer.truth(*x).to_string()),
             // A specialised formula has no parameters left.
             ExprKind::Parameter(index) => Text::atom(format!("parameter_{index}")),
             ExprKind::Variable(index) => Text::atom(self.names[*index].clone()),
@@ -85,14 +141,27 @@ impl<D: Dialect> Writer<'_, D> {
             }
             ExprKind::Binary(op, a, b) => self.binary(*op, a, b, typed),
             ExprKind::Power(a, n) => {
-                let name = self.dialect.helper(&format!("pow{n}"));
+                let name = self.helper(&format!("pow{n}"));
                 Text::atom(format!("{name}({})", self.expression(a, false).text))
             }
-            ExprKind::Builtin(builtin, operands) => self.dialect.builtin(self, *builtin, operands, typed),
+            ExprKind::Builtin(builtin, operands) => self.printer.builtin(self, *builtin, operands, typed),
+            ExprKind::Compose(components) => Text::atom(self.swizzle(components).unwrap_or_else(|| {
+                let list: Vec<String> = components.iter().map(|e| self.expression(e, false).text).collect();
+                self.printer.vector(&list)
+            })),
+            ExprKind::Component(vector, i) => {
+                let vector = self.expression(vector, false).within(Level::Atom);
+                Text::atom(self.printer.component(&vector, usize::from(*i)))
+            }
             ExprKind::Call(function, operands) => {
                 Text::atom(format!("{}({})", self.function_names[*function], self.list(operands)))
             }
         }
+    }
+
+    /// The printed name of a function that the language lacks.
+    pub fn helper(&self, base: &str) -> String {
+        self.helpers.get(base).map_or(base, String::as_str).to_string()
     }
 
     /// Operands separated by commas.
@@ -131,6 +200,8 @@ impl<D: Dialect> Writer<'_, D> {
             | ExprKind::Truth(_)
             | ExprKind::Variable(_)
             | ExprKind::Power(..)
+            | ExprKind::Compose(_)
+            | ExprKind::Component(..)
             | ExprKind::Call(..) => true,
         }
     }
@@ -150,12 +221,29 @@ impl<D: Dialect> Writer<'_, D> {
             Statement::Assign(variable, e) => {
                 self.line(&format!("{} = ", self.names[*variable]), e, ";", depth, out);
             }
-            Statement::Return(e) if tail && self.dialect.tail() => self.line("", e, "", depth, out),
+            Statement::Return(e) if tail && self.printer.tail() => self.line("", e, "", depth, out),
+            Statement::Return(e) if self.names_result(e) => {
+                let name = self.free("result");
+                let start = self.printer.declare(&name, self.kind(e), false, false);
+                self.line(&start, e, ";", depth, out);
+                out.push_str(&lines(&format!("return {name};"), depth));
+            }
             Statement::Return(e) => self.line("return ", e, ";", depth, out),
             Statement::If(condition, accept, reject) => {
                 self.branch(condition, accept, reject, depth, tail, out);
             }
         }
+    }
+
+    /// Whether a result needs a name before it can be returned.
+    fn names_result(&self, e: &Expr) -> bool {
+        let whole = matches!(e.kind, ExprKind::Variable(_) | ExprKind::Call(..));
+        matches!(self.kind(e), Kind::Vector(_)) && !whole && !self.printer.returns_vectors()
+    }
+
+    /// A name that no variable has.
+    fn free(&self, name: &str) -> String {
+        free(name, |n| self.names.iter().chain(self.function_names).any(|taken| taken == n))
     }
 
     fn branch(
@@ -169,7 +257,7 @@ impl<D: Dialect> Writer<'_, D> {
     ) {
         let indent = "    ".repeat(depth);
         let tail = tail && returns(accept) && returns(reject);
-        let condition = self.dialect.condition(self.expression(condition, false).text);
+        let condition = self.printer.condition(self.expression(condition, false).text);
         out.push_str(&format!("{indent}if {condition} {{\n"));
         self.block(accept, depth + 1, tail, out);
         if !reject.is_empty() {
@@ -182,7 +270,7 @@ impl<D: Dialect> Writer<'_, D> {
     fn declaration(&self, variable: usize, value: &Expr, mutable: bool, depth: usize, out: &mut String) {
         let kind = self.function.variables[variable].kind;
         let typed = kind == Kind::Number && (mutable || !self.anchored(value));
-        let start = self.dialect.declare(&self.names[variable], kind, mutable, typed);
+        let start = self.printer.declare(&self.names[variable], kind, mutable, typed);
         self.line(&start, value, ";", depth, out);
     }
 

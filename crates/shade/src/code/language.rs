@@ -1,5 +1,10 @@
 //! The languages that code is printed in.
 
+use super::function::within;
+use super::printer::{Facts, Printer};
+use super::{c, glsl, hlsl, msl, rust, wgsl};
+use crate::Kind;
+
 /// A language of the emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Language {
@@ -22,16 +27,25 @@ impl Language {
     pub const ALL: [Language; 6] =
         [Language::Rust, Language::Wgsl, Language::Hlsl, Language::Glsl, Language::Msl, Language::C];
 
+    /// The printer of the language: the only place where languages part.
+    pub(super) fn printer(self) -> &'static dyn Printer {
+        match self {
+            Language::Rust => &rust::Rust,
+            Language::Wgsl => &wgsl::Wgsl,
+            Language::Hlsl => &hlsl::HLSL,
+            Language::Glsl => &glsl::GLSL,
+            Language::Msl => &msl::MSL,
+            Language::C => &c::C,
+        }
+    }
+
+    fn facts(self) -> &'static Facts {
+        self.printer().facts()
+    }
+
     /// The word used in the manifest and on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Language::Rust => "rust",
-            Language::Wgsl => "wgsl",
-            Language::Hlsl => "hlsl",
-            Language::Glsl => "glsl",
-            Language::Msl => "msl",
-            Language::C => "c",
-        }
+        self.facts().name
     }
 
     /// The language of a [`Language::name`].
@@ -41,66 +55,55 @@ impl Language {
 
     /// The name that people give it.
     pub fn title(self) -> &'static str {
-        match self {
-            Language::Rust => "Rust",
-            Language::Wgsl => "WGSL",
-            Language::Hlsl => "HLSL",
-            Language::Glsl => "GLSL",
-            Language::Msl => "MSL",
-            Language::C => "C",
-        }
+        self.facts().title
     }
 
     /// What follows the dot in a file's name.
     pub fn extension(self) -> &'static str {
-        match self {
-            Language::Rust => "rs",
-            Language::Wgsl => "wgsl",
-            Language::Hlsl => "hlsl",
-            Language::Glsl => "glsl",
-            Language::Msl => "metal",
-            Language::C => "h",
-        }
+        self.facts().extension
     }
 
     /// Begins a line of a file's opening comment.
     pub fn comment(self) -> &'static str {
-        match self {
-            Language::Rust => "//!",
-            _ => "//",
-        }
+        self.facts().comment
     }
 
     /// What a file of printed functions says of its language: what it needs, and what becomes of bits.
     pub fn notes(self) -> &'static [&'static str] {
-        match self {
-            Language::Rust | Language::Wgsl => &[],
-            Language::Hlsl => &["HLSL of shader model 5 or later."],
-            Language::Glsl => &[
-                "GLSL 3.30, GLSL ES 3.00 or later. GLSL ES needs, before this file: `precision highp float; precision highp sampler2D;`, and",
-                "`precision highp sampler3D;` for a volume.",
-            ],
-            Language::Msl => &[
-                "Metal Shading Language. No Metal compiler has read this file: it is checked as C++ about stand-ins for the library.",
-                "Fast math, Metal's default, may reorder its sums.",
-            ],
-            Language::C => &[
-                "C99, or C++. Its functions return the bits that were certified where a float is evaluated as a float and a * b + c is",
-                "rounded twice: -ffp-contract=off for GCC and Clang, and no -ffast-math.",
-            ],
-        }
+        self.facts().notes
     }
 
     /// What printed functions need before them in their file, once; empty or ends in a line feed.
     ///
     /// `#pragma once` stands where files include one another; GLSL has no such directive of its own.
     pub fn opening(self) -> &'static str {
-        match self {
-            Language::Rust | Language::Wgsl | Language::Glsl => "",
-            Language::Hlsl => "#pragma once\n",
-            Language::Msl => "#pragma once\n#include <metal_stdlib>\nusing namespace metal;\n",
-            Language::C => "#pragma once\n#include <math.h>\n",
-        }
+        self.facts().opening
+    }
+
+    /// What stands at the start of a file of functions, [`Language::opening`] in it; empty or ends in a line feed.
+    pub fn preamble(self) -> String {
+        format!("{}{}", self.facts().attributes, self.facts().opening)
+    }
+
+    /// The name of a type.
+    pub fn kind(self, kind: Kind) -> String {
+        self.printer().kind(kind)
+    }
+
+    /// An argument with its type.
+    pub fn argument(self, name: &str, kind: &str) -> String {
+        self.printer().argument(name, kind)
+    }
+
+    /// The lines that open a function which a file offers.
+    pub fn opened(self, name: &str, arguments: &[String], result: &str) -> String {
+        let [start, end] = self.printer().signature(name, result, true);
+        within(&start, arguments, &end)
+    }
+
+    /// Whether no variable may have this name.
+    pub fn takes(self, name: &str) -> bool {
+        self.facts().words.takes(name)
     }
 }
 

@@ -18,26 +18,33 @@
 //! the language's own is x + t (y - x); `select` is `?:`, both of whose operands are free of side effects; `fma` is `fmaf`, `fma` in MSL,
 //! `mad` in HLSL and, for versions that have none, `x * y + z` in GLSL, the last two of which may round once or twice.
 
-mod clike;
+mod c;
+mod c_table;
 mod expression;
+mod family;
+mod function;
+mod glsl;
 mod helpers;
+mod hlsl;
 mod language;
 mod lines;
+mod msl;
 mod names;
+mod printer;
 mod rust;
+mod rust_table;
+mod table;
 mod wgsl;
 mod words;
 
 use crate::comment::comment;
-use crate::{Builtin, Expr, ExprKind, Formula, Function, Hypothesis, ShadeError, Statement};
+use crate::{Builtin, Expr, ExprKind, Formula, Hypothesis, ShadeError, Statement};
+pub use c_table::C_PREFIX;
 pub use expression::decimal;
 pub use language::Language;
 pub use lines::lines as wrapped;
-
-/// Whether a variable may not have a name in a language.
-pub fn taken(language: Language, name: &str) -> bool {
-    words::Words::of(language).takes(name)
-}
+pub use rust_table::RUST_HELPERS;
+pub use table::{LETTERS, TableLookup, helpers};
 
 /// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of tiny ones are.
 const TINY: f32 = 1e-30;
@@ -109,14 +116,19 @@ pub fn print(
     header: &[String],
 ) -> Result<Printed, CodeError> {
     let formula = specialise(hypothesis, coefficients)?;
-    let text = match language {
-        Language::Rust => rust::print(&formula, header)?,
-        Language::Wgsl => wgsl::print(&formula, header)?,
-        Language::Hlsl | Language::Glsl | Language::Msl | Language::C => {
-            clike::print(language, &formula, header)?
-        }
-    };
+    let text = function::print(language.printer(), &formula, header)?;
     Ok(printed(text, language, &formula))
+}
+
+/// One function of a formula without parameters, `header` as its documentation; what it calls stands before it under its own name.
+pub(crate) fn print_function(
+    language: Language,
+    formula: &Formula,
+    index: usize,
+    header: &[String],
+) -> Result<String, CodeError> {
+    let formula = crate::hypothesis::specialise(formula, &[])?;
+    function::print_one(language.printer(), &formula, index, header)
 }
 
 fn specialise(hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Formula, CodeError> {
@@ -138,7 +150,7 @@ fn printed(text: String, language: Language, formula: &Formula) -> Printed {
         visit(&function.body, &mut |expr| {
             if let ExprKind::Builtin(builtin, _) = &expr.kind {
                 let transcendental = transcendental(*builtin);
-                exact &= !transcendental && language.rounds(*builtin);
+                exact &= !transcendental && language.printer().rounds(*builtin);
                 needs_std |= transcendental
                     || matches!(
                         builtin,
@@ -161,13 +173,6 @@ fn transcendental(builtin: Builtin) -> bool {
             | Builtin::Sin
             | Builtin::Cos
     )
-}
-
-/// Whether a function's body mentions a variable.
-fn is_read(function: &Function, variable: usize) -> bool {
-    let mut read = false;
-    visit(&function.body, &mut |e| read |= e.kind == ExprKind::Variable(variable));
-    read
 }
 
 /// Calls `f` on every expression of a block.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::CodeError;
+use super::printer::Facts;
 use super::words::Words;
 use crate::{Formula, Function};
 
@@ -20,19 +21,14 @@ impl Names {
     ///
     /// # Errors
     /// The formula's name is a word of the language, or no name in it.
-    pub fn of(formula: &Formula, words: &'static Words) -> Result<Names, CodeError> {
+    pub fn of(formula: &Formula, facts: &'static Facts) -> Result<Names, CodeError> {
+        let words = &facts.words;
         let main = &formula.main().name;
-        let language = words.language.title();
-        if words.takes_function(main) {
-            return Err(CodeError::Name { function: main.clone(), language });
-        }
-        if words.spelled(main) != *main {
-            return Err(CodeError::Letters { function: main.clone(), language });
-        }
+        check(main, facts)?;
         let last = formula.functions.len() - 1;
         let name = |(index, function): (usize, &Function)| {
             let prefixed = function.name.starts_with(&format!("{main}_"));
-            let name = words.spelled(&function.name);
+            let name = (words.spelled)(&function.name);
             if index == last || prefixed { name } else { format!("{main}_{}", name.trim_start_matches('_')) }
         };
         let mut functions: Vec<String> = Vec::new();
@@ -41,6 +37,16 @@ impl Names {
             functions.push(unique);
         }
         Ok(Names { words, functions, helpers: BTreeMap::new() })
+    }
+
+    /// Every function keeps its name, `index` being the one that is printed.
+    ///
+    /// # Errors
+    /// Its name is a word of the language, or no name in it.
+    pub fn whole(formula: &Formula, index: usize, facts: &'static Facts) -> Result<Names, CodeError> {
+        check(&formula.functions[index].name, facts)?;
+        let functions = formula.functions.iter().map(|function| function.name.clone()).collect();
+        Ok(Names { words: &facts.words, functions, helpers: BTreeMap::new() })
     }
 
     /// Names a function that the language lacks, with the formula's name as prefix.
@@ -57,10 +63,22 @@ impl Names {
                 self.words.takes(n)
                     || names.iter().chain(&self.functions).chain(self.helpers.values()).any(|m| m == n)
             };
-            names.push(free(&self.words.spelled(&variable.name), taken));
+            names.push(free(&(self.words.spelled)(&variable.name), taken));
         }
         names
     }
+}
+
+/// Whether a function may have a name.
+fn check(name: &str, facts: &Facts) -> Result<(), CodeError> {
+    let (function, language) = (name.to_string(), facts.title);
+    if facts.words.takes_function(name) {
+        return Err(CodeError::Name { function, language });
+    }
+    if (facts.words.spelled)(name) != name {
+        return Err(CodeError::Letters { function, language });
+    }
+    Ok(())
 }
 
 /// `name`, or with an underscore and, if need be, a number after it, so that it is not taken.
@@ -77,7 +95,7 @@ const GREEK: &str =
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma
     tau upsilon phi chi psi omega";
 
-/// A name in ASCII: Greek letters by their names, other letters by their code points.
+/// A name in ASCII, as rustc warns of letters that look like others: Greek letters by their names, other letters by their code points.
 pub(super) fn ascii(name: &str) -> String {
     let mut text = String::new();
     for c in name.chars() {
@@ -90,9 +108,9 @@ pub(super) fn ascii(name: &str) -> String {
     text
 }
 
-/// A name without what C's family keeps for itself.
+/// A name in ASCII without what C's family keeps for itself: two underscores in a row, one before a capital, and GLSL's `gl_`.
 pub(super) fn plain(name: &str) -> String {
-    let mut text = name.to_string();
+    let mut text = ascii(name);
     while text.contains("__") {
         text = text.replace("__", "_");
     }
@@ -130,7 +148,7 @@ mod tests {
             ("_small", "_small"),
             ("gl_x", "v_gl_x"),
         ] {
-            assert_eq!(plain(&ascii(name)), expected);
+            assert_eq!(plain(name), expected);
         }
         assert_eq!(free("box", |n| n == "box"), "box_");
         assert_eq!(free("mut_", |n| n == "mut_"), "mut_2");

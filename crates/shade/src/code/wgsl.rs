@@ -1,78 +1,75 @@
 //! The WGSL printer.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use super::expression::{Dialect, Text, Writer, decimal, power_body};
-use super::names::Names;
+use super::expression::{Text, Writer, decimal};
+use super::helpers::power;
+use super::printer::{Facts, Printer};
+use super::table::{TableLookup, Textures};
 use super::words::Words;
-use super::{CodeError, Language, comment, visit};
-use crate::{Builtin, Expr, ExprKind, Formula, Function, Kind};
+use crate::{Builtin, Expr, Kind};
 
-/// What WGSL does its own way. Whole powers become functions: its `pow` is undefined for negative bases.
-struct Wgsl<'a> {
-    /// Printed names of the power functions, by `pow` and exponent.
-    powers: &'a BTreeMap<String, String>,
-}
+/// What WGSL does its own way.
+pub(super) struct Wgsl;
 
-/// Prints a specialised formula.
-pub(super) fn print(formula: &Formula, header: &[String]) -> Result<String, CodeError> {
-    let mut names = Names::of(formula, Words::of(Language::Wgsl))?;
-    let mut powers = BTreeSet::new();
-    for function in &formula.functions {
-        visit(&function.body, &mut |expr| {
-            if let ExprKind::Power(_, n) = expr.kind {
-                powers.insert(n);
-            }
-        });
+const FACTS: Facts = Facts {
+    name: "wgsl",
+    title: "WGSL",
+    extension: "wgsl",
+    comment: "//",
+    notes: &[],
+    opening: "",
+    attributes: "",
+    words: WORDS,
+};
+
+/// Built-ins that printed code may call, and so must not be shadowed. WGSL's own words cannot stand in a hypothesis.
+const WORDS: Words = Words {
+    reserved:
+        "abs min max clamp saturate mix fma sqrt inverseSqrt exp exp2 log log2 pow floor sign step smoothstep
+        sin cos select",
+    functions: "",
+    stems: "",
+    any_case: false,
+    spelled: |name| name.to_string(),
+};
+
+const TEXTURES: Textures = Textures {
+    resources: &[("table", "texture_#d<f32>"), ("linear_clamp", "sampler")],
+    fetch: "textureSampleLevel(table, linear_clamp, #, 0.0)",
+    feature: "Texels of 32 bits need a device with the feature float32-filterable.",
+};
+
+impl Printer for Wgsl {
+    fn facts(&self) -> &'static Facts {
+        &FACTS
     }
-    let mut out = String::new();
-    for n in powers {
-        names.help(&formula.main().name, &format!("pow{n}"));
-        let name = &names.helpers[&format!("pow{n}")];
-        let (lines, value) = power_body(n, "let");
-        let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
-        out.push_str(&format!("fn {name}(x: f32) -> f32 {{\n{lines}    return {value};\n}}\n\n"));
-    }
-    let dialect = Wgsl { powers: &names.helpers };
-    for (index, function) in formula.functions.iter().enumerate() {
-        let main = index + 1 == formula.functions.len();
-        if main {
-            out.push_str(&comment("///", header));
-        }
-        print_function(&dialect, function, &names, index, &mut out);
-        if !main {
-            out.push('\n');
-        }
-    }
-    Ok(out)
-}
 
-fn print_function(dialect: &Wgsl, function: &Function, names: &Names, index: usize, out: &mut String) {
-    let variables = names.variables(function);
-    let writer = Writer { dialect, function, function_names: &names.functions, names: &variables };
-    let arguments: Vec<String> = (0..function.arguments)
-        .map(|i| format!("{}: {}", variables[i], type_name(function.variables[i].kind)))
-        .collect();
-    let result = type_name(function.result);
-    out.push_str(&format!("fn {}({}) -> {result} {{\n", names.functions[index], arguments.join(", ")));
-    writer.block(&function.body, 1, true, out);
-    out.push_str("}\n");
-}
-
-fn type_name(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Number => "f32",
-        Kind::Truth => "bool",
-    }
-}
-
-impl Dialect for Wgsl<'_> {
     fn number(&self, x: f32, typed: bool) -> String {
         let text = decimal(x);
         if typed { format!("{text}f") } else { text }
     }
 
-    fn builtin(&self, writer: &Writer<Self>, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
+    fn kind(&self, kind: Kind) -> String {
+        match kind {
+            Kind::Number => "f32".into(),
+            Kind::Truth => "bool".into(),
+            Kind::Vector(n) => format!("vec{n}<f32>"),
+        }
+    }
+
+    fn argument(&self, name: &str, kind: &str) -> String {
+        format!("{name}: {kind}")
+    }
+
+    fn signature(&self, name: &str, result: &str, _: bool) -> [String; 2] {
+        [format!("fn {name}("), format!(") -> {result} {{\n")]
+    }
+
+    fn declare(&self, name: &str, kind: Kind, mutable: bool, typed: bool) -> String {
+        let word = if mutable { "var" } else { "let" };
+        if typed { format!("{word} {name}: {} = ", self.kind(kind)) } else { format!("{word} {name} = ") }
+    }
+
+    fn builtin(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
         let name = match builtin {
             Builtin::Abs => "abs",
             Builtin::Min => "min",
@@ -94,6 +91,7 @@ impl Dialect for Wgsl<'_> {
             Builtin::SmoothStep => "smoothstep",
             Builtin::Sin => "sin",
             Builtin::Cos => "cos",
+            Builtin::Dot => "dot",
             Builtin::Select => "select",
         };
         // Literals alone would be taken for abstract numbers, which naga refuses beside a run-time condition.
@@ -103,20 +101,17 @@ impl Dialect for Wgsl<'_> {
         Text::atom(format!("{name}({})", printed.join(", ")))
     }
 
-    fn helper(&self, base: &str) -> String {
-        self.powers.get(base).map_or(base, String::as_str).to_string()
+    fn lookup(&self, table: &TableLookup) -> String {
+        TEXTURES.lookup(self, table)
     }
 
-    fn declare(&self, name: &str, kind: Kind, mutable: bool, typed: bool) -> String {
-        let word = if mutable { "var" } else { "let" };
-        if typed { format!("{word} {name}: {} = ", type_name(kind)) } else { format!("{word} {name} = ") }
+    fn lacking(&self, _: Builtin, _: &[Expr]) -> Option<&'static str> {
+        None
     }
 
-    fn condition(&self, condition: String) -> String {
-        format!("({condition})")
-    }
-
-    fn tail(&self) -> bool {
-        false
+    fn helper(&self, base: &str, name: &str) -> String {
+        let (lines, value) = power(base, "let");
+        let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+        format!("fn {name}(x: f32) -> f32 {{\n{lines}    return {value};\n}}\n")
     }
 }

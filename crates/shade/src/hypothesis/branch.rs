@@ -22,7 +22,7 @@ pub(super) struct Lowering<'a> {
     pub(super) logic: BTreeMap<usize, Expr>,
     /// Results of calls that have no name.
     pub(super) calls: BTreeMap<usize, Expr>,
-    variables: Vec<Variable>,
+    pub(super) variables: Vec<Variable>,
     depth: usize,
 }
 
@@ -32,7 +32,7 @@ pub(super) fn lower_function(
     function: &naga::Function,
     span: Span,
 ) -> Result<Function, ShadeError> {
-    let main = context.functions.len() + 1 == context.module.functions.len();
+    let main = !context.has_vectors() && context.functions.len() + 1 == context.module.functions.len();
     let mut lowering = Lowering {
         context,
         function,
@@ -83,6 +83,10 @@ impl Lowering<'_> {
             let span = self.function.local_variables.get_span(handle);
             let kind = self.context.kind(local.ty, span)?;
             let Some(name) = &local.name else { continue };
+            if matches!(kind, Kind::Vector(_)) {
+                let message = "a vector may not change: write `let`, or a `var` for each component";
+                return Err(self.context.refuse(span, message));
+            }
             let variable = self.variable(name, kind);
             self.locals.insert(handle.index(), variable);
             let value = local.init.map(|init| self.expression(init)).transpose()?;
@@ -137,7 +141,7 @@ impl Lowering<'_> {
             }
             Naga::Call { function, arguments, result } => {
                 let arguments: Result<Vec<Expr>, ShadeError> =
-                    arguments.iter().map(|&e| self.expression(e)).collect();
+                    arguments.iter().map(|&e| self.argument(e, span)).collect();
                 let Some(result) = result else { return Ok(()) };
                 let kind = ExprKind::Call(function.index(), arguments?);
                 let call = Expr { kind, span: bytes(self.function.expressions.get_span(*result)) };
@@ -153,26 +157,11 @@ impl Lowering<'_> {
     fn emit(&mut self, handle: Handle<Expression>, out: &mut Vec<Statement>) -> Result<(), ShadeError> {
         let Some(name) = self.function.named_expressions.get(&handle) else { return Ok(()) };
         let value = self.tree(handle)?;
-        let kind = self.kind_of(&value);
+        let kind = value.value(&self.variables, &self.context.functions);
         let variable = self.variable(name, kind);
         self.named.insert(handle.index(), variable);
         out.push(Statement::Let(variable, value));
         Ok(())
-    }
-
-    fn kind_of(&self, expr: &Expr) -> Kind {
-        match &expr.kind {
-            ExprKind::Number(_) | ExprKind::Parameter(_) | ExprKind::Power(..) => Kind::Number,
-            ExprKind::Truth(_) | ExprKind::Unary(Unary::Not, _) => Kind::Truth,
-            ExprKind::Unary(Unary::Negate, _) => Kind::Number,
-            ExprKind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide, ..) => {
-                Kind::Number
-            }
-            ExprKind::Binary(..) => Kind::Truth,
-            ExprKind::Variable(index) => self.variables[*index].kind,
-            ExprKind::Builtin(_, operands) => operands.first().map_or(Kind::Number, |e| self.kind_of(e)),
-            ExprKind::Call(index, _) => self.context.functions[*index].result,
-        }
     }
 
     /// The local variable that a pointer points to.

@@ -35,19 +35,20 @@ impl Lowering<'_> {
             Expression::Unary { op, expr } => self.unary(*op, *expr, span)?,
             Expression::Binary { op, left, right } => self.binary(*op, *left, *right, span)?,
             Expression::Select { condition, accept, reject } => {
-                let operands = [reject, accept, condition].map(|&e| self.expression(e));
+                let operands = [reject, accept, condition].map(|&e| self.operand(e));
                 ExprKind::Builtin(Builtin::Select, operands.into_iter().collect::<Result<_, _>>()?)
             }
             Expression::Math { fun, arg, arg1, arg2, .. } => {
                 let operands = [Some(*arg), *arg1, *arg2];
                 let operands: Result<Vec<Expr>, ShadeError> =
-                    operands.into_iter().flatten().map(|e| self.expression(e)).collect();
+                    operands.into_iter().flatten().map(|e| self.operand(e)).collect();
                 self.math(*fun, operands?, span)?
             }
             Expression::CallResult(_) => {
                 let lost = || self.context.refuse(span, "this call is not allowed here");
                 return self.calls.get(&handle.index()).cloned().ok_or_else(lost);
             }
+            other if self.context.has_vectors() => self.vector(other, span)?,
             other => return Err(self.context.refuse(span, unsupported(other))),
         };
         Ok(Expr { kind, span: bytes(span) })
@@ -100,11 +101,15 @@ impl Lowering<'_> {
                 return Err(self.context.refuse(span, message));
             }
         };
-        Ok(ExprKind::Binary(op, Box::new(self.expression(left)?), Box::new(self.expression(right)?)))
+        Ok(ExprKind::Binary(op, Box::new(self.operand(left)?), Box::new(self.operand(right)?)))
     }
 
     fn math(&self, fun: MathFunction, operands: Vec<Expr>, span: Span) -> Result<ExprKind, ShadeError> {
+        if fun != MathFunction::Dot && operands.iter().any(|e| self.is_vector(e)) {
+            return Err(self.context.refuse(span, "of the built-ins, only dot and select take vectors"));
+        }
         let builtin = match fun {
+            MathFunction::Dot if self.context.has_vectors() => Builtin::Dot,
             MathFunction::Abs => Builtin::Abs,
             MathFunction::Min => Builtin::Min,
             MathFunction::Max => Builtin::Max,

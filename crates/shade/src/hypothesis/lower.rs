@@ -18,11 +18,29 @@ pub(super) struct Context<'a> {
     pub module: &'a Module,
     file: &'a str,
     source: &'a str,
+    /// Whether functions may be of vectors.
+    vectors: bool,
     /// Functions lowered so far; naga orders callees before callers.
     pub functions: Vec<Function>,
 }
 
 impl Context<'_> {
+    /// Lowers the functions of the module; its parameters.
+    fn functions(&mut self) -> Result<Vec<Parameter>, ShadeError> {
+        refuse_globals(self)?;
+        let (parameters, module) = (parameters(self)?, self.module);
+        for (handle, function) in module.functions.iter() {
+            let lowered = lower_function(self, function, module.functions.get_span(handle))?;
+            self.functions.push(lowered);
+        }
+        Ok(parameters)
+    }
+
+    /// Whether functions may be of vectors.
+    pub fn has_vectors(&self) -> bool {
+        self.vectors
+    }
+
     /// The error "this may not be used" at a place.
     pub fn refuse(&self, span: Span, message: impl Into<String>) -> ShadeError {
         let (start, end) = bytes(span);
@@ -35,6 +53,8 @@ impl Context<'_> {
         match self.module.types[ty].inner {
             TypeInner::Scalar(Scalar::F32) => Ok(Kind::Number),
             TypeInner::Scalar(Scalar::BOOL) => Ok(Kind::Truth),
+            TypeInner::Vector { size, scalar: Scalar::F32 } if self.vectors => Ok(Kind::Vector(size as u8)),
+            _ if self.vectors => Err(self.refuse(span, "only f32, its vectors and bool are allowed")),
             _ => Err(self.refuse(span, "only f32 and bool are allowed in a hypothesis")),
         }
     }
@@ -63,6 +83,10 @@ impl Context<'_> {
         Ok(match self.kind(ty, span)? {
             Kind::Number => ExprKind::Number(0.0),
             Kind::Truth => ExprKind::Truth(false),
+            Kind::Vector(n) => {
+                let zero = Expr { kind: ExprKind::Number(0.0), span: bytes(span) };
+                ExprKind::Compose(vec![zero; usize::from(n)])
+            }
         })
     }
 }
@@ -72,19 +96,25 @@ pub(super) fn bytes(span: Span) -> (u32, u32) {
     span.to_range().map_or((0, 0), |r| (r.start as u32, r.end as u32))
 }
 
-/// Parses, validates and lowers.
+/// Parses, validates and lowers a hypothesis.
 pub(super) fn lower(file: &str, source: &str) -> Result<Lowered, ShadeError> {
     let module = parse(file, source)?;
-    let mut context = Context { module: &module, file, source, functions: Vec::new() };
-    refuse_globals(&context)?;
-    let parameters = parameters(&context)?;
-    for (handle, function) in module.functions.iter() {
-        let lowered = lower_function(&context, function, module.functions.get_span(handle))?;
-        context.functions.push(lowered);
-    }
+    let mut context = Context { module: &module, file, source, vectors: false, functions: Vec::new() };
+    let parameters = context.functions()?;
     refuse_unused(&context, &parameters)?;
     let doc = documentation(&module);
     Ok(Lowered { formula: Formula { functions: context.functions, parameters }, doc })
+}
+
+/// Parses, validates and lowers functions of numbers and vectors, each with its documentation.
+pub(crate) fn lower_functions(file: &str, source: &str) -> Result<(Formula, Vec<Vec<String>>), ShadeError> {
+    let module = parse(file, source)?;
+    let mut context = Context { module: &module, file, source, vectors: true, functions: Vec::new() };
+    let parameters = context.functions()?;
+    let of = |handle| module.doc_comments.as_ref().and_then(|comments| comments.functions.get(&handle));
+    let doc = |handle| of(handle).into_iter().flatten().flat_map(|text| text.lines()).map(plain).collect();
+    let docs = module.functions.iter().map(|(handle, _)| doc(handle)).collect();
+    Ok((Formula { functions: context.functions, parameters }, docs))
 }
 
 fn parse(file: &str, source: &str) -> Result<Module, ShadeError> {

@@ -14,8 +14,11 @@ mod places;
 mod size;
 mod specialise;
 mod syntax;
+mod vector;
 
+pub(crate) use lower::lower_functions;
 pub use size::Limits;
+pub(crate) use specialise::specialise;
 pub use syntax::{
     Binary, Builtin, Expr, ExprKind, Formula, Function, Kind, Parameter, Statement, Unary, Variable,
     power_steps,
@@ -26,6 +29,24 @@ use super::{Place, ShadeError};
 
 /// Stack of the thread that parses: the WGSL front end recurses over nested expressions.
 const PARSER_STACK: usize = 64 << 20;
+
+/// Runs a parser of a source of moderate size on a stack of its own.
+pub(crate) fn on_parser_stack<T: Send>(
+    file: &str,
+    source: &str,
+    parse: impl FnOnce() -> Result<T, ShadeError> + Send,
+) -> Result<T, ShadeError> {
+    size::check(file, source)?;
+    let lost = || ShadeError::Syntax {
+        place: Box::new(Place::of(file, source, 0, 0)),
+        message: "the WGSL front end failed on this source".to_string(),
+    };
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(PARSER_STACK);
+        let handle = thread.spawn_scoped(scope, parse);
+        handle.map_err(|e| ShadeError::Thread { message: e.to_string() })?.join().map_err(|_| lost())?
+    })
+}
 
 /// A formula with free parameters, ready to be evaluated, fitted and printed.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,16 +69,7 @@ impl Hypothesis {
     /// Sources beyond [`Limits`]; what is not WGSL ([`ShadeError::Syntax`]); what is WGSL outside the dialect, an
     /// unused parameter, a function that is never called ([`ShadeError::Dialect`]); each with file, line, column.
     pub fn parse(file: &str, source: &str) -> Result<Hypothesis, ShadeError> {
-        size::check(file, source)?;
-        let lost = || ShadeError::Syntax {
-            place: Box::new(Place::of(file, source, 0, 0)),
-            message: "the WGSL front end failed on this source".to_string(),
-        };
-        std::thread::scope(|scope| {
-            let thread = std::thread::Builder::new().stack_size(PARSER_STACK);
-            let handle = thread.spawn_scoped(scope, || Self::parse_here(file, source));
-            handle.map_err(|e| ShadeError::Thread { message: e.to_string() })?.join().map_err(|_| lost())?
-        })
+        on_parser_stack(file, source, || Self::parse_here(file, source))
     }
 
     fn parse_here(file: &str, source: &str) -> Result<Hypothesis, ShadeError> {
@@ -137,6 +149,6 @@ impl Hypothesis {
     /// Another number of coefficients than parameters; a coefficient that is not finite; a constant
     /// sub-expression that is not.
     pub fn specialise(&self, coefficients: &[f32]) -> Result<Formula, ShadeError> {
-        specialise::specialise(&self.formula, coefficients)
+        specialise(&self.formula, coefficients)
     }
 }

@@ -5,7 +5,7 @@ use crate::ShadeError;
 use crate::tape::fold;
 
 /// Replaces parameters by coefficients and folds constant sub-expressions in f32.
-pub(super) fn specialise(formula: &Formula, coefficients: &[f32]) -> Result<Formula, ShadeError> {
+pub(crate) fn specialise(formula: &Formula, coefficients: &[f32]) -> Result<Formula, ShadeError> {
     if coefficients.len() != formula.parameters.len() {
         let what = format!("{}: coefficients", formula.main().name);
         return Err(ShadeError::Shape {
@@ -61,6 +61,8 @@ fn expression(expr: &Expr, coefficients: &[f32], name: &str) -> Result<Expr, Sha
         ExprKind::Power(a, n) => ExprKind::Power(Box::new(value(a)?), *n),
         ExprKind::Builtin(builtin, operands) => ExprKind::Builtin(*builtin, values(operands)?),
         ExprKind::Call(function, operands) => ExprKind::Call(*function, values(operands)?),
+        ExprKind::Compose(components) => ExprKind::Compose(values(components)?),
+        ExprKind::Component(vector, i) => ExprKind::Component(Box::new(value(vector)?), *i),
         other => other.clone(),
     };
     folded(Expr { kind, span: expr.span }, name)
@@ -70,7 +72,8 @@ fn expression(expr: &Expr, coefficients: &[f32], name: &str) -> Result<Expr, Sha
 fn folded(expr: Expr, name: &str) -> Result<Expr, ShadeError> {
     let literal = |e: &&Expr| matches!(e.kind, ExprKind::Number(_) | ExprKind::Truth(_));
     let operands = expr.operands();
-    if operands.is_empty() || matches!(expr.kind, ExprKind::Call(..)) || !operands.iter().all(literal) {
+    let vector = matches!(expr.kind, ExprKind::Call(..) | ExprKind::Compose(_));
+    if operands.is_empty() || vector || !operands.iter().all(literal) {
         return Ok(expr);
     }
     let kind = fold(&expr);

@@ -8,6 +8,8 @@ pub enum Kind {
     Number,
     /// bool.
     Truth,
+    /// A vector of 2 to 4 f32.
+    Vector(u8),
 }
 
 /// A free parameter: an `override` declaration.
@@ -26,6 +28,18 @@ pub struct Variable {
     pub name: String,
     /// Its kind.
     pub kind: Kind,
+}
+
+impl Variable {
+    /// Names of its components; its own name if it is no vector.
+    pub fn components(&self) -> Vec<String> {
+        match self.kind {
+            Kind::Number | Kind::Truth => vec![self.name.clone()],
+            Kind::Vector(n) => {
+                (0..usize::from(n)).map(|i| format!("{}.{}", self.name, &"xyzw"[i..=i])).collect()
+            }
+        }
+    }
 }
 
 /// One operand.
@@ -109,6 +123,8 @@ pub enum Builtin {
     Sin,
     /// Cosine, radians.
     Cos,
+    /// The sum of the products of the components, first component first.
+    Dot,
     /// select(reject, accept, condition)
     Select,
 }
@@ -141,6 +157,10 @@ pub enum ExprKind {
     Power(Box<Expr>, u32),
     /// A built-in.
     Builtin(Builtin, Vec<Expr>),
+    /// A vector of numbers.
+    Compose(Vec<Expr>),
+    /// A component of a vector.
+    Component(Box<Expr>, u8),
     /// A function of the formula, by index into [`Formula::functions`].
     Call(usize, Vec<Expr>),
 }
@@ -184,6 +204,24 @@ pub struct Formula {
     pub parameters: Vec<Parameter>,
 }
 
+impl Function {
+    /// Whether its body reads a variable.
+    pub fn reads(&self, variable: usize) -> bool {
+        fn block(body: &[Statement], variable: usize) -> bool {
+            body.iter().any(|statement| match statement {
+                Statement::Let(_, e)
+                | Statement::Var(_, e)
+                | Statement::Assign(_, e)
+                | Statement::Return(e) => e.reads(variable),
+                Statement::If(condition, accept, reject) => {
+                    condition.reads(variable) || block(accept, variable) || block(reject, variable)
+                }
+            })
+        }
+        block(&self.body, variable)
+    }
+}
+
 impl Formula {
     /// The formula's own function.
     pub fn main(&self) -> &Function {
@@ -199,10 +237,64 @@ impl Expr {
             ExprKind::Number(_) | ExprKind::Truth(_) | ExprKind::Parameter(_) | ExprKind::Variable(_) => {
                 Vec::new()
             }
-            ExprKind::Unary(_, a) | ExprKind::Power(a, _) => vec![a],
+            ExprKind::Unary(_, a) | ExprKind::Power(a, _) | ExprKind::Component(a, _) => vec![a],
             ExprKind::Binary(_, a, b) => vec![a, b],
-            ExprKind::Builtin(_, arguments) | ExprKind::Call(_, arguments) => arguments.iter().collect(),
+            ExprKind::Builtin(_, operands) | ExprKind::Call(_, operands) | ExprKind::Compose(operands) => {
+                operands.iter().collect()
+            }
         }
+    }
+
+    /// The kind of its value, in a function of these variables that calls these functions. A number beside a vector is each of its
+    /// components.
+    pub fn value(&self, variables: &[Variable], functions: &[Function]) -> Kind {
+        let of = |e: &Expr| e.value(variables, functions);
+        match &self.kind {
+            ExprKind::Number(_) | ExprKind::Parameter(_) | ExprKind::Power(..) | ExprKind::Component(..) => {
+                Kind::Number
+            }
+            ExprKind::Truth(_) | ExprKind::Unary(Unary::Not, _) => Kind::Truth,
+            ExprKind::Unary(Unary::Negate, a) => of(a),
+            ExprKind::Binary(Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide, a, b) => {
+                match of(a) {
+                    Kind::Number => of(b),
+                    vector => vector,
+                }
+            }
+            ExprKind::Binary(..) => Kind::Truth,
+            ExprKind::Variable(index) => variables[*index].kind,
+            ExprKind::Builtin(Builtin::Dot, _) => Kind::Number,
+            ExprKind::Builtin(_, operands) => operands.first().map_or(Kind::Number, of),
+            ExprKind::Compose(components) => Kind::Vector(components.len() as u8),
+            ExprKind::Call(index, _) => functions[*index].result,
+        }
+    }
+
+    /// The same with other operands.
+    pub fn map(&self, f: &mut impl FnMut(&Expr) -> Expr) -> Expr {
+        let kind = match &self.kind {
+            ExprKind::Number(_) | ExprKind::Truth(_) | ExprKind::Parameter(_) | ExprKind::Variable(_) => {
+                self.kind.clone()
+            }
+            ExprKind::Unary(op, a) => ExprKind::Unary(*op, Box::new(f(a))),
+            ExprKind::Binary(op, a, b) => ExprKind::Binary(*op, Box::new(f(a)), Box::new(f(b))),
+            ExprKind::Power(a, n) => ExprKind::Power(Box::new(f(a)), *n),
+            ExprKind::Component(a, i) => ExprKind::Component(Box::new(f(a)), *i),
+            ExprKind::Builtin(builtin, operands) => {
+                ExprKind::Builtin(*builtin, operands.iter().map(f).collect())
+            }
+            ExprKind::Call(function, operands) => ExprKind::Call(*function, operands.iter().map(f).collect()),
+            ExprKind::Compose(operands) => ExprKind::Compose(operands.iter().map(f).collect()),
+        };
+        Expr { kind, span: self.span }
+    }
+
+    /// Whether it is the same expression, wherever it stands.
+    pub fn same(&self, other: &Expr) -> bool {
+        fn bare(expr: &Expr) -> Expr {
+            Expr { span: (0, 0), ..expr.map(&mut bare) }
+        }
+        bare(self) == bare(other)
     }
 
     /// Whether it reads the variable.

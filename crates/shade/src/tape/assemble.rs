@@ -69,7 +69,7 @@ impl Assembler {
         inputs: &[String],
         place: impl Fn((u32, u32)) -> Place,
     ) -> Tape {
-        let (ops, spans) = reachable(&self.ops, &self.spans, result);
+        let (ops, spans) = reachable(&self.ops, &self.spans, &[result]);
         Tape {
             ops,
             places: spans.into_iter().map(place).collect(),

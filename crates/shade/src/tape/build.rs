@@ -9,51 +9,109 @@ use crate::{Place, ShadeError};
 /// What an operation is recognised by: its code, and its operands or bits.
 pub(super) type Key = (u8, u8, u32, u32, u32);
 
+/// The nodes of a number, or of the components of a vector.
+type Value = Vec<Node>;
+
 /// A tape under construction. `None` while folding a lone expression without a formula around it.
 struct Builder<'a> {
     formula: Option<&'a Formula>,
     ops: Vec<Op>,
     spans: Vec<(u32, u32)>,
     known: HashMap<Key, Node>,
-    calls: HashMap<(usize, Vec<Node>), Node>,
+    calls: HashMap<(usize, Vec<Value>), Value>,
     span: (u32, u32),
 }
 
 /// What has happened when a block has run: the variables, and whether and what it has returned.
 #[derive(Clone)]
 struct State {
-    variables: Vec<Option<Node>>,
+    variables: Vec<Option<Value>>,
     returned: Returned,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 enum Returned {
     Never,
-    Always(Node),
+    Always(Value),
     /// Where the first is true, the second.
-    Where(Node, Node),
+    Where(Node, Value),
 }
 
 impl Tape {
     /// The tape of a formula.
     pub fn of(formula: &Formula, file: &str, source: &str) -> Result<Tape, ShadeError> {
-        let main = formula.main();
-        let mut builder = Builder::new(Some(formula));
-        let inputs: Vec<Node> = (0..main.arguments).map(|i| builder.push(Op::Input(i as u16))).collect();
-        let result = builder.call(formula.functions.len() - 1, inputs);
+        Tape::of_function(formula, formula.functions.len() - 1, None, [file, source])
+    }
+
+    /// The tape of a function among functions; inputs are its arguments, component by component. Its result is one component
+    /// of the function's; without a component it is the last of all that the function computes, a tape for its cost.
+    pub(crate) fn of_function(
+        formula: &Formula,
+        index: usize,
+        component: Option<usize>,
+        place: [&str; 2],
+    ) -> Result<Tape, ShadeError> {
+        let mut made = Inputs { builder: Builder::new(Some(formula)), names: Vec::new(), nodes: Vec::new() };
+        let values = made.call(index);
+        let results = component.map_or(&values[..], |i| &values[i..=i]);
+        made.tape(results, index, place)
+    }
+
+    /// A tape for the cost of some functions together: arguments of one name are the same inputs.
+    pub(crate) fn of_functions(
+        formula: &Formula,
+        indices: &[usize],
+        place: [&str; 2],
+    ) -> Result<Tape, ShadeError> {
+        let mut made = Inputs { builder: Builder::new(Some(formula)), names: Vec::new(), nodes: Vec::new() };
+        let results: Vec<Node> = indices.iter().flat_map(|&index| made.call(index)).collect();
+        made.tape(&results, formula.functions.len() - 1, place)
+    }
+}
+
+/// Functions called on inputs.
+struct Inputs<'a> {
+    builder: Builder<'a>,
+    names: Vec<String>,
+    nodes: Vec<Node>,
+}
+
+impl Inputs<'_> {
+    /// Value of a function of the inputs that its arguments name.
+    fn call(&mut self, index: usize) -> Value {
+        let Some(formula) = self.builder.formula else { return vec![0] };
+        let function = &formula.functions[index];
+        let arguments = function.variables[..function.arguments].iter();
+        let arguments =
+            arguments.map(|v| v.components().iter().map(|name| self.input(name)).collect()).collect();
+        self.builder.call(index, arguments)
+    }
+
+    fn input(&mut self, name: &str) -> Node {
+        if let Some(known) = self.names.iter().position(|known| known == name) {
+            return self.nodes[known];
+        }
+        let node = self.builder.push(Op::Input(self.names.len() as u16));
+        self.names.push(name.to_string());
+        self.nodes.push(node);
+        node
+    }
+
+    fn tape(self, results: &[Node], index: usize, [file, source]: [&str; 2]) -> Result<Tape, ShadeError> {
+        let Inputs { builder, names, .. } = self;
         let found = builder.ops.len();
         if found > Limits::OPERATIONS {
             let what = "operations";
             return Err(ShadeError::TooLarge { file: file.into(), what, found, limit: Limits::OPERATIONS });
         }
         let place = |span: (u32, u32)| Place::of(file, source, span.0 as usize, span.1 as usize);
-        let (ops, spans) = reachable(&builder.ops, &builder.spans, result);
+        let (ops, spans) = reachable(&builder.ops, &builder.spans, results);
         Ok(Tape {
             ops,
             places: spans.into_iter().map(place).collect(),
-            function: main.name.clone(),
-            inputs: main.variables[..main.arguments].iter().map(|v| v.name.clone()).collect(),
-            parameters: formula.parameters.len(),
+            function: builder.formula.map_or_else(String::new, |f| f.functions[index].name.clone()),
+            inputs: names,
+            parameters: builder.formula.map_or(0, |f| f.parameters.len()),
         })
     }
 }
@@ -62,7 +120,7 @@ impl Tape {
 pub fn fold(expr: &Expr) -> ExprKind {
     let mut builder = Builder::new(None);
     let result = builder.expression(expr, &[]);
-    let (ops, spans) = reachable(&builder.ops, &builder.spans, result);
+    let (ops, spans) = reachable(&builder.ops, &builder.spans, &result);
     let places = spans.iter().map(|_| Place::of("", "", 0, 0)).collect();
     let tape = Tape { ops, places, function: String::new(), inputs: Vec::new(), parameters: 0 };
     let value: f32 = tape.at(&[], &[]);
@@ -123,29 +181,33 @@ impl<'a> Builder<'a> {
         if accept == reject { accept } else { self.push(Op::Select(condition, accept, reject)) }
     }
 
+    fn choose(&mut self, condition: Node, accept: &[Node], reject: &[Node]) -> Value {
+        accept.iter().zip(reject).map(|(&a, &b)| self.select(condition, a, b)).collect()
+    }
+
     fn not(&mut self, a: Node) -> Node {
         self.unary(UnaryOp::Not, a)
     }
 
     /// Value of a call; a function of equal arguments is evaluated once.
-    fn call(&mut self, function: usize, arguments: Vec<Node>) -> Node {
+    fn call(&mut self, function: usize, arguments: Vec<Value>) -> Value {
         let key = (function, arguments);
-        if let Some(&node) = self.calls.get(&key) {
-            return node;
+        if let Some(value) = self.calls.get(&key) {
+            return value.clone();
         }
-        let Some(formula) = self.formula else { return 0 };
+        let Some(formula) = self.formula else { return vec![0] };
         let callee = &formula.functions[function];
         let mut variables = vec![None; callee.variables.len()];
-        for (variable, &argument) in variables.iter_mut().zip(&key.1) {
-            *variable = Some(argument);
+        for (variable, argument) in variables.iter_mut().zip(&key.1) {
+            *variable = Some(argument.clone());
         }
         let end = self.block(&callee.body, State { variables, returned: Returned::Never });
-        let (Returned::Always(node) | Returned::Where(_, node)) = end.returned else {
+        let (Returned::Always(value) | Returned::Where(_, value)) = end.returned else {
             // The validator has refused functions with a path that returns nothing.
-            return 0;
+            return vec![0];
         };
-        self.calls.insert(key, node);
-        node
+        self.calls.insert(key, value.clone());
+        value
     }
 
     fn block(&mut self, body: &[Statement], mut state: State) -> State {
@@ -162,7 +224,7 @@ impl<'a> Builder<'a> {
                     state.returned = self.then(state.returned, Returned::Always(value));
                 }
                 Statement::If(condition, accept, reject) => {
-                    let condition = self.expression(condition, &state.variables);
+                    let condition = self.expression(condition, &state.variables)[0];
                     let inner = State { variables: state.variables, returned: Returned::Never };
                     let accept = self.block(accept, inner.clone());
                     let reject = self.block(reject, inner);
@@ -184,24 +246,24 @@ impl<'a> Builder<'a> {
             (Returned::Never, other) | (other, Returned::Never) => other,
             (Returned::Always(value), _) => Returned::Always(value),
             (Returned::Where(c, value), Returned::Always(other)) => {
-                Returned::Always(self.select(c, value, other))
+                Returned::Always(self.choose(c, &value, &other))
             }
             (Returned::Where(c, value), Returned::Where(d, other)) => {
                 let either = self.binary(BinaryOp::Or, c, d);
-                Returned::Where(either, self.select(c, value, other))
+                Returned::Where(either, self.choose(c, &value, &other))
             }
         }
     }
 
     /// The state after a branch.
     fn merge(&mut self, condition: Node, accept: State, reject: State) -> State {
-        let returned = self.merge_returned(condition, accept.returned, reject.returned);
+        let returned = self.merge_returned(condition, accept.returned.clone(), reject.returned.clone());
         let variables = match (accept.returned, reject.returned) {
             (Returned::Always(_), _) => reject.variables,
             (_, Returned::Always(_)) => accept.variables,
             _ => {
                 let pairs = accept.variables.into_iter().zip(reject.variables);
-                pairs.map(|(a, b)| Some(self.select(condition, a?, b?))).collect()
+                pairs.map(|(a, b)| Some(self.choose(condition, &a?, &b?))).collect()
             }
         };
         State { variables, returned }
@@ -211,7 +273,7 @@ impl<'a> Builder<'a> {
         use Returned::{Always, Never, Where};
         match (accept, reject) {
             (Never, Never) => Never,
-            (Always(a), Always(b)) => Always(self.select(condition, a, b)),
+            (Always(a), Always(b)) => Always(self.choose(condition, &a, &b)),
             (Always(a), Never) => Where(condition, a),
             (Never, Always(b)) => Where(self.not(condition), b),
             (Where(c, a), Never) => Where(self.binary(BinaryOp::And, condition, c), a),
@@ -221,37 +283,65 @@ impl<'a> Builder<'a> {
             }
             (Always(a), Where(d, b)) => {
                 let either = self.binary(BinaryOp::Or, condition, d);
-                Where(either, self.select(condition, a, b))
+                Where(either, self.choose(condition, &a, &b))
             }
             (Where(c, a), Always(b)) => {
                 let rejected = self.not(condition);
                 let either = self.binary(BinaryOp::Or, rejected, c);
-                Where(either, self.select(condition, a, b))
+                Where(either, self.choose(condition, &a, &b))
             }
             (Where(c, a), Where(d, b)) => {
                 let either = self.select(condition, c, d);
-                Where(either, self.select(condition, a, b))
+                Where(either, self.choose(condition, &a, &b))
             }
         }
     }
 
-    fn expression(&mut self, expr: &Expr, variables: &[Option<Node>]) -> Node {
-        let operands: Vec<Node> =
+    fn expression(&mut self, expr: &Expr, variables: &[Option<Value>]) -> Value {
+        let operands: Vec<Value> =
             expr.operands().into_iter().map(|e| self.expression(e, variables)).collect();
         self.span = expr.span;
-        match &expr.kind {
+        let node = match &expr.kind {
             ExprKind::Number(x) => self.number(*x),
             ExprKind::Truth(x) => self.number(f32::from(u8::from(*x))),
             ExprKind::Parameter(index) => self.push(Op::Parameter(*index as u16)),
             // A variable is set before it is read: `declare` gives each a value.
-            ExprKind::Variable(index) => variables[*index].unwrap_or(0),
+            ExprKind::Variable(index) => return variables[*index].clone().unwrap_or_else(|| vec![0]),
+            ExprKind::Compose(_) => return operands.concat(),
+            ExprKind::Component(_, i) => operands[0][usize::from(*i)],
+            ExprKind::Call(function, _) => return self.call(*function, operands),
+            ExprKind::Builtin(Builtin::Dot, _) => self.dot(&operands[0], &operands[1]),
+            _ => {
+                let n = operands.iter().map(Vec::len).max().unwrap_or(1);
+                let component = |i: usize| -> Vec<Node> {
+                    operands.iter().map(|value| if value.len() == 1 { value[0] } else { value[i] }).collect()
+                };
+                return (0..n).map(|i| self.arithmetic(expr, &component(i))).collect();
+            }
+        };
+        vec![node]
+    }
+
+    /// Arithmetic of numbers.
+    fn arithmetic(&mut self, expr: &Expr, operands: &[Node]) -> Node {
+        match &expr.kind {
             ExprKind::Unary(Unary::Negate, _) => self.unary(UnaryOp::Negate, operands[0]),
             ExprKind::Unary(Unary::Not, _) => self.not(operands[0]),
             ExprKind::Binary(op, ..) => self.operator(*op, operands[0], operands[1]),
             ExprKind::Power(_, n) => self.power(operands[0], *n),
-            ExprKind::Builtin(builtin, _) => self.builtin(*builtin, &operands),
-            ExprKind::Call(function, _) => self.call(*function, operands),
+            ExprKind::Builtin(builtin, _) => self.builtin(*builtin, operands),
+            // the others are not arithmetic
+            _ => operands[0],
         }
+    }
+
+    fn dot(&mut self, a: &[Node], b: &[Node]) -> Node {
+        let mut sum = None;
+        for (&x, &y) in a.iter().zip(b) {
+            let product = self.binary(BinaryOp::Multiply, x, y);
+            sum = Some(sum.map_or(product, |sum| self.binary(BinaryOp::Add, sum, product)));
+        }
+        sum.unwrap_or(0)
     }
 
     fn operator(&mut self, op: Binary, a: Node, b: Node) -> Node {
@@ -375,11 +465,11 @@ pub(super) fn key(op: Op) -> Key {
     }
 }
 
-/// The operations that `result` needs, renumbered, `result` last.
-pub(super) fn reachable(ops: &[Op], spans: &[(u32, u32)], result: Node) -> (Vec<Op>, Vec<(u32, u32)>) {
+/// The operations that results need, renumbered, the last result last.
+pub(super) fn reachable(ops: &[Op], spans: &[(u32, u32)], results: &[Node]) -> (Vec<Op>, Vec<(u32, u32)>) {
     let mut needed = vec![false; ops.len()];
-    needed[result as usize] = true;
-    for node in (0..ops.len()).rev().filter(|&n| n <= result as usize) {
+    results.iter().for_each(|&result| needed[result as usize] = true);
+    for node in (0..ops.len()).rev() {
         if needed[node] {
             ops[node].operands().for_each(|operand| needed[operand as usize] = true);
         }

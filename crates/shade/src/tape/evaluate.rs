@@ -62,10 +62,16 @@ impl Tape {
     /// # Panics
     /// Fewer inputs or coefficients than the tape has; [`Tape::evaluate`] checks instead.
     pub fn at<R: Real>(&self, inputs: &[R], coefficients: &[R]) -> R {
-        let mut values: Vec<R> = Vec::with_capacity(self.ops.len());
-        for op in &self.ops {
-            let value = op.evaluate(inputs, coefficients, &values);
-            values.push(value);
+        // a small tape needs no room of its own
+        if self.ops.len() <= BLOCK {
+            return self.run(inputs, coefficients, &mut [R::ZERO; BLOCK][..self.ops.len()]);
+        }
+        self.run(inputs, coefficients, &mut vec![R::ZERO; self.ops.len()])
+    }
+
+    fn run<R: Real>(&self, inputs: &[R], coefficients: &[R], values: &mut [R]) -> R {
+        for (node, op) in self.ops.iter().enumerate() {
+            values[node] = op.evaluate(inputs, coefficients, values);
         }
         values[values.len() - 1]
     }

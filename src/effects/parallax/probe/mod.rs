@@ -10,6 +10,7 @@ mod rule;
 mod script;
 mod several;
 mod single;
+mod spelling;
 
 use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::TapRule;
@@ -213,7 +214,6 @@ pub fn print(language: Language, lookups: &[Wanted]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lobefit_shade::code::taken;
 
     /// The scripts' names are words of no language.
     #[test]
@@ -250,7 +250,7 @@ mod tests {
                     named.chain(arguments).chain(["plane", "every", "result", "taps", "weights", "fetches"])
                 {
                     for language in Language::ALL {
-                        assert!(!taken(language, name), "{name} in {}", language.title());
+                        assert!(!language.takes(name), "{name} in {}", language.title());
                     }
                 }
             }

@@ -12,7 +12,7 @@
 //! E is a shader's arithmetic on numbers and parts of vectors (`v.x`), with `sqrt abs min max pow exp2 log2`, comparisons, and
 //! `choose(condition, a, b)` by itself, as an argument or in another `choose`.
 
-use crate::emit::spelling::{argument, expression, head, mentions, vector};
+use super::spelling::{expression, mentions, vector};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::{Language, wrapped};
@@ -94,7 +94,7 @@ impl Kind {
     }
 
     fn argument(self, language: Language, name: &str) -> String {
-        let plain = argument(language, name, &self.spelled(language));
+        let plain = language.argument(name, &self.spelled(language));
         match (self, language) {
             (Kind::Planes(n), Language::Hlsl | Language::Glsl) => format!("{plain}[{n}]"),
             _ => plain,
@@ -116,7 +116,7 @@ impl Routine {
         for line in self.lines() {
             printer.statement(line);
         }
-        let head = head(language, &self.name, &arguments, &self.result.spelled(language));
+        let head = language.opened(&self.name, &arguments, &self.result.spelled(language));
         format!("{}{head}{}}}\n", comment("///", &self.header), printer.out)
     }
 

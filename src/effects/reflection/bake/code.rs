@@ -16,7 +16,7 @@ pub fn in_language(language: Language, tables: &[BakedTable], fits: &[Fit]) -> R
         let Some(table) = baked.table() else { continue };
         let decode = Decode::of(baked.layout, baked.serves);
         let lines = header::table_lines(table, decode.formulas(), &baked.approximation.certificate);
-        text += &format!("\n{}", Readable { table, decode, header: &lines }.print(language));
+        text += &format!("\n{}", Readable { table, decode, header: &lines }.print(language)?);
     }
     Ok(text)
 }

@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::approximate::{Counter, Field, Region, TRUTH_ERROR, certification};
 use crate::data::{
-    Approximation, Axis, Certificate, Channel, Cost, Decode, Form, Layout, Serves, Smith, Source, Table, Use,
+    Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Serves, Smith, Source, Table, Use,
+    lookup_ops,
 };
 use crate::effects::BakeError;
 use crate::effects::context::Context;
@@ -159,8 +160,11 @@ fn finish(job: &TableJob, region: Region, table: &Table, mut errors: Errors) -> 
         Serves::Albedo => ("E", Use::Value),
         Serves::SplitSum => ("E, A, B", Use::F0Blend),
     };
-    let ops = table.axes.iter().map(Axis::ops).sum::<u32>() + Decode::of(job.layout, job.serves).ops();
-    let cost = Cost { ops, fetches: 1, bytes: table.bytes() };
+    let cost = Cost {
+        ops: lookup_ops(&table.axes, Decode::of(job.layout, job.serves)),
+        fetches: 1,
+        bytes: table.bytes(),
+    };
     let approximation = Approximation {
         name: table.name.clone(),
         quantity: table.quantity.clone(),

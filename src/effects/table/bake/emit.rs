@@ -33,13 +33,16 @@ fn errors(baked: &BakedVolume) -> TableError {
 }
 
 /// The lookups in a language.
-pub fn in_language(language: Language, tables: &[BakedVolume]) -> String {
+///
+/// # Errors
+/// A table whose name a language has taken.
+pub fn in_language(language: Language, tables: &[BakedVolume]) -> Result<String, BakeError> {
     let mut text = String::new();
     for baked in tables {
         let Some(table) = baked.table() else { continue };
         let mut lines = header::table_lines(table, baked.decode.formulas(), &baked.approximation.certificate);
         lines.extend(baked.note().map(String::from));
-        text += &format!("\n{}", Readable { table, decode: baked.decode, header: &lines }.print(language));
+        text += &format!("\n{}", Readable { table, decode: baked.decode, header: &lines }.print(language)?);
     }
-    text
+    Ok(text)
 }

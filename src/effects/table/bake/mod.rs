@@ -26,7 +26,7 @@ pub(in crate::effects) fn bake(called: &Called, context: &Context) -> Result<Mad
     context.progress.stage(&format!("report of {}", called.effect));
     let findings = findings::findings(&made.part, &tables, &judges, context)?;
     made.page(&page::page(&findings)?, &findings)?;
-    made.code(|language| Ok(emit::in_language(language, &tables)))?;
+    made.code(|language| emit::in_language(language, &tables))?;
     made.volumes = tables;
     Ok(made)
 }

@@ -214,7 +214,7 @@ fn finish(
         precision: format!("{} texels, f32 lookup", table.format.name()),
         points: errors.points as u64,
     };
-    let ops = table.axes.iter().map(crate::data::Axis::ops).sum::<u32>() + decode.ops();
+    let ops = crate::data::lookup_ops(&table.axes, decode);
     let approximation = Approximation {
         name: table.name.clone(),
         quantity: table.quantity.clone(),

@@ -1,47 +1,37 @@
 //! The lookup in Rust, from a slice of texels, and what lookups share there.
 
-use super::functions::numbers;
-use super::{LETTERS, Readable, decoding};
-use crate::data::Table;
-use crate::emit::spelling::{argument, head, vector};
-use lobefit_shade::code::Language;
+use super::printer::Printer;
+use super::rust::Rust;
+use super::table::{TableLookup, kind};
 
 /// Names of the cells' parts along an axis: the texel, the step to the next, the fraction between.
 const CELLS: [[&str; 3]; 3] = [["column", "right", "fx"], ["row", "down", "fy"], ["slice", "deep", "fz"]];
 
-pub(super) fn lookup(readable: &Readable) -> String {
-    let (name, axes, channels) = (readable.identifier(), &readable.table.axes, readable.decode.channels());
-    let body = decoding::body(readable.decode, |_| String::new());
-    let (meaning, letters) = (body.meaning, &LETTERS[..axes.len()]);
-    let sizes: Vec<String> = axes.iter().map(|axis| axis.size.to_string()).collect();
-    let (filter, order) = if axes.len() == 2 {
-        ("bilinear", "row by row")
-    } else {
-        ("trilinear", "slice by slice, each row by row")
-    };
-    let mut text =
-        format!("/// {meaning} by a {filter} fetch, clamped to the edge, from texels {order}.\n///\n");
+pub(super) fn lookup(table: &TableLookup) -> String {
+    let letters = table.letters();
+    let sizes: Vec<String> = table.sizes.iter().map(ToString::to_string).collect();
+    let [filter, order] = table.order();
+    let mut text = format!(
+        "/// {} by a {filter} fetch, clamped to the edge, from texels {order}.\n///\n",
+        table.meaning
+    );
     text += &format!("/// # Panics\n/// If `texels` has fewer than {} entries.\n", sizes.join(" x "));
-    let texels = argument(Language::Rust, "texels", &format!("&[{}]", vector(Language::Rust, channels)));
-    let arguments = [vec![texels], numbers(Language::Rust, &readable.arguments())].concat();
-    let result = vector(Language::Rust, body.values.len());
-    text += &head(Language::Rust, &format!("{name}_lookup"), &arguments, &result);
-    let (values, uv) = (letters.join(", "), letters.concat());
-    text += &format!("    let [{values}] = {name}_{uv}({});\n", readable.coordinate_arguments().join(", "));
-    for ((letter, axis), [base, step, fraction]) in letters.iter().zip(axes).zip(CELLS) {
-        let (size, length) = (axis.size, axis.size as f32);
+    let texels = Rust.argument("texels", &format!("&[{}]", Rust.kind(kind(table.channels))));
+    text += &table.opening(&Rust, &[texels]);
+    text += &format!("    let [{}] = {};\n", letters.join(", "), table.located());
+    for ((letter, size), [base, step, fraction]) in letters.iter().zip(&table.sizes).zip(CELLS) {
+        let length = *size as f32;
         text +=
             &format!("    let ({base}, {step}, {fraction}) = cell({letter} * {length:?} - 0.5, {size});\n");
     }
-    let decoded: String = readable.decode_arguments().iter().map(|name| format!(", {name}")).collect();
-    let (corners, blended) = (corners(readable.table), blended(axes.len(), channels));
-    format!("{text}{corners}    {name}_decode({blended}{decoded})\n}}\n")
+    let blended = blended(table.sizes.len(), table.channels);
+    format!("{text}{}    {}\n}}\n", corners(table), table.decoded(&blended))
 }
 
 /// The lines that fetch the texels around a position: `a` to `d` of a table of two axes, `near` and `far` of one of three.
-fn corners(table: &Table) -> String {
-    let [columns, rows, _] = table.size();
-    if table.axes.len() == 2 {
+fn corners(table: &TableLookup) -> String {
+    let (columns, rows) = (table.sizes[0], table.sizes[1]);
+    if table.sizes.len() == 2 {
         return format!(
             "    let at = |column: usize, row: usize| texels[row * {columns} + column];
     let (a, b) = (at(column, row), at(column + right, row));
@@ -74,7 +64,7 @@ fn blended(axes: usize, channels: usize) -> String {
 }
 
 /// Names of the functions that the helpers may hold.
-pub const HELPER_NAMES: [&str; 3] = ["cell", "bilinear", "trilinear"];
+pub const RUST_HELPERS: [&str; 3] = ["cell", "bilinear", "trilinear"];
 
 const PLANE: &str = "\
 /// Texel before a position in texels, the step to the one after it, and the fraction between.

@@ -1,51 +1,45 @@
-//! The lookup in C, from an array of texels, and what lookups and compensations share there.
+//! The lookup in C, from an array of texels, and what lookups and other functions of vectors share there.
 
-use super::functions::numbers;
-use super::{LETTERS, Readable, decoding};
-use crate::emit::spelling::{argument, declare, head, part, vector};
-use lobefit_shade::code::Language;
+use super::c::C;
+use super::printer::Printer;
+use super::table::{TableLookup, kind};
+use crate::Kind;
 
-const C: Language = Language::C;
-
-pub(super) fn lookup(readable: &Readable) -> String {
-    let (name, axes, channels) = (readable.identifier(), &readable.table.axes, readable.decode.channels());
-    let body = decoding::body(readable.decode, |_| String::new());
-    let sizes: Vec<String> = axes.iter().map(|axis| axis.size.to_string()).collect();
-    let solid = axes.len() == 3;
-    let (filter, order) =
-        if solid { ("trilinear", "slice by slice, each row by row") } else { ("bilinear", "row by row") };
+pub(super) fn lookup(table: &TableLookup) -> String {
+    let sizes: Vec<String> = table.sizes.iter().map(ToString::to_string).collect();
+    let [filter, order] = table.order();
+    let channels = table.channels;
     let beside = if channels == 1 { String::new() } else { format!(" of {channels} channels each") };
     let mut text = format!(
         "/// {} by a {filter} fetch, clamped to the edge, from {} texels{beside}, {order}.\n",
-        body.meaning,
+        table.meaning,
         sizes.join(" x ")
     );
-    let texels = argument(C, "texels", "const float *");
-    let arguments = [vec![texels], numbers(C, &readable.arguments())].concat();
-    text += &head(C, &format!("{name}_lookup"), &arguments, &vector(C, body.values.len()));
-    let uv = LETTERS[..axes.len()].concat();
-    let call = format!("{name}_{uv}({})", readable.coordinate_arguments().join(", "));
-    text += &declare(C, &vector(C, axes.len()), &uv, &call);
-    for (i, axis) in axes.iter().enumerate() {
-        let cell = format!("lobefit_cell_at({}, {})", part(C, &uv, i), axis.size);
-        text += &declare(C, "lobefit_cell", &"xyz"[i..=i], &cell);
-    }
-    let fetched: Vec<String> = (0..channels).map(|i| fetch(readable, channels, i)).collect();
-    let texel = if channels == 1 {
-        declare(C, "float", "texel", &fetched.concat())
-    } else {
-        let list = fetched.join(",\n        ");
-        declare(C, &vector(C, channels), "texel", &format!("{{\n        {list},\n    }}"))
+    text += &table.opening(&C, &[C.argument("texels", "const float *")]);
+    let uv = table.letters().concat();
+    let declare = |name: &str, kind: Kind, value: &str| {
+        format!("    {}{value};\n", C.declare(name, kind, false, false))
     };
-    let decoded: String = readable.decode_arguments().iter().map(|name| format!(", {name}")).collect();
-    format!("{text}{texel}    return {name}_decode(texel{decoded});\n}}\n")
+    text += &declare(&uv, kind(sizes.len()), &table.located());
+    for (i, size) in table.sizes.iter().enumerate() {
+        let coordinate = C.component(&uv, i);
+        text +=
+            &format!("    const lobefit_cell {} = lobefit_cell_at({coordinate}, {size});\n", &"xyz"[i..=i]);
+    }
+    let fetched: Vec<String> = (0..channels).map(|i| fetch(table, i)).collect();
+    let texel = match fetched.as_slice() {
+        [one] => one.clone(),
+        list => format!("{{\n        {},\n    }}", list.join(",\n        ")),
+    };
+    text += &declare("texel", kind(channels), &texel);
+    text + &format!("    return {};\n}}\n", table.decoded("texel"))
 }
 
 /// The blended texel's channel `i`.
-fn fetch(readable: &Readable, channels: usize, i: usize) -> String {
-    let [columns, rows, _] = readable.table.size();
+fn fetch(table: &TableLookup, i: usize) -> String {
+    let (channels, columns, rows) = (table.channels, table.sizes[0], table.sizes[1]);
     let texels = if i == 0 { "texels".to_string() } else { format!("texels + {i}") };
-    if readable.table.axes.len() == 2 {
+    if table.sizes.len() == 2 {
         format!("lobefit_bilinear({texels}, {channels}, {columns}, x, y)")
     } else {
         format!("lobefit_trilinear({texels}, {channels}, {columns}, {rows}, x, y, z)")
@@ -53,7 +47,7 @@ fn fetch(readable: &Readable, channels: usize, i: usize) -> String {
 }
 
 /// How the names of the shared functions and types begin.
-pub const HELPER_PREFIX: &str = "lobefit_";
+pub const C_PREFIX: &str = "lobefit_";
 
 const VECTORS: &str = "\
 typedef struct lobefit_float2 { float x, y; } lobefit_float2;

@@ -1,0 +1,217 @@
+//! The printer of the languages of C's family: HLSL, GLSL, MSL and C. What differs between them is data.
+
+use super::expression::{Level, Text, Writer, decimal};
+use super::helpers::power;
+use super::printer::{Facts, Printer};
+use super::table::TableLookup;
+use crate::{Builtin, Expr, ExprKind, Kind};
+
+/// How a language of the family writes what the others write in another way.
+pub(super) struct Family {
+    pub facts: &'static Facts,
+    /// Before a function.
+    pub linkage: &'static str,
+    /// After a literal.
+    pub suffix: &'static str,
+    /// Before the type of a value that keeps its value.
+    pub constant: &'static str,
+    /// Type of a truth value, false, true.
+    pub truth: [&'static str; 3],
+    /// How the vector types begin, before the number of components.
+    pub vector: &'static str,
+    /// Whether vectors have constructors and arithmetic.
+    pub has_vectors: bool,
+    /// Whether compilers ask for arguments that are not used.
+    pub strict: bool,
+    /// Whether `sign` returns an integer.
+    pub integer_sign: bool,
+    /// Whether `fma` rounds once.
+    pub rounds_fma: bool,
+    /// The language's own function for a built-in; none where it has none.
+    pub call: fn(Builtin) -> Option<&'static str>,
+    /// The lookup of a table.
+    pub lookup: fn(&TableLookup) -> String,
+    /// What functions of vectors share.
+    pub shared: fn(&str) -> String,
+}
+
+impl Family {
+    fn spelled(&self, x: f32) -> String {
+        format!("{}{}", decimal(x), self.suffix)
+    }
+
+    /// min(max(x, lo), hi)
+    fn between(&self, x: &str, bounds: [String; 2]) -> Text {
+        let [min, max] = [Builtin::Min, Builtin::Max].map(|b| (self.call)(b).unwrap_or_default());
+        let [lo, hi] = bounds;
+        Text::atom(format!("{min}({max}({x}, {lo}), {hi})"))
+    }
+
+    fn clamp(&self, writer: &Writer, operands: &[Expr]) -> Text {
+        let [x, lo, hi] = [0, 1, 2].map(|i| writer.expression(&operands[i], false).text);
+        match (self.call)(Builtin::Clamp) {
+            Some(name) if ordered(&operands[1], &operands[2]) => {
+                Text::atom(format!("{name}({x}, {lo}, {hi})"))
+            }
+            _ => self.between(&x, [lo, hi]),
+        }
+    }
+
+    /// Of a language without a `saturate`.
+    fn saturate(&self, writer: &Writer, x: &Expr) -> Text {
+        let (x, [zero, one]) = (writer.expression(x, false).text, [0.0, 1.0].map(|x| self.spelled(x)));
+        match (self.call)(Builtin::Clamp) {
+            Some(name) => Text::atom(format!("{name}({x}, {zero}, {one})")),
+            None => self.between(&x, [zero, one]),
+        }
+    }
+
+    /// `condition ? accept : reject`, neither of which has side effects.
+    fn select(&self, writer: &Writer, operands: &[Expr]) -> Text {
+        let [reject, accept, condition] =
+            [0, 1, 2].map(|i| writer.expression(&operands[i], false).within(Level::Logic));
+        Text { text: format!("{condition} ? {accept} : {reject}"), level: Level::Choice }
+    }
+
+    /// What a language without the function writes for it.
+    fn instead(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
+        let text = |i: usize, level| writer.expression(&operands[i], false).within(level);
+        match builtin {
+            Builtin::Select => self.select(writer, operands),
+            Builtin::Saturate => self.saturate(writer, &operands[0]),
+            Builtin::Dot => writer.dot(&operands[0], &operands[1], typed),
+            Builtin::Fma => {
+                let [x, y, z] = [text(0, Level::Product), text(1, Level::Sign), text(2, Level::Product)];
+                Text { text: format!("{x} * {y} + {z}"), level: Level::Sum }
+            }
+            Builtin::InverseSqrt => {
+                let root = (self.call)(Builtin::Sqrt).unwrap_or_default();
+                let text = format!("{} / {root}({})", self.spelled(1.0), text(0, Level::Choice));
+                Text { text, level: Level::Product }
+            }
+            Builtin::Sign => Text::atom(format!("float(sign({}))", text(0, Level::Choice))),
+            // every other function has a name or a helper in every language
+            _ => Text::atom(format!("{builtin:?}({})", writer.list(operands))),
+        }
+    }
+}
+
+/// Whether a `clamp` or `smoothstep` has literal bounds in their order: built-ins are undefined where they are not.
+fn ordered(lo: &Expr, hi: &Expr) -> bool {
+    matches!((&lo.kind, &hi.kind), (ExprKind::Number(lo), ExprKind::Number(hi)) if lo < hi)
+}
+
+impl Printer for Family {
+    fn facts(&self) -> &'static Facts {
+        self.facts
+    }
+
+    fn number(&self, x: f32, _: bool) -> String {
+        self.spelled(x)
+    }
+
+    fn truth(&self, x: bool) -> &'static str {
+        self.truth[1 + usize::from(x)]
+    }
+
+    fn kind(&self, kind: Kind) -> String {
+        match kind {
+            Kind::Number => "float".into(),
+            Kind::Truth => self.truth[0].into(),
+            Kind::Vector(n) => format!("{}{n}", self.vector),
+        }
+    }
+
+    fn has_vectors(&self) -> bool {
+        self.has_vectors
+    }
+
+    /// C++ has no compound literals, so that C's stand in declarations alone.
+    fn returns_vectors(&self) -> bool {
+        self.has_vectors
+    }
+
+    fn vector(&self, components: &[String]) -> String {
+        let list = components.join(", ");
+        if self.has_vectors {
+            format!("{}{}({list})", self.vector, components.len())
+        } else {
+            format!("{{{list}}}")
+        }
+    }
+
+    fn argument(&self, name: &str, kind: &str) -> String {
+        // the mark of a pointer stands at the name
+        if kind.ends_with('*') { format!("{kind}{name}") } else { format!("{kind} {name}") }
+    }
+
+    fn signature(&self, name: &str, result: &str, _: bool) -> [String; 2] {
+        [format!("{}{result} {name}(", self.linkage), ") {\n".into()]
+    }
+
+    fn unused(&self, name: &str) -> Option<String> {
+        self.strict.then(|| format!("(void){name};"))
+    }
+
+    fn declare(&self, name: &str, kind: Kind, mutable: bool, _: bool) -> String {
+        let constant = if mutable { "" } else { self.constant };
+        format!("{constant}{} {name} = ", self.kind(kind))
+    }
+
+    fn builtin(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
+        if let Some(base) = self.lacking(builtin, operands) {
+            return Text::atom(format!("{}({})", writer.helper(base), writer.list(operands)));
+        }
+        match (builtin, (self.call)(builtin)) {
+            (Builtin::Clamp, _) => self.clamp(writer, operands),
+            (_, Some(name)) => Text::atom(format!("{name}({})", writer.list(operands))),
+            (_, None) => self.instead(writer, builtin, operands, typed),
+        }
+    }
+
+    fn lacking(&self, builtin: Builtin, operands: &[Expr]) -> Option<&'static str> {
+        let lacks = (self.call)(builtin).is_none();
+        match builtin {
+            Builtin::Mix if lacks => Some("mix"),
+            Builtin::Step if lacks => Some("step"),
+            Builtin::SmoothStep if lacks || !ordered(&operands[0], &operands[1]) => Some("smoothstep"),
+            Builtin::Sign if lacks && !self.integer_sign => Some("sign"),
+            _ => None,
+        }
+    }
+
+    fn helper(&self, base: &str, name: &str) -> String {
+        let [zero, one, two, three] = [0.0, 1.0, 2.0, 3.0].map(|x| self.spelled(x));
+        let (arguments, lines, value) = match base {
+            "mix" => ("float x, float y, float t", Vec::new(), format!("x * ({one} - t) + y * t")),
+            "step" => ("float edge, float x", Vec::new(), format!("edge <= x ? {one} : {zero}")),
+            "smoothstep" => {
+                let t = self.between("(x - lo) / (hi - lo)", [zero, one]).text;
+                let value = format!("t * t * ({three} - {two} * t)");
+                ("float lo, float hi, float x", vec![format!("float t = {t};")], value)
+            }
+            "sign" => {
+                let sign = format!("x > {zero} ? {one} : (x < {zero} ? -{one} : x)");
+                ("float x", Vec::new(), sign)
+            }
+            _ => {
+                let (lines, value) = power(base, "float");
+                ("float x", lines, value)
+            }
+        };
+        let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
+        format!("{}float {name}({arguments}) {{\n{lines}    return {value};\n}}\n", self.linkage)
+    }
+
+    fn lookup(&self, table: &TableLookup) -> String {
+        (self.lookup)(table)
+    }
+
+    fn shared(&self, functions: &str) -> String {
+        (self.shared)(functions)
+    }
+
+    fn rounds(&self, builtin: Builtin) -> bool {
+        builtin != Builtin::Fma || self.rounds_fma
+    }
+}

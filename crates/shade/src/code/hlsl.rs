@@ -1,0 +1,101 @@
+//! HLSL, shader model 5 and later.
+
+use super::family::Family;
+use super::names::plain;
+use super::printer::Facts;
+use super::table::Textures;
+use super::words::Words;
+use crate::Builtin;
+
+/// The printer of HLSL.
+pub(super) const HLSL: Family = Family {
+    facts: &FACTS,
+    linkage: "",
+    suffix: "f",
+    constant: "const ",
+    truth: ["bool", "false", "true"],
+    vector: "float",
+    has_vectors: true,
+    strict: false,
+    integer_sign: true,
+    // `mad` may round once or twice
+    rounds_fma: false,
+    call,
+    lookup: |table| TEXTURES.lookup(&HLSL, table),
+    shared: |_| String::new(),
+};
+
+const TEXTURES: Textures = Textures {
+    resources: &[("table", "Texture#D<float4>"), ("linear_clamp", "SamplerState")],
+    fetch: "table.SampleLevel(linear_clamp, #, 0.0f)",
+    feature: "Texels of 32 bits need a device that filters them, which Direct3D leaves open.",
+};
+
+const FACTS: Facts = Facts {
+    name: "hlsl",
+    title: "HLSL",
+    extension: "hlsl",
+    comment: "//",
+    notes: &["HLSL of shader model 5 or later."],
+    opening: "#pragma once\n",
+    attributes: "",
+    words: WORDS,
+};
+
+/// HLSL's own functions, with the arguments and the order of operations of the dialect.
+fn call(builtin: Builtin) -> Option<&'static str> {
+    let name = match builtin {
+        Builtin::Saturate => "saturate",
+        Builtin::Fma => "mad",
+        Builtin::InverseSqrt => "rsqrt",
+        Builtin::Abs => "abs",
+        Builtin::Min => "min",
+        Builtin::Max => "max",
+        Builtin::Clamp => "clamp",
+        Builtin::Sqrt => "sqrt",
+        Builtin::Exp => "exp",
+        Builtin::Exp2 => "exp2",
+        Builtin::Log => "log",
+        Builtin::Log2 => "log2",
+        Builtin::Pow => "pow",
+        Builtin::Floor => "floor",
+        Builtin::Step => "step",
+        Builtin::SmoothStep => "smoothstep",
+        Builtin::Sin => "sin",
+        Builtin::Cos => "cos",
+        Builtin::Dot => "dot",
+        // Its `lerp` is x + t (y - x), which is another number; its `sign` returns an integer.
+        Builtin::Mix | Builtin::Sign | Builtin::Select => return None,
+    };
+    Some(name)
+}
+
+/// HLSL reference, "Keywords", "Reserved Words" and "Intrinsic Functions".
+const WORDS: Words = Words {
+    reserved: "AppendStructuredBuffer asm asm_fragment auto BlendState bool break Buffer ByteAddressBuffer case catch
+        cbuffer centroid char class column_major compile compile_fragment CompileShader ComputeShader const const_cast
+        ConsumeStructuredBuffer continue default delete DepthStencilState DepthStencilView discard do DomainShader
+        double dword dynamic_cast else enum explicit export extern false float for friend fxgroup GeometryShader
+        globallycoherent goto groupshared half HullShader if in inline inout InputPatch int int16_t int32_t int64_t
+        interface line lineadj linear LineStream long matrix min10float min12int min16float min16int min16uint mutable
+        namespace new nointerpolation noperspective NULL operator out OutputPatch packoffset pass payload pixelfragment
+        PixelShader point PointStream precise private protected public RasterizerState RayDesc RayQuery register
+        reinterpret_cast RenderTargetView return row_major RWBuffer RWByteAddressBuffer RWStructuredBuffer RWTexture1D
+        RWTexture1DArray RWTexture2D RWTexture2DArray RWTexture3D sample sampler sampler1D sampler2D sampler3D
+        samplerCUBE sampler_state SamplerComparisonState SamplerState shared short signed sizeof snorm stateblock
+        stateblock_state static static_cast string struct StructuredBuffer switch tbuffer technique technique10
+        technique11 template texture Texture1D Texture1DArray Texture2D Texture2DArray Texture2DMS Texture2DMSArray
+        Texture3D TextureCube TextureCubeArray this throw triangle triangleadj TriangleStream true try typedef typename
+        uint uint16_t uint32_t uint64_t uniform union unorm unsigned using vector vertexfragment VertexShader virtual
+        void volatile while float16_t float32_t float64_t main
+        abs min max clamp saturate mad sqrt rsqrt exp exp2 log log2 pow floor sign step smoothstep sin cos",
+    functions: "abort acos all any asdouble asfloat asin asint asuint atan atan2 ceil clip cosh countbits cross ddx
+        ddx_coarse ddx_fine ddy ddy_coarse ddy_fine degrees determinant distance dot dst errorf f16tof32 f32tof16
+        faceforward firstbithigh firstbitlow fma fmod frac frexp fwidth isfinite isinf isnan ldexp length lerp lit log10
+        modf msad4 mul noise normalize printf radians rcp reflect refract reversebits round select sincos sinh tan tanh
+        tex1D tex2D tex3D texCUBE transpose trunc and or",
+    stems: "float half double int uint bool dword min16float min10float min16int min12int min16uint int16_t int32_t
+        int64_t uint16_t uint32_t uint64_t float16_t float32_t float64_t",
+    any_case: true,
+    spelled: plain,
+};

@@ -1,0 +1,125 @@
+//! The lookup of a table: a fetch between the functions of its coordinates and of its decoding.
+
+use super::Language;
+use super::printer::Printer;
+use crate::Kind;
+
+/// A lookup to be printed: of a table of two or three axes, whose functions `<name>_uv` (`<name>_uvw`) and `<name>_decode` the file has.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TableLookup {
+    /// The table's name as an identifier.
+    pub name: String,
+    /// Texels along each axis.
+    pub sizes: Vec<usize>,
+    /// Channels of a texel.
+    pub channels: usize,
+    /// Numbers of the result.
+    pub values: usize,
+    /// What they are, in words.
+    pub meaning: &'static str,
+    /// Arguments of the lookup.
+    pub arguments: Vec<&'static str>,
+    /// Those of the coordinates among them.
+    pub coordinates: Vec<&'static str>,
+    /// Those of the decoding among them.
+    pub decoding: Vec<&'static str>,
+    /// Whether texels have 32 bits.
+    pub is_wide: bool,
+}
+
+/// Letters of the texture coordinates, and the suffix of the function that computes them.
+pub const LETTERS: [&str; 4] = ["u", "v", "w", "t"];
+
+impl TableLookup {
+    /// The function `<name>_lookup`.
+    ///
+    /// It takes a texture of two or three dimensions and a sampler that filters linearly and clamps to the edge (in GLSL one `sampler2D` or
+    /// `sampler3D`). In Rust and C, which have no textures, it fetches from a slice or array of f32 texels itself, columns fastest
+    /// and slices slowest, a texel's channels together, and calls [`helpers`].
+    pub fn print(&self, language: Language) -> String {
+        language.printer().lookup(self)
+    }
+
+    /// The letters of its coordinates.
+    pub(super) fn letters(&self) -> &'static [&'static str] {
+        &LETTERS[..self.sizes.len()]
+    }
+
+    /// A call of the function of the coordinates.
+    pub(super) fn located(&self) -> String {
+        format!("{}_{}({})", self.name, self.letters().concat(), self.coordinates.join(", "))
+    }
+
+    /// A call of the decoding.
+    pub(super) fn decoded(&self, texel: &str) -> String {
+        let arguments: String = self.decoding.iter().map(|name| format!(", {name}")).collect();
+        format!("{}_decode({texel}{arguments})", self.name)
+    }
+
+    /// The lines that open the function, after arguments of its own.
+    pub(super) fn opening(&self, printer: &dyn Printer, own: &[String]) -> String {
+        let number = printer.kind(Kind::Number);
+        let given = self.arguments.iter().map(|name| printer.argument(name, &number));
+        let arguments: Vec<String> = own.iter().cloned().chain(given).collect();
+        let [start, end] =
+            printer.signature(&format!("{}_lookup", self.name), &printer.kind(kind(self.values)), true);
+        super::function::within(&start, &arguments, &end)
+    }
+
+    /// How texels are ordered, and what a fetch between them is called.
+    pub(super) fn order(&self) -> [&'static str; 2] {
+        match self.sizes.len() {
+            3 => ["trilinear", "slice by slice, each row by row"],
+            _ => ["bilinear", "row by row"],
+        }
+    }
+}
+
+/// The kind of so many numbers.
+pub(super) fn kind(n: usize) -> Kind {
+    if n == 1 { Kind::Number } else { Kind::Vector(n as u8) }
+}
+
+/// What lookups and other functions of vectors share in a language, to stand before them; empty where they share nothing. `functions` is the
+/// text of them all.
+pub fn helpers(language: Language, functions: &str) -> String {
+    language.printer().shared(functions)
+}
+
+/// How a language that has textures fetches.
+pub(super) struct Textures {
+    /// Names and types of the arguments, `#` for the number of axes.
+    pub resources: &'static [(&'static str, &'static str)],
+    /// The fetch of four channels, `#` for the coordinates.
+    pub fetch: &'static str,
+    /// What a device must have for texels of 32 bits.
+    pub feature: &'static str,
+}
+
+/// What picks a texel's channels from the four that are fetched.
+const SWIZZLES: [&str; 4] = [".x", ".xy", ".xyz", ""];
+
+impl Textures {
+    /// The lookup by one fetch.
+    pub fn lookup(&self, printer: &dyn Printer, table: &TableLookup) -> String {
+        let n = table.sizes.len();
+        let axes = n.to_string();
+        let own = self.resources.iter().map(|(name, kind)| printer.argument(name, &kind.replace('#', &axes)));
+        let mut text = format!(
+            "/// {} by one fetch; the sampler filters linearly and clamps to the edge.\n",
+            table.meaning
+        );
+        if table.is_wide {
+            text += &format!("/// {}\n", self.feature);
+        }
+        text += &table.opening(printer, &own.collect::<Vec<_>>());
+        let uv = table.letters().concat();
+        let declare = |name: &str, n: usize, value: &str| {
+            format!("    {}{value};\n", printer.declare(name, kind(n), false, false))
+        };
+        text += &declare(&uv, n, &table.located());
+        text += &declare("texel", 4, &self.fetch.replace('#', &uv));
+        let decoded = table.decoded(&format!("texel{}", SWIZZLES[table.channels - 1]));
+        text + &format!("    return {decoded};\n}}\n")
+    }
+}

@@ -1,0 +1,74 @@
+//! Arguments that nothing reads, taken out of functions and of their calls.
+
+use crate::hypothesis::{Expr, ExprKind, Function, Statement};
+
+/// The functions, each without the arguments that its body does not read once those that it calls have lost theirs.
+pub(crate) fn trimmed(functions: &[Function]) -> Vec<Function> {
+    let mut done: Vec<Function> = Vec::new();
+    // by function, whether each argument stays
+    let mut stays: Vec<Vec<bool>> = Vec::new();
+    for function in functions {
+        let body = block(&function.body, &mut |expr| called(expr, &stays));
+        let function = Function { body, ..function.clone() };
+        let read: Vec<bool> = (0..function.arguments).map(|i| function.reads(i)).collect();
+        done.push(without(&function, &read));
+        stays.push(read);
+    }
+    done
+}
+
+/// A function without some of its arguments.
+fn without(function: &Function, stays: &[bool]) -> Function {
+    let stay = |i: usize| stays.get(i).copied().unwrap_or(true);
+    let place = |i: usize| (0..i).filter(|&j| stay(j)).count();
+    let variables = function.variables.iter().enumerate().filter(|(i, _)| stay(*i));
+    let variables = variables.map(|(_, variable)| variable.clone()).collect();
+    let mut body = block(&function.body, &mut |expr| match &expr.kind {
+        ExprKind::Variable(i) => Expr { kind: ExprKind::Variable(place(*i)), span: expr.span },
+        _ => expr,
+    });
+    renumber(&mut body, &place);
+    Function { variables, arguments: place(function.arguments), body, ..function.clone() }
+}
+
+/// A call without the arguments that the callee has lost.
+fn called(expr: Expr, stays: &[Vec<bool>]) -> Expr {
+    let ExprKind::Call(callee, arguments) = &expr.kind else { return expr };
+    let kept = arguments.iter().zip(&stays[*callee]).filter(|(_, stays)| **stays);
+    let kind = ExprKind::Call(*callee, kept.map(|(argument, _)| argument.clone()).collect());
+    Expr { kind, span: expr.span }
+}
+
+fn deep(expr: &Expr, f: &mut impl FnMut(Expr) -> Expr) -> Expr {
+    let inner = expr.map(&mut |operand| deep(operand, f));
+    f(inner)
+}
+
+fn block(body: &[Statement], f: &mut impl FnMut(Expr) -> Expr) -> Vec<Statement> {
+    let one = |statement: &Statement| match statement {
+        Statement::Let(variable, e) => Statement::Let(*variable, deep(e, f)),
+        Statement::Var(variable, e) => Statement::Var(*variable, deep(e, f)),
+        Statement::Assign(variable, e) => Statement::Assign(*variable, deep(e, f)),
+        Statement::Return(e) => Statement::Return(deep(e, f)),
+        Statement::If(condition, accept, reject) => {
+            Statement::If(deep(condition, f), block(accept, f), block(reject, f))
+        }
+    };
+    body.iter().map(one).collect()
+}
+
+/// The variables that statements name, each by its new place.
+fn renumber(body: &mut [Statement], place: &impl Fn(usize) -> usize) {
+    for statement in body {
+        match statement {
+            Statement::Let(variable, _) | Statement::Var(variable, _) | Statement::Assign(variable, _) => {
+                *variable = place(*variable);
+            }
+            Statement::If(_, accept, reject) => {
+                renumber(accept, place);
+                renumber(reject, place);
+            }
+            Statement::Return(_) => {}
+        }
+    }
+}
