@@ -36,6 +36,9 @@ pub enum Use {
 }
 
 impl Use {
+    /// All of them.
+    pub const ALL: [Use; 5] = [Use::Value, Use::Normalisation, Use::F0Blend, Use::Coupling, Use::Parallax];
+
     /// The word used in the manifest.
     pub fn name(self) -> &'static str {
         match self {

@@ -216,7 +216,7 @@ pub struct FitEntry {
     /// Total variation between the footprint wanted and the one fetched; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub total_variation: Option<VariationEntry>,
-    /// Where a coupling is proven to have no pole and no value below 0, by input.
+    /// Where a factor of f0 is proven to have no pole and no value below 0, by input.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub safe: Option<BTreeMap<String, [f64; 2]>>,
     /// Cost.
@@ -225,7 +225,7 @@ pub struct FitEntry {
     pub source: String,
 }
 
-/// Error of a coupling over all f0.
+/// Error of a factor over all f0.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AnyF0Entry {
     /// Largest absolute error.
@@ -468,7 +468,7 @@ impl FitEntry {
 }
 
 impl FitEntry {
-    /// The entry of a coupling under a lobe of this kind, with its error over all f0 and where it is proven to have no pole and no
+    /// The entry of a factor under a lobe of this kind, with its error over all f0 and where it is proven to have no pole and no
     /// value below 0.
     pub fn under(
         self,

@@ -3,11 +3,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
-use super::base::Base;
+use super::layers::{Base, Sheen};
 use super::limits::{PATH_TRACER_IOR, SMOOTH_ALPHA};
 use super::name::Name;
 use super::number::{DielectricIor, GlassIor, In, Ior, Numbers, Span, Unit, inside};
-use super::sheen::Sheen;
 use super::value::{Maybe, Text, Word, about, from_file};
 use super::wants::{OpenWants, Wants};
 use crate::data::{AlphaMap, Layout};
@@ -106,11 +105,6 @@ impl Material {
     /// The part of the roughness range whose lobe is rough (alpha >= [`SMOOTH_ALPHA`]), or `None` for a smooth material.
     pub fn rough_range(&self, map: AlphaMap) -> Option<[f64; 2]> {
         rough_part(self.roughness, map)
-    }
-
-    /// The same part of the roughness range of its sheen; `None` also where it has no sheen.
-    pub fn sheen_range(&self, map: AlphaMap) -> Option<[f64; 2]> {
-        rough_part(self.sheen.as_ref()?.roughness, map)
     }
 }
 

@@ -3,28 +3,26 @@
 //! A scene is JSON of our own (`lobefit schema` prints its JSON Schema). Unknown and repeated fields, `null`, negative
 //! zero and anything out of range are refused with file, line, column and field. Nothing here opens a file.
 
-mod base;
 mod error;
 pub mod escape;
 mod file;
 mod kernel;
+mod layers;
 pub mod limits;
 mod material;
 mod name;
 mod number;
 mod probe;
-mod sheen;
 mod table;
 mod text;
 mod value;
 mod wants;
 
-pub use base::Base;
 pub use error::{Position, SceneError};
 pub use file::{Scene, schema};
 pub use kernel::{kernel, kernel_schema};
+pub use layers::*;
 pub use material::{Kind, Lobe, Material, smallest_rough};
 pub use probe::Probe;
-pub use sheen::Sheen;
 pub use table::{Layout, Serves, TableWant};
 pub use wants::{FitWant, Norm, Wants};

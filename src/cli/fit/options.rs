@@ -355,10 +355,10 @@ fn to(text: &str) -> Result<To, String> {
 }
 
 fn used_as(text: &str) -> Result<Use, String> {
-    let uses = [Use::Value, Use::Normalisation, Use::F0Blend, Use::Coupling, Use::Parallax];
-    uses.into_iter()
+    Use::ALL
+        .into_iter()
         .find(|u| u.name() == text)
-        .ok_or_else(|| format!("the uses are {}", uses.map(Use::name).join(", ")))
+        .ok_or_else(|| format!("the uses are {}", Use::ALL.map(Use::name).join(", ")))
 }
 
 fn goal(text: &str) -> Result<Goal, String> {

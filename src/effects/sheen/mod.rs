@@ -39,7 +39,8 @@ impl Effect for Sheen {
 
     fn demands(&self, scene: &Scene) -> Vec<Demand> {
         let demand = |(of, material): (usize, &Material)| {
-            let (sheen, range) = (material.sheen.as_ref()?, material.sheen_range(scene.alpha)?);
+            let sheen = material.sheen.as_ref()?;
+            let range = sheen.rough_range(scene.alpha)?;
             let goals =
                 Goals { max_ops: sheen.max_ops, max_error: sheen.max_error, norms: sheen.norms.clone() };
             Some(FITS.demand(scene, of, range, goals))
