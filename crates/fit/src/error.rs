@@ -9,7 +9,8 @@ pub enum FitError {
     /// The formula itself, its domain, or the shape of the data.
     #[error(transparent)]
     Shade(#[from] ShadeError),
-    /// A formula is not a number, or infinite, at a sample, and every start of its parameters fails so.
+    /// A formula is not a number, or infinite, at a sample, and every start of its parameters fails
+    /// so.
     #[error(
         "{place} is {} at {at}, in function {function} with the parameters at their declared starts; no start does better: declare \
          others (`override NAME: f32 = VALUE;`), or narrow the domain", value_words(*value)
@@ -39,7 +40,8 @@ pub enum FitError {
         /// The inputs there: `alpha = 0, mu = 0.5`.
         at: String,
     },
-    /// A divisor has both signs over the samples at every start of the parameters: they have to begin on one side of a pole.
+    /// A divisor has both signs over the samples at every start of the parameters: they have to
+    /// begin on one side of a pole.
     #[error(
         "{place}: with the parameters at their declared starts this divisor of {function} changes sign over the domain, at or before \
          {at}: the formula has a pole there, and at every other start tried as well; declare starts with which it keeps its sign \

@@ -1,9 +1,10 @@
-//! Coefficients, forms and texels by optimisation. Knows nothing of optics: data are residuals `scale * f - target`, and a
-//! hypothesis is any formula of the shader language.
+//! Coefficients, forms and texels by optimisation. Knows nothing of optics: data are residuals
+//! `scale * f - target`, and a hypothesis is any formula of the shader language.
 //!
-//! [`optimise`] finds a formula's coefficients, [`rational`] the globally best ones of forms that are a quotient of linear ones,
-//! [`mod@search`] the forms themselves. [`least`] minimises sums of squares that are not a formula's. [`texels`] does for tables
-//! what [`optimise`] does for formulas.
+//! [`optimise`] finds a formula's coefficients, [`rational`] the globally best ones of forms that
+//! are a quotient of linear ones, [`mod@search`] the forms themselves. [`least`] minimises sums of
+//! squares that are not a formula's. [`texels`] does for tables what [`optimise`] does for
+//! formulas.
 
 mod error;
 pub mod rational;

@@ -1,9 +1,11 @@
-//! Texel values of a table of any number of axes, optimised for its linear lookup: bilinear of two axes, trilinear of three.
+//! Texel values of a table of any number of axes, optimised for its linear lookup: bilinear of two
+//! axes, trilinear of three.
 //!
-//! The samples lie on a lattice that divides every cell. The texels start exact at their nodes and are relaxed: each texel moves
-//! by part of half the sum of the largest and the smallest error in the cells around it, which balances the two. One step
-//! solves the problem for a parabola. The error falls to about half of what exact values leave. On the 2-D tables of GGX a
-//! hundred rounds end 0.1 to 0.6 % below sixty of Lawson's iteration for linear Chebyshev approximation.
+//! The samples lie on a lattice that divides every cell. The texels start exact at their nodes and
+//! are relaxed: each texel moves by part of half the sum of the largest and the smallest error in
+//! the cells around it, which balances the two. One step solves the problem for a parabola. The
+//! error falls to about half of what exact values leave. On the 2-D tables of GGX a hundred rounds
+//! end 0.1 to 0.6 % below sixty of Lawson's iteration for linear Chebyshev approximation.
 
 use rayon::prelude::*;
 
@@ -55,16 +57,17 @@ impl Lattice {
 pub struct Wanted {
     /// Values.
     pub targets: Vec<f64>,
-    /// Factor in [0, 1] from an error of the lookup to the error that counts: 0 where nothing is looked up.
+    /// Factor in [0, 1] from an error of the lookup to the error that counts: 0 where nothing is
+    /// looked up.
     pub weights: Vec<f64>,
 }
 
 /// Part of the balancing step that is taken: neighbours move too.
 const DAMPING: f64 = 0.7;
 
-/// Improves `start`, values exact at the texels, in `rounds` of relaxation. Returns the texels with the smallest maximum of
-/// weight |lookup - target| met on the way, and that maximum; never worse than `start`. The bits do not depend on the thread
-/// count.
+/// Improves `start`, values exact at the texels, in `rounds` of relaxation. Returns the texels with
+/// the smallest maximum of weight |lookup - target| met on the way, and that maximum; never worse
+/// than `start`. The bits do not depend on the thread count.
 ///
 /// # Panics
 /// If a slice's length is not that of the lattice, or the lattice is thinner than two texels.
@@ -239,8 +242,9 @@ mod tests {
         }
     }
 
-    /// Parabolas along all axes: interpolation errs by h^2 f''/8 for each axis to one side at the middle of a cell; shifting every
-    /// texel by half of the sum halves it, and nothing does better.
+    /// Parabolas along all axes: interpolation errs by h^2 f''/8 for each axis to one side at the
+    /// middle of a cell; shifting every texel by half of the sum halves it, and nothing does
+    /// better.
     #[test]
     fn a_paraboloid_reaches_half_the_interpolation_error() {
         for lattice in [lattice(&[9], &[16]), lattice(&[9, 6], &[2, 2]), lattice(&[9, 6, 5], &[2, 2, 2])] {

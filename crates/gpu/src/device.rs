@@ -91,7 +91,8 @@ fn adapter(wanted: Option<&str>) -> Result<wgpu::Adapter, GpuError> {
 }
 
 impl Gpu {
-    /// The first device whose name holds a text, discrete ones before integrated and those before software.
+    /// The first device whose name holds a text, discrete ones before integrated and those before
+    /// software.
     pub fn open(wanted: Option<&str>) -> Result<Gpu, GpuError> {
         let adapter = adapter(wanted)?;
         let info = adapter.get_info();

@@ -14,7 +14,8 @@ use lobefit::report::{self, GpuKind, GpuLeftOut};
 use lobefit::store::MANIFEST;
 use lobefit::timing::record::{Include, lookup_of};
 
-/// Levels of the cubemap that lookups fetch from, and texels along an edge of its first: 128 down to 2.
+/// Levels of the cubemap that lookups fetch from, and texels along an edge of its first: 128 down
+/// to 2.
 pub(super) const LEVELS: u32 = 7;
 const EDGE: u32 = 128;
 
@@ -156,7 +157,8 @@ impl Jobs {
     }
 }
 
-/// The fetch that formulas and tables of two axes are compared with, that of tables of three, and that of lookups.
+/// The fetch that formulas and tables of two axes are compared with, that of tables of three, and
+/// that of lookups.
 const FLAT: Texels = Texels { shape: Shape::Flat([64, 64], 2), single: false };
 const SOLID: Texels = Texels { shape: Shape::Solid([64, 64, 32], 1), single: false };
 const CUBE: Texels = Texels { shape: Shape::Cube(EDGE, LEVELS), single: false };

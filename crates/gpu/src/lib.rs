@@ -1,11 +1,12 @@
 //! Time per evaluation of the emitted WGSL on a graphics processor.
 //!
-//! Every function that the manifest of a bake lists runs in a loop of a compute shader, and beside it the same loop without the
-//! function: what an evaluation takes is the difference. Both are dispatched one right after the other, and all functions take turns,
-//! several times over; figures are medians over these.
+//! Every function that the manifest of a bake lists runs in a loop of a compute shader, and beside
+//! it the same loop without the function: what an evaluation takes is the difference. Both are
+//! dispatched one right after the other, and all functions take turns, several times over; figures
+//! are medians over these.
 //!
-//! The program `lobefit` runs the binary of this package for `lobefit cost --gpu`. Records of times are read, checked and shown without
-//! a driver, by [`lobefit::timing::record`].
+//! The program `lobefit` runs the binary of this package for `lobefit cost --gpu`. Records of times
+//! are read, checked and shown without a driver, by [`lobefit::timing::record`].
 
 mod cli;
 mod device;
@@ -46,11 +47,12 @@ impl Work {
     pub const REDUCED: Work = Work { side: 128, repeats: 5, shortest: 2e5, reduced: true };
 }
 
-/// Measures the functions of a bake on the first device whose name holds `adapter`, or on the first of all; none where the bake emits
-/// no functions.
+/// Measures the functions of a bake on the first device whose name holds `adapter`, or on the first
+/// of all; none where the bake emits no functions.
 ///
 /// # Errors
-/// No device, a device that refuses or fails, results that are not finite; never a number in their place.
+/// No device, a device that refuses or fails, results that are not finite; never a number in their
+/// place.
 pub fn measure(
     baked: &Baked,
     adapter: Option<&str>,

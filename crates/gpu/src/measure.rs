@@ -10,7 +10,8 @@ use super::{GpuError, Work};
 use lobefit::bake::Progress;
 use lobefit::report::{GpuAgainst, GpuRow, GpuSpread};
 
-/// Evaluations of a thread to begin with, and at most. With fewer the loop's own beginning and end would weigh.
+/// Evaluations of a thread to begin with, and at most. With fewer the loop's own beginning and end
+/// would weigh.
 const FEWEST: u32 = 32;
 const MOST: u32 = 1 << 14;
 
@@ -141,7 +142,8 @@ impl Pair {
         })
     }
 
-    /// Sets the number of evaluations so that a dispatch takes long enough, and looks whether its results are numbers.
+    /// Sets the number of evaluations so that a dispatch takes long enough, and looks whether its
+    /// results are numbers.
     fn lengthen(&mut self, gpu: &Gpu, work: Work) -> Result<(), GpuError> {
         loop {
             let uniforms = uniforms(self.evaluations, work.side);

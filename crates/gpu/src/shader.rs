@@ -7,10 +7,12 @@ use super::device::{UNIFORM_BYTES, WORKGROUP};
 use super::texture::{Shape, Texels};
 use super::variable::{Held, Ranges, Variable};
 
-/// The room about a probe: low and high corner, the probe; and what planes a proxy of planes has, at the distance 1.5 of the probe.
+/// The room about a probe: low and high corner, the probe; and what planes a proxy of planes has,
+/// at the distance 1.5 of the probe.
 const ROOM: [[f32; 3]; 3] = [[-2.0, -1.5, -1.2], [2.0, 1.6, 1.3], [0.2, -0.1, 0.05]];
 
-/// Levels of the cubemap beyond the first: a width is fetched at this many times its value where no chain is known.
+/// Levels of the cubemap beyond the first: a width is fetched at this many times its value where no
+/// chain is known.
 const LAST_LEVEL: u32 = super::jobs::LEVELS - 1;
 
 /// How the fetches of a lookup are done: by the level that it gives, or by a width.
@@ -41,7 +43,8 @@ struct Evaluation {
 }
 
 impl Shader {
-    /// Of an emitted function, whose code and that of all that it calls is given, in ranges of its arguments. With `fetches` what it returns is fetched and summed with its weights.
+    /// Of an emitted function, whose code and that of all that it calls is given, in ranges of its
+    /// arguments. With `fetches` what it returns is fetched and summed with its weights.
     pub fn of_function(
         code: &str,
         module: &naga::Module,
@@ -118,9 +121,10 @@ impl Shader {
 
 /// The whole shader: `work` in a loop over `inputs`.
 ///
-/// Inputs are a start of the pixel's, from one corner of a square picture to the other, and drift over half their range from turn to
-/// turn: neighbours see neighbouring places, as on a screen, and making an input takes one operation. They are summed with and
-/// without the work, so that nothing is taken out of the loop.
+/// Inputs are a start of the pixel's, from one corner of a square picture to the other, and drift
+/// over half their range from turn to turn: neighbours see neighbouring places, as on a screen, and
+/// making an input takes one operation. They are summed with and without the work, so that nothing
+/// is taken out of the loop.
 fn text(code: &str, resources: &str, inputs: &[Variable], work: &str) -> String {
     let made = Variable::made(inputs);
     let starts: String = made.iter().enumerate().map(|(i, variable)| variable.start(i)).collect();

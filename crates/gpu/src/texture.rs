@@ -108,7 +108,8 @@ impl Texels {
     }
 }
 
-/// Values in [0.1, 0.9), no two neighbours alike, so that no driver stores them as one: steps of the golden section.
+/// Values in [0.1, 0.9), no two neighbours alike, so that no driver stores them as one: steps of
+/// the golden section.
 fn texel(i: u32) -> f32 {
     let turn = i.wrapping_mul(0x9e37_79b9) >> 8;
     0.1 + 0.8 * turn as f32 / 16_777_216.0

@@ -39,7 +39,8 @@ pub(super) enum Held {
     Sampler,
 }
 
-/// The numbers that functions take, and their ranges where the manifest has none: those of lookups and levels, which hold for all.
+/// The numbers that functions take, and their ranges where the manifest has none: those of lookups
+/// and levels, which hold for all.
 const SCALARS: [(&str, f64, f64); 8] = [
     ("roughness", 0.15, 1.0),
     ("mu", 0.05, 1.0),
@@ -127,7 +128,8 @@ impl Variable {
                 let half = half(*low, *high);
                 format!("    let timed_start_{name} = {low:?} + {half} * {};\n", spots[index % spots.len()])
             }
-            // A sphere over the picture; a drift shorter than its radius leaves no direction without a length.
+            // A sphere over the picture; a drift shorter than its radius leaves no direction
+            // without a length.
             Variable::Ray => "    let timed_around = 6.2831855 * timed_spot.x;
     let timed_up = 2.0 * timed_spot.y - 1.0;
     let timed_wide = sqrt(max(1.0 - timed_up * timed_up, 0.0));
@@ -178,8 +180,8 @@ impl Variable {
     }
 }
 
-/// Half of a range as an expression. That of a range of one value is a zero that no compiler knows, so that a function is not
-/// specialised to the value.
+/// Half of a range as an expression. That of a range of one value is a zero that no compiler knows,
+/// so that a function is not specialised to the value.
 fn half(low: f64, high: f64) -> String {
     if low < high { format!("{:?}", 0.5 * (high - low)) } else { "timed.zero".into() }
 }

@@ -9,7 +9,8 @@ pub struct Chebyshev {
     values: Vec<f64>,
 }
 
-/// The `n` >= 2 nodes on [low, high], ascending: the extrema of the Chebyshev polynomial of degree n - 1.
+/// The `n` >= 2 nodes on [low, high], ascending: the extrema of the Chebyshev polynomial of degree
+/// n - 1.
 pub fn nodes(low: f64, high: f64, n: usize) -> Vec<f64> {
     let angle = |i: usize| std::f64::consts::PI * i as f64 / (n - 1) as f64;
     let unit = |i: usize| 0.5 * (1.0 - ops::cos(angle(i)));
@@ -46,7 +47,8 @@ impl Chebyshev {
     }
 }
 
-/// Weights of the values at Chebyshev nodes of the second kind, ascending, for the interpolant's value at x: 1 at a node itself.
+/// Weights of the values at Chebyshev nodes of the second kind, ascending, for the interpolant's
+/// value at x: 1 at a node itself.
 pub fn weights(nodes: &[f64], x: f64) -> Vec<f64> {
     if let Some(hit) = nodes.iter().position(|node| *node == x) {
         return (0..nodes.len()).map(|i| if i == hit { 1.0 } else { 0.0 }).collect();

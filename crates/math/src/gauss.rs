@@ -2,8 +2,8 @@
 
 use super::ops;
 
-/// Most nodes that [`Gauss::new`] accepts: Newton on the three-term recurrence is exact to a few ulp up to here
-/// (tested against the exactness degree of the rule).
+/// Most nodes that [`Gauss::new`] accepts: Newton on the three-term recurrence is exact to a few
+/// ulp up to here (tested against the exactness degree of the rule).
 pub const MOST_NODES: usize = 512;
 
 /// A Gauss-Legendre rule: exact for polynomials up to degree 2n - 1.
@@ -19,7 +19,8 @@ impl Gauss {
     /// The rule of `n` nodes.
     ///
     /// # Panics
-    /// If `n` is 0 or above [`MOST_NODES`], or Newton has not converged in 100 steps (neither depends on data).
+    /// If `n` is 0 or above [`MOST_NODES`], or Newton has not converged in 100 steps (neither
+    /// depends on data).
     pub fn new(n: usize) -> Gauss {
         assert!((1..=MOST_NODES).contains(&n), "a Gauss rule has 1 to {MOST_NODES} nodes, not {n}");
         let (mut nodes, mut weights) = (vec![0.0; n], vec![0.0; n]);
@@ -42,8 +43,8 @@ impl Gauss {
     }
 }
 
-/// The i-th largest root of the Legendre polynomial P_n with its weight 2 / ((1-x^2) P_n'(x)^2), by Newton from
-/// Tricomi's asymptotic guess.
+/// The i-th largest root of the Legendre polynomial P_n with its weight 2 / ((1-x^2) P_n'(x)^2), by
+/// Newton from Tricomi's asymptotic guess.
 fn root(n: usize, i: usize) -> (f64, f64) {
     let order = n as f64;
     let angle = std::f64::consts::PI * (i as f64 + 0.75) / (order + 0.5);

@@ -1,5 +1,6 @@
-//! Eight values at a time as plain arrays: the loops below have no branches and no calls, so the compiler turns them
-//! into whatever vector instructions the target has, with the same bits on every target.
+//! Eight values at a time as plain arrays: the loops below have no branches and no calls, so the
+//! compiler turns them into whatever vector instructions the target has, with the same bits on
+//! every target.
 
 /// Width of a block of lanes.
 pub const LANES: usize = 8;
@@ -7,14 +8,15 @@ pub const LANES: usize = 8;
 /// Eight values.
 pub type F8 = [f64; LANES];
 
-/// 1.5 * 2^52 + 1023: adding it rounds to an integer and leaves that integer, biased for an exponent field, in the low
-/// bits of the mantissa.
+/// 1.5 * 2^52 + 1023: adding it rounds to an integer and leaves that integer, biased for an
+/// exponent field, in the low bits of the mantissa.
 const ROUND: f64 = 6_755_399_441_056_767.0;
 /// ln 2 split so that k * LN2_HI is exact for |k| < 2^11 (Cody and Waite).
 const LN2_HI: f64 = 6.931_471_803_691_238e-1;
 const LN2_LO: f64 = 1.908_214_929_270_588e-10;
 
-/// exp of eight values in [-700, 700], within 2 ulp (tested against `libm`); outside it is meaningless.
+/// exp of eight values in [-700, 700], within 2 ulp (tested against `libm`); outside it is
+/// meaningless.
 #[inline(always)]
 pub fn exp(x: &F8) -> F8 {
     let mut out = [0.0; LANES];
@@ -28,7 +30,8 @@ pub fn exp(x: &F8) -> F8 {
     out
 }
 
-/// exp(r) for |r| <= ln(2)/2 by its Taylor series to degree 13 (remainder 4e-18), Estrin's grouping.
+/// exp(r) for |r| <= ln(2)/2 by its Taylor series to degree 13 (remainder 4e-18), Estrin's
+/// grouping.
 #[inline(always)]
 fn taylor(r: f64) -> f64 {
     let r2 = r * r;
@@ -40,12 +43,14 @@ fn taylor(r: f64) -> f64 {
     a + r4 * (b + r4 * (c + r4 * d))
 }
 
-/// Bits of 1 less those of sqrt(1/2): added to a number's bits, it carries the exponent of the mantissa in [sqrt(1/2), sqrt(2)).
+/// Bits of 1 less those of sqrt(1/2): added to a number's bits, it carries the exponent of the
+/// mantissa in [sqrt(1/2), sqrt(2)).
 const CENTRE: u64 = 0x3ff0_0000_0000_0000 - 0x3fe6_a09e_667f_3bcd;
 /// The bits of 2^52: or'ed with an integer below 2^52 they make the float 2^52 + integer.
 const INTEGER: u64 = 0x4330_0000_0000_0000;
 
-/// Natural logarithm of eight positive normal numbers, within 2 ulp (tested against `libm`); elsewhere it is meaningless.
+/// Natural logarithm of eight positive normal numbers, within 2 ulp (tested against `libm`);
+/// elsewhere it is meaningless.
 #[inline(always)]
 pub fn ln(x: &F8) -> F8 {
     let mut out = [0.0; LANES];
@@ -59,8 +64,9 @@ pub fn ln(x: &F8) -> F8 {
     out
 }
 
-/// f - ln(1 + f) - k LN2_LO for 1 + f in [sqrt(1/2), sqrt(2)): with s = f/(2 + f), ln(1 + f) = 2 atanh(s) = f - f^2/2 + s (f^2/2 + r),
-/// r = 2 s^2 (1/3 + s^2/5 + ...), cut where the next term is below 1e-18 (s^2 <= 0.0295).
+/// f - ln(1 + f) - k LN2_LO for 1 + f in [sqrt(1/2), sqrt(2)): with s = f/(2 + f), ln(1 + f) = 2
+/// atanh(s) = f - f^2/2 + s (f^2/2 + r), r = 2 s^2 (1/3 + s^2/5 + ...), cut where the next term is
+/// below 1e-18 (s^2 <= 0.0295).
 #[inline(always)]
 fn ln_tail(f: f64, k: f64) -> f64 {
     let s = f / (2.0 + f);

@@ -1,4 +1,5 @@
-//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points and vectors in space.
+//! Scalar operations, quadrature rules, deterministic sums, low-discrepancy points and vectors in
+//! space.
 
 pub mod chebyshev;
 pub mod gauss;

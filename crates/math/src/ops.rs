@@ -1,8 +1,9 @@
 //! The one door to transcendental functions.
 //!
-//! Rust's std leaves the precision of `sin`, `exp`, `powf`, ... to the platform, so the same source gives other
-//! bits on another machine. These go to the pinned pure-Rust `libm` instead; `clippy.toml` bans the std ones.
-//! `sqrt`, `abs`, `floor` and `mul_add` are exact by IEEE 754 and may be called directly.
+//! Rust's std leaves the precision of `sin`, `exp`, `powf`, ... to the platform, so the same source
+//! gives other bits on another machine. These go to the pinned pure-Rust `libm` instead;
+//! `clippy.toml` bans the std ones. `sqrt`, `abs`, `floor` and `mul_add` are exact by IEEE 754 and
+//! may be called directly.
 
 pub use libm::{
     acos, acosf, acosh, asin, asinf, asinh, atan, atan2, atan2f, atanf, cbrt, cos, cosf, cosh, erfc, exp,

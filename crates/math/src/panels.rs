@@ -1,11 +1,14 @@
-//! Cuts of an interval into panels, graded geometrically towards an end where the integrand varies on a small scale.
+//! Cuts of an interval into panels, graded geometrically towards an end where the integrand varies
+//! on a small scale.
 
-/// Ratio of neighbouring graded panels. On a panel [x, 3x] an integrand that is singular at 0 has its Bernstein
-/// ellipse at (3+1)/(3-1) = 2, so n Gauss nodes leave an error of (2 + sqrt 3)^-2n: 2e-14 for n = 12.
+/// Ratio of neighbouring graded panels. On a panel [x, 3x] an integrand that is singular at 0 has
+/// its Bernstein ellipse at (3+1)/(3-1) = 2, so n Gauss nodes leave an error of (2 + sqrt 3)^-2n:
+/// 2e-14 for n = 12.
 const RATIO: f64 = 3.0;
 
-/// Appends the cuts of [from, to] to `cuts`, `to` last and `from` left out (it is the cut that came before).
-/// No panel is longer than `longest`; panels shrink geometrically towards `to`, down to `scale`.
+/// Appends the cuts of [from, to] to `cuts`, `to` last and `from` left out (it is the cut that came
+/// before). No panel is longer than `longest`; panels shrink geometrically towards `to`, down to
+/// `scale`.
 ///
 /// # Panics
 /// If `scale` is not positive: the grading would not end.

@@ -2,8 +2,9 @@
 
 use super::chebyshev;
 
-/// Nodes per panel. On a panel [x, 3x] a function that is singular at 0 has its Bernstein ellipse at 2 + sqrt 3, so that the interpolant
-/// is off by about (2 + sqrt 3)^-(n-1) of the function's variation: 3e-9 for n = 16; 2e-7 on the longest that `panels::from_zero` makes, [x, 4.5x].
+/// Nodes per panel. On a panel [x, 3x] a function that is singular at 0 has its Bernstein ellipse
+/// at 2 + sqrt 3, so that the interpolant is off by about (2 + sqrt 3)^-(n-1) of the function's
+/// variation: 3e-9 for n = 16; 2e-7 on the longest that `panels::from_zero` makes, [x, 4.5x].
 pub const NODES: usize = 16;
 
 /// Interpolants of K functions on neighbouring panels.

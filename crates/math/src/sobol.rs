@@ -1,8 +1,9 @@
 //! Owen-scrambled Sobol points in up to three dimensions.
 //!
-//! Direction numbers: Joe and Kuo 2008 (dimension 1 is van der Corput; dimensions 2 and 3 have the primitive
-//! polynomials x + 1 and x^2 + x + 1). Scrambling: the hash of Laine and Karras 2011 with Vegdahl's constants as
-//! given by Burley 2020, applied to the bit-reversed index: nested uniform scrambling up to the quality of the hash.
+//! Direction numbers: Joe and Kuo 2008 (dimension 1 is van der Corput; dimensions 2 and 3 have the
+//! primitive polynomials x + 1 and x^2 + x + 1). Scrambling: the hash of Laine and Karras 2011 with
+//! Vegdahl's constants as given by Burley 2020, applied to the bit-reversed index: nested uniform
+//! scrambling up to the quality of the hash.
 
 /// Most dimensions.
 pub const DIMENSIONS: usize = 3;
@@ -22,9 +23,10 @@ impl Sobol {
         Sobol { directions, seeds, shuffle: None }
     }
 
-    /// The same points in another order: for coordinates beyond the dimensions of one sequence. Two sequences in the same order are
-    /// functions of one another whatever their seeds, one elementary interval of the one goes with one of the other; in orders of different
-    /// `seed` they are independent (Burley 2020, "padding"). An aligned block of 2^m indices stays a net.
+    /// The same points in another order: for coordinates beyond the dimensions of one sequence. Two
+    /// sequences in the same order are functions of one another whatever their seeds, one
+    /// elementary interval of the one goes with one of the other; in orders of different `seed`
+    /// they are independent (Burley 2020, "padding"). An aligned block of 2^m indices stays a net.
     pub fn padded(mut self, seed: u32) -> Sobol {
         self.shuffle = Some(seed);
         self
@@ -49,7 +51,8 @@ impl Sobol {
     }
 }
 
-/// Direction numbers from the initial odd numbers `m` and the inner coefficients of the primitive polynomial.
+/// Direction numbers from the initial odd numbers `m` and the inner coefficients of the primitive
+/// polynomial.
 fn directions(m: &[u32], inner: u32) -> [u32; 32] {
     let mut v = [0_u32; 32];
     let degree = m.len();

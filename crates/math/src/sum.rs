@@ -1,6 +1,7 @@
 //! Sums whose value does not depend on who computed which part.
 
-/// Pairwise sum in a fixed tree over blocks of 128: rounding error grows with the logarithm of the length.
+/// Pairwise sum in a fixed tree over blocks of 128: rounding error grows with the logarithm of the
+/// length.
 pub fn pairwise(x: &[f64]) -> f64 {
     if x.len() <= 128 {
         return x.iter().sum();
@@ -14,7 +15,8 @@ pub fn mean(x: &[f64]) -> f64 {
     pairwise(x) / x.len() as f64
 }
 
-/// Standard error of the mean of independent values: sqrt(sum (x - mean)^2 / (n (n-1))); NaN below two values.
+/// Standard error of the mean of independent values: sqrt(sum (x - mean)^2 / (n (n-1))); NaN below
+/// two values.
 pub fn standard_error(x: &[f64]) -> f64 {
     let (n, centre) = (x.len() as f64, mean(x));
     let squares: Vec<f64> = x.iter().map(|v| (v - centre) * (v - centre)).collect();

@@ -45,7 +45,8 @@ pub fn normalise(a: Vec3) -> Vec3 {
     scaled(a, 1.0 / length(a))
 }
 
-/// Two directions at right angles to `axis` and to one another (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
+/// Two directions at right angles to `axis` and to one another (Duff et al. 2017, "Building an
+/// Orthonormal Basis, Revisited").
 #[inline(always)]
 pub fn tangents(axis: Vec3) -> [Vec3; 2] {
     let [x, y, z] = axis;

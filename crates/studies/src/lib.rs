@@ -1,5 +1,5 @@
-//! The long experiments: the verb `lobefit report --study NAME`. Their pages are committed with the hash of their recipe; no bake
-//! waits for them.
+//! The long experiments: the verb `lobefit report --study NAME`. Their pages are committed with the
+//! hash of their recipe; no bake waits for them.
 //!
 //! | module | purpose |
 //! |---|---|
@@ -11,8 +11,8 @@
 //! | [`report`] | their results and their pages |
 //! | [`run`] | the verb |
 //!
-//! The program `lobefit` runs the binary of this package for its verb `report`, and `lobefit check` asks it which studies are of
-//! other code.
+//! The program `lobefit` runs the binary of this package for its verb `report`, and `lobefit check`
+//! asks it which studies are of other code.
 
 mod cli;
 pub mod flip;

@@ -1,5 +1,5 @@
-//! A problem's numbers, column by column and scaled: the residual's numerator R = scale n - target d and the denominator D, both
-//! affine in the coefficients.
+//! A problem's numbers, column by column and scaled: the residual's numerator R = scale n - target
+//! d and the denominator D, both affine in the coefficients.
 
 use super::Rational;
 use crate::FitError;
@@ -16,11 +16,13 @@ pub(crate) struct Columns {
     pub free: Vec<usize>,
     /// Size of a sample's denominator: its largest entry.
     pub size: Vec<f64>,
-    /// What each column was divided by; coefficient = (x_j / unit_j) / (x_0 / unit_0) of homogeneous, scaled x.
+    /// What each column was divided by; coefficient = (x_j / unit_j) / (x_0 / unit_0) of
+    /// homogeneous, scaled x.
     pub unit: Vec<f64>,
     /// What residuals were divided by: the largest target.
     pub magnitude: f64,
-    /// Whether the first column has the coefficient 1: else any coefficients will do, up to a factor.
+    /// Whether the first column has the coefficient 1: else any coefficients will do, up to a
+    /// factor.
     pub affine: bool,
 }
 
@@ -126,7 +128,8 @@ impl Columns {
         x[1..].iter().zip(&self.unit[1..]).map(|(x, unit)| x / unit / one).collect()
     }
 
-    /// The first coefficient whose column the earlier ones can replace, by Gram-Schmidt on the columns of (R, D).
+    /// The first coefficient whose column the earlier ones can replace, by Gram-Schmidt on the
+    /// columns of (R, D).
     pub fn dependent(&self) -> Option<usize> {
         let mut basis: Vec<Vec<f64>> = Vec::new();
         for j in 1..self.residual.len() {

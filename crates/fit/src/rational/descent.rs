@@ -60,12 +60,14 @@ impl<'a> Descent<'a> {
             }
         }
         let x = descent.largest_denominators()?;
-        // The program has found positive denominators that its own solution does not have: the margin is one of rounding.
+        // The program has found positive denominators that its own solution does not have: the
+        // margin is one of rounding.
         descent.move_to(x).map_err(|_| descent.refused(Failure::Unproven))?;
         Ok(descent)
     }
 
-    /// Starts at homogeneous coefficients, scaled, without constraints; none if a denominator is not positive there.
+    /// Starts at homogeneous coefficients, scaled, without constraints; none if a denominator is
+    /// not positive there.
     pub fn at(columns: &'a Columns, x: Vec<f64>) -> Option<Descent<'a>> {
         let mut descent = Descent {
             columns,
@@ -80,7 +82,8 @@ impl<'a> Descent<'a> {
         descent.move_to(x).ok().map(|()| descent)
     }
 
-    /// One program: whether there are coefficients with residuals below a level. They are taken if so.
+    /// One program: whether there are coefficients with residuals below a level. They are taken if
+    /// so.
     pub fn falls_below(&mut self, level: f64) -> bool {
         if self.level <= level {
             return true;
@@ -93,7 +96,8 @@ impl<'a> Descent<'a> {
         z.is_some_and(|z| z < 0.0) && self.move_to(vertex.x).is_ok()
     }
 
-    /// The homogeneous coefficients reached, scaled, and the largest residual there in units of the columns' magnitude.
+    /// The homogeneous coefficients reached, scaled, and the largest residual there in units of the
+    /// columns' magnitude.
     pub fn reached(&self) -> (&[f64], f64) {
         (&self.x, self.level)
     }
@@ -110,7 +114,8 @@ impl<'a> Descent<'a> {
         Ok(())
     }
 
-    /// Homogeneous coefficients where the smallest denominator is largest, in units of the samples' sizes.
+    /// Homogeneous coefficients where the smallest denominator is largest, in units of the samples'
+    /// sizes.
     fn largest_denominators(&mut self) -> Result<Vec<f64>, FitError> {
         let mut program = Level::new(self.columns, &[], None, self.columns.size.clone());
         let solved = program.solve(&[]);
@@ -172,7 +177,8 @@ impl<'a> Descent<'a> {
     pub fn run(&mut self) -> Result<(), FitError> {
         let mut admissible = self.admissible();
         if !admissible {
-            // A level from inadmissible coefficients may lie below every admissible one; a program at any level finds those.
+            // A level from inadmissible coefficients may lie below every admissible one; a program
+            // at any level finds those.
             self.level = self.level.max(NOISE).max(f64::MIN_POSITIVE);
         }
         while !admissible || self.level > NOISE {
@@ -185,7 +191,8 @@ impl<'a> Descent<'a> {
             let mut vertex = match solved {
                 Ok(vertex) => vertex,
                 Err(failure) if !admissible => return Err(self.refused(failure)),
-                // Close to the optimum a program may fail to say what the proof will: that nothing is left to gain.
+                // Close to the optimum a program may fail to say what the proof will: that nothing
+                // is left to gain.
                 Err(_) => break,
             };
             self.active = vertex.active.iter().map(|(id, _)| *id).collect();

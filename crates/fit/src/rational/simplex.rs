@@ -1,13 +1,16 @@
-//! A dense dual simplex for programs of few variables and many rows, which are priced by a callback: the rows are never stored.
+//! A dense dual simplex for programs of few variables and many rows, which are priced by a
+//! callback: the rows are never stored.
 //!
-//! minimise c x subject to a_i x <= b_i. A vertex is the solution of k active rows; y >= 0 with c + sum y_i a_i = 0 proves that no
-//! x that keeps the active rows has a smaller c x. The most violated row enters, the active row whose y reaches 0 first leaves.
+//! minimise c x subject to a_i x <= b_i. A vertex is the solution of k active rows; y >= 0 with c +
+//! sum y_i a_i = 0 proves that no x that keeps the active rows has a smaller c x. The most violated
+//! row enters, the active row whose y reaches 0 first leaves.
 
 /// Rows of a program.
 pub(super) trait Rows {
     /// Name of a row.
     type Id: Copy + PartialEq;
-    /// The row that `x` violates most, by a measure that is comparable between rows; none if all hold.
+    /// The row that `x` violates most, by a measure that is comparable between rows; none if all
+    /// hold.
     fn worst(&mut self, x: &[f64]) -> Option<Self::Id>;
     /// Writes the coefficients of a row and gives its right side.
     fn row(&self, id: Self::Id, into: &mut [f64]) -> f64;
@@ -18,8 +21,9 @@ pub(super) trait Rows {
 /// Why a program has no solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Failure {
-    /// The rows contradict one another, by multipliers that prove it for the rows as they are in floating point: what combining them
-    /// may have rounded is counted, what computing their entries has rounded is not.
+    /// The rows contradict one another, by multipliers that prove it for the rows as they are in
+    /// floating point: what combining them may have rounded is counted, what computing their
+    /// entries has rounded is not.
     Infeasible,
     /// The rows seem to contradict one another, but rounding could account for it.
     Unproven,
@@ -46,8 +50,8 @@ const NONNEGATIVE: f64 = 1e-12;
 /// A pivot below this part of the largest is not taken.
 const PIVOT: f64 = 1e-9;
 
-/// Solves: minimise the last variable. `start` are k rows with non-negative multipliers; where their multipliers are not,
-/// `fallback` is used.
+/// Solves: minimise the last variable. `start` are k rows with non-negative multipliers; where
+/// their multipliers are not, `fallback` is used.
 pub(super) fn minimise_last<R: Rows>(
     rows: &mut R,
     start: &[R::Id],
@@ -83,8 +87,8 @@ pub(super) fn minimise_last<R: Rows>(
     Err(Failure::Numerical)
 }
 
-/// Rows combined with multipliers y >= 0: c + sum y a, and sum y b, each with what rounding may have done to it. The rows' entries
-/// are taken as exact.
+/// Rows combined with multipliers y >= 0: c + sum y a, and sum y b, each with what rounding may
+/// have done to it. The rows' entries are taken as exact.
 struct Combined {
     left: Vec<f64>,
     left_error: Vec<f64>,
@@ -96,7 +100,8 @@ impl Combined {
     fn of<R: Rows>(rows: &R, multipliers: impl Iterator<Item = (R::Id, f64)>, cost: Vec<f64>) -> Combined {
         let k = cost.len();
         let mut all = Combined { left: cost, left_error: vec![0.0; k], right: 0.0, right_error: 0.0 };
-        // Running error bound (Higham 2002, section 3.3): each product and each sum rounds by at most half an epsilon of itself.
+        // Running error bound (Higham 2002, section 3.3): each product and each sum rounds by at
+        // most half an epsilon of itself.
         let add = |sum: &mut f64, error: &mut f64, product: f64| {
             *sum += product;
             *error += 0.5 * f64::EPSILON * (product.abs() + sum.abs());
@@ -112,7 +117,8 @@ impl Combined {
         all
     }
 
-    /// For every x within reach that keeps the rows, c x is at least this: c x >= (c + sum y a) x - sum y b.
+    /// For every x within reach that keeps the rows, c x is at least this: c x >= (c + sum y a) x -
+    /// sum y b.
     fn least<R: Rows>(&self, rows: &R) -> f64 {
         let left = self.left.iter().zip(&self.left_error).enumerate();
         let lost: f64 = left.map(|(j, (v, error))| (v.abs() + error) * rows.reach(j)).sum();
@@ -121,7 +127,8 @@ impl Combined {
 }
 
 impl<I: Copy + PartialEq> Vertex<I> {
-    /// What no x within reach that keeps the rows has a smaller last variable than, by the multipliers alone, rounding counted.
+    /// What no x within reach that keeps the rows has a smaller last variable than, by the
+    /// multipliers alone, rounding counted.
     pub fn proven<R: Rows<Id = I>>(&self, rows: &R) -> f64 {
         let mut cost = vec![0.0; self.x.len()];
         cost[self.x.len() - 1] = 1.0;
@@ -161,7 +168,8 @@ impl<I: Copy + PartialEq> Basis<I> {
         self.inverse[(self.k - 1) * self.k..].iter().map(|v| -v).collect()
     }
 
-    /// The active row that leaves when one with these coefficients enters; none if no x keeps it beside the active ones.
+    /// The active row that leaves when one with these coefficients enters; none if no x keeps it
+    /// beside the active ones.
     fn leaving(&self, entering: &[f64]) -> Option<usize> {
         let w = self.shares(entering);
         let top = w.iter().fold(0.0_f64, |m, w| m.max(w.abs()));
@@ -174,8 +182,8 @@ impl<I: Copy + PartialEq> Basis<I> {
         ties.reduce(|best, j| if w[j] > w[best] { j } else { best })
     }
 
-    /// Whether a row that nothing leaves for contradicts the active ones: it is minus a combination of theirs with multipliers y >= 0,
-    /// and the right sides so combined are below 0 (Farkas).
+    /// Whether a row that nothing leaves for contradicts the active ones: it is minus a combination
+    /// of theirs with multipliers y >= 0, and the right sides so combined are below 0 (Farkas).
     fn contradiction<R: Rows<Id = I>>(&self, rows: &R, id: I) -> Failure {
         let mut row = vec![0.0; self.k];
         rows.row(id, &mut row);
@@ -212,7 +220,8 @@ impl<I: Copy + PartialEq> Basis<I> {
     }
 }
 
-/// The inverse of a k x k matrix by elimination with row pivots; none if it is singular in floating point.
+/// The inverse of a k x k matrix by elimination with row pivots; none if it is singular in floating
+/// point.
 fn invert(mut a: Vec<f64>, k: usize) -> Option<Vec<f64>> {
     let mut inverse = vec![0.0; k * k];
     (0..k).for_each(|i| inverse[i * k + i] = 1.0);
@@ -283,7 +292,8 @@ mod tests {
         assert!(vertex.active.iter().all(|(id, y)| *id >= 3 && (*y - 0.5).abs() < 1e-14));
         rows.0.push((vec![-1.0, 0.0], -6.0));
         assert_eq!(minimise_last(&mut rows, &[], &[0, 1]).err(), Some(Failure::Infeasible));
-        // The same contradiction with a way out 1e5 away, along a pivot too small to be taken: not called one.
+        // The same contradiction with a way out 1e5 away, along a pivot too small to be taken: not
+        // called one.
         let far = Listed(vec![
             (vec![-1.0, 0.0, 0.0], 1e6),
             (vec![0.0, 1.0, 0.0], 1.0),

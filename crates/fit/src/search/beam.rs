@@ -1,7 +1,8 @@
-//! The search: at every cost the best forms of each family so far are built upon, until nothing new is found or the sweeps are over.
+//! The search: at every cost the best forms of each family so far are built upon, until nothing new
+//! is found or the sweeps are over.
 //!
-//! Families keep apart what would crowd one another out: a small quotient is worse than a polynomial of its cost, and grows into
-//! something better.
+//! Families keep apart what would crowd one another out: a small quotient is worse than a
+//! polynomial of its cost, and grows into something better.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,7 +25,8 @@ pub(super) struct Entry {
     expanded: bool,
 }
 
-/// A dearer form is kept to be built upon if its error is below this multiple of the best of the cheaper ones.
+/// A dearer form is kept to be built upon if its error is below this multiple of the best of the
+/// cheaper ones.
 const WORSE: f64 = 1.6;
 
 /// Entries of each cost and family, best first.
@@ -157,7 +159,8 @@ fn better(a: &Entry, b: &Entry) -> std::cmp::Ordering {
 /// A coefficient below this part of the largest is not divided by.
 const SMALL: f64 = 1e-4;
 
-/// Whether the form can be scaled so that the coefficient of this term is 1: it is not next to 0, and positive in Q.
+/// Whether the form can be scaled so that the coefficient of this term is 1: it is not next to 0,
+/// and positive in Q.
 pub(super) fn usable(form: &Form, score: &Score, term: usize) -> bool {
     let top = score.coefficients.iter().fold(0.0_f64, |t, c| t.max(c.abs()));
     let value = score.coefficients[term];

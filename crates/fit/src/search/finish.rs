@@ -14,8 +14,8 @@ use lobefit_shade::{Domain, Hypothesis, prove_regular};
 /// Forms of each cost that are solved on all samples.
 const FINALISTS: usize = 4;
 
-/// The best forms of every cost of a beam, those without the helpers that were admitted among them: solved on samples of what is put
-/// into the space's link and measured on samples of the value.
+/// The best forms of every cost of a beam, those without the helpers that were admitted among them:
+/// solved on samples of what is put into the space's link and measured on samples of the value.
 pub(super) fn solved(
     space: &Space,
     linked: &SearchSamples,
@@ -74,7 +74,8 @@ fn solve(
     finished(&draft, &columns, samples, space.domain.as_ref(), bound, polished)
 }
 
-/// A drafted formula measured on samples, its constants polished if asked for; none where it has a pole.
+/// A drafted formula measured on samples, its constants polished if asked for; none where it has a
+/// pole.
 pub(super) fn finished(
     draft: &Draft,
     columns: &dyn Fn(&str) -> Vec<f64>,
@@ -88,7 +89,8 @@ pub(super) fn finished(
     let all = Samples { inputs, scale: samples.scale.clone(), target: samples.target.clone() };
     let mut found = measured(domain, hypothesis, &all, bound)?;
     if polish {
-        // The linear programs have left the helpers' constants where they were, and took a link for its tangent.
+        // The linear programs have left the helpers' constants where they were, and took a link for
+        // its tangent.
         let options = Options { starts: 1, ..Options::new(Norm::Max) };
         let polished = optimise(&draft.hypothesis(&draft.values)?, &all, &[], &options);
         let polished = polished.ok().filter(|p| p.coefficients.iter().all(|c| c.is_finite()));

@@ -6,7 +6,8 @@ use super::space::{SLOTS, Space};
 /// A product of powers of the axes and helpers.
 pub(super) type Term = [u8; SLOTS];
 
-/// Terms of P and Q, sorted; Q is empty for a polynomial. One coefficient of a quotient is fixed by scaling.
+/// Terms of P and Q, sorted; Q is empty for a polynomial. One coefficient of a quotient is fixed by
+/// scaling.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Form {
     pub over: Vec<Term>,
@@ -26,8 +27,8 @@ impl Form {
         self.over.len() + self.under.len().saturating_sub(1)
     }
 
-    /// Sorted, without what cancels, if it is a form of the space: some terms above, not a lone one below, exact where the anchor
-    /// asks, helpers used.
+    /// Sorted, without what cancels, if it is a form of the space: some terms above, not a lone one
+    /// below, exact where the anchor asks, helpers used.
     pub fn canonical(mut self, space: &Space) -> Option<Form> {
         for terms in [&mut self.over, &mut self.under] {
             terms.sort_unstable();

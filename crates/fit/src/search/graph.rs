@@ -1,4 +1,5 @@
-//! Operations with common ones once, and their text: what is printed has the operations that were counted.
+//! Operations with common ones once, and their text: what is printed has the operations that were
+//! counted.
 
 use std::collections::BTreeMap;
 
@@ -111,7 +112,8 @@ impl Graph {
         Tape::of_ops(kept, 0).cost_ops()
     }
 
-    /// The body of a function that returns `result`: a line for every named value and every value that is used twice.
+    /// The body of a function that returns `result`: a line for every named value and every value
+    /// that is used twice.
     pub fn text(&self, result: Node, arguments: &[String], coefficients: &[String]) -> String {
         let needed = self.needed(result);
         let mut users = vec![0; self.ops.len()];
@@ -183,7 +185,8 @@ impl Text<'_> {
                 Bond::Product,
             ),
             Op::Binary(_, a, b) => {
-                // A product in brackets stays one: the order of the multiplications is part of the formula.
+                // A product in brackets stays one: the order of the multiplications is part of the
+                // formula.
                 let (a, b) = if self.weight(b) < self.weight(a) { (b, a) } else { (a, b) };
                 let left =
                     if self.product(a) { self.within(a, Bond::Product) } else { self.within(a, Bond::Whole) };

@@ -22,8 +22,8 @@ pub enum Helper {
         /// Power of x.
         power: u8,
     },
-    /// 1 / (x + k y^p) with a constant k: five operations. With p the power that makes both of one order, x and y^p times this are
-    /// homogeneous of degree 0.
+    /// 1 / (x + k y^p) with a constant k: five operations. With p the power that makes both of one
+    /// order, x and y^p times this are homogeneous of degree 0.
     Reciprocal {
         /// Axis of x.
         x: u8,

@@ -44,8 +44,9 @@ impl Link {
 
     /// Samples of p, whose residuals are about those of the value. None where a value has no p.
     ///
-    /// An error e of a value v is one of p(v + e) - p(v) of p; the factor between them is taken at one e for all samples, 1 % of the
-    /// largest target. The tangent (e = 0) would leave p free where the value is next to 0.
+    /// An error e of a value v is one of p(v + e) - p(v) of p; the factor between them is taken at
+    /// one e for all samples, 1 % of the largest target. The tangent (e = 0) would leave p free
+    /// where the value is next to 0.
     pub(super) fn linked(self, samples: &SearchSamples) -> Option<SearchSamples> {
         let mut linked = samples.clone();
         let largest = samples.target.iter().fold(0.0_f64, |top, t| top.max(t.abs()));

@@ -1,11 +1,14 @@
 //! A search over forms: which formula of a given cost comes closest?
 //!
-//! A form is a quotient of sums of terms, c_k times powers of the inputs (and of helpers: 1 - x, sqrt(x), 2^(-k x), 1 / (x + k y)),
-//! optionally anchored: 1 + P/Q with P = 0 where the value must be exact, and optionally put into a function as a whole, as 2^(P/Q).
-//! For each form linear programs give the smallest largest residual that it can have on the samples ([`super::rational`]), and the
-//! operations of the formula as written its cost. Beginning with the smallest forms, the best of every cost are changed by one step
-//! (a term added, dropped, moved, a factor, a helper) until nothing new is found. What is left is the frontier: every form that no
-//! cheaper or equal one beats. Which helpers and functions of the whole pay is tried beforehand ([`scout`]).
+//! A form is a quotient of sums of terms, c_k times powers of the inputs (and of helpers: 1 - x,
+//! sqrt(x), 2^(-k x), 1 / (x + k y)), optionally anchored: 1 + P/Q with P = 0 where the value must
+//! be exact, and optionally put into a function as a whole, as 2^(P/Q). For each form linear
+//! programs give the smallest largest residual that it can have on the samples
+//! ([`super::rational`]), and the operations of the formula as written its cost. Beginning with the
+//! smallest forms, the best of every cost are changed by one step (a term added, dropped, moved, a
+//! factor, a helper) until nothing new is found. What is left is the frontier: every form that no
+//! cheaper or equal one beats. Which helpers and functions of the whole pay is tried beforehand
+//! ([`scout`]).
 //!
 //! Deterministic for any number of threads.
 
@@ -49,7 +52,8 @@ pub struct Progress {
     pub max_ops: u32,
     /// Forms tried so far.
     pub forms: u64,
-    /// Smallest largest residual so far at this cost or below, on the samples that forms are ranked on.
+    /// Smallest largest residual so far at this cost or below, on the samples that forms are ranked
+    /// on.
     pub best: f64,
 }
 
@@ -64,15 +68,16 @@ pub struct Found {
     pub max: f64,
     /// Root of the mean square residual over the samples.
     pub rms: f64,
-    /// No other coefficients of this form have a smaller largest residual than this on the samples; 0 (nothing is proven) where
-    /// the form has constants inside helpers.
+    /// No other coefficients of this form have a smaller largest residual than this on the samples;
+    /// 0 (nothing is proven) where the form has constants inside helpers.
     pub bound: f64,
 }
 
 /// Searches a space; the frontier by rising cost and falling error.
 ///
 /// # Errors
-/// A space or samples that do not make sense, with what is wrong; no form at all within the budget ([`FitError::Solver`]).
+/// A space or samples that do not make sense, with what is wrong; no form at all within the budget
+/// ([`FitError::Solver`]).
 pub fn search(
     space: &Space,
     samples: &SearchSamples,
@@ -87,9 +92,10 @@ pub fn search(
     finish::best(found, &space.name, space.max_ops)
 }
 
-/// Operations beyond the budget that forms may have on their way, and the budget from which on they have none: good forms are often
-/// found by taking something away from a dearer one. Of the factors of the furnace, 13 operations reach 0.0218 without and 0.0198 with
-/// two more; from 16 on the search is wide enough, and slow.
+/// Operations beyond the budget that forms may have on their way, and the budget from which on they
+/// have none: good forms are often found by taking something away from a dearer one. Of the factors
+/// of the furnace, 13 operations reach 0.0218 without and 0.0198 with two more; from 16 on the
+/// search is wide enough, and slow.
 const BEYOND: u32 = 2;
 const WIDE: u32 = 16;
 

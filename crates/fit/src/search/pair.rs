@@ -67,8 +67,8 @@ const FINALISTS: usize = 3;
 /// Operations that two functions may have in common, or that a common division saves, at most.
 const COMMON: u32 = 8;
 
-/// Searches forms of u and of v, each residual weighted by the error that it makes; pairs them; and solves the best pairs: first u,
-/// then v for the u that was found. The frontier by rising cost.
+/// Searches forms of u and of v, each residual weighted by the error that it makes; pairs them; and
+/// solves the best pairs: first u, then v for the u that was found. The frontier by rising cost.
 ///
 /// # Errors
 /// As [`super::search`]; functions of different axes, a further argument that is nowhere below 1.
@@ -107,8 +107,8 @@ pub fn search_pair(
 }
 
 impl PairSamples {
-    /// Samples of u and of v by themselves, where the other is exact: an error of the one is multiplied by the most that the formula
-    /// makes of it.
+    /// Samples of u and of v by themselves, where the other is exact: an error of the one is
+    /// multiplied by the most that the formula makes of it.
     fn weighted(&self, second: &Second) -> [SearchSamples; 2] {
         let samples = |truth: &[f64], other: &[f64], of: fn(Pairing, f64, f64) -> f64| {
             let most = |y: &f64| self.at.iter().map(|t| of(second.pairing, *t, *y).abs()).fold(0.0, f64::max);
@@ -231,7 +231,8 @@ impl Way<'_> {
         finished(&draft, &columns, &all, self.pair.domain.as_ref(), bound, draft.constants > 0)
     }
 
-    /// Samples of the formula, those of the axes for every value of the further argument, and the column of that argument.
+    /// Samples of the formula, those of the axes for every value of the further argument, and the
+    /// column of that argument.
     fn whole(&self) -> (SearchSamples, Vec<f64>) {
         let times = self.samples.at.len();
         let axes: Vec<Vec<f64>> = self.samples.axes.iter().map(|column| column.repeat(times)).collect();

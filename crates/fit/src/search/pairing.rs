@@ -43,8 +43,8 @@ impl Pairing {
         }
     }
 
-    /// Largest error of the value, from those of u and of v with what they are multiplied by: between 0 and 1 both errors of a blend
-    /// are averaged, the others add up.
+    /// Largest error of the value, from those of u and of v with what they are multiplied by:
+    /// between 0 and 1 both errors of a blend are averaged, the others add up.
     pub(super) fn error(self, u: f64, v: f64) -> f64 {
         match self {
             Pairing::Mix | Pairing::Blend | Pairing::Rest => u.max(v),
@@ -90,8 +90,8 @@ fn quotient(graph: &mut Graph, top: Node, bottom: Node) -> Node {
     if graph.is_one(bottom) { top } else { graph.binary(BinaryOp::Divide, top, bottom) }
 }
 
-/// The cheapest way of writing two forms as one formula: each of them by itself, or a quotient of the whole. Common operations count
-/// once.
+/// The cheapest way of writing two forms as one formula: each of them by itself, or a quotient of
+/// the whole. Common operations count once.
 pub(super) fn write_pair(
     pairing: Pairing,
     spaces: [&Space; 2],
@@ -116,7 +116,8 @@ pub(super) fn write_pair(
     written.min_by_key(|(cost, _)| *cost)
 }
 
-/// A part as a quotient: of two sums, or (itself, 1). None where it has no sums to be a quotient of.
+/// A part as a quotient: of two sums, or (itself, 1). None where it has no sums to be a quotient
+/// of.
 fn value(graph: &mut Graph, sums: Sums, space: &Space, part: &Part, whole: bool) -> Option<[Node; 2]> {
     let base = space.base();
     if !whole {

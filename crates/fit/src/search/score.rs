@@ -39,7 +39,8 @@ impl<'a> Data<'a> {
         }
     }
 
-    /// The form's best coefficients, if their largest residual is below `cutoff`. `start`: coefficients of a form like it, by term.
+    /// The form's best coefficients, if their largest residual is below `cutoff`. `start`:
+    /// coefficients of a form like it, by term.
     pub fn score(&self, form: &Form, start: Option<&Known>, cutoff: f64) -> Option<Score> {
         let columns = self.columns(form)?;
         let n = columns.unit.len();
@@ -103,7 +104,8 @@ impl<'a> Data<'a> {
         column
     }
 
-    /// Columns of (R, D): a term t of Q gives ((scale anchor - target) t, t), one of P (scale t, 0).
+    /// Columns of (R, D): a term t of Q gives ((scale anchor - target) t, t), one of P (scale t,
+    /// 0).
     fn columns(&self, form: &Form) -> Option<Columns> {
         let helpers = self.helpers(form)?;
         let product = |term: &Term| self.product(term, &helpers);

@@ -23,8 +23,9 @@ pub enum Aid {
 pub struct Trial {
     /// What was tried.
     pub aid: Aid,
-    /// The part of the error that the aid took away, at the number of operations where that is most; 0 where no form with it is
-    /// better than one without, or where it cannot be: a value that the link does not take.
+    /// The part of the error that the aid took away, at the number of operations where that is
+    /// most; 0 where no form with it is better than one without, or where it cannot be: a value
+    /// that the link does not take.
     pub gain: f64,
     /// That number of operations.
     pub ops: u32,
@@ -48,8 +49,8 @@ const HELPERS: usize = 2;
 /// Samples of a narrow search, of all and of those on edges.
 const SAMPLES: [usize; 2] = [160, 100];
 
-/// Tries aids one by one: the smallest errors of a narrow search (width 4, two sweeps, at most 13 operations, few samples) with and
-/// without.
+/// Tries aids one by one: the smallest errors of a narrow search (width 4, two sweeps, at most 13
+/// operations, few samples) with and without.
 ///
 /// # Errors
 /// As [`super::search`], but for spaces without any form.
@@ -92,7 +93,8 @@ pub fn scout(
 
 type Levels = [Vec<Entry>];
 
-/// Where forms with a helper take most away from the error of those without, which are among the same levels too.
+/// Where forms with a helper take most away from the error of those without, which are among the
+/// same levels too.
 fn of_helper(helper: Helper, levels: &Levels, plain: &Levels) -> (f64, u32) {
     let has = |e: &Entry| e.form.helpers.iter().any(|h| h.kind == helper);
     let (with, without) = (least(levels, has), least(levels, |e| !has(e)));
@@ -100,7 +102,8 @@ fn of_helper(helper: Helper, levels: &Levels, plain: &Levels) -> (f64, u32) {
     most(&with, &without.iter().zip(plain).map(|(a, b)| a.min(b)).collect::<Vec<_>>())
 }
 
-/// The same of a link. Its levels are ranked by errors of what is put into it, so both are solved, and measured by those of the value.
+/// The same of a link. Its levels are ranked by errors of what is put into it, so both are solved,
+/// and measured by those of the value.
 fn of_link(
     (aided, linked, levels): (&Space, &SearchSamples, Vec<Vec<Entry>>),
     (space, samples, plain): (&Space, &SearchSamples, &Levels),

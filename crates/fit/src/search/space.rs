@@ -1,4 +1,5 @@
-//! What may be searched: inputs, the point where a form must be exact, helpers, limits; and the samples.
+//! What may be searched: inputs, the point where a form must be exact, helpers, limits; and the
+//! samples.
 
 use super::helper::Helper;
 use super::link::Link;
@@ -9,8 +10,8 @@ use lobefit_shade::{Domain, ShadeError};
 /// An independent input with the arguments that are its powers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchAxis {
-    /// Arguments of the formula, by name and power, rising: `[("roughness", 1), ("alpha", 2)]`. The first has power 1 and names
-    /// the axis. What is given as an argument costs nothing.
+    /// Arguments of the formula, by name and power, rising: `[("roughness", 1), ("alpha", 2)]`. The
+    /// first has power 1 and names the axis. What is given as an argument costs nothing.
     pub arguments: Vec<(String, u32)>,
     /// Highest power of this axis in a term.
     pub degree: u8,
@@ -28,7 +29,8 @@ pub struct Anchor {
 /// What is searched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Space {
-    /// Beginning of the names of the formulas that are found; their operations are appended: `ggx_norm_` gives `ggx_norm_13`.
+    /// Beginning of the names of the formulas that are found; their operations are appended:
+    /// `ggx_norm_` gives `ggx_norm_13`.
     pub name: String,
     /// First line of their documentation.
     pub title: String,
@@ -36,11 +38,13 @@ pub struct Space {
     pub axes: Vec<SearchAxis>,
     /// Where forms must be exact; none: forms are plain quotients.
     pub anchor: Option<Anchor>,
-    /// Name of a further argument t, none of the axes: the formulas are 1 - t times forms, and searched for t = 0.
+    /// Name of a further argument t, none of the axes: the formulas are 1 - t times forms, and
+    /// searched for t = 0.
     pub faded: Option<String>,
     /// Functions of the inputs that may be factors of terms.
     pub helpers: Vec<Helper>,
-    /// Those of the helpers that are there because they paid: the best forms without them are measured too.
+    /// Those of the helpers that are there because they paid: the best forms without them are
+    /// measured too.
     pub admitted: Vec<Helper>,
     /// What every form's value is put into.
     pub link: Option<Link>,
@@ -54,7 +58,8 @@ pub struct Space {
     pub sweeps: usize,
     /// Most free coefficients.
     pub coefficients: usize,
-    /// Where the forms must have no pole; axes and derived inputs named as the arguments are. None: not proven.
+    /// Where the forms must have no pole; axes and derived inputs named as the arguments are. None:
+    /// not proven.
     pub domain: Option<Domain>,
 }
 
@@ -73,7 +78,8 @@ pub struct SearchSamples {
 pub(super) const SLOTS: usize = 6;
 
 impl Space {
-    /// A space over axes with the usual limits: width 24, 3 sweeps, 14 coefficients, no helpers, no anchor.
+    /// A space over axes with the usual limits: width 24, 3 sweeps, 14 coefficients, no helpers, no
+    /// anchor.
     pub fn new(name: &str, axes: Vec<SearchAxis>, max_ops: u32) -> Space {
         Space {
             name: name.to_string(),

@@ -7,8 +7,8 @@ use super::space::Space;
 use super::writer::Writer;
 use lobefit_shade::tape::{BinaryOp, UnaryOp};
 
-/// How a form is nested: the slots that are taken out first, above and below, and the term whose coefficient is 1 (terms of P
-/// are counted after those of Q).
+/// How a form is nested: the slots that are taken out first, above and below, and the term whose
+/// coefficient is 1 (terms of P are counted after those of Q).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Layout {
     pub over: Vec<usize>,
@@ -32,8 +32,8 @@ pub(super) struct Written {
     pub names: Vec<String>,
 }
 
-/// The cheapest layout among: each order of slots for each of the sums by itself, then each unit. `may_be_unit` excludes terms
-/// whose coefficient is not a number to divide by.
+/// The cheapest layout among: each order of slots for each of the sums by itself, then each unit.
+/// `may_be_unit` excludes terms whose coefficient is not a number to divide by.
 pub(super) fn layout(space: &Space, form: &Form, may_be_unit: impl Fn(usize) -> bool) -> Option<Layout> {
     let slots = space.axes.len() + form.helpers.len();
     let orders = orders(slots);

@@ -8,7 +8,8 @@ use super::samples::{Samples, digits};
 use crate::FitError;
 use lobefit_shade::Tape;
 
-/// Rounding of a coefficient to f32 moves it by at most this part; twice, for what derivatives at one point leave out.
+/// Rounding of a coefficient to f32 moves it by at most this part; twice, for what derivatives at
+/// one point leave out.
 const ROUNDING: f64 = 2.0 / 16_777_216.0;
 
 /// Beyond rounding, solvers leave at most this part of max(|value|, 1).
@@ -88,10 +89,12 @@ impl<'a> Bounds<'a> {
         Ok(Bounds { constraints, objective: Objective::new(tape, points)?, rows, scales })
     }
 
-    /// Brings each constraint's rows to the size of the formula's own gradients there, `norms` being the sizes of its columns: the
-    /// differences of a monotone formula between near points are small, and would need large multipliers.
+    /// Brings each constraint's rows to the size of the formula's own gradients there, `norms`
+    /// being the sizes of its columns: the differences of a monotone formula between near points
+    /// are small, and would need large multipliers.
     ///
-    /// Where p is refused at a constraint's point, nothing is known there and the rows stay as they are.
+    /// Where p is refused at a constraint's point, nothing is known there and the rows stay as they
+    /// are.
     pub fn balance(&mut self, p: &[f64], norms: &[f64]) {
         let (Ok(f), Ok(g)) = (self.objective.linearise(p), self.linearise(p)) else { return };
         let (f, g) = (f.jacobian, g.jacobian);
@@ -153,7 +156,8 @@ impl<'a> Bounds<'a> {
         self.objective.samples
     }
 
-    /// Each row's point, other point, sign, value, and whether it is an equation: sign (f(point) - f(other) - value) >= 0.
+    /// Each row's point, other point, sign, value, and whether it is an equation: sign (f(point) -
+    /// f(other) - value) >= 0.
     pub fn asked(&self) -> impl Iterator<Item = (usize, Option<usize>, f64, f64, bool)> {
         self.rows.iter().map(|row| (row.at, row.other, row.sign, row.value, row.equal))
     }
@@ -161,7 +165,8 @@ impl<'a> Bounds<'a> {
     /// How each constraint holds once the coefficients are rounded to f32.
     ///
     /// # Errors
-    /// Coefficients that are no f32, or at which the formula leaves the reals at a constraint's point.
+    /// Coefficients that are no f32, or at which the formula leaves the reals at a constraint's
+    /// point.
     pub fn held(&self, p: &[f64]) -> Result<Vec<Held>, FitError> {
         let rounded: Vec<f64> = round_to_f32(p)?.into_iter().map(f64::from).collect();
         let refused = |_| super::route::refused(&self.objective, &rounded);

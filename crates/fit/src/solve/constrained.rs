@@ -1,4 +1,5 @@
-//! Coefficients within constraints: exact penalties from several starts, then a correction of what the programs leave.
+//! Coefficients within constraints: exact penalties from several starts, then a correction of what
+//! the programs leave.
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -14,8 +15,9 @@ use super::power::PNorm;
 use super::route::{Route, is_zero, ladder, refused};
 use crate::FitError;
 
-/// Weights of the norm against violations, tried in this order until the constraints are kept. With multipliers of order 1, as where
-/// residuals and the formula's values have like units, the first will do.
+/// Weights of the norm against violations, tried in this order until the constraints are kept. With
+/// multipliers of order 1, as where residuals and the formula's values have like units, the first
+/// will do.
 const WEIGHTS: [f64; 3] = [0.1, 1e-3, 1e-5];
 
 /// Newton steps of the last correction.
@@ -176,7 +178,8 @@ fn settle(
     Ok(Outcome { descent, over, cosine, evaluations })
 }
 
-/// Largest violation in tolerances; 0 where all constraints are kept; infinite where the coefficients are no f32.
+/// Largest violation in tolerances; 0 where all constraints are kept; infinite where the
+/// coefficients are no f32.
 fn over(bounds: &Bounds, p: &[f64]) -> f64 {
     match bounds.held(p) {
         Ok(held) => worst(&held).map_or(0.0, |i| held[i].worst / held[i].tolerance),

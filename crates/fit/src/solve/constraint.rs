@@ -12,8 +12,8 @@ pub struct Constraint {
     pub condition: Condition,
 }
 
-/// What has to hold at given points: one column per input of the formula, in the order of its arguments. It is asked of the
-/// formula's own value f, without the samples' scale and target.
+/// What has to hold at given points: one column per input of the formula, in the order of its
+/// arguments. It is asked of the formula's own value f, without the samples' scale and target.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Condition {
     /// f = values.

@@ -1,7 +1,8 @@
-//! Sequential programs in a trust region: the largest residual, or a p-norm within constraints, from a start.
+//! Sequential programs in a trust region: the largest residual, or a p-norm within constraints,
+//! from a start.
 //!
-//! What descends is weight * norm + violation, the exact penalty: with a small enough weight its minimum keeps every constraint
-//! that can be kept.
+//! What descends is weight * norm + violation, the exact penalty: with a small enough weight its
+//! minimum keeps every constraint that can be kept.
 
 use super::bounds::{Bounds, LinearBounds};
 use super::objective::{Linear, Objective, Refused, largest, rms};
@@ -56,14 +57,15 @@ struct Here {
 }
 
 impl<'a> Problem<'a> {
-    /// A predicted decrease below this part of the merit is none. The programs' solutions are good to some 1e-6 of the largest
-    /// error; the powers of a p-norm are flat at their minimum, so that coefficients are as good as the root of this.
+    /// A predicted decrease below this part of the merit is none. The programs' solutions are good
+    /// to some 1e-6 of the largest error; the powers of a p-norm are flat at their minimum, so that
+    /// coefficients are as good as the root of this.
     fn least_gain(&self) -> f64 {
         if self.norm.is_some() { 1e-13 } else { 1e-6 }
     }
 
-    /// A descent that comes to a halt with no more than this left to gain, by the programs' own bound, has arrived: steps that
-    /// promise less cannot be told from noise.
+    /// A descent that comes to a halt with no more than this left to gain, by the programs' own
+    /// bound, has arrived: steps that promise less cannot be told from noise.
     fn arrived(&self) -> f64 {
         if self.norm.is_some() { 1e-9 } else { 1e-4 }
     }
@@ -150,7 +152,8 @@ impl<'a> Problem<'a> {
         Ok(best)
     }
 
-    /// Where a step leads, if it is worth taking, and the part of the predicted gain that it brought.
+    /// Where a step leads, if it is worth taking, and the part of the predicted gain that it
+    /// brought.
     fn attempt(&self, here: &Here, best: &Descent, step: &Step) -> (Option<Vec<f64>>, f64) {
         let next: Vec<f64> = best.coefficients.iter().zip(&step.step).map(|(p, d)| p + d).collect();
         let Ok(residuals) = self.objective.residuals(&next) else { return (None, -1.0) };

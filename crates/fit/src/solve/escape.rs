@@ -1,6 +1,6 @@
-//! Whether a halt is a minimum. First-order conditions hold at saddles as well: where a product of parameters is 0, its derivatives
-//! vanish, whatever the product could gain. Here the second order is looked at, and the directions that the first does not see are
-//! walked.
+//! Whether a halt is a minimum. First-order conditions hold at saddles as well: where a product of
+//! parameters is 0, its derivatives vanish, whatever the product could gain. Here the second order
+//! is looked at, and the directions that the first does not see are walked.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 use rayon::prelude::*;
@@ -19,27 +19,31 @@ use lobefit_math::ops::pow;
 /// A search that ends lower by less than this part has found the same minimum.
 pub(super) const LOWER: f64 = 1e-6;
 
-/// Steps of the differences that make second derivatives, in units of a parameter's own size: the error of central ones is its
-/// square, that of rounding some 1e-16 divided by it.
+/// Steps of the differences that make second derivatives, in units of a parameter's own size: the
+/// error of central ones is its square, that of rounding some 1e-16 divided by it.
 const DIFFERENCE: f64 = 1e-4;
 
-/// Curvatures above minus this, in units of the norm's power per square unit of each parameter, are those of a minimum.
+/// Curvatures above minus this, in units of the norm's power per square unit of each parameter, are
+/// those of a minimum.
 const CURVED: f64 = 1e-6;
 
-/// Steps along a direction: the first, in units of each parameter, the factor to the next, and their number.
+/// Steps along a direction: the first, in units of each parameter, the factor to the next, and
+/// their number.
 const STEPS: (f64, f64, usize) = (1e-3, 4.0, 9);
 
-/// Points in a null space that searches are made from, and half the sides of the boxes that they lie in, by turns.
+/// Points in a null space that searches are made from, and half the sides of the boxes that they
+/// lie in, by turns.
 const POINTS: usize = 8;
 const BOXES: [f64; 2] = [1.0, 0.1];
 
-/// Residuals at least this part of the largest hold a minimax in place, and their gradients are independent above this part of the
-/// largest: those of one peak are nearly parallel.
+/// Residuals at least this part of the largest hold a minimax in place, and their gradients are
+/// independent above this part of the largest: those of one peak are nearly parallel.
 const ACTIVE: f64 = 1.0 - 1e-4;
 const INDEPENDENT: f64 = 1e-3;
 
-/// The search, or a better one that starts beside its end. Where more saddles would have to be left than the options allow, the
-/// best point in hand is returned, its end named a saddle: beside that nobody has looked.
+/// The search, or a better one that starts beside its end. Where more saddles would have to be left
+/// than the options allow, the best point in hand is returned, its end named a saddle: beside that
+/// nobody has looked.
 ///
 /// # Errors
 /// The driver of the searches fails.
@@ -64,7 +68,8 @@ pub(super) fn escaped(
     Ok(at)
 }
 
-/// The best of the searches from points beside a halt, if it is a better one; and whether second derivatives chose among the points.
+/// The best of the searches from points beside a halt, if it is a better one; and whether second
+/// derivatives chose among the points.
 fn better(
     objective: &Objective,
     at: &Search,
@@ -95,7 +100,8 @@ fn better(
     Ok((best.map(|b| Search { evaluations, ..b }), second_order))
 }
 
-/// The size of each parameter: its own magnitude, or what moves the residuals by their own size, at most 1.
+/// The size of each parameter: its own magnitude, or what moves the residuals by their own size, at
+/// most 1.
 fn units(p: &[f64], linear: &Linear) -> Vec<f64> {
     let length = linear.triangle.residual_norm();
     let norms = linear.triangle.column_norms();
@@ -136,8 +142,9 @@ fn steps() -> impl Iterator<Item = f64> {
     std::iter::successors(Some(first), move |t| Some(factor * t)).take(count)
 }
 
-/// Second derivatives of the mean power of the residuals, in units of the largest at the point, by central differences of its
-/// gradient; `None` where the formula is not finite beside the point, or a divisor changes its sign.
+/// Second derivatives of the mean power of the residuals, in units of the largest at the point, by
+/// central differences of its gradient; `None` where the formula is not finite beside the point, or
+/// a divisor changes its sign.
 fn hessian(
     objective: &Objective,
     p: &[f64],
@@ -184,15 +191,16 @@ fn gradient(linear: &Linear, norm: PNorm, unit: f64, units: &[f64]) -> Vec<f64> 
     sums.iter().map(|s| s / count).collect()
 }
 
-/// Directions that the Jacobian does not see, each as a row of parameters scaled by the lengths of the Jacobian's columns (1 for 0).
+/// Directions that the Jacobian does not see, each as a row of parameters scaled by the lengths of
+/// the Jacobian's columns (1 for 0).
 fn null(linear: &Linear) -> Vec<Vec<f64>> {
     let norms = linear.triangle.column_norms();
     let scale: Vec<f64> = norms.iter().map(|norm| if *norm > 0.0 { 1.0 / norm } else { 1.0 }).collect();
     kernel(&linear.triangle.scaled(), RANK_TOLERANCE, &scale)
 }
 
-/// Directions along which what holds an end does not change to first order: the residuals that hold a minimax, and the constraints that
-/// are no more than touched.
+/// Directions along which what holds an end does not change to first order: the residuals that hold
+/// a minimax, and the constraints that are no more than touched.
 fn tangent(linear: &Linear, held: Option<&LinearBounds>, goal: Goal) -> Vec<Vec<f64>> {
     let n = linear.triangle.r.ncols();
     let top = largest(&linear.residuals);
@@ -210,7 +218,8 @@ fn tangent(linear: &Linear, held: Option<&LinearBounds>, goal: Goal) -> Vec<Vec<
     kernel(&triangle.scaled(), INDEPENDENT, &scale)
 }
 
-/// An orthonormal basis of what a matrix maps to less than this part of its largest singular value, columns times `scale`.
+/// An orthonormal basis of what a matrix maps to less than this part of its largest singular value,
+/// columns times `scale`.
 pub(super) fn kernel(matrix: &DMatrix<f64>, part: f64, scale: &[f64]) -> Vec<Vec<f64>> {
     let svd = matrix.clone().svd(false, true);
     let top = svd.singular_values.iter().copied().fold(0.0, f64::max);
@@ -219,7 +228,8 @@ pub(super) fn kernel(matrix: &DMatrix<f64>, part: f64, scale: &[f64]) -> Vec<Vec
     small.map(|k| v.row(k).iter().zip(scale).map(|(v, s)| v * s).collect()).collect()
 }
 
-/// Points in the space of some directions about p: the box of their combinations, each scaled to move some parameter by its unit.
+/// Points in the space of some directions about p: the box of their combinations, each scaled to
+/// move some parameter by its unit.
 fn unseen(p: &[f64], units: &[f64], directions: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let size = |d: &[f64]| d.iter().zip(units).fold(0.0_f64, |top, (d, unit)| top.max((d / unit).abs()));
     let directions: Vec<(f64, &Vec<f64>)> =
@@ -239,9 +249,9 @@ fn unseen(p: &[f64], units: &[f64], directions: &[Vec<f64>]) -> Vec<Vec<f64>> {
     mixes[1..].iter().enumerate().map(moved).collect()
 }
 
-/// Points about the end of a descent, in the space that neither the largest residuals, where they are what is minimised, nor the
-/// constraints hold it in to first order, those with the smallest value first; none where as many hold it as there are parameters to
-/// move.
+/// Points about the end of a descent, in the space that neither the largest residuals, where they
+/// are what is minimised, nor the constraints hold it in to first order, those with the smallest
+/// value first; none where as many hold it as there are parameters to move.
 pub(super) fn beside(objective: &Objective, bounds: Option<&Bounds>, p: &[f64], goal: Goal) -> Vec<Vec<f64>> {
     let Ok(linear) = objective.linearise(p) else { return Vec::new() };
     let Ok(held) = bounds.map(|bounds| bounds.linearise(p)).transpose() else { return Vec::new() };

@@ -5,30 +5,33 @@ use super::rank;
 /// How a fit has ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Termination {
-    /// Least squares or p-norm: the residuals, weighted by the norm, are orthogonal to the Jacobian within this cosine.
-    /// [`Fitted::second_order`] says whether second derivatives were looked at.
+    /// Least squares or p-norm: the residuals, weighted by the norm, are orthogonal to the Jacobian
+    /// within this cosine. [`Fitted::second_order`] says whether second derivatives were looked at.
     Converged {
         /// Largest cosine between the residuals and a column of the Jacobian.
         cosine: f64,
     },
-    /// Minimax: the linear programs found nothing more to gain near these coefficients. Within constraints to first order only.
+    /// Minimax: the linear programs found nothing more to gain near these coefficients. Within
+    /// constraints to first order only.
     Minimax,
     /// Minimax: no coefficients whatsoever are better by more than the gap, by proof.
     GlobalMinimax,
-    /// On the edge of what the constraints allow: the programs found no step within them that gains anything to first order, and
-    /// searches from beside it ended no lower. Its second derivatives are not looked at.
+    /// On the edge of what the constraints allow: the programs found no step within them that gains
+    /// anything to first order, and searches from beside it ended no lower. Its second derivatives
+    /// are not looked at.
     Constrained,
     /// The formula reproduces the targets.
     ZeroResidual,
     /// The formula has no free parameters: there was nothing to fit.
     NoParameters,
-    /// A minimum, but some coefficients are undetermined: the formula has more parameters than it needs.
+    /// A minimum, but some coefficients are undetermined: the formula has more parameters than it
+    /// needs.
     RankDeficient {
         /// Number of determined combinations of parameters.
         rank: usize,
     },
-    /// Not known to be a minimum though derivatives vanish: saddle after saddle was left for lower ground beside it, and these
-    /// coefficients come from the last that was allowed.
+    /// Not known to be a minimum though derivatives vanish: saddle after saddle was left for lower
+    /// ground beside it, and these coefficients come from the last that was allowed.
     Saddle,
     /// Iterations used up.
     IterationCap,
@@ -39,7 +42,8 @@ pub enum Termination {
 }
 
 impl Termination {
-    /// Whether the coefficients are a minimum of the norm asked for, within constraints to first order.
+    /// Whether the coefficients are a minimum of the norm asked for, within constraints to first
+    /// order.
     pub fn is_converged(self) -> bool {
         !matches!(
             self,
@@ -56,10 +60,12 @@ impl Termination {
 pub enum SecondOrder {
     /// No direction of negative curvature leads to lower ground.
     Checked,
-    /// Second derivatives could not be computed: beside the end the formula is not finite, or a divisor changes its sign.
+    /// Second derivatives could not be computed: beside the end the formula is not finite, or a
+    /// divisor changes its sign.
     NotChecked,
-    /// The search does not use them: it ended short of a minimum, reproduced the targets, has a proof over all coefficients, or is one
-    /// of programs, which look at the first order and search from beside the end.
+    /// The search does not use them: it ended short of a minimum, reproduced the targets, has a
+    /// proof over all coefficients, or is one of programs, which look at the first order and search
+    /// from beside the end.
     Unused,
 }
 
@@ -77,12 +83,14 @@ impl SecondOrder {
 /// How far from the best possible the coefficients can be, as a part of the largest residual.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gap {
-    /// Proven over all coefficients: max (1 - gap) is a lower bound on what the formula can reach on these samples.
+    /// Proven over all coefficients: max (1 - gap) is a lower bound on what the formula can reach
+    /// on these samples.
     Global(f64),
-    /// What the last linear program could still have gained near these coefficients; infinite if its trust region held every step
-    /// back. Says nothing of other valleys.
+    /// What the last linear program could still have gained near these coefficients; infinite if
+    /// its trust region held every step back. Says nothing of other valleys.
     Local(f64),
-    /// Not known: the goal is not the largest residual, or a part of all coefficients could be neither searched nor excluded.
+    /// Not known: the goal is not the largest residual, or a part of all coefficients could be
+    /// neither searched nor excluded.
     Unknown,
 }
 
@@ -97,7 +105,8 @@ impl Gap {
 }
 
 impl Fitted {
-    /// Whether [`Fitted::undetermined`] says of this parameter that it does not matter, or has no derivative.
+    /// Whether [`Fitted::undetermined`] says of this parameter that it does not matter, or has no
+    /// derivative.
     pub fn is_idle(&self, parameter: &str) -> bool {
         [false, true].iter().any(|in_steps| self.undetermined.contains(&rank::idle(parameter, *in_steps)))
     }
@@ -108,8 +117,8 @@ impl Fitted {
         self.undetermined.iter().any(|sentence| sentence.contains(&quoted))
     }
 
-    /// Whether the coefficients are where no step within the constraints gains anything to first order and searches from beside it end
-    /// no lower: the second derivatives are not looked at.
+    /// Whether the coefficients are where no step within the constraints gains anything to first
+    /// order and searches from beside it end no lower: the second derivatives are not looked at.
     pub fn is_first_order(&self) -> bool {
         !self.constraints.is_empty() && self.stages.iter().any(|stage| stage.method == Method::Programs)
     }
@@ -123,9 +132,11 @@ pub enum Method {
     LeastSquares,
     /// Levenberg-Marquardt on the residuals weighted by |residual|^(p-2).
     Power(f64),
-    /// Linear programs in a trust region, or quadratic ones where the goal is not the maximum and there are constraints.
+    /// Linear programs in a trust region, or quadratic ones where the goal is not the maximum and
+    /// there are constraints.
     Programs,
-    /// Quadratic programs: of coefficients with one largest residual, those of the least mean square.
+    /// Quadratic programs: of coefficients with one largest residual, those of the least mean
+    /// square.
     Ties,
     /// Differential correction: linear programs whose solution is the best of all coefficients.
     DifferentialCorrection,
@@ -176,14 +187,15 @@ pub struct Fitted {
     pub evaluations: u64,
     /// How far `max` may be from the best possible.
     pub gap: Gap,
-    /// No coefficients bring the largest residual on these samples below this, by proof; none where nothing is proven.
+    /// No coefficients bring the largest residual on these samples below this, by proof; none where
+    /// nothing is proven.
     pub bound: Option<f64>,
     /// Combinations of parameters that the samples, and the constraints, determine.
     pub rank: usize,
     /// What is wrong with the others, in words that name the parameters: "`c` does not matter", ...
     pub undetermined: Vec<String>,
-    /// Whether the formula determines no more of them at any start of the search: the formula's fault, and not that of where the search
-    /// ended.
+    /// Whether the formula determines no more of them at any start of the search: the formula's
+    /// fault, and not that of where the search ended.
     pub undetermined_everywhere: bool,
     /// The stages of the search that led here, in order.
     pub stages: Vec<Stage>,

@@ -1,4 +1,5 @@
-//! The globally best largest residual of formulas that are recognised as quotients of affine expressions.
+//! The globally best largest residual of formulas that are recognised as quotients of affine
+//! expressions.
 
 use super::bounds::Bounds;
 use super::fitted::{Gap, Method, SecondOrder, Stage, Termination};
@@ -15,9 +16,9 @@ const CLOSED: f64 = 1e-4;
 /// Denominators at a constraint's points are at least this part of their largest term.
 const FLOOR: f64 = 1e-7;
 
-/// The best coefficients, whose denominator keeps its sign from sample to sample as it does at `start`, or has the opposite one
-/// everywhere. None if the formula is no such quotient, a constraint is not linear in its parameters, or the programs fail:
-/// other routes remain.
+/// The best coefficients, whose denominator keeps its sign from sample to sample as it does at
+/// `start`, or has the opposite one everywhere. None if the formula is no such quotient, a
+/// constraint is not linear in its parameters, or the programs fail: other routes remain.
 pub(super) fn global(objective: &Objective, bounds: Option<&Bounds>, start: &[f64]) -> Option<Route> {
     let samples = objective.samples;
     let rows = recognise(objective.tape, &samples.inputs, samples.len())?;
@@ -48,7 +49,8 @@ pub(super) fn global(objective: &Objective, bounds: Option<&Bounds>, start: &[f6
             }
             // Proven that no coefficients turn every denominator round: nothing to find there.
             Err(FitError::NoDenominator { .. } | FitError::Infeasible { .. }) if *flip < 0.0 => {}
-            // Neither searched nor excluded: what was found on this side is not claimed to be the best of both.
+            // Neither searched nor excluded: what was found on this side is not claimed to be the
+            // best of both.
             Err(_) if *flip < 0.0 => bound = None,
             Err(_) => return None,
         }
@@ -56,7 +58,8 @@ pub(super) fn global(objective: &Objective, bounds: Option<&Bounds>, start: &[f6
     arrive(objective, bounds, best?, bound, programs)
 }
 
-/// The optimum as a route, if the samples (and the constraints, rounding to f32 included) accept it.
+/// The optimum as a route, if the samples (and the constraints, rounding to f32 included) accept
+/// it.
 fn arrive(
     objective: &Objective,
     bounds: Option<&Bounds>,
@@ -90,8 +93,9 @@ fn arrive(
     })
 }
 
-/// Coefficients of a quotient whose denominators all have one sign, whatever they are at the declared starts: those with the smallest
-/// largest residual. None if the formula is no such quotient, or there are none.
+/// Coefficients of a quotient whose denominators all have one sign, whatever they are at the
+/// declared starts: those with the smallest largest residual. None if the formula is no such
+/// quotient, or there are none.
 pub(super) fn seed(objective: &Objective) -> Option<Vec<f64>> {
     let samples = objective.samples;
     let rows = recognise(objective.tape, &samples.inputs, samples.len())?;
@@ -103,7 +107,8 @@ pub(super) fn seed(objective: &Objective) -> Option<Vec<f64>> {
             scale: samples.scale.clone(),
             target: samples.target.clone(),
         };
-        // A sign that no coefficients have is one fewer; that none is left is the caller's to report.
+        // A sign that no coefficients have is one fewer; that none is left is the caller's to
+        // report.
         minimax(&problem, &[], None).ok()
     });
     let best = best.reduce(|a, b| if b.max < a.max { b } else { a })?;
@@ -129,8 +134,8 @@ fn by_row(matrix: &[f64], factors: &[f64]) -> Vec<f64> {
 }
 
 impl Bounds<'_> {
-    /// The constraints as rows that are linear in the parameters, denominators having the sign that they have at `start`, times
-    /// `flip`. None if they are not linear.
+    /// The constraints as rows that are linear in the parameters, denominators having the sign that
+    /// they have at `start`, times `flip`. None if they are not linear.
     fn rows(&self, start: &[f64], flip: f64) -> Option<Vec<Row>> {
         let points = self.points();
         let rows = recognise(self.tape(), &points.inputs, points.len())?;

@@ -8,7 +8,8 @@ use super::reduce::Triangle;
 use super::route::is_zero;
 use crate::FitError;
 
-/// A search that comes to a halt with residuals this much of the targets times 1e-14 has reproduced them: rounding hides the rest.
+/// A search that comes to a halt with residuals this much of the targets times 1e-14 has reproduced
+/// them: rounding hides the rest.
 const NEARLY_ZERO: f64 = 0.01;
 
 /// Trials of larger damping before an iteration gives up.
@@ -92,8 +93,9 @@ pub(super) fn search(
     Ok(Ok(Search { coefficients, value, rms, max, end, rank, norms, evaluations, second_order }))
 }
 
-/// Undamped steps from a halt beside a minimum, as long as each makes the residuals more orthogonal: there the norm is flat to rounding, so
-/// that its differences no longer tell which way is down, and the gradient still does.
+/// Undamped steps from a halt beside a minimum, as long as each makes the residuals more
+/// orthogonal: there the norm is flat to rounding, so that its differences no longer tell which way
+/// is down, and the gradient still does.
 fn polished(objective: &Objective, norm: PNorm, start: Vec<f64>, linear: Linear) -> (Vec<f64>, Linear, f64) {
     let mut best = (start, linear);
     let mut model = norm.model(&best.1).triangle;

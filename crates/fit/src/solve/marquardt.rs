@@ -1,7 +1,9 @@
-//! Levenberg-Marquardt as an argmin solver, for whatever has a value and beside it a model |R d + q|^2 of its squares.
+//! Levenberg-Marquardt as an argmin solver, for whatever has a value and beside it a model |R d +
+//! q|^2 of its squares.
 //!
-//! For norms of p > 2 it was preferred to L-BFGS: the weighted problem has the same cost per iteration and converges quadratically, where
-//! L-BFGS takes hundreds of evaluations on rational forms and its line search gives up early.
+//! For norms of p > 2 it was preferred to L-BFGS: the weighted problem has the same cost per
+//! iteration and converges quadratically, where L-BFGS takes hundreds of evaluations on rational
+//! forms and its line search gives up early.
 
 use argmin::core::{
     Error, Executor, IterState, KV, Problem, Solver, State, TerminationReason, TerminationStatus,
@@ -117,7 +119,8 @@ pub fn least<S: Squares>(squares: &S, start: &[f64], limits: Limits) -> Result<L
 
 type Walk = IterState<Vec<f64>, (), (), (), (), f64>;
 
-/// Levenberg-Marquardt with Nielsen's damping and Moré's scaling (columns of the largest length seen).
+/// Levenberg-Marquardt with Nielsen's damping and Moré's scaling (columns of the largest length
+/// seen).
 struct Marquardt<'a, S: Squares> {
     squares: &'a S,
     limits: Limits,
@@ -157,7 +160,8 @@ impl<S: Squares> Solver<(), Walk> for Marquardt<'_, S> {
 }
 
 impl<S: Squares> Marquardt<'_, S> {
-    /// The next point and its value, with damping raised until the value shrinks. `None` if nothing shrinks it.
+    /// The next point and its value, with damping raised until the value shrinks. `None` if nothing
+    /// shrinks it.
     fn advance(&mut self, at: &[f64], model: &S::Model) -> Option<(Vec<f64>, f64)> {
         let (triangle, longest) = (self.squares.triangle(model), self.limits.longest);
         let near = triangle.orthogonality() <= NEARLY_ORTHOGONAL;

@@ -42,14 +42,14 @@ const TINY: f64 = 1e-30;
 
 /// Fits the free parameters of a hypothesis to samples. Deterministic for any number of threads.
 ///
-/// The search starts from the declared values and from points around them; coefficients at which a residual is not
-/// finite, or a divisor changes sign among the samples, are never accepted. Whether the formula has a pole between
-/// the samples is [`lobefit_shade::prove_regular`]'s to say.
+/// The search starts from the declared values and from points around them; coefficients at which a
+/// residual is not finite, or a divisor changes sign among the samples, are never accepted. Whether
+/// the formula has a pole between the samples is [`lobefit_shade::prove_regular`]'s to say.
 ///
 /// # Errors
-/// Data that are not finite or of the wrong shape, with the index; a p-norm's power out of range; no start at which the formula is
-/// finite at every sample and its divisors keep their sign, with what the declared one runs into and where; a constraint that no
-/// coefficients found obey.
+/// Data that are not finite or of the wrong shape, with the index; a p-norm's power out of range;
+/// no start at which the formula is finite at every sample and its divisors keep their sign, with
+/// what the declared one runs into and where; a constraint that no coefficients found obey.
 pub fn optimise(
     hypothesis: &Hypothesis,
     samples: &Samples,
@@ -133,7 +133,8 @@ fn finish(
     })
 }
 
-/// Whether the samples determine fewer parameters than there are at every start that can be evaluated.
+/// Whether the samples determine fewer parameters than there are at every start that can be
+/// evaluated.
 fn nowhere_full(hypothesis: &Hypothesis, objective: &Objective, options: &Options) -> bool {
     let declared = hypothesis.starts();
     let mut starts = starts::starts(&declared, options.starts.max(STARTS), options.spread);
@@ -143,11 +144,12 @@ fn nowhere_full(hypothesis: &Hypothesis, objective: &Objective, options: &Option
     !starts.iter().any(full)
 }
 
-/// Starts at which the rank is looked at, at least: where a product is 0 a parameter in it does nothing.
+/// Starts at which the rank is looked at, at least: where a product is 0 a parameter in it does
+/// nothing.
 const STARTS: usize = 4;
 
-/// Largest and root mean square residual of a formula at its starting coefficients; none where it is not finite or a divisor
-/// changes sign among the samples.
+/// Largest and root mean square residual of a formula at its starting coefficients; none where it
+/// is not finite or a divisor changes sign among the samples.
 ///
 /// # Errors
 /// Data that are not finite or of the wrong shape, with the index.

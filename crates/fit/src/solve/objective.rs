@@ -16,12 +16,13 @@ const TASK: usize = 16 * BLOCK;
 pub(super) struct Objective<'a> {
     pub tape: &'a Tape,
     pub samples: &'a Samples,
-    /// Divisors that depend on parameters: one that changes sign among the samples has a pole between them.
+    /// Divisors that depend on parameters: one that changes sign among the samples has a pole
+    /// between them.
     divisors: Vec<Node>,
 }
 
-/// Why a set of coefficients is refused: the residual of a sample is not finite, or a divisor has the other sign
-/// there than at sample 0.
+/// Why a set of coefficients is refused: the residual of a sample is not finite, or a divisor has
+/// the other sign there than at sample 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Refused {
     pub sample: usize,
@@ -76,7 +77,8 @@ impl<'a> Objective<'a> {
         Ok(Linear { residuals, jacobian, triangle })
     }
 
-    /// A divisor that has another sign at some sample than at the first, or is 0 there, and the sample.
+    /// A divisor that has another sign at some sample than at the first, or is 0 there, and the
+    /// sample.
     pub fn pole(&self, p: &[f64]) -> Option<(Node, usize)> {
         let mut workspace = Workspace::new(self.tape);
         let mut first: Vec<f64> = Vec::new();

@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::FitError;
 
-/// Largest power of a p-norm. Beyond it |r|^p of a residual 1 % below the largest is nothing in f64: that is the maximum.
+/// Largest power of a p-norm. Beyond it |r|^p of a residual 1 % below the largest is nothing in
+/// f64: that is the maximum.
 const LARGEST_POWER: f64 = 1000.0;
 
 /// The error that coefficients minimise.
@@ -78,14 +79,17 @@ impl Goal {
 pub struct Options {
     /// What to minimise.
     pub goal: Goal,
-    /// Number of starting points, the declared one included. Where there are several, the declared one with signs of exponents and of
-    /// other parameters inside curved functions turned comes on top.
+    /// Number of starting points, the declared one included. Where there are several, the declared
+    /// one with signs of exponents and of other parameters inside curved functions turned comes on
+    /// top.
     pub starts: usize,
-    /// Half width of the box of starting points: this part of each start's magnitude, or of 1 if that is larger.
+    /// Half width of the box of starting points: this part of each start's magnitude, or of 1 if
+    /// that is larger.
     pub spread: f64,
     /// Iterations of each search.
     pub iterations: u64,
-    /// Saddles that are left one after the other; the end of the next one's search is called [`super::Termination::Saddle`].
+    /// Saddles that are left one after the other; the end of the next one's search is called
+    /// [`super::Termination::Saddle`].
     pub saddles: usize,
 }
 

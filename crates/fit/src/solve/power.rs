@@ -1,7 +1,8 @@
 //! The norm (mean |r|^p)^(1/p), and its quadratic model.
 //!
-//! With w = |r|^(p-2), the sum of |r + J d|^p is, to second order in d, p (p-1)/2 times the sum of w (J d + r/(p-1))^2 and a
-//! constant: a least-squares problem with weights, so that one solver, Levenberg-Marquardt, serves every p >= 2.
+//! With w = |r|^(p-2), the sum of |r + J d|^p is, to second order in d, p (p-1)/2 times the sum of
+//! w (J d + r/(p-1))^2 and a constant: a least-squares problem with weights, so that one solver,
+//! Levenberg-Marquardt, serves every p >= 2.
 
 use super::objective::{Linear, largest, rms};
 use super::reduce::{Triangle, reduce};
@@ -81,7 +82,8 @@ impl PNorm {
         (model.level - self.level(residuals, model.unit), 0.5 * self.0 * (self.0 - 1.0) * promised)
     }
 
-    /// unit * mean of (|r|/unit)^p: a measure in the units of residuals, whatever the power. Of a scaled model.
+    /// unit * mean of (|r|/unit)^p: a measure in the units of residuals, whatever the power. Of a
+    /// scaled model.
     pub fn mean_power(self, model: &Model, residuals: &[f64]) -> f64 {
         model.unit * self.level(residuals, model.unit) / model.samples
     }

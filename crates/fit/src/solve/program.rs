@@ -1,7 +1,9 @@
-//! The convex program of a step: the linearised residuals' norm, smallest within a box, constraints kept.
+//! The convex program of a step: the linearised residuals' norm, smallest within a box, constraints
+//! kept.
 //!
-//! The largest |r + J d| makes it a linear program, a p-norm's quadratic model a quadratic one. Violations of linearised
-//! constraints are one more variable s, so that every program has a solution: minimise weight * norm + s.
+//! The largest |r + J d| makes it a linear program, a p-norm's quadratic model a quadratic one.
+//! Violations of linearised constraints are one more variable s, so that every program has a
+//! solution: minimise weight * norm + s.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -28,7 +30,8 @@ pub(super) enum Aim<'a> {
     Power(PNorm, &'a Model),
 }
 
-/// A linearised problem in coordinates where its Jacobian is orthonormal, so that a box is a fair trust region.
+/// A linearised problem in coordinates where its Jacobian is orthonormal, so that a box is a fair
+/// trust region.
 pub(super) struct Program<'a> {
     aim: Aim<'a>,
     linear: &'a Linear,
@@ -134,7 +137,8 @@ impl<'a> Program<'a> {
         self.kept.sort_unstable();
     }
 
-    /// Solves for the rows: z, the norm and the violation. All in units of the radius within the program.
+    /// Solves for the rows: z, the norm and the violation. All in units of the radius within the
+    /// program.
     fn solve(&self, radius: f64) -> Option<(Vec<f64>, f64, f64)> {
         let k = self.basis.ncols();
         let mut rows = Lines { columns: vec![Vec::new(); k], right: Vec::new() };
@@ -160,7 +164,8 @@ impl<'a> Program<'a> {
         rows.fence(k);
         let mut cost = vec![0.0; rows.columns.len()];
         level.into_iter().for_each(|at| cost[at] = 1.0);
-        // The norm keeps its size however small its weight, or it would drown in the solver's tolerance.
+        // The norm keeps its size however small its weight, or it would drown in the solver's
+        // tolerance.
         excess.into_iter().for_each(|at| cost[at] = if self.weight > 0.0 { 1.0 / self.weight } else { 1.0 });
         let quadratic = self.quadratic(radius, &mut cost);
         let Lines { columns, right } = rows;
@@ -177,7 +182,8 @@ impl<'a> Program<'a> {
         Some((z, norm, violation))
     }
 
-    /// The quadratic model of a p-norm in units of the radius; its linear part is added to the cost.
+    /// The quadratic model of a p-norm in units of the radius; its linear part is added to the
+    /// cost.
     fn quadratic(&self, radius: f64, cost: &mut [f64]) -> Option<DMatrix<f64>> {
         let Aim::Power(norm, model) = &self.aim else { return None };
         if self.weight == 0.0 {
@@ -248,7 +254,8 @@ pub(super) fn moved(linear: &Linear, step: &[f64]) -> Vec<f64> {
     residuals.map(|(i, r)| r + row(i).iter().zip(step).map(|(j, d)| j * d).sum::<f64>()).collect()
 }
 
-/// The triangle of the residuals' and the constraints' rows, both of equal weight however many they are.
+/// The triangle of the residuals' and the constraints' rows, both of equal weight however many they
+/// are.
 pub(super) fn joined(linear: &Linear, bounds: &LinearBounds) -> Triangle {
     let n = linear.triangle.r.ncols();
     let root = (linear.residuals.len() as f64 / bounds.values.len() as f64).sqrt();
@@ -259,8 +266,8 @@ pub(super) fn joined(linear: &Linear, bounds: &LinearBounds) -> Triangle {
     reduce(&jacobian, &residuals, n)
 }
 
-/// d = basis z such that J basis has orthonormal columns, without the directions that J does not see: R = U S V^T
-/// (columns scaled to length 1) gives basis = D V S^-1.
+/// d = basis z such that J basis has orthonormal columns, without the directions that J does not
+/// see: R = U S V^T (columns scaled to length 1) gives basis = D V S^-1.
 pub(super) fn basis(triangle: &Triangle) -> DMatrix<f64> {
     let n = triangle.r.ncols();
     let norms = triangle.column_norms();
@@ -274,7 +281,8 @@ pub(super) fn basis(triangle: &Triangle) -> DMatrix<f64> {
     })
 }
 
-/// The largest residual of each of `pieces` runs of samples, and the largest of all: rows spread over the samples.
+/// The largest residual of each of `pieces` runs of samples, and the largest of all: rows spread
+/// over the samples.
 pub(super) fn peaks(residuals: &[f64], pieces: usize) -> Vec<usize> {
     let length = residuals.len().div_ceil(pieces.max(1)).max(1);
     let mut rows: Vec<usize> = Vec::new();

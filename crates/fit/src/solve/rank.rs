@@ -6,11 +6,13 @@ use super::reduce::{RANK_TOLERANCE, Triangle};
 use lobefit_shade::Tape;
 use lobefit_shade::tape::{BinaryOp, Op, UnaryOp};
 
-/// A parameter takes part in an undetermined combination if more than this of its axis lies in the null space. Rounding leaves
-/// some 1e-8 (the square of it is compared) where a singular value is at its tolerance.
+/// A parameter takes part in an undetermined combination if more than this of its axis lies in the
+/// null space. Rounding leaves some 1e-8 (the square of it is compared) where a singular value is
+/// at its tolerance.
 const PART: f64 = 1e-6;
 
-/// One sentence for each parameter that does not matter and each set of parameters that coincide; none if all are determined.
+/// One sentence for each parameter that does not matter and each set of parameters that coincide;
+/// none if all are determined.
 ///
 /// Decided at the coefficients found: at a = 0, the b of a exp(b x) does not matter.
 /// `steps`: of [`in_steps`].
@@ -76,7 +78,8 @@ fn sentence(group: &[usize], names: &[String], steps: &[bool]) -> String {
     }
 }
 
-/// The orthogonal projector onto the directions that the Jacobian, its columns scaled to length 1, does not see.
+/// The orthogonal projector onto the directions that the Jacobian, its columns scaled to length 1,
+/// does not see.
 fn null_space(triangle: &Triangle) -> DMatrix<f64> {
     let n = triangle.r.ncols();
     let svd = triangle.scaled().svd(false, true);
@@ -90,7 +93,8 @@ fn null_space(triangle: &Triangle) -> DMatrix<f64> {
     null
 }
 
-/// For each parameter, whether an operand depends on it that `chosen` picks by its operation and its place among the operands.
+/// For each parameter, whether an operand depends on it that `chosen` picks by its operation and
+/// its place among the operands.
 pub(super) fn inside(tape: &Tape, chosen: impl Fn(&Op, usize) -> bool) -> Vec<bool> {
     let mut found = vec![false; tape.parameters()];
     let mut reach: Vec<Vec<bool>> = Vec::with_capacity(tape.ops().len());

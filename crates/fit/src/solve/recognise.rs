@@ -1,8 +1,10 @@
-//! Whether a formula is a quotient P/Q of expressions affine in its parameters, and the rows of P and Q at given points.
+//! Whether a formula is a quotient P/Q of expressions affine in its parameters, and the rows of P
+//! and Q at given points.
 //!
-//! Every operation's value at a point is carried as a pair of rows over (1, p_0, p_1 ...). Sums over the same denominator, products
-//! and quotients with one parameter-free side, and 1 + S/Q keep the form; whatever does not ends the attempt. A branch on the inputs
-//! alone is taken point by point.
+//! Every operation's value at a point is carried as a pair of rows over (1, p_0, p_1 ...). Sums
+//! over the same denominator, products and quotients with one parameter-free side, and 1 + S/Q keep
+//! the form; whatever does not ends the attempt. A branch on the inputs alone is taken point by
+//! point.
 
 use lobefit_shade::Tape;
 use lobefit_shade::tape::{BinaryOp, Op, UnaryOp};
@@ -16,14 +18,16 @@ pub(super) struct Rows {
     pub linear: bool,
 }
 
-/// A value as a quotient of affine rows. `free` values depend on no parameter and are kept as they are.
+/// A value as a quotient of affine rows. `free` values depend on no parameter and are kept as they
+/// are.
 #[derive(Clone, Debug, PartialEq)]
 enum Form {
     Free(f64),
     Quotient { p: Vec<f64>, q: Vec<f64> },
 }
 
-/// The rows at columns of points; none if the formula is no such quotient, or is not finite at one of the points.
+/// The rows at columns of points; none if the formula is no such quotient, or is not finite at one
+/// of the points.
 pub(super) fn recognise(tape: &Tape, inputs: &[Vec<f64>], points: usize) -> Option<Rows> {
     let mut rows = Rows { numerator: Vec::new(), denominator: Vec::new(), linear: true };
     for point in 0..points {

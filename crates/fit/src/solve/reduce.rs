@@ -1,5 +1,5 @@
-//! Orthogonal reduction of a tall Jacobian to a small triangle: everything that least squares needs, without ever
-//! forming normal equations (which square the condition number).
+//! Orthogonal reduction of a tall Jacobian to a small triangle: everything that least squares
+//! needs, without ever forming normal equations (which square the condition number).
 
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn, SymmetricEigen};
 use rayon::prelude::*;
@@ -51,7 +51,8 @@ pub(super) fn reduce(jacobian: &[f64], residuals: &[f64], n: usize) -> Triangle 
     }
 }
 
-/// The triangular factor, `width` rows or fewer, of a matrix given column by column (Householder reflections).
+/// The triangular factor, `width` rows or fewer, of a matrix given column by column (Householder
+/// reflections).
 fn triangularise(mut a: Vec<f64>, width: usize) -> Vec<f64> {
     let rows = a.len() / width;
     let height = width.min(rows);
@@ -92,12 +93,14 @@ fn dot(x: &[f64], y: &[f64]) -> f64 {
     lanes::sum(&sums) + x_rest.iter().zip(y_rest).map(|(x, y)| x * y).sum::<f64>()
 }
 
-/// Eigenvalues of normal equations with a unit diagonal below this are rounding: their square roots are below 1e-6.
+/// Eigenvalues of normal equations with a unit diagonal below this are rounding: their square roots
+/// are below 1e-6.
 const NO_CURVATURE: f64 = 1e-12;
 
 impl Triangle {
-    /// A factor from normal equations |r|^2, J^T r and J^T J, where the rows of J are too many to keep: half the digits of `reduce`, and
-    /// square instead of triangular. `None` where they are those of no sum of squares.
+    /// A factor from normal equations |r|^2, J^T r and J^T J, where the rows of J are too many to
+    /// keep: half the digits of `reduce`, and square instead of triangular. `None` where they are
+    /// those of no sum of squares.
     pub fn of_products(square: f64, gradient: &DVector<f64>, hessian: &DMatrix<f64>) -> Option<Triangle> {
         let n = gradient.len();
         let lengths: Vec<f64> = hessian.diagonal().iter().map(|d| d.sqrt()).collect();
@@ -132,7 +135,8 @@ impl Triangle {
         (self.q.norm_squared() + self.rest * self.rest).sqrt()
     }
 
-    /// Largest cosine between the residuals and a column of the Jacobian: 0 at a minimum (Moré 1978, eq. 5.2).
+    /// Largest cosine between the residuals and a column of the Jacobian: 0 at a minimum (Moré
+    /// 1978, eq. 5.2).
     pub fn orthogonality(&self) -> f64 {
         let length = self.residual_norm();
         let cosine = |j: usize| {
@@ -161,9 +165,8 @@ impl Triangle {
         values.iter().filter(|v| **v > RANK_TOLERANCE * largest).count()
     }
 
-    /// The step d that minimises |R d + q|^2 + damping |D d|^2, D = diag(scale), by QR with column pivoting;
-    /// 0 for a parameter of scale 0, which does not matter.
-    /// None if it is not finite.
+    /// The step d that minimises |R d + q|^2 + damping |D d|^2, D = diag(scale), by QR with column
+    /// pivoting; 0 for a parameter of scale 0, which does not matter. None if it is not finite.
     pub fn step(&self, scale: &[f64], damping: f64) -> Option<Vec<f64>> {
         let n = self.r.ncols();
         let root = damping.sqrt();

@@ -77,9 +77,11 @@ pub(super) fn route(
     }
 }
 
-/// The globally best coefficients, where the goal is the largest residual and the formula has a form that allows it.
+/// The globally best coefficients, where the goal is the largest residual and the formula has a
+/// form that allows it.
 ///
-/// Where parameters coincide, or the formula reproduces its targets, least squares has said all there is to say.
+/// Where parameters coincide, or the formula reproduces its targets, least squares has said all
+/// there is to say.
 fn proven(
     objective: &Objective,
     bounds: Option<&Bounds>,
@@ -141,7 +143,8 @@ fn run(objective: &Objective, starts: &[Vec<f64>], iterations: u64) -> Result<Ve
     Ok(searches)
 }
 
-/// Why a start was refused: the operation that leaves the reals, or the divisor with a pole among the samples, with the inputs there.
+/// Why a start was refused: the operation that leaves the reals, or the divisor with a pole among
+/// the samples, with the inputs there.
 pub(super) fn refused(objective: &Objective, start: &[f64]) -> FitError {
     let (tape, samples) = (objective.tape, objective.samples);
     let index = objective.linearise(start).err().map_or(0, |r| r.sample);
@@ -215,7 +218,8 @@ fn least_squares(searches: &[Search]) -> Route {
     }
 }
 
-/// The powers from 2, exclusive, to `p`, each twice the one before: a norm's minimum is a good start for the next.
+/// The powers from 2, exclusive, to `p`, each twice the one before: a norm's minimum is a good
+/// start for the next.
 pub(super) fn ladder(p: f64) -> Vec<f64> {
     let mut powers: Vec<f64> =
         std::iter::successors(Some(4.0), |q| Some(2.0 * q)).take_while(|q| *q < p).collect();
@@ -271,8 +275,9 @@ fn power(objective: &Objective, searches: &[Search], p: f64, options: &Options) 
 
 /// The best minimax descent from the finalists of the least-squares searches.
 ///
-/// No p-norm stage between: measured on six rational forms of 4 to 10 parameters, disguised so that only this route serves them, the
-/// descents end at the proven optimum from least squares already, and a climb to p = 64 takes 2 to 4 times as long as they do.
+/// No p-norm stage between: measured on six rational forms of 4 to 10 parameters, disguised so that
+/// only this route serves them, the descents end at the proven optimum from least squares already,
+/// and a climb to p = 64 takes 2 to 4 times as long as they do.
 fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Result<Route, FitError> {
     let finalists = &searches[..searches.len().min(FINALISTS)];
     let descents: Vec<_> = finalists
@@ -310,9 +315,9 @@ fn minimax(objective: &Objective, searches: &[Search], options: &Options) -> Res
     Ok(Route { coefficients, termination, second_order, stages, evaluations, gap, bound: None })
 }
 
-/// The descent, or a better one from beside its end, where the first order holds it in fewer directions than there are; the
-/// evaluations of those that were tried; and whether it comes from one saddle more than the options allow, so that beside it nobody
-/// has looked.
+/// The descent, or a better one from beside its end, where the first order holds it in fewer
+/// directions than there are; the evaluations of those that were tried; and whether it comes from
+/// one saddle more than the options allow, so that beside it nobody has looked.
 fn off_saddles(objective: &Objective, from: Descent, options: &Options) -> (Descent, u64, bool) {
     let (mut at, mut evaluations, iterations) = (from, 0, options.iterations);
     for _ in 0..=options.saddles {

@@ -5,8 +5,8 @@ use lobefit_shade::{ShadeError, Tape};
 
 /// Residuals `scale f(inputs) - target`, one per sample.
 ///
-/// The furnace error of a normalisation N has scale E and target 1; a fit of values has scale 1 and the truth as
-/// target; weights multiply both.
+/// The furnace error of a normalisation N has scale E and target 1; a fit of values has scale 1 and
+/// the truth as target; weights multiply both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
     /// One column per input of the formula, in the order of its arguments.

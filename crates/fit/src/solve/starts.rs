@@ -1,12 +1,13 @@
-//! Starting points: the declared one, low-discrepancy points around it, and the declared one with signs turned.
+//! Starting points: the declared one, low-discrepancy points around it, and the declared one with
+//! signs turned.
 
 use super::rank::inside;
 use lobefit_shade::Tape;
 use lobefit_shade::tape::{BinaryOp, Op, UnaryOp};
 
-/// `count` starting points. The first is `declared`; the others fill the box of half widths
-/// `spread * max(|declared|, 1)` around it, by the additive recurrence of the generalised golden ratio g, the root of
-/// g^(n+1) = g + 1 (Roberts 2018), which needs no table and no seed.
+/// `count` starting points. The first is `declared`; the others fill the box of half widths `spread
+/// * max(|declared|, 1)` around it, by the additive recurrence of the generalised golden ratio g,
+/// the root of g^(n+1) = g + 1 (Roberts 2018), which needs no table and no seed.
 pub(super) fn starts(declared: &[f64], count: usize, spread: f64) -> Vec<Vec<f64>> {
     let n = declared.len();
     let mut golden = 1.5_f64;
@@ -33,9 +34,10 @@ pub(super) fn starts(declared: &[f64], count: usize, spread: f64) -> Vec<Vec<f64
 /// Exponents whose signs are turned in all combinations; of more, each alone and all together.
 const COMBINED: usize = 3;
 
-/// Declared points with the signs of some parameters turned, beside those of [`starts`], whose box around a value of 1 or more has
-/// no point below 0. Turned are exponents, in all combinations, and the other parameters inside roots, logarithms, powers and the
-/// like, one by one: the sign of a factor or of an addend is found by least squares from wherever it starts.
+/// Declared points with the signs of some parameters turned, beside those of [`starts`], whose box
+/// around a value of 1 or more has no point below 0. Turned are exponents, in all combinations, and
+/// the other parameters inside roots, logarithms, powers and the like, one by one: the sign of a
+/// factor or of an addend is found by least squares from wherever it starts.
 pub(super) fn turned(tape: &Tape, declared: &[f64]) -> Vec<Vec<f64>> {
     let moving = |inside: Vec<bool>| -> Vec<usize> {
         (0..declared.len()).filter(|&i| inside[i] && declared[i] != 0.0).collect()
@@ -65,7 +67,8 @@ fn is_exponent(op: &Op, place: usize) -> bool {
     }
 }
 
-/// Whether an operation on one operand, a power of its base, or a choice of the smaller or larger, is not linear.
+/// Whether an operation on one operand, a power of its base, or a choice of the smaller or larger,
+/// is not linear.
 fn is_curved(op: &Op, place: usize) -> bool {
     match op {
         Op::Unary(code, _) => *code != UnaryOp::Negate,

@@ -1,8 +1,9 @@
 //! Among coefficients of one largest residual, those of the least mean square.
 //!
-//! Where constraints, or the formula itself, hold the largest residual in a few places that not every parameter reaches, the others
-//! are free within wide limits and the linear programs leave them anywhere. From there, quadratic programs lower the mean square
-//! with no residual above the largest and the constraints kept.
+//! Where constraints, or the formula itself, hold the largest residual in a few places that not
+//! every parameter reaches, the others are free within wide limits and the linear programs leave
+//! them anywhere. From there, quadratic programs lower the mean square with no residual above the
+//! largest and the constraints kept.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -15,10 +16,12 @@ use super::objective::{Linear, Objective, largest, rms};
 use super::program::{basis, joined, moved, peaks};
 use super::route::Route;
 
-/// The largest residual may rise by this part, which is nothing in f32; half of it is the programs' own.
+/// The largest residual may rise by this part, which is nothing in f32; half of it is the programs'
+/// own.
 const SAME: f64 = 1e-7;
 
-/// What is left of the mean square's root is below this part of what it was, or the coefficients stay.
+/// What is left of the mean square's root is below this part of what it was, or the coefficients
+/// stay.
 const WORTH: f64 = 0.99;
 
 /// Quadratic programs, and rounds of each: a round adds the rows that the last one violated.
@@ -31,7 +34,8 @@ const NONE: f64 = 1e-9;
 /// Steps are given up below this part of the first radius.
 const COLLAPSED: f64 = 1e-4;
 
-/// Of coefficients with the largest residual of these, those of the least mean square near them, if that is lower by 1 % or more.
+/// Of coefficients with the largest residual of these, those of the least mean square near them, if
+/// that is lower by 1 % or more.
 pub(super) fn settled(objective: &Objective, bounds: Option<&Bounds>, found: Route) -> Route {
     let settles = matches!(
         found.termination,
@@ -119,7 +123,8 @@ impl<'a> Program<'a> {
         Program { linear, held, cap, basis }
     }
 
-    /// The step of the smallest mean square within |z| <= radius; none where nothing can move or the program fails.
+    /// The step of the smallest mean square within |z| <= radius; none where nothing can move or
+    /// the program fails.
     fn step(&self, radius: f64) -> Option<Vec<f64>> {
         let k = self.basis.ncols();
         if k == 0 {

@@ -15,8 +15,8 @@ const TO_RGB: [[f64; 3]; 3] = inverse(TO_XYZ);
 /// XYZ of white.
 const WHITE_XYZ: [f64; 3] = point(WHITE);
 
-/// Exponent that compresses large colour differences, q_c; where the differences are cut, p_c of the largest, and what is left of
-/// the scale below, p_t (2020, section 4.1.2).
+/// Exponent that compresses large colour differences, q_c; where the differences are cut, p_c of
+/// the largest, and what is left of the scale below, p_t (2020, section 4.1.2).
 const COMPRESSION: f64 = 0.7;
 const CUT: f64 = 0.4;
 const BELOW_CUT: f64 = 0.95;
@@ -105,7 +105,8 @@ pub(super) fn seen(pixel: [f64; 3]) -> [f64; 3] {
     perceived(rgb(pixel).map(|x| x.clamp(0.0, 1.0)))
 }
 
-/// The difference in colour of two pixels as [`seen`], in [0, 1], where [`largest`] is given (2020, section 4.1).
+/// The difference in colour of two pixels as [`seen`], in [0, 1], where [`largest`] is given (2020,
+/// section 4.1).
 pub(super) fn difference(reference: [f64; 3], test: [f64; 3], largest: f64) -> f64 {
     let d = ops::pow(distance(reference, test), COMPRESSION);
     let cut = CUT * largest;

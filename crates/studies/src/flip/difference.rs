@@ -8,7 +8,8 @@ use super::filter::{Filters, Plane};
 use lobefit::report::Image;
 use lobefit_math::ops;
 
-/// LDR-FLIP of two pictures whose channels lie in [0, 1]: the difference in colour, raised to 1 less the difference in features.
+/// LDR-FLIP of two pictures whose channels lie in [0, 1]: the difference in colour, raised to 1
+/// less the difference in features.
 pub(super) fn map(reference: &Image, test: &Image, filters: &Filters) -> ErrorMap {
     let (width, height) = (reference.width, reference.height);
     let [reference, test] = [reference, test].map(|image| Seen::new(image, filters));
@@ -47,8 +48,8 @@ impl Seen {
     }
 }
 
-/// The larger of the differences in edges and in points, in [0, 1]: over sqrt 2, the strongest that a detector in two directions gives,
-/// and raised to q_f = 1/2 (2020, section 4.2).
+/// The larger of the differences in edges and in points, in [0, 1]: over sqrt 2, the strongest that
+/// a detector in two directions gives, and raised to q_f = 1/2 (2020, section 4.2).
 fn feature(reference: &Seen, test: &Seen, i: usize) -> f64 {
     let strength = |kind: usize| (reference.features[kind][i] - test.features[kind][i]).abs();
     (strength(0).max(strength(1)) * std::f64::consts::FRAC_1_SQRT_2).sqrt()

@@ -6,17 +6,20 @@ use super::{ErrorMap, FlipError, light, resolution};
 use lobefit::report::{Image, luminance};
 use lobefit_math::ops;
 
-/// Narkowicz's fit of the ACES film curve with the exposure of 0.6 that goes before it, (k0 x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5):
-/// the tone mapper of the paper.
+/// Narkowicz's fit of the ACES film curve with the exposure of 0.6 that goes before it, (k0 x^2 +
+/// k1 x + k2)/(k3 x^2 + k4 x + k5): the tone mapper of the paper.
 const ACES: [f64; 6] = [0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.0, 0.6 * 0.6 * 2.43, 0.6 * 0.59, 0.14];
 
-/// Shown value that is bright: the brightest pixel has it at the first exposure, the median at the last (2021, section 3).
+/// Shown value that is bright: the brightest pixel has it at the first exposure, the median at the
+/// last (2021, section 3).
 const BRIGHT: f64 = 0.85;
 
-/// Least median that is taken for one, 2^-23: below, a reference that is black in half of its pixels would have no last exposure.
+/// Least median that is taken for one, 2^-23: below, a reference that is black in half of its
+/// pixels would have no last exposure.
 const LEAST_MEDIAN: f64 = 1.0 / 8_388_608.0;
 
-/// Most light of a channel of a picture of high dynamic range: a factor of 1e8 below the end of f64, which a luminance must not reach.
+/// Most light of a channel of a picture of high dynamic range: a factor of 1e8 below the end of
+/// f64, which a luminance must not reach.
 const LIGHT: (f64, &str) = (1e300, "a number from 0 to 1e300");
 
 /// The exposures of a comparison, in stops (powers of two).
@@ -58,10 +61,12 @@ impl Exposures {
     }
 }
 
-/// HDR-FLIP of two pictures of radiance, every channel in [0, 1e300], with the exposures of [`Exposures::of`] the reference.
+/// HDR-FLIP of two pictures of radiance, every channel in [0, 1e300], with the exposures of
+/// [`Exposures::of`] the reference.
 ///
 /// # Errors
-/// Pictures of different sizes, a channel that is negative, above 1e300 or not a number, a black reference, a resolution that is none.
+/// Pictures of different sizes, a channel that is negative, above 1e300 or not a number, a black
+/// reference, a resolution that is none.
 pub fn hdr(
     reference: &Image,
     test: &Image,
@@ -71,7 +76,8 @@ pub fn hdr(
     Ok((reference.against(test)?, reference.exposures))
 }
 
-/// A reference as the eye sees it at every exposure, made once and compared with many pictures by [`hdr`]'s measure.
+/// A reference as the eye sees it at every exposure, made once and compared with many pictures by
+/// [`hdr`]'s measure.
 pub struct Reference {
     /// Its exposures.
     pub exposures: Exposures,
@@ -115,8 +121,8 @@ impl Reference {
     }
 }
 
-/// A picture at an exposure, in stops, through the tone mapper: every channel in [0, 1]. The exposure is of 1080 at most, either
-/// way, as all of [`Exposures::of`] are.
+/// A picture at an exposure, in stops, through the tone mapper: every channel in [0, 1]. The
+/// exposure is of 1080 at most, either way, as all of [`Exposures::of`] are.
 pub fn shown(image: &Image, stops: f64) -> Image {
     // In two steps where 2^stops is no normal number.
     let (first, second) = if stops.abs() < 1000.0 { (stops, 0.0) } else { (stops / 2.0, stops / 2.0) };
@@ -125,7 +131,8 @@ pub fn shown(image: &Image, stops: f64) -> Image {
     Image { width: image.width, height: image.height, pixels }
 }
 
-/// The tone mapper, cut to [0, 1]; numerator and denominator over x^2 where x is large, so that neither overflows.
+/// The tone mapper, cut to [0, 1]; numerator and denominator over x^2 where x is large, so that
+/// neither overflows.
 fn mapped(x: f64) -> f64 {
     let [k0, k1, k2, k3, k4, k5] = ACES;
     let y = if x > 1.0 {
@@ -137,7 +144,8 @@ fn mapped(x: f64) -> f64 {
     y.clamp(0.0, 1.0)
 }
 
-/// The light that the tone mapper shows as `y`, below the curve's end k0/k3: the positive root of its quadratic.
+/// The light that the tone mapper shows as `y`, below the curve's end k0/k3: the positive root of
+/// its quadratic.
 fn shown_as(y: f64) -> f64 {
     let [k0, k1, k2, k3, k4, k5] = ACES;
     let (a, b, c) = (k0 - y * k3, k1 - y * k4, k2 - y * k5);

@@ -1,4 +1,5 @@
-//! The blur of the eye and the detectors of edges and points, all of them sums of separable kernels.
+//! The blur of the eye and the detectors of edges and points, all of them sums of separable
+//! kernels.
 
 use rayon::prelude::*;
 
@@ -10,8 +11,8 @@ pub(super) type Plane = Vec<f64>;
 /// Weights of a centred window of odd length.
 type Kernel = Vec<f64>;
 
-/// Terms a sqrt(pi/b) exp(-pi^2 d^2/b) of the eye's response to an achromatic, a red-green and a blue-yellow point in degrees: pairs
-/// (a, b) (2020, table 1).
+/// Terms a sqrt(pi/b) exp(-pi^2 d^2/b) of the eye's response to an achromatic, a red-green and a
+/// blue-yellow point in degrees: pairs (a, b) (2020, table 1).
 const RESPONSE: [&[(f64, f64)]; 3] = [&[(1.0, 0.0047)], &[(1.0, 0.0053)], &[(34.1, 0.04), (13.5, 0.025)]];
 
 /// Width of the detectors in degrees, twice their standard deviation (2020, section 4.2).
@@ -105,7 +106,8 @@ fn balanced(kernel: Kernel) -> Kernel {
     kernel.into_iter().map(|w| if w > 0.0 { w / above } else { -w / below }).collect()
 }
 
-/// A kernel along the rows, then one along the columns; beyond its border a picture continues as its border.
+/// A kernel along the rows, then one along the columns; beyond its border a picture continues as
+/// its border.
 fn both(plane: &Plane, width: usize, along: &Kernel, across: &Kernel) -> Plane {
     let height = plane.len() / width;
     let mut rows = vec![0.0; plane.len()];

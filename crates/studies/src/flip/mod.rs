@@ -1,9 +1,11 @@
 //! How different two pictures look to somebody who flips between them, pixel by pixel: FLIP.
 //!
 //! [`ldr`]: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild 2020, "FLIP: A Difference Evaluator for Alternating
-//! Images" (Proc. ACM Comput. Graph. Interact. Tech. 3(2)). [`hdr`]: Andersson, Nilsson, Shirley and Akenine-Moller 2021, "Visualizing
-//! Errors in Rendered High Dynamic Range Images" (Eurographics short papers). 0 is no difference, 1 the largest that there is (green
-//! against blue). Written from the formulas of the papers; `crates/studies/tests/studies/flip.rs` compares with the authors' program, which computes in f32.
+//! Images" (Proc. ACM Comput. Graph. Interact. Tech. 3(2)). [`hdr`]: Andersson, Nilsson, Shirley
+//! and Akenine-Moller 2021, "Visualizing Errors in Rendered High Dynamic Range Images"
+//! (Eurographics short papers). 0 is no difference, 1 the largest that there is (green against
+//! blue). Written from the formulas of the papers; `crates/studies/tests/studies/flip.rs` compares
+//! with the authors' program, which computes in f32.
 
 mod colour;
 mod difference;
@@ -14,8 +16,8 @@ pub use exposure::{Exposures, Reference, hdr, shown};
 
 use lobefit::report::Image;
 
-/// Pixels per degree of visual angle where none are given: a display of 3840 pixels and 0.7 m in a distance of 0.7 m, as in the
-/// paper.
+/// Pixels per degree of visual angle where none are given: a display of 3840 pixels and 0.7 m in a
+/// distance of 0.7 m, as in the paper.
 pub const PIXELS_PER_DEGREE: f64 = 0.7 * 3840.0 / 0.7 * std::f64::consts::PI / 180.0;
 
 /// The difference at each pixel.
@@ -85,7 +87,8 @@ pub enum FlipError {
     Black,
 }
 
-/// LDR-FLIP of two pictures in linear light, every channel in [0, 1] (decode an sRGB picture first).
+/// LDR-FLIP of two pictures in linear light, every channel in [0, 1] (decode an sRGB picture
+/// first).
 ///
 /// # Errors
 /// Pictures of different sizes, a channel outside [0, 1], a resolution that is none.

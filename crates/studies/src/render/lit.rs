@@ -21,7 +21,8 @@ pub struct Settings {
     pub side: usize,
     /// Pixels along the sphere's radius.
     pub radius: f64,
-    /// Directions at each pixel and half, drawn by the cosine, and as many by the lobe's visible normals.
+    /// Directions at each pixel and half, drawn by the cosine, and as many by the lobe's visible
+    /// normals.
     pub samples: u32,
     /// Directions at each pixel and half, for each lamp.
     pub lamp_samples: u32,
@@ -41,8 +42,9 @@ impl Halves {
         Image { width: a.width, height: a.height, pixels }
     }
 
-    /// Sums over the pixels of the square of the mean's standard error, estimated as (difference of the halves)^2/4, and of the mean's
-    /// square, over all channels: their quotient is the square of the relative noise.
+    /// Sums over the pixels of the square of the mean's standard error, estimated as (difference of
+    /// the halves)^2/4, and of the mean's square, over all channels: their quotient is the square
+    /// of the relative noise.
     pub fn noise(&self) -> [f64; 2] {
         let [a, b] = &self.0;
         let pairs = || a.pixels.iter().flatten().zip(b.pixels.iter().flatten());
@@ -52,8 +54,9 @@ impl Halves {
     }
 }
 
-/// A picture of a sphere of each material, all under the same directions. `alpha` is the GGX width that directions are drawn for, in
-/// (0, 1]; a material may be any other lobe and is then noisier. At the sphere's edge a pixel is the mean of several places.
+/// A picture of a sphere of each material, all under the same directions. `alpha` is the GGX width
+/// that directions are drawn for, in (0, 1]; a material may be any other lobe and is then noisier.
+/// At the sphere's edge a pixel is the mean of several places.
 pub fn spheres(
     environment: &Environment,
     alpha: f64,
@@ -119,8 +122,9 @@ impl Sampler<'_> {
         sums.into_iter().map(|sum| scaled(sum, 1.0 / pixel.taken as f64)).collect()
     }
 
-    /// Directions of the light about the normal with their weights: radiance times cosine over the density of all ways to draw it
-    /// (the balance heuristic of Veach and Guibas 1995). Where a pixel has several places each gets a part of the samples.
+    /// Directions of the light about the normal with their weights: radiance times cosine over the
+    /// density of all ways to draw it (the balance heuristic of Veach and Guibas 1995). Where a
+    /// pixel has several places each gets a part of the samples.
     fn directions(&self, place: &Place, seed: u32, places: usize) -> Vec<(Vec3, [f64; 3])> {
         let part = |samples: u32| samples.div_ceil(places as u32);
         let (samples, lamp_samples) = (part(self.settings.samples), part(self.settings.lamp_samples));
@@ -160,7 +164,8 @@ impl Sampler<'_> {
         scaled(radiance, light[2] / density)
     }
 
-    /// Density of a direction drawn by mirroring the view about a visible normal: G1(v) D(h)/(4 mu).
+    /// Density of a direction drawn by mirroring the view about a visible normal: G1(v) D(h)/(4
+    /// mu).
     fn lobe_density(&self, view: Vec3, light: Vec3) -> f64 {
         let half = normalise(plus(view, light));
         let masking = 1.0 / (1.0 + ggx::lambda(self.alpha, view[2]));

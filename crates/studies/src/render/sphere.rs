@@ -8,7 +8,8 @@ const EDGE: usize = 4;
 /// The direction to the viewer.
 const VIEW: Vec3 = [0.0, 0.0, 1.0];
 
-/// A point of a sphere: its normal, with tangents such that the view lies in the plane of the first.
+/// A point of a sphere: its normal, with tangents such that the view lies in the plane of the
+/// first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     axes: [Vec3; 3],
@@ -50,7 +51,8 @@ pub(super) struct Pixel {
     pub taken: usize,
 }
 
-/// The pixel at (column, row) of a square of `side` pixels with a sphere of `radius` pixels in its middle.
+/// The pixel at (column, row) of a square of `side` pixels with a sphere of `radius` pixels in its
+/// middle.
 pub(super) fn pixel(column: usize, row: usize, side: usize, radius: f64) -> Pixel {
     let centre = side as f64 / 2.0;
     let (x, y) = (column as f64 + 0.5 - centre, centre - row as f64 - 0.5);

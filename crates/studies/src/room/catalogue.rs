@@ -1,5 +1,6 @@
-//! The rooms of the study: checker walls and bright panels, six of them or more, in a box about the probe, a long low box with the probe off
-//! its centre, and an eight-sided hall with a sloping roof.
+//! The rooms of the study: checker walls and bright panels, six of them or more, in a box about the
+//! probe, a long low box with the probe off its centre, and an eight-sided hall with a sloping
+//! roof.
 
 use super::light::{Checker, Panel, Room, Wall};
 use super::{Convex, Plane};
@@ -46,8 +47,8 @@ pub fn octagon() -> Room {
     Room { name: "octagon".into(), probe: [0.4, -0.3, 0.0], walls: planes.enumerate().map(wall).collect() }
 }
 
-/// 5 x 4.4 x 2.8, none of the study's: the constants of lobes, the laws of proxies and that of sliding viewpoints are fitted here and judged in
-/// the others.
+/// 5 x 4.4 x 2.8, none of the study's: the constants of lobes, the laws of proxies and that of
+/// sliding viewpoints are fitted here and judged in the others.
 pub fn practice() -> Room {
     let shape = Convex::cuboid([-2.1, -2.5, -1.2], [2.9, 1.9, 1.6]);
     let walls = shape.planes.into_iter().enumerate().map(|(i, plane)| wall((5 - i, plane))).collect();
@@ -71,7 +72,8 @@ fn wall((index, plane): (usize, Plane)) -> Wall {
     let across = if level { [1.0, 0.0, -plane.normal[0] / plane.normal[2]] } else { cross(UP, plane.normal) };
     let across = normalise(across);
     let axes = [across, cross(plane.normal, across)];
-    // no panel is where another wall's is: the third part of a turn of the golden angle along each wall
+    // no panel is where another wall's is: the third part of a turn of the golden angle along each
+    // wall
     let shift = (index as f64 * 0.618).fract() - 0.5;
     let panel = Panel { centre: [1.2 * shift, 0.35 - 0.5 * shift], half: [0.45, 0.3], radiance: bright };
     Wall { plane, axes, checker: Checker { side: 0.5, radiance: [dark, light] }, panels: vec![panel] }

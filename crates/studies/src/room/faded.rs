@@ -1,4 +1,5 @@
-//! A ratio of solid angles that becomes one of distances at the edges of a proxy, so that it does not jump there.
+//! A ratio of solid angles that becomes one of distances at the edges of a proxy, so that it does
+//! not jump there.
 
 use crate::room::cubemap::to_edge;
 use crate::room::{Convex, Lookup, Seen, Tap};
@@ -7,7 +8,8 @@ use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, length, minus, plus, scaled};
 use lobefit_truth::optics::footprint::slant_ratio;
 
-/// The power of the cosines in the ratio of the shading point's view of a wall to the probe's, rho = (d_s/d_p) (cos psi_p/cos psi_s)^(share/2).
+/// The power of the cosines in the ratio of the shading point's view of a wall to the probe's, rho
+/// = (d_s/d_p) (cos psi_p/cos psi_s)^(share/2).
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[serde(rename_all = "lowercase", tag = "slant")]
 pub enum Slant {
@@ -15,7 +17,8 @@ pub enum Slant {
     Ignored,
     /// 1: the root of the ratio of the solid angles. It jumps there.
     Whole,
-    /// From 0 at an edge of the proxy to 1 as far from any as `widths` radii alpha d_s of the lobe on the wall. It does not jump.
+    /// From 0 at an edge of the proxy to 1 as far from any as `widths` radii alpha d_s of the lobe
+    /// on the wall. It does not jump.
     Fading {
         /// Radii over which it changes; positive.
         widths: f64,
@@ -38,7 +41,8 @@ pub struct Faded {
 }
 
 impl Lookup for Faded {
-    /// One fetch; along the lobe's axis and as wide as it where that meets nothing in front of the point, or the probe itself.
+    /// One fetch; along the lobe's axis and as wide as it where that meets nothing in front of the
+    /// point, or the probe itself.
     fn taps(&self, seen: &Seen) -> Vec<Tap> {
         let lobe = self.shading.lobe(seen);
         let uncorrected = Tap { towards: lobe.axis, alpha: lobe.alpha, weight: 1.0 };

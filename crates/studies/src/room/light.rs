@@ -85,7 +85,8 @@ impl Room {
         Convex { planes: self.walls.iter().map(|wall| wall.plane).collect() }
     }
 
-    /// What a ray from inside meets: the distance, the wall. A room is bounded: every ray leaves it.
+    /// What a ray from inside meets: the distance, the wall. A room is bounded: every ray leaves
+    /// it.
     pub fn exit(&self, from: Vec3, towards: Vec3) -> (f64, usize) {
         let mut exit = (f64::INFINITY, 0);
         for (i, wall) in self.walls.iter().enumerate() {

@@ -1,8 +1,9 @@
 //! Rooms of known light, in which lookups of a probe's cubemap are measured.
 //!
-//! A room is a convex body of planes ([`Convex`]) that shine as [`Room`] says: what is seen from anywhere inside in any direction is
-//! known in closed form. [`Exact`] integrates the fetches of a [`Lookup`] without texels, [`Fan`] the same lobe from the shading point,
-//! and [`GgxRays`] what a whole GGX surface reflects.
+//! A room is a convex body of planes ([`Convex`]) that shine as [`Room`] says: what is seen from
+//! anywhere inside in any direction is known in closed form. [`Exact`] integrates the fetches of a
+//! [`Lookup`] without texels, [`Fan`] the same lobe from the shading point, and [`GgxRays`] what a
+//! whole GGX surface reflects.
 
 mod catalogue;
 pub mod cubemap;

@@ -1,5 +1,6 @@
-//! The long studies, whose pages are committed with the hash of their recipe and which no bake waits for. [`run`] makes the files of
-//! one in memory: the same parameters give the same bytes for any number of threads.
+//! The long studies, whose pages are committed with the hash of their recipe and which no bake
+//! waits for. [`run`] makes the files of one in memory: the same parameters give the same bytes for
+//! any number of threads.
 
 mod coupling;
 mod parallax;
@@ -48,15 +49,16 @@ impl Study {
         Study::ALL.into_iter().find(|study| study.name() == name)
     }
 
-    /// The files that it writes, relative to the folder of a bake: page and results. The reduced study has a folder of its own, beside
-    /// that of the full one, which it so leaves alone.
+    /// The files that it writes, relative to the folder of a bake: page and results. The reduced
+    /// study has a folder of its own, beside that of the full one, which it so leaves alone.
     pub fn files(self, size: Size) -> [String; 2] {
         let reduced = if size == Size::Reduced { "-reduced" } else { "" };
         ["index.html", "results.json"].map(|file| format!("reports/studies/{}{reduced}/{file}", self.name()))
     }
 
-    /// Hash of everything that the study follows from: the tool's version, the code of this package, the parameters at a size and the
-    /// formulas compared. Of the code below this package the version stands, and values of its formulas among the parameters.
+    /// Hash of everything that the study follows from: the tool's version, the code of this
+    /// package, the parameters at a size and the formulas compared. Of the code below this package
+    /// the version stands, and values of its formulas among the parameters.
     ///
     /// # Errors
     /// As [`run`].
@@ -186,8 +188,8 @@ pub struct Stale {
     pub detail: String,
 }
 
-/// What is wrong with the files of a study of a size in a folder: another recipe than that of this version, or one file without the other.
-/// Nothing is wrong where there are none.
+/// What is wrong with the files of a study of a size in a folder: another recipe than that of this
+/// version, or one file without the other. Nothing is wrong where there are none.
 ///
 /// # Errors
 /// As [`run`].

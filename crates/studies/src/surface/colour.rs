@@ -1,4 +1,5 @@
-//! The colour of rough metals: light that met several facets is more saturated, and models differ in how much.
+//! The colour of rough metals: light that met several facets is more saturated, and models differ
+//! in how much.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -8,7 +9,8 @@ use lobefit::data::AlphaMap;
 use lobefit_truth::integrate::walk::{CHANNELS, Walked, Walks, walk};
 use lobefit_truth::optics::fresnel;
 
-/// A metal by its complex index of refraction in red, green and blue; k = 0 is a dielectric, of which only the reflected part is followed.
+/// A metal by its complex index of refraction in red, green and blue; k = 0 is a dielectric, of
+/// which only the reflected part is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Metal {
     /// Its name.
@@ -19,7 +21,8 @@ pub struct Metal {
     pub k: [f64; CHANNELS],
 }
 
-/// Gold and copper: measured spectra reduced to three channels (about 650, 550 and 450 nm), as pbrt's and Mitsuba's users pass them around.
+/// Gold and copper: measured spectra reduced to three channels (about 650, 550 and 450 nm), as
+/// pbrt's and Mitsuba's users pass them around.
 pub const METALS: [Metal; 2] = [
     Metal { name: "gold", eta: [0.143, 0.375, 1.442], k: [3.983, 2.386, 1.603] },
     Metal { name: "copper", eta: [0.200, 0.924, 1.102], k: [3.912, 2.452, 2.142] },
@@ -40,7 +43,8 @@ impl Metal {
     }
 }
 
-/// One metal at one roughness under one model: what a convex body of it sends back on average in an environment of radiance 1.
+/// One metal at one roughness under one model: what a convex body of it sends back on average in an
+/// environment of radiance 1.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ColourRow {
     /// The metal.
@@ -64,7 +68,8 @@ pub const WALK_SCHLICK: &str = "random walk";
 /// Name of the walk with the exact Fresnel of a conductor.
 pub const WALK_EXACT: &str = "random walk, exact Fresnel";
 
-/// Every metal at every roughness: lobes by quadrature, correlated shadowing, and the random walk with as many paths as given each.
+/// Every metal at every roughness: lobes by quadrature, correlated shadowing, and the random walk
+/// with as many paths as given each.
 ///
 /// # Errors
 /// A roughness whose alpha is outside the range of surfaces; too few paths.

@@ -9,12 +9,14 @@ use lobefit::data::Smith;
 use lobefit::effects::coupling::surface::source;
 use lobefit_truth::optics::ggx::Vec3;
 
-/// Where materials are evaluated: rough enough for light of several bounces, at a reflectance of a dielectric and two of metals, over a grey base.
+/// Where materials are evaluated: rough enough for light of several bounces, at a reflectance of a
+/// dielectric and two of metals, over a grey base.
 const ALPHA: f64 = 0.36;
 const F0: [f64; 3] = [0.04, 0.3, 0.9];
 const ALBEDO: f64 = 0.6;
 
-/// Pairs of directions of unit length; the first is far from grazing, the second grazing on one side.
+/// Pairs of directions of unit length; the first is far from grazing, the second grazing on one
+/// side.
 const PAIRS: [[Vec3; 2]; 2] =
     [[[0.48, 0.6, 0.64], [0.6, 0.0, 0.8]], [[-0.96, 0.248, 0.13], [0.36, 0.48, 0.8]]];
 
@@ -25,7 +27,8 @@ pub struct Fingerprint {
     coupling: String,
     /// The formula whose operations are counted.
     source: String,
-    /// f(l, v) of every pair and channel to six digits: more would tell a formula from itself with its terms in another order.
+    /// f(l, v) of every pair and channel to six digits: more would tell a formula from itself with
+    /// its terms in another order.
     values: Vec<String>,
 }
 

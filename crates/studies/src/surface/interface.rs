@@ -39,7 +39,8 @@ pub struct SchlickRow {
     pub average_exact: f64,
     /// Of the smooth surface, F(mu).
     pub smooth: Difference,
-    /// Of the albedo of the specular lobe, single scattering; the factor of a white base differs by the same with the other sign.
+    /// Of the albedo of the specular lobe, single scattering; the factor of a white base differs by
+    /// the same with the other sign.
     pub albedo: Difference,
     /// Of the factor of the base by lobe, normalised and compensated.
     pub factor: Vec<(String, Difference)>,

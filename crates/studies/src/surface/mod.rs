@@ -1,12 +1,12 @@
-//! What is measured of whole materials beyond furnace and reciprocity: [`interface`] compares Schlick's Fresnel with the exact one,
-//! [`darker`] measures bases below white, [`colour`] rough metals and [`opinion`] the random walk of facets. [`SurfaceRows`] gathers the
-//! rows for a page.
+//! What is measured of whole materials beyond furnace and reciprocity: [`interface`] compares
+//! Schlick's Fresnel with the exact one, [`absorbing`] measures bases below white, [`colour`] rough
+//! metals and [`random_walk`] the random walk of facets. [`SurfaceRows`] gathers the rows for a page.
 
+pub mod absorbing;
 pub mod colour;
-pub mod darker;
 mod fingerprint;
 pub mod interface;
-pub mod opinion;
+pub mod random_walk;
 mod rows;
 
 pub use fingerprint::{Fingerprint, fingerprint};

@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
+use super::absorbing::{ALBEDOS, AbsorbingRow, absorbing_table};
 use super::colour::{ColourRow, DIELECTRIC, METALS, Metal, colour_table};
-use super::darker::{ALBEDOS, DarkRow, dark_table};
 use super::interface::{IORS, SchlickRow, schlick_table};
 use super::measure::{AZIMUTHS, COSINES};
-use super::opinion::{BounceRow, ViewRow, bounce_table, view_table};
+use super::random_walk::{BounceRow, ViewRow, bounce_table, view_table};
 use super::table::{Grid, ReciprocityRow, rows_with};
 use super::{Coupling, Factor, Lobe, SurfaceError};
 use lobefit::data::Smith;
@@ -16,19 +16,21 @@ use lobefit_truth::integrate::walk::Walks;
 /// f0 of the dielectric whose base is darkened: that of an index of refraction of 1.5.
 const DARK_F0: f64 = 0.04;
 
-/// (1 - f0)(1 - b) with b = ((1 - roughness)(1 - mu)^2)^2 for B/E, a formula without constants: a factor of one side that costs little and
-/// knows no texel, as it is and made reciprocal.
+/// (1 - f0)(1 - b) with b = ((1 - roughness)(1 - mu)^2)^2 for B/E, a formula without constants: a
+/// factor of one side that costs little and knows no texel, as it is and made reciprocal.
 const SEVEN: &str = "fn seven(roughness: f32, mu: f32, f0: f32) -> f32 {\n    let x = 1.0 - mu;\n    let y = (1.0 - roughness) * (x * x);\n    \
                      return (1.0 - f0) * (1.0 - y * y);\n}\n";
 
-/// (roughness, mu) of the walks of white facets: where single scattering loses a sixth, and up to two thirds.
+/// (roughness, mu) of the walks of white facets: where single scattering loses a sixth, and up to
+/// two thirds.
 const BOUNCE_VIEWS: [(f64, f64); 4] = [(0.5, 0.3), (0.8, 0.3), (1.0, 0.3), (1.0, 0.9)];
 
 /// Single views.
 const VIEW_ROUGHNESS: [f64; 2] = [0.6, 1.0];
 const VIEW_COSINES: [f64; 8] = [0.05, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0];
 
-/// What every measurement takes for granted: with [`Wanted`] and the formulas of [`super::fingerprint`] all that its rows follow from.
+/// What every measurement takes for granted: with [`Wanted`] and the formulas of
+/// [`super::fingerprint`] all that its rows follow from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Fixed {
     metals: [Metal; 2],
@@ -65,7 +67,8 @@ impl Default for Fixed {
 /// What is measured, and how finely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wanted {
-    /// Form of the shadowing of furnace, reciprocity and Fresnel rows; the walk is correlated by nature.
+    /// Form of the shadowing of furnace, reciprocity and Fresnel rows; the walk is correlated by
+    /// nature.
     pub smith: Smith,
     /// Couplings under every lobe; formulas may be among them.
     pub couplings: Vec<Coupling>,
@@ -111,7 +114,7 @@ pub struct SurfaceRows {
     /// Schlick's Fresnel against the exact one.
     pub schlick: Vec<SchlickRow>,
     /// Bases below white.
-    pub darker: Vec<DarkRow>,
+    pub darker: Vec<AbsorbingRow>,
     /// Rough metals.
     pub colour: Vec<ColourRow>,
     /// The random walk of white facets.
@@ -131,7 +134,7 @@ impl SurfaceRows {
             grid: grid.clone(),
             reciprocity: rows_with(*smith, &Lobe::ALL, couplings, own, grid)?,
             schlick: schlick_table(*smith, &IORS, &grid.roughness)?,
-            darker: dark_table(*smith, DARK_F0, grid)?,
+            darker: absorbing_table(*smith, DARK_F0, grid)?,
             colour: colour_table(&METALS, &grid.roughness, *walks)?,
             bounces: bounce_table(&BOUNCE_VIEWS, *walks)?,
             views: [METALS[0], DIELECTRIC]

@@ -6,12 +6,12 @@ use lobefit::data::Smith;
 use lobefit::effects::coupling::RIVALS;
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::Hypothesis;
+use lobefit_studies::surface::absorbing::{ALBEDOS, absorbing_table};
 use lobefit_studies::surface::colour::{
     ColourRow, DIELECTRIC, METALS, WALK_EXACT, WALK_SCHLICK, colour_table,
 };
-use lobefit_studies::surface::darker::{ALBEDOS, dark_table};
 use lobefit_studies::surface::interface::schlick_table;
-use lobefit_studies::surface::opinion::{bounce_table, view_table};
+use lobefit_studies::surface::random_walk::{bounce_table, view_table};
 use lobefit_studies::surface::table::{Grid, ReciprocityRow, reciprocity_table, rows_with};
 use lobefit_studies::surface::{
     Albedos, Coupling, Factor, FactorAt, Lobe, Material, Surface, SurfaceRows, Wanted, cost, fingerprint,
@@ -212,7 +212,7 @@ fn schlick_costs_what_its_curve_says() {
 /// Nothing gets darker for a lighter base, nothing reflects more than it gets, and a plain factor scales with the albedo.
 #[test]
 fn darker_bases_absorb() {
-    let rows = dark_table(Smith::Correlated, 0.04, &Grid::reduced()).unwrap();
+    let rows = absorbing_table(Smith::Correlated, 0.04, &Grid::reduced()).unwrap();
     assert_eq!(rows.len(), 3 * ALBEDOS.len());
     for r in &rows {
         assert!(r.monotone, "{r:?}");

@@ -83,10 +83,11 @@ pub struct LitStrip {
     pub f0: f64,
     /// Roughness of each column.
     pub roughness: Vec<f64>,
-    /// Relative noise of the reference (root mean square error of a channel over the root mean square channel), by roughness.
+    /// Relative noise of the reference (root mean square error of a channel over the root mean
+    /// square channel), by roughness.
     pub noise: Vec<f64>,
-    /// HDR-FLIP between the reference's two halves, by roughness: twice the noise that its picture has, and far more than what is left
-    /// of it between two pictures under the same directions.
+    /// HDR-FLIP between the reference's two halves, by roughness: twice the noise that its picture
+    /// has, and far more than what is left of it between two pictures under the same directions.
     pub flip_of_noise: Vec<f64>,
     /// The rows; the reference is the first and differs from itself by nothing.
     pub rows: Vec<LitRow>,
@@ -130,8 +131,8 @@ pub struct Ranking {
 pub struct Ranked {
     /// Coupling.
     pub name: String,
-    /// Largest |f(l, v) - f(v, l)| of the base over the mean of their sizes, over the roughnesses and reflectances of the ranking: rounding if it is
-    /// reciprocal, 2 at most.
+    /// Largest |f(l, v) - f(v, l)| of the base over the mean of their sizes, over the roughnesses
+    /// and reflectances of the ranking: rounding if it is reciprocal, 2 at most.
     pub reciprocity: f64,
     /// Whether the diffuse base needs the light's direction too.
     pub directional: bool,
@@ -143,7 +144,8 @@ pub struct Ranked {
     pub fetches: u32,
     /// Mean HDR-FLIP under the environment.
     pub flip: f64,
-    /// Its standard error, that of the spheres on average: all are lit from the same directions, so that their errors do not average out.
+    /// Its standard error, that of the spheres on average: all are lit from the same directions, so
+    /// that their errors do not average out.
     pub flip_error: f64,
     /// Mean HDR-FLIP against the reciprocal reference.
     pub flip_reciprocal: f64,

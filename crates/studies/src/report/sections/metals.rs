@@ -2,7 +2,7 @@
 
 use super::walks::SHOWN;
 use crate::surface::colour::{ColourRow, WALK_EXACT, WALK_SCHLICK};
-use crate::surface::opinion::ViewRow;
+use crate::surface::random_walk::ViewRow;
 use lobefit::report::numbers::{bound, brief, significant};
 use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
 use lobefit::report::{figures, words};

@@ -1,8 +1,9 @@
-//! What is measured on whole materials, section by section; here Schlick's Fresnel and bases below white.
+//! What is measured on whole materials, section by section; here Schlick's Fresnel and bases below
+//! white.
 
 use super::{metals, walks};
 use crate::surface::SurfaceRows;
-use crate::surface::darker::DarkRow;
+use crate::surface::absorbing::AbsorbingRow;
 use crate::surface::interface::{Difference, SchlickRow};
 use lobefit::effects::coupling::page::materials;
 use lobefit::report::numbers::{bound, brief, significant};
@@ -62,7 +63,7 @@ fn schlick(rows: &[SchlickRow]) -> Result<Section, ReportError> {
     })
 }
 
-fn darker(rows: &[DarkRow]) -> Result<Section, ReportError> {
+fn darker(rows: &[AbsorbingRow]) -> Result<Section, ReportError> {
     check::filled("darker", "rows", rows.len())?;
     let columns = [
         ("coupling", false),
@@ -72,7 +73,7 @@ fn darker(rows: &[DarkRow]) -> Result<Section, ReportError> {
         ("share of the base", true),
         ("monotone", false),
     ];
-    let row = |row: &DarkRow| {
+    let row = |row: &AbsorbingRow| {
         vec![
             row.coupling.clone(),
             brief(row.rho, 3),

@@ -1,6 +1,6 @@
 //! The random walk of white facets: how much leaves after which bounce, and where it goes.
 
-use crate::surface::opinion::BounceRow;
+use crate::surface::random_walk::BounceRow;
 use lobefit::report::numbers::{bound, brief, significant};
 use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
 use lobefit::report::{figures, words};

@@ -22,8 +22,9 @@ const MOST_TIMES: usize = 16;
 pub enum Source {
     /// The room itself: the texel is the integral of the lobe about its centre.
     Room,
-    /// The captured faces, as engines have them: rays of the lobe, each fetched from a box-filtered level of the capture whose texels are as
-    /// large as the ray's share of the lobe (Colbert and Krivanek 2007, "GPU-Based Importance Sampling"). From the probe only.
+    /// The captured faces, as engines have them: rays of the lobe, each fetched from a box-filtered
+    /// level of the capture whose texels are as large as the ray's share of the lobe (Colbert and
+    /// Krivanek 2007, "GPU-Based Importance Sampling"). From the probe only.
     Capture,
 }
 
@@ -44,10 +45,12 @@ pub struct Bake {
     pub source: Source,
     /// From where.
     pub viewpoint: Viewpoint,
-    /// Samples along a side of a texel of a level of roughness 0 and of a capture: the mean radiance over the texel's solid angle by the
-    /// midpoint rule, off by about their power -3/2 of the contrast where an edge of the room's pattern crosses.
+    /// Samples along a side of a texel of a level of roughness 0 and of a capture: the mean
+    /// radiance over the texel's solid angle by the midpoint rule, off by about their power -3/2 of
+    /// the contrast where an edge of the room's pattern crosses.
     pub samples: usize,
-    /// Rays of a texel as large as those of the first level; one twice as large has twice as many, up to 16 times.
+    /// Rays of a texel as large as those of the first level; one twice as large has twice as many,
+    /// up to 16 times.
     pub rays: u32,
     /// Seed of the rays; every texel has the same about its own axis.
     pub seed: u32,
@@ -57,7 +60,8 @@ impl Bake {
     /// The chain of a room's probe.
     ///
     /// # Errors
-    /// A size that cannot be halved as often as there are levels; no samples; radiance that the format has no number for.
+    /// A size that cannot be halved as often as there are levels; no samples; radiance that the
+    /// format has no number for.
     pub fn chain(&self, room: &Room) -> Result<Chain, CubemapError> {
         let levels = self.map.count();
         if self.size == 0 || !self.size.is_multiple_of(1 << (levels - 1).min(usize::BITS as usize - 1)) {
@@ -134,7 +138,8 @@ impl Bake {
         (0..6 * size * size).into_par_iter().map(one).collect()
     }
 
-    /// Rays of a texel of a level: the wider its lobe, the more the same rays are off by, and the fewer texels it has.
+    /// Rays of a texel of a level: the wider its lobe, the more the same rays are off by, and the
+    /// fewer texels it has.
     fn rays_of(&self, size: usize) -> u32 {
         let times = (self.size / size).min(MOST_TIMES) as u32;
         self.rays.saturating_mul(times)
@@ -175,7 +180,8 @@ fn towards(k: usize, size: usize) -> Vec3 {
     direction(face, [i, j].map(|i| centre(i as isize, size)))
 }
 
-/// A capture and its halves, each texel the mean of four weighted by their solid angles, as long as the size is even.
+/// A capture and its halves, each texel the mean of four weighted by their solid angles, as long as
+/// the size is even.
 fn pyramid(captured: Vec<[f64; 3]>, size: usize) -> Result<Vec<Level>, CubemapError> {
     let mut levels = vec![Level::new(size, &captured, Format::Single)?];
     let (mut texels, mut size) = (captured, size);

@@ -1,9 +1,11 @@
-//! Directions and places on the faces of a cube, in the order and orientation of Direct3D, Vulkan and OpenGL: +x, -x, +y, -y, +z, -z.
+//! Directions and places on the faces of a cube, in the order and orientation of Direct3D, Vulkan
+//! and OpenGL: +x, -x, +y, -y, +z, -z.
 
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
 
-/// Of every face the direction to its centre, and those in which its coordinates s and t grow (OpenGL 4.6, table 8.19).
+/// Of every face the direction to its centre, and those in which its coordinates s and t grow
+/// (OpenGL 4.6, table 8.19).
 const FACES: [[Vec3; 3]; 6] = [
     [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, -1.0, 0.0]],
     [[-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]],
@@ -13,8 +15,8 @@ const FACES: [[Vec3; 3]; 6] = [
     [[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]],
 ];
 
-/// The face that a direction of any length but 0 goes through, and where: s and t in [-1, 1]. Directions through an edge go to the axis
-/// that comes first.
+/// The face that a direction of any length but 0 goes through, and where: s and t in [-1, 1].
+/// Directions through an edge go to the axis that comes first.
 pub fn face_of(towards: Vec3) -> (usize, [f64; 2]) {
     let magnitudes = towards.map(f64::abs);
     let axis = (1..3).fold(0, |best, i| if magnitudes[i] > magnitudes[best] { i } else { best });
@@ -23,13 +25,15 @@ pub fn face_of(towards: Vec3) -> (usize, [f64; 2]) {
     (face, [s, t].map(|along| dot(along, towards) / magnitudes[axis]))
 }
 
-/// The unit direction of a place of a face; s and t beyond [-1, 1] are on the plane of the face, outside of it.
+/// The unit direction of a place of a face; s and t beyond [-1, 1] are on the plane of the face,
+/// outside of it.
 pub fn direction(face: usize, [s, t]: [f64; 2]) -> Vec3 {
     let [centre, along_s, along_t] = FACES[face];
     normalise(plus(centre, plus(scaled(along_s, s), scaled(along_t, t))))
 }
 
-/// Solid angle of a rectangle of a face by its ends in s and t: that from the centre to a corner is atan(s t/sqrt(1 + s^2 + t^2)).
+/// Solid angle of a rectangle of a face by its ends in s and t: that from the centre to a corner is
+/// atan(s t/sqrt(1 + s^2 + t^2)).
 pub fn solid_angle(s: [f64; 2], t: [f64; 2]) -> f64 {
     let corner = |s: f64, t: f64| ops::atan(s * t / (1.0 + s * s + t * t).sqrt());
     corner(s[1], t[1]) - corner(s[0], t[1]) - corner(s[1], t[0]) + corner(s[0], t[0])

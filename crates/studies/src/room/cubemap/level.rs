@@ -33,13 +33,15 @@ impl Format {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Edges {
-    /// The texels of the next face, and at a corner of the cube the mean of the three that meet there: seamless filtering.
+    /// The texels of the next face, and at a corner of the cube the mean of the three that meet
+    /// there: seamless filtering.
     Seamless,
     /// Nothing: the outermost texels reach to the edge.
     Clamped,
 }
 
-/// Texels of six faces, row by row of t and in a row by s, each face with a border of one texel of its neighbours.
+/// Texels of six faces, row by row of t and in a row by s, each face with a border of one texel of
+/// its neighbours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     size: usize,
@@ -99,7 +101,8 @@ impl Level {
         let n = self.size as f64;
         let [x, y] = place.map(|c| {
             let x = 0.5 * (c + 1.0) * n - 0.5;
-            // a direction whose largest coordinate is found may be a rounding error outside of its face
+            // a direction whose largest coordinate is found may be a rounding error outside of its
+            // face
             let [low, high] = if edges == Edges::Seamless { [-0.5, n - 0.5] } else { [0.0, n - 1.0] };
             x.clamp(low, high)
         });
@@ -125,8 +128,8 @@ fn bordered(size: usize, texels: &[[f32; 3]]) -> Vec<[f32; 3]> {
     let texel = |face: usize, i: isize, j: isize| texels[(face * size + j as usize) * size + i as usize];
     let neighbour = |face: usize, i: isize, j: isize| {
         let (face, place) = face_of(direction(face, [i, j].map(|i| centre(i, size))));
-        // Beyond an edge the coordinate along it is that of the neighbour's texel over 1 + 1/n: inside of that texel for every n, and the
-        // other one, n/(n + 1), in the outermost.
+        // Beyond an edge the coordinate along it is that of the neighbour's texel over 1 + 1/n:
+        // inside of that texel for every n, and the other one, n/(n + 1), in the outermost.
         let [i, j] = place.map(|c| ((0.5 * (c + 1.0) * size as f64).floor() as isize).clamp(0, last - 1));
         texel(face, i, j)
     };

@@ -15,21 +15,24 @@ pub struct Eye {
     pub alpha: f64,
 }
 
-/// The law of a bake. The texel of a direction w shows the place q where the ray from the probe along w leaves the proxy, whatever the law;
-/// seen from elsewhere, the lobe is as much wider or narrower as leaves its footprint on the wall as large as that of the probe's lobe: by
-/// rho = (d_p/d_v) sqrt(cos psi_v/cos psi_p) and the flow of the cosine-weighted lobe ([`width`]). Flows compose, so that a lookup needs
-/// not know the law: that of an ordinary bake is right for all.
+/// The law of a bake. The texel of a direction w shows the place q where the ray from the probe
+/// along w leaves the proxy, whatever the law; seen from elsewhere, the lobe is as much wider or
+/// narrower as leaves its footprint on the wall as large as that of the probe's lobe: by rho =
+/// (d_p/d_v) sqrt(cos psi_v/cos psi_p) and the flow of the cosine-weighted lobe ([`width`]). Flows
+/// compose, so that a lookup needs not know the law: that of an ordinary bake is right for all.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[serde(rename_all = "lowercase", tag = "law")]
 pub enum Viewpoint {
     /// From the probe along w: the ordinary, angular bake.
     Probe,
-    /// From above q at right angles to its plane, at the probe's distance from that plane: what a texel shows no longer depends on how
-    /// obliquely the probe sees it. At the edges of the proxy the two planes disagree.
+    /// From above q at right angles to its plane, at the probe's distance from that plane: what a
+    /// texel shows no longer depends on how obliquely the probe sees it. At the edges of the proxy
+    /// the two planes disagree.
     Perpendicular,
-    /// Between the probe and the place above q, by the share e/(e + widths alpha d_p) of the way: e is the distance of q from the nearest
-    /// edge of the proxy on its wall, alpha d_p the radius of the lobe there. At an edge it is the probe, for either wall; far from all
-    /// edges, and for narrow lobes, above q.
+    /// Between the probe and the place above q, by the share e/(e + widths alpha d_p) of the way: e
+    /// is the distance of q from the nearest edge of the proxy on its wall, alpha d_p the radius of
+    /// the lobe there. At an edge it is the probe, for either wall; far from all edges, and for
+    /// narrow lobes, above q.
     Sliding {
         /// Radii at which it is half way; positive.
         widths: f64,
@@ -40,8 +43,8 @@ pub enum Viewpoint {
 const REACH: f64 = 0.9;
 
 impl Viewpoint {
-    /// From where the texel of a direction is seen for a lobe of a width in (0, 1]. A direction in which the probe sees no plane, or one that
-    /// it stands in, is seen from the probe.
+    /// From where the texel of a direction is seen for a lobe of a width in (0, 1]. A direction in
+    /// which the probe sees no plane, or one that it stands in, is seen from the probe.
     pub fn eye(self, proxy: &Convex, probe: Vec3, towards: Vec3, alpha: f64) -> Eye {
         let ordinary = Eye { place: probe, axis: towards, alpha };
         let met = proxy.exit(probe, towards).filter(|(distance, _)| *distance > 0.0);
@@ -70,7 +73,8 @@ impl Viewpoint {
     }
 }
 
-/// Distance of a place on a wall of a convex body from the wall's nearest edge, in the plane of the wall; infinite where there is none.
+/// Distance of a place on a wall of a convex body from the wall's nearest edge, in the plane of the
+/// wall; infinite where there is none.
 pub fn to_edge(proxy: &Convex, place: Vec3, wall: usize) -> f64 {
     let normal = proxy.planes[wall].normal;
     let distance = |(i, plane): (usize, &Plane)| {

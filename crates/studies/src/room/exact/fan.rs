@@ -12,14 +12,16 @@ use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, dot, plus, scaled, tangents};
 use lobefit_truth::optics::kernel::Kernel;
 
-/// ln of the widths between which directions are tabulated, and steps between them. Below the narrowest the tangents are in proportion to
-/// alpha, but for A/(1 - energy) = 1e-10 times the number of directions.
+/// ln of the widths between which directions are tabulated, and steps between them. Below the
+/// narrowest the tangents are in proportion to alpha, but for A/(1 - energy) = 1e-10 times the
+/// number of directions.
 const NARROWEST: f64 = -11.5;
 const STEP: f64 = 0.1;
 const NODES: usize = 116;
 
-/// The same points, of even energy and azimuth, as directions of the lobe of every width in (0, 1]: the tangent of half the angle over alpha
-/// is interpolated by cubics in ln alpha. Directions are off by at most 1e-5 of their sine, by 5e-5 of the kernel `ndf`.
+/// The same points, of even energy and azimuth, as directions of the lobe of every width in (0, 1]:
+/// the tangent of half the angle over alpha is interpolated by cubics in ln alpha. Directions are
+/// off by at most 1e-5 of their sine, by 5e-5 of the kernel `ndf`.
 #[derive(Clone, Debug)]
 pub struct Fan {
     /// Cosine and sine of the azimuth of each direction.
@@ -50,7 +52,8 @@ impl Fan {
         self.azimuths.len()
     }
 
-    /// Calls `each` with the directions of the lobe of a width, about the axis z, all of the same weight.
+    /// Calls `each` with the directions of the lobe of a width, about the axis z, all of the same
+    /// weight.
     pub fn directions(&self, alpha: f64, mut each: impl FnMut(Vec3)) {
         let (first, weights) = cubic(ops::log(alpha));
         let tangents = [0, 1, 2, 3].map(|k| &self.tangents[first + k][..]);
@@ -61,7 +64,8 @@ impl Fan {
         }
     }
 
-    /// Mean radiance of the lobe of a width about `axis` from a place, without the directions below a surface's `normal` where one is given.
+    /// Mean radiance of the lobe of a width about `axis` from a place, without the directions below
+    /// a surface's `normal` where one is given.
     pub fn lobe(&self, room: &Room, place: Vec3, axis: Vec3, normal: Option<Vec3>, alpha: f64) -> [f64; 3] {
         let [x, y] = tangents(axis);
         let frame = [x, y, axis];
@@ -109,8 +113,8 @@ impl Directions<'_> {
     }
 }
 
-/// The sum of what is seen in the directions above a normal, and their number. With the instructions that the processor has: nothing is
-/// contracted, so that all give the same bits.
+/// The sum of what is seen in the directions above a normal, and their number. With the
+/// instructions that the processor has: nothing is contracted, so that all give the same bits.
 #[multiversion(targets(
     "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"

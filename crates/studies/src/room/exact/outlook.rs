@@ -6,10 +6,12 @@ use lobefit_math::vector::{Vec3, dot, length, plus, scaled};
 /// Directions that are met at once.
 pub(super) const LANES: usize = 8;
 
-/// Least distance to a wall, in metres: a place on a wall or beyond it sees the wall there in every direction towards it.
+/// Least distance to a wall, in metres: a place on a wall or beyond it sees the wall there in every
+/// direction towards it.
 const NEAREST: f64 = 1e-12;
 
-/// What is seen from a place inside a room, by directions in the coordinates of three axes at right angles.
+/// What is seen from a place inside a room, by directions in the coordinates of three axes at right
+/// angles.
 #[derive(Clone, Debug)]
 pub struct Outlook<'a> {
     walls: Vec<Seen<'a>>,
@@ -19,7 +21,8 @@ pub struct Outlook<'a> {
 #[derive(Clone, Debug)]
 struct Seen<'a> {
     wall: &'a Wall,
-    /// The normal over the distance: its product with a direction is 1 over the distance along that.
+    /// The normal over the distance: its product with a direction is 1 over the distance along
+    /// that.
     normal: Vec3,
     /// Coordinates in the wall of the place's foot on it.
     foot: [f64; 2],
@@ -44,7 +47,8 @@ impl<'a> Outlook<'a> {
         Outlook { walls: room.walls.iter().map(seen).collect() }
     }
 
-    /// Radiance from a direction, of any length but 0. A room is bounded, so that every direction meets a wall.
+    /// Radiance from a direction, of any length but 0. A room is bounded, so that every direction
+    /// meets a wall.
     #[inline]
     pub fn seen(&self, towards: Vec3) -> [f64; 3] {
         let (mut nearness, mut met) = (0.0, 0);
@@ -80,8 +84,8 @@ impl<'a> Outlook<'a> {
         wall.at([0, 1].map(|i| foot[i] + distance * dot(axes[i], towards)))
     }
 
-    /// Radiance from a direction of unit length, and how many points per solid angle are there of `count` spread evenly over every panel; 0
-    /// where no panel is.
+    /// Radiance from a direction of unit length, and how many points per solid angle are there of
+    /// `count` spread evenly over every panel; 0 where no panel is.
     pub(super) fn among(&self, towards: Vec3, count: f64) -> ([f64; 3], f64) {
         let ([nearness, ..], [met, ..]) = self.met(&towards.map(|x| [x; LANES]));
         let Seen { wall, foot, axes, normal } = &self.walls[met];
@@ -93,8 +97,9 @@ impl<'a> Outlook<'a> {
         }
     }
 
-    /// What is seen of every panel at some of its points, given in [0, 1)^2: the direction, the radiance, and how many of the points there are per
-    /// solid angle. Without those that another panel covers.
+    /// What is seen of every panel at some of its points, given in [0, 1)^2: the direction, the
+    /// radiance, and how many of the points there are per solid angle. Without those that another
+    /// panel covers.
     pub(super) fn panels(&self, points: &[[f64; 2]], mut each: impl FnMut(Vec3, [f64; 3], f64)) {
         for Seen { wall, foot, axes, normal } in &self.walls {
             let depth = 1.0 / length(*normal);

@@ -24,7 +24,8 @@ pub struct GgxRays {
 const NORMALS: u32 = 8;
 
 impl GgxRays {
-    /// `count` visible normals and an eighth of that on every panel, scrambled Sobol sets of a seed.
+    /// `count` visible normals and an eighth of that on every panel, scrambled Sobol sets of a
+    /// seed.
     pub fn new(count: u32, seed: u32) -> GgxRays {
         let set = |seed: u32| Sobol::new([seed, seed.wrapping_mul(0x9e37_79b9) ^ 0x5bd1_e995, 0]);
         let (normals, panels) = (set(seed), set(seed ^ 0x7feb_352d));
@@ -36,10 +37,12 @@ impl GgxRays {
         }
     }
 
-    /// The light of a room that a GGX surface (height-correlated Smith, no Fresnel) reflects towards the eye over its own albedo, which a
-    /// split sum multiplies by afterwards. By importance sampling of visible normals, whose weight is G2/G1, together with points spread evenly over
-    /// every bright panel, both weighted by the balance heuristic (Veach and Guibas 1995): unbiased, and without the noise of panels that few
-    /// rays meet. The surface lies where its normal says, whatever wall is there.
+    /// The light of a room that a GGX surface (height-correlated Smith, no Fresnel) reflects
+    /// towards the eye over its own albedo, which a split sum multiplies by afterwards. By
+    /// importance sampling of visible normals, whose weight is G2/G1, together with points spread
+    /// evenly over every bright panel, both weighted by the balance heuristic (Veach and Guibas
+    /// 1995): unbiased, and without the noise of panels that few rays meet. The surface lies where
+    /// its normal says, whatever wall is there.
     pub fn reflected(&self, room: &Room, seen: &Seen) -> [f64; 3] {
         let [x, y] = tangents(seen.normal);
         let frame = [x, y, seen.normal];

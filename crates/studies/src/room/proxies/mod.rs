@@ -1,5 +1,5 @@
-//! Proxies that the study compares with those of emitted lookups, each with one parameter that follows the width of the lobe by a
-//! [`Law`].
+//! Proxies that the study compares with those of emitted lookups, each with one parameter that
+//! follows the width of the lobe by a [`Law`].
 //!
 //! | proxy | where a ray meets it | parameter |
 //! |---|---|---|

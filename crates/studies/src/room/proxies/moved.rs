@@ -5,8 +5,9 @@ use super::Body;
 use super::law::Law;
 use lobefit_math::vector::{Vec3, minus, plus, scaled};
 
-/// The planes, met no nearer than a least distance along the ray (Unity's `minProjectionDistance`). A huge one is no correction: the
-/// looked-up direction goes to the ray's and the ratio of distances to 1. Edges stay where they are.
+/// The planes, met no nearer than a least distance along the ray (Unity's `minProjectionDistance`).
+/// A huge one is no correction: the looked-up direction goes to the ray's and the ratio of
+/// distances to 1. Edges stay where they are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pushed {
     /// The planes.
@@ -23,10 +24,11 @@ impl Proxy for Pushed {
     }
 }
 
-/// The correction faded out: the ray meets the planes where it does, and what it meets is looked up as seen from a place that is a share f
-/// of the way from the shading point to the probe. With s, p, t and R of the rest the looked-up direction is that of
-/// (1 - f)(s - p) + t R: f = 0 is the whole correction, f = 1 the ray's own direction at a ratio of distances of 1. It is the blend of both
-/// directions with the weights of their lengths.
+/// The correction faded out: the ray meets the planes where it does, and what it meets is looked up
+/// as seen from a place that is a share f of the way from the shading point to the probe. With s,
+/// p, t and R of the rest the looked-up direction is that of (1 - f)(s - p) + t R: f = 0 is the
+/// whole correction, f = 1 the ray's own direction at a ratio of distances of 1. It is the blend of
+/// both directions with the weights of their lengths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Faded {
     /// The planes.

@@ -5,14 +5,17 @@ use super::law::Law;
 use super::{Body, NEAREST};
 use lobefit_math::vector::{Vec3, normalise, plus, scaled};
 
-/// The body {x: sum max(0, n_i.x - o_i + r)^2 <= r^2}, o_i the planes' offsets: of a box the box with edges and corners rounded by the
-/// radius r, its Minkowski offset from the box that is smaller by r on all sides. Of other planes it is not an offset (whose edges and
-/// corners would have to be known) but the same sum, which is convex, keeps the planes' middles where one term alone is above 0, and has a
-/// continuous normal: edges at a right angle are rounded by arcs of radius r, others by arcs of ellipses.
+/// The body {x: sum max(0, n_i.x - o_i + r)^2 <= r^2}, o_i the planes' offsets: of a box the box
+/// with edges and corners rounded by the radius r, its Minkowski offset from the box that is
+/// smaller by r on all sides. Of other planes it is not an offset (whose edges and corners would
+/// have to be known) but the same sum, which is convex, keeps the planes' middles where one term
+/// alone is above 0, and has a continuous normal: edges at a right angle are rounded by arcs of
+/// radius r, others by arcs of ellipses.
 ///
-/// The distance is the larger root of a convex function along the ray, by Newton's method from the planes inward: no step passes
-/// it. For a shading point outside the rounded body, which is near an edge, the radius of the sum is a little more than its own
-/// ([`NEAREST`] of the unit), as far as the planes allow.
+/// The distance is the larger root of a convex function along the ray, by Newton's method from the
+/// planes inward: no step passes it. For a shading point outside the rounded body, which is near an
+/// edge, the radius of the sum is a little more than its own ([`NEAREST`] of the unit), as far as
+/// the planes allow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rounded {
     /// The planes.
@@ -21,7 +24,8 @@ pub struct Rounded {
     pub radius: Law,
 }
 
-/// Newton's steps: from the planes the error falls quadratically; along a wall, where the root is double, by a half.
+/// Newton's steps: from the planes the error falls quadratically; along a wall, where the root is
+/// double, by a half.
 const STEPS: usize = 24;
 
 /// The sum at a place on the ray.
@@ -62,7 +66,8 @@ impl Proxy for Rounded {
                 normal = normalise(level.gradient);
             }
             let beyond = level.value - wanted;
-            // the sum is convex and less than wanted at the shading point: it rises where it is more
+            // the sum is convex and less than wanted at the shading point: it rises where it is
+            // more
             if beyond <= 1e-13 * wanted || level.slope <= 0.0 {
                 break;
             }

@@ -15,8 +15,9 @@ pub struct Smooth {
 }
 
 impl Smooth {
-    /// A power by alpha alone that was once fitted for the smallest relative L2 error of one fetch, over all roughnesses and three rooms. The least
-    /// of 2 keeps the normal continuous where a plane comes ahead.
+    /// A power by alpha alone that was once fitted for the smallest relative L2 error of one fetch,
+    /// over all roughnesses and three rooms. The least of 2 keeps the normal continuous where a
+    /// plane comes ahead.
     pub const FITTED: Law = Law::Inverse { over: 0.39, power: 1.5, least: 2.0, most: 256.0 };
 
     /// The power of the study, by eye: max(4, 0.6/alpha). Above 256 nothing changes that is seen.

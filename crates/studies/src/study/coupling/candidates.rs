@@ -34,7 +34,8 @@ const PUBLISHED: [Coupling; 11] = [
     Coupling::Pesce,
 ];
 
-/// Reflectances that fits are made for: those of dielectrics with an index of refraction from 1.33 to 2.6, which are lit.
+/// Reflectances that fits are made for: those of dielectrics with an index of refraction from 1.33
+/// to 2.6, which are lit.
 pub(super) const F0: [f64; 2] = [0.02, 0.2];
 
 /// Roughness that fits are made for.
@@ -62,13 +63,14 @@ pub(super) enum Kind {
     Max,
     /// What is seen.
     Perceptual,
-    /// The largest error, and made reciprocal: the factor at the light times that at the view over its average.
+    /// The largest error, and made reciprocal: the factor at the light times that at the view over
+    /// its average.
     Symmetrised,
 }
 
 impl Planned {
-    /// Those of a lobe: of our forms the cheapest, one in the middle and the most accurate, each fitted for both measures, and the last
-    /// made reciprocal.
+    /// Those of a lobe: of our forms the cheapest, one in the middle and the most accurate, each
+    /// fitted for both measures, and the last made reciprocal.
     pub fn of(lobe: Lobe, size: Size) -> Vec<Planned> {
         let mut planned: Vec<Planned> = PUBLISHED.into_iter().map(Planned::Published).collect();
         let forms = specular(lobe).map_or(&[][..], hypotheses);
@@ -144,7 +146,8 @@ impl Candidate {
         material
     }
 
-    /// Whether few rows of pictures must have it: the references, what engines do most, and the most accurate of ours.
+    /// Whether few rows of pictures must have it: the references, what engines do most, and the
+    /// most accurate of ours.
     pub fn telling(&self, candidates: &[Candidate]) -> bool {
         match &self.coupling {
             Coupling::OneMinusOwnSpecular
@@ -175,7 +178,8 @@ impl Candidate {
     }
 }
 
-/// Forms of ours for the largest error, as a bake emits them: kept from poles and from below 0 wherever a shader may call them.
+/// Forms of ours for the largest error, as a bake emits them: kept from poles and from below 0
+/// wherever a shader may call them.
 fn emitted(lobe: Lobe) -> Result<Vec<Fit>, StudyError> {
     let spec = CouplingSpec {
         specular: specular(lobe).unwrap_or_default(),
@@ -188,7 +192,8 @@ fn emitted(lobe: Lobe) -> Result<Vec<Fit>, StudyError> {
     Ok(fit_all(&spec, &Counter::default())?.fits)
 }
 
-/// A form of ours with its constants: those that a bake emits, or the ones that lose least of what is seen.
+/// A form of ours with its constants: those that a bake emits, or the ones that lose least of what
+/// is seen.
 fn fitted(
     entry: &Entry,
     name: &str,
@@ -239,7 +244,8 @@ pub(super) fn published_fits(lobe: Lobe) -> Result<Vec<Coupling>, StudyError> {
     .collect()
 }
 
-/// What multiplies the lobe, as the quantity names it; none for lobes that the quantity does not have.
+/// What multiplies the lobe, as the quantity names it; none for lobes that the quantity does not
+/// have.
 fn specular(lobe: Lobe) -> Option<Specular> {
     match lobe {
         Lobe::Single => Some(Specular::Single),

@@ -38,7 +38,8 @@ pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<Fur
     Ok(strips)
 }
 
-/// Whether the page shows the spheres: all under the first lobe, those of one dielectric and of f0 = 1 under the others.
+/// Whether the page shows the spheres: all under the first lobe, those of one dielectric and of f0
+/// = 1 under the others.
 fn shown(lobe: Lobe, f0: f64, first: Lobe, furnace: &Furnace) -> bool {
     lobe == first || f0 == furnace.shown_f0 || f0 == 1.0
 }
@@ -57,8 +58,8 @@ fn empty(furnace: &Furnace, compared: &Compared, f0: f64, shown: bool) -> Furnac
     }
 }
 
-/// Albedos over mu: the lobe's, which is known, and the base's, which follows where the coupling knows the view alone and is integrated where
-/// not.
+/// Albedos over mu: the lobe's, which is known, and the base's, which follows where the coupling
+/// knows the view alone and is integrated where not.
 fn column(
     candidate: &Candidate,
     (roughness, f0, lobe): (f64, f64, Lobe),

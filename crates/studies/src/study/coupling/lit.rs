@@ -120,7 +120,8 @@ struct Measured {
 struct Surfaces(Vec<Surface>);
 
 impl Surfaces {
-    /// The direction that a light comes from as a surface knows it: the same for all but those whose factor is their own there too.
+    /// The direction that a light comes from as a surface knows it: the same for all but those
+    /// whose factor is their own there too.
     fn light<'a>(surface: &Surface, common: &'a Side, own: &'a mut Side) -> &'a Side {
         match surface.material().base {
             Some(Base { coupling: Coupling::Symmetrised(_), .. }) => {

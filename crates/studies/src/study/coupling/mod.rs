@@ -1,4 +1,5 @@
-//! Diffuse couplings: what each departs from white in a furnace, and what is seen of it under an environment.
+//! Diffuse couplings: what each departs from white in a furnace, and what is seen of it under an
+//! environment.
 
 mod candidates;
 mod furnace;
@@ -61,14 +62,14 @@ fn own(compared: &[Compared]) -> Result<Vec<(Lobe, Coupling)>, StudyError> {
 
 /// What the names of lobes and couplings mean; of forms of ours and of published fits once.
 fn meanings(compared: &[Compared], surfaces: &SurfaceRows) -> Vec<Meaning> {
-    let told = |lobe: bool, name: &str, meaning: &str| Meaning {
+    let entry = |lobe: bool, name: &str, meaning: &str| Meaning {
         lobe,
         name: name.to_string(),
         meaning: meaning.to_string(),
     };
     let mut all: Vec<Meaning> =
-        Lobe::ALL.iter().map(|lobe| told(true, lobe.name(), lobe.meaning())).collect();
-    all.extend(Coupling::ALL.iter().map(|c| told(false, &c.name(), &c.meaning())));
+        Lobe::ALL.iter().map(|lobe| entry(true, lobe.name(), lobe.meaning())).collect();
+    all.extend(Coupling::ALL.iter().map(|c| entry(false, &c.name(), &c.meaning())));
     let has = |end: &str| {
         surfaces.reciprocity.iter().filter_map(|row| row.coupling.as_ref()).any(|name| name.ends_with(end))
     };
@@ -76,26 +77,26 @@ fn meanings(compared: &[Compared], surfaces: &SurfaceRows) -> Vec<Meaning> {
     if let Some(name) = lobes.min() {
         let meaning = "a form of ours (fits/hypotheses) of roughness, n·v and f0 with constants fitted for f0 from 0.02 to 0.2; the last \
                        number counts its operations";
-        all.push(told(false, &format!("{name}, ..."), meaning));
+        all.push(entry(false, &format!("{name}, ..."), meaning));
     }
     if has("_karis") {
         let meaning = "1 less the albedo of a lobe by a published fit of f0 A + B: of Karis, MaterialX, Unreal Engine 5, Ray Tracing \
                        Gems, Tauray";
-        all.push(told(false, "coupling_..._karis, ...", meaning));
+        all.push(entry(false, "coupling_..._karis, ...", meaning));
     }
-    all.push(told(
+    all.push(entry(
         false,
         "7 operations",
         "(1 − f0)(1 − ((1 − roughness)(1 − n·v)²)²), a formula without constants",
     ));
-    all.push(told(
+    all.push(entry(
         false,
         "..., perceptual",
         "the constants are fitted for what is seen (fit --weight perceptual)",
     ));
     let both = "made reciprocal: the factor f at the light times that at the view over its average, f(l) f(v)/f_avg; f of a cosine below those that \
                 it was fitted for, from 0.01, is f there";
-    all.push(told(false, "..., reciprocal", both));
+    all.push(entry(false, "..., reciprocal", both));
     all
 }
 

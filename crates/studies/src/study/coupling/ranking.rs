@@ -124,7 +124,8 @@ impl Departures {
     }
 }
 
-/// Width of the cell of each of increasing places in [0, 1]: half way to its neighbours, or to the ends.
+/// Width of the cell of each of increasing places in [0, 1]: half way to its neighbours, or to the
+/// ends.
 fn steps(places: &[f64]) -> Vec<f64> {
     let edge = |i: usize| match (places.get(i.wrapping_sub(1)), places.get(i)) {
         (None, _) => 0.0,

@@ -1,9 +1,11 @@
-//! Creases: errors in the second differences of what is displayed, on the edges of the proxy and elsewhere.
+//! Creases: errors in the second differences of what is displayed, on the edges of the proxy and
+//! elsewhere.
 
 use lobefit::report::{Image, displayed};
 use lobefit_math::sum;
 
-/// Mean absolute second difference, in steps of displayed luminance in [0, 1], over three pixels in a row or a column. 0 where a picture has none.
+/// Mean absolute second difference, in steps of displayed luminance in [0, 1], over three pixels in
+/// a row or a column. 0 where a picture has none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Creases {
     /// Where the mirror rays of the three meet two walls: an edge of the proxy is in the picture.
@@ -12,8 +14,8 @@ pub(super) struct Creases {
     pub elsewhere: f64,
 }
 
-/// Of the difference of two pictures as shown, linear light in [0, 1]. `met` has the wall that the mirror ray of each pixel meets; none where nothing
-/// reflects.
+/// Of the difference of two pictures as shown, linear light in [0, 1]. `met` has the wall that the
+/// mirror ray of each pixel meets; none where nothing reflects.
 pub(super) fn creases(test: &Image, reference: &Image, met: &[Option<usize>]) -> Creases {
     let pairs = test.pixels.iter().zip(&reference.pixels);
     let off: Vec<f64> = pairs.map(|(a, b)| displayed(*a) - displayed(*b)).collect();

@@ -1,9 +1,11 @@
-//! How far what is looked up is from what it stands for, in one number: what every part of the study states.
+//! How far what is looked up is from what it stands for, in one number: what every part of the
+//! study states.
 
 use lobefit_math::vector::{Vec3, dot, minus};
 use lobefit_math::{ops, sum};
 
-/// Root of the sum of squares of the differences of a and b over that of the truth, over channels and points: relative L2. NaN of no points.
+/// Root of the sum of squares of the differences of a and b over that of the truth, over channels
+/// and points: relative L2. NaN of no points.
 pub(super) fn off(a: &[Vec3], b: &[Vec3], truth: &[Vec3]) -> f64 {
     ratio(a.iter().zip(b).zip(truth).map(|((a, b), truth)| (minus(*a, *b), *truth)))
 }
@@ -29,13 +31,15 @@ fn ratio(pairs: impl Iterator<Item = (Vec3, Vec3)>) -> f64 {
     (sum::pairwise(&errors) / sum::pairwise(&sizes)).sqrt()
 }
 
-/// The geometric mean of positive numbers, NaN of none: of errors, and of how many times smaller one is than another's.
+/// The geometric mean of positive numbers, NaN of none: of errors, and of how many times smaller
+/// one is than another's.
 pub(super) fn geometric_mean(values: impl IntoIterator<Item = f64>) -> f64 {
     let logarithms: Vec<f64> = values.into_iter().map(ops::log).collect();
     ops::exp(sum::mean(&logarithms))
 }
 
-/// How many times smaller errors are than those of a rival at the same places: the geometric mean of the ratios.
+/// How many times smaller errors are than those of a rival at the same places: the geometric mean
+/// of the ratios.
 pub(super) fn gain(rival: &[f64], own: &[f64]) -> f64 {
     geometric_mean(rival.iter().zip(own).map(|(rival, own)| rival / own))
 }

@@ -1,5 +1,6 @@
-//! Lookups of the cubemap of a probe: what each is off by in rooms whose light is known. One module for each part of the page, which states
-//! what it covers (its `Parameters`) and computes its findings (`findings`).
+//! Lookups of the cubemap of a probe: what each is off by in rooms whose light is known. One module
+//! for each part of the page, which states what it covers (its `Parameters`) and computes its
+//! findings (`findings`).
 
 mod chain;
 mod creases;

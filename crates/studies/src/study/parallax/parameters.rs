@@ -5,10 +5,12 @@ use serde::Serialize;
 use super::{chain, proxies, rooms, seed, slant};
 use crate::study::Size;
 
-/// Raised whenever the study's method changes without its parameters: results of another method then have another recipe.
+/// Raised whenever the study's method changes without its parameters: results of another method
+/// then have another recipe.
 const METHOD: u32 = 4;
 
-/// Everything that the recipe covers beside the tool's version and the formulas, a field for each part.
+/// Everything that the recipe covers beside the tool's version and the formulas, a field for each
+/// part.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Parameters {
     method: u32,

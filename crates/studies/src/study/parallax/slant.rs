@@ -150,7 +150,8 @@ fn nothing(case: &Case) -> IntegrateError {
     IntegrateError::NotFinite { quantity: "fetches of a slanted wall", place }
 }
 
-/// Along the tilt, in widths of the lobe at right angles, towards the shading point and away from it; across it.
+/// Along the tilt, in widths of the lobe at right angles, towards the shading point and away from
+/// it; across it.
 const ALONG: [f64; 2] = [-0.6, 0.8];
 const ACROSS: f64 = 0.5;
 

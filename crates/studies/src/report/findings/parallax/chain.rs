@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use lobefit::report::Image;
 
-/// What was found about chains. Errors are relative: the root of the sum of squares over channels and points at random, over that of the truth.
+/// What was found about chains. Errors are relative: the root of the sum of squares over channels
+/// and points at random, over that of the truth.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ChainFindings {
     /// Roughness of the entries of all lists of errors.
@@ -27,7 +28,8 @@ pub struct ChainFindings {
     pub seams: Vec<SeamRow>,
 }
 
-/// What a chain is off by for the fetches of our lookup, in units of those fetches integrated exactly; by roughness.
+/// What a chain is off by for the fetches of our lookup, in units of those fetches integrated
+/// exactly; by roughness.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ChainParts {
     /// The room.
@@ -123,9 +125,11 @@ pub struct SeamRow {
     pub room: String,
     /// Roughness of the floor.
     pub roughness: f64,
-    /// What the reference is off by at edges and elsewhere, from one that is integrated more coarsely.
+    /// What the reference is off by at edges and elsewhere, from one that is integrated more
+    /// coarsely.
     pub noise: [f64; 2],
-    /// The reference, with the second differences of its own, and every law, with those of its error.
+    /// The reference, with the second differences of its own, and every law, with those of its
+    /// error.
     pub pictures: Vec<SeamPicture>,
 }
 
@@ -134,7 +138,8 @@ pub struct SeamRow {
 pub struct SeamPicture {
     /// The law.
     pub policy: String,
-    /// Mean magnitude of the second difference of the error of displayed luminance across edges of the proxy.
+    /// Mean magnitude of the second difference of the error of displayed luminance across edges of
+    /// the proxy.
     pub edge: f64,
     /// The same elsewhere.
     pub elsewhere: f64,

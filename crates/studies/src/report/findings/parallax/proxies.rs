@@ -7,7 +7,8 @@ use serde::Serialize;
 pub struct ProxiesFindings {
     /// Roots of alpha.
     pub roughness: Vec<f64>,
-    /// Points of the practice room that laws were fitted at, and of each other room that they are judged at.
+    /// Points of the practice room that laws were fitted at, and of each other room that they are
+    /// judged at.
     pub points: [usize; 2],
     /// Each with its law.
     pub families: Vec<ProxyFamily>,
@@ -36,7 +37,8 @@ pub struct ProxyFamily {
     pub by_law: Vec<f64>,
 }
 
-/// Relative L2 errors of a room at a roughness, of all points and of those whose lobe reaches over an edge.
+/// Relative L2 errors of a room at a roughness, of all points and of those whose lobe reaches over
+/// an edge.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProxyGain {
     /// The room.

@@ -36,7 +36,8 @@ pub struct RoomGeometry {
     pub panels: usize,
     /// Points.
     pub points: usize,
-    /// Distance of the point from where its ray meets a wall over that of the probe, the quantiles 5, 50 and 95 %.
+    /// Distance of the point from where its ray meets a wall over that of the probe, the quantiles
+    /// 5, 50 and 95 %.
     pub rho: [f64; 3],
     /// Longer over shorter axis of the lobe in the cubemap, the same quantiles.
     pub stretch: [f64; 3],
@@ -83,8 +84,8 @@ pub struct RandomRow {
     pub gain_mae: f64,
 }
 
-/// Constants of a lobe that stand for GGX's with a number of fetches. Errors are geometric means over the roughnesses of the relative L2 in the
-/// practice room.
+/// Constants of a lobe that stand for GGX's with a number of fetches. Errors are geometric means
+/// over the roughnesses of the relative L2 in the practice room.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FittedLobe {
     /// Fetches.
@@ -109,7 +110,8 @@ pub struct FittedLobe {
     pub dominant: f64,
 }
 
-/// A plane seen by a camera in a room. Pairs are by reference: the round lobe cut off at the plane, GGX.
+/// A plane seen by a camera in a room. Pairs are by reference: the round lobe cut off at the plane,
+/// GGX.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RoomPictures {
     /// Room and plane.
@@ -124,7 +126,8 @@ pub struct RoomPictures {
     pub noise: [Vec<f64>; 2],
     /// Mean FLIP between the halves of each reference, by roughness.
     pub flip_of_noise: [Vec<f64>; 2],
-    /// Second differences of displayed luminance of the round lobe's own picture, on the edges of the room in it and elsewhere, by roughness.
+    /// Second differences of displayed luminance of the round lobe's own picture, on the edges of
+    /// the room in it and elsewhere, by roughness.
     pub detail: [Vec<f64>; 2],
     /// By method.
     pub rows: Vec<RoomPictureRow>,
@@ -144,7 +147,8 @@ pub struct RoomPictureRow {
     pub flip: [Vec<f64>; 2],
     /// Relative L2 of their linear radiance, by roughness.
     pub l2: [Vec<f64>; 2],
-    /// Error of the second differences of displayed luminance against the round lobe on the edges of the room in the picture, by roughness.
+    /// Error of the second differences of displayed luminance against the round lobe on the edges
+    /// of the room in the picture, by roughness.
     pub edges: Vec<f64>,
     /// The same elsewhere.
     pub elsewhere: Vec<f64>,

@@ -57,11 +57,13 @@ pub struct SeedSlant {
     pub best: f64,
     /// What multiplies it.
     pub scale: f64,
-    /// Root mean square difference over that of the lobe: of the best fetch, of one of the lobe's width.
+    /// Root mean square difference over that of the lobe: of the best fetch, of one of the lobe's
+    /// width.
     pub error: f64,
     /// The same of the lobe's width.
     pub same: f64,
-    /// Where the lobe falls to half of its peak: across the tilt, towards the shading point, away from it.
+    /// Where the lobe falls to half of its peak: across the tilt, towards the shading point, away
+    /// from it.
     pub half: [f64; 3],
     /// Along the tilt and across it: the lobe, the best fetch, the one of the lobe's width.
     #[serde(skip)]

@@ -97,9 +97,11 @@ pub struct RuleSpread {
     pub mean: [f64; 3],
     /// Their 95 % quantiles.
     pub high: [f64; 3],
-    /// Root mean square errors of the total variation that is expected of one fetch and of the rules.
+    /// Root mean square errors of the total variation that is expected of one fetch and of the
+    /// rules.
     pub expected: [f64; 3],
-    /// How many of the walls the rules of two and three serve worse than one fetch, by more than 0.001.
+    /// How many of the walls the rules of two and three serve worse than one fetch, by more than
+    /// 0.001.
     pub worse: [usize; 2],
 }
 

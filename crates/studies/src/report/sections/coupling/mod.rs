@@ -1,5 +1,5 @@
-//! The page of the study of diffuse couplings: what can be seen of an error, beside how large it is, and what is measured of whole
-//! materials.
+//! The page of the study of diffuse couplings: what can be seen of an error, beside how large it
+//! is, and what is measured of whole materials.
 
 mod furnace;
 mod lit;
@@ -33,8 +33,8 @@ pub fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
 fn names(study: &CouplingStudy) -> Result<Section, ReportError> {
     check::filled("study", "meanings", study.meanings.len())?;
     let table = |lobe: bool, columns: [(&str, bool); 2], caption: &str| {
-        let told = study.meanings.iter().filter(|m| m.lobe == lobe);
-        let rows = told.map(|m| vec![m.name.clone(), m.meaning.clone()]).collect();
+        let meanings = study.meanings.iter().filter(|m| m.lobe == lobe);
+        let rows = meanings.map(|m| vec![m.name.clone(), m.meaning.clone()]).collect();
         Block::Table(words::table(&columns, rows, caption))
     };
     Ok(Section {

@@ -148,7 +148,8 @@ fn disagreement(ranking: &Ranking) -> String {
     )
 }
 
-/// What it changes to fit a form for what is seen instead of for the largest error, in words; none where no form is fitted for both.
+/// What it changes to fit a form for what is seen instead of for the largest error, in words; none
+/// where no form is fitted for both.
 fn refitted(ranking: &Ranking) -> Option<String> {
     let one = |max: &Ranked| {
         let seen = ranking.rows.iter().find(|r| r.name == format!("{}, perceptual", max.name))?;

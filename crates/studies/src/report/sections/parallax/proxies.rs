@@ -56,7 +56,8 @@ fn most(family: &ProxyFamily) -> f64 {
     family.landscape.iter().flatten().map(|ratio| 1.0 - ratio).fold(0.0, f64::max)
 }
 
-/// Whether the law lies beside the best parameters: by more than half of the larger of both in the mean over roughness.
+/// Whether the law lies beside the best parameters: by more than half of the larger of both in the
+/// mean over roughness.
 fn beside(family: &ProxyFamily) -> bool {
     let pairs = family.by_law.iter().zip(&family.best);
     let off = pairs.map(|(law, best)| (law - best).abs() / law.max(*best).max(f64::MIN_POSITIVE));

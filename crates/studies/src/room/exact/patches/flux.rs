@@ -1,11 +1,14 @@
 //! int G dphi along edges.
 //!
-//! An edge from a to b, seen from the place and with z along the axis, turns about it by dphi = (x dy - y dx)/(x^2 + y^2), whose numerator is
-//! constant along it. G dphi has poles in the complex plane where x^2 + y^2 = 0, or where x^2 + y^2 + z^2 = 0. E dphi has not the first ones but
-//! those of E, where tan^2(theta/2) = -alpha^2, which is about x^2 + y^2 = -(2 alpha/(1 + alpha^2))^2 z^2. The sum S of the distances of a and b
-//! from a pole over the length of the edge is the larger half-axis of the ellipse about the edge that runs through it, and Gauss's rule of n nodes
-//! is off by some (S + sqrt(S^2 - 1))^-2n. An edge far from the axis is integrated by G; one near it by E, whose integral is that of G less than the
-//! angle that the edge turns by; and one that is too long for that as well is halved.
+//! An edge from a to b, seen from the place and with z along the axis, turns about it by dphi = (x
+//! dy - y dx)/(x^2 + y^2), whose numerator is constant along it. G dphi has poles in the complex
+//! plane where x^2 + y^2 = 0, or where x^2 + y^2 + z^2 = 0. E dphi has not the first ones but those
+//! of E, where tan^2(theta/2) = -alpha^2, which is about x^2 + y^2 = -(2 alpha/(1 + alpha^2))^2
+//! z^2. The sum S of the distances of a and b from a pole over the length of the edge is the larger
+//! half-axis of the ellipse about the edge that runs through it, and Gauss's rule of n nodes is off
+//! by some (S + sqrt(S^2 - 1))^-2n. An edge far from the axis is integrated by G; one near it by E,
+//! whose integral is that of G less than the angle that the edge turns by; and one that is too long
+//! for that as well is halved.
 
 use std::f64::consts::PI;
 
@@ -23,8 +26,8 @@ pub(super) use lobefit_math::lanes::LANES;
 pub(super) struct Edge {
     pub from: Vec3,
     pub to: Vec3,
-    /// Radiance on its left less that on its right, seen from inside the room with the wall's first axis to the right; and the same of 1 where
-    /// the room is not cut off and 0 where it is.
+    /// Radiance on its left less that on its right, seen from inside the room with the wall's first
+    /// axis to the right; and the same of 1 where the room is not cut off and 0 where it is.
     pub jump: [f64; 4],
 }
 
@@ -62,8 +65,9 @@ pub(super) struct View {
     wide: [f64; 2],
 }
 
-/// 1 - E of the cosine-weighted lobe over u = tan^2(theta/2) in [0, 1]: 1 + a ln(A (1 + u)/(A + u)) + b u/(A + u) by its closed form; near
-/// A = 1, where that cancels, mixed with ((1 - u)/(1 + u))^2, its limit.
+/// 1 - E of the cosine-weighted lobe over u = tan^2(theta/2) in [0, 1]: 1 + a ln(A (1 + u)/(A + u))
+/// + b u/(A + u) by its closed form; near A = 1, where that cancels, mixed with ((1 - u)/(1 +
+/// u))^2, its limit.
 struct Outside {
     a2: f64,
     a: f64,
@@ -165,7 +169,8 @@ impl Ends {
         out
     }
 
-    /// The smaller S of the poles where x^2 + y^2 = -pole2 z^2 and where the length is 0; infinite of a point.
+    /// The smaller S of the poles where x^2 + y^2 = -pole2 z^2 and where the length is 0; infinite
+    /// of a point.
     #[inline(always)]
     fn wideness(&self, pole2: f64) -> F8 {
         let mut out = [0.0; LANES];
@@ -242,8 +247,8 @@ impl Near {
 /// Halvings of an edge at most: an edge 10 m long is then shorter than 1e-12 of that.
 const MOST_HALVINGS: u32 = 40;
 
-/// The sum over edges of their jumps times int G dphi/(2 pi). With the instructions that the processor has: nothing is contracted, so that all
-/// give the same bits.
+/// The sum over edges of their jumps times int G dphi/(2 pi). With the instructions that the
+/// processor has: nothing is contracted, so that all give the same bits.
 #[multiversion(targets(
     "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"

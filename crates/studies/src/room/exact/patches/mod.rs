@@ -1,13 +1,15 @@
 //! Lobes integrated in a room without samples.
 //!
-//! A room is made of patches of even light, so that what a lobe sees of it is a sum over the edges between them. With phi the azimuth about the
-//! lobe's axis, E the share of its energy inside a cone ([`Lobe::encircled`](lobefit_truth::optics::kernel::Lobe::encircled)) and G = 1 - E, the energy in a
-//! patch is the integral of E dphi/(2 pi) around it (Green's theorem on the sphere), and the mean radiance
+//! A room is made of patches of even light, so that what a lobe sees of it is a sum over the edges
+//! between them. With phi the azimuth about the lobe's axis, E the share of its energy inside a
+//! cone ([`Lobe::encircled`](lobefit_truth::optics::kernel::Lobe::encircled)) and G = 1 - E, the
+//! energy in a patch is the integral of E dphi/(2 pi) around it (Green's theorem on the sphere),
+//! and the mean radiance
 //!
 //!   L(axis) - sum over edges of (L left - L right) int G dphi/(2 pi),
 //!
-//! exact but for the rule that takes the integrals along edges. Of the cosine-weighted kernel alone: its G is 0 behind the horizon of the axis, so
-//! that half of the room drops out.
+//! exact but for the rule that takes the integrals along edges. Of the cosine-weighted kernel
+//! alone: its G is 0 behind the horizon of the axis, so that half of the room drops out.
 
 mod flux;
 mod walls;
@@ -38,8 +40,8 @@ pub struct Patches<'a> {
     fineness: Fineness,
 }
 
-/// How far the axis is turned, in radians: an edge that runs through it exactly would be on neither side. Far above the rounding of
-/// directions, far below what is seen.
+/// How far the axis is turned, in radians: an edge that runs through it exactly would be on neither
+/// side. Far above the rounding of directions, far below what is seen.
 const ASIDE: [f64; 2] = [0.73e-11, 0.41e-11];
 
 impl<'a> Patches<'a> {
@@ -48,8 +50,8 @@ impl<'a> Patches<'a> {
         Patches { room, above: None, blocks: walls::blocks(room, None), fineness: Fineness::Usual }
     }
 
-    /// What of it is above a plane through `place` with the unit normal `up`: the lobes of places on that plane, axes above it, are cut off there,
-    /// and what is left is weighted up.
+    /// What of it is above a plane through `place` with the unit normal `up`: the lobes of places
+    /// on that plane, axes above it, are cut off there, and what is left is weighted up.
     pub fn above(room: &'a Room, place: Vec3, up: Vec3) -> Patches<'a> {
         let plane = Plane::through(place, up);
         let blocks = walls::blocks(room, Some(plane));
@@ -61,7 +63,8 @@ impl<'a> Patches<'a> {
         Patches { fineness, ..self }
     }
 
-    /// Mean radiance of the lobe of a width in (0, 1] about `axis`, of unit length, from a place inside.
+    /// Mean radiance of the lobe of a width in (0, 1] about `axis`, of unit length, from a place
+    /// inside.
     pub fn lobe(&self, place: Vec3, axis: Vec3, alpha: f64) -> [f64; 3] {
         let [x, y] = tangents(axis);
         let axis = normalise(plus(axis, plus(scaled(x, ASIDE[0]), scaled(y, ASIDE[1]))));

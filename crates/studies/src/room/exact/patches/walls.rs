@@ -120,7 +120,8 @@ fn of_wall((room, index): (&Room, usize), halves: &[Half], below: Vec3, edges: &
             for [from, to] in pieces(low, high, &lines[1 - axis]) {
                 let [before, after] =
                     [-BESIDE, BESIDE].map(|beside| wall.at(place(0.5 * (from + to), beside)));
-                // upward, a line of the first axis has on its left what is before it, one of the second what is after
+                // upward, a line of the first axis has on its left what is before it, one of the
+                // second what is after
                 let jump = if axis == 0 { minus(before, after) } else { minus(after, before) };
                 add(place(from, 0.0), place(to, 0.0), jump, 0.0);
             }

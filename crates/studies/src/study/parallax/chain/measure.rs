@@ -71,7 +71,8 @@ impl<'a> Case<'a> {
     }
 }
 
-/// Distance of the end of a mirror ray from the nearest edge of its wall, in radii of the lobe on it; that of a ray that meets no wall is 0.
+/// Distance of the end of a mirror ray from the nearest edge of its wall, in radii of the lobe on
+/// it; that of a ray that meets no wall is 0.
 fn nearness(shape: &Convex, seen: &Seen) -> f64 {
     let Some((distance, wall)) = shape.exit(seen.place, seen.view) else { return 0.0 };
     let place = plus(seen.place, scaled(seen.view, distance));

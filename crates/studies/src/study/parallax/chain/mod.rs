@@ -1,4 +1,5 @@
-//! What a real chain of levels adds to the error of lookups, and what its texels gain where they see the room from elsewhere than the probe.
+//! What a real chain of levels adds to the error of lookups, and what its texels gain where they
+//! see the room from elsewhere than the probe.
 
 mod gains;
 mod measure;

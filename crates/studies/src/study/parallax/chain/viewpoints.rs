@@ -42,7 +42,8 @@ impl Policy {
     }
 }
 
-/// Those compared; a viewpoint is half way at `widths` radii, ratios fade over so many as `fades` says.
+/// Those compared; a viewpoint is half way at `widths` radii, ratios fade over so many as `fades`
+/// says.
 pub(super) fn policies(widths: f64, fades: &[f64]) -> Vec<Policy> {
     let policy = |name: String, viewpoint, fetches| Policy { name, viewpoint, fetches };
     let slanted = |name: String, viewpoint, slant| policy(name, viewpoint, Fetches::Slanted(slant));

@@ -1,4 +1,5 @@
-//! What one fetch through a proxy is off by at points at random, against the same lobe traced from the point.
+//! What one fetch through a proxy is off by at points at random, against the same lobe traced from
+//! the point.
 
 use rayon::prelude::*;
 
@@ -22,7 +23,8 @@ struct Known {
     point: Point,
     /// What the round lobe sees.
     truth: [f64; 3],
-    /// Whether the lobe reaches over an edge: another plane is nearer to where its axis ends than the lobe is wide there.
+    /// Whether the lobe reaches over an edge: another plane is nearer to where its axis ends than
+    /// the lobe is wide there.
     edge: bool,
 }
 
@@ -77,8 +79,8 @@ fn tap(proxy: &dyn Proxy, probe: Vec3, place: Vec3, ray: Vec3, alpha: f64) -> Ta
     Tap { towards, alpha: width(alpha, ratio), weight: 1.0 }
 }
 
-/// Direction and ratio of areas by the distance that a proxy states: that of a faded one is not the distance to its place. `None` where the
-/// place is the probe's own.
+/// Direction and ratio of areas by the distance that a proxy states: that of a faded one is not the
+/// distance to its place. `None` where the place is the probe's own.
 pub(super) fn looked_up(hit: &Meeting, ray: Vec3, probe: Vec3) -> Option<(Vec3, f64)> {
     let away = minus(hit.place, probe);
     let distance = length(away);

@@ -66,8 +66,9 @@ impl Family {
         }
     }
 
-    /// A form of its law with two numbers: of the smooth one the value at alpha = 1 and the least p; of the tied one the first alone; of the others the value at alpha = 1
-    /// and the power of alpha.
+    /// A form of its law with two numbers: of the smooth one the value at alpha = 1 and the least
+    /// p; of the tied one the first alone; of the others the value at alpha = 1 and the power of
+    /// alpha.
     pub fn law(self, form: usize, [a, b]: [f64; 2]) -> Law {
         match self {
             Family::Smooth => {

@@ -53,7 +53,8 @@ impl Landscape {
         rows.map(|(row, alpha)| self.at(row, law.at(*alpha))).sum::<f64>() / self.alphas.len() as f64
     }
 
-    /// The law of the smallest mean: a search along both numbers with halving steps, from several starts.
+    /// The law of the smallest mean: a search along both numbers with halving steps, from several
+    /// starts.
     pub fn law(&self) -> Law {
         let (start, bounds) = self.family.search();
         let starts = [[0.3, 0.3], [0.3, 0.7], [0.7, 0.3], [0.7, 0.7]]

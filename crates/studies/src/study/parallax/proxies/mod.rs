@@ -1,5 +1,5 @@
-//! Proxies with soft edges: each family's parameter fitted over roughness, what the law gains on other points, and what is left of the
-//! jumps at edges.
+//! Proxies with soft edges: each family's parameter fitted over roughness, what the law gains on
+//! other points, and what is left of the jumps at edges.
 
 mod crossings;
 mod errors;

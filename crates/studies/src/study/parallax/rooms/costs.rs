@@ -8,8 +8,9 @@ use lobefit::effects::parallax::probe::{Called, Wanted};
 use lobefit::effects::parallax::{HYPOTHESES, TapRule};
 use lobefit_shade::Hypothesis;
 
-/// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches, of the mirror lobe and of the fitted one; the width is that of the cheapest formula of the
-/// catalogue, the rational one.
+/// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches, of the mirror
+/// lobe and of the fitted one; the width is that of the cheapest formula of the catalogue, the
+/// rational one.
 pub(super) fn costs(planes: u32) -> Result<Vec<LookupCost>, StudyError> {
     let [entry, ..] = HYPOTHESES;
     let width = Hypothesis::parse(entry.file, entry.source)?;

@@ -1,6 +1,7 @@
-//! The constants of a lobe's axis and widths, fitted to what GGX surfaces reflect in a room that is none of those that methods are judged in:
-//! half of them anywhere inside, half on its walls. The lookup is the whole one, through the smooth proxy: a fetch also sees what lies
-//! below a surface, which the surface does not, and how much of that to take is part of the fit.
+//! The constants of a lobe's axis and widths, fitted to what GGX surfaces reflect in a room that is
+//! none of those that methods are judged in: half of them anywhere inside, half on its walls. The
+//! lookup is the whole one, through the smooth proxy: a fetch also sees what lies below a surface,
+//! which the surface does not, and how much of that to take is part of the fit.
 
 use argmin::core::{CostFunction, Executor, State};
 use argmin::solver::neldermead::NelderMead;
@@ -47,7 +48,8 @@ fn listed(fit: &LobeFit) -> Vec<f64> {
     [&fit.lean[..], &fit.narrow, &fit.squash].concat()
 }
 
-/// Constants by their list; those of the ratio of widths are 0 where the list ends before them: a round lobe.
+/// Constants by their list; those of the ratio of widths are 0 where the list ends before them: a
+/// round lobe.
 fn named(list: &[f64]) -> LobeFit {
     let at = |i: usize| list.get(i).copied().unwrap_or(0.0);
     LobeFit { lean: [at(0), at(1), at(2)], narrow: [at(3), at(4), at(5)], squash: [at(6), at(7)] }
@@ -119,7 +121,8 @@ impl CostFunction for &Search<'_> {
     }
 }
 
-/// Where the search begins: the published direction by a power of alpha, the Jacobian of the half vector at low roughness.
+/// Where the search begins: the published direction by a power of alpha, the Jacobian of the half
+/// vector at low roughness.
 const START: LobeFit = LobeFit { lean: [0.9, 1.3, 0.0], narrow: [0.3, 0.5, 0.0], squash: [1.0, 1.0] };
 
 /// Fits for one, two and three fetches; the lobe of one is round.

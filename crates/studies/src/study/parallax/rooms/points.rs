@@ -42,7 +42,8 @@ pub(in crate::study::parallax) struct Point {
 /// Least cosine between normal and view.
 const LEAST_COSINE: f64 = 0.05;
 
-/// Places evenly inside the walls, directions evenly over the sphere, the cosine n.v evenly above its least.
+/// Places evenly inside the walls, directions evenly over the sphere, the cosine n.v evenly above
+/// its least.
 pub(in crate::study::parallax) fn points(room: &Room, parameters: &Parameters) -> Vec<Point> {
     let Parameters { count, margin, seed } = *parameters;
     let shape = room.shape();
@@ -63,7 +64,8 @@ pub(in crate::study::parallax) fn points(room: &Room, parameters: &Parameters) -
     found.zip(0..).map(point).collect()
 }
 
-/// [`points`], every other one of them moved back along its mirror ray to the wall there, whose surface it then is on.
+/// [`points`], every other one of them moved back along its mirror ray to the wall there, whose
+/// surface it then is on.
 pub(super) fn half_on_walls(room: &Room, parameters: &Parameters) -> Vec<Point> {
     let moved = |(i, point): (usize, Point)| {
         if i % 2 == 0 {
@@ -117,7 +119,8 @@ pub(in crate::study::parallax) fn geometry(room: &Room, parameters: &Parameters)
     }
 }
 
-/// The value that a share of others is below, the nearest of those there are; 0 where there are none.
+/// The value that a share of others is below, the nearest of those there are; 0 where there are
+/// none.
 fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);

@@ -52,7 +52,8 @@ impl Reference {
         }
     }
 
-    /// The shading point of a point: seen head on where there is no surface, so that nothing leans and no ray leaves below it.
+    /// The shading point of a point: seen head on where there is no surface, so that nothing leans
+    /// and no ray leaves below it.
     pub fn seen(self, point: &Point, alpha: f64) -> Seen {
         let Point { place, mirror, normal, .. } = *point;
         match self {
@@ -140,8 +141,8 @@ fn column(
     let halves = [0, 1].map(|half| all.iter().map(|(halves, _)| halves[half]).collect::<Vec<Vec3>>());
     let indices = 0..lookups.len();
     Column {
-        // each half has twice the variance of the mean, their difference four times; a coarse lobe and a fine one differ by twice what their mean
-        // is off by
+        // each half has twice the variance of the mean, their difference four times; a coarse lobe
+        // and a fine one differ by twice what their mean is off by
         noise: 0.5 * relative(&halves[0], &halves[1]),
         l2: indices.clone().map(|i| relative(&of(i), &truth)).collect(),
         mae: indices.map(|i| shown(&of(i), &truth)).collect(),

@@ -50,7 +50,7 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
 /// The question answered, for either reference.
 fn answer(rooms: &RoomsFindings) -> String {
     let shown = || rooms.chosen.iter().filter(|name| **name != rooms.rival);
-    let told = ["the round lobe", "GGX"].iter().enumerate().map(|(reference, against)| {
+    let sentences = ["the round lobe", "GGX"].iter().enumerate().map(|(reference, against)| {
         let never: Vec<&str> = shown()
             .filter(|name| cells(rooms, name, reference).iter().all(|cell| cell.gain >= 1.0))
             .map(String::as_str)
@@ -62,11 +62,11 @@ fn answer(rooms: &RoomsFindings) -> String {
             }
         }
     });
-    let told: Vec<String> = told.collect();
+    let sentences: Vec<String> = sentences.collect();
     format!(
         "Frostbite’s listing against the methods that the page shows pictures of. {} Some losses are within the noise of the references \
          (FLIP: see the tables of the pictures).",
-        told.join(" ")
+        sentences.join(" ")
     )
 }
 

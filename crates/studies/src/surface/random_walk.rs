@@ -1,4 +1,5 @@
-//! The random walk beside the lobes, at single views: bounce by bounce, where the light goes, and the albedo of gold.
+//! The random walk beside the lobes, at single views: bounce by bounce, where the light goes, and
+//! the albedo of gold.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -27,7 +28,8 @@ pub struct BounceRow {
     pub energy: [f64; BOUNCES],
     /// Standard errors.
     pub standard_error: [f64; BOUNCES],
-    /// Energy of two bounces or more by the cosine at which it leaves, in equal bins from grazing to normal.
+    /// Energy of two bounces or more by the cosine at which it leaves, in equal bins from grazing
+    /// to normal.
     pub lights: Vec<f64>,
     /// Standard errors.
     pub lights_error: Vec<f64>,
@@ -35,10 +37,12 @@ pub struct BounceRow {
     pub kulla_conty: Vec<f64>,
     /// The same energy as a multiplied lobe of single scattering spreads it.
     pub multiplied: Vec<f64>,
-    /// Both as densities, to be drawn: cosine of the light, energy per unit of cosine of Kulla and Conty's lobe and of the multiplied one.
+    /// Both as densities, to be drawn: cosine of the light, energy per unit of cosine of Kulla and
+    /// Conty's lobe and of the multiplied one.
     #[serde(skip)]
     pub densities: Vec<[f64; 3]>,
-    /// Part of the energy that Kulla and Conty's lobe would have to move to be the walk's: half the sum of the differences.
+    /// Part of the energy that Kulla and Conty's lobe would have to move to be the walk's: half the
+    /// sum of the differences.
     pub kulla_conty_off: f64,
     /// The same of the multiplied lobe.
     pub multiplied_off: f64,
@@ -121,8 +125,9 @@ impl<'a> Spread<'a> {
         2.0 * light * albedos.at(light).loss * albedos.at(self.mu).loss / albedos.average.loss
     }
 
-    /// The single lobe over a ring of lights times loss/E. The midpoint rule over half the azimuth, of a function that is even and periodic
-    /// and whose peak is alpha wide, has more than six nodes to that width, which leaves less than 1e-9 of it.
+    /// The single lobe over a ring of lights times loss/E. The midpoint rule over half the azimuth,
+    /// of a function that is even and periodic and whose peak is alpha wide, has more than six
+    /// nodes to that width, which leaves less than 1e-9 of it.
     fn multiplied(&self, light: f64) -> f64 {
         let (surface, column) = (self.surface, self.surface.albedos().at(self.mu));
         let nodes = (20.0 / surface.material().alpha).ceil().max(64.0) as usize;

@@ -1,6 +1,8 @@
-//! Bases darker than white. Every factor is made for a white base, which it leaves exactly what the lobe does not take; a darker base
-//! absorbs its share of that, so that no albedo in [0, 1] can make light where white does not. How dark it looks is a choice: the plain
-//! factor gives rho times the light that is left, the interreflected one also absorbs light that the lobe sends back to the base.
+//! Bases darker than white. Every factor is made for a white base, which it leaves exactly what the
+//! lobe does not take; a darker base absorbs its share of that, so that no albedo in [0, 1] can
+//! make light where white does not. How dark it looks is a choice: the plain factor gives rho times
+//! the light that is left, the interreflected one also absorbs light that the lobe sends back to
+//! the base.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -16,7 +18,7 @@ pub const ALBEDOS: [f64; 6] = [0.0, 0.2, 0.5, 0.8, 0.95, 1.0];
 
 /// One coupling and one albedo of the base.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct DarkRow {
+pub struct AbsorbingRow {
     /// Name of the coupling.
     pub coupling: String,
     /// Albedo of the base.
@@ -25,21 +27,24 @@ pub struct DarkRow {
     pub least: f64,
     /// Largest total albedo over the grid.
     pub most: f64,
-    /// Mean over the grid of the base's part over rho times what the lobe leaves: 1 for a plain factor; none for a black base.
+    /// Mean over the grid of the base's part over rho times what the lobe leaves: 1 for a plain
+    /// factor; none for a black base.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub share: Option<f64>,
-    /// Whether nowhere on the grid the material got darker, beyond what is known of it, as its base got lighter.
+    /// Whether nowhere on the grid the material got darker, beyond what is known of it, as its base
+    /// got lighter.
     pub monotone: bool,
 }
 
-/// Measures the couplings that close the furnace of a white base, over [`ALBEDOS`], with a compensated lobe of the f0 given.
+/// Measures the couplings that close the furnace of a white base, over [`ALBEDOS`], with a
+/// compensated lobe of the f0 given.
 ///
 /// # Errors
 /// A surface that cannot be measured.
-pub fn dark_table(smith: Smith, f0: f64, grid: &Grid) -> Result<Vec<DarkRow>, SurfaceError> {
+pub fn absorbing_table(smith: Smith, f0: f64, grid: &Grid) -> Result<Vec<AbsorbingRow>, SurfaceError> {
     let couplings = [Coupling::OneMinusOwnSpecular, Coupling::Kelemen, Coupling::Interreflected];
     let (views, albedos) = (grid.views(), grid.albedos(smith)?);
-    let mut rows: Vec<DarkRow> = Vec::new();
+    let mut rows: Vec<AbsorbingRow> = Vec::new();
     for coupling in couplings {
         let mut before: Option<Vec<Estimate>> = None;
         for rho in ALBEDOS {
@@ -60,7 +65,7 @@ pub fn dark_table(smith: Smith, f0: f64, grid: &Grid) -> Result<Vec<DarkRow>, Su
             // Both are known to their bounds only.
             let lighter =
                 |(now, before): (&Estimate, &Estimate)| now.value + now.error >= before.value - before.error;
-            rows.push(DarkRow {
+            rows.push(AbsorbingRow {
                 coupling: coupling.name().into(),
                 rho,
                 least: total.iter().map(|x| x.value).fold(f64::INFINITY, f64::min),
