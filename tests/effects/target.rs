@@ -76,7 +76,8 @@ fn scale_and_target_are_those_of_the_use() {
     };
     let truth = |sampled: &Sampled, i: usize| {
         let inputs = [at(sampled, i, "alpha"), at(sampled, i, "mu")];
-        let v = quantity::GgxReflection.at(&Smith::Correlated.into(), &inputs, 1e-10).expect("in the domain");
+        let v =
+            quantity::GGX_REFLECTION.at(&Smith::Correlated.into(), &inputs, 1e-10).expect("in the domain");
         (v[0], v[1], v[2])
     };
     let places: Vec<Vec<f64>> = [[0.1, 0.02], [0.4, 0.3], [1.0, 0.9]].map(|p| p.to_vec()).to_vec();

@@ -9,7 +9,7 @@ use lobefit_truth::integrate::monte_carlo;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::optics::beckmann::Beckmann;
 use lobefit_truth::optics::distribution::Distribution;
-use lobefit_truth::quantity::{BeckmannReflection, Quantity};
+use lobefit_truth::quantity::{BECKMANN_REFLECTION, Quantity};
 
 /// Adaptive Simpson's rule.
 fn simpson(f: &dyn Fn(f64) -> f64, [a, b]: [f64; 2], tolerance: f64) -> f64 {
@@ -89,7 +89,7 @@ fn by_slopes(smith: Smith, alpha: f64, mu: f64) -> [f64; 3] {
 }
 
 fn at(smith: Smith, alpha: f64, mu: f64) -> [f64; 5] {
-    let v = BeckmannReflection.at(&smith.into(), &[alpha, mu], 1e-10).expect("a value");
+    let v = BECKMANN_REFLECTION.at(&smith.into(), &[alpha, mu], 1e-10).expect("a value");
     [v[0], v[1], v[2], v[3], v[4]]
 }
 
@@ -113,7 +113,7 @@ fn values_are_those_of_monte_carlo() {
         for smith in Smith::ALL {
             let v = at(smith, alpha, mu);
             let sampled =
-                BeckmannReflection.second_opinion(&smith.into(), &[alpha, mu], run).expect("samples");
+                BECKMANN_REFLECTION.second_opinion(&smith.into(), &[alpha, mu], run).expect("samples");
             for (value, sampled) in v.iter().zip(sampled) {
                 let off = (value - sampled.value).abs();
                 assert!(

@@ -9,7 +9,7 @@ use crate::approximate::{AVERAGE_NODES, Counter, Field, PointSet, Region, TRUTH_
 use crate::data::{Smith, Use};
 use lobefit_truth::integrate::{IntegrateError, footprint, sheen};
 use lobefit_truth::optics::kernel::Kernel;
-use lobefit_truth::quantity::{GgxReflection, Quantity};
+use lobefit_truth::quantity::{GGX_REFLECTION, Quantity};
 
 /// The truth at points, before its use.
 pub(super) enum Truth {
@@ -131,9 +131,9 @@ impl Target {
             let field = Field::split(self.smith(), &points, &Counter::default());
             return Ok((field.e, field.b));
         }
-        let tolerance = GgxReflection.tolerance(&self.variant).max(TOLERANCE);
+        let tolerance = GGX_REFLECTION.tolerance(&self.variant).max(TOLERANCE);
         let one = |(alpha, mu): (&f32, &f32)| {
-            let values = GgxReflection.at(&self.variant, &[f64::from(*alpha), f64::from(*mu)], tolerance)?;
+            let values = GGX_REFLECTION.at(&self.variant, &[f64::from(*alpha), f64::from(*mu)], tolerance)?;
             Ok((values[0], values[2]))
         };
         let pairs: Vec<(&f32, &f32)> = points.alpha.iter().zip(&points.mu).collect();

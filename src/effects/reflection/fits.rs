@@ -6,7 +6,7 @@ use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Counter, FitSet, FitStageError, Region, Wanted};
 use crate::data::{Norm, Smith, Source, Use};
 use lobefit_shade::{Hypothesis, ShadeError};
-use lobefit_truth::quantity::{GgxAverage, GgxReflection, Quantity, Variant};
+use lobefit_truth::quantity::{GGX_REFLECTION, GgxAverage, Quantity, Variant};
 
 /// What to fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl FitSpec {
             user: &self.hypotheses,
             published: SEEDS.iter().chain(&RIVALS).collect(),
             with_f0: Some(saturating),
-            ..self.of(&GgxReflection, "E", Use::Normalisation)
+            ..self.of(&GGX_REFLECTION, "E", Use::Normalisation)
         }
     }
 
@@ -79,7 +79,7 @@ impl FitSpec {
 
     fn blends(&self) -> Wanted<'_> {
         let published = BLEND_RIVALS.iter().collect();
-        Wanted { own: &BLENDS, published, ..self.of(&GgxReflection, "E", Use::F0Blend) }
+        Wanted { own: &BLENDS, published, ..self.of(&GGX_REFLECTION, "E", Use::F0Blend) }
     }
 
     /// No formula for a column of a quantity in a use, over the region.

@@ -21,7 +21,7 @@ use lobefit_fit::search::{
     Anchor, Found, Pair, PairSamples, Pairing, Progress, SearchSamples, Second, Space, search, search_pair,
 };
 use lobefit_truth::integrate::coupling::Specular;
-use lobefit_truth::quantity::GgxReflection;
+use lobefit_truth::quantity::GGX_REFLECTION;
 
 /// Values of f0 where an error that is not affine in it is searched.
 const CURVED: usize = 5;
@@ -86,7 +86,7 @@ impl Split {
         let mut domain = job.spec.domain.clone();
         domain.remove("f0");
         let spec = |used_as: Use| TargetSpec {
-            quantity: &GgxReflection,
+            quantity: &GGX_REFLECTION,
             column: None,
             used_as: Some(used_as),
             variant: target.variant.clone(),

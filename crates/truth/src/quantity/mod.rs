@@ -5,7 +5,6 @@
 
 mod aniso;
 mod average;
-mod beckmann;
 mod coupling;
 mod glass;
 mod parallax;
@@ -15,11 +14,10 @@ mod variant;
 
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
-pub use beckmann::BeckmannReflection;
 pub use coupling::DiffuseCoupling;
 pub use glass::GgxGlass;
 pub use parallax::ParallaxAlpha;
-pub use reflection::GgxReflection;
+pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection};
 pub use sheen::SheenCharlie;
 pub use variant::{Choice, Variant};
 
@@ -111,14 +109,14 @@ impl PartialEq for dyn Quantity {
 
 /// Every quantity of this version.
 pub static QUANTITIES: [&dyn Quantity; 8] = [
-    &GgxReflection,
+    &GGX_REFLECTION,
     &GgxReflectionAniso,
     &GgxAverage,
     &GgxGlass,
     &SheenCharlie,
     &DiffuseCoupling,
     &ParallaxAlpha,
-    &BeckmannReflection,
+    &BECKMANN_REFLECTION,
 ];
 
 /// The quantity of a name.

@@ -68,7 +68,7 @@ pub fn reflection(smith: Smith, alpha: f64, mu: f64, tolerance: f64) -> Result<R
     reflection_of(QUANTITY, smith, Ggx(alpha), mu, tolerance)
 }
 
-const QUANTITY: &str = "ggx-reflection";
+pub(crate) const QUANTITY: &str = "ggx-reflection";
 
 /// [`reflection`] of any distribution of normals, as the quantity of a name.
 pub fn reflection_of<D: Distribution>(
