@@ -129,7 +129,7 @@ fn fix_kernel(points: &mut Points, word: &str, quantity: &dyn Quantity) -> Resul
         return Err(CliError::Usage(message.into()));
     }
     let kernel = input::kernel(word)?;
-    points.variants().for_each(|variant| variant.kernel = Some(kernel));
+    points.variants().for_each(|variant| variant.kernel = Some(kernel.clone()));
     Ok(())
 }
 

@@ -125,7 +125,7 @@ pub(super) fn kernel(word: &str) -> Result<Kernel, CliError> {
         return Ok(kernel);
     }
     if !word.ends_with(".json") {
-        let words = Kernel::ALL.map(Kernel::word).join(", ");
+        let words = Kernel::WORDS.join(", ");
         let message =
             format!("kernel {word}: one of {words}, or the path of a .json file with a table, is called for");
         return Err(CliError::Usage(message));

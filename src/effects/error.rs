@@ -60,7 +60,7 @@ pub enum BakeError {
     )]
     NoRule {
         /// The kernel's word.
-        kernel: &'static str,
+        kernel: String,
         /// Fetches asked for.
         fetches: usize,
     },

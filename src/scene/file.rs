@@ -229,10 +229,10 @@ impl Scene {
 
     /// Functions are named by their kernel's name: two tables of one name would have the same functions.
     fn check_kernels(&self) -> Result<(), (String, String)> {
-        let mut known: BTreeMap<&str, (usize, Kernel)> = BTreeMap::new();
+        let mut known: BTreeMap<&str, (usize, &Kernel)> = BTreeMap::new();
         for (i, probe) in self.probes.iter().enumerate() {
-            let (first, kernel) = *known.entry(probe.kernel.name()).or_insert((i, probe.kernel));
-            if kernel != probe.kernel {
+            let (first, kernel) = *known.entry(probe.kernel.name()).or_insert((i, &probe.kernel));
+            if kernel != &probe.kernel {
                 let name = kernel.name();
                 let message = format!(
                     "the table calls its kernel `{name}`, as another one of probes[{first}] does; rename one"

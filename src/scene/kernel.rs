@@ -55,7 +55,7 @@ impl JsonSchema for KernelWord {
         "Kernel".into()
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let words = Kernel::ALL.map(Kernel::word);
+        let words = Kernel::WORDS;
         json_schema!({ "anyOf": [
             { "type": "string", "enum": words },
             { "type": "string", "pattern": "\\.json$", "maxLength": limits::STRING_BYTES },

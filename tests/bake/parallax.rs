@@ -90,7 +90,7 @@ fn certificates_of_widths_hold() {
                 let (r, rho) = (0.1 + 0.075 * i as f32, (0.0625 * ops::exp2(0.5 * f64::from(j))) as f32);
                 let (r, alpha) = (r.min(1.0), r.min(1.0) * r.min(1.0));
                 let truth =
-                    adjusted(Kernel::HalfCosine, f64::from(alpha), f64::from(rho), 1e-6).expect("a truth");
+                    adjusted(&Kernel::HalfCosine, f64::from(alpha), f64::from(rho), 1e-6).expect("a truth");
                 if truth.saturated {
                     continue;
                 }
@@ -102,7 +102,7 @@ fn certificates_of_widths_hold() {
                 let inputs: Vec<Vec<f32>> = fit.hypothesis.inputs().iter().map(column).collect();
                 let found = fit.hypothesis.tape().evaluate(&inputs, &fit.coefficients()).expect("finite")[0];
                 worst = worst.max((f64::from(found) / truth.alpha - 1.0).abs());
-                let tv = measures(Kernel::HalfCosine, f64::from(alpha), f64::from(rho), f64::from(found));
+                let tv = measures(&Kernel::HalfCosine, f64::from(alpha), f64::from(rho), f64::from(found));
                 assert!(
                     !fit.emitted || tv.expect("measured").tv <= 0.045,
                     "{} {r} {rho}",

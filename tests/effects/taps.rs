@@ -91,10 +91,10 @@ const LEFT: [(Kernel, [Left; 2]); 3] = [
 fn more_fetches_are_nearer_on_walls_at_any_slant_but_a_few() {
     let alphas = [0.01, 0.03, 0.08, 0.18, 0.35, 0.6];
     for (kernel, stated) in LEFT {
-        let all = situations(kernel, &alphas, 3000, 5, Resolution::COARSE).expect("walls");
+        let all = situations(&kernel, &alphas, 3000, 5, Resolution::COARSE).expect("walls");
         let one: f64 = all.iter().map(|situation| situation.one).sum();
         for (fetches, share, walls, [least, most]) in stated {
-            let rule = TapRule::of(kernel, fetches).expect("a rule");
+            let rule = TapRule::of(&kernel, fetches).expect("a rule");
             let (mut sum, mut worse, mut worst) = (0.0, 0, 0.0_f64);
             for situation in &all {
                 let tv = situation.variation(&rule);
@@ -116,9 +116,9 @@ fn more_fetches_are_nearer_on_walls_at_any_slant_but_a_few() {
 fn constants_are_at_a_minimum() {
     let alphas = [0.02, 0.05, 0.1, 0.2, 0.35, 0.55, 0.8];
     for kernel in Kernel::ALL {
-        let all = situations(kernel, &alphas, 140, 1, Resolution::COARSE).expect("walls");
+        let all = situations(&kernel, &alphas, 140, 1, Resolution::COARSE).expect("walls");
         for (fetches, apart) in [(2, 1), (3, 3)] {
-            let rule = TapRule::of(kernel, fetches).expect("a rule");
+            let rule = TapRule::of(&kernel, fetches).expect("a rule");
             let found = fit(&rule, &all, 1).expect("a fit");
             assert!(found.sums[1] <= found.sums[0] && found.sums[1] > 0.99 * found.sums[0], "{found:?}");
             // other constants are worse
@@ -135,8 +135,8 @@ fn what_is_expected_is_off_by_what_is_stated() {
     let alphas = [0.01, 0.02, 0.05, 0.1, 0.2, 0.35, 0.6, 0.8];
     for kernel in Kernel::ALL {
         let [all, fitted] =
-            [5, 3].map(|seed| situations(kernel, &alphas, 1600, seed, Resolution::COARSE).expect("walls"));
-        for rule in [1, 2, 3].map(|fetches| TapRule::of(kernel, fetches).expect("a rule")) {
+            [5, 3].map(|seed| situations(&kernel, &alphas, 1600, seed, Resolution::COARSE).expect("walls"));
+        for rule in [1, 2, 3].map(|fetches| TapRule::of(&kernel, fetches).expect("a rule")) {
             let Expected { constants, off } = *rule.expectation();
             for (up_to, stated) in EXPECTED_UP_TO.into_iter().zip(off) {
                 let rms = |alpha: f64| {
@@ -170,8 +170,8 @@ fn rules_are_for_lobes_with_a_formula() {
     let density = theta.iter().map(|theta| 1.5 - theta).collect();
     let lobe = lobefit_truth::optics::kernel::TableLobe { alpha: 1.0, theta, density };
     let table = lobefit_truth::optics::kernel::tabulated("cone", &[lobe]).expect("a kernel");
-    assert_eq!([1, 2, 3].map(|fetches| TapRule::of(table, fetches).is_some()), [true, false, false]);
-    assert_eq!([0, 4].map(|fetches| TapRule::of(Kernel::Half, fetches)), [None, None]);
+    assert_eq!([1, 2, 3].map(|fetches| TapRule::of(&table, fetches).is_some()), [true, false, false]);
+    assert_eq!([0, 4].map(|fetches| TapRule::of(&Kernel::Half, fetches)), [None, None]);
 }
 
 #[test]

@@ -25,7 +25,7 @@ fn pictures_by_emitted_lookups_are_those_of_the_study() {
         shown.then_some((place, ray))
     };
     let seen: Vec<Option<(Vec3, Vec3)>> = (0..SIDE * SIDE).map(point).collect();
-    let fan = Fan::new(Kernel::HalfCosine, 257, 1);
+    let fan = Fan::new(&Kernel::HalfCosine, 257, 1);
     let exact = Exact { room: &room, fan: &fan };
     let rust = text(Language::Rust);
     for (name, taps) in [

@@ -28,7 +28,7 @@ fn d(alpha: f64, theta: f64) -> f64 {
     1.0 / (spread * spread)
 }
 
-fn density(kernel: Kernel, alpha: f64, theta: f64) -> f64 {
+fn density(kernel: &Kernel, alpha: f64, theta: f64) -> f64 {
     match kernel {
         Kernel::Ndf => d(alpha, theta),
         Kernel::Half => d(alpha, 0.5 * theta),
@@ -38,7 +38,7 @@ fn density(kernel: Kernel, alpha: f64, theta: f64) -> f64 {
 }
 
 /// The share of energy within theta, over ln theta so that narrow lobes are as easy as wide ones.
-fn encircled(kernel: Kernel, alpha: f64, theta: f64) -> f64 {
+fn encircled(kernel: &Kernel, alpha: f64, theta: f64) -> f64 {
     let whole = |to: f64| {
         let f = |x: f64| density(kernel, alpha, exp(x)) * sin(exp(x)) * exp(x);
         let from = log(alpha) - 14.0;
@@ -51,7 +51,7 @@ fn encircled(kernel: Kernel, alpha: f64, theta: f64) -> f64 {
 #[test]
 fn closed_forms_are_the_integrals_of_their_densities() {
     let mut worst = 0.0_f64;
-    for kernel in Kernel::ALL {
+    for kernel in &Kernel::ALL {
         for alpha in [1e-4, 0.01, 0.2, 0.5, 0.70, 0.71, 0.9, 0.999, 1.0] {
             for share in [0.1, 1.0, 10.0] {
                 let theta = 2.0 * atan(alpha * share);
@@ -70,7 +70,7 @@ fn closed_forms_are_the_integrals_of_their_densities() {
 
 #[test]
 fn slopes_are_the_derivatives_of_encircled_energy() {
-    for kernel in Kernel::ALL {
+    for kernel in &Kernel::ALL {
         for alpha in [0.01, 0.3, 0.8, 1.0] {
             let lobe = kernel.lobe(alpha);
             for t in [0.003, 0.1, 0.7, 3.0, 40.0] {
@@ -85,7 +85,7 @@ fn slopes_are_the_derivatives_of_encircled_energy() {
 }
 
 /// The squared distance of encircled energies by a fine sum that reaches far.
-fn distance(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
+fn distance(kernel: &Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
     let (target, fetch) = (kernel.lobe(alpha), kernel.lobe(fetched));
     let from = log(alpha * rho.min(1.0)) - 14.0;
     let to = log(rho.max(1.0)) + 14.0;
@@ -100,7 +100,7 @@ fn distance(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
 
 #[test]
 fn no_width_of_a_fine_grid_is_better() {
-    for kernel in Kernel::ALL {
+    for kernel in &Kernel::ALL {
         for (alpha, rho) in
             [(0.01, 0.03), (0.04, 8.0), (0.25, 0.25), (0.25, 2.0), (0.5, 1.4), (0.9, 0.1), (1.0, 0.5)]
         {
@@ -123,7 +123,7 @@ fn no_width_of_a_fine_grid_is_better() {
 }
 
 /// [`distance`] on a tenth of the radii, for scanning.
-fn distance_coarse(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
+fn distance_coarse(kernel: &Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
     let (target, fetch) = (kernel.lobe(alpha), kernel.lobe(fetched));
     let from = log(alpha * rho.min(1.0)) - 14.0;
     let to = log(rho.max(1.0)) + 14.0;
@@ -136,7 +136,7 @@ fn distance_coarse(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
 }
 
 /// (1/2) int |W_t - W_c| over the wall by brute force.
-fn variation(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
+fn variation(kernel: &Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
     let (target, fetch) = (kernel.lobe(alpha), kernel.lobe(fetched));
     let from = log(fetched.min(alpha * rho)) - 12.0;
     let to = log(rho.max(1.0)) + 20.0;
@@ -150,7 +150,7 @@ fn variation(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> f64 {
 
 #[test]
 fn total_variation_is_that_of_a_brute_sum() {
-    for kernel in Kernel::ALL {
+    for kernel in &Kernel::ALL {
         for (alpha, rho, fetched) in
             [(0.04, 0.25, 0.01), (0.25, 0.25, 0.2), (0.3, 3.0, 1.0), (1.0, 0.1, 0.05)]
         {
@@ -164,7 +164,7 @@ fn total_variation_is_that_of_a_brute_sum() {
 }
 
 fn value(alpha: f64, rho: f64) -> Adjusted {
-    adjusted(Kernel::HalfCosine, alpha, rho, TOLERANCE).expect("a value")
+    adjusted(&Kernel::HalfCosine, alpha, rho, TOLERANCE).expect("a value")
 }
 
 /// Published best widths of this kernel (three digits of a study by another implementation).
@@ -223,7 +223,7 @@ fn ends_of_the_domain_are_finite_and_reach_their_limits() {
     for (alpha, rho) in
         [(-0.1, 1.0), (1e-7, 1.0), (1.1, 1.0), (f64::NAN, 1.0), (0.5, 0.0), (0.5, 1e4), (0.5, f64::NAN)]
     {
-        assert!(adjusted(Kernel::HalfCosine, alpha, rho, TOLERANCE).is_err(), "{alpha} {rho}");
+        assert!(adjusted(&Kernel::HalfCosine, alpha, rho, TOLERANCE).is_err(), "{alpha} {rho}");
     }
 }
 
@@ -233,7 +233,7 @@ fn the_coarse_rule_for_many_points_is_as_good() {
     for i in 0..300 {
         let (alpha, rho) = (exp2(-0.05 * f64::from(i)), exp2(-6.0 + 0.03 * f64::from(i)));
         let (fine, (coarse, saturated)) =
-            (value(alpha, rho), best(Kernel::HalfCosine, alpha, rho).expect("a value"));
+            (value(alpha, rho), best(&Kernel::HalfCosine, alpha, rho).expect("a value"));
         assert_eq!(saturated, fine.saturated, "{alpha} {rho}");
         worst = worst.max((coarse / fine.alpha - 1.0).abs());
     }
@@ -243,7 +243,7 @@ fn the_coarse_rule_for_many_points_is_as_good() {
 
 #[test]
 fn quantiles_invert_the_energy_of_a_cone() {
-    for kernel in Kernel::ALL {
+    for kernel in &Kernel::ALL {
         for alpha in [1e-6, 1e-3, 0.04, 0.3, 0.7, 0.999, 1.0, 1.5] {
             let lobe = kernel.lobe(alpha);
             for i in 0..=200 {
@@ -260,7 +260,7 @@ fn quantiles_invert_the_energy_of_a_cone() {
 
 #[test]
 fn the_density_per_solid_angle_is_that_of_the_formula() {
-    for kernel in Kernel::ALL {
+    for kernel in &Kernel::ALL {
         for alpha in [0.01, 0.2, 0.8, 1.0] {
             let lobe = kernel.lobe(alpha);
             let at = |theta: f64| {

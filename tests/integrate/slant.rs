@@ -30,8 +30,8 @@ fn without_slant_distances_are_those_of_the_radial_footprint() {
         {
             let stand = |distance| Stand { distance, slant: 0.0 };
             let slant = Slant { shading: stand(rho), probe: stand(1.0), azimuth: 0.0 };
-            let exact = measures(kernel, alpha, rho, fetched).expect("measures");
-            let case = Case::new(kernel, alpha, slant, Resolution::FINE).expect("a case");
+            let exact = measures(&kernel, alpha, rho, fetched).expect("measures");
+            let case = Case::new(kernel.clone(), alpha, slant, Resolution::FINE).expect("a case");
             let off = case.off(&case.normalised(case.straight(fetched)).expect("a fetch"));
             // lobes that do not end in 0 at the horizon lose their tails past the last row: 1/300 of the height
             let tail = if kernel == Kernel::HalfCosine { 2e-4 } else { 3e-3 };

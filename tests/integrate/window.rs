@@ -7,7 +7,7 @@ use lobefit_truth::optics::kernel::Kernel;
 
 #[test]
 fn offsets_are_those_of_the_study() {
-    let fit = |ordinate, alpha, distance| fits(Kernel::Ndf, ordinate, alpha, distance).expect("a fit");
+    let fit = |ordinate, alpha, distance| fits(&Kernel::Ndf, ordinate, alpha, distance).expect("a fit");
     // values: 0 in distance 1, growing as alpha' nears 1, positive below
     let [same, _] = fit(Ordinate::Value, 0.5, 1.0);
     assert!((same.alpha - 0.5).abs() < 1e-6 && same.offset.abs() < 1e-6 && same.error < 1e-7, "{same:?}");
@@ -44,7 +44,7 @@ fn offsets_are_those_of_the_study() {
 #[test]
 fn no_width_scale_and_offset_of_a_grid_are_better() {
     let (alpha, distance) = (0.36, 1.5);
-    let [with, _] = fits(Kernel::Ndf, Ordinate::Value, alpha, distance).expect("a fit");
+    let [with, _] = fits(&Kernel::Ndf, Ordinate::Value, alpha, distance).expect("a fit");
     let target = Kernel::Ndf.lobe(alpha);
     let error = |a: f64, scale: f64, offset: f64| {
         let fetch = Kernel::Ndf.lobe(a);
@@ -70,10 +70,10 @@ fn no_width_scale_and_offset_of_a_grid_are_better() {
 
 #[test]
 fn slants_have_the_negative_result() {
-    let third = slanted(Kernel::Ndf, 0.1, PI / 6.0).expect("a fit");
+    let third = slanted(&Kernel::Ndf, 0.1, PI / 6.0).expect("a fit");
     assert!((third.same - 0.107).abs() < 1e-3 && (third.error - 0.0925).abs() < 1.5e-3, "{third:?}");
     assert!((third.alpha - 0.106).abs() < 2e-3, "{third:?}");
-    let steep = slanted(Kernel::Ndf, 0.1, PI / 2.5).expect("a fit");
+    let steep = slanted(&Kernel::Ndf, 0.1, PI / 2.5).expect("a fit");
     assert!((steep.same - 0.66).abs() < 5e-3 && (steep.error - 0.567).abs() < 5e-3, "{steep:?}");
     assert!((steep.alpha - 0.18).abs() < 2e-3, "{steep:?}");
     // across the tilt nothing changes; along it, the near and the far side are unlike

@@ -266,7 +266,7 @@ impl Emitted {
             return Some(vec![one]);
         }
         let kernel = self.entry["kernel"].as_str().and_then(Kernel::of).expect("a kernel");
-        let rule = TapRule::of(kernel, self.lookup.taps as usize).expect("a rule");
+        let rule = TapRule::of(&kernel, self.lookup.taps as usize).expect("a rule");
         let hit = self.proxy().meet(place, ray, alpha)?;
         let stretch = Stretch::of_lobe(place, &hit, self.room.probe, alpha, lobe.axes)?;
         if stretch.growth < 1e-3 {

@@ -238,7 +238,7 @@ impl Target {
     }
 
     /// What the variant says but the shadowing, as names and words.
-    pub fn words(&self) -> BTreeMap<&'static str, &'static str> {
+    pub fn words(&self) -> BTreeMap<&'static str, &str> {
         let choices = self.quantity.choices().iter().filter(|choice| **choice != Choice::Smith);
         choices.filter_map(|choice| Some((choice.name(), self.variant.word(*choice)?))).collect()
     }

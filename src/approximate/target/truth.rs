@@ -164,8 +164,8 @@ impl Target {
     }
 
     /// The lobe that a chain is prefiltered with.
-    pub fn kernel(&self) -> Kernel {
-        self.variant.kernel.unwrap_or_default()
+    pub fn kernel(&self) -> &Kernel {
+        self.variant.kernel()
     }
 
     /// The largest error of an evaluation.

@@ -81,7 +81,7 @@ pub fn of_chain(
     let parse = |text: String| Hypothesis::parse(FILE, &text);
     let level = parse(source::level(&format!("parallax_level_{identifier}"), chain))?;
     let inverse = parse(source::roughness(&format!("parallax_roughness_{identifier}"), chain))?;
-    let name = named(grid.kernel, &format!("parallax_mip_{identifier}"));
+    let name = named(&grid.kernel, &format!("parallax_mip_{identifier}"));
     let adjusted = parse(source::adjusted(&name, chain, map, fit))?;
     let of_level = level_error(&level, chain)?;
     let there_and_back = round_trip(&level, &inverse, chain)?;
@@ -167,7 +167,7 @@ pub fn bias(chains: &[MipChain], map: AlphaMap, grid: &Grid) -> Result<Option<Le
         [("alpha", cells[i].alpha), ("rho", cells[i].rho)].map(|(n, x)| (n.to_string(), shortest(x as f32)))
     };
     let error = worst(off, |i| at(i).into_iter().collect())?;
-    let hypothesis = found.hypothesis.renamed(&named(grid.kernel, found.hypothesis.name()));
+    let hypothesis = found.hypothesis.renamed(&named(&grid.kernel, found.hypothesis.name()));
     let (coefficients, gives, chain) = (found.coefficients, Gives::Bias, chain.clone());
     Ok(Some(LevelFunction { hypothesis, coefficients, gives, chain, error }))
 }

@@ -36,8 +36,8 @@ fn looked_up(scene: &Scene) -> impl Iterator<Item = (usize, &Probe, [f64; 2])> {
 
 /// A demand for each of them; jobs by the lobe of their chains, in its order.
 pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
-    let kernels: BTreeSet<Kernel> = looked_up(scene).map(|(_, probe, _)| probe.kernel).collect();
-    let rank = |probe: &Probe| kernels.iter().take_while(|kernel| **kernel < probe.kernel).count();
+    let kernels: BTreeSet<&Kernel> = looked_up(scene).map(|(_, probe, _)| &probe.kernel).collect();
+    let rank = |probe: &Probe| kernels.iter().take_while(|kernel| **kernel < &probe.kernel).count();
     looked_up(scene).map(|(of, probe, range)| demand(scene, (of, probe), rank(probe), range)).collect()
 }
 
@@ -74,7 +74,7 @@ pub(super) fn left_out(scene: &Scene) -> String {
 /// What the probes of a job want; `None` of a job without probes.
 pub(super) fn wanted(scene: &Scene, job: &Job) -> Option<Lobe> {
     let probes: Vec<&Probe> = job.demands.iter().filter_map(|demand| scene.probes.get(demand.of)).collect();
-    let mut lobe = Lobe { kernel: probes.first()?.kernel, chains: Vec::new(), lookups: Vec::new() };
+    let mut lobe = Lobe { kernel: probes.first()?.kernel.clone(), chains: Vec::new(), lookups: Vec::new() };
     for probe in probes {
         let new = probe.mips.clone().filter(|chain| !lobe.chains.contains(chain));
         lobe.chains.extend(new);

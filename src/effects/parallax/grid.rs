@@ -80,8 +80,8 @@ impl Grid {
             let geometric = |range: [f64; 2], t: f64| ops::exp2(lerp(range.map(ops::log2), t));
             let rho = at(rho, i % count[1], count[1], &geometric);
             let alpha = alpha_map.alpha(roughness);
-            let (best, saturated) = footprint::best(kernel, alpha, rho)?;
-            let least = measures(kernel, alpha, rho, best)?;
+            let (best, saturated) = footprint::best(&kernel, alpha, rho)?;
+            let least = measures(&kernel, alpha, rho, best)?;
             Ok(Cell { roughness, alpha, rho, best, saturated, least })
         };
         let cells =
@@ -128,7 +128,7 @@ impl Grid {
             .filter(|(cell, _)| wanted(cell))
             .map(|(cell, width)| (cell, *width))
             .collect();
-        let one = |(cell, width): &(&Cell, f64)| measures(self.kernel, cell.alpha, cell.rho, *width);
+        let one = |(cell, width): &(&Cell, f64)| measures(&self.kernel, cell.alpha, cell.rho, *width);
         let off = cells.par_iter().map(one).collect::<Result<Vec<Measures>, IntegrateError>>()?;
         let of = |measure: fn(&Measures) -> f64| {
             let sum: f64 = off.iter().map(measure).sum();

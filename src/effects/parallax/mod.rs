@@ -124,7 +124,7 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
             quantity: &ParallaxAlpha,
             column: Some("alpha_adjusted".into()),
             used_as: Some(Use::Parallax),
-            variant: Variant { kernel: Some(spec.kernel), ..Variant::default() },
+            variant: Variant { kernel: Some(spec.kernel.clone()), ..Variant::default() },
             alpha_map: spec.alpha_map,
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),
         },
@@ -138,18 +138,18 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
     };
     let mut set = approximate::fit_all(&wanted, counter)?;
     for fit in set.fits.iter_mut().filter(|fit| fit.emitted) {
-        fit.hypothesis = fit.hypothesis.renamed(&named(spec.kernel, fit.hypothesis.name()));
+        fit.hypothesis = fit.hypothesis.renamed(&named(&spec.kernel, fit.hypothesis.name()));
         fit.approximation.name = fit.hypothesis.name().to_string();
     }
     for dropped in &mut set.dropped {
-        dropped.hypothesis = named(spec.kernel, &dropped.hypothesis);
+        dropped.hypothesis = named(&spec.kernel, &dropped.hypothesis);
     }
     Ok(set)
 }
 
 /// The name of a function for chains of a kernel: that of the usual one is not told, any other follows the effect's.
-pub fn named(kernel: Kernel, name: &str) -> String {
-    if kernel == Kernel::default() {
+pub fn named(kernel: &Kernel, name: &str) -> String {
+    if *kernel == Kernel::default() {
         return name.into();
     }
     let rest = name.strip_prefix(PREFIX).unwrap_or(name);

@@ -39,7 +39,7 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
 pub(super) fn name(target: &Target) -> String {
     let Variant { side, specular, kernel, .. } = &target.variant;
     // Of a kernel's table the name: the hash in its word does not belong into the name of a function.
-    let words = [side.map(Side::name), specular.map(Specular::name), kernel.map(Kernel::name)];
+    let words = [side.map(Side::name), specular.map(Specular::name), kernel.as_ref().map(Kernel::name)];
     let words = words.into_iter().flatten().map(String::from);
     let parts = [target.quantity.name(), target.column, target.used_as.name()].map(String::from);
     let parts = parts.into_iter().chain(words);

@@ -16,7 +16,7 @@ pub struct Rays {
 impl Rays {
     /// `count` directions of the lobe of a kernel and a width in (0, 1], a scrambled Sobol set of a
     /// seed.
-    pub fn new(kernel: Kernel, alpha: f64, count: u32, seed: u32) -> Rays {
+    pub fn new(kernel: &Kernel, alpha: f64, count: u32, seed: u32) -> Rays {
         let lobe = kernel.lobe(alpha);
         let points = Sobol::new([seed, seed.wrapping_mul(0x9e37_79b9) ^ 0x5bd1_e995, 0]);
         let direction = |i: u32| {

@@ -140,7 +140,7 @@ fn texels_are_the_integral_of_the_lobe() {
             let found = chain.levels()[level].texel(face, i, j);
             assert!(largest(found, wanted) < 0.01 * wanted[0], "{level} {face}: {found:?} {wanted:?}");
             // the rays of the kernel's own quantiles
-            let rays = Rays::new(Kernel::HalfCosine, roughness * roughness, 16384, 5);
+            let rays = Rays::new(&Kernel::HalfCosine, roughness * roughness, 16384, 5);
             let other = crate::rooms::lobe(&room, room.probe, towards, None, &rays);
             assert!(largest(found, other) < 0.01 * wanted[0], "{level} {face}: {found:?} {other:?}");
         }

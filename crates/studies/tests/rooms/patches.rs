@@ -28,7 +28,7 @@ const MANY: u32 = 1 << 17;
 
 #[test]
 fn a_lobe_by_edges_is_the_lobe_by_directions() {
-    let fan = Fan::new(Kernel::HalfCosine, MANY, 3);
+    let fan = Fan::new(&Kernel::HalfCosine, MANY, 3);
     for room in rooms() {
         let patches = Patches::new(&room);
         for place in [room.probe, [0.83, -0.41, 0.37]] {
@@ -63,7 +63,7 @@ fn a_finer_division_agrees() {
 /// A surface hides what is below its plane: the floor itself, or what is under a table.
 #[test]
 fn what_is_below_a_plane_is_left_out() {
-    let fan = Fan::new(Kernel::HalfCosine, MANY, 5);
+    let fan = Fan::new(&Kernel::HalfCosine, MANY, 5);
     let up = [0.0, 0.0, 1.0];
     for room in rooms() {
         let floor = -room.exit(room.probe, [0.0, 0.0, -1.0]).0 + room.probe[2];

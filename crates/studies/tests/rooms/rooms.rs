@@ -32,9 +32,9 @@ fn axes() -> [Vec3; 4] {
 fn a_fan_holds_the_directions_of_every_width() {
     for kernel in Kernel::ALL {
         let most = if kernel == Kernel::Ndf { 5e-5 } else { 1e-5 };
-        let fan = Fan::new(kernel, COUNT, 5);
+        let fan = Fan::new(&kernel, COUNT, 5);
         for alpha in [1e-6, 1e-4, 0.003, 0.0225, 0.07, 0.11, 0.37, 0.6, 0.93, 0.999, 1.0] {
-            let rays = Rays::new(kernel, alpha, COUNT, 5);
+            let rays = Rays::new(&kernel, alpha, COUNT, 5);
             let mut fast = Vec::new();
             fan.directions(alpha, |ray| fast.push(ray));
             assert_eq!(fast.len(), rays.directions().len());
@@ -50,12 +50,12 @@ fn a_fan_holds_the_directions_of_every_width() {
 /// A direction that meets another square or panel for being 1e-5 of itself off is rare and not too bright.
 #[test]
 fn a_fast_fetch_is_the_slow_one() {
-    let fan = Fan::new(Kernel::HalfCosine, COUNT, 9);
+    let fan = Fan::new(&Kernel::HalfCosine, COUNT, 9);
     for room in rooms() {
         for towards in axes() {
             for alpha in [0.01, 0.1, 0.5, 1.0] {
                 let tap = Tap { towards, alpha, weight: 1.0 };
-                let rays = Rays::new(Kernel::HalfCosine, alpha, COUNT, 9);
+                let rays = Rays::new(&Kernel::HalfCosine, alpha, COUNT, 9);
                 let slow = lobe(&room, room.probe, towards, None, &rays);
                 let fast = Exact { room: &room, fan: &fan }.fetch(&tap);
                 let off = length(minus(slow, fast)) / length(slow);
@@ -70,8 +70,8 @@ fn a_lobe_cut_off_at_a_surface_has_what_is_above_alone() {
     let (room, normal) = (room_a(), [0.0, 0.0, 1.0]);
     let place = [0.7, 0.4, -1.5];
     let axis = normalise([0.9, 0.1, 0.2]);
-    let fan = Fan::new(Kernel::HalfCosine, COUNT, 3);
-    let rays = Rays::new(Kernel::HalfCosine, 0.4, COUNT, 3);
+    let fan = Fan::new(&Kernel::HalfCosine, COUNT, 3);
+    let rays = Rays::new(&Kernel::HalfCosine, 0.4, COUNT, 3);
     let fast = fan.lobe(&room, place, axis, Some(normal), 0.4);
     let slow = lobe(&room, place, axis, Some(normal), &rays);
     assert!(length(minus(fast, slow)) < 0.01 * length(slow), "{fast:?} {slow:?}");
@@ -208,7 +208,7 @@ fn fitted_lobes_are_lobes() {
 #[test]
 fn more_fetches_are_nearer_to_a_slanted_lobe() {
     let room = room_b();
-    let fan = Fan::new(Kernel::HalfCosine, 1024, 2);
+    let fan = Fan::new(&Kernel::HalfCosine, 1024, 2);
     let exact = Exact { room: &room, fan: &fan };
     let error = |rule: TapRule| -> f64 {
         let lookup = corrected(&room, Shading::Mirror, rule, Width::Rational);

@@ -27,7 +27,7 @@ impl Quantity for ParallaxAlpha {
     }
 
     fn tolerance(&self, variant: &Variant) -> f64 {
-        footprint::usual_tolerance(variant.kernel.unwrap_or_default())
+        footprint::usual_tolerance(variant.kernel())
     }
 
     fn smallest_alpha(&self) -> f64 {
@@ -39,7 +39,7 @@ impl Quantity for ParallaxAlpha {
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
-        let v = footprint::adjusted(variant.kernel.unwrap_or_default(), x[0], x[1], tolerance)?;
+        let v = footprint::adjusted(variant.kernel(), x[0], x[1], tolerance)?;
         Ok(vec![v.alpha, v.tv, f64::from(u8::from(v.saturated)), v.error])
     }
 }

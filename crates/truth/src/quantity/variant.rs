@@ -36,7 +36,7 @@ impl Choice {
             Choice::Smith => Smith::ALL.map(Smith::name).to_vec(),
             Choice::Side => Side::ALL.map(Side::name).to_vec(),
             Choice::Specular => Specular::ALL.map(Specular::name).to_vec(),
-            Choice::Kernel => Kernel::ALL.map(Kernel::word).to_vec(),
+            Choice::Kernel => Kernel::WORDS.to_vec(),
         }
     }
 
@@ -89,18 +89,23 @@ impl Variant {
             smith: self.smith.filter(|_| has(Choice::Smith)),
             side: self.side.filter(|_| has(Choice::Side)),
             specular: self.specular.filter(|_| has(Choice::Specular)),
-            kernel: self.kernel.filter(|_| has(Choice::Kernel)),
+            kernel: self.kernel.clone().filter(|_| has(Choice::Kernel)),
         }
     }
 
     /// The word of a choice, where it is made.
-    pub fn word(&self, choice: Choice) -> Option<&'static str> {
+    pub fn word(&self, choice: Choice) -> Option<&str> {
         match choice {
             Choice::Smith => self.smith.map(Smith::name),
             Choice::Side => self.side.map(Side::name),
             Choice::Specular => self.specular.map(Specular::name),
-            Choice::Kernel => self.kernel.map(Kernel::word),
+            Choice::Kernel => self.kernel.as_ref().map(Kernel::word),
         }
+    }
+
+    /// The lobe of a chain: the usual one where the choice is left open.
+    pub fn kernel(&self) -> &Kernel {
+        self.kernel.as_ref().unwrap_or(&Kernel::HalfCosine)
     }
 
     /// The form of the shadowing of a quantity that has one.

@@ -33,7 +33,7 @@ pub(super) fn in_language(language: Language, lobes: &[Lobe]) -> Result<String, 
 
 /// What a function holds of, so that it is not paired with another chain.
 pub(super) fn paired(lobe: &Lobe) -> String {
-    let (kernel, map) = (lobe.spec.kernel, lobe.spec.alpha_map.name());
+    let (kernel, map) = (lobe.spec.kernel.clone(), lobe.spec.alpha_map.name());
     format!("for chains prefiltered with the {} lobe {}, alpha = {map}", kernel.word(), kernel.formula())
 }
 

@@ -50,11 +50,11 @@ fn one(
     let fetches = lookup.taps as usize;
     let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
     let mut wanted = Wanted {
-        fetch: named(lobe.spec.kernel, &fetch),
-        name: named(lobe.spec.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
+        fetch: named(&lobe.spec.kernel, &fetch),
+        name: named(&lobe.spec.kernel, &format!("parallax_lookup_{}{suffix}", lookup.identifier())),
         lookup,
-        rule: TapRule::of(lobe.spec.kernel, fetches)
-            .ok_or(BakeError::NoRule { kernel: lobe.spec.kernel.word(), fetches })?,
+        rule: TapRule::of(&lobe.spec.kernel, fetches)
+            .ok_or(BakeError::NoRule { kernel: lobe.spec.kernel.word().into(), fetches })?,
         header: Vec::new(),
         width: called(&best.hypothesis),
         level: level.map(called),

@@ -73,7 +73,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
 fn refuse_saturated(scene: &Scene) -> Result<(), BakeError> {
     for (i, probe) in scene.probes.iter().enumerate() {
         let Some([lowest, _]) = probe.rough_range(scene.alpha) else { continue };
-        let (_, saturated) = footprint::best(probe.kernel, scene.alpha.alpha(lowest), probe.rho[0])?;
+        let (_, saturated) = footprint::best(&probe.kernel, scene.alpha.alpha(lowest), probe.rho[0])?;
         if saturated {
             let message = "every fetch is saturated there: the widest lobe is too narrow for the smallest ratio at the smallest \
                            roughness; begin at a smaller ratio or roughness";
@@ -113,7 +113,7 @@ impl<'a> Lobe<'a> {
         context: &Context<'a>,
     ) -> Result<Lobe<'a>, BakeError> {
         let spec = ParallaxSpec {
-            kernel: wants.kernel,
+            kernel: wants.kernel.clone(),
             alpha_map: context.scene.alpha,
             roughness: job.range("roughness")?,
             rho: job.range("rho")?,
@@ -121,7 +121,7 @@ impl<'a> Lobe<'a> {
             norms: job.goals.norms.clone(),
         };
         let FitSet { fits, dropped } = fit_all(&spec, &context.counter)?;
-        let grid = Grid::new(spec.kernel, spec.alpha_map, spec.roughness, spec.rho, GRID)?;
+        let grid = Grid::new(spec.kernel.clone(), spec.alpha_map, spec.roughness, spec.rho, GRID)?;
         context.counter.add(grid.cells.len());
         let variations = variations(&grid, &fits)?;
         let best: Vec<f64> = grid.cells.iter().map(|cell| cell.best).collect();
@@ -181,7 +181,7 @@ impl<'a> Lobe<'a> {
         if self.wants.lookups.is_empty() || self.best().is_some() {
             return None;
         }
-        let kernel = self.spec.kernel;
+        let kernel = &self.spec.kernel;
         let wants =
             |demand: &&Demand| self.scene.probes.get(demand.of).is_some_and(|p| !p.lookups.is_empty());
         let wanting = self.job.demands.iter().filter(wants);

@@ -28,7 +28,7 @@ pub struct Constants {
 
 impl Constants {
     /// Those for chains of a kernel; `None` where it is a table, for which no rule is fitted.
-    pub fn of(kernel: Kernel) -> Option<&'static Constants> {
+    pub fn of(kernel: &Kernel) -> Option<&'static Constants> {
         match kernel {
             Kernel::Ndf => Some(&NDF),
             Kernel::Half => Some(&HALF),

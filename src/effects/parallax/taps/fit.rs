@@ -54,7 +54,7 @@ pub fn slants(count: u32, seed: u32) -> Vec<Slant> {
 /// # Errors
 /// As [`Case::new`].
 pub fn situations(
-    kernel: Kernel,
+    kernel: &Kernel,
     alphas: &[f64],
     count: u32,
     seed: u32,
@@ -77,12 +77,12 @@ impl Situation {
     /// # Errors
     /// As [`Case::new`].
     pub fn new(
-        kernel: Kernel,
+        kernel: &Kernel,
         alpha: f64,
         slant: Slant,
         resolution: Resolution,
     ) -> Result<Situation, IntegrateError> {
-        let case = Case::new(kernel, alpha, slant, resolution)?;
+        let case = Case::new(kernel.clone(), alpha, slant, resolution)?;
         let one = TapRule::one().taps(&case.stretch, alpha);
         let off = case.fetched(&one).map(|footprint| case.off(&footprint));
         let off = off.ok_or_else(|| IntegrateError::NotFinite {

@@ -74,7 +74,7 @@ struct Skew {
 impl TapRule {
     /// The rule of 1, 2 or 3 fetches for chains of a kernel; `None` of another number, and of several where no rule is fitted for the kernel. One
     /// fetch from a chain of such a kernel is taken to be as far off as one from half-cosine chains.
-    pub fn of(kernel: Kernel, fetches: usize) -> Option<TapRule> {
+    pub fn of(kernel: &Kernel, fetches: usize) -> Option<TapRule> {
         let constants = Constants::of(kernel);
         let rule = |form, of: &Constants| TapRule { form, expected: of.expected[fetches - 1] };
         match fetches {

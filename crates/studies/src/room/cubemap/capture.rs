@@ -117,7 +117,7 @@ impl Bake {
         if self.viewpoint == Viewpoint::Probe {
             return self.angular(room, size, alpha);
         }
-        let fan = Fan::new(self.kernel, self.rays_of(size), self.seed);
+        let fan = Fan::new(&self.kernel, self.rays_of(size), self.seed);
         let one = |k: usize| {
             let eye = self.viewpoint.eye(proxy, room.probe, towards(k, size), alpha);
             fan.lobe(room, eye.place, eye.axis, None, eye.alpha)
@@ -127,7 +127,7 @@ impl Bake {
 
     /// All lobes from the probe: of one width.
     fn angular(&self, room: &Room, size: usize, alpha: f64) -> Vec<[f64; 3]> {
-        let rays = Rays::new(self.kernel, alpha, self.rays_of(size), self.seed);
+        let rays = Rays::new(&self.kernel, alpha, self.rays_of(size), self.seed);
         let one = |k: usize| {
             let axis = towards(k, size);
             let [x, y] = tangents(axis);
@@ -149,7 +149,7 @@ impl Bake {
     fn filtered(&self, pyramid: &[Level], size: usize, alpha: f64) -> Vec<[f64; 3]> {
         let lobe = self.kernel.lobe(alpha);
         let texel = 4.0 * PI / (6 * self.size * self.size) as f64;
-        let rays = Rays::new(self.kernel, alpha, self.rays_of(size), self.seed);
+        let rays = Rays::new(&self.kernel, alpha, self.rays_of(size), self.seed);
         let count = rays.directions().len() as f64;
         let level = |ray: &Vec3| {
             let density = lobe.per_solid_angle((1.0 - ray[2]) / (1.0 + ray[2]));

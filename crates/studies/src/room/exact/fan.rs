@@ -32,7 +32,7 @@ pub struct Fan {
 
 impl Fan {
     /// `count` directions, a scrambled Sobol set of a seed: those of [`Rays`](super::super::Rays).
-    pub fn new(kernel: Kernel, count: u32, seed: u32) -> Fan {
+    pub fn new(kernel: &Kernel, count: u32, seed: u32) -> Fan {
         let points = Sobol::new([seed, seed.wrapping_mul(0x9e37_79b9) ^ 0x5bd1_e995, 0]);
         let azimuth = |i: u32| {
             let (sine, cosine) = ops::sincos(2.0 * PI * points.coordinate(i, 1));

@@ -67,8 +67,8 @@ fn cell(
     alpha: f64,
     distance: f64,
 ) -> Result<SeedCell, IntegrateError> {
-    let kernel = parameters.kernel;
-    let [shifted, plain] = fits(kernel, plotted, alpha, distance)?;
+    let kernel = &parameters.kernel;
+    let [shifted, plain] = fits(&kernel, plotted, alpha, distance)?;
     let x = || (0..=POINTS).map(|i| f64::from(i) / f64::from(POINTS));
     let target = kernel.lobe(alpha);
     let curve = |fit: &WindowFit| {
@@ -93,8 +93,8 @@ fn stated(fit: &WindowFit) -> SeedFit {
 }
 
 fn tilted(parameters: &Parameters, slant: f64) -> Result<SeedSlant, IntegrateError> {
-    let (kernel, alpha) = (parameters.kernel, parameters.slanted_alpha);
-    let fit = slanted(kernel, alpha, slant)?;
+    let (kernel, alpha) = (parameters.kernel.clone(), parameters.slanted_alpha);
+    let fit = slanted(&kernel, alpha, slant)?;
     let points = i64::from(POINTS);
     let line = |width: f64, scale: f64, psi: f64, along: bool| {
         let lobe = kernel.lobe(width);

@@ -106,7 +106,7 @@ pub(super) fn findings(
 }
 
 fn in_front(parameters: &Parameters, alpha: f64, psi: f64, at: Resolution) -> Result<Case, IntegrateError> {
-    Case::new(parameters.kernel, alpha, Slant::in_front(psi * PI / 180.0), at)
+    Case::new(parameters.kernel.clone(), alpha, Slant::in_front(psi * PI / 180.0), at)
 }
 
 /// One width over the slants, the fetches of each found from those of the slant before.
@@ -210,7 +210,7 @@ fn curves(rule: &TapRule) -> Vec<RuleCurves> {
 
 fn spread(parameters: &Parameters) -> Result<Vec<RuleSpread>, IntegrateError> {
     let Spread { alphas, walls, seed } = &parameters.spread;
-    let all = situations(parameters.kernel, alphas, *walls, *seed, Resolution::COARSE)?;
+    let all = situations(&parameters.kernel, alphas, *walls, *seed, Resolution::COARSE)?;
     // those in front of the probe stand elsewhere
     let tilted: Vec<&Situation> = all.iter().filter(|s| s.case.slant.probe.slant > 0.0).collect();
     let [two, three] = &parameters.rules;
@@ -248,7 +248,7 @@ const SEARCH: u64 = 30;
 
 fn refits(parameters: &Parameters) -> Result<(Vec<RuleRefit>, Vec<RuleExpectation>), IntegrateError> {
     let Fitted { alphas, walls, seed, iterations } = &parameters.fitted;
-    let all = situations(parameters.kernel, alphas, *walls, *seed, Resolution::COARSE)?;
+    let all = situations(&parameters.kernel, alphas, *walls, *seed, Resolution::COARSE)?;
     let refit = |rule: &TapRule| {
         let found = fit(rule, &all, *iterations)?;
         Ok(RuleRefit {

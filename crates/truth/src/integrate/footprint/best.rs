@@ -58,7 +58,7 @@ pub struct Adjusted {
 ///
 /// # Errors
 /// An input outside its domain; a tolerance that is not reached.
-pub fn adjusted(kernel: Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result<Adjusted, IntegrateError> {
+pub fn adjusted(kernel: &Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result<Adjusted, IntegrateError> {
     check(alpha, rho)?;
     if alpha == 0.0 {
         return Ok(Adjusted { alpha: 0.0, tv: 0.0, saturated: false, error: 0.0 });
@@ -81,7 +81,7 @@ pub fn adjusted(kernel: Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result<
 
 /// The best width, whether it is saturated, and its error, by finer and finer steps until that is within a tolerance or there are enough of them.
 fn of_table(
-    kernel: Kernel,
+    kernel: &Kernel,
     alpha: f64,
     rho: f64,
     tolerance: f64,
@@ -106,7 +106,7 @@ fn place(alpha: f64, rho: f64) -> String {
 }
 
 /// The step of the quick rule.
-fn quick_step(kernel: Kernel) -> f64 {
+fn quick_step(kernel: &Kernel) -> f64 {
     match (kernel.is_analytic(), kernel.is_cut()) {
         (true, _) => STEPS[0],
         (false, false) => TABLE_STEP,
@@ -118,27 +118,27 @@ fn quick_step(kernel: Kernel) -> f64 {
 ///
 /// # Errors
 /// As [`adjusted`].
-pub fn best(kernel: Kernel, alpha: f64, rho: f64) -> Result<(f64, bool), IntegrateError> {
+pub fn best(kernel: &Kernel, alpha: f64, rho: f64) -> Result<(f64, bool), IntegrateError> {
     check(alpha, rho)?;
     if alpha == 0.0 { Ok((0.0, false)) } else { search(kernel, alpha, rho, quick_step(kernel)) }
 }
 
 /// The squared distance of two encircled energies over the wall, by ln alpha'.
 #[derive(Clone)]
-struct Distance {
-    kernel: Kernel,
+struct Distance<'a> {
+    kernel: &'a Kernel,
     /// Wall radii, each with the energy that the target holds within.
     target: Vec<(f64, f64)>,
 }
 
-impl Distance {
+impl Distance<'_> {
     fn at(&self, ln_alpha: f64) -> f64 {
         let lobe = self.kernel.lobe(ops::exp(ln_alpha));
         self.target.iter().map(|(radius, energy)| lobe.encircled(*radius) - energy).map(|d| d * d).sum()
     }
 }
 
-impl CostFunction for Distance {
+impl CostFunction for Distance<'_> {
     type Param = f64;
     type Output = f64;
 
@@ -147,7 +147,7 @@ impl CostFunction for Distance {
     }
 }
 
-fn search(kernel: Kernel, alpha: f64, rho: f64, step: f64) -> Result<(f64, bool), IntegrateError> {
+fn search(kernel: &Kernel, alpha: f64, rho: f64, step: f64) -> Result<(f64, bool), IntegrateError> {
     let not_finite = || IntegrateError::NotFinite { quantity: QUANTITY, place: place(alpha, rho) };
     let guess = rho * alpha / (1.0 + alpha - rho * alpha).max(rho * alpha);
     let lobe = kernel.lobe(alpha);

@@ -11,7 +11,7 @@ const STEP: f64 = 0.1;
 const TABLE_STEPS: [f64; 2] = [0.005, 0.1];
 const ANGLES_A_STEP: f64 = 4.0;
 
-fn step(kernel: Kernel) -> f64 {
+fn step(kernel: &Kernel) -> f64 {
     let [least, most] = TABLE_STEPS;
     kernel.angles().map_or(STEP, |angles| (ANGLES_A_STEP / angles as f64).clamp(least, most))
 }
@@ -36,7 +36,7 @@ pub struct Measures {
 ///
 /// # Errors
 /// As [`super::adjusted`]; alpha = 0, a ray, has no density.
-pub fn measures(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> Result<Measures, IntegrateError> {
+pub fn measures(kernel: &Kernel, alpha: f64, rho: f64, fetched: f64) -> Result<Measures, IntegrateError> {
     check(alpha, rho)?;
     for (input, value) in [("alpha", alpha), ("alpha of the fetch", fetched)] {
         if !(1e-12..=1.0).contains(&value) {
@@ -69,7 +69,7 @@ pub fn measures(kernel: Kernel, alpha: f64, rho: f64, fetched: f64) -> Result<Me
 }
 
 /// Half of the total variation of E_t - E_c over R, which starts and ends at 0.
-pub(super) fn variation(kernel: Kernel, target: &Lobe, rho: f64, fetch: &Lobe, narrowest: f64) -> f64 {
+pub(super) fn variation(kernel: &Kernel, target: &Lobe, rho: f64, fetch: &Lobe, narrowest: f64) -> f64 {
     let slope = |radius: f64| target.slope(radius / rho) - fetch.slope(radius);
     let energy = |radius: f64| target.encircled(radius / rho) - fetch.encircled(radius);
     let (mut total, mut last) = (0.0_f64, 0.0_f64);

@@ -31,7 +31,7 @@ pub const RHO: [f64; 2] = [1e-6, 1e3];
 pub const TOLERANCE: f64 = 1e-7;
 
 /// The tolerance of a value of a kernel when none is asked for; coarser where it is a table, and where that ends with a jump, as a cone.
-pub fn usual_tolerance(kernel: Kernel) -> f64 {
+pub fn usual_tolerance(kernel: &Kernel) -> f64 {
     match (kernel.is_analytic(), kernel.is_cut()) {
         (true, _) => TOLERANCE,
         (false, false) => 1e-4,
@@ -41,7 +41,7 @@ pub fn usual_tolerance(kernel: Kernel) -> f64 {
 
 /// How far [`best`] is from the best width at most: of a lobe with a formula, of a table of a dozen angles or more, and of one whose density ends with
 /// a jump, as a cone's.
-pub fn quick_error(kernel: Kernel) -> f64 {
+pub fn quick_error(kernel: &Kernel) -> f64 {
     match (kernel.is_analytic(), kernel.is_cut()) {
         (true, _) => TOLERANCE,
         (false, false) => 1e-4,
@@ -65,7 +65,7 @@ fn check(alpha: f64, rho: f64) -> Result<(), IntegrateError> {
 
 /// Wall radii of equal steps in the logarithm that hold all that lies between two lobes: from 1e-4 of the narrower one's radius, inside
 /// which there is 1e-8 of its energy, to where there is 1e-8 beyond.
-fn radii(kernel: Kernel, narrowest: f64, farthest: f64, step: f64) -> impl Iterator<Item = f64> + Clone {
+fn radii(kernel: &Kernel, narrowest: f64, farthest: f64, step: f64) -> impl Iterator<Item = f64> + Clone {
     const REACH: f64 = 18.6;
     let (from, to) = (ops::log(narrowest) - 0.5 * REACH, ops::log(farthest) + REACH / kernel.decay());
     let count = ((to - from) / step).ceil() as usize + 1;

@@ -9,7 +9,7 @@ use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 
 /// A lobe of some width.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Lobe {
     form: Form,
     a2: f64,
@@ -18,7 +18,7 @@ pub struct Lobe {
 }
 
 /// What a kernel is of one width.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum Form {
     Ndf,
     Half,
@@ -36,12 +36,12 @@ const QUANTILE_STEPS: usize = 200;
 static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(16));
 
 impl Lobe {
-    pub(super) fn new(kernel: Kernel, alpha: f64) -> Lobe {
+    pub(super) fn new(kernel: &Kernel, alpha: f64) -> Lobe {
         let form = match kernel {
             Kernel::Ndf => Form::Ndf,
             Kernel::Half => Form::Half,
             Kernel::HalfCosine => Form::HalfCosine,
-            Kernel::Tabulated(table) => Form::Table(table.blend(alpha)),
+            Kernel::Tabulated(table) => Form::Table(Blend::new(table, alpha)),
         };
         let mut lobe = Lobe { form, a2: alpha * alpha, whole: 1.0 };
         lobe.whole = lobe.within(1.0);

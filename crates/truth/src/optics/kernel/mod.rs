@@ -16,10 +16,12 @@ mod tabulated;
 pub use lobe::Lobe;
 pub use tabulated::{ANGLES_MIN, TableError, TableLobe, Tabulated, tabulated};
 
+use std::sync::Arc;
+
 use serde::{Serialize, Serializer};
 
 /// Which lobe.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Kernel {
     /// GGX's distribution of normals over the angle itself.
     Ndf,
@@ -29,20 +31,23 @@ pub enum Kernel {
     #[default]
     HalfCosine,
     /// A table of the user's.
-    Tabulated(&'static Tabulated),
+    Tabulated(Arc<Tabulated>),
 }
 
 impl Kernel {
     /// All that have a formula.
     pub const ALL: [Kernel; 3] = [Kernel::Ndf, Kernel::Half, Kernel::HalfCosine];
 
+    /// Their words.
+    pub const WORDS: [&'static str; 3] = ["ndf", "half", "half-cosine"];
+
     /// The kernel with a formula of a word; a table has no word before it is read.
     pub fn of(word: &str) -> Option<Kernel> {
         Kernel::ALL.into_iter().find(|kernel| kernel.word() == word)
     }
 
-    /// What functions are named by; two tables may have one name.
-    pub fn name(self) -> &'static str {
+    /// The name of its functions; two tables may have the same name.
+    pub fn name(&self) -> &str {
         match self {
             Kernel::Tabulated(table) => table.name(),
             _ => self.word(),
@@ -50,17 +55,17 @@ impl Kernel {
     }
 
     /// The word used in options, headers and results, which no other kernel has: of a table its name with a hash of what it holds.
-    pub fn word(self) -> &'static str {
+    pub fn word(&self) -> &str {
         match self {
-            Kernel::Ndf => "ndf",
-            Kernel::Half => "half",
-            Kernel::HalfCosine => "half-cosine",
+            Kernel::Ndf => Kernel::WORDS[0],
+            Kernel::Half => Kernel::WORDS[1],
+            Kernel::HalfCosine => Kernel::WORDS[2],
             Kernel::Tabulated(table) => table.word(),
         }
     }
 
     /// In a formula.
-    pub fn formula(self) -> &'static str {
+    pub fn formula(&self) -> &str {
         match self {
             Kernel::Ndf => "D(theta)",
             Kernel::Half => "D(theta/2)",
@@ -70,22 +75,22 @@ impl Kernel {
     }
 
     /// The power of the tangent with which the energy outside a wide cone falls: the density at the horizon is 0 or not.
-    pub fn decay(self) -> f64 {
-        if self == Kernel::HalfCosine { 2.0 } else { 1.0 }
+    pub fn decay(&self) -> f64 {
+        if *self == Kernel::HalfCosine { 2.0 } else { 1.0 }
     }
 
     /// Whether its energy is an analytic function of the angle, on which rules of few nodes are exact.
-    pub fn is_analytic(self) -> bool {
+    pub fn is_analytic(&self) -> bool {
         !matches!(self, Kernel::Tabulated(_))
     }
 
     /// Whether its density jumps to 0 before the horizon, as that of a cone does.
-    pub fn is_cut(self) -> bool {
+    pub fn is_cut(&self) -> bool {
         matches!(self, Kernel::Tabulated(table) if table.is_cut())
     }
 
     /// Angles of its table, of the lobe that has most of them; none of one with a formula.
-    pub fn angles(self) -> Option<usize> {
+    pub fn angles(&self) -> Option<usize> {
         match self {
             Kernel::Tabulated(table) => Some(table.angles()),
             _ => None,
@@ -93,7 +98,7 @@ impl Kernel {
     }
 
     /// The lobe of a width alpha in (0, 2]: above 1 it is wider than any that a shader has, and rises towards the horizon.
-    pub fn lobe(self, alpha: f64) -> Lobe {
+    pub fn lobe(&self, alpha: f64) -> Lobe {
         Lobe::new(self, alpha)
     }
 }

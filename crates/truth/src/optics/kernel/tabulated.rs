@@ -12,6 +12,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 
 use lobefit_math::ops;
 
@@ -90,8 +91,7 @@ const JUMP: f64 = 1e-3;
 /// Hexadecimal digits of a table's hash in its word.
 const DIGITS: usize = 12;
 
-/// The kernel of a table of lobes of rising widths up to 1. Kernels of equal tables are equal. A kernel is a small value that is copied
-/// freely; the table behind it stays in memory until the process ends.
+/// The kernel of a table of lobes of rising widths up to 1. Kernels of equal tables are equal; clones of a kernel share its table.
 ///
 /// # Errors
 /// Widths or angles that do not rise, a density that is negative, a lobe without energy.
@@ -103,7 +103,7 @@ pub fn tabulated(name: &str, lobes: &[TableLobe]) -> Result<Kernel, TableError> 
     let hash = hash(name, lobes);
     let word = format!("{name}@{}", &hash[..DIGITS]);
     let formula = format!("tabulated at {} widths, blake3 {}", lobes.len(), &hash[..DIGITS]);
-    Ok(Kernel::Tabulated(Box::leak(Box::new(Tabulated { name: name.into(), word, formula, shapes }))))
+    Ok(Kernel::Tabulated(Arc::new(Tabulated { name: name.into(), word, formula, shapes })))
 }
 
 fn hash(name: &str, lobes: &[TableLobe]) -> String {
@@ -177,17 +177,6 @@ impl Tabulated {
     pub(super) fn angles(&self) -> usize {
         self.shapes.iter().map(|shape| shape.nodes.len()).max().unwrap_or(0)
     }
-
-    /// The lobe of a width above 0.
-    pub(super) fn blend(&'static self, alpha: f64) -> Blend {
-        let x = ops::log(alpha);
-        let after = self.shapes.partition_point(|shape| shape.ln_alpha <= x);
-        let [lower, upper] =
-            [after.saturating_sub(1), after.min(self.shapes.len() - 1)].map(|i| &self.shapes[i]);
-        let step = upper.ln_alpha - lower.ln_alpha;
-        let weight = if step > 0.0 { (x - lower.ln_alpha) / step } else { 0.0 };
-        Blend { lower, upper, weight }
-    }
 }
 
 impl PartialEq for Tabulated {
@@ -217,14 +206,25 @@ impl Ord for Tabulated {
 }
 
 /// Two lobes of a table and how far a width is from the first to the second.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Blend {
-    lower: &'static Shape,
-    upper: &'static Shape,
+    table: Arc<Tabulated>,
+    lower: usize,
+    upper: usize,
     weight: f64,
 }
 
 impl Blend {
+    /// The lobe of a width above 0.
+    pub(super) fn new(table: &Arc<Tabulated>, alpha: f64) -> Blend {
+        let (x, shapes) = (ops::log(alpha), &table.shapes);
+        let after = shapes.partition_point(|shape| shape.ln_alpha <= x);
+        let (lower, upper) = (after.saturating_sub(1), after.min(shapes.len() - 1));
+        let step = shapes[upper].ln_alpha - shapes[lower].ln_alpha;
+        let weight = if step > 0.0 { (x - shapes[lower].ln_alpha) / step } else { 0.0 };
+        Blend { table: Arc::clone(table), lower, upper, weight }
+    }
+
     /// The energy from the axis to u in [0, 1], of a lobe of squared width `a2`.
     pub(super) fn within(&self, a2: f64, u: f64) -> f64 {
         let x = half(a2, u);
@@ -238,10 +238,11 @@ impl Blend {
     }
 
     fn mixed(&self, of: impl Fn(&Shape) -> f64) -> f64 {
+        let [lower, upper] = [self.lower, self.upper].map(|i| &self.table.shapes[i]);
         if self.weight == 0.0 {
-            return of(self.lower);
+            return of(lower);
         }
-        (1.0 - self.weight) * of(self.lower) + self.weight * of(self.upper)
+        (1.0 - self.weight) * of(lower) + self.weight * of(upper)
     }
 }
 

@@ -74,7 +74,7 @@ pub fn ordinate(lobe: &Lobe, ordinate: Ordinate, t: f64) -> f64 {
 /// # Errors
 /// An input outside of its domain; a solver that fails.
 pub fn fits(
-    kernel: Kernel,
+    kernel: &Kernel,
     plotted: Ordinate,
     alpha: f64,
     distance: f64,
@@ -95,15 +95,15 @@ pub fn fits(
 }
 
 #[derive(Clone)]
-struct Window {
-    kernel: Kernel,
+struct Window<'a> {
+    kernel: &'a Kernel,
     plotted: Ordinate,
     target: Vec<f64>,
     /// Whether there is an offset.
     shifted: bool,
 }
 
-impl Window {
+impl Window<'_> {
     fn fit(&self, alpha: f64) -> WindowFit {
         let lobe = self.kernel.lobe(alpha);
         let fetch: Vec<f64> = WINDOW.iter().map(|(x, _)| ordinate(&lobe, self.plotted, *x)).collect();
@@ -126,7 +126,7 @@ impl Window {
     }
 }
 
-impl CostFunction for Window {
+impl CostFunction for Window<'_> {
     type Param = f64;
     type Output = f64;
 

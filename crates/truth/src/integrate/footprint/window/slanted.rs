@@ -53,13 +53,13 @@ pub fn profile(lobe: &Lobe, slant: f64, [x, y]: [f64; 2]) -> f64 {
 }
 
 #[derive(Clone)]
-struct Square {
-    kernel: Kernel,
+struct Square<'a> {
+    kernel: &'a Kernel,
     places: Vec<([f64; 2], f64)>,
     target: Vec<f64>,
 }
 
-impl Square {
+impl Square<'_> {
     fn fit(&self, alpha: f64) -> (f64, f64) {
         let lobe = self.kernel.lobe(alpha);
         let (mut own, mut both, mut whole) = (0.0, 0.0, 0.0);
@@ -74,7 +74,7 @@ impl Square {
     }
 }
 
-impl CostFunction for Square {
+impl CostFunction for Square<'_> {
     type Param = f64;
     type Output = f64;
 
@@ -88,7 +88,7 @@ impl CostFunction for Square {
 ///
 /// # Errors
 /// An input outside of its domain; a solver that fails.
-pub fn slanted(kernel: Kernel, alpha: f64, slant: f64) -> Result<SlantedFit, IntegrateError> {
+pub fn slanted(kernel: &Kernel, alpha: f64, slant: f64) -> Result<SlantedFit, IntegrateError> {
     let refuse =
         |input, value, domain| Err(IntegrateError::Domain { quantity: QUANTITY, input, value, domain });
     if !(0.02..=0.5).contains(&alpha) {
