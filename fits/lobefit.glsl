@@ -1004,7 +1004,7 @@ float ggx_eavg_12(float roughness, float alpha) {
 ///   worst at alpha = 0.99984, roughness = 0.99992; measured at 1597446 points in f32
 ///   domain: alpha [0.0004, 1], roughness [0.02, 1]
 float ggx_eavg_12_rms(float roughness, float alpha) {
-    float loss = alpha * (-7.5236596e-5 + alpha * (-0.73651946
+    float loss = alpha * (-7.523659e-5 + alpha * (-0.73651946
                 + roughness * (-0.6308915 - 0.33427012 * alpha)));
     float divisor = 0.090940095 + roughness * (0.66894 + alpha * (1.1202142 + alpha * roughness));
     return 1.0 + loss / divisor;

@@ -1,5 +1,6 @@
 //! A formula with its coefficients, measured at points that it was not fitted on.
 
+use super::place;
 use super::target::{Sampled, Target};
 use crate::data::{Approximation, Certificate, Cost, Form, Formula, Source};
 use lobefit_shade::{Hypothesis, Precision, ShadeError, measure_in, round_up};
@@ -24,7 +25,7 @@ pub fn certificate(
         max_rel: round_up(all.max_rel, 4),
         rms: uniform.rms,
         mean: uniform.mean,
-        at: points.place(all.worst),
+        at: place(points, all.worst),
         domain: target.ranges(),
         precision: precision.name().into(),
         points: all.points as u64,

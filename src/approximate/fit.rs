@@ -1,9 +1,10 @@
 //! A formula with its coefficients, measured, and what a fit job gives.
 
-use super::{PointSet, Safe};
+use super::Safe;
 use crate::data::{Approximation, Form};
 use lobefit_fit::Termination;
 use lobefit_shade::{Hypothesis, ShadeError};
+use lobefit_truth::points::Points;
 
 /// A formula with coefficients, measured.
 #[derive(Clone, Debug)]
@@ -60,24 +61,24 @@ impl Fit {
         }
     }
 
-    /// Its values in f32 at the points of a set; f0 = 1.
-    pub fn values(&self, points: &PointSet) -> Result<Vec<f32>, ShadeError> {
+    /// Its values in f32 at points; f0 = 1.
+    pub fn values(&self, points: &Points) -> Result<Vec<f32>, ShadeError> {
         self.values_for(points, 1.0)
     }
 
-    /// Its values in f32 at the points of a set, for one f0.
-    pub fn values_for(&self, points: &PointSet, f0: f32) -> Result<Vec<f32>, ShadeError> {
+    /// Its values in f32 at points, for one f0.
+    pub fn values_for(&self, points: &Points, f0: f32) -> Result<Vec<f32>, ShadeError> {
         self.hypothesis.tape().evaluate(&self.columns(points, f0)?, &self.coefficients())
     }
 
-    /// The columns of its inputs at the points of a set, for one f0.
+    /// The columns of its inputs at points, for one f0.
     ///
     /// # Errors
     /// An input that the set does not have.
-    pub fn columns(&self, points: &PointSet, f0: f32) -> Result<Vec<Vec<f32>>, ShadeError> {
+    pub fn columns(&self, points: &Points, f0: f32) -> Result<Vec<Vec<f32>>, ShadeError> {
         let column = |name: &String| match name.as_str() {
             "f0" => Ok(vec![f0; points.len()]),
-            name => points.column(name).map(<[f32]>::to_vec).ok_or_else(|| ShadeError::UnknownInput {
+            name => points.column_f32(name).ok_or_else(|| ShadeError::UnknownInput {
                 function: self.hypothesis.name().into(),
                 input: name.into(),
                 given: "roughness, alpha, mu, f0".into(),

@@ -1,11 +1,9 @@
 //! One formula for one quantity: what a fit is made to, the points that it is made on, its search, its proof and its
 //! certificate. Nothing here knows an effect.
 
-mod average;
 mod certificate;
 mod entry;
 mod error;
-mod field;
 mod fit;
 mod keeps;
 mod points;
@@ -15,16 +13,15 @@ mod run;
 mod search;
 pub mod target;
 
-pub(crate) use average::{AVERAGE_NODES, average_truth};
 pub use certificate::{approximation, certificate, formula};
 pub use entry::Entry;
 pub(crate) use entry::{own, published};
 pub use error::{FitStageError, Runaway};
-pub use field::{Counter, Field, TRUTH_ERROR};
 pub use fit::{Dropped, Fit, FitSet};
 pub use keeps::{Keeps, Kept, Safe};
-pub use points::{PointSet, certification};
+pub use points::{certification, place};
 pub(crate) use points::{edged, layer_mu, lerp, uniform};
+pub use prepared::Counter;
 pub use region::Region;
 pub use run::{Wanted, WithF0, fit_all};
 pub use search::runaways;

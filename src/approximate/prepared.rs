@@ -1,12 +1,30 @@
 //! A target with its samples, and fits of one formula to it.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use super::certificate::{approximation, certificate, formula};
 use super::search::{Searched, searched};
 use super::target::{Sampled, Target};
-use super::{Counter, Entry, Fit, FitStageError, Keeps, Kept, Safe};
+use super::{Entry, Fit, FitStageError, Keeps, Kept, Safe};
 use crate::data::{Norm, Source};
 use lobefit_fit::{Constraint, Options, Samples};
 use lobefit_shade::{Domain, Hypothesis, Precision};
+
+/// Counts the truths that were integrated: how `bake` shows that nothing is computed which the scene does not call for.
+#[derive(Debug, Default)]
+pub struct Counter(AtomicU64);
+
+impl Counter {
+    /// Notes `n` integrated points.
+    pub fn add(&self, n: usize) {
+        self.0.fetch_add(n as u64, Ordering::Relaxed);
+    }
+
+    /// Points integrated so far.
+    pub fn total(&self) -> u64 {
+        self.0.load(Ordering::Relaxed)
+    }
+}
 
 /// A target with its samples. Formulas that are affine in f0 and those that are not have different ones.
 pub(super) struct Prepared {
@@ -20,9 +38,7 @@ impl Prepared {
     /// Integrates the truths of the samples.
     pub fn new(target: Target, counter: &Counter) -> Result<Prepared, FitStageError> {
         let (even, edged, measured) = (target.even()?, target.edged()?, target.measured()?);
-        for sampled in [&even, &edged, &measured] {
-            counter.add(target.truths(sampled.points.len()));
-        }
+        counter.add([&even, &edged, &measured].iter().map(|sampled| sampled.integrals as usize).sum());
         Ok(Prepared { target, even, edged, measured })
     }
 
@@ -30,7 +46,8 @@ impl Prepared {
     pub fn at_f0(&self, f0: f64) -> Prepared {
         let with = |sampled: &Sampled| {
             let mut sampled = sampled.clone();
-            sampled.points.columns.push(("f0".into(), vec![f0 as f32; sampled.points.len()]));
+            let column = vec![f64::from(f0 as f32); sampled.points.len()];
+            sampled.points = sampled.points.with("f0", column);
             sampled
         };
         let [even, edged, measured] = [&self.even, &self.edged, &self.measured].map(with);

@@ -1,8 +1,9 @@
 //! A grid of roughness and mu: what the pictures of approximations are drawn over.
 
 use super::BakeError;
-use crate::approximate::{Fit, FitStageError, PointSet, Region};
+use crate::approximate::{Fit, FitStageError, Region};
 use crate::report::{Field, FitCurve, Ruler};
+use lobefit_truth::points::Points;
 
 /// Side of the maps' grids.
 const MAP: usize = 64;
@@ -21,16 +22,16 @@ pub struct Grid {
     /// Ruler of mu.
     pub mu: Ruler,
     /// Its points.
-    pub points: PointSet,
+    pub points: Points,
 }
 
 impl Grid {
     /// Over two rulers.
     pub fn new(region: &Region, roughness: Ruler, mu: Ruler) -> Grid {
-        let mut points = PointSet::default();
+        let mut points = Points::default();
         for m in &mu.values {
             for r in &roughness.values {
-                points.push(region, *r, *m);
+                region.push(&mut points, *r, *m);
             }
         }
         Grid { roughness, mu, points }

@@ -1,6 +1,7 @@
 //! The effects that a scene can call for. Each is a value of [`Effect`] in the [`catalogue`] and has a folder: who calls for it, its
 //! quantities, fits and tables, its shader code and its page. What several effects share stands beside their folders.
 
+mod albedo;
 pub mod anisotropy;
 mod called;
 mod code;
@@ -24,6 +25,7 @@ pub mod table;
 pub mod value;
 mod who;
 
+pub use albedo::Albedo;
 pub use called::{Called, JobSummary, LeftOut};
 pub use context::UserHypothesis;
 pub use deviation::{Deviation, Rounding};

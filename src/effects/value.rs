@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::context::Context;
 use super::demand::{Demand, Goals, Job, Span};
 use super::grid::Grid;
@@ -14,7 +12,6 @@ use crate::approximate::{self, Dropped, Entry, Fit, FitSet, Region, Wanted};
 use crate::data::Use;
 use crate::report::{ApproximationFinding, EffectFinding, Findings};
 use crate::scene::Scene;
-use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::quantity::{Quantity, Variant};
 
 /// What is fitted and how its page shows it.
@@ -140,14 +137,8 @@ impl ValueFits<'_> {
         let points = &grid.points;
         context.counter.add(points.len());
         let (quantity, variant) = (self.quantity, Variant::default());
-        let column = quantity.outputs().iter().position(|output| *output == self.column);
-        let lacks = || BakeError::Internal(format!("{} has no column {}", quantity.name(), self.column));
-        let (column, tolerance) = (column.ok_or_else(lacks)?, quantity.tolerance(&variant));
-        let at = |i: usize| {
-            let place = [f64::from(points.alpha[i]), f64::from(points.mu[i].min(1.0))];
-            Ok(quantity.at(&variant, &place, tolerance)?[column])
-        };
-        let all: Vec<Result<f64, IntegrateError>> = (0..points.len()).into_par_iter().map(at).collect();
-        Ok(all.into_iter().collect::<Result<_, _>>()?)
+        let tolerance = quantity.tolerance_of_many(&variant);
+        let [column] = quantity.truth(&variant, points, &[self.column], tolerance)?.arrays();
+        Ok(column)
     }
 }

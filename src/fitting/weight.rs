@@ -1,6 +1,7 @@
 //! A weight of the errors that are minimised.
 
 use super::{FittingError, Perceptual};
+use crate::approximate::place;
 use crate::approximate::target::{Sampled, Target};
 use lobefit_shade::{Hypothesis, Op, ShadeError};
 
@@ -108,7 +109,7 @@ impl Expression {
             weights = vec![weights[0]; sampled.points.len()];
         }
         if let Some(i) = weights.iter().position(|w| !(w.is_finite() && *w >= 0.0)) {
-            let at = crate::emit::header::place(&sampled.points.place(i));
+            let at = crate::emit::header::place(&place(&sampled.points, i));
             return Err(refuse(format!(
                 "is {} at {at}; a weight is a finite number, 0 or above",
                 weights[i]

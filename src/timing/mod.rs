@@ -8,7 +8,7 @@ use lobefit_shade::ShadeError;
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::approximate::{Fit, FitStageError, PointSet, Region, certification};
+use crate::approximate::{Fit, FitStageError, Region, certification};
 use crate::bake::{BakeError, Baked, BakedVolume};
 use crate::data::{AlphaMap, Approximation, Decode, Smith, Source};
 use crate::effects::reflection::{POINTS, SAMPLERS};
@@ -18,6 +18,7 @@ use crate::scene::Scene;
 use lobefit_truth::integrate::monte_carlo::{self, Run};
 use lobefit_truth::integrate::reflection::{Effort, TOLERANCE, albedo_work, reflection};
 use lobefit_truth::integrate::{IntegrateError, PanelRule};
+use lobefit_truth::points::Points;
 
 /// Runs of which the median is taken.
 const RUNS: usize = 5;
@@ -149,7 +150,7 @@ fn volume_entry(volume: &BakedVolume) -> Result<Option<TimedApproximation>, Bake
     Ok(Some(entry(&volume.approximation, true, time / points.len() as f64)))
 }
 
-fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {
+fn fit_seconds(fit: &Fit, points: &Points) -> Result<f64, BakeError> {
     let inputs = columns(fit, points).map_err(FitStageError::from)?;
     let (tape, coefficients) = (fit.hypothesis.tape(), fit.coefficients());
     tape.evaluate(&inputs, &coefficients).map_err(FitStageError::from)?;
@@ -159,14 +160,14 @@ fn fit_seconds(fit: &Fit, points: &PointSet) -> Result<f64, BakeError> {
 }
 
 /// The columns of a fit's inputs: those of the points, and evenly spaced values of any other input of its certified domain.
-fn columns(fit: &Fit, points: &PointSet) -> Result<Vec<Vec<f32>>, ShadeError> {
+fn columns(fit: &Fit, points: &Points) -> Result<Vec<Vec<f32>>, ShadeError> {
     let domain = &fit.approximation.certificate.domain;
     let spread = |[low, high]: [f64; 2]| {
         let step = (high - low) / points.len().max(1) as f64;
         (0..points.len()).map(|i| (low + (i as f64 + 0.5) * step) as f32).collect::<Vec<f32>>()
     };
     let column = |name: &String| {
-        let given = points.column(name).map(<[f32]>::to_vec);
+        let given = points.column_f32(name);
         given.or_else(|| domain.get(name).copied().map(spread)).ok_or_else(|| ShadeError::UnknownInput {
             function: fit.hypothesis.name().into(),
             input: name.clone(),

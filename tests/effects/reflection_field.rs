@@ -1,8 +1,8 @@
 //! The truth that approximations are judged against is within its stated error.
 
-use lobefit::approximate::TRUTH_ERROR;
 use lobefit::data::Smith;
 use lobefit_truth::integrate::reflection::{Effort, albedo, reflection, split};
+use lobefit_truth::quantity::TRUTH_ERROR;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;

@@ -1,10 +1,12 @@
 //! `ggx-dfg` as a shader sees it: the bilinear lookup of the quantised texels over a dense off-grid set.
 
-use lobefit::approximate::{Counter, Field, Region, TRUTH_ERROR, certification};
+use lobefit::approximate::{Counter, Region, certification};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
+use lobefit::effects::Albedo;
 use lobefit::effects::reflection::{TableSpec, build};
 use lobefit::effects::table::{Errors, Points, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
+use lobefit_truth::quantity::TRUTH_ERROR;
 
 fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> TableSpec {
     TableSpec {
@@ -23,7 +25,7 @@ fn errors(spec: &TableSpec) -> Errors {
     let counter = Counter::default();
     let table = build(spec, &counter).expect("a table");
     let points = certification(&spec.region, 16);
-    let truth = Field::split(spec.smith, &points, &counter);
+    let truth = Albedo::new(spec.smith, &points, true, &counter).expect("a truth");
     let (decode, truth) = (Decode::of(spec.layout, spec.serves), Truth { e: &truth.e, b: Some(&truth.b) });
     let errors =
         measure(&table, decode, &Points::isotropic(&points), truth, TRUTH_ERROR).expect("of its decoding");

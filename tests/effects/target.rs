@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use lobefit::approximate::target::{Points, Sampled, Target, TargetError, TargetSpec};
+use lobefit::approximate::target::{Sampled, Target, TargetError, TargetSpec};
 use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::points::Points;
 use lobefit_truth::quantity::{self, Quantity, Variant};
 
 fn spec(quantity: &str) -> TargetSpec {
@@ -27,15 +28,15 @@ fn formula(arguments: &str) -> Hypothesis {
     Hypothesis::parse("f.wgsl", &source).expect("a formula")
 }
 
-fn bits(points: &Points) -> Vec<Vec<u32>> {
-    (0..points.len()).map(|i| points.columns.iter().map(|(_, c)| c[i].to_bits()).collect()).collect()
+fn bits(points: &Points) -> Vec<Vec<u64>> {
+    (0..points.len()).map(|i| points.columns().map(|(_, c)| c[i].to_bits()).collect()).collect()
 }
 
 /// Samples inside the box that are certified at too. On its faces the lattices may meet, in corners and in a few places more.
 fn shared(target: &Target, fitted: &Sampled, measured: &Sampled) -> usize {
-    let known: BTreeSet<Vec<u32>> = bits(&fitted.points).into_iter().collect();
-    let ends: Vec<(String, [f32; 2])> =
-        target.spans().into_iter().map(|s| (s.name, s.range.map(|x| x as f32))).collect();
+    let known: BTreeSet<Vec<u64>> = bits(&fitted.points).into_iter().collect();
+    let ends: Vec<(String, [f64; 2])> =
+        target.spans().into_iter().map(|s| (s.name, s.range.map(|x| f64::from(x as f32)))).collect();
     let face = |i: usize| {
         let axes = ends.iter().filter(|(name, _)| name != "f0");
         let mut at = axes.map(|(name, range)| (measured.points.column(name).expect("a column")[i], range));
@@ -59,7 +60,7 @@ fn points_of_measurement_are_no_samples_and_edges_are_among_both() {
             for span in target.spans() {
                 let column = sampled.points.column(&span.name).expect("a column");
                 for end in span.range {
-                    assert!(column.contains(&(end as f32)), "{quantity}: {} = {end}", span.name);
+                    assert!(column.contains(&f64::from(end as f32)), "{quantity}: {} = {end}", span.name);
                 }
             }
         }
@@ -108,21 +109,19 @@ fn four_values_of_f0_stand_for_all() {
     assert!(target.affine);
     let measured = target.measured().expect("E and B");
     let f0 = measured.points.column("f0").expect("f0");
-    let mean: Vec<f32> = {
-        let mut values: Vec<f32> = f0[..measured.points.uniform].to_vec();
-        values.sort_by(f32::total_cmp);
+    let mean: Vec<f64> = {
+        let mut values: Vec<f64> = f0[..measured.points.uniform].to_vec();
+        values.sort_by(f64::total_cmp);
         values.dedup();
         values
     };
-    let square = |a: f64, b: f64| {
-        mean.iter().map(|x| (a + b * f64::from(*x)) * (a + b * f64::from(*x))).sum::<f64>() / 2.0
-    };
+    let square = |a: f64, b: f64| mean.iter().map(|x| (a + b * x) * (a + b * x)).sum::<f64>() / 2.0;
     for (a, b) in [(1.0, 0.0), (0.3, -0.7), (0.0, 2.0)] {
         let exact = a * a + a * b + b * b / 3.0;
         assert!((square(a, b) - exact).abs() < 1e-6, "{a} {b}: {} {exact}", square(a, b));
     }
-    let rest: BTreeSet<u32> = f0[measured.points.uniform..].iter().map(|x| x.to_bits()).collect();
-    assert_eq!(rest, [0.0_f32, 1.0].iter().map(|x| x.to_bits()).collect());
+    let rest: BTreeSet<u64> = f0[measured.points.uniform..].iter().map(|x| x.to_bits()).collect();
+    assert_eq!(rest, [0.0_f64, 1.0].iter().map(|x| x.to_bits()).collect());
     let curved = Hypothesis::parse("f.wgsl", "fn f(mu: f32, f0: f32) -> f32 { return mu * f0 * f0; }")
         .expect("a formula");
     let target = Target::new(&spec("ggx-reflection"), &curved).expect("a target");

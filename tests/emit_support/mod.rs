@@ -12,15 +12,18 @@ use std::collections::BTreeMap;
 use std::io::Write;
 use std::sync::OnceLock;
 
-use lobefit::approximate::{Counter, Field, Fit, PointSet, Region, TRUTH_ERROR, certification};
+use lobefit::approximate::{Counter, Fit, Region, certification};
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
+use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
 use lobefit::effects::reflection::{TableSpec, build};
 use lobefit::effects::table::{self, Lookup, Truth, measure};
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
+use lobefit_truth::points;
+use lobefit_truth::quantity::TRUTH_ERROR;
 
 /// The built-in scene's bake, once per test binary, with the fit that it called for.
 pub fn baked() -> &'static (Baked, Job) {
@@ -68,8 +71,8 @@ const LOG2_POINTS: u32 = 15;
 /// Inputs of the emitted functions at every point: roughness, alpha, mu and f0.
 #[derive(Clone)]
 pub struct Points {
-    pub set: PointSet,
-    pub f0: Vec<f32>,
+    pub set: points::Points,
+    columns: [Vec<f32>; 4],
 }
 
 impl Points {
@@ -78,7 +81,17 @@ impl Points {
         assert!(set.len() >= 65_536, "{} points", set.len());
         // 0, 1 and 15 values between, changing from point to point
         let f0 = (0..set.len()).map(|i| (i * 5 % 17) as f32 / 16.0).collect();
-        Points { set, f0 }
+        let column = |name: &str| set.column_f32(name).expect("a column");
+        let columns = [column("roughness"), column("alpha"), column("mu"), f0];
+        Points { set, columns }
+    }
+
+    /// The same points at one f0.
+    #[allow(dead_code, reason = "not every test binary asks for it")]
+    pub fn at_f0(&self, f0: f32) -> Points {
+        let mut points = self.clone();
+        points.columns[3].fill(f0);
+        points
     }
 
     /// The region that the fits hold in.
@@ -93,18 +106,13 @@ impl Points {
 
     /// A column of inputs by name.
     pub fn column(&self, name: &str) -> &[f32] {
-        match name {
-            "roughness" => &self.set.roughness,
-            "alpha" => &self.set.alpha,
-            "mu" => &self.set.mu,
-            "f0" => &self.f0,
-            other => panic!("no input {other}"),
-        }
+        let place = ["roughness", "alpha", "mu", "f0"].iter().position(|input| *input == name);
+        &self.columns[place.unwrap_or_else(|| panic!("no input {name}"))]
     }
 
     /// roughness, alpha, mu, f0 of every point, one after another.
     pub fn bytes(&self) -> Vec<u8> {
-        let point = |i: usize| [self.set.roughness[i], self.set.alpha[i], self.set.mu[i], self.f0[i]];
+        let point = |i: usize| self.columns.each_ref().map(|column| column[i]);
         (0..self.len()).flat_map(point).flat_map(f32::to_le_bytes).collect()
     }
 
@@ -186,7 +194,7 @@ fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
     };
     let table = build(&spec, &Counter::default()).expect("a table").quantised();
     let points = certification(&region, LOG2_POINTS);
-    let truth = Field::split(spec.smith, &points, &Counter::default());
+    let truth = Albedo::new(spec.smith, &points, true, &Counter::default()).expect("a truth");
     let (decode, points) = (Decode::of(layout, serves), table::Points::isotropic(&points));
     let truth = Truth { e: &truth.e, b: Some(&truth.b) };
     let errors = measure(&table, decode, &points, truth, TRUTH_ERROR).expect("a table of its decoding");

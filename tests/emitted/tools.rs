@@ -11,7 +11,7 @@ use emit_support::programs::{READ_EXR, compile_library, python, run};
 use emit_support::{
     Looked, Points, baked, baked_tables, emitted, functions, manifest, module, other_tables, say, text,
 };
-use lobefit::approximate::Fit;
+use lobefit::approximate::{Fit, place};
 use lobefit::effects::coupling::emitted as coupling;
 use lobefit::effects::parallax::PREFIX;
 use lobefit::effects::table;
@@ -197,14 +197,14 @@ fn the_lookups_of_the_other_languages_return_the_bits_that_were_certified() {
 
 fn same_bits(name: &str, points: &Points, expected: &[f32], found: &[f32]) {
     for (i, (a, b)) in expected.iter().zip(found).enumerate() {
-        let place = || format!("{name} at {:?}, f0 {}", points.set.place(i), points.f0[i]);
+        let place = || format!("{name} at {:?}, f0 {}", place(&points.set, i), points.column("f0")[i]);
         assert!(a.is_finite() && a.to_bits() == b.to_bits(), "{}: {a:?}, as emitted {b:?}", place());
     }
 }
 
 /// `Fit::values`, which certificates and pictures are made with, is what was compared, but for its f0 = 1.
 fn certified_values(fit: &Fit, points: &Points, inputs: &[String]) {
-    let ones = Points { set: points.set.clone(), f0: vec![1.0; points.len()] };
+    let ones = points.at_f0(1.0);
     let values = fit.values(&points.set).expect("values");
     assert!(values == ones.values(fit, inputs), "{}", fit.approximation.name);
 }
@@ -241,7 +241,7 @@ fn looked_up(language: &str, table: &Looked, points: &Points, found: &[f32]) {
             [e, a, b] => table.agrees([*e, *a, *b], expected),
             _ => found[0].to_bits() == expected.e.to_bits(),
         };
-        assert!(same, "{name} at {:?}: {expected:?}, as emitted {found:?}", points.set.place(i));
+        assert!(same, "{name} at {:?}: {expected:?}, as emitted {found:?}", place(&points.set, i));
     }
     say(&format!("{language}: {name}_lookup, {} points, every bit the same", points.len()));
 }

@@ -2,6 +2,7 @@
 
 use lobefit_truth::integrate::reflection::{Interpolant, reflection};
 use lobefit_truth::optics::Smith;
+use lobefit_truth::optics::distribution::Ggx;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -9,7 +10,7 @@ use rayon::prelude::*;
 #[test]
 fn the_interpolant_is_within_its_stated_error() {
     for smith in [Smith::Correlated, Smith::Separable] {
-        let known = Interpolant::new(smith, [1e-4, 1.0], [1e-4, 1.0]).expect("in the domain");
+        let known = Interpolant::new(Ggx, smith, [[1e-4, 1.0], [1e-4, 1.0]], true).expect("in the domain");
         let off = |index: u64| {
             let mut random = Pcg64::seed_from_u64(31_000_000 + index);
             let mut log = || lobefit_math::ops::exp(-4.0 * std::f64::consts::LN_10 * random.random::<f64>());
@@ -30,13 +31,14 @@ fn the_interpolant_is_within_its_stated_error() {
 
 #[test]
 fn a_point_outside_is_no_number() {
-    let known = Interpolant::new(Smith::Correlated, [0.1, 0.2], [0.5, 1.0]).expect("in the domain");
+    let known =
+        Interpolant::new(Ggx, Smith::Correlated, [[0.1, 0.2], [0.5, 1.0]], true).expect("in the domain");
     assert!(
         known.at(0.15, 0.7).0.is_finite()
             && known.at(0.1, 0.5).1.is_finite()
             && known.at(0.2, 1.0).1.is_finite()
     );
     assert!(known.at(0.3, 0.7).0.is_nan() && known.at(0.15, 0.4).1.is_nan());
-    assert!(Interpolant::new(Smith::Correlated, [1e-5, 0.2], [0.5, 1.0]).is_err());
-    assert!(Interpolant::new(Smith::Correlated, [0.2, 0.1], [0.5, 1.0]).is_err());
+    assert!(Interpolant::new(Ggx, Smith::Correlated, [[1e-5, 0.2], [0.5, 1.0]], true).is_err());
+    assert!(Interpolant::new(Ggx, Smith::Correlated, [[0.2, 0.1], [0.5, 1.0]], true).is_err());
 }

@@ -23,6 +23,5 @@ mod spec;
 mod truth;
 
 pub use error::TargetError;
-pub use points::Points;
 pub use sampled::Sampled;
 pub use spec::{Span, Target, TargetSpec};

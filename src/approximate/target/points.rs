@@ -1,19 +1,11 @@
 //! Points of a target's axes: lattices to fit on, and others to measure at.
 
 use super::spec::{ROUGHNESS, Span};
-use crate::approximate::{PointSet, Region, certification, edged, layer_mu, uniform};
-use crate::data::{AlphaMap, Place, shortest};
+use crate::approximate::{Region, certification, edged, layer_mu, uniform};
+use crate::data::AlphaMap;
 use lobefit_math::chebyshev;
 use lobefit_math::recurrence::Recurrence;
-
-/// Inputs as a shader has them, in f32, by name.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Points {
-    /// Names and values; all columns are as long.
-    pub columns: Vec<(String, Vec<f32>)>,
-    /// The first `uniform` points are uniform in the axes: RMS and mean are taken over them.
-    pub uniform: usize,
-}
+use lobefit_truth::points::Points;
 
 /// How many points there are, by what a truth costs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,58 +16,16 @@ pub(super) struct Effort {
     pub log2: u32,
 }
 
-impl Points {
-    /// Number of points.
-    pub fn len(&self) -> usize {
-        self.columns.first().map_or(0, |(_, column)| column.len())
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// The column of an input.
-    pub fn column(&self, name: &str) -> Option<&[f32]> {
-        self.columns.iter().find(|(n, _)| n == name).map(|(_, column)| column.as_slice())
-    }
-
-    /// Point `i` by input name, each in the shortest decimal that reads back to its f32.
-    pub fn place(&self, i: usize) -> Place {
-        self.columns.iter().map(|(name, column)| (name.clone(), shortest(column[i]))).collect()
-    }
-
-    /// The points in the order given, every axis with its value; alpha is added where roughness is an axis that makes it.
-    pub(super) fn of(axes: &[Span], alpha: Option<AlphaMap>, places: &[Vec<f64>]) -> Points {
-        let column = |k: usize| places.iter().map(|place| place[k] as f32).collect();
-        let columns = axes.iter().enumerate().map(|(k, axis)| (axis.name.clone(), column(k)));
-        Points { columns: columns.collect(), uniform: places.len() }.with_alpha(alpha)
-    }
-
-    fn with_alpha(mut self, map: Option<AlphaMap>) -> Points {
-        if let (Some(map), Some(roughness)) = (map, self.column(ROUGHNESS)) {
-            let alpha = roughness.iter().map(|r| map.alpha_f32(*r)).collect();
-            self.columns.push(("alpha".into(), alpha));
+/// The points in the order given, every axis with its value as a shader has it; alpha is added where roughness is an axis that makes it.
+pub(super) fn of(axes: &[Span], alpha: Option<AlphaMap>, places: &[Vec<f64>]) -> Points {
+    let column = |k: usize| places.iter().map(|place| f64::from(place[k] as f32)).collect();
+    let points = Points::new(axes.iter().enumerate().map(|(k, axis)| (axis.name.as_str(), column(k))));
+    match (alpha, points.column_f32(ROUGHNESS)) {
+        (Some(map), Some(roughness)) => {
+            let alpha = roughness.iter().map(|r| f64::from(map.alpha_f32(*r))).collect();
+            points.with("alpha", alpha)
         }
-        self
-    }
-
-    /// The points that are kept, in order.
-    pub(super) fn kept(self, keep: &[bool]) -> Points {
-        let of = |column: Vec<f32>| {
-            column.into_iter().zip(keep).filter(|(_, keep)| **keep).map(|(x, _)| x).collect()
-        };
-        let uniform = keep[..self.uniform].iter().filter(|keep| **keep).count();
-        Points {
-            columns: self.columns.into_iter().map(|(name, column)| (name, of(column))).collect(),
-            uniform,
-        }
-    }
-
-    fn of_set(set: PointSet) -> Points {
-        let uniform = set.uniform;
-        let columns = [(ROUGHNESS, set.roughness), ("mu", set.mu), ("alpha", set.alpha)];
-        Points { columns: columns.map(|(name, column)| (name.to_string(), column)).to_vec(), uniform }
+        _ => points,
     }
 }
 
@@ -93,20 +43,20 @@ fn region(axes: &[Span], alpha: Option<AlphaMap>) -> Option<Region> {
 pub(super) fn even(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Points {
     let n = per_axis(axes, effort);
     if let Some(region) = region(axes, alpha) {
-        return Points::of_set(uniform(&region, n));
+        return uniform(&region, n);
     }
     let nodes = |axis: &Span| -> Vec<f64> {
         let n = if axis.is_spanned() { n } else { 1 };
         (0..n).map(|i| axis.at((i as f64 + 0.5) / n as f64)).collect()
     };
-    Points::of(axes, alpha, &product(&axes.iter().map(nodes).collect::<Vec<_>>()))
+    of(axes, alpha, &product(&axes.iter().map(nodes).collect::<Vec<_>>()))
 }
 
 /// A lattice with the edges, denser towards them; where there is a layer mu ~ alpha, half of it in the homogeneous coordinate.
 pub(super) fn with_edges(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Points {
     let n = per_axis(axes, effort);
     if let Some(region) = region(axes, alpha) {
-        return Points::of_set(edged(&region, n));
+        return edged(&region, n);
     }
     let mut places = product(&axes.iter().map(|axis| ends_and_between(axis, n)).collect::<Vec<_>>());
     if let Some(layer) = Layer::of(axes, alpha) {
@@ -118,7 +68,7 @@ pub(super) fn with_edges(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort)
         inside.iter_mut().for_each(|place| layer.move_into(axes, place));
         places.extend(inside);
     }
-    Points::of(axes, alpha, &places)
+    of(axes, alpha, &places)
 }
 
 /// Binary logarithm of the number of points where a truth costs a microsecond or less.
@@ -127,7 +77,7 @@ pub(super) const MANY: u32 = 20;
 /// Uniform points, half as many in the layer mu ~ alpha, and points on every face: none inside the box that is fitted on.
 pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Points {
     if let Some(region) = region(axes, alpha) {
-        return Points::of_set(certification(&region, effort.log2));
+        return certification(&region, effort.log2);
     }
     if let ([axis], Some(alpha_map)) = (axes, alpha)
         && axis.name == ROUGHNESS
@@ -136,9 +86,7 @@ pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -
     {
         // The points of two axes, without mu: an average is measured where the albedo is.
         let region = Region { roughness: axis.range, mu: [1.0, 1.0], alpha_map };
-        let mut points = Points::of_set(certification(&region, effort.log2));
-        points.columns.retain(|(name, _)| name != "mu");
-        return points;
+        return certification(&region, effort.log2).without("mu");
     }
     let count = 1_usize << effort.log2;
     let sequence = Recurrence::new(axes.len());
@@ -167,7 +115,9 @@ pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -
         }
     }
     places.extend(product(&axes.iter().map(|a| a.range.to_vec()).collect::<Vec<_>>()));
-    Points { uniform, ..Points::of(axes, alpha, &places) }
+    let mut points = of(axes, alpha, &places);
+    points.uniform = uniform;
+    points
 }
 
 /// Nodes of each axis that is spanned, so that the lattice has about as many points as the effort says; 1 where none is.

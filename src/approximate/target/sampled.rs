@@ -1,13 +1,15 @@
 //! Scale and target at points: what a formula is fitted on and measured against.
 
 use super::f0::{self, Choice};
-use super::points::{self, Points};
-use super::truth::Truth;
+use super::points;
 use super::{Target, TargetError};
 use crate::data::{AlphaMap, Use};
 use lobefit_fit::{FitError, Samples};
 use lobefit_shade::ShadeError;
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::integrate::Estimate;
+use lobefit_truth::integrate::coupling::{Split, factor};
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::Truth;
 
 /// Points with the residual `scale f - target` of the use.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +20,8 @@ pub struct Sampled {
     pub scale: Vec<f64>,
     /// What the product should be.
     pub target: Vec<f64>,
+    /// Integrals that the truth took, or evaluations of integrands.
+    pub integrals: u64,
 }
 
 impl Sampled {
@@ -27,10 +31,10 @@ impl Sampled {
     /// An input that the target does not have.
     pub fn inputs(&self, function: &str, names: &[String]) -> Result<Vec<Vec<f32>>, ShadeError> {
         let column = |name: &String| {
-            self.points.column(name).map(<[f32]>::to_vec).ok_or_else(|| ShadeError::UnknownInput {
+            self.points.column_f32(name).ok_or_else(|| ShadeError::UnknownInput {
                 function: function.into(),
                 input: name.clone(),
-                given: self.points.columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>().join(", "),
+                given: self.points.columns().map(|(name, _)| name).collect::<Vec<_>>().join(", "),
             })
         };
         names.iter().map(column).collect()
@@ -100,8 +104,7 @@ impl Target {
             f0::values(span, self.affine, Choice::MeasuredMean).into_iter().map(Some).collect();
         let all: Vec<Option<f64>> =
             f0::values(span, self.affine, Choice::Measured).into_iter().map(Some).collect();
-        let (first, first_truth) = head(&points, &truth);
-        let mut sampled = self.used(first, &first_truth, &mean);
+        let mut sampled = self.used(points.head(), &head(&truth, points.uniform), &mean);
         sampled.points.uniform = sampled.points.len();
         sampled.extend(self.used(points, &truth, &all));
         Ok(sampled)
@@ -112,7 +115,7 @@ impl Target {
     /// # Errors
     /// As [`Target::even`].
     pub fn at(&self, places: &[Vec<f64>], f0: &[f64]) -> Result<Sampled, TargetError> {
-        let points = Points::of(&self.axes, self.map(), places);
+        let points = points::of(&self.axes, self.map(), places);
         let truth = self.truth(&points)?;
         Ok(match self.f0 {
             Some(_) => self.used(points, &truth, &f0.iter().copied().map(Some).collect::<Vec<_>>()),
@@ -130,53 +133,52 @@ impl Target {
     /// The points with their truth; without those where a fetch is saturated, of which no formula is to blame.
     fn open(&self, points: Points) -> Result<(Points, Truth), TargetError> {
         let truth = self.truth(&points)?;
-        let Truth::Adjusted(widths) = &truth else { return Ok((points, truth)) };
-        let open: Vec<bool> = widths.iter().map(|(_, saturated)| !saturated).collect();
+        let [_, saturated] = &truth.columns[..] else { return Ok((points, truth)) };
+        if self.is_split() {
+            return Ok((points, truth));
+        }
+        let open: Vec<bool> = saturated.iter().map(|mark| *mark == 0.0).collect();
         if !open.contains(&true) {
             return Err(self.all_saturated());
         }
-        let kept = Truth::Adjusted(widths.iter().copied().filter(|(_, saturated)| !saturated).collect());
-        Ok((points.kept(&open), kept))
+        let pairs = truth.columns[0].iter().zip(&open);
+        let left = pairs.filter(|(_, open)| **open).map(|(value, _)| *value).collect();
+        Ok((points.marked(&open), Truth { columns: vec![left], ..truth }))
     }
 
     /// The use of the truth at every point, for each f0 in turn.
     fn used(&self, points: Points, truth: &Truth, f0: &[Option<f64>]) -> Sampled {
-        let mut all = Sampled { points: Points::default(), scale: Vec::new(), target: Vec::new() };
-        for value in f0 {
-            let mut points = points.clone();
-            let value = value.map(|x| x as f32);
-            points.columns.extend(value.map(|x| ("f0".to_string(), vec![x; points.len()])));
-            let values = self.values(truth, f64::from(value.unwrap_or(1.0)));
+        let of = |value: &Option<f64>| {
+            let value = value.map(|x| f64::from(x as f32));
+            let points = match value {
+                Some(x) => points.clone().with("f0", vec![x; points.len()]),
+                None => points.clone(),
+            };
+            let values = self.values(truth, value.unwrap_or(1.0));
             let ones = vec![1.0; values.len()];
             let (scale, target) = match self.used_as {
                 Use::Normalisation => (values, ones),
                 Use::Parallax => (values.into_iter().map(|width| 1.0 / width).collect(), ones),
                 _ => (ones, values),
             };
-            let sampled = Sampled { points, scale, target };
-            if all.points.columns.is_empty() { all = sampled } else { all.extend(sampled) }
-        }
-        all
+            Sampled { points, scale, target, integrals: 0 }
+        };
+        let mut all = of(&f0[0]);
+        f0[1..].iter().for_each(|value| all.extend(of(value)));
+        Sampled { integrals: truth.evaluations, ..all }
     }
 
     /// The values that the use is about.
     fn values(&self, truth: &Truth, f0: f64) -> Vec<f64> {
-        let (e, b) = match truth {
-            Truth::Column(values) => return values.clone(),
-            Truth::Adjusted(widths) => return widths.iter().map(|(width, _)| *width).collect(),
-            Truth::Split(e, b) => (e, b),
-        };
-        let specular = self.variant.specular;
-        let value = |(e, b): (&f64, &f64)| {
-            // A/E, the share of the lobe that f0 scales
-            let share = 1.0 - b / e;
-            let left = 1.0 - f0;
-            match specular {
-                None => f0 * e + left * b,
-                Some(Specular::Single) => 1.0 - (f0 * e + left * b),
-                Some(Specular::Normalised) => left * share,
-                // 1 - spec with the factor 1 + f0 (1/E - 1)
-                Some(Specular::Compensated) => left * (share + (1.0 - e) * (1.0 - left * share)),
+        let [e, b] = &truth.columns[..] else { return truth.columns[0].clone() };
+        if !self.is_split() {
+            return e.clone();
+        }
+        let with = |value| Estimate { value, error: 0.0 };
+        let value = |(e, b): (&f64, &f64)| match self.variant.specular {
+            None => f0 * e + (1.0 - f0) * b,
+            Some(specular) => {
+                factor(&Split { e: with(*e), a: with(e - b), loss: with(1.0 - e) }, f0, specular).value
             }
         };
         e.iter().zip(b).map(value).collect()
@@ -185,22 +187,14 @@ impl Target {
 
 impl Sampled {
     fn extend(&mut self, more: Sampled) {
-        for ((_, column), (_, rest)) in self.points.columns.iter_mut().zip(more.points.columns) {
-            column.extend(rest);
-        }
+        self.points.extend(more.points);
         self.scale.extend(more.scale);
         self.target.extend(more.target);
     }
 }
 
-/// The uniform points and their truth.
-fn head(points: &Points, truth: &Truth) -> (Points, Truth) {
-    let n = points.uniform;
-    let columns = points.columns.iter().map(|(name, column)| (name.clone(), column[..n].to_vec())).collect();
-    let truth = match truth {
-        Truth::Column(values) => Truth::Column(values[..n].to_vec()),
-        Truth::Split(e, b) => Truth::Split(e[..n].to_vec(), b[..n].to_vec()),
-        Truth::Adjusted(widths) => Truth::Adjusted(widths[..n].to_vec()),
-    };
-    (Points { columns, uniform: n }, truth)
+/// The truth of the first points.
+fn head(truth: &Truth, count: usize) -> Truth {
+    let columns = truth.columns.iter().map(|column| column[..count].to_vec()).collect();
+    Truth { columns, error: truth.error, evaluations: 0 }
 }

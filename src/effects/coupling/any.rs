@@ -2,7 +2,7 @@
 
 use super::CouplingSpec;
 use crate::approximate::target::{Sampled, Target};
-use crate::approximate::{Counter, Fit, FitStageError};
+use crate::approximate::{self, Counter, Fit, FitStageError};
 use crate::data::Place;
 use lobefit_math::chebyshev;
 use lobefit_shade::{measure, round_up};
@@ -80,14 +80,14 @@ fn of_fit(fit: &Fit, sampled: &Sampled, places: usize) -> Result<AnyF0, FitStage
     let certificate = &fit.approximation.certificate;
     let mut any = AnyF0 {
         max: round_up(largest.max_abs, 4),
-        at: sampled.points.place(largest.worst),
+        at: approximate::place(&sampled.points, largest.worst),
         places: places as u64,
         f0: if parabolas.is_some() { Between::Bounded } else { Between::Sampled(F0) },
     };
     for (i, peak) in parabolas.into_iter().flatten().enumerate() {
         if round_up(peak.error, 4) > any.max {
             any.max = round_up(peak.error, 4);
-            any.at = sampled.points.place(i);
+            any.at = approximate::place(&sampled.points, i);
             any.at.insert("f0".into(), peak.f0);
         }
     }

@@ -43,15 +43,15 @@ pub fn findings(
         origin: context.origin(),
         effect: effect.clone(),
         left_out: lobes.iter().flat_map(|lobe| left_out(&lobe.dropped)).collect(),
-        curves: curves(first, context),
+        curves: curves(first, context)?,
         lobes: lobes.iter().map(|lobe| of_lobe(lobe, context)).collect::<Result<_, _>>()?,
     })
 }
 
 /// The factors under every kind of lobe beside 1 - Fresnel, at the middle f0.
-fn curves(lobe: &Lobe, context: &Context) -> CouplingCurves {
+fn curves(lobe: &Lobe, context: &Context) -> Result<CouplingCurves, BakeError> {
     let (region, f0) = (&lobe.spec.region, 0.5 * (lobe.spec.f0[0] + lobe.spec.f0[1]));
-    let truth = Factors::new(lobe.spec.smith, Grid::curves(region, &CURVES), context);
+    let truth = Factors::new(lobe.spec.smith, Grid::curves(region, &CURVES), context)?;
     let grid = &truth.grid;
     let factors = Specular::ALL.map(|s| (s.name(), grid.by_roughness(&truth.at(s, f0))));
     let panel = |(k, roughness): (usize, &f64)| CouplingPanel {
@@ -62,18 +62,18 @@ fn curves(lobe: &Lobe, context: &Context) -> CouplingCurves {
         let x = 1.0 - mu;
         (1.0 - f0) * (1.0 - x * x * x * x * x)
     };
-    CouplingCurves {
+    Ok(CouplingCurves {
         f0,
         mu: grid.mu.values.clone(),
         fresnel: grid.mu.values.iter().map(fresnel).collect(),
         panels: grid.roughness.values.iter().enumerate().map(panel).collect(),
-    }
+    })
 }
 
 fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
-    let map = Factors::new(spec.smith, Grid::map(region), context);
-    let lines = Factors::new(spec.smith, Grid::curves(region, &CURVES), context);
+    let map = Factors::new(spec.smith, Grid::map(region), context)?;
+    let lines = Factors::new(spec.smith, Grid::curves(region, &CURVES), context)?;
     let shown = selected(&lobe.fits, "factor", Use::Coupling, context);
     let any = |(fit, any): (&Fit, &crate::effects::coupling::AnyF0)| AnyF0Finding {
         name: fit.approximation.name.clone(),
@@ -118,7 +118,7 @@ fn fit_finding(
 fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<CouplingFurnace, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
     let spheres = Grid::new(region, chosen(region, &SPHERES), grazing(region, RADII));
-    let exact = Factors::new(spec.smith, spheres, context);
+    let exact = Factors::new(spec.smith, spheres, context)?;
     let grid = &exact.grid;
     let of_rival = |name: &&str| lobe.fits.iter().find(|f| f.approximation.name == **name);
     let rivals = SHOWN.iter().filter_map(of_rival);

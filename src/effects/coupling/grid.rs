@@ -1,23 +1,24 @@
 //! The truth of a factor over a grid of roughness and mu: what the page of the effect is drawn from.
 
-use crate::approximate::{Field, TRUTH_ERROR};
 use crate::data::Smith;
+use crate::effects::Albedo;
 use crate::effects::context::Context;
 use crate::effects::grid::Grid;
-use lobefit_truth::integrate::Estimate;
 use lobefit_truth::integrate::coupling::{Specular, Split, factor};
+use lobefit_truth::integrate::{Estimate, IntegrateError};
+use lobefit_truth::quantity::TRUTH_ERROR;
 
 /// A grid with E and B.
 pub struct Factors {
     pub grid: Grid,
-    truth: Field,
+    truth: Albedo,
 }
 
 impl Factors {
     /// The truth over a grid.
-    pub fn new(smith: Smith, grid: Grid, context: &Context) -> Factors {
-        let truth = Field::split(smith, &grid.points, &context.counter);
-        Factors { grid, truth }
+    pub fn new(smith: Smith, grid: Grid, context: &Context) -> Result<Factors, IntegrateError> {
+        let truth = Albedo::new(smith, &grid.points, true, &context.counter)?;
+        Ok(Factors { grid, truth })
     }
 
     /// The true factor at every point.

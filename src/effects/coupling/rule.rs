@@ -1,11 +1,12 @@
 //! What the emitted average of a factor is off its integral.
 
-use crate::approximate::{Fit, FitStageError, PointSet, Region};
+use crate::approximate::{Fit, FitStageError, Region};
 use crate::effects::BakeError;
 use crate::effects::coupling::emitted::{AverageRule, RuleError};
 use lobefit_math::chebyshev;
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::round_up;
+use lobefit_truth::points::Points;
 
 /// Places of roughness, values of f0, and nodes of the rule that takes the integral's place: the emitted one has four.
 const ROUGHNESS: usize = 33;
@@ -55,8 +56,8 @@ fn values(
     f0: f64,
     cosines: &[f64],
 ) -> Result<Vec<f64>, BakeError> {
-    let mut points = PointSet::default();
-    cosines.iter().for_each(|mu| points.push(region, roughness, *mu));
+    let mut points = Points::default();
+    cosines.iter().for_each(|mu| region.push(&mut points, roughness, *mu));
     let values = fit.values_for(&points, f0 as f32).map_err(FitStageError::from)?;
     Ok(values.into_iter().map(|v| f64::from(v.max(0.0))).collect())
 }

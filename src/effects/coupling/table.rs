@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::bake::Lobe;
-use crate::approximate::{Field, FitStageError, PointSet, Region, certification};
+use crate::approximate::{self, FitStageError, Region, certification};
 use crate::data::{
     Approximation, Certificate, Cost, Decode, Form, Layout, Serves, Source, Table, TexelFormat, Use,
     lookup_ops,
 };
+use crate::effects::Albedo;
 use crate::effects::BakeError;
 use crate::effects::Deviation;
 use crate::effects::context::Context;
@@ -20,6 +21,7 @@ use crate::report::ApproximationFinding;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::Estimate;
 use lobefit_truth::integrate::coupling::{Split, factor};
+use lobefit_truth::points;
 
 /// Texels along mu and along roughness, and what two channels of f16 take.
 const SIDE: usize = 64;
@@ -91,22 +93,22 @@ fn domain(region: &Region, f0: [f64; 2]) -> BTreeMap<String, [f64; 2]> {
 /// E and B of a table and the truth at points.
 struct Measured<'a> {
     lobe: &'a Lobe,
-    points: PointSet,
-    truth: Field,
+    points: points::Points,
+    truth: Albedo,
     found: Vec<(f64, f64)>,
 }
 
 impl Measured<'_> {
-    fn new<'a>(lobe: &'a Lobe, table: &Table, context: &Context) -> Result<Measured<'a>, LookupError> {
+    fn new<'a>(lobe: &'a Lobe, table: &Table, context: &Context) -> Result<Measured<'a>, BakeError> {
         let points = certification(&lobe.spec.region, LOG2);
-        let truth = Field::split(lobe.spec.smith, &points, &context.counter);
+        let truth = Albedo::new(lobe.spec.smith, &points, true, &context.counter)?;
         let lookup = Lookup::new(table, Decode::SplitSum)?;
         let no_bias = || LookupError::NoBias { table: table.name.clone() };
         let at = |point: &_| {
             let values = lookup.at(point);
             Ok((f64::from(values.e), f64::from(values.b.ok_or_else(no_bias)?)))
         };
-        let found = Points::isotropic(&points).all.iter().map(at).collect::<Result<_, _>>()?;
+        let found = Points::isotropic(&points).all.iter().map(at).collect::<Result<_, LookupError>>()?;
         Ok(Measured { lobe, points, truth, found })
     }
 
@@ -128,7 +130,7 @@ impl Measured<'_> {
         }
         let n = self.points.len();
         let place = |i: usize| {
-            let mut place = self.points.place(i % n);
+            let mut place = approximate::place(&self.points, i % n);
             place.insert("f0".into(), f0[i / n]);
             place
         };

@@ -21,6 +21,7 @@ use crate::data::{
 use crate::effects::table::BuildError;
 use lobefit_fit::texels::{self, Lattice, Wanted};
 use lobefit_truth::integrate::reflection::{Effort, Interpolant, albedo, split};
+use lobefit_truth::optics::distribution::Ggx;
 
 /// What to bake.
 #[derive(Clone, Debug, PartialEq)]
@@ -198,5 +199,5 @@ fn nodes(spec: &TableSpec, axes: &[Axis; 2], lattice: &Lattice, counter: &Counte
 /// E and B over the rows of a table; none where they begin below what it holds, or no polynomial follows the integrals: each is
 /// integrated then.
 fn interpolant(spec: &TableSpec) -> Option<Interpolant> {
-    Interpolant::new(spec.smith, spec.region.alpha(), [Interpolant::SMALLEST, 1.0]).ok()
+    Interpolant::new(Ggx, spec.smith, [spec.region.alpha(), [Interpolant::SMALLEST, 1.0]], true).ok()
 }

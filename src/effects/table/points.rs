@@ -4,10 +4,11 @@
 //! a truth can share its work.
 
 use super::{Point, Region, SliceAxis};
-use crate::approximate::{PointSet, layer_mu, lerp};
+use crate::approximate::{layer_mu, lerp};
 use crate::data::{Place, shortest};
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
+use lobefit_truth::points;
 
 /// Points that share roughness and mu.
 pub const GROUP: usize = 8;
@@ -103,11 +104,13 @@ impl Points {
     }
 
     /// The points of an isotropic lobe that only reflects.
-    pub fn isotropic(set: &PointSet) -> Points {
+    pub fn isotropic(set: &points::Points) -> Points {
+        let [roughness, alpha, mu] = ["roughness", "alpha", "mu"]
+            .map(|name| set.column_f32(name).unwrap_or_else(|| vec![f32::NAN; set.len()]));
         let point = |i: usize| Point {
-            roughness: set.roughness[i],
-            alpha: set.alpha[i],
-            mu: set.mu[i],
+            roughness: roughness[i],
+            alpha: alpha[i],
+            mu: mu[i],
             cos2_phi: 1.0,
             ior: 1.0,
             anisotropy: 0.0,

@@ -162,10 +162,7 @@ pub(super) fn title(target: &Target) -> String {
 /// The samples, one column per axis with a range.
 pub(super) fn samples(target: &Target) -> Result<SearchSamples, FittingError> {
     let sampled = target.edged()?;
-    let column = |k: usize| {
-        let column = sampled.points.column(&target.axes[k].name).unwrap_or_default();
-        column.iter().map(|x| f64::from(*x)).collect()
-    };
-    let axes = spanned(target).into_iter().map(column).collect();
+    let names: Vec<String> = spanned(target).into_iter().map(|k| target.axes[k].name.clone()).collect();
+    let axes = sampled.samples("form", &names, None)?.inputs;
     Ok(SearchSamples { axes, scale: sampled.scale, target: sampled.target })
 }

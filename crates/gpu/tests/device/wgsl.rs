@@ -8,8 +8,9 @@ use emit_support::accuracy::{CPU, WGSL, bound, divides};
 use emit_support::{Looked, Points, TRUTH, baked_tables, emitted, other_tables, say, text};
 use gpu_support::device::{Gpu, WORKGROUP};
 use gpu_support::gpu;
-use lobefit::approximate::{Counter, Field, Fit};
+use lobefit::approximate::{Counter, Fit, place};
 use lobefit::data::Use;
+use lobefit::effects::Albedo;
 use lobefit::effects::table::{self, Lookup};
 use lobefit_shade::code::Language;
 
@@ -192,7 +193,7 @@ fn check(gpu: &Gpu, include: &str, table: &Looked) {
     };
     let (exact, at) = against(&table.lookup());
     let (coarse, _) = against(&table.lookup().with_weight_bits(8));
-    let truth = Field::split(table.table.smith, &points.set, &Counter::default());
+    let truth = Albedo::new(table.table.smith, &points.set, true, &Counter::default()).expect("a truth");
     let (error, worst) = largest(&points, |i| {
         let [e, _, b, _] = found[i].map(f64::from);
         let (e, b) = ((e - truth.e[i]).abs(), (b - truth.b[i]).abs());
@@ -206,9 +207,9 @@ fn check(gpu: &Gpu, include: &str, table: &Looked) {
         gpu.name
     ));
     let limit = certified.max(certified_8_bit) + TRUTH + DECODING;
-    assert!(error <= limit, "{name} at {:?}: error {error}, limit {limit}", points.set.place(worst));
+    assert!(error <= limit, "{name} at {:?}: error {error}, limit {limit}", place(&points.set, worst));
     let limit = allowed(table);
-    assert!(exact <= limit, "{name} at {:?}: off by {exact}, limit {limit}", points.set.place(at));
+    assert!(exact <= limit, "{name} at {:?}: off by {exact}, limit {limit}", place(&points.set, at));
 }
 
 /// The larger; not a number if either is none.

@@ -66,6 +66,22 @@ pub enum IntegrateError {
         /// What is left open.
         choice: &'static str,
     },
+    /// Points that lack an input.
+    #[error("{quantity}: the points have no column `{input}`")]
+    NoInput {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// The input.
+        input: &'static str,
+    },
+    /// An output that a quantity does not have.
+    #[error("{quantity} has no output `{output}`")]
+    NoOutput {
+        /// Quantity asked for.
+        quantity: &'static str,
+        /// The output.
+        output: String,
+    },
     /// Monte Carlo of a quantity that has none.
     #[error(
         "{quantity} is a minimum and not an integral: it has no second opinion by Monte Carlo; leave out --method monte-carlo"

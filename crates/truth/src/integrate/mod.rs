@@ -7,6 +7,7 @@ mod estimate;
 pub mod footprint;
 pub mod glass;
 pub mod monte_carlo;
+mod patches;
 mod path;
 pub mod reflection;
 pub mod sheen;

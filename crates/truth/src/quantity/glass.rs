@@ -1,8 +1,77 @@
 //! `ggx-glass`: energies of a rough dielectric interface.
 
-use super::{ALPHA, Choice, Input, Quantity, Variant};
+use rayon::prelude::*;
+
+use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, each, given, places};
+use crate::integrate::glass::Side;
+use crate::integrate::glass::table::{self, Energies, Kernel};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, glass};
+use crate::optics::Smith;
+use crate::points::Points;
+
+/// Points of one task: work is cut by index alone.
+const CHUNK: usize = 256;
+
+/// Finest tolerance of the rings that neighbours share.
+const FINEST: f64 = 1e-8;
+
+impl GgxGlass {
+    /// R, T and E at points from outside and from inside, which share their work as neighbours of one alpha and mu do; E is within a
+    /// tolerance in [1e-8, 1e-2], R and T within twice as much.
+    ///
+    /// # Errors
+    /// As [`Quantity::at`].
+    pub fn both_sides(
+        &self,
+        smith: Smith,
+        points: &Points,
+        tolerance: f64,
+    ) -> Result<[Truth; 2], IntegrateError> {
+        let [alpha, mu, ior] = given(self, points)?;
+        let kernel = Kernel::new(smith, tolerance)?;
+        let inputs: Vec<[f64; 3]> = (0..points.len()).map(|i| [alpha[i], mu[i], ior[i]]).collect();
+        let chunk = |chunk: &[[f64; 3]]| {
+            let (mut values, mut evaluations) = (Vec::with_capacity(chunk.len()), 0);
+            for same in chunk.chunk_by(|a, b| a[..2] == b[..2]) {
+                evaluations += group(&kernel, smith, same, tolerance, &mut values)?;
+            }
+            Ok((values, evaluations))
+        };
+        let parts: Vec<(Vec<Energies>, u64)> =
+            inputs.par_chunks(CHUNK).map(chunk).collect::<Result<_, IntegrateError>>()?;
+        let evaluations = parts.iter().map(|(_, n)| n).sum();
+        let all: Vec<Energies> = parts.into_iter().flat_map(|(values, _)| values).collect();
+        Ok([0, 1].map(|side| {
+            let rows: Vec<[f64; 3]> = all.iter().map(|e| [e.r[side], e.t[side], e.e()[side]]).collect();
+            Truth::of_rows(&rows, tolerance, evaluations)
+        }))
+    }
+}
+
+/// R and T from both sides at points of one alpha and mu; returns the evaluations. Beyond the domain of the rings each is integrated.
+fn group(
+    kernel: &Kernel,
+    smith: Smith,
+    points: &[[f64; 3]],
+    tolerance: f64,
+    out: &mut Vec<Energies>,
+) -> Result<u64, IntegrateError> {
+    let [alpha, mu, _] = points[0];
+    let iors: Vec<f64> = points.iter().map(|point| point[2]).collect();
+    let start = out.len();
+    out.resize(start + iors.len(), Energies::default());
+    if table::covers(alpha, mu, &iors) {
+        return kernel.energies(alpha, mu, &iors, &mut out[start..]);
+    }
+    for (ior, energies) in iors.iter().zip(&mut out[start..]) {
+        for (k, side) in Side::ALL.into_iter().enumerate() {
+            let value = glass::glass(smith, alpha, mu, *ior, side, tolerance)?;
+            (energies.r[k], energies.t[k]) = (value.r, value.t);
+        }
+    }
+    Ok(2 * iors.len() as u64)
+}
 
 /// `ggx-glass`: reflected and transmitted energy, their sum and 1 less the sum, from either side.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +112,24 @@ impl Quantity for GgxGlass {
         let (smith, side) = (variant.smith(self.name())?, variant.side(self.name())?);
         let v = glass::glass(smith, x[0], x[1], x[2], side, tolerance)?;
         Ok(vec![v.r, v.t, v.e, v.loss, v.error])
+    }
+
+    fn truth(
+        &self,
+        variant: &Variant,
+        points: &Points,
+        outputs: &[&str],
+        tolerance: f64,
+    ) -> Result<Truth, IntegrateError> {
+        let exact = outputs.iter().any(|output| ["loss", "error"].contains(output));
+        if exact || tolerance < 2.0 * FINEST || points.len() < CHUNK {
+            return each(self, variant, points, outputs, tolerance);
+        }
+        let (places, side) = (places(self, outputs)?, variant.side(self.name())?);
+        let [outside, inside] = self.both_sides(variant.smith(self.name())?, points, 0.5 * tolerance)?;
+        let all = if side == Side::Outside { outside } else { inside };
+        let columns = places.iter().map(|place| all.columns[*place].clone()).collect();
+        Ok(Truth { columns, error: tolerance, ..all })
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

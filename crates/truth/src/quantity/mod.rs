@@ -17,12 +17,15 @@ pub use average::GgxAverage;
 pub use coupling::DiffuseCoupling;
 pub use glass::GgxGlass;
 pub use parallax::ParallaxAlpha;
-pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection};
+pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, TRUTH_ERROR};
 pub use sheen::SheenCharlie;
 pub use variant::{Choice, Variant};
 
+use rayon::prelude::*;
+
 use crate::integrate::IntegrateError;
 use crate::integrate::monte_carlo::{Run, Sampled};
+use crate::points::Points;
 
 /// An input: a number of a range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,6 +83,32 @@ pub trait Quantity: Sync {
     /// An input outside of its domain, a variant that leaves a choice open, a tolerance that the largest rule does not reach.
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError>;
 
+    /// Some outputs at many points, by the fastest way that keeps an absolute `tolerance`: interpolants and rules that neighbours share where
+    /// the quantity has them, else [`Quantity::at`] of every point.
+    ///
+    /// # Errors
+    /// As [`Quantity::at`]; an output that there is not, a column of inputs that the points do not have.
+    fn truth(
+        &self,
+        variant: &Variant,
+        points: &Points,
+        outputs: &[&str],
+        tolerance: f64,
+    ) -> Result<Truth, IntegrateError> {
+        each(self, variant, points, outputs, tolerance)
+    }
+
+    /// The tolerance of [`Quantity::truth`] that its fast ways keep: what to ask for where the promise is finer than any use of many points.
+    fn tolerance_of_many(&self, variant: &Variant) -> f64 {
+        self.tolerance(variant).max(1e-6)
+    }
+
+    /// About how many microseconds a point of many takes on one core, at [`Quantity::tolerance_of_many`].
+    fn microseconds(&self, outputs: &[&str]) -> f64 {
+        let _ = outputs;
+        1e4
+    }
+
     /// The outputs without the error at one point by Monte Carlo, which shares nothing with the quadrature but definitions.
     ///
     /// # Errors
@@ -93,6 +122,92 @@ pub trait Quantity: Sync {
     fn has(&self, choice: Choice) -> bool {
         self.choices().contains(&choice)
     }
+}
+
+/// Outputs at points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Truth {
+    /// A column for each output that was asked for, in that order.
+    pub columns: Vec<Vec<f64>>,
+    /// Bound of the error of all values.
+    pub error: f64,
+    /// Evaluations of integrands, where they were counted; else the integrals.
+    pub evaluations: u64,
+}
+
+impl Truth {
+    /// The columns, as many as were asked for.
+    ///
+    /// # Panics
+    /// If that is not `N`: it never depends on input.
+    pub fn arrays<const N: usize>(self) -> [Vec<f64>; N] {
+        let count = self.columns.len();
+        self.columns.try_into().unwrap_or_else(|_| panic!("{count} outputs were asked for, not {N}"))
+    }
+
+    /// Columns of rows.
+    fn of_rows<const N: usize>(rows: &[[f64; N]], error: f64, evaluations: u64) -> Truth {
+        let columns = (0..N).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
+        Truth { columns, error, evaluations }
+    }
+
+    /// Columns of which each is `of` an output and a row.
+    fn of<T>(outputs: &[&str], rows: &[T], of: impl Fn(&str, &T) -> f64) -> Truth {
+        let columns = outputs.iter().map(|output| rows.iter().map(|row| of(output, row)).collect()).collect();
+        Truth { columns, error: 0.0, evaluations: rows.len() as u64 }
+    }
+}
+
+/// Columns of the inputs of a quantity, in its order; `None` of an optional input that the points do not have.
+fn inputs<'a, Q: Quantity + ?Sized>(
+    quantity: &Q,
+    points: &'a Points,
+) -> Result<Vec<Option<&'a [f64]>>, IntegrateError> {
+    let column = |input: &Input| match points.column(input.name) {
+        None if !input.optional => {
+            Err(IntegrateError::NoInput { quantity: quantity.name(), input: input.name })
+        }
+        column => Ok(column),
+    };
+    quantity.inputs().iter().map(column).collect()
+}
+
+/// The columns of a quantity whose inputs are all called for.
+fn given<'a, const N: usize, Q: Quantity + ?Sized>(
+    quantity: &Q,
+    points: &'a Points,
+) -> Result<[&'a [f64]; N], IntegrateError> {
+    let columns = inputs(quantity, points)?;
+    Ok(std::array::from_fn(|k| columns.get(k).copied().flatten().unwrap_or(&[])))
+}
+
+/// The places of outputs among those of a quantity.
+fn places<Q: Quantity + ?Sized>(quantity: &Q, outputs: &[&str]) -> Result<Vec<usize>, IntegrateError> {
+    let place = |output: &&str| {
+        let found = quantity.outputs().iter().position(|o| o == output);
+        let no = || IntegrateError::NoOutput { quantity: quantity.name(), output: String::from(*output) };
+        found.ok_or_else(no)
+    };
+    outputs.iter().map(place).collect()
+}
+
+/// [`Quantity::at`] of every point.
+fn each<Q: Quantity + ?Sized>(
+    quantity: &Q,
+    variant: &Variant,
+    points: &Points,
+    outputs: &[&str],
+    tolerance: f64,
+) -> Result<Truth, IntegrateError> {
+    let (inputs, places) = (inputs(quantity, points)?, places(quantity, outputs)?);
+    let at = |i: usize| {
+        let x: Vec<f64> = inputs.iter().map(|column| column.map_or(f64::NAN, |column| column[i])).collect();
+        quantity.at(variant, &x, tolerance)
+    };
+    let rows: Vec<Vec<f64>> = (0..points.len()).into_par_iter().map(at).collect::<Result<_, _>>()?;
+    let error = rows.iter().filter_map(|row| row.last().copied()).fold(0.0, f64::max);
+    let columns = places.iter().map(|place| rows.iter().map(|row| row[*place]).collect()).collect();
+    Ok(Truth { columns, error, evaluations: points.len() as u64 })
 }
 
 impl std::fmt::Debug for dyn Quantity {

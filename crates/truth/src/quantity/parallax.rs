@@ -1,7 +1,10 @@
 //! `parallax-alpha`: the width to fetch a prefiltered chain with.
 
-use super::{ALPHA, Choice, Input, Quantity, Variant};
+use rayon::prelude::*;
+
+use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, each, given, places};
 use crate::integrate::{IntegrateError, footprint};
+use crate::points::Points;
 
 /// `parallax-alpha`: the width of a fetch, seen from a probe, that covers a wall as a lobe does from a shading point. It is a minimum
 /// and not an integral: there is no second opinion by Monte Carlo.
@@ -41,5 +44,34 @@ impl Quantity for ParallaxAlpha {
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
         let v = footprint::adjusted(variant.kernel(), x[0], x[1], tolerance)?;
         Ok(vec![v.alpha, v.tv, f64::from(u8::from(v.saturated)), v.error])
+    }
+
+    fn truth(
+        &self,
+        variant: &Variant,
+        points: &Points,
+        outputs: &[&str],
+        tolerance: f64,
+    ) -> Result<Truth, IntegrateError> {
+        let (kernel, quick) = (variant.kernel(), self.tolerance_of_many(variant));
+        if tolerance < quick || outputs.iter().any(|output| ["tv", "error"].contains(output)) {
+            return each(self, variant, points, outputs, tolerance);
+        }
+        places(self, outputs)?;
+        let [alpha, rho] = given(self, points)?;
+        let one = |(alpha, rho): (&f64, &f64)| footprint::best(kernel, *alpha, *rho);
+        let rows: Vec<(f64, bool)> = alpha.par_iter().zip(rho).map(one).collect::<Result<_, _>>()?;
+        let of = |output: &str, (width, saturated): &(f64, bool)| {
+            if output == "saturated" { f64::from(u8::from(*saturated)) } else { *width }
+        };
+        Ok(Truth { error: quick, ..Truth::of(outputs, &rows, of) })
+    }
+
+    fn tolerance_of_many(&self, variant: &Variant) -> f64 {
+        footprint::quick_error(variant.kernel())
+    }
+
+    fn microseconds(&self, outputs: &[&str]) -> f64 {
+        if outputs.contains(&"tv") { 1e4 } else { 1e3 }
     }
 }

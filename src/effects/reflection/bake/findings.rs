@@ -35,8 +35,8 @@ pub fn findings(
     let blends = selected(fits, "E", Use::F0Blend, context);
     let mut found = Findings::new(context.origin());
     if let Some(region) = &region {
-        let map = Exact::map(smith, region, false, context);
-        let curves = Exact::curves(smith, region, context);
+        let map = Exact::map(smith, region, false, context)?;
+        let curves = Exact::curves(smith, region, context)?;
         found.truths.push(map.albedo());
         for one in &shown {
             found.fits.push(page::fit(
@@ -47,7 +47,7 @@ pub fn findings(
             )?);
         }
         if !blends.is_empty() {
-            let (map, curves) = (Exact::split_map(&map, context), Exact::split_map(&curves, context));
+            let (map, curves) = (Exact::split_map(&map, context)?, Exact::split_map(&curves, context)?);
             let value = format!("f0 A + B at f0 = {DIELECTRIC}");
             // Curves are those of a dielectric, errors those at the worse end of f0.
             for one in &blends {
@@ -57,11 +57,11 @@ pub fn findings(
         }
         found.averages = average_finding(smith, region, fits, context)?;
     } else if let Some(baked) = tables.first() {
-        found.truths.push(Exact::map(smith, &baked.region, false, context).albedo());
+        found.truths.push(Exact::map(smith, &baked.region, false, context)?.albedo());
     }
     found.caption = found.truths.first().map_or_else(String::new, landscape);
     if let Some(region) = region.or_else(|| tables.first().map(|t| t.region)) {
-        found.furnace = Some(furnace_of(&Exact::furnace(smith, &region, context), tables, &shown)?);
+        found.furnace = Some(furnace_of(&Exact::furnace(smith, &region, context)?, tables, &shown)?);
     }
     found.effects = vec![effect.clone()];
     found.left_out = page::left_out(dropped);
@@ -127,7 +127,7 @@ fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFindi
 fn table(baked: &BakedTable, context: &Context) -> Result<Option<TableFinding>, BakeError> {
     let Some(table) = baked.table() else { return Ok(None) };
     let split = baked.serves == Serves::SplitSum;
-    let map = Exact::map(table.smith, &baked.region, split, context);
+    let map = Exact::map(table.smith, &baked.region, split, context)?;
     let channel =
         |c: &crate::data::Channel| ChannelFinding { name: c.name.clone(), texels: c.texels.clone() };
     Ok(Some(TableFinding {

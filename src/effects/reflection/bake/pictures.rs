@@ -1,17 +1,17 @@
 //! Samples for the report's pictures: the truth and every approximation over a grid of roughness and mu.
 
-use rayon::prelude::*;
-
 use super::tables::BakedTable;
-use crate::approximate::{Field as Truth, Fit, FitStageError, PointSet, Region};
+use crate::approximate::{Fit, FitStageError, Region};
 use crate::data::{Decode, Smith};
-use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::grid::Grid;
 use crate::effects::table::{self, Judged, Lookup, LookupError, Points, error_map};
+use crate::effects::{Albedo, BakeError};
 use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::reflection::{TOLERANCE, average};
+use lobefit_truth::integrate::reflection::TOLERANCE;
+use lobefit_truth::points;
+use lobefit_truth::quantity::{GgxAverage, Quantity};
 
 /// Roughness of the curves.
 const CURVES: [f64; 5] = [0.1, 0.3, 0.5, 0.75, 1.0];
@@ -26,37 +26,38 @@ const AVERAGES: usize = 49;
 pub struct Exact {
     /// The grid.
     pub grid: Grid,
-    truth: Truth,
+    truth: Albedo,
     smith: Smith,
 }
 
 impl Exact {
     /// The grid of the maps.
-    pub fn map(smith: Smith, region: &Region, split: bool, context: &Context) -> Exact {
+    pub fn map(
+        smith: Smith,
+        region: &Region,
+        split: bool,
+        context: &Context,
+    ) -> Result<Exact, IntegrateError> {
         Exact::new(smith, Grid::map(region), split, context)
     }
 
     /// The grid of the curves.
-    pub fn curves(smith: Smith, region: &Region, context: &Context) -> Exact {
+    pub fn curves(smith: Smith, region: &Region, context: &Context) -> Result<Exact, IntegrateError> {
         Exact::new(smith, Grid::curves(region, &CURVES), false, context)
     }
 
     /// The grid of the furnace.
-    pub fn furnace(smith: Smith, region: &Region, context: &Context) -> Exact {
+    pub fn furnace(smith: Smith, region: &Region, context: &Context) -> Result<Exact, IntegrateError> {
         Exact::new(smith, Grid::curves(region, &SPHERES), false, context)
     }
 
-    fn new(smith: Smith, grid: Grid, split: bool, context: &Context) -> Exact {
-        let truth = if split {
-            Truth::split(smith, &grid.points, &context.counter)
-        } else {
-            Truth::albedo(smith, &grid.points, &context.counter)
-        };
-        Exact { grid, truth, smith }
+    fn new(smith: Smith, grid: Grid, split: bool, context: &Context) -> Result<Exact, IntegrateError> {
+        let truth = Albedo::new(smith, &grid.points, split, &context.counter)?;
+        Ok(Exact { grid, truth, smith })
     }
 
     /// The same grid with B beside E.
-    pub fn split_map(exact: &Exact, context: &Context) -> Exact {
+    pub fn split_map(exact: &Exact, context: &Context) -> Result<Exact, IntegrateError> {
         Exact::new(exact.smith, exact.grid.clone(), true, context)
     }
 
@@ -145,16 +146,10 @@ pub fn averages(
     context: &Context,
 ) -> Result<AverageFinding, BakeError> {
     let roughness = Ruler::even("roughness", region.roughness[0], region.roughness[1], AVERAGES);
-    let mut points = PointSet::default();
-    for r in &roughness.values {
-        points.push(region, *r, 1.0);
-    }
+    let mut points = points::Points::default();
+    roughness.values.iter().for_each(|r| region.push(&mut points, *r, 1.0));
     context.counter.add(points.len());
-    let truth: Vec<Result<f64, IntegrateError>> = points
-        .alpha
-        .par_iter()
-        .map(|alpha| average(smith, f64::from(*alpha), TOLERANCE).map(|v| v.e_avg))
-        .collect();
+    let [truth] = GgxAverage.truth(&smith.into(), &points, &["E_avg"], TOLERANCE)?.arrays();
     let fit = |f: &&Fit| {
         let values = f.values(&points).map_err(FitStageError::from)?;
         let values = values.into_iter().map(f64::from).collect();
@@ -162,7 +157,7 @@ pub fn averages(
     };
     Ok(AverageFinding {
         name: "E_avg".into(),
-        truth: truth.into_iter().collect::<Result<_, _>>()?,
+        truth,
         fits: fits.iter().map(fit).collect::<Result<_, BakeError>>()?,
         roughness,
     })

@@ -2,17 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use crate::approximate::{Counter, Field, Region, TRUTH_ERROR, certification};
+use crate::approximate::{Counter, Region, certification};
 use crate::data::{
     Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Serves, Smith, Source, Table, Use,
     lookup_ops,
 };
-use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::demand::JUDGED_MU;
 use crate::effects::reflection::{TableSpec, build};
 use crate::effects::table::{Errors, Points, TableJob, Truth, measure};
+use crate::effects::{Albedo, BakeError};
 use lobefit_shade::round_up;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::quantity::TRUTH_ERROR;
 
 /// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 17;
@@ -50,11 +52,11 @@ struct Judge {
     smith: Smith,
     region: Region,
     points: Points,
-    truth: Field,
+    truth: Albedo,
 }
 
 /// E, and B where it was integrated.
-fn truth(field: &Field) -> Truth<'_> {
+fn truth(field: &Albedo) -> Truth<'_> {
     Truth { e: &field.e, b: (!field.b.is_empty()).then_some(&field.b) }
 }
 
@@ -68,7 +70,7 @@ pub fn bake_tables(
     let mut baked = Vec::new();
     for job in jobs {
         context.progress.stage(&format!("table {}", job.names()));
-        let judge = judge(job, jobs, &mut judges, context);
+        let judge = judge(job, jobs, &mut judges, context)?;
         let table = bake_table(job, judge, context)?;
         if let Some(limit) = job.max_error.filter(|limit| table.errors.lookup.max > *limit) {
             broken.push(format!(
@@ -86,22 +88,22 @@ fn region(job: &TableJob) -> Region {
 }
 
 /// The judge of a job's region, made when it is first needed; with B if any table judged there holds it.
-fn judge<'a>(job: &TableJob, jobs: &[TableJob], judges: &'a mut Vec<Judge>, context: &Context) -> &'a Judge {
+fn judge<'a>(
+    job: &TableJob,
+    jobs: &[TableJob],
+    judges: &'a mut Vec<Judge>,
+    context: &Context,
+) -> Result<&'a Judge, IntegrateError> {
     let (smith, region_of_job) = (job.smith, region(job));
     let known = judges.iter().position(|j| j.smith == smith && j.region == region_of_job);
-    let index = known.unwrap_or_else(|| {
+    if known.is_none() {
         let same = |other: &&TableJob| other.smith == smith && region(other) == region_of_job;
         let split = jobs.iter().filter(same).any(|other| other.serves == Serves::SplitSum);
         let points = certification(&region_of_job, LOG2_POINTS);
-        let truth = if split {
-            Field::split(smith, &points, &context.counter)
-        } else {
-            Field::albedo(smith, &points, &context.counter)
-        };
+        let truth = Albedo::new(smith, &points, split, &context.counter)?;
         judges.push(Judge { smith, region: region_of_job, points: Points::isotropic(&points), truth });
-        judges.len() - 1
-    });
-    &judges[index]
+    }
+    Ok(&judges[known.unwrap_or(judges.len() - 1)])
 }
 
 fn bake_table(job: &TableJob, judge: &Judge, context: &Context) -> Result<BakedTable, BakeError> {
@@ -200,10 +202,7 @@ pub fn measured_again(baked: &BakedTable, channels: &[Channel]) -> Result<f64, B
         channel.texels = found.ok_or_else(|| lacks(&format!("channel {}", channel.name)))?.texels.clone();
     }
     let (points, counter) = (certification(&baked.region, LOG2_RECHECK), Counter::default());
-    let field = match baked.serves {
-        Serves::SplitSum => Field::split(table.smith, &points, &counter),
-        Serves::Albedo => Field::albedo(table.smith, &points, &counter),
-    };
+    let field = Albedo::new(table.smith, &points, baked.serves == Serves::SplitSum, &counter)?;
     let decode = Decode::of(baked.layout, baked.serves);
     let errors = measure(&table, decode, &Points::isotropic(&points), truth(&field), TRUTH_ERROR)?;
     Ok(errors.lookup.max)

@@ -22,7 +22,7 @@ pub use effort::Effort;
 pub use interpolant::Interpolant;
 pub use schlick::reflected;
 
-use super::{Estimate, IntegrateError};
+use super::{Estimate, IntegrateError, PanelRule};
 use crate::optics::Smith;
 use crate::optics::distribution::{Distribution, Ggx};
 use geometry::View;
@@ -104,12 +104,22 @@ pub fn reflection_of<D: Distribution>(
 /// The split albedo (E, B) by one rule, without an error bound: for fields of many points whose rule was checked.
 /// alpha in {0} or [1e-7, 1], mu in [0, 1]; B costs some fifty times E.
 pub fn split(smith: Smith, alpha: f64, mu: f64, effort: &Effort) -> (f64, f64) {
-    if alpha == 0.0 {
+    split_of(smith, Ggx(alpha), mu, effort)
+}
+
+/// [`split`] of any distribution of normals.
+pub(crate) fn split_of<D: Distribution>(smith: Smith, lobe: D, mu: f64, effort: &Effort) -> (f64, f64) {
+    if lobe.alpha() == 0.0 {
         let value = mirror(mu);
         return (value.e, value.b);
     }
-    let view = View::new(smith, Ggx(alpha), mu);
+    let view = View::new(smith, lobe, mu);
     (albedo::kept(&view, &effort.outer), schlick::bias(&view, effort))
+}
+
+/// E alone of any distribution of normals, by one rule.
+pub(crate) fn albedo_of<D: Distribution>(smith: Smith, lobe: D, mu: f64, rule: &PanelRule) -> f64 {
+    if lobe.alpha() == 0.0 { 1.0 } else { albedo::kept(&View::new(smith, lobe, mu), rule) }
 }
 
 /// Values of the finer effort with bounds from the pair; alpha > 0.

@@ -57,7 +57,7 @@ pub fn albedo(alpha: f64, mu: f64) -> f64 {
 }
 
 /// Refuses inputs outside the domain.
-pub(in crate::integrate) fn check(alpha: f64, mu: f64) -> Result<(), IntegrateError> {
+pub(crate) fn check(alpha: f64, mu: f64) -> Result<(), IntegrateError> {
     let refuse = |input, value, domain| {
         Err(IntegrateError::Domain { quantity: "sheen-charlie", input, value, domain })
     };

@@ -124,6 +124,11 @@ impl Kernel {
     }
 }
 
+/// Whether a kernel's domain holds these.
+pub fn covers(alpha: f64, mu: f64, iors: &[f64]) -> bool {
+    check(alpha, mu, iors).is_ok()
+}
+
 /// Refuses inputs outside the domain.
 fn check(alpha: f64, mu: f64, iors: &[f64]) -> Result<(), IntegrateError> {
     let refuse =

@@ -22,4 +22,4 @@ mod transmit;
 
 pub use effort::Effort;
 pub use grid::{Checked, GlassGrid, Tabulated, tabulate, tabulate_on};
-pub use kernel::{Energies, Kernel, MU};
+pub use kernel::{Energies, Kernel, MU, covers};

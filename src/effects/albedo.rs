@@ -1,0 +1,35 @@
+//! E, and Schlick's bias B, of the isotropic lobe at many points.
+
+use crate::approximate::Counter;
+use crate::data::Smith;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{GGX_REFLECTION, Quantity, TRUTH_ERROR};
+
+/// E, and B where it was asked for, at every point, within [`TRUTH_ERROR`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Albedo {
+    /// Directional albedo.
+    pub e: Vec<f64>,
+    /// Schlick's bias; empty where it was not asked for.
+    pub b: Vec<f64>,
+}
+
+impl Albedo {
+    /// E, and with `split` B, which takes longer.
+    ///
+    /// # Errors
+    /// Points without alpha or mu, or outside the domain of `ggx-reflection`.
+    pub fn new(
+        smith: Smith,
+        points: &Points,
+        split: bool,
+        counter: &Counter,
+    ) -> Result<Albedo, IntegrateError> {
+        let outputs = &["E", "B"][..1 + usize::from(split)];
+        let mut truth = GGX_REFLECTION.truth(&smith.into(), points, outputs, TRUTH_ERROR)?;
+        counter.add(truth.evaluations as usize);
+        let b = if split { truth.columns.swap_remove(1) } else { Vec::new() };
+        Ok(Albedo { e: truth.columns.swap_remove(0), b })
+    }
+}
