@@ -16,8 +16,7 @@ use crate::approximate::{Counter, Dropped, Fit};
 pub use crate::effects::BakeError;
 use crate::effects::context::Context;
 pub use crate::effects::context::{Progress, Silent, UserHypothesis};
-pub use crate::effects::reflection::bake::BakedTable;
-pub use crate::effects::table::bake::BakedVolume;
+pub use crate::effects::table::BakedTable;
 use crate::effects::{Made, Part};
 use crate::plan::Plan;
 use crate::scene::Scene;
@@ -42,8 +41,6 @@ pub struct Baked {
     pub fits: Vec<Fit>,
     /// Hypotheses of the catalogue that have no reliable fit in this scene.
     pub dropped: Vec<Dropped>,
-    /// Tables of three axes.
-    pub volumes: Vec<BakedVolume>,
 }
 
 impl Baked {
@@ -53,7 +50,6 @@ impl Baked {
         self.tables.extend(made.tables);
         self.fits.extend(made.fits);
         self.dropped.extend(made.dropped);
-        self.volumes.extend(made.volumes);
         made.part
     }
 }
@@ -89,7 +85,6 @@ pub fn bake(
         tables: Vec::new(),
         fits: Vec::new(),
         dropped: Vec::new(),
-        volumes: Vec::new(),
     };
     let wanted: Vec<_> =
         plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();

@@ -95,8 +95,7 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection,
 /// What was made, a line each.
 fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
     let mut lines = Vec::new();
-    let tables = baked.tables.iter().map(|t| &t.approximation);
-    for a in tables.chain(baked.volumes.iter().map(|v| &v.approximation)) {
+    for a in baked.tables.iter().map(|t| &t.approximation) {
         let at = place(&a.certificate.at);
         lines.push(format!(
             "{}: lookup error {} at {at}; {} bytes",

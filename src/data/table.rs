@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{AlphaMap, Axis, Smith};
+use super::{AlphaMap, Axis, Registration, Smith, Warp};
 
 /// How a texel is stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
@@ -48,6 +48,20 @@ pub struct Channel {
     pub name: String,
     /// As many values as the product of the axes' sizes.
     pub texels: Vec<f64>,
+}
+
+impl Channel {
+    /// A channel of these texels.
+    pub fn new(name: &str, texels: Vec<f64>) -> Channel {
+        Channel { name: name.into(), texels }
+    }
+}
+
+impl Axis {
+    /// An axis whose ends are texels.
+    pub fn ends(name: &str, size: usize, warp: Warp, [min, max]: [f64; 2]) -> Axis {
+        Axis { name: name.into(), size, registration: Registration::Endpoint, warp, min, max }
+    }
 }
 
 /// Most axes of a table: the dimensions of a texture.

@@ -6,8 +6,7 @@ use serde::Serialize;
 
 use super::context::Context;
 use super::demand::Promise;
-use super::reflection::bake::BakedTable;
-use super::table::bake::BakedVolume;
+use super::table::BakedTable;
 use super::{BakeError, Called, Effect};
 use crate::approximate::{Dropped, Fit};
 use crate::data::Use;
@@ -43,10 +42,8 @@ pub struct Made {
     pub fits: Vec<Fit>,
     /// Hypotheses of the catalogue that have no reliable fit in this scene.
     pub dropped: Vec<Dropped>,
-    /// Tables of two axes.
+    /// Tables.
     pub tables: Vec<BakedTable>,
-    /// Tables of three axes.
-    pub volumes: Vec<BakedVolume>,
 }
 
 impl Made {
@@ -64,7 +61,6 @@ impl Made {
             fits: Vec::new(),
             dropped: Vec::new(),
             tables: Vec::new(),
-            volumes: Vec::new(),
         }
     }
 

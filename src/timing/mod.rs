@@ -9,10 +9,10 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use crate::approximate::{Fit, FitStageError, Region, certification};
-use crate::bake::{BakeError, Baked, BakedVolume};
-use crate::data::{AlphaMap, Approximation, Decode, Smith, Source};
+use crate::bake::{BakeError, Baked};
+use crate::data::{AlphaMap, Approximation, Smith, Source};
 use crate::effects::reflection::{POINTS, SAMPLERS};
-use crate::effects::table::{self, Lookup};
+use crate::effects::table::Lookup;
 use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
 use crate::scene::Scene;
 use lobefit_truth::integrate::monte_carlo::{self, Run};
@@ -29,11 +29,8 @@ const SHORTEST: f64 = 2e-3;
 /// Largest power of two of samples timed.
 const LOG2_SAMPLES: u32 = 20;
 
-/// 2^15 uniform points and half as many again: what the approximations are evaluated at.
+/// 2^15 uniform points and half as many again: what formulas are evaluated at.
 const LOG2_POINTS: u32 = 15;
-
-/// 2^12 groups of eight points: what lookups of tables of three axes are timed at.
-const LOG2_GROUPS: u32 = 12;
 
 /// A rounding floor: an error of 0 cannot be drawn on a logarithmic axis.
 const FLOOR: f64 = 1e-16;
@@ -46,8 +43,9 @@ pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> 
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
     let evaluations = pool.install(|| evaluations(scene.alpha, baked))?;
+    let sliced = baked.tables.iter().any(|table| table.region.slices.is_some());
     // The whole machine: tables are made on all threads.
-    let tables = if baked.volumes.is_empty() { None } else { Some(tables::tables()?) };
+    let tables = if sliced { Some(tables::tables()?) } else { None };
     let lookups = pool.install(|| lookups::lookups(scene));
     Ok(Timings { origin, device, points, tables, evaluations, lookups })
 }
@@ -114,20 +112,16 @@ fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [TimedSeries; 2]
 
 fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {
     let mut timed = Vec::new();
-    for table in &baked.tables {
-        let Some(texels) = table.table() else { continue };
-        let points = certification(&table.region, LOG2_POINTS);
-        let lookup = Lookup::new(texels, Decode::of(table.layout, table.serves))?;
-        let all = table::Points::isotropic(&points).all;
+    for baked in &baked.tables {
+        let Some(table) = baked.table() else { continue };
+        let lookup = Lookup::new(table, baked.decode)?;
+        let points = &baked.judge.points;
         let time = seconds(|| {
-            for point in &all {
+            for point in &points.all {
                 black_box(lookup.at(point));
             }
         });
-        timed.push(entry(&table.approximation, true, time / points.len() as f64));
-    }
-    for volume in &baked.volumes {
-        timed.extend(volume_entry(volume)?);
+        timed.push(entry(&baked.approximation, true, time / points.len() as f64));
     }
     let Some(first) = baked.fits.first() else { return Ok(timed) };
     let points = certification(&region(alpha_map, &first.approximation), LOG2_POINTS);
@@ -135,19 +129,6 @@ fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximat
         timed.push(entry(&fit.approximation, false, fit_seconds(fit, &points)? / points.len() as f64));
     }
     Ok(timed)
-}
-
-/// The lookup of a table of three axes; none of what is no table.
-fn volume_entry(volume: &BakedVolume) -> Result<Option<TimedApproximation>, BakeError> {
-    let Some(table) = volume.table() else { return Ok(None) };
-    let lookup = Lookup::new(table, volume.decode)?;
-    let points = table::Points::certification(&volume.region, LOG2_GROUPS);
-    let time = seconds(|| {
-        for point in &points.all {
-            black_box(lookup.at(point));
-        }
-    });
-    Ok(Some(entry(&volume.approximation, true, time / points.len() as f64)))
 }
 
 fn fit_seconds(fit: &Fit, points: &Points) -> Result<f64, BakeError> {

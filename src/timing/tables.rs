@@ -1,11 +1,12 @@
-//! Whole tables: the sources' three, by the kernels and by the sources' estimator on the same cores.
+//! Whole tables: the path tracer's three, by the kernels and by its own estimator on the same cores.
 
 use std::time::Instant;
 
 use super::seconds;
 use crate::data::Smith;
-use crate::effects::table::{DRAWN, SOURCES_SAMPLES, SliceAxis, estimate};
-use crate::effects::{anisotropy, glass};
+use crate::effects::anisotropy::{self, Anisotropy};
+use crate::effects::glass::{self, Glass};
+use crate::effects::table::{DRAWN, PATH_TRACER_SAMPLES, Sliced, estimate};
 use crate::report::{TimedEstimator, TimedTableRun, TimedTables};
 use lobefit_truth::integrate::{IntegrateError, Path};
 
@@ -39,8 +40,8 @@ pub fn tables() -> Result<TimedTables, IntegrateError> {
 }
 
 fn run(path: Path, smith: Smith, tolerance: f64) -> Result<TimedTableRun, IntegrateError> {
-    let (reflection, reflection_seconds) = fastest(|| anisotropy::sources(path, smith, tolerance))?;
-    let (glass, glass_seconds) = fastest(|| glass::sources(path, smith, tolerance))?;
+    let (reflection, reflection_seconds) = fastest(|| anisotropy::path_tracer(path, smith, tolerance))?;
+    let (glass, glass_seconds) = fastest(|| glass::path_tracer(path, smith, tolerance))?;
     Ok(TimedTableRun {
         instructions: path.name(),
         tolerance,
@@ -66,21 +67,23 @@ fn fastest<T>(work: impl Fn() -> Result<T, IntegrateError>) -> Result<(T, f64), 
     Ok((value, shortest))
 }
 
-/// The sources' method on the same threads; seconds are extrapolated from its rate.
+/// The path tracer's method on the same threads; seconds are extrapolated from its rate.
 fn estimator() -> Result<TimedEstimator, IntegrateError> {
-    let mut rates = [0.0; 2];
-    let mut deviation = [0.0; 2];
-    for (i, slice) in [SliceAxis::Anisotropy, SliceAxis::Ior].into_iter().enumerate() {
-        deviation[i] = estimate(slice)?;
-        rates[i] = DRAWN as f64
-            / seconds(|| {
-                let _ = std::hint::black_box(estimate(slice));
-            });
-    }
+    let (one, two) = (drawn(&Anisotropy)?, drawn(&Glass)?);
+    let (rates, deviation) = ([one.0, two.0], [one.1, two.1]);
     Ok(TimedEstimator {
         samples_per_second: rates,
         deviation,
-        samples_per_texel: SOURCES_SAMPLES,
-        seconds: SOURCES_SAMPLES * (REFLECTION / rates[0] + GLASS / rates[1]),
+        samples_per_texel: PATH_TRACER_SAMPLES,
+        seconds: PATH_TRACER_SAMPLES * (REFLECTION / rates[0] + GLASS / rates[1]),
     })
+}
+
+/// Samples a second of the path tracer's method, and their standard deviation.
+fn drawn<F: Sliced>(family: &F) -> Result<(f64, f64), IntegrateError> {
+    let deviation = estimate(family)?;
+    let once = seconds(|| {
+        let _ = std::hint::black_box(estimate(family));
+    });
+    Ok((DRAWN as f64 / once, deviation))
 }

@@ -42,11 +42,11 @@ fn ranges_of_anisotropy_from_zero_bake() {
     for high in ["0.1", "0.2", "0.4"] {
         let tables = r#"{"layout":"azimuth","size":[8,6,4]}"#;
         let baked = scene("", &[metal("m", "[0.5,0.6]", &format!("[0,{high}]"), tables)]);
-        assert_eq!((baked.volumes.len(), baked.broken.len()), (1, 0), "[0, {high}]");
+        assert_eq!((baked.tables.len(), baked.broken.len()), (1, 0), "[0, {high}]");
     }
     for high in ["0.02", "0.21"] {
         let baked = scene("", &[metal("m", "[0.5,0.6]", &format!("[0,{high}]"), r#"{"size":[8,6,4]}"#)]);
-        assert_eq!((baked.volumes.len(), baked.broken.len()), (1, 0), "[0, {high}]");
+        assert_eq!((baked.tables.len(), baked.broken.len()), (1, 0), "[0, {high}]");
         assert_eq!(list(&figures(&baked, "anisotropy"), "azimuth").len(), 1);
     }
 }
@@ -72,8 +72,8 @@ fn the_azimuth_is_told_of_each_region() {
     assert_eq!(findings.iter().map(|f| list(f, "ways").len()).collect::<Vec<_>>(), [2, 1]);
     for way in findings.iter().flat_map(|f| list(f, "ways")) {
         let (name, max) = (way["name"].as_str().expect("a name"), number(&way["error"]["max"]));
-        let named = |t: &&lobefit::bake::BakedVolume| name.ends_with(&t.approximation.name);
-        let table = baked.volumes.iter().find(named).expect("a table");
+        let named = |t: &&lobefit::bake::BakedTable| name.ends_with(&t.approximation.name);
+        let table = baked.tables.iter().find(named).expect("a table");
         let stated = table.errors.lookup.max;
         if name.starts_with("azimuth in the table") {
             assert!(max <= stated, "{name}: {max}, certified {stated}");
@@ -114,7 +114,7 @@ fn furnaces_are_drawn_where_their_tables_hold() {
         assert!(names[0].starts_with("uncompensated (correlated Smith"), "{names:?}");
         assert_eq!(names.len(), if title.contains(" 1.1,") { 3 } else { 2 }, "{title}: {names:?}");
         // A lookup clamped to another range of ior is off by more than the loss; E is above 0.4 here.
-        let worst = baked.volumes.iter().map(|t| t.errors.lookup.max).reduce(f64::max).expect("tables");
+        let worst = baked.tables.iter().map(|t| t.errors.lookup.max).reduce(f64::max).expect("tables");
         for row in &rows[1..] {
             let off = departure(row);
             assert!(off <= 2.5 * worst, "{title}, {}: {off}, certified {worst}", row["name"]);
@@ -134,7 +134,7 @@ fn furnaces_are_drawn_where_their_tables_hold() {
 fn the_sources_ratio_does_not_depend_on_the_number_of_formats() {
     let ratio = |tables: &str| {
         let page = figures(&scene("", &[metal("m", "[0.3,0.6]", "[0.2,0.8]", tables)]), "anisotropy");
-        number(&page["sources"]["samples"]) / number(&page["sources"]["evaluations"])
+        number(&page["path_tracer"]["samples"]) / number(&page["path_tracer"]["evaluations"])
     };
     let half = r#"{"layout":"path-tracer"}"#;
     let both = format!(r#"{half},{{"layout":"path-tracer","format":"f32"}}"#);

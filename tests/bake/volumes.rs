@@ -24,7 +24,7 @@ fn bake() -> &'static Baked {
 
 /// The lookup that errors are measured with agrees with the one of this test to the rounding of f32 coordinates.
 fn as_measured(name: &str, point: Point, found: f64) {
-    let volumes = &bake().volumes;
+    let volumes = &bake().tables;
     let volume = volumes.iter().find(|v| v.approximation.name == name).expect("the table");
     let lookup = Lookup::new(volume.table().expect("texels"), volume.decode).expect("three axes");
     let measured = f64::from(lookup.at(&point).e);
@@ -212,7 +212,7 @@ fn a_narrow_range_and_the_azimuth_alone_bake() {
             r#"{{"name":"m","kind":"metal","f0":1,"roughness":[0.5,0.8],"anisotropy":[0.3,0.7],"wants":{{"tables":[{wants}]}}}}"#
         );
         let baked = baked(&format!(r#"{{"schema_version":1,"materials":[{material}]}}"#));
-        assert!(baked.broken.is_empty() && baked.volumes.len() == 1, "{wants}");
+        assert!(baked.broken.is_empty() && baked.tables.len() == 1, "{wants}");
         assert!(baked.files.contains_key("reports/anisotropy.html"));
     }
 }

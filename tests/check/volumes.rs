@@ -26,7 +26,7 @@ fn check(folder: &Path, options: &[&str]) -> (i32, String) {
 
 /// Writes the table with one texel of a channel changed: column 5, row 4, slice 2.
 fn plant(folder: &Path, baked: &Baked, name: &str, channel: usize, change: impl Fn(f64) -> f64) {
-    let volume = baked.volumes.iter().find(|v| v.approximation.name == name).expect("the table");
+    let volume = baked.tables.iter().find(|v| v.approximation.name == name).expect("the table");
     let mut table: Table = volume.table().expect("texels").clone();
     let texel = &mut table.channels[channel].texels[(2 * 6 + 4) * 8 + 5];
     *texel = change(*texel);
@@ -71,7 +71,7 @@ fn a_changed_texel_is_told_with_its_cell_and_the_promise() {
         let line =
             text.lines().find(|line| line.starts_with(&start)).unwrap_or_else(|| panic!("{name} in\n{text}"));
         assert!(line.contains("; promise broken: lookup error "), "{line}");
-        let stated = baked.volumes.iter().find(|v| v.approximation.name == name).expect("the table");
+        let stated = baked.tables.iter().find(|v| v.approximation.name == name).expect("the table");
         assert!(line.ends_with(&format!("stated {:e}", stated.errors.lookup.max)), "{line}");
     }
 }

@@ -3,28 +3,28 @@
 use lobefit::approximate::{Counter, Region, certification};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use lobefit::effects::Albedo;
-use lobefit::effects::reflection::{TableSpec, build};
-use lobefit::effects::table::{Errors, Points, Truth, measure};
+use lobefit::effects::reflection::build;
+use lobefit::effects::table::{Errors, Points, Spec, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 use lobefit_truth::quantity::TRUTH_ERROR;
 
-fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> TableSpec {
-    TableSpec {
-        name: "ggx-dfg-test".into(),
+fn spec(size: usize, layout: Layout, serves: Serves, format: TexelFormat) -> Spec {
+    Spec {
+        names: vec!["ggx-dfg-test".into()],
         smith: Smith::Correlated,
-        alpha_map: AlphaMap::RoughnessSquared,
-        size: [size, size],
+        size: vec![size, size],
         format,
         layout,
         serves,
-        region: Region { roughness: [0.02, 1.0], mu: [0.001, 1.0], alpha_map: AlphaMap::RoughnessSquared },
+        region: Region { roughness: [0.02, 1.0], mu: [0.001, 1.0], alpha_map: AlphaMap::RoughnessSquared }
+            .into(),
     }
 }
 
-fn errors(spec: &TableSpec) -> Errors {
+fn errors(spec: &Spec) -> Errors {
     let counter = Counter::default();
     let table = build(spec, &counter).expect("a table");
-    let points = certification(&spec.region, 16);
+    let points = certification(&spec.region.flat(), 16);
     let truth = Albedo::new(spec.smith, &points, true, &counter).expect("a truth");
     let (decode, truth) = (Decode::of(spec.layout, spec.serves), Truth { e: &truth.e, b: Some(&truth.b) });
     let errors =

@@ -1,7 +1,9 @@
 //! The layouts for the trilinear lookup: plans of points, texels from their values, and what the lookup returns.
 
 use lobefit::data::{AlphaMap, Axis, Smith, Surface};
-use lobefit::effects::table::{Node, TexelPlan, aniso_axes, check, glass_axes};
+use lobefit::effects::anisotropy::aniso_axes;
+use lobefit::effects::glass::glass_axes;
+use lobefit::effects::table::{Node, TexelPlan, check};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::reflection::{Effort, albedo};
 

@@ -17,8 +17,8 @@ use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
-use lobefit::effects::reflection::{TableSpec, build};
-use lobefit::effects::table::{self, Lookup, Truth, measure};
+use lobefit::effects::reflection::build;
+use lobefit::effects::table::{self, Lookup, Spec, Truth, measure};
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
@@ -161,8 +161,8 @@ impl Looked {
 pub fn baked_tables() -> Vec<Looked> {
     let tables = baked().0.tables.iter().map(|b| Looked {
         table: b.table().expect("a table").clone(),
-        decode: Decode::of(b.layout, b.serves),
-        region: b.region,
+        decode: b.decode,
+        region: b.region.flat(),
         certified: [b.errors.lookup.max, b.errors.lookup_8_bit.max],
     });
     tables.collect()
@@ -182,15 +182,14 @@ pub fn other_tables() -> Vec<Looked> {
 fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
     let alpha_map = AlphaMap::RoughnessSquared;
     let region = Region { roughness: [0.02, 1.0], mu: [0.001, 1.0], alpha_map };
-    let spec = TableSpec {
-        name: format!("other-{}-{}", layout.name(), serves.name()),
+    let spec = Spec {
+        names: vec![format!("other-{}-{}", layout.name(), serves.name())],
         smith: Smith::Correlated,
-        alpha_map,
-        size,
+        size: size.to_vec(),
         format: TexelFormat::F16,
         layout,
         serves,
-        region,
+        region: region.into(),
     };
     let table = build(&spec, &Counter::default()).expect("a table").quantised();
     let points = certification(&region, LOG2_POINTS);

@@ -16,8 +16,8 @@ use furnace_support::tables::{of_azimuth, of_glass, of_mean};
 use furnace_support::textbook::{Facets, Hemisphere, direction, fresnel, schlick};
 use furnace_support::{Emitted, F0, Returned, include, returned};
 use lobefit::data::{AlphaMap, Decode, Smith, Table};
-use lobefit::effects::anisotropy::{Judge, at_azimuths, means};
-use lobefit::effects::glass::Truth;
+use lobefit::effects::anisotropy::{Lines, at_azimuths, means};
+use lobefit::effects::glass::truths;
 use lobefit::effects::table::{self, Point, Points, Region, SliceAxis, Slices, aspect, measure};
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
@@ -79,7 +79,7 @@ fn region(axis: SliceAxis, range: [f64; 2]) -> Region {
     Region {
         roughness: [0.52, 0.97],
         mu: [0.21, 0.93],
-        slices: Slices { axis, range },
+        slices: Some(Slices { axis, range }),
         alpha_map: AlphaMap::RoughnessSquared,
     }
 }
@@ -98,7 +98,7 @@ fn certificate(table: &Table, decode: Decode, judged: &Points, truth: &[f64]) ->
 /// The certificate of a table of the anisotropic lobe.
 fn of_metal(table: &Table, decode: Decode) -> f64 {
     let azimuth = decode == Decode::AzimuthCubic;
-    let judge = Judge::new(&region(SliceAxis::Anisotropy, [0.1, 0.77]), azimuth);
+    let judge = Lines::new(&region(SliceAxis::Anisotropy, [0.1, 0.77]), azimuth).expect("a range");
     let (truth, _) = if azimuth { at_azimuths(table.smith, &judge) } else { means(table.smith, &judge) }
         .expect("the truths of a judge");
     certificate(table, decode, &judge.points, &truth)
@@ -292,7 +292,7 @@ fn compensated_glass_is_white_from_both_sides() {
     let found = returned(&text, Compensation::Glass, &inputs);
     let (outside, inside) = (OUTSIDE.pair(), INSIDE.pair());
     let judged = Points::certification(&region(SliceAxis::Ior, [1.25, 1.9]), 11);
-    let truths = SMITHS.map(|smith| Truth::at(smith, &judged).expect("the truths of a judge"));
+    let truths = SMITHS.map(|smith| truths(smith, &judged).expect("the truths of a judge").0);
     for (((smith, side), table), found) in cases.into_iter().zip(&tables).zip(&found) {
         let (rule, rules) = match side {
             Side::Outside => (&OUTSIDE, &outside),
@@ -312,8 +312,12 @@ fn compensated_glass_is_white_from_both_sides() {
             .collect();
         let (lit, shares): (Vec<Lit>, Vec<[f64; 2]>) = lit.into_iter().unzip();
         assert!(shares.iter().all(|[r, t]| *r > 0.0 && *t > 0.0));
-        let certificate =
-            certificate(table, decode, &judged, truths[usize::from(smith == SMITHS[1])].of(side));
+        let certificate = certificate(
+            table,
+            decode,
+            &judged,
+            &truths[usize::from(smith == SMITHS[1])][usize::from(side == Side::Inside)],
+        );
         judge(table, certificate, rule, &points, &lit, found);
         assert!(found.iter().all(|f| f.factors == [f.factors[0]; 3]), "glass has no colour: {found:?}");
     }

@@ -23,7 +23,7 @@ use emit_support::{programs, say};
 use half::Albedo;
 use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::{Decode, Smith, Use};
+use lobefit::data::{Smith, Use};
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
@@ -517,7 +517,7 @@ fn a_table_of_e_and_b_makes_an_exact_factor() {
     let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
     let [made] = &baked.tables[..] else { panic!("{} tables", baked.tables.len()) };
     let table = made.table().expect("a table");
-    let readable = Readable { table, decode: Decode::of(made.layout, made.serves), header: &[] };
+    let readable = Readable { table, decode: made.decode, header: &[] };
     let pairs = table.channels[0].texels.iter().zip(&table.channels[1].texels);
     let texels: Vec<[f32; 2]> = pairs.map(|(a, b)| [*a as f32, *b as f32]).collect();
     let body = format!(

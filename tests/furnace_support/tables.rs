@@ -1,7 +1,9 @@
 //! Small tables made for the furnace: sampled, not optimised, in the layouts for the trilinear lookup.
 
 use lobefit::data::{AlphaMap, Axis, Channel, Smith, Surface, Table, TexelFormat};
-use lobefit::effects::table::{Azimuth, aniso_axes, aspect, azimuth_axes, glass_axes};
+use lobefit::effects::anisotropy::{Azimuth, aniso_axes, azimuth_axes};
+use lobefit::effects::glass::glass_axes;
+use lobefit::effects::table::aspect;
 use lobefit_math::ops;
 use lobefit_truth::integrate::aniso::table::{self as aniso, Columns, Grid};
 use lobefit_truth::integrate::glass::table::{self as glass, GlassGrid};

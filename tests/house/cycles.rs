@@ -100,14 +100,11 @@ fn folders(top: &str) -> Graph {
     graph
 }
 
-/// The bake of 3-D tables asks its two effects for their truths by name, and they take its points.
-const TABLES: [&str; 3] = ["anisotropy", "glass", "table"];
-
 #[test]
 fn effects_do_not_import_one_another() {
     let graph = folders("effects");
     assert!(graph.len() > 5 && graph["glass"].contains("table"), "{graph:?}");
-    assert_eq!(cycles(&graph), BTreeSet::from([TABLES.to_vec()]), "{graph:#?}");
+    assert!(cycles(&graph).is_empty(), "{graph:#?}");
 }
 
 #[test]

@@ -143,10 +143,14 @@ fn table(name: &str, size: usize) -> TableFinding {
     let (x, y) = grid();
     TableFinding {
         name: name.into(),
-        file: format!("tables/{name}.exr"),
+        files: vec![format!("tables/{name}.exr")],
         quantity: "ggx-reflection".into(),
         smith: Smith::Correlated,
         alpha_map: AlphaMap::RoughnessSquared,
+        decode: "E = E, B = B".into(),
+        note: String::new(),
+        ops: 9,
+        evaluations: 0,
         format: TexelFormat::F16,
         bytes: (size * size * 4) as u64,
         channels: vec![

@@ -40,7 +40,7 @@ fn more_work_takes_longer() {
         );
         plan(&Scene::from_json(text.as_bytes(), "test").expect("a scene")).effects[0].seconds
     };
-    let table = |size: &str, more: &str| job(&format!(r#"{{"table":{{"size":{size}{more}}}}}"#));
+    let table = |size: &str, more: &str| job(&format!(r#"{{"tables":[{{"size":{size}{more}}}]}}"#));
     assert!(table("[32,32]", "") < table("[64,64]", ""));
     assert!(table("[32,32]", "") < table("[32,32]", r#","serves":"split-sum""#));
     assert!(table("[512,512]", r#","layout":"plain""#) < table("[512,512]", ""));

@@ -1,10 +1,8 @@
 //! Tables: texel against texel.
 
 use super::{Difference, Kind};
-use crate::bake::{Baked, BakedTable, BakedVolume};
+use crate::bake::{Baked, BakedTable};
 use crate::data::{Channel, TexelFormat};
-use crate::effects::reflection;
-use crate::effects::table::bake as tables;
 use crate::emit::exr::{self, Decoded};
 
 /// How two images differ: the texel that is furthest off, and whether the texels found still keep the stated error.
@@ -21,24 +19,15 @@ pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Di
     }
     let named = |name: &str| file == format!("tables/{name}.exr");
     let table = baked.tables.iter().find(|t| named(&t.approximation.name));
-    let volume = baked.volumes.iter().find(|t| named(&t.approximation.name));
-    let texels_of = table.and_then(BakedTable::table).or_else(|| volume.and_then(BakedVolume::table));
+    let texels_of = table.and_then(BakedTable::table);
     let format = texels_of.map_or(TexelFormat::F32, |t| t.format);
     // Slices lie one below the other.
     let rows = texels_of.filter(|t| t.axes.len() == 3).map(|t| t.axes[1].size);
     let mut difference = texels(file, &expected, &found, format, rows);
-    if difference.max_abs != Some(0.0) {
-        if let Some(table) = table {
-            let again = |channels: &[Channel]| {
-                reflection::bake::measured_again(table, channels).map_err(|e| e.to_string())
-            };
-            judge(table.errors.lookup.max, &found.channels, &mut difference, again);
-        } else if let Some(baked) = volume {
-            // So the order of texels is the table's.
-            let again =
-                |channels: &[Channel]| tables::measured_again(baked, channels).map_err(|e| e.to_string());
-            judge(baked.errors.lookup.max, &found.channels, &mut difference, again);
-        }
+    if let Some(table) = table.filter(|_| difference.max_abs != Some(0.0)) {
+        // So the order of texels is the table's.
+        let again = |channels: &[Channel]| table.measured_again(channels).map_err(|e| e.to_string());
+        judge(table.errors.lookup.max, &found.channels, &mut difference, again);
     }
     difference
 }

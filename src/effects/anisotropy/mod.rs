@@ -1,22 +1,36 @@
 //! The effect `anisotropy`: tables of E of the anisotropic reflection lobe over mu, roughness and anisotropy, as the mean over the
 //! azimuth of the view or with it.
+//!
+//! | table | size | columns | rows | slices | texel |
+//! |---|---|---|---|---|---|
+//! | azimuth mean | 64 x 64 x 32 | mu, `homogeneous` | roughness | anisotropy, `aspect` | loss |
+//! | with azimuth | 64 x 16 x 16 | mu, `homogeneous` in the alpha towards the view | roughness | anisotropy, `aspect` | cubic of the azimuth |
 
+mod azimuth;
 mod path_tracer;
 mod points;
 mod table;
 mod truth;
+mod ways;
 
-use super::context::Context;
-use super::demand::{Demand, Job};
+use super::demand::Job;
 use super::effect::Note;
-use super::table::{self as tables, TableJob};
+use super::table::{
+    BakedTable, BuildError, Family, Judge, Made, Points, RUN, Region, Sliced, Spec, TableJob, WaysFinding,
+};
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
-use super::{BakeError, Called, Effect, JobSummary, Made};
-use crate::data::Layout;
+use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
+use crate::approximate::Counter;
+use crate::data::{Layout, Smith, Table};
+use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
+pub use azimuth::Azimuth;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::integrate::monte_carlo;
 pub use path_tracer::{NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes};
-pub use points::Judge;
-pub use table::{build, sources};
+pub use points::Lines;
+pub use table::{aniso_axes, azimuth_axes, path_tracer};
 pub use truth::{AzimuthMap, at_azimuths, azimuth_map, means, means_on};
 
 /// The quantity of this effect.
@@ -38,13 +52,70 @@ const AZIMUTH_TRUTH_S: f64 = 1.5;
 /// Seconds of the study of what ignoring the azimuth costs.
 const STUDY_S: f64 = 2.5;
 
-impl Effect for Anisotropy {
+impl Family for Anisotropy {
+    fn prefix(&self, layout: Layout) -> &'static str {
+        match layout {
+            Layout::Azimuth => "ggx-aniso-azimuth",
+            Layout::PathTracer => "path-tracer-reflection",
+            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => "ggx-aniso",
+        }
+    }
+
+    fn described(&self, job: &TableJob, _: Option<Side>) -> String {
+        let azimuth =
+            if job.layout == Layout::Azimuth { " with its azimuth" } else { ", mean over the azimuth" };
+        format!("of the anisotropic lobe{azimuth}")
+    }
+
+    fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
+        let (texel, truth) = match jobs[i].layout {
+            Layout::PathTracer => (SAMPLED_S, TRUTH_S),
+            Layout::Azimuth => (AZIMUTH_S, AZIMUTH_TRUTH_S),
+            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => {
+                (OPTIMISED_S, TRUTH_S)
+            }
+        };
+        jobs[i].texels() as f64 * texel + truth
+    }
+
+    fn note(&self, layout: Layout) -> Option<&'static str> {
+        (layout == Layout::PathTracer).then_some(PATH_TRACER_NOTE)
+    }
+
+    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
+        counter.add(spec.size.iter().product());
+        table::build(spec)
+    }
+
+    fn finer(&self, job: &TableJob, _: &[TableJob]) -> bool {
+        job.layout == Layout::Azimuth
+    }
+
+    fn judge(
+        &self,
+        smith: Smith,
+        region: &Region,
+        azimuth: bool,
+        counter: &Counter,
+    ) -> Result<Judge, BuildError> {
+        let lines = Lines::new(region, azimuth)?;
+        let (e, made) = if azimuth { at_azimuths(smith, &lines)? } else { means(smith, &lines)? };
+        counter.add(e.len());
+        Ok(Judge { points: lines.points, truths: vec![Albedo { e, b: Vec::new() }], made })
+    }
+}
+
+impl Sliced for Anisotropy {
     fn name(&self) -> &'static str {
         "anisotropy"
     }
 
-    fn demands(&self, scene: &Scene) -> Vec<Demand> {
-        tables::demands(scene, Lobe::Anisotropic)
+    fn lobe(&self) -> Lobe {
+        Lobe::Anisotropic
+    }
+
+    fn lobe_text(&self) -> &'static str {
+        "a rough anisotropic lobe"
     }
 
     fn left_out(&self, scene: &Scene) -> String {
@@ -57,38 +128,15 @@ impl Effect for Anisotropy {
         }
     }
 
-    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        tables::summaries(scene, jobs, |i, jobs| {
-            let job = &jobs[i];
-            let (texel, truth) = match job.layout {
-                Layout::Optimised | Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => {
-                    (OPTIMISED_S, TRUTH_S)
-                }
-                Layout::PathTracer => (SAMPLED_S, TRUTH_S),
-                Layout::Azimuth => (AZIMUTH_S, AZIMUTH_TRUTH_S),
-            };
-            job.texels() as f64 * texel + truth
-        })
+    fn function_prefixes(&self) -> &'static [&'static str] {
+        &["ggx_aniso_", "path_tracer_"]
     }
 
-    fn report_seconds(&self, scene: &Scene, jobs: &[Job]) -> f64 {
-        let own = |job: &Job| TableJob::of(scene, job).is_ok_and(|job| job.layout != Layout::PathTracer);
-        tables::REPORT_S + if jobs.iter().any(own) { STUDY_S } else { 0.0 }
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &["ggx_aniso_", tables::PATH_TRACER]
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        super::ggx(scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
+    fn head_notes(&self) -> &'static [Note] {
         &[
-            super::NOTE_PATH_TRACER,
-            super::NOTE_F0,
-            super::NOTE_LOOKUP,
+            NOTE_PATH_TRACER,
+            NOTE_F0,
+            NOTE_LOOKUP,
             (
                 &["anisotropy"],
                 &[
@@ -99,7 +147,39 @@ impl Effect for Anisotropy {
         ]
     }
 
-    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
-        tables::bake::bake(called, context)
+    fn study_seconds(&self, scene: &Scene, jobs: &[Job]) -> f64 {
+        let own = |job: &Job| TableJob::of(scene, job).is_ok_and(|job| job.layout != Layout::PathTracer);
+        if jobs.iter().any(own) { STUDY_S } else { 0.0 }
+    }
+
+    fn shown(&self) -> &'static [f64] {
+        &[0.0, 0.5, 1.0]
+    }
+
+    fn on_grid(
+        &self,
+        smith: Smith,
+        points: &Points,
+        columns: usize,
+    ) -> Result<Vec<Vec<f64>>, IntegrateError> {
+        Ok(vec![means_on(smith, points, columns)?])
+    }
+
+    fn title(&self, slice: f64, _: Option<Side>) -> String {
+        format!("Metal, anisotropy {slice} (mean over the azimuth)")
+    }
+
+    fn layer(&self, slice: f64) -> f64 {
+        slice * slice
+    }
+
+    fn path_tracer_error(&self, [x, alpha, z]: [f64; 3]) -> Result<f64, IntegrateError> {
+        let aspect = (1.0 - 0.9 * z.sqrt()).sqrt();
+        let sampled = monte_carlo::aniso(Smith::Separable, [alpha / aspect, alpha * aspect], x, None, RUN)?;
+        Ok(sampled[0].standard_error)
+    }
+
+    fn ways(&self, tables: &[BakedTable]) -> Result<Vec<WaysFinding>, BakeError> {
+        ways::findings(tables)
     }
 }

@@ -1,6 +1,6 @@
 //! The sources' layout of anisotropic reflection: 64 x 64 x 32, separable Smith, alpha = roughness.
 
-use crate::data::{Axis, Registration, Warp};
+use crate::data::{Axis, Warp};
 
 /// Columns, rows, slices.
 pub const SIZE: [usize; 3] = [64, 64, 32];
@@ -14,19 +14,11 @@ pub const NOTE: &str = "texels are exact at the nodes clamped as the sources cla
 /// The axes on which the texels lie: mu = x/64, alpha = y/64, aspect = sqrt(1 - 0.9 sqrt(z/32)), so that z/32 is the square of the
 /// anisotropy. The last texel of each axis lies one step before 1.
 pub fn axes() -> [Axis; 3] {
-    let axis = |name: &str, size: usize, warp, max| Axis {
-        name: name.into(),
-        size,
-        registration: Registration::Endpoint,
-        warp,
-        min: 0.0,
-        max,
-    };
     let last = |n: usize| (n - 1) as f64 / n as f64;
     [
-        axis("mu", SIZE[0], Warp::Linear, last(SIZE[0])),
-        axis("roughness", SIZE[1], Warp::Linear, last(SIZE[1])),
-        axis("anisotropy", SIZE[2], Warp::Square, last(SIZE[2]).sqrt()),
+        Axis::ends("mu", SIZE[0], Warp::Linear, [0.0, last(SIZE[0])]),
+        Axis::ends("roughness", SIZE[1], Warp::Linear, [0.0, last(SIZE[1])]),
+        Axis::ends("anisotropy", SIZE[2], Warp::Square, [0.0, last(SIZE[2]).sqrt()]),
     ]
 }
 

@@ -1,7 +1,7 @@
 //! Points at which the lookups of this effect are measured: every combination of scrambled roughnesses and anisotropies, each roughness
 //! with cosines of its own, since the truth is cheapest on such a grid.
 
-use crate::effects::table::{Point, Points, Region, SliceAxis, aspect};
+use crate::effects::table::{BuildError, Point, Points, Region, SliceAxis, aspect};
 use lobefit_math::sobol::Sobol;
 
 /// Roughnesses, anisotropies, and cosines of each kind: uniform, and in the layer mu ~ alpha.
@@ -9,7 +9,7 @@ const COUNT: [usize; 3] = [96, 24, 40];
 
 /// The points with the grid that they lie on.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Judge {
+pub struct Lines {
     /// The points: columns fastest, then rows, then slices.
     pub points: Points,
     /// Roughness and alpha of each row.
@@ -18,13 +18,15 @@ pub struct Judge {
     pub(super) slices: Vec<f32>,
     /// Cosines of each row: the uniform ones, then those in the layer.
     pub(super) cosines: Vec<Vec<f32>>,
-    region: Region,
+    /// Range of the anisotropy.
+    range: [f64; 2],
 }
 
-impl Judge {
-    /// The points of a region; both ends of every range are among them. With `azimuth` each has an
+impl Lines {
+    /// The points of a region with slices; both ends of every range are among them. With `azimuth` each has an
     /// azimuth of its own, scrambled over [0, pi/2] with its ends; else all have 0, which nothing reads.
-    pub fn new(region: &Region, azimuth: bool) -> Judge {
+    pub fn new(region: &Region, azimuth: bool) -> Result<Lines, BuildError> {
+        let range = region.slices()?.range;
         let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
         let rows: Vec<Point> = spread(COUNT[0], region.roughness, |i| base.coordinate(i, 0))
             .map(|roughness| {
@@ -32,8 +34,7 @@ impl Judge {
                 Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), ..Point::default() }
             })
             .collect();
-        let slices: Vec<f32> =
-            spread(COUNT[1], region.slices.range, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
+        let slices: Vec<f32> = spread(COUNT[1], range, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
         let cosines: Vec<Vec<f32>> =
             rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
         // in an order of their own: in that of the cosines, which count along a row too, each azimuth goes with a mu
@@ -56,7 +57,7 @@ impl Judge {
         }
         let uniform = (0..all.len()).map(|i| i % (2 * COUNT[2]) < COUNT[2]).collect();
         let points = Points::of(all, uniform, SliceAxis::Anisotropy, azimuth);
-        Judge { points, rows, slices, cosines, region: *region }
+        Ok(Lines { points, rows, slices, cosines, range })
     }
 
     /// Cosines of each row.
@@ -70,7 +71,7 @@ impl Judge {
     }
 
     pub(super) fn aspect(&self) -> [f64; 2] {
-        [self.region.slices.range[1], self.region.slices.range[0]].map(|a| aspect(f64::from(a as f32)))
+        [self.range[1], self.range[0]].map(|a| aspect(f64::from(a as f32)))
     }
 
     pub(super) fn mu(&self) -> [f64; 2] {

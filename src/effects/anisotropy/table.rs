@@ -2,17 +2,15 @@
 
 use rayon::prelude::*;
 
-use super::path_tracer::{self, FLOOR};
+use super::azimuth::Azimuth;
+use super::path_tracer::{FLOOR, axes, grid};
 use super::{QUANTITY, truth};
-use crate::data::{Axis, Layout, Smith, Surface, Table};
-use crate::effects::table::{
-    ANISO_SAMPLES, Azimuth, BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, aniso_axes, aspect,
-    azimuth_axes, channel, check,
-};
+use crate::data::{Axis, Channel, Layout, Smith, Surface, Table, Warp};
+use crate::effects::table::{BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, aspect, check};
 use lobefit_truth::integrate::aniso::table::{Columns, Grid, Tabulated, mean, tabulate, tabulate_on};
 use lobefit_truth::integrate::{IntegrateError, Path};
 
-/// Largest error of a texel of the sources' layout.
+/// Largest error of a texel of the path tracer's layout.
 const SAMPLED: f64 = 1e-6;
 
 /// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth of what the lookup leaves. The
@@ -25,31 +23,52 @@ const CHECKED: usize = 1 << 13;
 /// Tolerance of the integrals that targets are compared with.
 const DIRECT: f64 = 1e-6;
 
+/// Samples per cell that the texels of the azimuth mean are optimised on.
+const SAMPLES: [usize; 3] = [2, 2, 2];
+
+/// Axes of the azimuth mean over the given range of roughness and of anisotropy, in [0, 1]. All register their end points: the ends of
+/// every range are texels.
+///
+/// The columns follow the layer mu ~ alpha, with alpha the geometric mean of alpha_x and alpha_y.
+pub fn aniso_axes(size: [usize; 3], roughness: [f64; 2], anisotropy: [f64; 2]) -> [Axis; 3] {
+    let axis = |i: usize, name: &str, warp: Warp, range| Axis::ends(name, size[i], warp, range);
+    [
+        axis(0, "mu", Warp::Homogeneous, [0.0, 1.0]),
+        axis(1, "roughness", Warp::Linear, roughness),
+        axis(2, "anisotropy", Warp::Aspect, anisotropy),
+    ]
+}
+
+/// Axes of the table with the azimuth: those of [`aniso_axes`], the columns looked up with the alpha towards the view,
+/// [`Azimuth::alpha`], in place of alpha. E at one column then hardly depends on the azimuth for small alpha.
+pub fn azimuth_axes(size: [usize; 3], roughness: [f64; 2], anisotropy: [f64; 2]) -> [Axis; 3] {
+    let [_, rows, slices] = aniso_axes(size, roughness, anisotropy);
+    [Axis::ends("mu", size[0], Warp::HomogeneousAzimuth, [0.0, 1.0]), rows, slices]
+}
+
 /// The table, its texels not yet rounded.
 ///
 /// Errors: a truth that cannot be integrated.
-pub fn build(spec: &Spec) -> Result<(Table, Made), BuildError> {
+pub fn build(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     match spec.layout {
         Layout::Optimised => optimised(spec),
         Layout::PathTracer => sampled(spec),
         Layout::Azimuth => with_azimuth(spec),
-        other @ (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared) => {
-            Err(BuildError::Layout { table: spec.name.clone(), layout: other.name() })
-        }
+        Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => Err(spec.no_layout()),
     }
 }
 
-/// Every texel of the sources' layout, within `tolerance`.
-pub fn sources(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
-    let [mu, alphas, aspects] = path_tracer::grid();
+/// Every texel of the path tracer's layout, within `tolerance`.
+pub fn path_tracer(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
+    let [mu, alphas, aspects] = grid();
     let grid = Grid { columns: Columns::Fixed(&mu), alphas: &alphas, aspects: &aspects, floor: FLOOR };
     tabulate_on(path, smith, &grid, tolerance)
 }
 
-fn sampled(spec: &Spec) -> Result<(Table, Made), BuildError> {
-    let texels = sources(Path::Best, spec.smith, SAMPLED)?;
+fn sampled(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+    let texels = path_tracer(Path::Best, spec.smith, SAMPLED)?;
     let made = made(&texels);
-    Ok((spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels.e)])?, made))
+    Ok((spec.tables(QUANTITY, &axes(), vec![vec![Channel::new("E", texels.e)]])?, made))
 }
 
 fn made(table: &Tabulated) -> Made {
@@ -57,11 +76,11 @@ fn made(table: &Tabulated) -> Made {
     Made { evaluations, integration: table.checked.worst }
 }
 
-fn optimised(spec: &Spec) -> Result<(Table, Made), BuildError> {
-    let Spec { smith, size, region, .. } = spec;
-    let axes = aniso_axes(*size, region.roughness, region.slices.range);
+fn optimised(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+    let Spec { smith, region, .. } = spec;
+    let axes = aniso_axes(spec.sizes()?, region.roughness, region.slices()?.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
-    let plan = TexelPlan::new(axes.clone(), region.alpha_map, ANISO_SAMPLES, nodes, region.mu[0]);
+    let plan = TexelPlan::new(axes.clone(), region.alpha_map, SAMPLES, nodes, region.mu[0]);
     // Columns fastest, then slices, then nodes of alpha.
     let points = plan.points();
     let columns =
@@ -89,7 +108,7 @@ fn optimised(spec: &Spec) -> Result<(Table, Made), BuildError> {
         evaluations: made(&table).evaluations + checked.evaluations,
         integration: checked.worst + DIRECT,
     };
-    Ok((spec.table(QUANTITY, axes, vec![channel("loss", texels)])?, made))
+    Ok((spec.tables(QUANTITY, &axes, vec![vec![Channel::new("loss", texels)]])?, made))
 }
 
 /// Losses, within [`DIRECT`], and the evaluations that they took.
@@ -105,22 +124,21 @@ fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 1]>, u64), Integrat
 }
 
 /// The cubic of the azimuth at every texel, from exact values.
-fn with_azimuth(spec: &Spec) -> Result<(Table, Made), BuildError> {
-    let Spec { smith, region, .. } = spec;
-    let axes = azimuth_axes(spec.size, region.roughness, region.slices.range);
+fn with_azimuth(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+    let (Spec { smith, region, .. }, size) = (spec, spec.sizes::<3>()?);
+    let axes = azimuth_axes(size, region.roughness, region.slices()?.range);
     let surface = Surface::<f64>::rough(0.0);
-    let rows: Vec<f64> =
-        (0..spec.size[1]).map(|i| region.alpha_map.alpha(axes[1].node(i, surface))).collect();
-    let aspects: Vec<f64> = (0..spec.size[2]).map(|i| aspect(axes[2].node(i, surface))).collect();
+    let rows: Vec<f64> = (0..size[1]).map(|i| region.alpha_map.alpha(axes[1].node(i, surface))).collect();
+    let aspects: Vec<f64> = (0..size[2]).map(|i| aspect(axes[2].node(i, surface))).collect();
     // Below the region's mu a lookup at its edge still blends with a texel.
     let mu = [0.25 * region.mu[0], 1.0];
     let ends = [aspects[aspects.len() - 1], aspects[0]];
     let truth = truth::azimuthal(*smith, [rows[0], rows[rows.len() - 1]], ends, mu)?;
-    let mut channels = [0, 1, 2, 3].map(|k| channel(&format!("c{k}"), Vec::new()));
+    let mut channels = [0, 1, 2, 3].map(|k| Channel::new(&format!("c{k}"), Vec::new()));
     for &aspect in &aspects {
         for &alpha in &rows {
             let (pinned, lobe) = (truth.pinned(alpha, aspect), Azimuth { alpha, aspect });
-            for column in 0..spec.size[0] {
+            for column in 0..size[0] {
                 let losses: Vec<f64> = Azimuth::samples()
                     .into_iter()
                     .map(|t| {
@@ -135,7 +153,7 @@ fn with_azimuth(spec: &Spec) -> Result<(Table, Made), BuildError> {
         }
     }
     let made = Made { evaluations: truth.evaluations(), integration: truth.worst() };
-    Ok((spec.table(QUANTITY, axes, channels.to_vec())?, made))
+    Ok((spec.tables(QUANTITY, &axes, vec![channels.to_vec()])?, made))
 }
 
 /// mu of a column where the alpha towards the view is `towards`.

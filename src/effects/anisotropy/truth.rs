@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::points::Judge;
+use super::points::Lines;
 use crate::data::Smith;
 use crate::effects::table::{Made, Point, Points, Region, aspect};
 use lobefit_math::ops;
@@ -18,12 +18,12 @@ const SHOWN: f64 = 1e-5;
 /// Tolerance of E at an azimuth that lookups are judged against.
 const JUDGED_AZIMUTH: f64 = 1e-5;
 
-/// The mean over the azimuth at the points of a judge, in their order.
-pub fn means(smith: Smith, judge: &Judge) -> Result<(Vec<f64>, Made), IntegrateError> {
-    let alphas: Vec<f64> = judge.rows.iter().map(|p| f64::from(p.alpha)).collect();
-    let aspects: Vec<f64> = judge.slices.iter().map(|a| aspect(f64::from(*a))).collect();
-    let mu = |column: usize, row: usize, _: f64| f64::from(judge.cosines[row][column]);
-    let columns = Columns::Varying { count: judge.columns(), mu: &mu };
+/// The mean over the azimuth at the points of lines, in their order.
+pub fn means(smith: Smith, lines: &Lines) -> Result<(Vec<f64>, Made), IntegrateError> {
+    let alphas: Vec<f64> = lines.rows.iter().map(|p| f64::from(p.alpha)).collect();
+    let aspects: Vec<f64> = lines.slices.iter().map(|a| aspect(f64::from(*a))).collect();
+    let mu = |column: usize, row: usize, _: f64| f64::from(lines.cosines[row][column]);
+    let columns = Columns::Varying { count: lines.columns(), mu: &mu };
     let table = tabulate(smith, &Grid { columns, alphas: &alphas, aspects: &aspects, floor: 0.0 }, JUDGED)?;
     let evaluations = table.evaluations + table.checked.evaluations;
     Ok((table.e, Made { evaluations, integration: table.checked.worst }))
@@ -74,12 +74,12 @@ pub fn azimuth_map(
     Ok(AzimuthMap { points, truth })
 }
 
-/// E at the points of a judge, each at its own azimuth.
-pub fn at_azimuths(smith: Smith, judge: &Judge) -> Result<(Vec<f64>, Made), IntegrateError> {
-    let truth = azimuthal(smith, judge.alpha(), judge.aspect(), judge.mu())?;
-    let points = &judge.points.all;
-    let lines: Vec<Vec<f64>> = points
-        .par_chunks(judge.columns())
+/// E at the points of lines, each at its own azimuth.
+pub fn at_azimuths(smith: Smith, lines: &Lines) -> Result<(Vec<f64>, Made), IntegrateError> {
+    let truth = azimuthal(smith, lines.alpha(), lines.aspect(), lines.mu())?;
+    let points = &lines.points.all;
+    let values: Vec<Vec<f64>> = points
+        .par_chunks(lines.columns())
         .map(|line| {
             let pinned = truth.pinned(f64::from(line[0].alpha), aspect(f64::from(line[0].anisotropy)));
             let phi = |cos2: f32| {
@@ -90,7 +90,7 @@ pub fn at_azimuths(smith: Smith, judge: &Judge) -> Result<(Vec<f64>, Made), Inte
         })
         .collect();
     let made = Made { evaluations: truth.evaluations(), integration: truth.worst() };
-    Ok((lines.into_iter().flatten().collect(), made))
+    Ok((values.into_iter().flatten().collect(), made))
 }
 
 /// E at any azimuth, within 1e-5 over these ranges.

@@ -15,8 +15,8 @@ use crate::effects::context::Context;
 use crate::effects::coupling::CouplingSpec;
 use crate::effects::coupling::emitted::exact_ops;
 use crate::effects::coupling::results::AnyF0Finding;
-use crate::effects::reflection::{TableSpec, build};
-use crate::effects::table::{Lookup, LookupError, Points};
+use crate::effects::reflection::build;
+use crate::effects::table::{Lookup, LookupError, Points, Spec};
 use crate::report::ApproximationFinding;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::Estimate;
@@ -36,15 +36,14 @@ const ANY: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// The exact factor from a lookup of E and B, measured over the lobe's domain and over all f0.
 pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, AnyF0Finding), BakeError> {
     let CouplingSpec { specular, smith, region, f0, .. } = &lobe.spec;
-    let spec = TableSpec {
-        name: format!("coupling_table_{SIDE}x{SIDE}"),
+    let spec = Spec {
+        names: vec![format!("coupling_table_{SIDE}x{SIDE}")],
         smith: *smith,
-        alpha_map: region.alpha_map,
-        size: [SIDE; 2],
+        size: vec![SIDE; 2],
         format: TexelFormat::F16,
         layout: Layout::Plain,
         serves: Serves::SplitSum,
-        region: *region,
+        region: (*region).into(),
     };
     let table = build(&spec, &context.counter)?;
     let quantised = table.quantised();
@@ -54,7 +53,7 @@ pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, An
     let ops = lookup_ops(&table.axes, Decode::of(spec.layout, spec.serves))
         + exact_ops(*specular).map_err(FitStageError::from)?;
     let approximation = Approximation {
-        name: spec.name.clone(),
+        name: table.name.clone(),
         quantity: "diffuse-coupling".into(),
         column: "factor".into(),
         used_as: Use::Coupling,
@@ -76,7 +75,7 @@ pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, An
         form: Form::Table(table),
     };
     let finding = AnyF0Finding {
-        name: spec.name,
+        name: approximation.name.clone(),
         max: round_up(any.max, 4),
         at: any.at,
         places: measured.points.len() as u64,

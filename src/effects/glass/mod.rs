@@ -1,29 +1,32 @@
 //! The effect `glass`: tables of R + T of a rough dielectric interface over mu, roughness and index of refraction, one for rays from
 //! outside and one for rays from inside.
+//!
+//! | table | size | columns | rows | slices | texel |
+//! |---|---|---|---|---|---|
+//! | each side | 128 x 128 x 32 | mu, `homogeneous-ior` | roughness | ior, `ior` | loss |
 
 mod path_tracer;
 mod table;
 
 use rayon::prelude::*;
 
-use super::context::Context;
-use super::demand::{Demand, Job};
 use super::effect::Note;
-use super::table as tables;
+use super::table::{BuildError, Family, Judge, Made, Points, RUN, Region, Sliced, Spec, TableJob};
 use super::who::stay_smooth;
-use super::{BakeError, Called, Effect, JobSummary, Made as Baked};
-use crate::data::Layout;
-use crate::data::Smith;
-use crate::effects::table::{Made, Points};
+use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
+use crate::approximate::Counter;
+use crate::data::{Layout, Smith, Table};
+use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
+use lobefit_truth::integrate::monte_carlo;
 
 pub use path_tracer::{
     NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid,
 };
-pub use table::{build, sources};
+pub use table::{glass_axes, path_tracer};
 
 /// The quantity of this effect.
 pub const QUANTITY: &str = "ggx-glass";
@@ -36,13 +39,59 @@ const SAMPLED_S: f64 = 0.45e-6;
 const OPTIMISED_S: f64 = 4.6e-6;
 const TRUTH_S: f64 = 0.3;
 
-impl Effect for Glass {
+/// 2^12 groups of eight uniform points, half as many in the layer and about the critical angle, and the edges.
+const LOG2_GROUPS: u32 = 12;
+
+/// Tolerance of the truths that lookups are judged against.
+const JUDGED: f64 = 1e-6;
+
+impl Family for Glass {
+    fn prefix(&self, layout: Layout) -> &'static str {
+        if layout == Layout::PathTracer { "path-tracer-glass" } else { "ggx-glass" }
+    }
+
+    fn sides(&self) -> &'static [Option<Side>] {
+        &[Some(Side::Outside), Some(Side::Inside)]
+    }
+
+    fn described(&self, _: &TableJob, side: Option<Side>) -> String {
+        format!("of glass for rays from {}", side.map_or("", Side::name))
+    }
+
+    fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
+        let texel = if jobs[i].layout == Layout::PathTracer { SAMPLED_S } else { OPTIMISED_S };
+        jobs[i].texels() as f64 * texel + TRUTH_S
+    }
+
+    fn note(&self, layout: Layout) -> Option<&'static str> {
+        (layout == Layout::PathTracer).then_some(PATH_TRACER_NOTE)
+    }
+
+    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
+        counter.add(spec.names.len() * spec.size.iter().product::<usize>());
+        table::build(spec)
+    }
+
+    fn judge(&self, smith: Smith, region: &Region, _: bool, counter: &Counter) -> Result<Judge, BuildError> {
+        let points = Points::certification(region, LOG2_GROUPS);
+        let (truths, evaluations) = truths(smith, &points)?;
+        counter.add(truths.len() * points.len());
+        let truths = truths.into_iter().map(|e| Albedo { e, b: Vec::new() }).collect();
+        Ok(Judge { points, truths, made: Made { evaluations, integration: JUDGED } })
+    }
+}
+
+impl Sliced for Glass {
     fn name(&self) -> &'static str {
         "glass"
     }
 
-    fn demands(&self, scene: &Scene) -> Vec<Demand> {
-        tables::demands(scene, Lobe::Glass)
+    fn lobe(&self) -> Lobe {
+        Lobe::Glass
+    }
+
+    fn lobe_text(&self) -> &'static str {
+        "a rough surface that transmits"
     }
 
     fn left_out(&self, scene: &Scene) -> String {
@@ -53,31 +102,15 @@ impl Effect for Glass {
         format!("no glass is rough: {}", stay_smooth(&glass))
     }
 
-    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-        tables::summaries(scene, jobs, |i, jobs| {
-            let job = &jobs[i];
-            let texel = if job.layout == Layout::PathTracer { SAMPLED_S } else { OPTIMISED_S };
-            job.texels() as f64 * texel + TRUTH_S
-        })
+    fn function_prefixes(&self) -> &'static [&'static str] {
+        &["ggx_glass_", "path_tracer_"]
     }
 
-    fn report_seconds(&self, _: &Scene, _: &[Job]) -> f64 {
-        tables::REPORT_S
-    }
-
-    fn prefixes(&self) -> &'static [&'static str] {
-        &["ggx_glass_", tables::PATH_TRACER]
-    }
-
-    fn lobe(&self, scene: &Scene) -> String {
-        super::ggx(scene)
-    }
-
-    fn notes(&self) -> &'static [Note] {
+    fn head_notes(&self) -> &'static [Note] {
         &[
-            super::NOTE_PATH_TRACER,
-            super::NOTE_F0,
-            super::NOTE_LOOKUP,
+            NOTE_PATH_TRACER,
+            NOTE_F0,
+            NOTE_LOOKUP,
             (
                 &["ior: f32", "float ior"],
                 &["ior is the index of refraction, inside over outside, for rays from either side."],
@@ -85,45 +118,36 @@ impl Effect for Glass {
         ]
     }
 
-    fn bake(&self, called: &Called, context: &Context) -> Result<Baked, BakeError> {
-        tables::bake::bake(called, context)
+    fn shown(&self) -> &'static [f64] {
+        &[1.1, 1.5, 2.0]
+    }
+
+    fn on_grid(&self, smith: Smith, points: &Points, _: usize) -> Result<Vec<Vec<f64>>, IntegrateError> {
+        Ok(truths(smith, points)?.0)
+    }
+
+    fn title(&self, slice: f64, side: Option<Side>) -> String {
+        let side = side.map_or_else(String::new, |side| format!(", from {}", side.name()));
+        format!("Glass, index of refraction {slice}{side}")
+    }
+
+    fn layer(&self, slice: f64) -> f64 {
+        slice - 1.0
+    }
+
+    fn path_tracer_error(&self, [x, alpha, z]: [f64; 3]) -> Result<f64, IntegrateError> {
+        let side = if z < 0.5 { Side::Outside } else { Side::Inside };
+        let [_, _, loss] = monte_carlo::glass(Smith::Separable, alpha, x * x, 1.0 + z, side, RUN)?;
+        Ok(loss.standard_error)
     }
 }
 
-/// Tolerance of the truths that lookups are judged against.
-const JUDGED: f64 = 1e-6;
-
-/// E from outside and from inside at every point.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Truth {
-    /// From outside.
-    pub outside: Vec<f64>,
-    /// From inside.
-    pub inside: Vec<f64>,
-    /// What it took.
-    pub made: Made,
-}
-
-impl Truth {
-    /// Integrates at every point, within 1e-6.
-    pub fn at(smith: Smith, points: &Points) -> Result<Truth, IntegrateError> {
-        let inputs: Vec<[f64; 3]> =
-            points.all.iter().map(|p| [f64::from(p.alpha), f64::from(p.mu), f64::from(p.ior)]).collect();
-        let (both, evaluations) = energies(smith, &inputs, JUDGED)?;
-        Ok(Truth {
-            outside: both.iter().map(|e| e[0]).collect(),
-            inside: both.iter().map(|e| e[1]).collect(),
-            made: Made { evaluations, integration: JUDGED },
-        })
-    }
-
-    /// Of one side.
-    pub fn of(&self, side: Side) -> &[f64] {
-        match side {
-            Side::Outside => &self.outside,
-            Side::Inside => &self.inside,
-        }
-    }
+/// E from outside and E from inside at every point, within [`JUDGED`], and the evaluations that they took.
+pub fn truths(smith: Smith, points: &Points) -> Result<(Vec<Vec<f64>>, u64), IntegrateError> {
+    let inputs: Vec<[f64; 3]> =
+        points.all.iter().map(|p| [f64::from(p.alpha), f64::from(p.mu), f64::from(p.ior)]).collect();
+    let (both, evaluations) = energies(smith, &inputs, JUDGED)?;
+    Ok(([0, 1].map(|side| both.iter().map(|e| e[side]).collect()).to_vec(), evaluations))
 }
 
 /// Points of one task: work is cut by index alone.

@@ -1,6 +1,6 @@
 //! The sources' layout of rough glass: 128 x 128 x 32, separable Smith, alpha = roughness.
 
-use crate::data::{Axis, Registration, Warp};
+use crate::data::{Axis, Warp};
 
 /// Columns, rows, slices.
 pub const SIZE: [usize; 3] = [128, 128, 32];
@@ -8,18 +8,10 @@ pub const SIZE: [usize; 3] = [128, 128, 32];
 /// The axes on which the texels lie: mu = (x/127)^2, alpha = y/127, ior = 1 + z/31. The sources clamp mu to [0.01, 0.9999], alpha to
 /// [0.01, 1] and ior to [1.0001, 2] where they compute a texel.
 pub fn axes() -> [Axis; 3] {
-    let axis = |name: &str, size, warp, min, max| Axis {
-        name: name.into(),
-        size,
-        registration: Registration::Endpoint,
-        warp,
-        min,
-        max,
-    };
     [
-        axis("mu", SIZE[0], Warp::Sqrt, 0.0, 1.0),
-        axis("roughness", SIZE[1], Warp::Linear, 0.0, 1.0),
-        axis("ior", SIZE[2], Warp::Linear, 1.0, 2.0),
+        Axis::ends("mu", SIZE[0], Warp::Sqrt, [0.0, 1.0]),
+        Axis::ends("roughness", SIZE[1], Warp::Linear, [0.0, 1.0]),
+        Axis::ends("ior", SIZE[2], Warp::Linear, [1.0, 2.0]),
     ]
 }
 

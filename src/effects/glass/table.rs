@@ -1,14 +1,13 @@
 //! The tables of this effect, in both layouts.
 
-use super::{JUDGED, QUANTITY, energies, path_tracer};
-use crate::data::{Layout, Smith, Table};
-use crate::effects::table::{
-    BuildError, GLASS_SAMPLES, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, channel, check, glass_axes,
-};
+use super::path_tracer::{axes, grid};
+use super::{JUDGED, QUANTITY, energies};
+use crate::data::{Axis, Channel, Layout, Smith, Table, Warp};
+use crate::effects::table::{BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, check};
 use lobefit_truth::integrate::glass::table::{GlassGrid, Tabulated, tabulate_on};
 use lobefit_truth::integrate::{IntegrateError, Path};
 
-/// Largest error of a texel of the sources' layout.
+/// Largest error of a texel of the path tracer's layout.
 const SAMPLED: f64 = 1e-6;
 
 /// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth of what the lookup leaves. The
@@ -18,39 +17,58 @@ const TARGETS: f64 = 1e-5;
 /// Targets drawn for their check.
 const CHECKED: usize = 1 << 15;
 
-/// The tables for rays from outside and from inside, which share their integrals; texels not yet rounded. `specs` differ in their names.
+/// Samples per cell that the texels are optimised on: four from slice to slice, where the error is.
+const SAMPLES: [usize; 3] = [2, 1, 4];
+
+/// Smallest index of refraction from which slices linear in it do better than slices that crowd at the matched index.
+const APART: f64 = 1.1;
+
+/// Axes of one side over the given range of roughness and of ior, in [1, 4]. All register their end points: the ends of every range are
+/// texels.
+///
+/// Towards ior = 1 the loss of a view from inside changes where the refraction that an average facet makes, of the order of
+/// (ior - 1) / alpha, exceeds mu, and again where mu passes the critical cosine sqrt(2 (ior - 1)). The slices crowd there; the
+/// columns follow the second. From outside it is smoother, and the same axes serve.
+pub fn glass_axes(size: [usize; 3], roughness: [f64; 2], ior: [f64; 2]) -> [Axis; 3] {
+    let slices = if ior[0] < APART { Warp::Ior } else { Warp::Linear };
+    [
+        Axis::ends("mu", size[0], Warp::HomogeneousIor, [0.0, 1.0]),
+        Axis::ends("roughness", size[1], Warp::Linear, roughness),
+        Axis::ends("ior", size[2], slices, ior),
+    ]
+}
+
+/// The tables for rays from outside and from inside, which share their integrals; texels not yet rounded.
 ///
 /// Errors: a truth that cannot be integrated; a layout that has no glass.
-pub fn build(specs: &[Spec; 2]) -> Result<([Table; 2], Made), BuildError> {
-    match specs[0].layout {
-        Layout::Optimised => optimised(specs),
-        Layout::PathTracer => sampled(specs),
-        other @ (Layout::Azimuth | Layout::Homogeneous | Layout::Plain | Layout::PlainSquared) => {
-            Err(BuildError::Layout { table: specs[0].name.clone(), layout: other.name() })
-        }
+pub fn build(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+    match spec.layout {
+        Layout::Optimised => optimised(spec),
+        Layout::PathTracer => sampled(spec),
+        Layout::Azimuth | Layout::Homogeneous | Layout::Plain | Layout::PlainSquared => Err(spec.no_layout()),
     }
 }
 
-/// Every texel of the sources' layout, within `tolerance`.
-pub fn sources(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
-    let [mu, alphas, iors] = path_tracer::grid();
+/// Every texel of the path tracer's layout, within `tolerance`.
+pub fn path_tracer(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
+    let [mu, alphas, iors] = grid();
     let mu_of = |column: usize, _: f64, _: f64| mu[column];
     let grid = GlassGrid { smith, alphas: &alphas, columns: mu.len(), iors: &iors, mu: &mu_of, tolerance };
     tabulate_on(path, &grid)
 }
 
-fn sampled(specs: &[Spec; 2]) -> Result<([Table; 2], Made), BuildError> {
-    let texels = sources(Path::Best, specs[0].smith, SAMPLED)?;
+fn sampled(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+    let texels = path_tracer(Path::Best, spec.smith, SAMPLED)?;
     let made = Made { evaluations: texels.evaluations, integration: texels.checked.worst };
-    let table = |spec: &Spec, texels| spec.table(QUANTITY, path_tracer::axes(), vec![channel("E", texels)]);
-    Ok(([table(&specs[0], texels.outside)?, table(&specs[1], texels.inside)?], made))
+    let channels = [texels.outside, texels.inside].map(|e| vec![Channel::new("E", e)]);
+    Ok((spec.tables(QUANTITY, &axes(), channels.to_vec())?, made))
 }
 
-fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), BuildError> {
-    let Spec { smith, size, region, .. } = &specs[0];
-    let axes = glass_axes(*size, region.roughness, region.slices.range);
+fn optimised(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
+    let Spec { smith, region, .. } = spec;
+    let axes = glass_axes(spec.sizes()?, region.roughness, region.slices()?.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
-    let plan = TexelPlan::new(axes.clone(), region.alpha_map, GLASS_SAMPLES, nodes, region.mu[0]);
+    let plan = TexelPlan::new(axes.clone(), region.alpha_map, SAMPLES, nodes, region.mu[0]);
     let inputs: Vec<[f64; 3]> = plan.points().iter().map(|p| [p.alpha, p.mu, p.slice]).collect();
     let (both, evaluations) = energies(*smith, &inputs, TARGETS)?;
     let wanted = [0, 1].map(|side| {
@@ -58,12 +76,9 @@ fn optimised(specs: &[Spec; 2]) -> Result<([Table; 2], Made), BuildError> {
         plan.targets(&losses)
     });
     let checked = check(QUANTITY, &plan, CHECKED, wanted.each_ref(), |nodes| direct(*smith, nodes))?;
-    let table = |side: usize| {
-        let texels = plan.optimised(&wanted[side], ROUNDS).0;
-        specs[side].table(QUANTITY, axes.clone(), vec![channel("loss", texels)])
-    };
+    let channels = wanted.map(|wanted| vec![Channel::new("loss", plan.optimised(&wanted, ROUNDS).0)]);
     let made = Made { evaluations: evaluations + checked.evaluations, integration: checked.worst + JUDGED };
-    Ok(([table(0)?, table(1)?], made))
+    Ok((spec.tables(QUANTITY, &axes, channels.to_vec())?, made))
 }
 
 /// Losses from outside and from inside, within [`JUDGED`], and the evaluations that they took.

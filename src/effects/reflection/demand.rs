@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::table::Dfg;
 use super::{AVERAGES, BLENDS, NORMALISATIONS, RIVALS, SEEDS};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Goals, Job, Span};
@@ -52,7 +53,7 @@ pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
         let roughness = Span::roughness(range, scene.alpha);
         let because = because(material, roughness);
         let tables = table::wanted(material, 2)
-            .filter_map(|want| table::demand(scene, (of, material), want, because.clone()));
+            .filter_map(|want| table::demand(&Dfg, scene, (of, material), want, because.clone()));
         let fit = material.wants.fit.as_ref().map(|want| Demand {
             job: FITS.into(),
             rank: 1,
@@ -142,7 +143,7 @@ impl FitJob {
 /// What a plan says of the tables and of the fits.
 pub(super) fn summaries(scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
     let (tables, fits) = parted(jobs);
-    let tables = table::summaries(scene, tables, table_seconds);
+    let tables = table::summaries(&Dfg, scene, tables);
     tables.into_iter().chain(fits.map(|job| fit_summary(scene, job))).collect()
 }
 
@@ -159,7 +160,7 @@ fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
 
 /// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for the first of the
 /// tables that are measured there.
-fn table_seconds(i: usize, jobs: &[TableJob]) -> f64 {
+pub(super) fn table_seconds(i: usize, jobs: &[TableJob]) -> f64 {
     let job = &jobs[i];
     let texels = if job.size.is_none() { AUTO_TEXELS } else { job.texels() as f64 };
     let own = texels * texel_seconds(job);

@@ -21,7 +21,7 @@ pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 pub use demand::FitJob;
 pub use fits::{FitSpec, fit_all};
 pub use rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
-pub use table::{TableSpec, build};
+pub use table::{Dfg, build};
 
 /// The effect.
 pub struct Reflection;

@@ -14,87 +14,106 @@
 
 use rayon::prelude::*;
 
-use crate::approximate::{Counter, Region};
-use crate::data::{
-    AlphaMap, Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, TexelFormat, Warp,
-};
-use crate::effects::table::BuildError;
+use super::demand::table_seconds;
+use crate::approximate::{Counter, certification};
+use crate::data::{Axis, Channel, Layout, Registration, Serves, Smith, Surface, Table, Warp};
+use crate::effects::Albedo;
+use crate::effects::table::{BuildError, Family, Judge, Made, Points, Region, Spec, TableJob};
 use lobefit_fit::texels::{self, Lattice, Wanted};
+use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::reflection::{Effort, Interpolant, albedo, split};
 use lobefit_truth::optics::distribution::Ggx;
-
-/// What to bake.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TableSpec {
-    /// Name of the table.
-    pub name: String,
-    /// Shadowing form.
-    pub smith: Smith,
-    /// Roughness to alpha.
-    pub alpha_map: AlphaMap,
-    /// Texels along mu and along roughness, at least 2 each.
-    pub size: [usize; 2],
-    /// Texel format.
-    pub format: TexelFormat,
-    /// Coordinates.
-    pub layout: Layout,
-    /// Use.
-    pub serves: Serves,
-    /// Where the lookup must hold: roughness from the scene, mu in [0.001, 1].
-    pub region: Region,
-}
+use lobefit_truth::quantity::TRUTH_ERROR;
 
 /// Samples per cell and axis that the texels are optimised on: fewer in large tables, whose cells hold less curvature and whose
 /// samples would fill the memory (a 512 x 512 table has a million at 2).
-fn per_cell(size: [usize; 2]) -> usize {
-    match size[0] * size[1] {
+fn per_cell(size: &[usize]) -> usize {
+    match size.iter().product::<usize>() {
         0..=20_000 => 4,
         20_001..=300_000 => 2,
         _ => 1,
     }
 }
 
+/// 2^17 uniform points, half as many in the layer mu ~ alpha, and the edges.
+const LOG2_POINTS: u32 = 17;
+
 /// Rounds of relaxation after which the error of these tables stands still.
 const ROUNDS: usize = 100;
+
+/// The tables of this effect.
+pub struct Dfg;
+
+impl Family for Dfg {
+    fn prefix(&self, _: Layout) -> &'static str {
+        "ggx-dfg"
+    }
+
+    fn described(&self, job: &TableJob, _: Option<Side>) -> String {
+        format!("for {}", job.serves.name())
+    }
+
+    fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64 {
+        table_seconds(i, jobs)
+    }
+
+    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
+        Ok((vec![build(spec, counter)?], Made { evaluations: 0, integration: TRUTH_ERROR }))
+    }
+
+    /// With B where a table that is judged in the same region holds it.
+    fn finer(&self, job: &TableJob, jobs: &[TableJob]) -> bool {
+        let same = |other: &&TableJob| other.smith == job.smith && other.region() == job.region();
+        jobs.iter().filter(same).any(|other| other.serves == Serves::SplitSum)
+    }
+
+    fn judge(
+        &self,
+        smith: Smith,
+        region: &Region,
+        split: bool,
+        counter: &Counter,
+    ) -> Result<Judge, BuildError> {
+        let points = certification(&region.flat(), LOG2_POINTS);
+        let truths = vec![Albedo::new(smith, &points, split, counter)?];
+        let made = Made { evaluations: 0, integration: TRUTH_ERROR };
+        Ok(Judge { points: Points::isotropic(&points), truths, made })
+    }
+}
 
 /// The table before its texels are rounded to their format.
 ///
 /// # Errors
 /// A layout with slices; texels that are not finite.
-pub fn build(spec: &TableSpec, counter: &Counter) -> Result<Table, BuildError> {
+pub fn build(spec: &Spec, counter: &Counter) -> Result<Table, BuildError> {
     let (axes, channels) = match spec.layout {
         Layout::Homogeneous => {
-            let axes = axes(spec, Registration::Endpoint, Warp::Homogeneous, spec.region.roughness);
+            let axes = axes(spec, Registration::Endpoint, Warp::Homogeneous, spec.region.roughness)?;
             let channels = optimised(spec, &axes, counter);
             (axes, channels)
         }
         Layout::Plain | Layout::PlainSquared => {
             let warp = if spec.layout == Layout::Plain { Warp::Linear } else { Warp::Sqrt };
-            let axes = axes(spec, Registration::Centre, warp, [0.0, 1.0]);
+            let axes = axes(spec, Registration::Centre, warp, [0.0, 1.0])?;
             let channels = sampled(spec, &axes, counter);
             (axes, channels)
         }
-        other @ (Layout::Optimised | Layout::PathTracer | Layout::Azimuth) => {
-            return Err(BuildError::Layout { table: spec.name.clone(), layout: other.name() });
-        }
+        Layout::Optimised | Layout::PathTracer | Layout::Azimuth => return Err(spec.no_layout()),
     };
-    let table = Table {
-        name: spec.name.clone(),
-        quantity: "ggx-reflection".into(),
-        smith: spec.smith,
-        alpha_map: spec.alpha_map,
-        axes: axes.to_vec(),
-        channels,
-        format: spec.format,
-    };
-    table.validate()?;
-    Ok(table)
+    let tables = spec.tables("ggx-reflection", &axes, vec![channels])?;
+    tables.into_iter().next().ok_or_else(|| spec.no_layout())
 }
 
-fn axes(spec: &TableSpec, registration: Registration, warp: Warp, [low, high]: [f64; 2]) -> [Axis; 2] {
-    let axis =
-        |name: &str, size, warp, min, max| Axis { name: name.into(), size, registration, warp, min, max };
-    [axis("mu", spec.size[0], warp, 0.0, 1.0), axis("roughness", spec.size[1], Warp::Linear, low, high)]
+fn axes(
+    spec: &Spec,
+    registration: Registration,
+    warp: Warp,
+    roughness: [f64; 2],
+) -> Result<[Axis; 2], BuildError> {
+    let [columns, rows] = spec.sizes()?;
+    let axes =
+        [Axis::ends("mu", columns, warp, [0.0, 1.0]), Axis::ends("roughness", rows, Warp::Linear, roughness)];
+    Ok(axes.map(|axis| Axis { registration, ..axis }))
 }
 
 /// A point of the domain with its truth; B is 0 where the table does not hold it.
@@ -106,9 +125,9 @@ struct Node {
 
 impl Node {
     /// E and B at a position in texels; from the interpolant where it is given and holds.
-    fn new(spec: &TableSpec, axes: &[Axis; 2], known: Option<&Interpolant>, [x, y]: [f64; 2]) -> Node {
+    fn new(spec: &Spec, axes: &[Axis; 2], known: Option<&Interpolant>, [x, y]: [f64; 2]) -> Node {
         let (u, v) = (unit(&axes[0], x), unit(&axes[1], y));
-        let alpha = spec.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
+        let alpha = spec.region.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
         let mu = axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0);
         let effort = &Effort::ladder()[1];
         let known = known.filter(|_| alpha.min(mu) >= Interpolant::SMALLEST);
@@ -134,20 +153,20 @@ fn unit(axis: &Axis, position: f64) -> f64 {
     }
 }
 
-fn sampled(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
-    let texels = Lattice { size: spec.size.to_vec(), per_cell: vec![1; 2] };
+fn sampled(spec: &Spec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
+    let texels = Lattice { size: spec.size.clone(), per_cell: vec![1; 2] };
     let nodes = nodes(spec, axes, &texels, counter);
     match spec.serves {
-        Serves::Albedo => vec![channel("E", nodes.iter().map(|n| n.e).collect())],
+        Serves::Albedo => vec![Channel::new("E", nodes.iter().map(|n| n.e).collect())],
         Serves::SplitSum => vec![
-            channel("A", nodes.iter().map(|n| n.e - n.b).collect()),
-            channel("B", nodes.iter().map(|n| n.b).collect()),
+            Channel::new("A", nodes.iter().map(|n| n.e - n.b).collect()),
+            Channel::new("B", nodes.iter().map(|n| n.b).collect()),
         ],
     }
 }
 
-fn optimised(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
-    let lattice = Lattice { size: spec.size.to_vec(), per_cell: vec![per_cell(spec.size); 2] };
+fn optimised(spec: &Spec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
+    let lattice = Lattice { size: spec.size.clone(), per_cell: vec![per_cell(&spec.size); 2] };
     let dense = nodes(spec, axes, &lattice, counter);
     let columns = lattice.samples()[0];
     let at_texels = |values: &[f64]| -> Vec<f64> {
@@ -161,7 +180,7 @@ fn optimised(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Chann
     let start = at_texels(&losses);
     let wanted = Wanted { targets: losses, weights: dense.iter().map(seen).collect() };
     let (loss, _) = texels::optimise(&lattice, &start, &wanted, ROUNDS);
-    let mut channels = vec![channel("loss", loss)];
+    let mut channels = vec![Channel::new("loss", loss)];
     if spec.serves == Serves::SplitSum {
         // The bias is fitted to the albedo as looked up, so that their errors cancel in B where they can.
         let albedos: Vec<f64> =
@@ -173,17 +192,13 @@ fn optimised(spec: &TableSpec, axes: &[Axis; 2], counter: &Counter) -> Vec<Chann
             weights: pairs().map(|(n, e)| seen(n) * e).collect(),
         };
         let (bias, _) = texels::optimise(&lattice, &start, &wanted, ROUNDS);
-        channels.push(channel("bias", bias));
+        channels.push(Channel::new("bias", bias));
     }
     channels
 }
 
-fn channel(name: &str, texels: Vec<f64>) -> Channel {
-    Channel { name: name.into(), texels }
-}
-
 /// Truths at the samples of a lattice.
-fn nodes(spec: &TableSpec, axes: &[Axis; 2], lattice: &Lattice, counter: &Counter) -> Vec<Node> {
+fn nodes(spec: &Spec, axes: &[Axis; 2], lattice: &Lattice, counter: &Counter) -> Vec<Node> {
     let samples = lattice.samples();
     counter.add(samples.iter().product());
     let many = lattice.per_cell.iter().any(|n| *n > 1) && spec.serves == Serves::SplitSum;
@@ -198,6 +213,6 @@ fn nodes(spec: &TableSpec, axes: &[Axis; 2], lattice: &Lattice, counter: &Counte
 
 /// E and B over the rows of a table; none where they begin below what it holds, or no polynomial follows the integrals: each is
 /// integrated then.
-fn interpolant(spec: &TableSpec) -> Option<Interpolant> {
+fn interpolant(spec: &Spec) -> Option<Interpolant> {
     Interpolant::new(Ggx, spec.smith, [spec.region.alpha(), [Interpolant::SMALLEST, 1.0]], true).ok()
 }

@@ -3,11 +3,9 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
-use super::{SliceAxis, Slices};
+use super::{Family, SliceAxis, Sliced, Slices};
 use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
-use crate::effects::demand::{
-    Demand, Goals, JUDGED_MU, Job, ROUGHNESS_WIDTH_MIN, Ranges, Span, listed, range_text,
-};
+use crate::effects::demand::{Demand, Goals, JUDGED_MU, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
 use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
@@ -20,23 +18,14 @@ pub const SLICES_WIDTH_MIN: f64 = 0.01;
 /// Side of the largest square that is tried for an open size.
 const AUTO_SIDE: usize = 128;
 
-/// One table of a [`TableJob`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlannedTable {
-    /// Name, unique in its plan: `ggx-dfg-correlated-32x32`, `ggx-aniso-correlated-64x64x32`,
-    /// `ggx-glass-inside-correlated-128x128x32`, `path-tracer-reflection-separable-64x64x32`; `auto` in place of the
-    /// size where the bake chooses it, and what differs from the defaults appended (`-f32`, `-plain`, `-split-sum`).
-    pub name: String,
-    /// Where the ray comes from; `None` of a lobe that only reflects.
-    pub side: Option<Side>,
-}
-
 /// The tables to bake for all materials that want the same layout, size, format and use: one of a lobe that reflects,
 /// of rough glass one for each side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableJob {
-    /// The tables; of glass outside, inside. All of the same size.
-    pub tables: Vec<PlannedTable>,
+    /// Names of the tables, unique in their plan, one for each side: `ggx-dfg-correlated-32x32`,
+    /// `ggx-glass-inside-correlated-128x128x32`; `auto` in place of the size where the bake chooses it, and what differs
+    /// from the defaults appended (`-f32`, `-plain`, `-split-sum`).
+    pub names: Vec<String>,
     /// Shadowing form: the scene's; separable in the path tracer's layout.
     pub smith: Smith,
     /// How roughness becomes alpha: as the scene says; alpha = roughness in the path tracer's layout.
@@ -63,14 +52,13 @@ pub struct TableJob {
     pub unjudged_by: Option<String>,
 }
 
-/// What the materials of a lobe want in the layouts that have slices.
-pub fn demands(scene: &Scene, lobe: Lobe) -> Vec<Demand> {
-    let materials = rough(scene).filter(|(_, material, _)| material.lobe() == lobe);
+/// What the materials of an effect's lobe want in the layouts that have slices.
+pub fn demands<F: Sliced>(family: &F, scene: &Scene) -> Vec<Demand> {
+    let materials = rough(scene).filter(|(_, material, _)| material.lobe() == family.lobe());
     let of_material = |(of, material, _): (usize, &Material, [f64; 2])| {
-        let because = because(scene, material).unwrap_or_default();
-        wanted(material, 3)
-            .filter_map(|item| demand(scene, (of, material), item, because.clone()))
-            .collect::<Vec<Demand>>()
+        let because = because(family.lobe_text(), scene, material).unwrap_or_default();
+        let one = |item| demand(family, scene, (of, material), item, because.clone());
+        wanted(material, 3).filter_map(one).collect::<Vec<Demand>>()
     };
     materials.flat_map(of_material).collect()
 }
@@ -115,6 +103,7 @@ fn wide(slices: Slices, layout: Layout) -> Span {
 
 /// A material's demand for a table, if its lobe is rough.
 pub fn demand(
+    family: &dyn Family,
     scene: &Scene,
     (of, material): (usize, &Material),
     (item, want): (usize, &TableWant),
@@ -129,9 +118,8 @@ pub fn demand(
         // The albedo is even about both tangents.
         spans.insert("phi", Span::new([0.0, FRAC_PI_2]));
     }
-    let names: Vec<String> = tables(slices, smith, want).into_iter().map(|table| table.name).collect();
     Some(Demand {
-        job: names.join(" "),
+        job: names(family, smith, want).join(" "),
         rank: 0,
         of,
         item,
@@ -165,7 +153,7 @@ impl TableJob {
             job.demands.iter().filter(|_| slices.is_some()).filter(below).map(Demand::limit).collect();
         let over = |slices: Slices| job.range(slices.axis.name()).map(|range| Slices { range, ..slices });
         Ok(TableJob {
-            tables: tables(slices, smith, want),
+            names: job.name.split(' ').map(String::from).collect(),
             smith,
             alpha_map,
             layout: want.layout,
@@ -186,11 +174,6 @@ impl TableJob {
     /// As [`TableJob::of`].
     pub fn all(scene: &Scene, jobs: &[Job]) -> Result<Vec<TableJob>, BakeError> {
         jobs.iter().map(|job| TableJob::of(scene, job)).collect()
-    }
-
-    /// Names of its tables.
-    pub fn names(&self) -> String {
-        self.tables.iter().map(|t| t.name.as_str()).collect::<Vec<_>>().join(" and ")
     }
 
     /// Texels of one of its tables; of the largest where the size is open.
@@ -218,55 +201,36 @@ fn rows(range: [f64; 2], map: AlphaMap) -> Span {
 }
 
 /// `64x64x32`.
-fn size_text(size: &[usize]) -> String {
+pub(super) fn size_text(size: &[usize]) -> String {
     size.iter().map(ToString::to_string).collect::<Vec<_>>().join("x")
 }
 
-/// Tables and names of a job: what tells it from another one of the scene, and the defaults not at all.
-fn tables(slices: Option<Slices>, smith: Smith, want: &TableWant) -> Vec<PlannedTable> {
+/// Names of a family's tables: what tells them from others of the scene, and the defaults not at all.
+fn names(family: &dyn Family, smith: Smith, want: &TableWant) -> Vec<String> {
     let size = want.size.as_ref().map_or_else(|| "auto".into(), |size| size_text(size));
     let mut shape = format!("{}-{size}", smith.name());
     if want.format != TexelFormat::F16 {
         shape = format!("{shape}-{}", want.format.name());
     }
-    match slices.map(|slices| slices.axis) {
-        None => {
-            if want.layout != Layout::Homogeneous {
-                shape = format!("{shape}-{}", want.layout.name());
-            }
-            if want.serves != Serves::default() {
-                shape = format!("{shape}-{}", want.serves.name());
-            }
-            vec![PlannedTable { name: format!("ggx-dfg-{shape}"), side: None }]
-        }
-        Some(SliceAxis::Anisotropy) => {
-            let family = match want.layout {
-                Layout::Azimuth => "ggx-aniso-azimuth",
-                Layout::PathTracer => "path-tracer-reflection",
-                Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => "ggx-aniso",
-            };
-            vec![PlannedTable { name: format!("{family}-{shape}"), side: None }]
-        }
-        Some(SliceAxis::Ior) => {
-            let path_tracer = want.layout == Layout::PathTracer;
-            let family = if path_tracer { "path-tracer-glass" } else { "ggx-glass" };
-            let name = |side: Side| format!("{family}-{}-{shape}", side.name());
-            [Side::Outside, Side::Inside]
-                .map(|side| PlannedTable { name: name(side), side: Some(side) })
-                .to_vec()
-        }
+    if matches!(want.layout, Layout::Plain | Layout::PlainSquared) {
+        shape = format!("{shape}-{}", want.layout.name());
     }
+    if want.serves != Serves::default() {
+        shape = format!("{shape}-{}", want.serves.name());
+    }
+    let prefix = family.prefix(want.layout);
+    let name = |side: &Option<Side>| match side {
+        Some(side) => format!("{prefix}-{}-{shape}", side.name()),
+        None => format!("{prefix}-{shape}"),
+    };
+    family.sides().iter().map(name).collect()
 }
 
 /// Why a material calls for tables with slices; `None` of a material that is nowhere rough, or wants none.
-fn because(scene: &Scene, material: &Material) -> Option<String> {
+fn because(lobe: &str, scene: &Scene, material: &Material) -> Option<String> {
     let wants: Vec<&TableWant> = wanted(material, 3).map(|(_, want)| want).collect();
     let slices = slices(material, wants.first()?.layout)?;
     let (name, kind) = (&material.name, material.kind.name());
-    let lobe = match slices.axis {
-        SliceAxis::Anisotropy => "a rough anisotropic lobe",
-        SliceAxis::Ior => "a rough surface that transmits",
-    };
     // Of several tables, what those in the scene's own roughness hold.
     let path_tracer = wants.iter().all(|want| want.layout == Layout::PathTracer);
     let map = if path_tracer { AlphaMap::Roughness } else { scene.alpha };
@@ -309,43 +273,34 @@ fn forms(wants: &[&TableWant]) -> String {
     }
 }
 
-/// What a plan says of the tables of jobs; `seconds` are those of one job among all.
-pub fn summaries(
-    scene: &Scene,
-    jobs: &[Job],
-    seconds: impl Fn(usize, &[TableJob]) -> f64,
-) -> Vec<JobSummary> {
+/// What a plan says of the tables of jobs.
+pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
     let known = jobs.iter().filter_map(|job| Some((job, TableJob::of(scene, job).ok()?)));
     let (jobs, tables): (Vec<&Job>, Vec<TableJob>) = known.unzip();
     let of_job = |i: usize| {
-        let time = seconds(i, &tables);
-        let (ranges, job) = (&jobs[i].ranges, &tables[i]);
-        job.tables.iter().map(move |table| summary(ranges, job, table, time))
+        let (ranges, job, seconds) = (&jobs[i].ranges, &tables[i], family.seconds(i, &tables));
+        let named = job.names.iter().zip(family.sides());
+        named.map(move |(name, side)| JobSummary {
+            name: name.clone(),
+            approximation: summary(family, job, *side),
+            ranges: ranges.clone(),
+            bytes: job.bytes(),
+            bytes_at_most: job.size.is_none(),
+            expected_error: job.max_error,
+            seconds,
+        })
     };
     (0..jobs.len()).flat_map(of_job).collect()
 }
 
-fn summary(ranges: &Ranges, job: &TableJob, table: &PlannedTable, seconds: f64) -> JobSummary {
+/// `table 32x32 f16, homogeneous layout, for albedo`.
+fn summary(family: &dyn Family, job: &TableJob, side: Option<Side>) -> String {
     let size = job.size.as_ref().map_or_else(|| "of the smallest sufficient size".into(), |n| size_text(n));
-    let (format, layout) = (job.format.name(), job.layout.name());
-    let of = match (table.side, job.slices.is_some(), job.layout) {
-        (Some(side), ..) => format!("of glass for rays from {}", side.name()),
-        (None, true, Layout::Azimuth) => "of the anisotropic lobe with its azimuth".into(),
-        (None, true, _) => "of the anisotropic lobe, mean over the azimuth".into(),
-        (None, false, _) => format!("for {}", job.serves.name()),
-    };
+    let (format, layout, of) = (job.format.name(), job.layout.name(), family.described(job, side));
     let fixed = if job.layout == Layout::PathTracer {
         format!(" ({} Smith, alpha = {})", job.smith.name(), job.alpha_map.name())
     } else {
         String::new()
     };
-    JobSummary {
-        name: table.name.clone(),
-        approximation: format!("table {size} {format}, {layout} layout{fixed}, {of}"),
-        ranges: ranges.clone(),
-        bytes: job.bytes(),
-        bytes_at_most: job.size.is_none(),
-        expected_error: job.max_error,
-        seconds,
-    }
+    format!("table {size} {format}, {layout} layout{fixed}, {of}")
 }

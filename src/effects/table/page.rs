@@ -1,11 +1,10 @@
-//! The page of an effect whose tables have three axes.
+//! The page of an effect whose tables have slices.
 
-use crate::effects::table::results::{
-    AzimuthFinding, FurnaceFinding, SourcesFinding, VolumeFindings, VolumeTable,
-};
+use super::results::{FurnaceFinding, PathTracerFinding, SlicedFindings, WaysFinding};
 use crate::report::numbers::grouped;
-use crate::report::sections::{called_for, figures, furnace, tables, words};
-use crate::report::{Block, Field, HeatMap, Page, ReportError, Section};
+use crate::report::sections::tables::{SIGNED, maps};
+use crate::report::sections::{called_for, furnace, tables, words};
+use crate::report::{Block, Page, ReportError, Section, TableFinding};
 
 const LIST: [(&str, bool); 8] = [
     ("name", false),
@@ -18,12 +17,8 @@ const LIST: [(&str, bool); 8] = [
     ("where", false),
 ];
 
-/// How maps of signed errors are read.
-const SIGNED: &str = "Signed error, blue too low, red too high, white exact. The colour scale follows the square root of the \
-                      magnitude, so that small errors stay visible; the ring marks the worst place of each map.";
-
-/// The page of an effect whose tables have three axes.
-pub(super) fn page(findings: &VolumeFindings) -> Result<Page, ReportError> {
+/// The page of an effect whose tables have slices.
+pub(super) fn page(findings: &SlicedFindings) -> Result<Page, ReportError> {
     let effect = &findings.effect.effect;
     Ok(Page {
         title: format!("lobefit report: {}: {effect}", findings.origin.scene),
@@ -36,27 +31,25 @@ pub(super) fn page(findings: &VolumeFindings) -> Result<Page, ReportError> {
     })
 }
 
-fn sections(findings: &VolumeFindings) -> Result<Vec<Section>, ReportError> {
+fn sections(findings: &SlicedFindings) -> Result<Vec<Section>, ReportError> {
     let mut sections = vec![called_for::of(std::slice::from_ref(&findings.effect), &[])];
     sections.push(list(findings));
-    if let Some(sources) = &findings.sources {
-        sections.push(offline(sources));
+    if let Some(theirs) = &findings.path_tracer {
+        sections.push(offline(theirs));
     }
     if !findings.furnaces.is_empty() {
         sections.push(lookups(&findings.furnaces)?);
     }
-    if !findings.azimuth.is_empty() {
-        sections.push(azimuth(&findings.azimuth)?);
+    if !findings.ways.is_empty() {
+        sections.push(azimuth(&findings.ways)?);
     }
-    if !findings.truths.is_empty() {
-        sections.push(truths(&findings.truths)?);
-    }
-    sections.push(details(&findings.tables)?);
+    sections.extend(tables::truths(&findings.truths, "E over roughness and the cosine of the view.")?);
+    sections.extend(tables::section(&findings.tables)?);
     Ok(sections)
 }
 
-fn list(findings: &VolumeFindings) -> Section {
-    let row = |t: &VolumeTable| {
+fn list(findings: &SlicedFindings) -> Section {
+    let row = |t: &TableFinding| {
         let size: Vec<String> = t.axes.iter().map(|a| a.size.to_string()).collect();
         let lookup = t.errors.iter().find(|(what, _)| what.starts_with("lookup"));
         vec![
@@ -80,32 +73,32 @@ fn list(findings: &VolumeFindings) -> Section {
     }
 }
 
-fn offline(sources: &SourcesFinding) -> Section {
+fn offline(theirs: &PathTracerFinding) -> Section {
     let columns = [("method", false), ("evaluations", true), ("error at the texels", true)];
     let rows = vec![
         vec![
             "lobefit".into(),
-            grouped(sources.evaluations),
-            format!("{} (worst of the texels checked)", words::max(sources.worst)),
+            grouped(theirs.evaluations),
+            format!("{} (worst of the texels checked)", words::max(theirs.worst)),
         ],
         vec![
-            "the sources: 10 million random samples a texel".into(),
-            grouped(sources.samples as u64),
-            format!("{} (one standard deviation)", words::mean(sources.noise)),
+            "the path tracer: 10 million random samples a texel".into(),
+            grouped(theirs.samples as u64),
+            format!("{} (one standard deviation)", words::mean(theirs.noise)),
         ],
     ];
-    let ratio = sources.samples / sources.evaluations as f64;
+    let ratio = theirs.samples / theirs.evaluations as f64;
     let caption = format!(
-        "{} texels, before they are rounded to the texel format. The sources evaluate the lobe {} times as often; their noise is \
-         measured with fewer samples at texels spread over the table and scaled. Their running sum in f32 adds a bias, which the \
+        "{} texels, before they are rounded to the texel format. The path tracer evaluates the lobe {} times as often; its noise is \
+         measured with fewer samples at texels spread over the table and scaled. Its running sum in f32 adds a bias, which the \
          page of the effect reflection shows. Seconds are in timings.html, which lobefit cost writes.",
-        grouped(sources.texels),
+        grouped(theirs.texels),
         grouped(ratio as u64),
     );
     Section {
         id: "accuracy".into(),
         title: "What accuracy costs offline".into(),
-        lead: "The tables in the sources' own layout, beside the method of the sources.".into(),
+        lead: "The tables in the path tracer's layout, beside its own method.".into(),
         blocks: vec![Block::Table(words::table(&columns, rows, &caption))],
     }
 }
@@ -127,7 +120,7 @@ fn lookups(furnaces: &[FurnaceFinding]) -> Result<Section, ReportError> {
     })
 }
 
-fn azimuth(findings: &[AzimuthFinding]) -> Result<Section, ReportError> {
+fn azimuth(findings: &[WaysFinding]) -> Result<Section, ReportError> {
     let mut blocks = Vec::new();
     for finding in findings {
         if findings.len() > 1 {
@@ -145,7 +138,7 @@ fn azimuth(findings: &[AzimuthFinding]) -> Result<Section, ReportError> {
     })
 }
 
-fn ways(finding: &AzimuthFinding) -> Result<[Block; 2], ReportError> {
+fn ways(finding: &WaysFinding) -> Result<[Block; 2], ReportError> {
     for field in &finding.fields {
         field.check("azimuth")?;
     }
@@ -164,69 +157,6 @@ fn ways(finding: &AzimuthFinding) -> Result<[Block; 2], ReportError> {
     let caption = format!("Error of E at a fixed azimuth, over {}. Maxima are rounded up.", finding.domain);
     Ok([
         Block::Table(words::table(&columns, rows.collect(), &caption)),
-        maps(&finding.fields, &format!("Error at {}. {SIGNED}", finding.at))?,
+        maps(&finding.fields, &format!("Error at {}. {SIGNED}", finding.at), true)?,
     ])
-}
-
-fn truths(fields: &[Field]) -> Result<Section, ReportError> {
-    for field in fields {
-        field.check("truth")?;
-    }
-    Ok(Section {
-        id: "truth".into(),
-        title: "The truth".into(),
-        lead: "E by quadrature, at some slices.".into(),
-        blocks: vec![maps(fields, "E over roughness and the cosine of the view.")?],
-    })
-}
-
-/// Small maps side by side.
-fn maps(fields: &[Field], caption: &str) -> Result<Block, ReportError> {
-    let fields: Vec<Field> = fields.iter().map(words::labelled).collect();
-    let maps: Vec<HeatMap> =
-        fields.iter().map(|f| HeatMap { size: (250.0, 220.0), ..HeatMap::of(&f.name, f) }).collect();
-    figures(&maps, caption)
-}
-
-fn details(all: &[VolumeTable]) -> Result<Section, ReportError> {
-    let mut blocks = Vec::new();
-    for table in all {
-        blocks.push(Block::Heading { text: table.name.clone() });
-        blocks.push(Block::Facts { rows: facts(table) });
-        blocks.push(Block::Table(tables::errors_of(&table.errors)));
-        for field in &table.lookup_error {
-            field.check(&format!("table {}", table.name))?;
-        }
-        if !table.lookup_error.is_empty() {
-            blocks.push(maps(&table.lookup_error, SIGNED)?);
-        }
-    }
-    Ok(Section {
-        id: "tables".into(),
-        title: "Tables".into(),
-        lead: "A table is judged as a shader sees it: by the trilinear lookup of its quantised texels, at places off the grid. \
-               The error is split into what integration, texel format and lookup contribute."
-            .into(),
-        blocks,
-    })
-}
-
-fn facts(table: &VolumeTable) -> Vec<(String, String)> {
-    let mut rows = vec![
-        ("Files".into(), table.files.join(", ")),
-        (
-            "Quantity".into(),
-            format!("{}, {} Smith, alpha = {}", table.quantity, table.smith.name(), table.alpha_map.name()),
-        ),
-    ];
-    for (what, axis) in ["Columns", "Rows", "Slices"].iter().zip(&table.axes) {
-        rows.push((what.to_string(), tables::axis(axis)));
-    }
-    if !table.note.is_empty() {
-        rows.push(("Nodes".into(), table.note.clone()));
-    }
-    rows.push(("Channels".into(), format!("{}; {}", table.channels.join(", "), table.decode)));
-    rows.push(("Texels".into(), format!("{}, {} bytes", table.format.name(), grouped(table.bytes))));
-    rows.push(("Integrand evaluations".into(), grouped(table.evaluations)));
-    rows
 }

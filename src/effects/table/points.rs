@@ -3,8 +3,8 @@
 //! Those of a table with three axes come in groups of [`GROUP`] that share roughness and mu and differ in the axis of the slices, so that
 //! a truth can share its work.
 
-use super::{Point, Region, SliceAxis};
-use crate::approximate::{layer_mu, lerp};
+use super::{Point, Region, SliceAxis, Slices};
+use crate::approximate::{self, layer_mu, lerp};
 use crate::data::{Place, shortest};
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
@@ -31,16 +31,22 @@ pub struct Points {
 const EDGE: usize = 1 << 8;
 
 impl Points {
-    /// 2^log2 groups uniform in the region, half as many in the layer, as many about the critical angle of glass, and the edges.
+    /// 2^log2 points uniform in the region, or with slices groups of them; half as many in the layer, as many about the
+    /// critical angle of glass, and the edges.
     pub fn certification(region: &Region, log2: u32) -> Points {
-        let mut points = Points { slice: Some(region.slices.axis), ..Points::default() };
+        match region.slices {
+            None => Points::isotropic(&approximate::certification(&region.flat(), log2)),
+            Some(slices) => Points::grouped(region, slices, log2),
+        }
+    }
+
+    fn grouped(region: &Region, slices: Slices, log2: u32) -> Points {
+        let mut points = Points { slice: Some(slices.axis), ..Points::default() };
         let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
         // a group's values lie one in each 1/GROUP of the span, in an order of their own
         let slice = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
         let spread = |group: u32| -> [f64; GROUP] {
-            std::array::from_fn(|k| {
-                lerp(region.slices.range, slice.coordinate(group * GROUP as u32 + k as u32, 0))
-            })
+            std::array::from_fn(|k| lerp(slices.range, slice.coordinate(group * GROUP as u32 + k as u32, 0)))
         };
         for i in 0..1_u32 << log2 {
             let (roughness, mu) =
@@ -53,18 +59,18 @@ impl Points {
             let roughness = lerp(region.roughness, layer.coordinate(i, 0));
             let mu = layer_mu(region.mu, region.alpha_map.alpha(roughness), layer.coordinate(i, 1));
             points.push(region, roughness, mu, spread(i + (1 << log2)));
-            if region.slices.axis == SliceAxis::Ior {
+            if slices.axis == SliceAxis::Ior {
                 let (roughness, ior) = (
                     lerp(region.roughness, layer.coordinate(i, 1)),
-                    lerp(region.slices.range, layer.coordinate(i, 2)),
+                    lerp(slices.range, layer.coordinate(i, 2)),
                 );
-                points.push_critical(region, roughness, ior, layer.coordinate(i, 0));
+                points.push_critical(region, slices.range, [roughness, ior], layer.coordinate(i, 0));
             }
         }
         for i in 0..=EDGE {
             let t = i as f64 / EDGE as f64;
             let mut ends = spread(i as u32);
-            (ends[0], ends[GROUP - 1]) = (region.slices.range[0], region.slices.range[1]);
+            (ends[0], ends[GROUP - 1]) = (slices.range[0], slices.range[1]);
             for end in [0.0, 1.0] {
                 let roughness = lerp(region.roughness, end);
                 points.push(region, roughness, lerp(region.mu, t), ends);
@@ -83,7 +89,7 @@ impl Points {
 
     /// The points of a list of roughness, mu and slices, every combination: roughness fastest, then mu.
     pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], slice: f64) -> Points {
-        let mut points = Points { slice: Some(region.slices.axis), ..Points::default() };
+        let mut points = Points { slice: region.slices.map(|slices| slices.axis), ..Points::default() };
         for m in mu {
             for r in roughness {
                 points.all.push(point(region, *r, *m, slice));
@@ -147,13 +153,13 @@ impl Points {
     }
 
     /// A group about the critical angle of an index of refraction: mu a few alpha beside its cosine, and indices beside it.
-    fn push_critical(&mut self, region: &Region, roughness: f64, ior: f64, t: f64) {
+    fn push_critical(&mut self, region: &Region, iors: [f64; 2], [roughness, ior]: [f64; 2], t: f64) {
         let alpha = region.alpha_map.alpha(roughness);
         let cosine = |n: f64| ((1.0 - 1.0 / n) * (1.0 + 1.0 / n)).max(0.0).sqrt();
         let mu = (cosine(ior) + alpha * (8.0 * t - 4.0)).clamp(region.mu[0], region.mu[1]);
         let beside = |k: usize| {
             let c = (cosine(ior) + alpha * (k as f64 - 3.0)).clamp(0.0, 0.999);
-            (1.0 / ((1.0 - c) * (1.0 + c)).sqrt()).clamp(region.slices.range[0], region.slices.range[1])
+            (1.0 / ((1.0 - c) * (1.0 + c)).sqrt()).clamp(iors[0], iors[1])
         };
         self.push(region, roughness, mu, std::array::from_fn(beside));
     }
@@ -163,9 +169,10 @@ fn point(region: &Region, roughness: f64, mu: f64, slice: f64) -> Point {
     let roughness = roughness as f32;
     let mut point =
         Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), mu: mu as f32, ..Point::default() };
-    match region.slices.axis {
-        SliceAxis::Anisotropy => point.anisotropy = slice as f32,
-        SliceAxis::Ior => point.ior = slice as f32,
+    match region.slices.map(|slices| slices.axis) {
+        Some(SliceAxis::Anisotropy) => point.anisotropy = slice as f32,
+        Some(SliceAxis::Ior) => point.ior = slice as f32,
+        None => {}
     }
     point
 }

@@ -1,7 +1,10 @@
-//! The region in which a table with slices must hold.
+//! The region in which a table must hold.
 
-use super::Point;
-use crate::data::{AlphaMap, nine_digits};
+use std::collections::BTreeMap;
+
+use super::{BuildError, Point};
+use crate::approximate;
+use crate::data::AlphaMap;
 
 /// What the slices of a table lie along, after mu along its columns and roughness along its rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,16 +49,43 @@ pub struct Region {
     pub roughness: [f64; 2],
     /// Cosine of the view, inside [0, 1].
     pub mu: [f64; 2],
-    /// What the slices span.
-    pub slices: Slices,
+    /// What the slices span, where there are any.
+    pub slices: Option<Slices>,
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
 }
 
 impl Region {
+    /// Roughness and mu alone.
+    pub fn flat(&self) -> approximate::Region {
+        approximate::Region { roughness: self.roughness, mu: self.mu, alpha_map: self.alpha_map }
+    }
+
     /// Range of alpha, to nine digits.
     pub fn alpha(&self) -> [f64; 2] {
-        self.roughness.map(|r| nine_digits(self.alpha_map.alpha(r)))
+        self.flat().alpha()
+    }
+
+    /// The slices.
+    ///
+    /// # Errors
+    /// None, where a table with slices is made: a defect of the effect.
+    pub fn slices(&self) -> Result<Slices, BuildError> {
+        self.slices.ok_or(BuildError::Slices)
+    }
+
+    /// The region by input, as certificates state it.
+    pub fn ranges(&self) -> BTreeMap<String, [f64; 2]> {
+        let inputs = [("alpha", self.alpha()), ("mu", self.mu), ("roughness", self.roughness)];
+        let slices = self.slices.map(|slices| (slices.axis.name(), slices.range));
+        inputs.into_iter().chain(slices).map(|(name, range)| (name.to_string(), range)).collect()
+    }
+}
+
+impl From<approximate::Region> for Region {
+    fn from(flat: approximate::Region) -> Region {
+        let approximate::Region { roughness, mu, alpha_map } = flat;
+        Region { roughness, mu, slices: None, alpha_map }
     }
 }
 

@@ -1,78 +1,40 @@
-//! Tables of three axes as the page of their effect shows them.
+//! Tables with slices as the page of their effect shows them.
 
 use serde::Serialize;
 
-use crate::data::{AlphaMap, Axis, Smith, TexelFormat};
-use crate::report::Field;
-use crate::report::{EffectFinding, ErrorFigure, Furnace, Origin};
+use crate::report::{EffectFinding, ErrorFigure, Field, Furnace, Origin, TableFinding};
 
-/// What a bake found out about an effect whose tables have three axes.
+/// What a bake found out about an effect whose tables have slices.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct VolumeFindings {
+pub struct SlicedFindings {
     /// What made it.
     pub origin: Origin,
     /// What called for it.
     pub effect: EffectFinding,
     /// The tables.
-    pub tables: Vec<VolumeTable>,
-    /// The sources' method beside ours; none without a table in their layout.
+    pub tables: Vec<TableFinding>,
+    /// The path tracer's method beside ours; none without a table in its layout.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub sources: Option<SourcesFinding>,
+    pub path_tracer: Option<PathTracerFinding>,
     /// Truths over roughness and mu at some slices, which their names tell.
     pub truths: Vec<Field>,
     /// What a shader gets from each layout.
     pub furnaces: Vec<FurnaceFinding>,
-    /// What the azimuth of the view changes, a finding for each domain of tables.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub azimuth: Vec<AzimuthFinding>,
+    /// What the mean over the azimuth of the view costs, a finding for each domain of tables.
+    #[serde(rename = "azimuth", skip_serializing_if = "Vec::is_empty")]
+    pub ways: Vec<WaysFinding>,
 }
 
-/// A table of three axes with its errors. Its texels are in its file, not in the findings.
+/// What the tables in the path tracer's layout took, and what its own method takes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct VolumeTable {
-    /// Name of the table.
-    pub name: String,
-    /// Its files, one for each container.
-    pub files: Vec<String>,
-    /// Quantity that it samples.
-    pub quantity: String,
-    /// Shadowing form.
-    pub smith: Smith,
-    /// Roughness to alpha.
-    pub alpha_map: AlphaMap,
-    /// Columns, rows, slices.
-    pub axes: Vec<Axis>,
-    /// Channels by name.
-    pub channels: Vec<String>,
-    /// How E follows from the channels.
-    pub decode: String,
-    /// What the axes do not tell of the nodes; may be empty.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub note: String,
-    /// Texel format.
-    pub format: TexelFormat,
-    /// Bytes of texels.
-    pub bytes: u64,
-    /// Operations of a lookup beside its fetch.
-    pub ops: u32,
-    /// Integrand evaluations that went into it.
-    pub evaluations: u64,
-    /// Errors, a line each.
-    pub errors: Vec<(String, ErrorFigure)>,
-    /// Error of the lookup over roughness and mu at some slices.
-    pub lookup_error: Vec<Field>,
-}
-
-/// What the tables in the sources' layout took, and what the sources' method takes.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct SourcesFinding {
+pub struct PathTracerFinding {
     /// Texels of the tables.
     pub texels: u64,
     /// Integrand evaluations of ours, checks included.
     pub evaluations: u64,
     /// Worst difference of our texels from direct integrals at those checked, before rounding to the texel format.
     pub worst: f64,
-    /// Samples that the sources draw for all texels.
+    /// Samples that the path tracer draws for all texels.
     pub samples: f64,
     /// Standard error that these leave, root mean square over texels spread over the table: measured with fewer samples and scaled.
     pub noise: f64,
@@ -89,7 +51,7 @@ pub struct FurnaceFinding {
 
 /// What a table of the azimuth's mean leaves out.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct AzimuthFinding {
+pub struct WaysFinding {
     /// Where the errors are the largest of: `roughness 0.02 to 1, anisotropy 0 to 1`.
     pub domain: String,
     /// Where the fields are drawn: `roughness 0.7, anisotropy 1`.
@@ -97,12 +59,12 @@ pub struct AzimuthFinding {
     /// Error over azimuth and mu of each way.
     pub fields: Vec<Field>,
     /// Each way: name, largest error over the domain, root mean square, bytes of texels.
-    pub ways: Vec<AzimuthWay>,
+    pub ways: Vec<Way>,
 }
 
 /// One way to get E at an azimuth.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct AzimuthWay {
+pub struct Way {
     /// Its name.
     pub name: String,
     /// Its error over the whole domain.

@@ -1,51 +1,70 @@
 //! What to bake, and what came of it.
 
 use super::Region;
-use crate::data::{Axis, Channel, Layout, Smith, Table, TableError, TexelFormat};
+use crate::data::{Axis, Channel, Layout, Serves, Smith, Table, TableError, TexelFormat};
 
-/// A table of three axes to bake.
+/// Tables to bake that share their integrals: one for each side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spec {
-    /// Name of the table.
-    pub name: String,
+    /// Names of the tables.
+    pub names: Vec<String>,
     /// Shadowing form.
     pub smith: Smith,
-    /// Columns, rows, slices, at least 2 each.
-    pub size: [usize; 3],
+    /// Texels along each axis, at least 2.
+    pub size: Vec<usize>,
     /// Texel format.
     pub format: TexelFormat,
     /// Coordinates.
     pub layout: Layout,
+    /// What the table is looked up for.
+    pub serves: Serves,
     /// Where the lookup must hold.
     pub region: Region,
 }
 
 impl Spec {
-    /// The table of these channels.
-    pub(in crate::effects) fn table(
+    /// The size, of as many axes as the family's tables have.
+    ///
+    /// # Errors
+    /// Another number of axes.
+    pub fn sizes<const AXES: usize>(&self) -> Result<[usize; AXES], BuildError> {
+        let axes = || BuildError::Axes { table: self.names.join(" "), axes: self.size.len() };
+        self.size.as_slice().try_into().map_err(|_| axes())
+    }
+
+    /// The error of a layout that a family does not have.
+    pub(in crate::effects) fn no_layout(&self) -> BuildError {
+        BuildError::Layout { table: self.names.join(" "), layout: self.layout.name() }
+    }
+
+    /// A table of channels for each name.
+    pub(in crate::effects) fn tables(
         &self,
         quantity: &str,
-        axes: [Axis; 3],
-        channels: Vec<Channel>,
-    ) -> Result<Table, TableError> {
-        let table = Table {
-            name: self.name.clone(),
-            quantity: quantity.into(),
-            smith: self.smith,
-            alpha_map: self.region.alpha_map,
-            axes: axes.to_vec(),
-            channels,
-            format: self.format,
+        axes: &[Axis],
+        channels: Vec<Vec<Channel>>,
+    ) -> Result<Vec<Table>, BuildError> {
+        let table = |(name, channels): (&String, Vec<Channel>)| {
+            let table = Table {
+                name: name.clone(),
+                quantity: quantity.into(),
+                smith: self.smith,
+                alpha_map: self.region.alpha_map,
+                axes: axes.to_vec(),
+                channels,
+                format: self.format,
+            };
+            table.validate()?;
+            Ok(table)
         };
-        table.validate()?;
-        Ok(table)
+        self.names.iter().zip(channels).map(table).collect()
     }
 }
 
 /// What a table or a set of truths took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Made {
-    /// Integrand evaluations, checks included.
+    /// Integrand evaluations, checks included; 0 where they are not counted.
     pub evaluations: u64,
     /// Worst difference from direct integrals with more nodes at the points checked, the tolerance of those added where they are no
     /// tighter; of integrals that are direct themselves, their tolerance.
@@ -65,6 +84,17 @@ pub enum BuildError {
     /// A table cannot be read.
     #[error(transparent)]
     Lookup(#[from] super::LookupError),
+    /// A size of another number of axes.
+    #[error("table {table}: a size of {axes} axes, which the layout does not have")]
+    Axes {
+        /// Table's name.
+        table: String,
+        /// Axes given.
+        axes: usize,
+    },
+    /// A region without slices where the table has them.
+    #[error("a table with slices has no range of them")]
+    Slices,
     /// A layout that the effect does not have.
     #[error("table {table}: the {layout} layout is not one of this effect")]
     Layout {
@@ -73,11 +103,6 @@ pub enum BuildError {
         /// The layout.
         layout: &'static str,
     },
-}
-
-/// One channel.
-pub(in crate::effects) fn channel(name: &str, texels: Vec<f64>) -> Channel {
-    Channel { name: name.into(), texels }
 }
 
 /// Nodes in ln(alpha) for targets that are interpolated to about 1e-4, which [`check`](super::check) measures: E has its nearest singularities at imaginary part pi/2

@@ -10,26 +10,40 @@ use crate::report::Field;
 pub struct TableFinding {
     /// Name of the table.
     pub name: String,
-    /// File, relative to the bake's folder.
-    pub file: String,
+    /// Its files relative to the bake's folder, one for each container, with their sidecars.
+    pub files: Vec<String>,
     /// Quantity that it samples.
     pub quantity: String,
     /// Shadowing form.
     pub smith: Smith,
     /// How roughness becomes alpha.
     pub alpha_map: AlphaMap,
-    /// Columns, then rows.
+    /// Columns, rows, slices, as far as there are any.
     pub axes: Vec<Axis>,
+    /// Channels in the order of the file.
+    pub channels: Vec<ChannelFinding>,
+    /// How values follow from the channels.
+    pub decode: String,
+    /// What the axes do not tell of the nodes; may be empty.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub note: String,
     /// How a texel is stored.
     pub format: TexelFormat,
     /// Bytes of all texels.
     pub bytes: u64,
-    /// Channels in the order of the file.
-    pub channels: Vec<ChannelFinding>,
-    /// Errors told apart, in the order of the page: what each is of, and its size.
+    /// Operations of a lookup beside its fetch.
+    pub ops: u32,
+    /// Integrand evaluations of its texels; 0 where they are not counted.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub evaluations: u64,
+    /// Errors by their causes, in the order of the page: what each is of, and its size.
     pub errors: Vec<(String, ErrorFigure)>,
-    /// Signed error of the lookup of the quantised texels, over physical inputs: one map per looked-up value.
+    /// Signed error of the lookup of the quantised texels, over roughness and mu: a map for each value, or for each slice shown.
     pub lookup_error: Vec<Field>,
+}
+
+fn is_zero(n: &u64) -> bool {
+    *n == 0
 }
 
 /// A channel of a table.

@@ -25,7 +25,7 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
     sections.extend(approximations::section(&findings.approximations)?);
     sections.extend(furnace::section(findings)?);
     sections.extend(tables::truths(&findings.truths, &findings.caption)?);
-    sections.extend(tables::section(findings)?);
+    sections.extend(tables::section(&findings.tables)?);
     sections.extend(fits::section(&findings.fits, findings.averages.as_ref(), &findings.approximations)?);
     sections.extend(study::section(&findings.studies)?);
     Ok(Page {

@@ -4,8 +4,7 @@ use super::{figures, words};
 use crate::data::Axis;
 use crate::report::numbers::{brief, grouped, shortened};
 use crate::report::{
-    Block, ChannelFinding, ErrorFigure, Field, Findings, HeatMap, ReportError, Ruler, Section, TableFinding,
-    check,
+    Block, ChannelFinding, ErrorFigure, Field, HeatMap, ReportError, Ruler, Section, TableFinding, check,
 };
 
 const COLUMNS: [(&str, bool); 4] = [("error of", false), ("max", true), ("RMS", true), ("where", false)];
@@ -18,31 +17,28 @@ pub(crate) fn truths(truths: &[Field], caption: &str) -> Result<Option<Section>,
     for f in truths {
         f.check("truth")?;
     }
-    let fields: Vec<Field> = truths.iter().map(words::labelled).collect();
-    let maps: Vec<HeatMap> =
-        fields.iter().map(|f| HeatMap { size: (250.0, 220.0), ..HeatMap::of(&f.name, f) }).collect();
     Ok(Some(Section {
         id: "truth".into(),
         title: "The truth".into(),
         lead: "What is approximated, by quadrature: the values that every table and fit is measured against."
             .into(),
-        blocks: vec![figures(&maps, caption)?],
+        blocks: vec![maps(truths, caption, true)?],
     }))
 }
 
 /// The tables: texels, errors, lookup error over the domain.
-pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
-    if findings.tables.is_empty() {
+pub(crate) fn section(tables: &[TableFinding]) -> Result<Option<Section>, ReportError> {
+    if tables.is_empty() {
         return Ok(None);
     }
     let mut blocks = Vec::new();
-    for table in &findings.tables {
+    for table in tables {
         blocks.extend(shown(table)?);
     }
     Ok(Some(Section {
         id: "tables".into(),
         title: "Tables".into(),
-        lead: "A table is judged as a shader sees it: by the bilinear lookup of its quantised texels, at places off the \
+        lead: "A table is judged as a shader sees it: by the linear lookup of its quantised texels, at places off the \
                grid. The error is split into what integration, texel format and lookup contribute."
             .into(),
         blocks,
@@ -52,35 +48,44 @@ pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
 fn shown(table: &TableFinding) -> Result<Vec<Block>, ReportError> {
     let section = format!("table {}", table.name);
     check::filled(&section, "channels", table.channels.len())?;
+    let expected = table.axes.iter().map(|axis| axis.size).product();
     for c in &table.channels {
         let field = format!("channel {}: texels", c.name);
-        check::size(&section, &field, c.texels.len(), table.axes[0].size * table.axes[1].size)?;
+        check::size(&section, &field, c.texels.len(), expected)?;
         check::values(&section, &field, &c.texels)?;
     }
     for f in &table.lookup_error {
         f.check(&section)?;
     }
-    let texels: Vec<Field> = table.channels.iter().map(|c| texels(table, c)).collect();
-    let pictures: Vec<HeatMap> =
-        texels.iter().map(|f| HeatMap { top_down: true, ..HeatMap::of(&f.name, f) }).collect();
-    let errors: Vec<Field> = table.lookup_error.iter().map(words::labelled).collect();
-    let maps: Vec<HeatMap> = errors.iter().map(|f| HeatMap::of(&f.name, f)).collect();
-    let mut blocks = vec![
-        Block::Heading { text: table.name.clone() },
-        Block::Facts { rows: facts(table) },
-        figures(
-            &pictures,
-            "The texels as stored, one square per texel, first row at the top as in the file.",
-        )?,
-        Block::Table(errors_of(&table.errors)),
-    ];
-    if !maps.is_empty() {
-        let caption = "Signed error of the lookup over the domain, blue too low, red too high, white exact. The colour \
-                       scale follows the square root of the magnitude, so that small errors stay visible; the ring marks \
-                       the worst place of this grid.";
-        blocks.push(figures(&maps, caption)?);
+    let mut blocks = vec![Block::Heading { text: table.name.clone() }, Block::Facts { rows: facts(table) }];
+    let flat = table.axes.len() == 2;
+    if flat {
+        let texels: Vec<Field> = table.channels.iter().map(|c| texels(table, c)).collect();
+        let pictures: Vec<HeatMap> =
+            texels.iter().map(|f| HeatMap { top_down: true, ..HeatMap::of(&f.name, f) }).collect();
+        let caption = "The texels as stored, one square per texel, first row at the top as in the file.";
+        blocks.push(figures(&pictures, caption)?);
+    }
+    blocks.push(Block::Table(errors_of(&table.errors)));
+    if !table.lookup_error.is_empty() {
+        blocks.push(maps(&table.lookup_error, SIGNED, !flat)?);
     }
     Ok(blocks)
+}
+
+/// How maps of signed errors are read.
+pub(crate) const SIGNED: &str = "Signed error of the lookup, blue too low, red too high, white exact. The colour scale follows \
+                      the square root of the magnitude, so that small errors stay visible; the ring marks the worst place of \
+                      each map.";
+
+/// Maps side by side.
+pub(crate) fn maps(fields: &[Field], caption: &str, small: bool) -> Result<Block, ReportError> {
+    let fields: Vec<Field> = fields.iter().map(words::labelled).collect();
+    let maps = fields.iter().map(|f: &Field| {
+        let map = HeatMap::of(&f.name, f);
+        if small { HeatMap { size: (250.0, 220.0), ..map } } else { map }
+    });
+    figures(&maps.collect::<Vec<HeatMap>>(), caption)
 }
 
 /// A channel as a field over texel numbers.
@@ -100,7 +105,7 @@ fn texels(table: &TableFinding, channel: &ChannelFinding) -> Field {
 }
 
 /// An axis in words.
-pub(crate) fn axis(a: &Axis) -> String {
+fn axis(a: &Axis) -> String {
     let name = words::symbol(&a.name);
     let ends = [a.min, a.max].map(|x| brief(x, 3));
     let registration = a.registration.name();
@@ -114,20 +119,30 @@ pub(crate) fn axis(a: &Axis) -> String {
 }
 
 fn facts(table: &TableFinding) -> Vec<(String, String)> {
-    vec![
-        ("File".into(), table.file.clone()),
+    let mut rows = vec![
+        ("Files".into(), table.files.join(", ")),
         (
             "Quantity".into(),
             format!("{}, {} Smith, alpha = {}", table.quantity, table.smith.name(), table.alpha_map.name()),
         ),
-        ("Columns".into(), axis(&table.axes[0])),
-        ("Rows".into(), axis(&table.axes[1])),
-        ("Texels".into(), format!("{}, {} bytes", table.format.name(), grouped(table.bytes))),
-    ]
+    ];
+    for (what, of) in ["Columns", "Rows", "Slices"].iter().zip(&table.axes) {
+        rows.push((what.to_string(), axis(of)));
+    }
+    if !table.note.is_empty() {
+        rows.push(("Nodes".into(), table.note.clone()));
+    }
+    let channels: Vec<&str> = table.channels.iter().map(|c| c.name.as_str()).collect();
+    rows.push(("Channels".into(), format!("{}; {}", channels.join(", "), table.decode)));
+    rows.push(("Texels".into(), format!("{}, {} bytes", table.format.name(), grouped(table.bytes))));
+    if table.evaluations > 0 {
+        rows.push(("Integrand evaluations".into(), grouped(table.evaluations)));
+    }
+    rows
 }
 
-/// Errors of a table, told apart.
-pub(crate) fn errors_of(errors: &[(String, ErrorFigure)]) -> crate::report::TextTable {
+/// Errors of a table by their causes.
+fn errors_of(errors: &[(String, ErrorFigure)]) -> crate::report::TextTable {
     let row = |(what, figure): &(String, ErrorFigure)| {
         vec![
             what.clone(),

@@ -6,7 +6,7 @@ use lobefit::timing::record::read;
 /// A fit and a small table.
 const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [
     {"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6],
-     "wants": {"fit": {"norms": ["max"], "max_ops": 5}, "table": {"size": [8, 8]}}}]}"#;
+     "wants": {"fit": {"norms": ["max"], "max_ops": 5}, "tables": [{"size": [8, 8]}]}}]}"#;
 
 #[test]
 fn the_verb_writes_a_record_and_its_page_and_names_a_device_that_is_not_there() {

@@ -1,19 +1,18 @@
 //! What the bake found out, for the report.
 
 use super::pictures::{Exact, averages};
-use super::tables::BakedTable;
 use crate::approximate::{Dropped, Fit, Region};
-use crate::data::{Place, Serves, Smith, Use};
-use crate::effects::Deviation;
+use crate::data::{Smith, Use};
 use crate::effects::context::Context;
 use crate::effects::reflection::{Study, studies};
 use crate::effects::selection::{Selected, selected};
-use crate::effects::{BakeError, page};
+use crate::effects::table::{BakedTable, finding};
+use crate::effects::{BakeError, Made, Part, page};
 use crate::report::numbers::brief;
 use crate::report::sections::words;
 use crate::report::{
-    self, ApproximationFinding, AverageFinding, ChannelFinding, EffectFinding, ErrorFigure, Field, Findings,
-    Furnace, Marked, Ruler, StudySeries, TableFinding,
+    self, ApproximationFinding, AverageFinding, Field, Findings, Furnace, Marked, Ruler, StudySeries,
+    TableFinding,
 };
 
 /// How often the furnace's departure from white is amplified.
@@ -24,13 +23,12 @@ const DIELECTRIC: f64 = 0.04;
 
 /// The findings of the effect; `region` is that of the fits.
 pub fn findings(
-    effect: &EffectFinding,
+    made: &Made,
     region: Option<Region>,
-    tables: &[BakedTable],
     (fits, dropped): (&[Fit], &[Dropped]),
     context: &Context,
 ) -> Result<Findings, BakeError> {
-    let smith = context.scene.smith;
+    let (smith, tables, effect) = (context.scene.smith, &made.tables[..], &made.part.finding);
     let shown = selected(fits, "E", Use::Normalisation, context);
     let blends = selected(fits, "E", Use::F0Blend, context);
     let mut found = Findings::new(context.origin());
@@ -57,15 +55,16 @@ pub fn findings(
         }
         found.averages = average_finding(smith, region, fits, context)?;
     } else if let Some(baked) = tables.first() {
-        found.truths.push(Exact::map(smith, &baked.region, false, context)?.albedo());
+        found.truths.push(Exact::map(smith, &baked.region.flat(), false, context)?.albedo());
     }
     found.caption = found.truths.first().map_or_else(String::new, landscape);
-    if let Some(region) = region.or_else(|| tables.first().map(|t| t.region)) {
+    if let Some(region) = region.or_else(|| tables.first().map(|t| t.region.flat())) {
         found.furnace = Some(furnace_of(&Exact::furnace(smith, &region, context)?, tables, &shown)?);
     }
     found.effects = vec![effect.clone()];
     found.left_out = page::left_out(dropped);
-    found.tables = tables.iter().filter_map(|t| table(t, context).transpose()).collect::<Result<_, _>>()?;
+    found.tables =
+        tables.iter().filter_map(|t| table(t, &made.part, context).transpose()).collect::<Result<_, _>>()?;
     found.approximations = approximations(tables, fits);
     found.studies = studies(smith)?.iter().map(study).collect();
     Ok(found)
@@ -124,45 +123,10 @@ fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFindi
     tables.iter().map(|t| &t.approximation).chain(fits).map(ApproximationFinding::from).collect()
 }
 
-fn table(baked: &BakedTable, context: &Context) -> Result<Option<TableFinding>, BakeError> {
+fn table(baked: &BakedTable, part: &Part, context: &Context) -> Result<Option<TableFinding>, BakeError> {
     let Some(table) = baked.table() else { return Ok(None) };
-    let split = baked.serves == Serves::SplitSum;
-    let map = Exact::map(table.smith, &baked.region, split, context)?;
-    let channel =
-        |c: &crate::data::Channel| ChannelFinding { name: c.name.clone(), texels: c.texels.clone() };
-    Ok(Some(TableFinding {
-        name: table.name.clone(),
-        file: format!("tables/{}.exr", table.name),
-        quantity: table.quantity.clone(),
-        smith: table.smith,
-        alpha_map: table.alpha_map,
-        axes: table.axes.clone(),
-        format: table.format,
-        bytes: table.bytes(),
-        channels: table.channels.iter().map(channel).collect(),
-        errors: errors(baked),
-        lookup_error: map.lookup_errors(baked)?,
-    }))
-}
-
-/// The errors of a table, one line each.
-fn errors(baked: &BakedTable) -> Vec<(String, ErrorFigure)> {
-    let e = &baked.errors;
-    let lookup = |what: &str, error: &Deviation| {
-        (what.to_string(), ErrorFigure { max: error.max, rms: Some(error.rms), at: error.at.clone() })
-    };
-    let mut lines = vec![(
-        "integration (bound)".to_string(),
-        ErrorFigure { max: e.integration, rms: None, at: Place::new() },
-    )];
-    for r in &e.quantisation {
-        let figure = ErrorFigure { max: r.max, rms: Some(r.rms), at: r.at.clone() };
-        lines.push((format!("quantisation of {}", r.channel), figure));
-    }
-    lines.push(lookup("lookup of E", &e.lookup_e));
-    lines.extend(e.lookup_b.iter().map(|b| lookup("lookup of B", b)));
-    lines.push(lookup("lookup in use, weights of 8 bits", &e.lookup_8_bit));
-    lines
+    let map = Exact::map(table.smith, &baked.region.flat(), baked.decode.has_bias(), context)?;
+    Ok(finding(baked, part, map.lookup_errors(baked)?))
 }
 
 /// The error of what was baked, and what error that is.

@@ -1,11 +1,10 @@
 //! Samples for the report's pictures: the truth and every approximation over a grid of roughness and mu.
 
-use super::tables::BakedTable;
 use crate::approximate::{Fit, FitStageError, Region};
-use crate::data::{Decode, Smith};
+use crate::data::Smith;
 use crate::effects::context::Context;
 use crate::effects::grid::Grid;
-use crate::effects::table::{self, Judged, Lookup, LookupError, Points, error_map};
+use crate::effects::table::{self, BakedTable, Judged, Lookup, LookupError, Points, error_map};
 use crate::effects::{Albedo, BakeError};
 use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
 use lobefit_truth::integrate::IntegrateError;
@@ -91,8 +90,7 @@ impl Exact {
     /// Errors of a table's lookup: of E, and of B where it holds that.
     pub fn lookup_errors(&self, baked: &BakedTable) -> Result<Vec<Field>, LookupError> {
         let Some(table) = baked.table() else { return Ok(Vec::new()) };
-        let decode = Decode::of(baked.layout, baked.serves);
-        let lookup = Lookup::new(table, decode)?;
+        let lookup = Lookup::new(table, baked.decode)?;
         let (points, b) = (Points::isotropic(&self.grid.points), self.truth.b.as_slice());
         let truth = table::Truth { e: &self.truth.e, b: (!b.is_empty()).then_some(b) };
         let map = |name: &str, judged| {
@@ -100,7 +98,7 @@ impl Exact {
             Ok(self.grid.field(name, true, values.into_iter()))
         };
         let mut maps = vec![map("lookup error of E", Judged::E)?];
-        if decode.has_bias() {
+        if baked.decode.has_bias() {
             maps.push(map("lookup error of B", Judged::B)?);
         }
         Ok(maps)
@@ -120,7 +118,7 @@ impl Exact {
     /// The furnace of a lobe divided by a table's E.
     pub fn furnace_of_table(&self, baked: &BakedTable) -> Result<Option<FurnaceRow>, LookupError> {
         let Some(table) = baked.table() else { return Ok(None) };
-        let lookup = Lookup::new(table, Decode::of(baked.layout, baked.serves))?;
+        let lookup = Lookup::new(table, baked.decode)?;
         let points = Points::isotropic(&self.grid.points).all;
         let factors = points.iter().zip(&self.truth.e).map(|(p, e)| e / f64::from(lookup.at(p).e));
         Ok(Some(self.row(&baked.approximation.name, factors.collect())))

@@ -1,9 +1,8 @@
 //! The truth over roughness and mu at some slices: what pictures are drawn from.
 
+use super::{Judged, Lookup, LookupError, Points, Region, Sliced, Truth, error_map};
 use crate::data::Smith;
 use crate::effects::BakeError;
-use crate::effects::table::{Judged, Lookup, LookupError, Points, Region, SliceAxis, Truth, error_map};
-use crate::effects::{anisotropy, glass};
 use crate::report::{Field, Ruler};
 use lobefit_truth::integrate::glass::Side;
 
@@ -21,27 +20,18 @@ pub struct Grid {
 
 impl Grid {
     /// A grid per slice.
-    pub fn all(
-        smith: Smith,
-        region: &Region,
-        roughness: &Ruler,
-        mu: &Ruler,
-        values_shown: &[f64],
+    pub fn all<F: Sliced>(
+        family: &F,
+        (smith, region): (Smith, &Region),
+        [roughness, mu]: [&Ruler; 2],
+        slices: &[f64],
     ) -> Result<Vec<Grid>, BakeError> {
         let grid = |slice: &f64| {
             let points = Points::grid(region, &roughness.values, &mu.values, *slice);
-            let truths = match region.slices.axis {
-                SliceAxis::Ior => {
-                    let truth = glass::Truth::at(smith, &points)?;
-                    vec![truth.outside, truth.inside]
-                }
-                SliceAxis::Anisotropy => {
-                    vec![anisotropy::means_on(smith, &points, roughness.values.len())?]
-                }
-            };
+            let truths = family.on_grid(smith, &points, roughness.values.len())?;
             Ok(Grid { slice: *slice, roughness: roughness.clone(), mu: mu.clone(), points, truths })
         };
-        values_shown.iter().map(grid).collect()
+        slices.iter().map(grid).collect()
     }
 
     fn truth(&self, side: Option<Side>) -> &[f64] {

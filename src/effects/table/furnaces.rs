@@ -1,13 +1,11 @@
-//! Spheres under every condition: what each layout gives, and what the sources' reading of theirs gives.
+//! Spheres under every condition: what each layout gives, and what the path tracer's reading of its own gives.
 
-use super::BakedVolume;
-use super::findings::{roughness_text, values_shown};
+use super::findings::{roughness_text, shown_slices};
 use super::grid::{Grid, grazing};
-use super::readings::as_the_sources_read;
-use crate::data::Layout;
+use super::results::FurnaceFinding;
+use super::{BakedTable, Lookup, Sliced};
+use crate::data::{Axis, Layout, Registration, Table, Warp};
 use crate::effects::BakeError;
-use crate::effects::table::results::FurnaceFinding;
-use crate::effects::table::{Lookup, SliceAxis};
 use crate::report::{Furnace, FurnaceRow, Ruler};
 use lobefit_truth::integrate::glass::Side;
 
@@ -25,26 +23,27 @@ const SHARED: usize = 3;
 struct Group<'a> {
     /// Roughness that all of them hold.
     roughness: [f64; 2],
-    tables: Vec<&'a BakedVolume>,
+    tables: Vec<&'a BakedTable>,
 }
 
 /// A picture for each slice, each side, and each group of tables that hold them: no lookup is drawn where its
 /// table would be clamped.
-pub fn findings(tables: &[BakedVolume]) -> Result<Vec<FurnaceFinding>, BakeError> {
+pub fn findings<F: Sliced>(family: &F, tables: &[BakedTable]) -> Result<Vec<FurnaceFinding>, BakeError> {
     // With the azimuth in the table there is no mean to compensate by.
     let means = || tables.iter().filter(|t| t.layout != Layout::Azimuth);
-    let mut values: Vec<f64> = means().flat_map(|t| values_shown(&t.region)).collect();
+    let mut values: Vec<f64> = means().flat_map(|t| shown_slices(family, &t.region)).collect();
     values.sort_by(f64::total_cmp);
     values.dedup();
     let mut found = Vec::new();
     for slice in values {
-        for side in [None, Some(Side::Outside), Some(Side::Inside)] {
-            let holds = |t: &&BakedVolume| {
-                t.side == side && (t.region.slices.range[0]..=t.region.slices.range[1]).contains(&slice)
+        for &side in family.sides() {
+            let inside = |[low, high]: [f64; 2]| (low..=high).contains(&slice);
+            let holds = |t: &&BakedTable| {
+                t.side == side && t.region.slices.is_some_and(|slices| inside(slices.range))
             };
             let groups = groups(means().filter(holds));
             for group in &groups {
-                found.push(furnace(group, slice, side, groups.len() > 1)?);
+                found.push(furnace(family, group, (slice, side), groups.len() > 1)?);
             }
         }
     }
@@ -52,7 +51,7 @@ pub fn findings(tables: &[BakedVolume]) -> Result<Vec<FurnaceFinding>, BakeError
 }
 
 /// Each table in the first group whose spheres it shares.
-fn groups<'a>(tables: impl Iterator<Item = &'a BakedVolume>) -> Vec<Group<'a>> {
+fn groups<'a>(tables: impl Iterator<Item = &'a BakedTable>) -> Vec<Group<'a>> {
     let mut groups: Vec<Group> = Vec::new();
     for table in tables {
         let [low, high] = table.region.roughness;
@@ -69,10 +68,10 @@ fn groups<'a>(tables: impl Iterator<Item = &'a BakedVolume>) -> Vec<Group<'a>> {
     groups
 }
 
-fn furnace(
+fn furnace<F: Sliced>(
+    family: &F,
     group: &Group,
-    slice: f64,
-    side: Option<Side>,
+    (slice, side): (f64, Option<Side>),
     told_apart: bool,
 ) -> Result<FurnaceFinding, BakeError> {
     let first = group.tables.first().ok_or_else(|| BakeError::Internal("a furnace without tables".into()))?;
@@ -80,8 +79,8 @@ fn furnace(
     let mut rows: Vec<FurnaceRow> = Vec::new();
     for baked in &group.tables {
         let Some(table) = baked.table() else { continue };
-        let (smith, region) = (baked.smith, &baked.region);
-        let grids = Grid::all(smith, region, &roughness, &mu, &[slice])?;
+        let (smith, region) = (table.smith, &baked.region);
+        let grids = Grid::all(family, (smith, region), [&roughness, &mu], &[slice])?;
         let (grid, alpha) = (&grids[0], region.alpha_map.name());
         let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());
         if rows.iter().all(|row| row.name != uncompensated) {
@@ -92,25 +91,21 @@ fn furnace(
         let name = called(group, baked);
         rows.push(compensated(format!("{name}, as registered"), &Lookup::new(table, baked.decode)?));
         if baked.layout == Layout::PathTracer {
-            let misread = as_the_sources_read(table, region.slices.axis, slice);
+            let misread = misread(table, family.layer(slice));
             rows.push(compensated(
-                format!("{name}, as the sources read it"),
+                format!("{name}, as the path tracer reads it"),
                 &Lookup::new(&misread, baked.decode)?,
             ));
         }
     }
-    let side = side.map_or_else(String::new, |side| format!(", from {}", side.name()));
     let range = if told_apart { roughness_text(group.roughness) } else { String::new() };
-    let title = match first.region.slices.axis {
-        SliceAxis::Anisotropy => format!("Metal, anisotropy {slice} (mean over the azimuth){range}"),
-        SliceAxis::Ior => format!("Glass, index of refraction {slice}{side}{range}"),
-    };
+    let title = family.title(slice, side) + &range;
     let furnace = Furnace { roughness: roughness.values, mu: mu.values, rows, amplification: AMPLIFICATION };
     Ok(FurnaceFinding { title, furnace })
 }
 
 /// The layout, or where another table of the group has the same one, the table's name.
-fn called(group: &Group, baked: &BakedVolume) -> String {
+fn called(group: &Group, baked: &BakedTable) -> String {
     match group.tables.iter().filter(|t| t.layout == baked.layout).count() {
         1 => format!("{} layout", baked.layout.name()),
         _ => baked.approximation.name.clone(),
@@ -130,4 +125,23 @@ fn spheres(range: [f64; 2]) -> Ruler {
     } else {
         Ruler { name: "roughness".into(), values }
     }
+}
+
+/// The table as the path tracer's shader sees it at one slice: mu (its root for glass) and roughness as texture coordinates,
+/// which a texture unit takes for texel centres; the slice rounded to the nearest layer, not interpolated.
+///
+/// The result has two equal slices, so that a trilinear lookup returns that layer.
+fn misread(table: &Table, place: f64) -> Table {
+    let [columns, rows, slices] = table.size();
+    let layer = ((place * slices as f64).round() as usize).min(slices - 1);
+    let mut read = table.clone();
+    for channel in &mut read.channels {
+        let plane = &channel.texels[layer * columns * rows..(layer + 1) * columns * rows];
+        channel.texels = [plane, plane].concat();
+    }
+    let centred =
+        |axis: &Axis| Axis { registration: Registration::Centre, min: 0.0, max: 1.0, ..axis.clone() };
+    let slices = Axis { size: 2, warp: Warp::Linear, min: 0.0, max: 4.0, ..centred(&table.axes[2]) };
+    read.axes = vec![centred(&table.axes[0]), centred(&table.axes[1]), slices];
+    read
 }

@@ -1,0 +1,222 @@
+//! Jobs to measured tables.
+
+use std::sync::Arc;
+
+use super::{Errors, Family, Made, Points, Region, Spec, TableJob, Truth, measure};
+use crate::data::{
+    Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Smith, Source, Table, Use, lookup_ops,
+};
+use crate::effects::Albedo;
+use crate::effects::BakeError;
+use crate::effects::context::Context;
+use crate::effects::demand::JUDGED_MU;
+use lobefit_shade::round_up;
+use lobefit_truth::integrate::glass::Side;
+
+/// Squares tried in turn where the scene leaves the size open.
+const SIZES: [usize; 4] = [16, 32, 64, 128];
+
+/// Points with their truths, shared by the tables that are measured there.
+#[derive(Debug)]
+pub struct Judge {
+    /// The points.
+    pub points: Points,
+    /// E, and B where a table needs it, of each side.
+    pub truths: Vec<Albedo>,
+    /// What they took.
+    pub made: Made,
+}
+
+impl Judge {
+    /// The truth of side `i`.
+    pub fn truth(&self, i: usize) -> Truth<'_> {
+        let Albedo { e, b } = &self.truths[i];
+        Truth { e, b: (!b.is_empty()).then_some(b) }
+    }
+}
+
+/// A baked table: the approximation holds its quantised texels.
+#[derive(Clone, Debug)]
+pub struct BakedTable {
+    /// The table as an approximation: certificate of the lookup, cost, texels.
+    pub approximation: Approximation,
+    /// Its errors by their causes.
+    pub errors: Errors,
+    /// What its channels mean.
+    pub decode: Decode,
+    /// Coordinates.
+    pub layout: Layout,
+    /// Region in which it was measured.
+    pub region: Region,
+    /// Side of glass.
+    pub side: Option<Side>,
+    /// What its texels took; of both tables of glass together.
+    pub made: Made,
+    /// What the axes do not tell of the nodes, for headers.
+    pub note: Option<&'static str>,
+    /// Where it was measured.
+    pub judge: Arc<Judge>,
+    /// Place of its truth among those of `judge`.
+    truth: usize,
+}
+
+impl BakedTable {
+    /// The quantised table.
+    pub fn table(&self) -> Option<&Table> {
+        match &self.approximation.form {
+            Form::Table(table) => Some(table),
+            Form::Formula(_) => None,
+        }
+    }
+
+    /// The lookup error with other texels, channels found by name.
+    ///
+    /// # Errors
+    /// A channel is missing.
+    pub fn measured_again(&self, channels: &[Channel]) -> Result<f64, BakeError> {
+        let lacks = |what: &str| BakeError::Internal(format!("{}: no {what}", self.approximation.name));
+        let mut table = self.table().ok_or_else(|| lacks("texels"))?.clone();
+        for channel in &mut table.channels {
+            let found = channels.iter().find(|c| c.name == channel.name);
+            channel.texels = found.ok_or_else(|| lacks(&format!("channel {}", channel.name)))?.texels.clone();
+        }
+        let truth = self.judge.truth(self.truth);
+        Ok(measure(&table, self.decode, &self.judge.points, truth, 0.0)?.lookup.max)
+    }
+}
+
+/// Bakes the jobs in order; returns also the promises that tables do not keep, in words.
+///
+/// # Errors
+/// A truth that cannot be integrated.
+pub fn bake(
+    family: &dyn Family,
+    jobs: &[TableJob],
+    context: &Context,
+) -> Result<(Vec<BakedTable>, Vec<String>), BakeError> {
+    let (mut broken, mut baked) = (Vec::new(), Vec::new());
+    let mut judges: Vec<((Smith, Region, bool), Arc<Judge>)> = Vec::new();
+    for job in jobs {
+        context.progress.stage(&format!("table {}", job.names.join(" and ")));
+        let key = (job.smith, job.region(), family.finer(job, jobs));
+        let judge = match judges.iter().find(|(known, _)| *known == key) {
+            Some((_, judge)) => judge.clone(),
+            None => {
+                let judge = Arc::new(family.judge(key.0, &key.1, key.2, &context.counter)?);
+                judges.push((key, judge.clone()));
+                judge
+            }
+        };
+        let tables = bake_job(family, job, &judge, context)?;
+        broken.extend(tables.iter().filter_map(|table| unkept(job, table)));
+        broken.extend(tables.iter().filter_map(|table| unjudged(job, table)));
+        baked.extend(tables);
+    }
+    Ok((baked, broken))
+}
+
+/// The tables of a job; where the size is open, the smallest that keep the limit.
+fn bake_job(
+    family: &dyn Family,
+    job: &TableJob,
+    judge: &Arc<Judge>,
+    context: &Context,
+) -> Result<Vec<BakedTable>, BakeError> {
+    let sizes = job.size.clone().map_or_else(|| SIZES.map(|n| vec![n, n]).to_vec(), |size| vec![size]);
+    let mut last = Vec::new();
+    for size in sizes {
+        let spec = job.spec(size);
+        let (tables, made) = family.build(&spec, &context.counter)?;
+        let parts = tables.into_iter().zip(family.sides()).enumerate();
+        let finished = parts.map(|(i, (table, side))| {
+            let baked = finish(&spec, &table, made, (judge, i))?;
+            Ok(BakedTable { side: *side, note: family.note(spec.layout), ..baked })
+        });
+        last = finished.collect::<Result<_, BakeError>>()?;
+        if last.iter().all(|table| job.max_error.is_none_or(|limit| table.errors.lookup.max <= limit)) {
+            break;
+        }
+    }
+    Ok(last)
+}
+
+fn unkept(job: &TableJob, baked: &BakedTable) -> Option<String> {
+    let (name, error) = (&baked.approximation.name, baked.errors.lookup.max);
+    let limit = job.max_error.filter(|limit| error.is_nan() || error > *limit)?;
+    let by = &job.limited_by;
+    Some(format!("table {name}: lookup error {error} exceeds the max_error {limit} of {by}"))
+}
+
+fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {
+    let (name, least, by) = (&baked.approximation.name, job.roughness[0], job.unjudged_by.as_ref()?);
+    Some(format!(
+        "table {name}: rows begin at roughness {least}, above all of the material's, so that no lookup tells whether the \
+         max_error of {by} is kept: raise its roughness, or set a size without max_error"
+    ))
+}
+
+impl TableJob {
+    /// Where the job's lookups must hold.
+    pub fn region(&self) -> Region {
+        let TableJob { roughness, slices, alpha_map, .. } = *self;
+        Region { roughness, mu: JUDGED_MU, slices, alpha_map }
+    }
+
+    fn spec(&self, size: Vec<usize>) -> Spec {
+        let text = super::job::size_text(&size);
+        Spec {
+            names: self.names.iter().map(|name| name.replace("auto", &text)).collect(),
+            smith: self.smith,
+            size,
+            format: self.format,
+            layout: self.layout,
+            serves: self.serves,
+            region: self.region(),
+        }
+    }
+}
+
+/// A table measured against the truth of a side.
+pub(super) fn finish(
+    spec: &Spec,
+    table: &Table,
+    made: Made,
+    (judge, truth): (&Arc<Judge>, usize),
+) -> Result<BakedTable, BakeError> {
+    let decode = Decode::of(spec.layout, spec.serves);
+    let integration = round_up(made.integration.max(judge.made.integration), 2);
+    let mut errors = measure(table, decode, &judge.points, judge.truth(truth), integration)?;
+    let lookups = [&mut errors.lookup, &mut errors.lookup_8_bit, &mut errors.lookup_e];
+    for lookup in lookups.into_iter().chain(&mut errors.lookup_b) {
+        lookup.max = round_up(lookup.max, 4);
+    }
+    for rounding in &mut errors.quantisation {
+        rounding.max = round_up(rounding.max, 4);
+    }
+    let certificate = Certificate {
+        max_abs: errors.lookup.max,
+        max_rel: round_up(errors.lookup.max_rel, 4),
+        rms: errors.lookup.rms,
+        mean: errors.lookup.mean,
+        at: errors.lookup.at.clone(),
+        domain: spec.region.ranges(),
+        precision: format!("{} texels, f32 lookup", table.format.name()),
+        points: errors.points as u64,
+    };
+    let (column, used_as) = if decode.has_bias() { ("E, A, B", Use::F0Blend) } else { ("E", Use::Value) };
+    let ops = lookup_ops(&table.axes, decode);
+    let approximation = Approximation {
+        name: table.name.clone(),
+        quantity: table.quantity.clone(),
+        column: column.into(),
+        used_as,
+        smith: Some(table.smith),
+        source: Source::Fitted,
+        cost: Cost { ops, fetches: 1, bytes: table.bytes() },
+        form: Form::Table(table.quantised()),
+        certificate,
+    };
+    let (layout, region, judge) = (spec.layout, spec.region, judge.clone());
+    let (side, note) = (None, None);
+    Ok(BakedTable { approximation, errors, decode, layout, region, side, made, note, judge, truth })
+}

@@ -1,0 +1,113 @@
+//! What an effect declares of its tables. Plan, bake, files, code and page are made from it, once for all effects.
+
+use super::{Judge, Region, Spec, TableJob};
+use crate::approximate::Counter;
+use crate::data::{Layout, Smith, Table};
+use crate::effects::effect::Note;
+use crate::effects::table::results::WaysFinding;
+use crate::effects::table::{BakedTable, BuildError, Made, Points};
+use crate::effects::{BakeError, demand::Job};
+use crate::scene::{Lobe, Scene};
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::glass::Side;
+
+/// Tables of one quantity.
+pub trait Family: Sync {
+    /// How the name of a table in a layout begins: `ggx-dfg`.
+    fn prefix(&self, layout: Layout) -> &'static str;
+
+    /// The sides for which there is a table each: one without a side, or of glass outside and inside.
+    fn sides(&self) -> &'static [Option<Side>] {
+        &[None]
+    }
+
+    /// What a plan says of a table: `of glass for rays from outside`.
+    fn described(&self, job: &TableJob, side: Option<Side>) -> String;
+
+    /// Seconds of job `i` on one core.
+    fn seconds(&self, i: usize, jobs: &[TableJob]) -> f64;
+
+    /// What the axes of a layout do not tell of its nodes.
+    fn note(&self, _layout: Layout) -> Option<&'static str> {
+        None
+    }
+
+    /// A table for each name of the spec, texels not yet rounded.
+    ///
+    /// # Errors
+    /// A layout that the family does not have; a truth that cannot be integrated.
+    fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError>;
+
+    /// Whether the truth of a job must tell more than E in the mean over the azimuth: B, or E at an azimuth.
+    fn finer(&self, _job: &TableJob, _jobs: &[TableJob]) -> bool {
+        false
+    }
+
+    /// Points of a region with the truth of each side.
+    ///
+    /// # Errors
+    /// A truth that cannot be integrated.
+    fn judge(
+        &self,
+        smith: Smith,
+        region: &Region,
+        finer: bool,
+        counter: &Counter,
+    ) -> Result<Judge, BuildError>;
+}
+
+/// An effect that is a family of tables with slices, and nothing else. It is an [`Effect`](crate::effects::Effect) by it.
+pub trait Sliced: Family {
+    /// The effect's name.
+    fn name(&self) -> &'static str;
+
+    /// The lobe whose materials call for it.
+    fn lobe(&self) -> Lobe;
+
+    /// The lobe in words: `a rough anisotropic lobe`.
+    fn lobe_text(&self) -> &'static str;
+
+    /// Why a scene leaves it out.
+    fn left_out(&self, scene: &Scene) -> String;
+
+    /// How names of its functions begin.
+    fn function_prefixes(&self) -> &'static [&'static str];
+
+    /// Lines for the head of the include files.
+    fn head_notes(&self) -> &'static [Note];
+
+    /// Seconds of what its page shows beside other tables' pages.
+    fn study_seconds(&self, _scene: &Scene, _jobs: &[Job]) -> f64 {
+        0.0
+    }
+
+    /// Slices that pictures are drawn at, as far as they lie in the range.
+    fn shown(&self) -> &'static [f64];
+
+    /// Truths of each side at a grid of one slice, `columns` roughnesses by cosines.
+    ///
+    /// # Errors
+    /// A truth that cannot be integrated.
+    fn on_grid(&self, smith: Smith, points: &Points, columns: usize)
+    -> Result<Vec<Vec<f64>>, IntegrateError>;
+
+    /// Title of a furnace test at a slice: `Glass, index of refraction 1.5, from inside`.
+    fn title(&self, slice: f64, side: Option<Side>) -> String;
+
+    /// Place of a slice in [0, 1] as the path tracer reads its layers.
+    fn layer(&self, slice: f64) -> f64;
+
+    /// Standard error of the path tracer's own estimate at a place of the unit cube of its table.
+    ///
+    /// # Errors
+    /// A place outside the domain.
+    fn path_tracer_error(&self, place: [f64; 3]) -> Result<f64, IntegrateError>;
+
+    /// Ways to look up a truth that the tables hold a mean of.
+    ///
+    /// # Errors
+    /// A truth that cannot be integrated.
+    fn ways(&self, _tables: &[BakedTable]) -> Result<Vec<WaysFinding>, BakeError> {
+        Ok(Vec::new())
+    }
+}

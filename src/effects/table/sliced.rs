@@ -1,0 +1,75 @@
+//! An effect that is a family of tables with slices: all that is not its own.
+
+use super::{BakedTable, Sliced, TableJob, bake, code, demands, findings, page, summaries};
+use crate::data::Layout;
+use crate::effects::context::Context;
+use crate::effects::demand::{Demand, Job};
+use crate::effects::effect::Note;
+use crate::effects::{BakeError, Called, Effect, JobSummary, Made, ggx};
+use crate::scene::Scene;
+
+/// Seconds of the page of one of these effects on one core.
+const REPORT_S: f64 = 0.3;
+
+impl<F: Sliced> Effect for F {
+    fn name(&self) -> &'static str {
+        Sliced::name(self)
+    }
+
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        demands(self, scene)
+    }
+
+    fn left_out(&self, scene: &Scene) -> String {
+        Sliced::left_out(self, scene)
+    }
+
+    fn expects(&self, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        summaries(self, scene, jobs)
+    }
+
+    fn report_seconds(&self, scene: &Scene, jobs: &[Job]) -> f64 {
+        REPORT_S + self.study_seconds(scene, jobs)
+    }
+
+    fn prefixes(&self) -> &'static [&'static str] {
+        self.function_prefixes()
+    }
+
+    fn lobe(&self, scene: &Scene) -> String {
+        ggx(scene)
+    }
+
+    fn notes(&self) -> &'static [Note] {
+        self.head_notes()
+    }
+
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        let jobs = TableJob::all(context.scene, &called.work)?;
+        let (tables, broken) = bake::bake(self, &jobs, context)?;
+        let metric = "lookup error of the worst table in a layout of ours";
+        let mut made = Made::new(called, measured(&tables), metric);
+        made.part.finding.expected_error = expected(&jobs);
+        made.broken = broken;
+        made.code(|language| code(language, &tables))?;
+        made.tables(context, tables)?;
+        context.progress.stage(&format!("report of {}", called.effect));
+        let findings = findings::findings(self, &made.part, &made.tables, context)?;
+        made.page(&page::page(&findings)?, &findings)?;
+        Ok(made)
+    }
+}
+
+/// The largest lookup error of a table in a layout of ours.
+fn measured(tables: &[BakedTable]) -> Option<f64> {
+    let own = tables.iter().filter(|t| t.layout != Layout::PathTracer);
+    own.map(|t| t.errors.lookup.max).reduce(f64::max)
+}
+
+/// The largest error that the scene allows a table in a layout of ours; `None` where a table has no limit.
+fn expected(jobs: &[TableJob]) -> Option<f64> {
+    let own: Vec<Option<f64>> =
+        jobs.iter().filter(|job| job.layout != Layout::PathTracer).map(|job| job.max_error).collect();
+    let worst = own.iter().try_fold(0.0_f64, |worst, limit| limit.map(|e| worst.max(e)));
+    worst.filter(|_| !own.is_empty())
+}
