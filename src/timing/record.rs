@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::bake::Baked;
+use crate::emit::manifest::{Entries, Manifest, TableEntry};
 use crate::report::{GpuRecord, ReportError, SCHEMA_VERSION, gpu_page};
 use crate::store::MANIFEST;
 use lobefit_shade::code::Language;
@@ -99,11 +100,12 @@ pub fn missing(record: &GpuRecord, baked: &Baked) -> Vec<String> {
     let known: BTreeSet<&str> =
         timed.chain(record.left_out.iter().map(|out| out.function.as_str())).collect();
     let Some(manifest) = Include::of(baked).and_then(|_| manifest(baked)) else { return Vec::new() };
-    let listed = |list: &str| manifest[list].as_array().cloned().unwrap_or_default();
-    let named = ["lookups", "fits", "mips"].into_iter().flat_map(listed);
-    let functions = named.filter_map(|entry| entry["function"].as_str().map(String::from));
-    let tables = listed("tables").into_iter().filter_map(|entry| entry["name"].as_str().map(lookup_of));
-    functions.chain(tables).filter(|function| !known.contains(function.as_str())).collect()
+    let Entries { tables, fits, mips, lookups, .. } = manifest.entries;
+    let functions = lookups.into_iter().map(|entry| entry.function);
+    let functions = functions.chain(fits.into_iter().map(|entry| entry.function));
+    let functions = functions.chain(mips.into_iter().map(|entry| entry.function));
+    let all = functions.chain(tables.iter().map(|entry| lookup_of(&entry.name)));
+    all.filter(|function| !known.contains(function.as_str())).collect()
 }
 
 /// The emitted function that looks a table up.
@@ -111,18 +113,16 @@ pub fn lookup_of(table: &str) -> String {
     format!("{}_lookup", table.replace(|c: char| !c.is_ascii_alphanumeric(), "_"))
 }
 
-fn manifest(baked: &Baked) -> Option<Value> {
+fn manifest(baked: &Baked) -> Option<Manifest> {
     serde_json::from_slice(baked.files.get(MANIFEST)?).ok()
 }
 
 /// What a table's lookup fetches, by function: format and channels, which its code does not tell.
-fn texels(manifest: &Value) -> BTreeMap<String, String> {
-    let tables = manifest["tables"].as_array().into_iter().flatten();
-    let texel = |table: &Value| {
-        let function = lookup_of(table["name"].as_str()?);
-        Some((function, format!("{} {}", table["format"], table["channels"])))
+fn texels(manifest: &Manifest) -> BTreeMap<String, String> {
+    let texel = |table: &TableEntry| {
+        (lookup_of(&table.name), format!("{:?} {}", table.format, json!(table.channels)))
     };
-    tables.filter_map(texel).collect()
+    manifest.entries.tables.iter().map(texel).collect()
 }
 
 /// The emitted WGSL of a bake, item by item.
