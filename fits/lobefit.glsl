@@ -1624,19 +1624,19 @@ float parallax_bias_log(float alpha, float rho) {
 /// [2, 256], s twice the standard deviation of n_i/max(n_i.ray, 0.1) with weights t_i^-4.
 /// A plane ahead that the place is on or outside of counts as 0.0001 of the probe's distance to it away.
 vec4 parallax_meet_box_smooth(vec3 place, vec3 ray, float bend, vec3 low, vec3 high, vec3 probe) {
-    float ahead_x = (ray.x > 0.0 ? high.x - place.x : low.x - place.x);
-    float least_x = (ray.x > 0.0 ? high.x - probe.x : low.x - probe.x);
-    float side_x = (ray.x > 0.0 ? 1.0 : -1.0);
+    float ahead_x = ray.x > 0.0 ? high.x - place.x : low.x - place.x;
+    float least_x = ray.x > 0.0 ? high.x - probe.x : low.x - probe.x;
+    float side_x = ray.x > 0.0 ? 1.0 : -1.0;
     float nearness_x = side_x / max(side_x * ahead_x, 0.0001 * side_x * least_x);
     float along_x = nearness_x * ray.x;
-    float ahead_y = (ray.y > 0.0 ? high.y - place.y : low.y - place.y);
-    float least_y = (ray.y > 0.0 ? high.y - probe.y : low.y - probe.y);
-    float side_y = (ray.y > 0.0 ? 1.0 : -1.0);
+    float ahead_y = ray.y > 0.0 ? high.y - place.y : low.y - place.y;
+    float least_y = ray.y > 0.0 ? high.y - probe.y : low.y - probe.y;
+    float side_y = ray.y > 0.0 ? 1.0 : -1.0;
     float nearness_y = side_y / max(side_y * ahead_y, 0.0001 * side_y * least_y);
     float along_y = nearness_y * ray.y;
-    float ahead_z = (ray.z > 0.0 ? high.z - place.z : low.z - place.z);
-    float least_z = (ray.z > 0.0 ? high.z - probe.z : low.z - probe.z);
-    float side_z = (ray.z > 0.0 ? 1.0 : -1.0);
+    float ahead_z = ray.z > 0.0 ? high.z - place.z : low.z - place.z;
+    float least_z = ray.z > 0.0 ? high.z - probe.z : low.z - probe.z;
+    float side_z = ray.z > 0.0 ? 1.0 : -1.0;
     float nearness_z = side_z / max(side_z * ahead_z, 0.0001 * side_z * least_z);
     float along_z = nearness_z * ray.z;
     float steepest = max(max(along_x, along_y), along_z);
@@ -1651,38 +1651,34 @@ vec4 parallax_meet_box_smooth(vec3 place, vec3 ray, float bend, vec3 low, vec3 h
     vec3 first = vec3(steep_x, steep_y, steep_z);
     float second = steep_x / max(side_x * ray.x, 0.1) + steep_y / max(side_y * ray.y, 0.1)
         + steep_z / max(side_z * ray.z, 0.1);
-    float variance = second / whole - (first.x * first.x + first.y * first.y
-            + first.z * first.z) / (whole * whole);
+    float variance = second / whole - dot(first, first) / (whole * whole);
     float power = 1.0 / min(max(2.0 * bend * sqrt(max(variance, 0.0)), 0.00390625), 0.5);
-    float weight_x = (along_x * scale > 1e-8 ? pow(max(along_x * scale, 1e-8), power - 1.0) : 0.0);
-    float weight_y = (along_y * scale > 1e-8 ? pow(max(along_y * scale, 1e-8), power - 1.0) : 0.0);
-    float weight_z = (along_z * scale > 1e-8 ? pow(max(along_z * scale, 1e-8), power - 1.0) : 0.0);
+    float weight_x = along_x * scale > 1e-8 ? pow(max(along_x * scale, 1e-8), power - 1.0) : 0.0;
+    float weight_y = along_y * scale > 1e-8 ? pow(max(along_y * scale, 1e-8), power - 1.0) : 0.0;
+    float weight_z = along_z * scale > 1e-8 ? pow(max(along_z * scale, 1e-8), power - 1.0) : 0.0;
     float sum = (weight_x * along_x + weight_y * along_y + weight_z * along_z) * scale;
     vec3 normal = vec3(weight_x * nearness_x * scale, weight_y * nearness_y * scale,
             weight_z * nearness_z * scale);
-    float unit = 1.0 / sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-    return vec4(normal.x * unit, normal.y * unit, normal.z * unit, scale / pow(sum, 1.0 / power));
+    float scaled = 1.0 / sqrt(dot(normal, normal));
+    vec3 unit = normal * scaled;
+    return vec4(unit.x, unit.y, unit.z, scale / pow(sum, 1.0 / power));
 }
 
 /// One fetch of the lookups below, along a ray, of a lobe of width alpha: direction and level.
 vec4 parallax_fetch_box_smooth_log_7(vec3 place, vec3 ray, float alpha, float bend, vec3 low, vec3 high, vec3 probe) {
     vec4 met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    vec3 offset = vec3(place.x - probe.x + met.w * ray.x, place.y - probe.y + met.w * ray.y, place.z
-            - probe.z + met.w * ray.z);
+    vec3 offset = place - probe + met.w * ray;
     float least = 1e-12 * met.w * met.w;
-    float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    float square = dot(offset, offset);
     float away = sqrt(max(square, least));
-    vec3 towards = vec3((square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z));
-    float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    vec3 towards = square > least ? offset / away : ray;
+    float straight = dot(met.xyz, ray);
+    float facing = dot(met.xyz, towards);
     float here = max(straight, 0.02);
     float there = max(facing, 0.02);
     float rho = met.w / away * sqrt(there / here);
     float width = parallax_cubic(alpha, rho);
-    float roughness_width = sqrt(width);
-    float mip_width = parallax_level_log_7(roughness_width);
-    return vec4(towards.x, towards.y, towards.z, mip_width);
+    return vec4(towards.x, towards.y, towards.z, parallax_level_log_7(sqrt(width)));
 }
 
 /// What to fetch from a probe for a lobe of width alpha about a ray from a place:
@@ -1700,14 +1696,13 @@ vec4 parallax_fetch_box_smooth_log_7(vec3 place, vec3 ray, float alpha, float be
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 319 operations and 1 fetch; width by parallax_cubic
+/// 285 operations and 1 fetch; width by parallax_cubic
 /// Of one fetch whose ray meets the wall at a right angle, unsaturated:
 ///   total variation, rho < 1: mean 0.01662, max 0.03823; the best width leaves 0.01438, 0.03387
 ///   total variation, rho > 1: mean 0.01351, max 0.03401; the best width leaves 0.01223, 0.03323
 vec4 parallax_lookup_box_smooth_1_log_7(vec3 place, vec3 ray, float alpha, vec3 low, vec3 high, vec3 probe) {
     float bend = alpha * sqrt(sqrt(alpha)) * 0.8333333;
-    vec4 fetch = parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high, probe);
-    return fetch;
+    return parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high, probe);
 }
 
 /// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.
@@ -1736,7 +1731,7 @@ struct parallax_taps_3 {
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1604 operations and 3 fetches; width by parallax_cubic
+/// 1392 operations and 3 fetches; width by parallax_cubic
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
 /// up to 0.1, 0.138 up to 0.8: the root of (0.205 l/(1 + 0.105 l))^2 + (1.388 g/(1 + 6.18 g))^2,
 ///   l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the
@@ -1755,41 +1750,35 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
 ) {
     float bend = alpha * sqrt(sqrt(alpha)) * 0.8333333;
     vec4 met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    vec3 offset = vec3(place.x - probe.x + met.w * ray.x, place.y - probe.y + met.w * ray.y, place.z
-            - probe.z + met.w * ray.z);
+    vec3 offset = place - probe + met.w * ray;
     float least = 1e-12 * met.w * met.w;
-    float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    float square = dot(offset, offset);
     float away = sqrt(max(square, least));
-    vec3 towards = vec3((square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z));
-    float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    vec3 towards = square > least ? offset / away : ray;
+    float straight = dot(met.xyz, ray);
+    float facing = dot(met.xyz, towards);
     float here = max(straight, 0.02);
-    float upright = (ray.z < 0.0 ? -1.0 : 1.0);
+    float upright = ray.z < 0.0 ? -1.0 : 1.0;
     float turned = -1.0 / (upright + ray.z);
     float mixed = ray.x * ray.y * turned;
     vec3 first = vec3(1.0 + upright * ray.x * ray.x * turned, upright * mixed, -upright * ray.x);
     vec3 second = vec3(mixed, upright + ray.y * ray.y * turned, -ray.y);
-    float slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here;
-    float slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here;
-    float between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z;
-    float seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z
-        + between * slope_1;
-    float seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z
-        + between * slope_2;
+    float slope_1 = -dot(met.xyz, first) / here;
+    float slope_2 = -dot(met.xyz, second) / here;
+    float between = dot(towards, ray);
+    float seen_1 = dot(towards, first) + between * slope_1;
+    float seen_2 = dot(towards, second) + between * slope_2;
     float growth_1 = slope_1 - met.w / away * seen_1;
     float growth_2 = slope_2 - met.w / away * seen_2;
-    vec3 a = vec3(first.x + ray.x * slope_1 - towards.x * seen_1, first.y + ray.y * slope_1
-            - towards.y * seen_1, first.z + ray.z * slope_1 - towards.z * seen_1);
-    vec3 b = vec3(second.x + ray.x * slope_2 - towards.x * seen_2, second.y + ray.y * slope_2
-            - towards.y * seen_2, second.z + ray.z * slope_2 - towards.z * seen_2);
-    float wide_1 = a.x * a.x + a.y * a.y + a.z * a.z;
-    float wide_2 = b.x * b.x + b.y * b.y + b.z * b.z;
+    vec3 a = first + ray * slope_1 - towards * seen_1;
+    vec3 b = second + ray * slope_2 - towards * seen_2;
+    float wide_1 = dot(a, a);
+    float wide_2 = dot(b, b);
     float shrunk = abs(facing / here + between * (1.0 - straight / here));
     float unit = 1.0 / max(shrunk, 0.0002 * (wide_1 + wide_2));
     float form_1 = unit * wide_1;
     float form_2 = unit * wide_2;
-    float form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z);
+    float form_12 = unit * dot(a, b);
     float skew = 0.5 * (form_1 - form_2);
     float mean = 0.5 * (form_1 + form_2);
     float v = alpha * growth_1;
@@ -1800,16 +1789,14 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     float large = mean + 0.5 * (v * v + w * w) + off;
     float turn = sqrt(0.5 + 0.5 * abs(along) / off);
     float beside = 0.5 * across / (off * turn);
-    float cosine = (along >= 0.0 ? turn : abs(beside));
-    float sine = (along >= 0.0 ? beside : (across >= 0.0 ? turn : -turn));
+    float cosine = along >= 0.0 ? turn : abs(beside);
+    float sine = along >= 0.0 ? beside : (across >= 0.0 ? turn : -turn);
     float grown = cosine * growth_1 + sine * growth_2;
-    float ending = (grown < 0.0 ? -1.0 : 1.0);
+    float ending = grown < 0.0 ? -1.0 : 1.0;
     float growth = abs(grown);
     float slope = ending * (cosine * slope_1 + sine * slope_2);
     float spread = sqrt(2.0 * off / large);
-    vec3 major = vec3(ending * (cosine * first.x + sine * second.x),
-            ending * (cosine * first.y + sine * second.y),
-            ending * (cosine * first.z + sine * second.z));
+    vec3 major = ending * (cosine * first + sine * second);
     float skewed = (1.0 - 0.19 * alpha) * alpha * growth / max(spread + alpha, 1e-12);
     float over = skewed / max(spread, 1e-6);
     float bent = min(max(over * (2.538 - 2.449 * spread), 0.0), 1.5);
@@ -1831,8 +1818,8 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     float tilt_0 = raw_0 / (1.0 + max(raw_0 * slope, 0.0));
     float tilt_1 = raw_1 / (1.0 + max(raw_1 * slope, 0.0));
     float tilt_2 = raw_2 / (1.0 + max(raw_2 * slope, 0.0));
-    float upward = ray.x * normal.x + ray.y * normal.y + ray.z * normal.z;
-    float rising = major.x * normal.x + major.y * normal.y + major.z * normal.z;
+    float upward = dot(ray, normal);
+    float rising = dot(major, normal);
     float kept_0 = min(max(20.0 * (upward + tilt_0 * rising) / sqrt(1.0 + tilt_0 * tilt_0), 0.0),
             1.0);
     float kept_1 = min(max(20.0 * (upward + tilt_1 * rising) / sqrt(1.0 + tilt_1 * tilt_1), 0.0),
@@ -1843,20 +1830,17 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     float ruled = min(4.0 * whole, 1.0);
     float bend_0 = kept_0 * tilt_0;
     float unit_0 = 1.0 / sqrt(1.0 + bend_0 * bend_0);
-    vec3 ray_0 = vec3((ray.x + bend_0 * major.x) * unit_0, (ray.y + bend_0 * major.y) * unit_0,
-            (ray.z + bend_0 * major.z) * unit_0);
+    vec3 ray_0 = (ray + bend_0 * major) * unit_0;
     float alpha_0 = alpha * (1.0 + kept_0 * (own_0 - 1.0));
     vec4 fetch_0 = parallax_fetch_box_smooth_log_7(place, ray_0, alpha_0, bend, low, high, probe);
     float bend_1 = kept_1 * tilt_1;
     float unit_1 = 1.0 / sqrt(1.0 + bend_1 * bend_1);
-    vec3 ray_1 = vec3((ray.x + bend_1 * major.x) * unit_1, (ray.y + bend_1 * major.y) * unit_1,
-            (ray.z + bend_1 * major.z) * unit_1);
+    vec3 ray_1 = (ray + bend_1 * major) * unit_1;
     float alpha_1 = alpha * (1.0 + kept_1 * (own_1 - 1.0));
     vec4 fetch_1 = parallax_fetch_box_smooth_log_7(place, ray_1, alpha_1, bend, low, high, probe);
     float bend_2 = kept_2 * tilt_2;
     float unit_2 = 1.0 / sqrt(1.0 + bend_2 * bend_2);
-    vec3 ray_2 = vec3((ray.x + bend_2 * major.x) * unit_2, (ray.y + bend_2 * major.y) * unit_2,
-            (ray.z + bend_2 * major.z) * unit_2);
+    vec3 ray_2 = (ray + bend_2 * major) * unit_2;
     float alpha_2 = alpha * (1.0 + kept_2 * (own_2 - 1.0));
     vec4 fetch_2 = parallax_fetch_box_smooth_log_7(place, ray_2, alpha_2, bend, low, high, probe);
     float weight_0 = share_0 * (1.0 - ruled + kept_0 / max(whole, 0.25));
@@ -1894,7 +1878,7 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1740 operations and 3 fetches; width by parallax_cubic
+/// 1523 operations and 3 fetches; width by parallax_cubic
 /// Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of
 ///   the fit, with smooth edges of a box, fetches integrated): 0.122; for the round lobe about the mirror ray 0.195.
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
@@ -1913,31 +1897,28 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     vec3 high,
     vec3 probe
 ) {
-    float mu = normal.x * view.x + normal.y * view.y + normal.z * view.z;
+    float mu = dot(normal, view);
     float log_mu = log2(min(max(abs(mu), 0.02), 1.0));
     float blend = min(1.0167 * exp2(1.6196 * log2(max(alpha, 1e-8)) - 0.0081 * log_mu), 1.0);
     float rest = 1.0 - blend;
     float lifted = blend + 2.0 * rest * max(mu, 0.0);
-    vec3 axis = vec3(lifted * normal.x - rest * view.x, lifted * normal.y - rest * view.y,
-            lifted * normal.z - rest * view.z);
-    float scaled = 1.0 / sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
-    vec3 ray = vec3(axis.x * scaled, axis.y * scaled, axis.z * scaled);
+    vec3 axis = lifted * normal - rest * view;
+    float scaled = 1.0 / sqrt(dot(axis, axis));
+    vec3 ray = axis * scaled;
     float narrow = alpha * max(exp2((0.377 - 0.6347 * alpha) * log_mu) * (1.0 + 0.6971 * alpha),
             0.05);
     float width = narrow / max(1.0 + alpha - narrow, narrow);
     float bend = width * sqrt(sqrt(width)) * 0.8333333;
     vec4 met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    vec3 offset = vec3(place.x - probe.x + met.w * ray.x, place.y - probe.y + met.w * ray.y, place.z
-            - probe.z + met.w * ray.z);
+    vec3 offset = place - probe + met.w * ray;
     float least = 1e-12 * met.w * met.w;
-    float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    float square = dot(offset, offset);
     float away = sqrt(max(square, least));
-    vec3 towards = vec3((square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z));
-    float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    vec3 towards = square > least ? offset / away : ray;
+    float straight = dot(met.xyz, ray);
+    float facing = dot(met.xyz, towards);
     float here = max(straight, 0.02);
-    float upright = (ray.z < 0.0 ? -1.0 : 1.0);
+    float upright = ray.z < 0.0 ? -1.0 : 1.0;
     float turned = -1.0 / (upright + ray.z);
     float mixed = ray.x * ray.y * turned;
     vec3 base_1 = vec3(1.0 + upright * ray.x * ray.x * turned, upright * mixed, -upright * ray.x);
@@ -1945,39 +1926,31 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     float squashed = min((0.8534 - 1.2592 * alpha) * log_mu, 0.0);
     float longer = exp2(-0.5 * squashed);
     float shorter = 1.0 / longer;
-    vec3 aside = vec3(normal.x + view.x, normal.y + view.y, normal.z + view.z);
-    float inward_1 = aside.x * base_1.x + aside.y * base_1.y + aside.z * base_1.z;
-    float inward_2 = aside.x * base_2.x + aside.y * base_2.y + aside.z * base_2.z;
+    vec3 aside = normal + view;
+    float inward_1 = dot(aside, base_1);
+    float inward_2 = dot(aside, base_2);
     float inward = sqrt(inward_1 * inward_1 + inward_2 * inward_2);
     float tiny = max(inward, 1e-6);
-    float part_1 = (inward > 1e-6 ? inward_1 / tiny : 1.0);
-    float part_2 = (inward > 1e-6 ? inward_2 / tiny : 0.0);
-    vec3 first = vec3(longer * (part_1 * base_1.x + part_2 * base_2.x),
-            longer * (part_1 * base_1.y + part_2 * base_2.y),
-            longer * (part_1 * base_1.z + part_2 * base_2.z));
-    vec3 second = vec3(shorter * (part_1 * base_2.x - part_2 * base_1.x),
-            shorter * (part_1 * base_2.y - part_2 * base_1.y),
-            shorter * (part_1 * base_2.z - part_2 * base_1.z));
-    float slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here;
-    float slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here;
-    float between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z;
-    float seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z
-        + between * slope_1;
-    float seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z
-        + between * slope_2;
+    float part_1 = inward > 1e-6 ? inward_1 / tiny : 1.0;
+    float part_2 = inward > 1e-6 ? inward_2 / tiny : 0.0;
+    vec3 first = longer * (part_1 * base_1 + part_2 * base_2);
+    vec3 second = shorter * (part_1 * base_2 - part_2 * base_1);
+    float slope_1 = -dot(met.xyz, first) / here;
+    float slope_2 = -dot(met.xyz, second) / here;
+    float between = dot(towards, ray);
+    float seen_1 = dot(towards, first) + between * slope_1;
+    float seen_2 = dot(towards, second) + between * slope_2;
     float growth_1 = slope_1 - met.w / away * seen_1;
     float growth_2 = slope_2 - met.w / away * seen_2;
-    vec3 a = vec3(first.x + ray.x * slope_1 - towards.x * seen_1, first.y + ray.y * slope_1
-            - towards.y * seen_1, first.z + ray.z * slope_1 - towards.z * seen_1);
-    vec3 b = vec3(second.x + ray.x * slope_2 - towards.x * seen_2, second.y + ray.y * slope_2
-            - towards.y * seen_2, second.z + ray.z * slope_2 - towards.z * seen_2);
-    float wide_1 = a.x * a.x + a.y * a.y + a.z * a.z;
-    float wide_2 = b.x * b.x + b.y * b.y + b.z * b.z;
+    vec3 a = first + ray * slope_1 - towards * seen_1;
+    vec3 b = second + ray * slope_2 - towards * seen_2;
+    float wide_1 = dot(a, a);
+    float wide_2 = dot(b, b);
     float shrunk = abs(facing / here + between * (1.0 - straight / here));
     float unit = 1.0 / max(shrunk, 0.0002 * (wide_1 + wide_2));
     float form_1 = unit * wide_1;
     float form_2 = unit * wide_2;
-    float form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z);
+    float form_12 = unit * dot(a, b);
     float skew = 0.5 * (form_1 - form_2);
     float mean = 0.5 * (form_1 + form_2);
     float v = width * growth_1;
@@ -1988,16 +1961,14 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     float large = mean + 0.5 * (v * v + w * w) + off;
     float turn = sqrt(0.5 + 0.5 * abs(along) / off);
     float beside = 0.5 * across / (off * turn);
-    float cosine = (along >= 0.0 ? turn : abs(beside));
-    float sine = (along >= 0.0 ? beside : (across >= 0.0 ? turn : -turn));
+    float cosine = along >= 0.0 ? turn : abs(beside);
+    float sine = along >= 0.0 ? beside : (across >= 0.0 ? turn : -turn);
     float grown = cosine * growth_1 + sine * growth_2;
-    float ending = (grown < 0.0 ? -1.0 : 1.0);
+    float ending = grown < 0.0 ? -1.0 : 1.0;
     float growth = abs(grown);
     float slope = ending * (cosine * slope_1 + sine * slope_2);
     float spread = sqrt(2.0 * off / large);
-    vec3 major = vec3(ending * (cosine * first.x + sine * second.x),
-            ending * (cosine * first.y + sine * second.y),
-            ending * (cosine * first.z + sine * second.z));
+    vec3 major = ending * (cosine * first + sine * second);
     float reach = cosine * cosine * longer * longer + sine * sine * shorter * shorter;
     float skewed = (1.0 - 0.19 * width) * width * growth / max(spread + width, 1e-12);
     float over = skewed / max(spread, 1e-6);
@@ -2020,8 +1991,8 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     float tilt_0 = raw_0 / (1.0 + max(raw_0 * slope, 0.0));
     float tilt_1 = raw_1 / (1.0 + max(raw_1 * slope, 0.0));
     float tilt_2 = raw_2 / (1.0 + max(raw_2 * slope, 0.0));
-    float upward = ray.x * normal.x + ray.y * normal.y + ray.z * normal.z;
-    float rising = major.x * normal.x + major.y * normal.y + major.z * normal.z;
+    float upward = dot(ray, normal);
+    float rising = dot(major, normal);
     float kept_0 = min(max(20.0 * (upward + tilt_0 * rising) / sqrt(1.0 + tilt_0 * tilt_0 * reach),
                 0.0), 1.0);
     float kept_1 = min(max(20.0 * (upward + tilt_1 * rising) / sqrt(1.0 + tilt_1 * tilt_1 * reach),
@@ -2032,20 +2003,17 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     float ruled = min(4.0 * whole, 1.0);
     float bend_0 = kept_0 * tilt_0;
     float unit_0 = 1.0 / sqrt(1.0 + bend_0 * bend_0 * reach);
-    vec3 ray_0 = vec3((ray.x + bend_0 * major.x) * unit_0, (ray.y + bend_0 * major.y) * unit_0,
-            (ray.z + bend_0 * major.z) * unit_0);
+    vec3 ray_0 = (ray + bend_0 * major) * unit_0;
     float alpha_0 = width * (1.0 + kept_0 * (own_0 - 1.0));
     vec4 fetch_0 = parallax_fetch_box_smooth_log_7(place, ray_0, alpha_0, bend, low, high, probe);
     float bend_1 = kept_1 * tilt_1;
     float unit_1 = 1.0 / sqrt(1.0 + bend_1 * bend_1 * reach);
-    vec3 ray_1 = vec3((ray.x + bend_1 * major.x) * unit_1, (ray.y + bend_1 * major.y) * unit_1,
-            (ray.z + bend_1 * major.z) * unit_1);
+    vec3 ray_1 = (ray + bend_1 * major) * unit_1;
     float alpha_1 = width * (1.0 + kept_1 * (own_1 - 1.0));
     vec4 fetch_1 = parallax_fetch_box_smooth_log_7(place, ray_1, alpha_1, bend, low, high, probe);
     float bend_2 = kept_2 * tilt_2;
     float unit_2 = 1.0 / sqrt(1.0 + bend_2 * bend_2 * reach);
-    vec3 ray_2 = vec3((ray.x + bend_2 * major.x) * unit_2, (ray.y + bend_2 * major.y) * unit_2,
-            (ray.z + bend_2 * major.z) * unit_2);
+    vec3 ray_2 = (ray + bend_2 * major) * unit_2;
     float alpha_2 = width * (1.0 + kept_2 * (own_2 - 1.0));
     vec4 fetch_2 = parallax_fetch_box_smooth_log_7(place, ray_2, alpha_2, bend, low, high, probe);
     float weight_0 = share_0 * (1.0 - ruled + kept_0 / max(whole, 0.25));

@@ -1789,19 +1789,19 @@ static inline lobefit_float4 parallax_meet_box_smooth(
     lobefit_float3 high,
     lobefit_float3 probe
 ) {
-    const float ahead_x = (ray.x > 0.0f ? high.x - place.x : low.x - place.x);
-    const float least_x = (ray.x > 0.0f ? high.x - probe.x : low.x - probe.x);
-    const float side_x = (ray.x > 0.0f ? 1.0f : -1.0f);
+    const float ahead_x = ray.x > 0.0f ? high.x - place.x : low.x - place.x;
+    const float least_x = ray.x > 0.0f ? high.x - probe.x : low.x - probe.x;
+    const float side_x = ray.x > 0.0f ? 1.0f : -1.0f;
     const float nearness_x = side_x / fmaxf(side_x * ahead_x, 0.0001f * side_x * least_x);
     const float along_x = nearness_x * ray.x;
-    const float ahead_y = (ray.y > 0.0f ? high.y - place.y : low.y - place.y);
-    const float least_y = (ray.y > 0.0f ? high.y - probe.y : low.y - probe.y);
-    const float side_y = (ray.y > 0.0f ? 1.0f : -1.0f);
+    const float ahead_y = ray.y > 0.0f ? high.y - place.y : low.y - place.y;
+    const float least_y = ray.y > 0.0f ? high.y - probe.y : low.y - probe.y;
+    const float side_y = ray.y > 0.0f ? 1.0f : -1.0f;
     const float nearness_y = side_y / fmaxf(side_y * ahead_y, 0.0001f * side_y * least_y);
     const float along_y = nearness_y * ray.y;
-    const float ahead_z = (ray.z > 0.0f ? high.z - place.z : low.z - place.z);
-    const float least_z = (ray.z > 0.0f ? high.z - probe.z : low.z - probe.z);
-    const float side_z = (ray.z > 0.0f ? 1.0f : -1.0f);
+    const float ahead_z = ray.z > 0.0f ? high.z - place.z : low.z - place.z;
+    const float least_z = ray.z > 0.0f ? high.z - probe.z : low.z - probe.z;
+    const float side_z = ray.z > 0.0f ? 1.0f : -1.0f;
     const float nearness_z = side_z / fmaxf(side_z * ahead_z, 0.0001f * side_z * least_z);
     const float along_z = nearness_z * ray.z;
     const float steepest = fmaxf(fmaxf(along_x, along_y), along_z);
@@ -1820,19 +1820,19 @@ static inline lobefit_float4 parallax_meet_box_smooth(
             + first.z * first.z) / (whole * whole);
     const float power = 1.0f / fminf(fmaxf(2.0f * bend * sqrtf(fmaxf(variance, 0.0f)), 0.00390625f),
             0.5f);
-    const float weight_x = (along_x * scale > 1e-8f ? powf(fmaxf(along_x * scale, 1e-8f), power
-                - 1.0f) : 0.0f);
-    const float weight_y = (along_y * scale > 1e-8f ? powf(fmaxf(along_y * scale, 1e-8f), power
-                - 1.0f) : 0.0f);
-    const float weight_z = (along_z * scale > 1e-8f ? powf(fmaxf(along_z * scale, 1e-8f), power
-                - 1.0f) : 0.0f);
+    const float weight_x = along_x * scale > 1e-8f ? powf(fmaxf(along_x * scale, 1e-8f), power
+            - 1.0f) : 0.0f;
+    const float weight_y = along_y * scale > 1e-8f ? powf(fmaxf(along_y * scale, 1e-8f), power
+            - 1.0f) : 0.0f;
+    const float weight_z = along_z * scale > 1e-8f ? powf(fmaxf(along_z * scale, 1e-8f), power
+            - 1.0f) : 0.0f;
     const float sum = (weight_x * along_x + weight_y * along_y + weight_z * along_z) * scale;
     const lobefit_float3 normal = {weight_x * nearness_x * scale, weight_y * nearness_y * scale,
             weight_z * nearness_z * scale};
-    const float unit = 1.0f / sqrtf(normal.x * normal.x + normal.y * normal.y
+    const float scaled = 1.0f / sqrtf(normal.x * normal.x + normal.y * normal.y
             + normal.z * normal.z);
-    const lobefit_float4 result = {normal.x * unit, normal.y * unit, normal.z * unit,
-            scale / powf(sum, 1.0f / power)};
+    const lobefit_float3 unit = {normal.x * scaled, normal.y * scaled, normal.z * scaled};
+    const lobefit_float4 result = {unit.x, unit.y, unit.z, scale / powf(sum, 1.0f / power)};
     return result;
 }
 
@@ -1852,17 +1852,16 @@ static inline lobefit_float4 parallax_fetch_box_smooth_log_7(
     const float least = 1e-12f * met.w * met.w;
     const float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
     const float away = sqrtf(fmaxf(square, least));
-    const lobefit_float3 towards = {(square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z)};
+    const lobefit_float3 towards = {square > least ? offset.x / away : ray.x,
+            square > least ? offset.y / away : ray.y, square > least ? offset.z / away : ray.z};
     const float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
     const float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
     const float here = fmaxf(straight, 0.02f);
     const float there = fmaxf(facing, 0.02f);
     const float rho = met.w / away * sqrtf(there / here);
     const float width = parallax_cubic(alpha, rho);
-    const float roughness_width = sqrtf(width);
-    const float mip_width = parallax_level_log_7(roughness_width);
-    const lobefit_float4 result = {towards.x, towards.y, towards.z, mip_width};
+    const lobefit_float4 result = {towards.x, towards.y, towards.z,
+            parallax_level_log_7(sqrtf(width))};
     return result;
 }
 
@@ -1881,7 +1880,7 @@ static inline lobefit_float4 parallax_fetch_box_smooth_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 319 operations and 1 fetch; width by parallax_cubic
+/// 285 operations and 1 fetch; width by parallax_cubic
 /// Of one fetch whose ray meets the wall at a right angle, unsaturated:
 ///   total variation, rho < 1: mean 0.01662, max 0.03823; the best width leaves 0.01438, 0.03387
 ///   total variation, rho > 1: mean 0.01351, max 0.03401; the best width leaves 0.01223, 0.03323
@@ -1894,9 +1893,7 @@ static inline lobefit_float4 parallax_lookup_box_smooth_1_log_7(
     lobefit_float3 probe
 ) {
     const float bend = alpha * sqrtf(sqrtf(alpha)) * 0.8333333f;
-    const lobefit_float4 fetch = parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high,
-            probe);
-    return fetch;
+    return parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high, probe);
 }
 
 /// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.
@@ -1925,7 +1922,7 @@ typedef struct parallax_taps_3 {
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1604 operations and 3 fetches; width by parallax_cubic
+/// 1392 operations and 3 fetches; width by parallax_cubic
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
 /// up to 0.1, 0.138 up to 0.8: the root of (0.205 l/(1 + 0.105 l))^2 + (1.388 g/(1 + 6.18 g))^2,
 ///   l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the
@@ -1949,12 +1946,12 @@ static inline parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     const float least = 1e-12f * met.w * met.w;
     const float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
     const float away = sqrtf(fmaxf(square, least));
-    const lobefit_float3 towards = {(square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z)};
+    const lobefit_float3 towards = {square > least ? offset.x / away : ray.x,
+            square > least ? offset.y / away : ray.y, square > least ? offset.z / away : ray.z};
     const float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
     const float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
     const float here = fmaxf(straight, 0.02f);
-    const float upright = (ray.z < 0.0f ? -1.0f : 1.0f);
+    const float upright = ray.z < 0.0f ? -1.0f : 1.0f;
     const float turned = -1.0f / (upright + ray.z);
     const float mixed = ray.x * ray.y * turned;
     const lobefit_float3 first = {1.0f + upright * ray.x * ray.x * turned, upright * mixed,
@@ -1991,10 +1988,10 @@ static inline parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     const float large = mean + 0.5f * (v * v + w * w) + off;
     const float turn = sqrtf(0.5f + 0.5f * fabsf(along) / off);
     const float beside = 0.5f * across / (off * turn);
-    const float cosine = (along >= 0.0f ? turn : fabsf(beside));
-    const float sine = (along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn));
+    const float cosine = along >= 0.0f ? turn : fabsf(beside);
+    const float sine = along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn);
     const float grown = cosine * growth_1 + sine * growth_2;
-    const float ending = (grown < 0.0f ? -1.0f : 1.0f);
+    const float ending = grown < 0.0f ? -1.0f : 1.0f;
     const float growth = fabsf(grown);
     const float slope = ending * (cosine * slope_1 + sine * slope_2);
     const float spread = sqrtf(2.0f * off / large);
@@ -2088,7 +2085,7 @@ static inline parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1740 operations and 3 fetches; width by parallax_cubic
+/// 1523 operations and 3 fetches; width by parallax_cubic
 /// Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of
 ///   the fit, with smooth edges of a box, fetches integrated): 0.122; for the round lobe about the mirror ray 0.195.
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
@@ -2127,12 +2124,12 @@ static inline parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     const float least = 1e-12f * met.w * met.w;
     const float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
     const float away = sqrtf(fmaxf(square, least));
-    const lobefit_float3 towards = {(square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z)};
+    const lobefit_float3 towards = {square > least ? offset.x / away : ray.x,
+            square > least ? offset.y / away : ray.y, square > least ? offset.z / away : ray.z};
     const float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
     const float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
     const float here = fmaxf(straight, 0.02f);
-    const float upright = (ray.z < 0.0f ? -1.0f : 1.0f);
+    const float upright = ray.z < 0.0f ? -1.0f : 1.0f;
     const float turned = -1.0f / (upright + ray.z);
     const float mixed = ray.x * ray.y * turned;
     const lobefit_float3 base_1 = {1.0f + upright * ray.x * ray.x * turned, upright * mixed,
@@ -2146,8 +2143,8 @@ static inline parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     const float inward_2 = aside.x * base_2.x + aside.y * base_2.y + aside.z * base_2.z;
     const float inward = sqrtf(inward_1 * inward_1 + inward_2 * inward_2);
     const float tiny = fmaxf(inward, 1e-6f);
-    const float part_1 = (inward > 1e-6f ? inward_1 / tiny : 1.0f);
-    const float part_2 = (inward > 1e-6f ? inward_2 / tiny : 0.0f);
+    const float part_1 = inward > 1e-6f ? inward_1 / tiny : 1.0f;
+    const float part_2 = inward > 1e-6f ? inward_2 / tiny : 0.0f;
     const lobefit_float3 first = {longer * (part_1 * base_1.x + part_2 * base_2.x),
             longer * (part_1 * base_1.y + part_2 * base_2.y),
             longer * (part_1 * base_1.z + part_2 * base_2.z)};
@@ -2185,10 +2182,10 @@ static inline parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     const float large = mean + 0.5f * (v * v + w * w) + off;
     const float turn = sqrtf(0.5f + 0.5f * fabsf(along) / off);
     const float beside = 0.5f * across / (off * turn);
-    const float cosine = (along >= 0.0f ? turn : fabsf(beside));
-    const float sine = (along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn));
+    const float cosine = along >= 0.0f ? turn : fabsf(beside);
+    const float sine = along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn);
     const float grown = cosine * growth_1 + sine * growth_2;
-    const float ending = (grown < 0.0f ? -1.0f : 1.0f);
+    const float ending = grown < 0.0f ? -1.0f : 1.0f;
     const float growth = fabsf(grown);
     const float slope = ending * (cosine * slope_1 + sine * slope_2);
     const float spread = sqrtf(2.0f * off / large);

@@ -1671,19 +1671,19 @@ float parallax_bias_log(float alpha, float rho) {
 /// [2, 256], s twice the standard deviation of n_i/max(n_i.ray, 0.1) with weights t_i^-4.
 /// A plane ahead that the place is on or outside of counts as 0.0001 of the probe's distance to it away.
 float4 parallax_meet_box_smooth(float3 place, float3 ray, float bend, float3 low, float3 high, float3 probe) {
-    const float ahead_x = (ray.x > 0.0f ? high.x - place.x : low.x - place.x);
-    const float least_x = (ray.x > 0.0f ? high.x - probe.x : low.x - probe.x);
-    const float side_x = (ray.x > 0.0f ? 1.0f : -1.0f);
+    const float ahead_x = ray.x > 0.0f ? high.x - place.x : low.x - place.x;
+    const float least_x = ray.x > 0.0f ? high.x - probe.x : low.x - probe.x;
+    const float side_x = ray.x > 0.0f ? 1.0f : -1.0f;
     const float nearness_x = side_x / max(side_x * ahead_x, 0.0001f * side_x * least_x);
     const float along_x = nearness_x * ray.x;
-    const float ahead_y = (ray.y > 0.0f ? high.y - place.y : low.y - place.y);
-    const float least_y = (ray.y > 0.0f ? high.y - probe.y : low.y - probe.y);
-    const float side_y = (ray.y > 0.0f ? 1.0f : -1.0f);
+    const float ahead_y = ray.y > 0.0f ? high.y - place.y : low.y - place.y;
+    const float least_y = ray.y > 0.0f ? high.y - probe.y : low.y - probe.y;
+    const float side_y = ray.y > 0.0f ? 1.0f : -1.0f;
     const float nearness_y = side_y / max(side_y * ahead_y, 0.0001f * side_y * least_y);
     const float along_y = nearness_y * ray.y;
-    const float ahead_z = (ray.z > 0.0f ? high.z - place.z : low.z - place.z);
-    const float least_z = (ray.z > 0.0f ? high.z - probe.z : low.z - probe.z);
-    const float side_z = (ray.z > 0.0f ? 1.0f : -1.0f);
+    const float ahead_z = ray.z > 0.0f ? high.z - place.z : low.z - place.z;
+    const float least_z = ray.z > 0.0f ? high.z - probe.z : low.z - probe.z;
+    const float side_z = ray.z > 0.0f ? 1.0f : -1.0f;
     const float nearness_z = side_z / max(side_z * ahead_z, 0.0001f * side_z * least_z);
     const float along_z = nearness_z * ray.z;
     const float steepest = max(max(along_x, along_y), along_z);
@@ -1698,21 +1698,20 @@ float4 parallax_meet_box_smooth(float3 place, float3 ray, float bend, float3 low
     const float3 first = float3(steep_x, steep_y, steep_z);
     const float second = steep_x / max(side_x * ray.x, 0.1f) + steep_y / max(side_y * ray.y, 0.1f)
         + steep_z / max(side_z * ray.z, 0.1f);
-    const float variance = second / whole - (first.x * first.x + first.y * first.y
-            + first.z * first.z) / (whole * whole);
+    const float variance = second / whole - dot(first, first) / (whole * whole);
     const float power = 1.0f / min(max(2.0f * bend * sqrt(max(variance, 0.0f)), 0.00390625f), 0.5f);
-    const float weight_x = (along_x * scale > 1e-8f ? pow(max(along_x * scale, 1e-8f), power
-                - 1.0f) : 0.0f);
-    const float weight_y = (along_y * scale > 1e-8f ? pow(max(along_y * scale, 1e-8f), power
-                - 1.0f) : 0.0f);
-    const float weight_z = (along_z * scale > 1e-8f ? pow(max(along_z * scale, 1e-8f), power
-                - 1.0f) : 0.0f);
+    const float weight_x = along_x * scale > 1e-8f ? pow(max(along_x * scale, 1e-8f), power
+            - 1.0f) : 0.0f;
+    const float weight_y = along_y * scale > 1e-8f ? pow(max(along_y * scale, 1e-8f), power
+            - 1.0f) : 0.0f;
+    const float weight_z = along_z * scale > 1e-8f ? pow(max(along_z * scale, 1e-8f), power
+            - 1.0f) : 0.0f;
     const float sum = (weight_x * along_x + weight_y * along_y + weight_z * along_z) * scale;
     const float3 normal = float3(weight_x * nearness_x * scale, weight_y * nearness_y * scale,
             weight_z * nearness_z * scale);
-    const float unit = 1.0f / sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-    return float4(normal.x * unit, normal.y * unit, normal.z * unit,
-            scale / pow(sum, 1.0f / power));
+    const float scaled = 1.0f / sqrt(dot(normal, normal));
+    const float3 unit = normal * scaled;
+    return float4(unit.x, unit.y, unit.z, scale / pow(sum, 1.0f / power));
 }
 
 /// One fetch of the lookups below, along a ray, of a lobe of width alpha: direction and level.
@@ -1726,22 +1725,18 @@ float4 parallax_fetch_box_smooth_log_7(
     float3 probe
 ) {
     const float4 met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    const float3 offset = float3(place.x - probe.x + met.w * ray.x, place.y - probe.y
-            + met.w * ray.y, place.z - probe.z + met.w * ray.z);
+    const float3 offset = place - probe + met.w * ray;
     const float least = 1e-12f * met.w * met.w;
-    const float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    const float square = dot(offset, offset);
     const float away = sqrt(max(square, least));
-    const float3 towards = float3((square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z));
-    const float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    const float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    const float3 towards = square > least ? offset / away : ray;
+    const float straight = dot(met.xyz, ray);
+    const float facing = dot(met.xyz, towards);
     const float here = max(straight, 0.02f);
     const float there = max(facing, 0.02f);
     const float rho = met.w / away * sqrt(there / here);
     const float width = parallax_cubic(alpha, rho);
-    const float roughness_width = sqrt(width);
-    const float mip_width = parallax_level_log_7(roughness_width);
-    return float4(towards.x, towards.y, towards.z, mip_width);
+    return float4(towards.x, towards.y, towards.z, parallax_level_log_7(sqrt(width)));
 }
 
 /// What to fetch from a probe for a lobe of width alpha about a ray from a place:
@@ -1759,7 +1754,7 @@ float4 parallax_fetch_box_smooth_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 319 operations and 1 fetch; width by parallax_cubic
+/// 285 operations and 1 fetch; width by parallax_cubic
 /// Of one fetch whose ray meets the wall at a right angle, unsaturated:
 ///   total variation, rho < 1: mean 0.01662, max 0.03823; the best width leaves 0.01438, 0.03387
 ///   total variation, rho > 1: mean 0.01351, max 0.03401; the best width leaves 0.01223, 0.03323
@@ -1772,8 +1767,7 @@ float4 parallax_lookup_box_smooth_1_log_7(
     float3 probe
 ) {
     const float bend = alpha * sqrt(sqrt(alpha)) * 0.8333333f;
-    const float4 fetch = parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high, probe);
-    return fetch;
+    return parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high, probe);
 }
 
 /// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.
@@ -1802,7 +1796,7 @@ struct parallax_taps_3 {
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1604 operations and 3 fetches; width by parallax_cubic
+/// 1392 operations and 3 fetches; width by parallax_cubic
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
 /// up to 0.1, 0.138 up to 0.8: the root of (0.205 l/(1 + 0.105 l))^2 + (1.388 g/(1 + 6.18 g))^2,
 ///   l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the
@@ -1821,43 +1815,36 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
 ) {
     const float bend = alpha * sqrt(sqrt(alpha)) * 0.8333333f;
     const float4 met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    const float3 offset = float3(place.x - probe.x + met.w * ray.x, place.y - probe.y
-            + met.w * ray.y, place.z - probe.z + met.w * ray.z);
+    const float3 offset = place - probe + met.w * ray;
     const float least = 1e-12f * met.w * met.w;
-    const float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    const float square = dot(offset, offset);
     const float away = sqrt(max(square, least));
-    const float3 towards = float3((square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z));
-    const float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    const float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    const float3 towards = square > least ? offset / away : ray;
+    const float straight = dot(met.xyz, ray);
+    const float facing = dot(met.xyz, towards);
     const float here = max(straight, 0.02f);
-    const float upright = (ray.z < 0.0f ? -1.0f : 1.0f);
+    const float upright = ray.z < 0.0f ? -1.0f : 1.0f;
     const float turned = -1.0f / (upright + ray.z);
     const float mixed = ray.x * ray.y * turned;
     const float3 first = float3(1.0f + upright * ray.x * ray.x * turned, upright * mixed,
             -upright * ray.x);
     const float3 second = float3(mixed, upright + ray.y * ray.y * turned, -ray.y);
-    const float slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here;
-    const float slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here;
-    const float between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z;
-    const float seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z
-        + between * slope_1;
-    const float seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z
-        + between * slope_2;
+    const float slope_1 = -dot(met.xyz, first) / here;
+    const float slope_2 = -dot(met.xyz, second) / here;
+    const float between = dot(towards, ray);
+    const float seen_1 = dot(towards, first) + between * slope_1;
+    const float seen_2 = dot(towards, second) + between * slope_2;
     const float growth_1 = slope_1 - met.w / away * seen_1;
     const float growth_2 = slope_2 - met.w / away * seen_2;
-    const float3 a = float3(first.x + ray.x * slope_1 - towards.x * seen_1, first.y
-            + ray.y * slope_1 - towards.y * seen_1, first.z + ray.z * slope_1 - towards.z * seen_1);
-    const float3 b = float3(second.x + ray.x * slope_2 - towards.x * seen_2, second.y
-            + ray.y * slope_2 - towards.y * seen_2, second.z + ray.z * slope_2
-            - towards.z * seen_2);
-    const float wide_1 = a.x * a.x + a.y * a.y + a.z * a.z;
-    const float wide_2 = b.x * b.x + b.y * b.y + b.z * b.z;
+    const float3 a = first + ray * slope_1 - towards * seen_1;
+    const float3 b = second + ray * slope_2 - towards * seen_2;
+    const float wide_1 = dot(a, a);
+    const float wide_2 = dot(b, b);
     const float shrunk = abs(facing / here + between * (1.0f - straight / here));
     const float unit = 1.0f / max(shrunk, 0.0002f * (wide_1 + wide_2));
     const float form_1 = unit * wide_1;
     const float form_2 = unit * wide_2;
-    const float form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z);
+    const float form_12 = unit * dot(a, b);
     const float skew = 0.5f * (form_1 - form_2);
     const float mean = 0.5f * (form_1 + form_2);
     const float v = alpha * growth_1;
@@ -1868,16 +1855,14 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     const float large = mean + 0.5f * (v * v + w * w) + off;
     const float turn = sqrt(0.5f + 0.5f * abs(along) / off);
     const float beside = 0.5f * across / (off * turn);
-    const float cosine = (along >= 0.0f ? turn : abs(beside));
-    const float sine = (along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn));
+    const float cosine = along >= 0.0f ? turn : abs(beside);
+    const float sine = along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn);
     const float grown = cosine * growth_1 + sine * growth_2;
-    const float ending = (grown < 0.0f ? -1.0f : 1.0f);
+    const float ending = grown < 0.0f ? -1.0f : 1.0f;
     const float growth = abs(grown);
     const float slope = ending * (cosine * slope_1 + sine * slope_2);
     const float spread = sqrt(2.0f * off / large);
-    const float3 major = float3(ending * (cosine * first.x + sine * second.x),
-            ending * (cosine * first.y + sine * second.y),
-            ending * (cosine * first.z + sine * second.z));
+    const float3 major = ending * (cosine * first + sine * second);
     const float skewed = (1.0f - 0.19f * alpha) * alpha * growth / max(spread + alpha, 1e-12f);
     const float over = skewed / max(spread, 1e-6f);
     const float bent = min(max(over * (2.538f - 2.449f * spread), 0.0f), 1.5f);
@@ -1899,8 +1884,8 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     const float tilt_0 = raw_0 / (1.0f + max(raw_0 * slope, 0.0f));
     const float tilt_1 = raw_1 / (1.0f + max(raw_1 * slope, 0.0f));
     const float tilt_2 = raw_2 / (1.0f + max(raw_2 * slope, 0.0f));
-    const float upward = ray.x * normal.x + ray.y * normal.y + ray.z * normal.z;
-    const float rising = major.x * normal.x + major.y * normal.y + major.z * normal.z;
+    const float upward = dot(ray, normal);
+    const float rising = dot(major, normal);
     const float kept_0 = min(max(20.0f * (upward + tilt_0 * rising) / sqrt(1.0f + tilt_0 * tilt_0),
                 0.0f), 1.0f);
     const float kept_1 = min(max(20.0f * (upward + tilt_1 * rising) / sqrt(1.0f + tilt_1 * tilt_1),
@@ -1911,22 +1896,19 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
     const float ruled = min(4.0f * whole, 1.0f);
     const float bend_0 = kept_0 * tilt_0;
     const float unit_0 = 1.0f / sqrt(1.0f + bend_0 * bend_0);
-    const float3 ray_0 = float3((ray.x + bend_0 * major.x) * unit_0,
-            (ray.y + bend_0 * major.y) * unit_0, (ray.z + bend_0 * major.z) * unit_0);
+    const float3 ray_0 = (ray + bend_0 * major) * unit_0;
     const float alpha_0 = alpha * (1.0f + kept_0 * (own_0 - 1.0f));
     const float4 fetch_0 = parallax_fetch_box_smooth_log_7(place, ray_0, alpha_0, bend, low, high,
             probe);
     const float bend_1 = kept_1 * tilt_1;
     const float unit_1 = 1.0f / sqrt(1.0f + bend_1 * bend_1);
-    const float3 ray_1 = float3((ray.x + bend_1 * major.x) * unit_1,
-            (ray.y + bend_1 * major.y) * unit_1, (ray.z + bend_1 * major.z) * unit_1);
+    const float3 ray_1 = (ray + bend_1 * major) * unit_1;
     const float alpha_1 = alpha * (1.0f + kept_1 * (own_1 - 1.0f));
     const float4 fetch_1 = parallax_fetch_box_smooth_log_7(place, ray_1, alpha_1, bend, low, high,
             probe);
     const float bend_2 = kept_2 * tilt_2;
     const float unit_2 = 1.0f / sqrt(1.0f + bend_2 * bend_2);
-    const float3 ray_2 = float3((ray.x + bend_2 * major.x) * unit_2,
-            (ray.y + bend_2 * major.y) * unit_2, (ray.z + bend_2 * major.z) * unit_2);
+    const float3 ray_2 = (ray + bend_2 * major) * unit_2;
     const float alpha_2 = alpha * (1.0f + kept_2 * (own_2 - 1.0f));
     const float4 fetch_2 = parallax_fetch_box_smooth_log_7(place, ray_2, alpha_2, bend, low, high,
             probe);
@@ -1965,7 +1947,7 @@ parallax_taps_3 parallax_lookup_box_smooth_3_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1740 operations and 3 fetches; width by parallax_cubic
+/// 1523 operations and 3 fetches; width by parallax_cubic
 /// Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of
 ///   the fit, with smooth edges of a box, fetches integrated): 0.122; for the round lobe about the mirror ray 0.195.
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
@@ -1984,32 +1966,29 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     float3 high,
     float3 probe
 ) {
-    const float mu = normal.x * view.x + normal.y * view.y + normal.z * view.z;
+    const float mu = dot(normal, view);
     const float log_mu = log2(min(max(abs(mu), 0.02f), 1.0f));
     const float blend = min(1.0167f * exp2(1.6196f * log2(max(alpha, 1e-8f)) - 0.0081f * log_mu),
             1.0f);
     const float rest = 1.0f - blend;
     const float lifted = blend + 2.0f * rest * max(mu, 0.0f);
-    const float3 axis = float3(lifted * normal.x - rest * view.x, lifted * normal.y - rest * view.y,
-            lifted * normal.z - rest * view.z);
-    const float scaled = 1.0f / sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
-    const float3 ray = float3(axis.x * scaled, axis.y * scaled, axis.z * scaled);
+    const float3 axis = lifted * normal - rest * view;
+    const float scaled = 1.0f / sqrt(dot(axis, axis));
+    const float3 ray = axis * scaled;
     const float narrow = alpha * max(exp2((0.377f - 0.6347f * alpha) * log_mu) * (1.0f
                 + 0.6971f * alpha), 0.05f);
     const float width = narrow / max(1.0f + alpha - narrow, narrow);
     const float bend = width * sqrt(sqrt(width)) * 0.8333333f;
     const float4 met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    const float3 offset = float3(place.x - probe.x + met.w * ray.x, place.y - probe.y
-            + met.w * ray.y, place.z - probe.z + met.w * ray.z);
+    const float3 offset = place - probe + met.w * ray;
     const float least = 1e-12f * met.w * met.w;
-    const float square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    const float square = dot(offset, offset);
     const float away = sqrt(max(square, least));
-    const float3 towards = float3((square > least ? offset.x / away : ray.x),
-            (square > least ? offset.y / away : ray.y), (square > least ? offset.z / away : ray.z));
-    const float straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    const float facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    const float3 towards = square > least ? offset / away : ray;
+    const float straight = dot(met.xyz, ray);
+    const float facing = dot(met.xyz, towards);
     const float here = max(straight, 0.02f);
-    const float upright = (ray.z < 0.0f ? -1.0f : 1.0f);
+    const float upright = ray.z < 0.0f ? -1.0f : 1.0f;
     const float turned = -1.0f / (upright + ray.z);
     const float mixed = ray.x * ray.y * turned;
     const float3 base_1 = float3(1.0f + upright * ray.x * ray.x * turned, upright * mixed,
@@ -2018,40 +1997,31 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     const float squashed = min((0.8534f - 1.2592f * alpha) * log_mu, 0.0f);
     const float longer = exp2(-0.5f * squashed);
     const float shorter = 1.0f / longer;
-    const float3 aside = float3(normal.x + view.x, normal.y + view.y, normal.z + view.z);
-    const float inward_1 = aside.x * base_1.x + aside.y * base_1.y + aside.z * base_1.z;
-    const float inward_2 = aside.x * base_2.x + aside.y * base_2.y + aside.z * base_2.z;
+    const float3 aside = normal + view;
+    const float inward_1 = dot(aside, base_1);
+    const float inward_2 = dot(aside, base_2);
     const float inward = sqrt(inward_1 * inward_1 + inward_2 * inward_2);
     const float tiny = max(inward, 1e-6f);
-    const float part_1 = (inward > 1e-6f ? inward_1 / tiny : 1.0f);
-    const float part_2 = (inward > 1e-6f ? inward_2 / tiny : 0.0f);
-    const float3 first = float3(longer * (part_1 * base_1.x + part_2 * base_2.x),
-            longer * (part_1 * base_1.y + part_2 * base_2.y),
-            longer * (part_1 * base_1.z + part_2 * base_2.z));
-    const float3 second = float3(shorter * (part_1 * base_2.x - part_2 * base_1.x),
-            shorter * (part_1 * base_2.y - part_2 * base_1.y),
-            shorter * (part_1 * base_2.z - part_2 * base_1.z));
-    const float slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here;
-    const float slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here;
-    const float between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z;
-    const float seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z
-        + between * slope_1;
-    const float seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z
-        + between * slope_2;
+    const float part_1 = inward > 1e-6f ? inward_1 / tiny : 1.0f;
+    const float part_2 = inward > 1e-6f ? inward_2 / tiny : 0.0f;
+    const float3 first = longer * (part_1 * base_1 + part_2 * base_2);
+    const float3 second = shorter * (part_1 * base_2 - part_2 * base_1);
+    const float slope_1 = -dot(met.xyz, first) / here;
+    const float slope_2 = -dot(met.xyz, second) / here;
+    const float between = dot(towards, ray);
+    const float seen_1 = dot(towards, first) + between * slope_1;
+    const float seen_2 = dot(towards, second) + between * slope_2;
     const float growth_1 = slope_1 - met.w / away * seen_1;
     const float growth_2 = slope_2 - met.w / away * seen_2;
-    const float3 a = float3(first.x + ray.x * slope_1 - towards.x * seen_1, first.y
-            + ray.y * slope_1 - towards.y * seen_1, first.z + ray.z * slope_1 - towards.z * seen_1);
-    const float3 b = float3(second.x + ray.x * slope_2 - towards.x * seen_2, second.y
-            + ray.y * slope_2 - towards.y * seen_2, second.z + ray.z * slope_2
-            - towards.z * seen_2);
-    const float wide_1 = a.x * a.x + a.y * a.y + a.z * a.z;
-    const float wide_2 = b.x * b.x + b.y * b.y + b.z * b.z;
+    const float3 a = first + ray * slope_1 - towards * seen_1;
+    const float3 b = second + ray * slope_2 - towards * seen_2;
+    const float wide_1 = dot(a, a);
+    const float wide_2 = dot(b, b);
     const float shrunk = abs(facing / here + between * (1.0f - straight / here));
     const float unit = 1.0f / max(shrunk, 0.0002f * (wide_1 + wide_2));
     const float form_1 = unit * wide_1;
     const float form_2 = unit * wide_2;
-    const float form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z);
+    const float form_12 = unit * dot(a, b);
     const float skew = 0.5f * (form_1 - form_2);
     const float mean = 0.5f * (form_1 + form_2);
     const float v = width * growth_1;
@@ -2062,16 +2032,14 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     const float large = mean + 0.5f * (v * v + w * w) + off;
     const float turn = sqrt(0.5f + 0.5f * abs(along) / off);
     const float beside = 0.5f * across / (off * turn);
-    const float cosine = (along >= 0.0f ? turn : abs(beside));
-    const float sine = (along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn));
+    const float cosine = along >= 0.0f ? turn : abs(beside);
+    const float sine = along >= 0.0f ? beside : (across >= 0.0f ? turn : -turn);
     const float grown = cosine * growth_1 + sine * growth_2;
-    const float ending = (grown < 0.0f ? -1.0f : 1.0f);
+    const float ending = grown < 0.0f ? -1.0f : 1.0f;
     const float growth = abs(grown);
     const float slope = ending * (cosine * slope_1 + sine * slope_2);
     const float spread = sqrt(2.0f * off / large);
-    const float3 major = float3(ending * (cosine * first.x + sine * second.x),
-            ending * (cosine * first.y + sine * second.y),
-            ending * (cosine * first.z + sine * second.z));
+    const float3 major = ending * (cosine * first + sine * second);
     const float reach = cosine * cosine * longer * longer + sine * sine * shorter * shorter;
     const float skewed = (1.0f - 0.19f * width) * width * growth / max(spread + width, 1e-12f);
     const float over = skewed / max(spread, 1e-6f);
@@ -2094,8 +2062,8 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     const float tilt_0 = raw_0 / (1.0f + max(raw_0 * slope, 0.0f));
     const float tilt_1 = raw_1 / (1.0f + max(raw_1 * slope, 0.0f));
     const float tilt_2 = raw_2 / (1.0f + max(raw_2 * slope, 0.0f));
-    const float upward = ray.x * normal.x + ray.y * normal.y + ray.z * normal.z;
-    const float rising = major.x * normal.x + major.y * normal.y + major.z * normal.z;
+    const float upward = dot(ray, normal);
+    const float rising = dot(major, normal);
     const float kept_0 = min(max(20.0f * (upward + tilt_0 * rising) / sqrt(1.0f
                     + tilt_0 * tilt_0 * reach), 0.0f), 1.0f);
     const float kept_1 = min(max(20.0f * (upward + tilt_1 * rising) / sqrt(1.0f
@@ -2106,22 +2074,19 @@ parallax_taps_3 parallax_lookup_box_smooth_3_fitted_log_7(
     const float ruled = min(4.0f * whole, 1.0f);
     const float bend_0 = kept_0 * tilt_0;
     const float unit_0 = 1.0f / sqrt(1.0f + bend_0 * bend_0 * reach);
-    const float3 ray_0 = float3((ray.x + bend_0 * major.x) * unit_0,
-            (ray.y + bend_0 * major.y) * unit_0, (ray.z + bend_0 * major.z) * unit_0);
+    const float3 ray_0 = (ray + bend_0 * major) * unit_0;
     const float alpha_0 = width * (1.0f + kept_0 * (own_0 - 1.0f));
     const float4 fetch_0 = parallax_fetch_box_smooth_log_7(place, ray_0, alpha_0, bend, low, high,
             probe);
     const float bend_1 = kept_1 * tilt_1;
     const float unit_1 = 1.0f / sqrt(1.0f + bend_1 * bend_1 * reach);
-    const float3 ray_1 = float3((ray.x + bend_1 * major.x) * unit_1,
-            (ray.y + bend_1 * major.y) * unit_1, (ray.z + bend_1 * major.z) * unit_1);
+    const float3 ray_1 = (ray + bend_1 * major) * unit_1;
     const float alpha_1 = width * (1.0f + kept_1 * (own_1 - 1.0f));
     const float4 fetch_1 = parallax_fetch_box_smooth_log_7(place, ray_1, alpha_1, bend, low, high,
             probe);
     const float bend_2 = kept_2 * tilt_2;
     const float unit_2 = 1.0f / sqrt(1.0f + bend_2 * bend_2 * reach);
-    const float3 ray_2 = float3((ray.x + bend_2 * major.x) * unit_2,
-            (ray.y + bend_2 * major.y) * unit_2, (ray.z + bend_2 * major.z) * unit_2);
+    const float3 ray_2 = (ray + bend_2 * major) * unit_2;
     const float alpha_2 = width * (1.0f + kept_2 * (own_2 - 1.0f));
     const float4 fetch_2 = parallax_fetch_box_smooth_log_7(place, ray_2, alpha_2, bend, low, high,
             probe);

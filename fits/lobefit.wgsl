@@ -1684,17 +1684,17 @@ fn parallax_meet_box_smooth(
 ) -> vec4<f32> {
     let ahead_x = select(low.x - place.x, high.x - place.x, ray.x > 0.0);
     let least_x = select(low.x - probe.x, high.x - probe.x, ray.x > 0.0);
-    let side_x = select(-1.0, 1.0, ray.x > 0.0);
+    let side_x: f32 = select(-1.0f, 1.0f, ray.x > 0.0f);
     let nearness_x = side_x / max(side_x * ahead_x, 0.0001 * side_x * least_x);
     let along_x = nearness_x * ray.x;
     let ahead_y = select(low.y - place.y, high.y - place.y, ray.y > 0.0);
     let least_y = select(low.y - probe.y, high.y - probe.y, ray.y > 0.0);
-    let side_y = select(-1.0, 1.0, ray.y > 0.0);
+    let side_y: f32 = select(-1.0f, 1.0f, ray.y > 0.0f);
     let nearness_y = side_y / max(side_y * ahead_y, 0.0001 * side_y * least_y);
     let along_y = nearness_y * ray.y;
     let ahead_z = select(low.z - place.z, high.z - place.z, ray.z > 0.0);
     let least_z = select(low.z - probe.z, high.z - probe.z, ray.z > 0.0);
-    let side_z = select(-1.0, 1.0, ray.z > 0.0);
+    let side_z: f32 = select(-1.0f, 1.0f, ray.z > 0.0f);
     let nearness_z = side_z / max(side_z * ahead_z, 0.0001 * side_z * least_z);
     let along_z = nearness_z * ray.z;
     let steepest = max(max(along_x, along_y), along_z);
@@ -1709,8 +1709,7 @@ fn parallax_meet_box_smooth(
     let first = vec3<f32>(steep_x, steep_y, steep_z);
     let second = steep_x / max(side_x * ray.x, 0.1) + steep_y / max(side_y * ray.y, 0.1)
         + steep_z / max(side_z * ray.z, 0.1);
-    let variance = second / whole - (first.x * first.x + first.y * first.y
-            + first.z * first.z) / (whole * whole);
+    let variance = second / whole - dot(first, first) / (whole * whole);
     let power = 1.0 / min(max(2.0 * bend * sqrt(max(variance, 0.0)), 0.00390625), 0.5);
     let weight_x = select(0.0, pow(max(along_x * scale, 1e-8), power - 1.0),
             along_x * scale > 1e-8);
@@ -1721,9 +1720,9 @@ fn parallax_meet_box_smooth(
     let sum = (weight_x * along_x + weight_y * along_y + weight_z * along_z) * scale;
     let normal = vec3<f32>(weight_x * nearness_x * scale, weight_y * nearness_y * scale,
             weight_z * nearness_z * scale);
-    let unit = 1.0 / sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-    return vec4<f32>(normal.x * unit, normal.y * unit, normal.z * unit,
-            scale / pow(sum, 1.0 / power));
+    let scaled = 1.0 / sqrt(dot(normal, normal));
+    let unit = normal * scaled;
+    return vec4<f32>(unit.x, unit.y, unit.z, scale / pow(sum, 1.0 / power));
 }
 
 /// One fetch of the lookups below, along a ray, of a lobe of width alpha: direction and level.
@@ -1737,23 +1736,18 @@ fn parallax_fetch_box_smooth_log_7(
     probe: vec3<f32>
 ) -> vec4<f32> {
     let met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    let offset = vec3<f32>(place.x - probe.x + met.w * ray.x, place.y - probe.y + met.w * ray.y,
-            place.z - probe.z + met.w * ray.z);
+    let offset = place - probe + met.w * ray;
     let least = 1e-12 * met.w * met.w;
-    let square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    let square = dot(offset, offset);
     let away = sqrt(max(square, least));
-    let towards = vec3<f32>(select(ray.x, offset.x / away, square > least),
-            select(ray.y, offset.y / away, square > least),
-            select(ray.z, offset.z / away, square > least));
-    let straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    let facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    let towards = select(ray, offset / away, square > least);
+    let straight = dot(met.xyz, ray);
+    let facing = dot(met.xyz, towards);
     let here = max(straight, 0.02);
     let there = max(facing, 0.02);
     let rho = met.w / away * sqrt(there / here);
     let width = parallax_cubic(alpha, rho);
-    let roughness_width = sqrt(width);
-    let mip_width = parallax_level_log_7(roughness_width);
-    return vec4<f32>(towards.x, towards.y, towards.z, mip_width);
+    return vec4<f32>(towards.x, towards.y, towards.z, parallax_level_log_7(sqrt(width)));
 }
 
 /// What to fetch from a probe for a lobe of width alpha about a ray from a place:
@@ -1771,7 +1765,7 @@ fn parallax_fetch_box_smooth_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 319 operations and 1 fetch; width by parallax_cubic
+/// 285 operations and 1 fetch; width by parallax_cubic
 /// Of one fetch whose ray meets the wall at a right angle, unsaturated:
 ///   total variation, rho < 1: mean 0.01662, max 0.03823; the best width leaves 0.01438, 0.03387
 ///   total variation, rho > 1: mean 0.01351, max 0.03401; the best width leaves 0.01223, 0.03323
@@ -1784,8 +1778,7 @@ fn parallax_lookup_box_smooth_1_log_7(
     probe: vec3<f32>
 ) -> vec4<f32> {
     let bend = alpha * sqrt(sqrt(alpha)) * 0.8333333;
-    let fetch = parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high, probe);
-    return fetch;
+    return parallax_fetch_box_smooth_log_7(place, ray, alpha, bend, low, high, probe);
 }
 
 /// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.
@@ -1814,7 +1807,7 @@ struct parallax_taps_3 {
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1604 operations and 3 fetches; width by parallax_cubic
+/// 1392 operations and 3 fetches; width by parallax_cubic
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
 /// up to 0.1, 0.138 up to 0.8: the root of (0.205 l/(1 + 0.105 l))^2 + (1.388 g/(1 + 6.18 g))^2,
 ///   l the logarithm of the footprint's length over its width, g what the ratio of distances grows by over the
@@ -1833,43 +1826,36 @@ fn parallax_lookup_box_smooth_3_log_7(
 ) -> parallax_taps_3 {
     let bend = alpha * sqrt(sqrt(alpha)) * 0.8333333;
     let met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    let offset = vec3<f32>(place.x - probe.x + met.w * ray.x, place.y - probe.y + met.w * ray.y,
-            place.z - probe.z + met.w * ray.z);
+    let offset = place - probe + met.w * ray;
     let least = 1e-12 * met.w * met.w;
-    let square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    let square = dot(offset, offset);
     let away = sqrt(max(square, least));
-    let towards = vec3<f32>(select(ray.x, offset.x / away, square > least),
-            select(ray.y, offset.y / away, square > least),
-            select(ray.z, offset.z / away, square > least));
-    let straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    let facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    let towards = select(ray, offset / away, square > least);
+    let straight = dot(met.xyz, ray);
+    let facing = dot(met.xyz, towards);
     let here = max(straight, 0.02);
-    let upright = select(1.0, -1.0, ray.z < 0.0);
+    let upright: f32 = select(1.0f, -1.0f, ray.z < 0.0f);
     let turned = -1.0 / (upright + ray.z);
     let mixed = ray.x * ray.y * turned;
     let first = vec3<f32>(1.0 + upright * ray.x * ray.x * turned, upright * mixed,
             -upright * ray.x);
     let second = vec3<f32>(mixed, upright + ray.y * ray.y * turned, -ray.y);
-    let slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here;
-    let slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here;
-    let between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z;
-    let seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z
-        + between * slope_1;
-    let seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z
-        + between * slope_2;
+    let slope_1 = -dot(met.xyz, first) / here;
+    let slope_2 = -dot(met.xyz, second) / here;
+    let between = dot(towards, ray);
+    let seen_1 = dot(towards, first) + between * slope_1;
+    let seen_2 = dot(towards, second) + between * slope_2;
     let growth_1 = slope_1 - met.w / away * seen_1;
     let growth_2 = slope_2 - met.w / away * seen_2;
-    let a = vec3<f32>(first.x + ray.x * slope_1 - towards.x * seen_1, first.y + ray.y * slope_1
-            - towards.y * seen_1, first.z + ray.z * slope_1 - towards.z * seen_1);
-    let b = vec3<f32>(second.x + ray.x * slope_2 - towards.x * seen_2, second.y + ray.y * slope_2
-            - towards.y * seen_2, second.z + ray.z * slope_2 - towards.z * seen_2);
-    let wide_1 = a.x * a.x + a.y * a.y + a.z * a.z;
-    let wide_2 = b.x * b.x + b.y * b.y + b.z * b.z;
+    let a = first + ray * slope_1 - towards * seen_1;
+    let b = second + ray * slope_2 - towards * seen_2;
+    let wide_1 = dot(a, a);
+    let wide_2 = dot(b, b);
     let shrunk = abs(facing / here + between * (1.0 - straight / here));
     let unit = 1.0 / max(shrunk, 0.0002 * (wide_1 + wide_2));
     let form_1 = unit * wide_1;
     let form_2 = unit * wide_2;
-    let form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z);
+    let form_12 = unit * dot(a, b);
     let skew = 0.5 * (form_1 - form_2);
     let mean = 0.5 * (form_1 + form_2);
     let v = alpha * growth_1;
@@ -1883,13 +1869,11 @@ fn parallax_lookup_box_smooth_3_log_7(
     let cosine = select(abs(beside), turn, along >= 0.0);
     let sine = select(select(-turn, turn, across >= 0.0), beside, along >= 0.0);
     let grown = cosine * growth_1 + sine * growth_2;
-    let ending = select(1.0, -1.0, grown < 0.0);
+    let ending: f32 = select(1.0f, -1.0f, grown < 0.0f);
     let growth = abs(grown);
     let slope = ending * (cosine * slope_1 + sine * slope_2);
     let spread = sqrt(2.0 * off / large);
-    let major = vec3<f32>(ending * (cosine * first.x + sine * second.x),
-            ending * (cosine * first.y + sine * second.y),
-            ending * (cosine * first.z + sine * second.z));
+    let major = ending * (cosine * first + sine * second);
     let skewed = (1.0 - 0.19 * alpha) * alpha * growth / max(spread + alpha, 1e-12);
     let over = skewed / max(spread, 1e-6);
     let bent = min(max(over * (2.538 - 2.449 * spread), 0.0), 1.5);
@@ -1911,8 +1895,8 @@ fn parallax_lookup_box_smooth_3_log_7(
     let tilt_0 = raw_0 / (1.0 + max(raw_0 * slope, 0.0));
     let tilt_1 = raw_1 / (1.0 + max(raw_1 * slope, 0.0));
     let tilt_2 = raw_2 / (1.0 + max(raw_2 * slope, 0.0));
-    let upward = ray.x * normal.x + ray.y * normal.y + ray.z * normal.z;
-    let rising = major.x * normal.x + major.y * normal.y + major.z * normal.z;
+    let upward = dot(ray, normal);
+    let rising = dot(major, normal);
     let kept_0 = min(max(20.0 * (upward + tilt_0 * rising) / sqrt(1.0 + tilt_0 * tilt_0), 0.0),
             1.0);
     let kept_1 = min(max(20.0 * (upward + tilt_1 * rising) / sqrt(1.0 + tilt_1 * tilt_1), 0.0),
@@ -1923,20 +1907,17 @@ fn parallax_lookup_box_smooth_3_log_7(
     let ruled = min(4.0 * whole, 1.0);
     let bend_0 = kept_0 * tilt_0;
     let unit_0 = 1.0 / sqrt(1.0 + bend_0 * bend_0);
-    let ray_0 = vec3<f32>((ray.x + bend_0 * major.x) * unit_0, (ray.y + bend_0 * major.y) * unit_0,
-            (ray.z + bend_0 * major.z) * unit_0);
+    let ray_0 = (ray + bend_0 * major) * unit_0;
     let alpha_0 = alpha * (1.0 + kept_0 * (own_0 - 1.0));
     let fetch_0 = parallax_fetch_box_smooth_log_7(place, ray_0, alpha_0, bend, low, high, probe);
     let bend_1 = kept_1 * tilt_1;
     let unit_1 = 1.0 / sqrt(1.0 + bend_1 * bend_1);
-    let ray_1 = vec3<f32>((ray.x + bend_1 * major.x) * unit_1, (ray.y + bend_1 * major.y) * unit_1,
-            (ray.z + bend_1 * major.z) * unit_1);
+    let ray_1 = (ray + bend_1 * major) * unit_1;
     let alpha_1 = alpha * (1.0 + kept_1 * (own_1 - 1.0));
     let fetch_1 = parallax_fetch_box_smooth_log_7(place, ray_1, alpha_1, bend, low, high, probe);
     let bend_2 = kept_2 * tilt_2;
     let unit_2 = 1.0 / sqrt(1.0 + bend_2 * bend_2);
-    let ray_2 = vec3<f32>((ray.x + bend_2 * major.x) * unit_2, (ray.y + bend_2 * major.y) * unit_2,
-            (ray.z + bend_2 * major.z) * unit_2);
+    let ray_2 = (ray + bend_2 * major) * unit_2;
     let alpha_2 = alpha * (1.0 + kept_2 * (own_2 - 1.0));
     let fetch_2 = parallax_fetch_box_smooth_log_7(place, ray_2, alpha_2, bend, low, high, probe);
     let weight_0 = share_0 * (1.0 - ruled + kept_0 / max(whole, 0.25));
@@ -1967,7 +1948,7 @@ fn parallax_lookup_box_smooth_3_log_7(
 ///   log over 7 levels
 /// The width is certified over roughness [0.1, 1] and rho [0.0625, 8], the distance of the place
 /// over that of the probe, from what both see; beyond them it is a formula alone.
-/// 1740 operations and 3 fetches; width by parallax_cubic
+/// 1523 operations and 3 fetches; width by parallax_cubic
 /// Expected error against GGX over its albedo (relative L2, geometric mean over roughness 0.15 to 0.9 in the room of
 ///   the fit, with smooth edges of a box, fetches integrated): 0.122; for the round lobe about the mirror ray 0.195.
 /// Expected total variation from the lobe's footprint on one plane, the root mean square error 0.047 for alpha
@@ -1986,32 +1967,28 @@ fn parallax_lookup_box_smooth_3_fitted_log_7(
     high: vec3<f32>,
     probe: vec3<f32>
 ) -> parallax_taps_3 {
-    let mu = normal.x * view.x + normal.y * view.y + normal.z * view.z;
+    let mu = dot(normal, view);
     let log_mu = log2(min(max(abs(mu), 0.02), 1.0));
     let blend = min(1.0167 * exp2(1.6196 * log2(max(alpha, 1e-8)) - 0.0081 * log_mu), 1.0);
     let rest = 1.0 - blend;
     let lifted = blend + 2.0 * rest * max(mu, 0.0);
-    let axis = vec3<f32>(lifted * normal.x - rest * view.x, lifted * normal.y - rest * view.y,
-            lifted * normal.z - rest * view.z);
-    let scaled = 1.0 / sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z);
-    let ray = vec3<f32>(axis.x * scaled, axis.y * scaled, axis.z * scaled);
+    let axis = lifted * normal - rest * view;
+    let scaled = 1.0 / sqrt(dot(axis, axis));
+    let ray = axis * scaled;
     let narrow = alpha * max(exp2((0.377 - 0.6347 * alpha) * log_mu) * (1.0 + 0.6971 * alpha),
             0.05);
     let width = narrow / max(1.0 + alpha - narrow, narrow);
     let bend = width * sqrt(sqrt(width)) * 0.8333333;
     let met = parallax_meet_box_smooth(place, ray, bend, low, high, probe);
-    let offset = vec3<f32>(place.x - probe.x + met.w * ray.x, place.y - probe.y + met.w * ray.y,
-            place.z - probe.z + met.w * ray.z);
+    let offset = place - probe + met.w * ray;
     let least = 1e-12 * met.w * met.w;
-    let square = offset.x * offset.x + offset.y * offset.y + offset.z * offset.z;
+    let square = dot(offset, offset);
     let away = sqrt(max(square, least));
-    let towards = vec3<f32>(select(ray.x, offset.x / away, square > least),
-            select(ray.y, offset.y / away, square > least),
-            select(ray.z, offset.z / away, square > least));
-    let straight = met.x * ray.x + met.y * ray.y + met.z * ray.z;
-    let facing = met.x * towards.x + met.y * towards.y + met.z * towards.z;
+    let towards = select(ray, offset / away, square > least);
+    let straight = dot(met.xyz, ray);
+    let facing = dot(met.xyz, towards);
     let here = max(straight, 0.02);
-    let upright = select(1.0, -1.0, ray.z < 0.0);
+    let upright: f32 = select(1.0f, -1.0f, ray.z < 0.0f);
     let turned = -1.0 / (upright + ray.z);
     let mixed = ray.x * ray.y * turned;
     let base_1 = vec3<f32>(1.0 + upright * ray.x * ray.x * turned, upright * mixed,
@@ -2020,39 +1997,31 @@ fn parallax_lookup_box_smooth_3_fitted_log_7(
     let squashed = min((0.8534 - 1.2592 * alpha) * log_mu, 0.0);
     let longer = exp2(-0.5 * squashed);
     let shorter = 1.0 / longer;
-    let aside = vec3<f32>(normal.x + view.x, normal.y + view.y, normal.z + view.z);
-    let inward_1 = aside.x * base_1.x + aside.y * base_1.y + aside.z * base_1.z;
-    let inward_2 = aside.x * base_2.x + aside.y * base_2.y + aside.z * base_2.z;
+    let aside = normal + view;
+    let inward_1 = dot(aside, base_1);
+    let inward_2 = dot(aside, base_2);
     let inward = sqrt(inward_1 * inward_1 + inward_2 * inward_2);
     let tiny = max(inward, 1e-6);
     let part_1 = select(1.0, inward_1 / tiny, inward > 1e-6);
     let part_2 = select(0.0, inward_2 / tiny, inward > 1e-6);
-    let first = vec3<f32>(longer * (part_1 * base_1.x + part_2 * base_2.x),
-            longer * (part_1 * base_1.y + part_2 * base_2.y),
-            longer * (part_1 * base_1.z + part_2 * base_2.z));
-    let second = vec3<f32>(shorter * (part_1 * base_2.x - part_2 * base_1.x),
-            shorter * (part_1 * base_2.y - part_2 * base_1.y),
-            shorter * (part_1 * base_2.z - part_2 * base_1.z));
-    let slope_1 = -(met.x * first.x + met.y * first.y + met.z * first.z) / here;
-    let slope_2 = -(met.x * second.x + met.y * second.y + met.z * second.z) / here;
-    let between = towards.x * ray.x + towards.y * ray.y + towards.z * ray.z;
-    let seen_1 = towards.x * first.x + towards.y * first.y + towards.z * first.z
-        + between * slope_1;
-    let seen_2 = towards.x * second.x + towards.y * second.y + towards.z * second.z
-        + between * slope_2;
+    let first = longer * (part_1 * base_1 + part_2 * base_2);
+    let second = shorter * (part_1 * base_2 - part_2 * base_1);
+    let slope_1 = -dot(met.xyz, first) / here;
+    let slope_2 = -dot(met.xyz, second) / here;
+    let between = dot(towards, ray);
+    let seen_1 = dot(towards, first) + between * slope_1;
+    let seen_2 = dot(towards, second) + between * slope_2;
     let growth_1 = slope_1 - met.w / away * seen_1;
     let growth_2 = slope_2 - met.w / away * seen_2;
-    let a = vec3<f32>(first.x + ray.x * slope_1 - towards.x * seen_1, first.y + ray.y * slope_1
-            - towards.y * seen_1, first.z + ray.z * slope_1 - towards.z * seen_1);
-    let b = vec3<f32>(second.x + ray.x * slope_2 - towards.x * seen_2, second.y + ray.y * slope_2
-            - towards.y * seen_2, second.z + ray.z * slope_2 - towards.z * seen_2);
-    let wide_1 = a.x * a.x + a.y * a.y + a.z * a.z;
-    let wide_2 = b.x * b.x + b.y * b.y + b.z * b.z;
+    let a = first + ray * slope_1 - towards * seen_1;
+    let b = second + ray * slope_2 - towards * seen_2;
+    let wide_1 = dot(a, a);
+    let wide_2 = dot(b, b);
     let shrunk = abs(facing / here + between * (1.0 - straight / here));
     let unit = 1.0 / max(shrunk, 0.0002 * (wide_1 + wide_2));
     let form_1 = unit * wide_1;
     let form_2 = unit * wide_2;
-    let form_12 = unit * (a.x * b.x + a.y * b.y + a.z * b.z);
+    let form_12 = unit * dot(a, b);
     let skew = 0.5 * (form_1 - form_2);
     let mean = 0.5 * (form_1 + form_2);
     let v = width * growth_1;
@@ -2066,13 +2035,11 @@ fn parallax_lookup_box_smooth_3_fitted_log_7(
     let cosine = select(abs(beside), turn, along >= 0.0);
     let sine = select(select(-turn, turn, across >= 0.0), beside, along >= 0.0);
     let grown = cosine * growth_1 + sine * growth_2;
-    let ending = select(1.0, -1.0, grown < 0.0);
+    let ending: f32 = select(1.0f, -1.0f, grown < 0.0f);
     let growth = abs(grown);
     let slope = ending * (cosine * slope_1 + sine * slope_2);
     let spread = sqrt(2.0 * off / large);
-    let major = vec3<f32>(ending * (cosine * first.x + sine * second.x),
-            ending * (cosine * first.y + sine * second.y),
-            ending * (cosine * first.z + sine * second.z));
+    let major = ending * (cosine * first + sine * second);
     let reach = cosine * cosine * longer * longer + sine * sine * shorter * shorter;
     let skewed = (1.0 - 0.19 * width) * width * growth / max(spread + width, 1e-12);
     let over = skewed / max(spread, 1e-6);
@@ -2095,8 +2062,8 @@ fn parallax_lookup_box_smooth_3_fitted_log_7(
     let tilt_0 = raw_0 / (1.0 + max(raw_0 * slope, 0.0));
     let tilt_1 = raw_1 / (1.0 + max(raw_1 * slope, 0.0));
     let tilt_2 = raw_2 / (1.0 + max(raw_2 * slope, 0.0));
-    let upward = ray.x * normal.x + ray.y * normal.y + ray.z * normal.z;
-    let rising = major.x * normal.x + major.y * normal.y + major.z * normal.z;
+    let upward = dot(ray, normal);
+    let rising = dot(major, normal);
     let kept_0 = min(max(20.0 * (upward + tilt_0 * rising) / sqrt(1.0 + tilt_0 * tilt_0 * reach),
                 0.0), 1.0);
     let kept_1 = min(max(20.0 * (upward + tilt_1 * rising) / sqrt(1.0 + tilt_1 * tilt_1 * reach),
@@ -2107,20 +2074,17 @@ fn parallax_lookup_box_smooth_3_fitted_log_7(
     let ruled = min(4.0 * whole, 1.0);
     let bend_0 = kept_0 * tilt_0;
     let unit_0 = 1.0 / sqrt(1.0 + bend_0 * bend_0 * reach);
-    let ray_0 = vec3<f32>((ray.x + bend_0 * major.x) * unit_0, (ray.y + bend_0 * major.y) * unit_0,
-            (ray.z + bend_0 * major.z) * unit_0);
+    let ray_0 = (ray + bend_0 * major) * unit_0;
     let alpha_0 = width * (1.0 + kept_0 * (own_0 - 1.0));
     let fetch_0 = parallax_fetch_box_smooth_log_7(place, ray_0, alpha_0, bend, low, high, probe);
     let bend_1 = kept_1 * tilt_1;
     let unit_1 = 1.0 / sqrt(1.0 + bend_1 * bend_1 * reach);
-    let ray_1 = vec3<f32>((ray.x + bend_1 * major.x) * unit_1, (ray.y + bend_1 * major.y) * unit_1,
-            (ray.z + bend_1 * major.z) * unit_1);
+    let ray_1 = (ray + bend_1 * major) * unit_1;
     let alpha_1 = width * (1.0 + kept_1 * (own_1 - 1.0));
     let fetch_1 = parallax_fetch_box_smooth_log_7(place, ray_1, alpha_1, bend, low, high, probe);
     let bend_2 = kept_2 * tilt_2;
     let unit_2 = 1.0 / sqrt(1.0 + bend_2 * bend_2 * reach);
-    let ray_2 = vec3<f32>((ray.x + bend_2 * major.x) * unit_2, (ray.y + bend_2 * major.y) * unit_2,
-            (ray.z + bend_2 * major.z) * unit_2);
+    let ray_2 = (ray + bend_2 * major) * unit_2;
     let alpha_2 = width * (1.0 + kept_2 * (own_2 - 1.0));
     let fetch_2 = parallax_fetch_box_smooth_log_7(place, ray_2, alpha_2, bend, low, high, probe);
     let weight_0 = share_0 * (1.0 - ruled + kept_0 / max(whole, 0.25));

@@ -37,10 +37,13 @@ struct float4 {
 
 inline float3 operator+(float a, float3 b) { return float3(a + b.x, a + b.y, a + b.z); }
 inline float3 operator+(float3 a, float3 b) { return float3(a.x + b.x, a.y + b.y, a.z + b.z); }
+inline float3 operator-(float3 a, float3 b) { return float3(a.x - b.x, a.y - b.y, a.z - b.z); }
+inline float3 operator*(float a, float3 b) { return float3(a * b.x, a * b.y, a * b.z); }
 inline float3 operator*(float3 a, float b) { return float3(a.x * b, a.y * b, a.z * b); }
 inline float3 operator*(float3 a, float3 b) { return float3(a.x * b.x, a.y * b.y, a.z * b.z); }
 inline float3 operator/(float3 a, float b) { return float3(a.x / b, a.y / b, a.z / b); }
 
+inline float dot(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline float abs(float x) { return std::fabs(x); }
 inline float min(float x, float y) { return y < x ? y : x; }
 inline float max(float x, float y) { return x < y ? y : x; }

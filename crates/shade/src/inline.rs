@@ -30,6 +30,7 @@ impl Inliner<'_> {
                     let condition = self.expression(condition, &mut out);
                     Statement::If(condition, self.block(accept), self.block(reject))
                 }
+                Statement::Each(element, list, body) => Statement::Each(*element, *list, self.block(body)),
             };
             out.push(statement);
         }

@@ -53,6 +53,7 @@ fn block(body: &[Statement], f: &mut impl FnMut(Expr) -> Expr) -> Vec<Statement>
         Statement::If(condition, accept, reject) => {
             Statement::If(deep(condition, f), block(accept, f), block(reject, f))
         }
+        Statement::Each(element, list, body) => Statement::Each(*element, *list, block(body, f)),
     };
     body.iter().map(one).collect()
 }
@@ -67,6 +68,10 @@ fn renumber(body: &mut [Statement], place: &impl Fn(usize) -> usize) {
             Statement::If(_, accept, reject) => {
                 renumber(accept, place);
                 renumber(reject, place);
+            }
+            Statement::Each(element, list, body) => {
+                (*element, *list) = (place(*element), place(*list));
+                renumber(body, place);
             }
             Statement::Return(_) => {}
         }

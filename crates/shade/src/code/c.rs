@@ -16,6 +16,7 @@ pub(super) const C: Family = Family {
     // C99 has its `bool` in another header, and C++ has none of C99's `_Bool`
     truth: ["int", "0", "1"],
     vector: "lobefit_float",
+    list: "const lobefit_float4 *",
     has_vectors: false,
     strict: true,
     integer_sign: false,

@@ -94,7 +94,7 @@ impl Writer<'_> {
     pub fn dot(&self, a: &Expr, b: &Expr, typed: bool) -> Text {
         let n = match self.kind(a) {
             Kind::Vector(n) => n,
-            Kind::Number | Kind::Truth => 1,
+            _ => 1,
         };
         let product = |i: u8| {
             let operands = [a, b].map(|e| Box::new(self.component(e, i)));
@@ -149,6 +149,12 @@ impl Writer<'_> {
                 let list: Vec<String> = components.iter().map(|e| self.expression(e, false).text).collect();
                 self.printer.vector(&list)
             })),
+            ExprKind::Component(vector, i)
+                if !self.printer.has_vectors()
+                    && !matches!(vector.kind, ExprKind::Variable(_) | ExprKind::Call(..)) =>
+            {
+                self.plain(&self.component(vector, *i), typed)
+            }
             ExprKind::Component(vector, i) => {
                 let vector = self.expression(vector, false).within(Level::Atom);
                 Text::atom(self.printer.component(&vector, usize::from(*i)))
@@ -221,6 +227,12 @@ impl Writer<'_> {
             Statement::Assign(variable, e) => {
                 self.line(&format!("{} = ", self.names[*variable]), e, ";", depth, out);
             }
+            Statement::Return(Expr { kind: ExprKind::Compose(parts), .. })
+                if matches!(self.function.result, Kind::Taps(_)) =>
+            {
+                self.give_taps(parts, depth, out);
+            }
+            Statement::Each(element, list, body) => self.each(*element, *list, body, depth, out),
             Statement::Return(e) if tail && self.printer.tail() => self.line("", e, "", depth, out),
             Statement::Return(e) if self.names_result(e) => {
                 let name = self.free("result");
@@ -233,6 +245,28 @@ impl Writer<'_> {
                 self.branch(condition, accept, reject, depth, tail, out);
             }
         }
+    }
+
+    fn give_taps(&self, parts: &[Expr], depth: usize, out: &mut String) {
+        let parts: Vec<String> = parts.iter().map(|e| self.expression(e, false).text).collect();
+        let (fetches, weights) = parts.split_at(parts.len() / 2);
+        let kind = self.printer.kind(self.function.result);
+        for line in self.printer.give_taps(&kind, &self.free("taps"), [fetches, weights]) {
+            out.push_str(&lines(&line, depth));
+        }
+    }
+
+    /// A loop over the vectors of an array.
+    fn each(&self, element: usize, list: usize, body: &[Statement], depth: usize, out: &mut String) {
+        let Kind::List(n) = self.function.variables[list].kind else { return };
+        let (element, list) = (&self.names[element], &self.names[list]);
+        let copy = self.printer.copied(list).map(|[name, _]| name);
+        let opened = self.printer.each(element, copy.as_ref().unwrap_or(list), n);
+        for (i, line) in opened.iter().enumerate() {
+            out.push_str(&lines(line, depth + usize::from(i > 0)));
+        }
+        self.block(body, depth + 1, false, out);
+        out.push_str(&lines("}", depth));
     }
 
     /// Whether a result needs a name before it can be returned.

@@ -2,7 +2,7 @@
 
 use super::expression::{Level, Text, Writer, decimal};
 use super::helpers::power;
-use super::printer::{Facts, Printer};
+use super::printer::{Facts, Printer, TAPS, taps};
 use super::table::TableLookup;
 use crate::{Builtin, Expr, ExprKind, Kind};
 
@@ -19,6 +19,8 @@ pub(super) struct Family {
     pub truth: [&'static str; 3],
     /// How the vector types begin, before the number of components.
     pub vector: &'static str,
+    /// The type of the vectors of an array that is an argument; ends in `*` where that is a pointer.
+    pub list: &'static str,
     /// Whether vectors have constructors and arithmetic.
     pub has_vectors: bool,
     /// Whether compilers ask for arguments that are not used.
@@ -119,6 +121,8 @@ impl Printer for Family {
             Kind::Number => "float".into(),
             Kind::Truth => self.truth[0].into(),
             Kind::Vector(n) => format!("{}{n}", self.vector),
+            Kind::List(n) => format!("{}[{n}]", self.list),
+            Kind::Taps(n) => format!("parallax_taps_{n}"),
         }
     }
 
@@ -141,8 +145,13 @@ impl Printer for Family {
     }
 
     fn argument(&self, name: &str, kind: &str) -> String {
-        // the mark of a pointer stands at the name
-        if kind.ends_with('*') { format!("{kind}{name}") } else { format!("{kind} {name}") }
+        match kind.split_once('[') {
+            // the mark of a pointer stands at the name, and no length
+            _ if kind.ends_with('*') => format!("{kind}{name}"),
+            Some((kind, _)) if kind.ends_with('*') => format!("{kind}{name}"),
+            Some((kind, length)) => format!("{kind} {name}[{length}"),
+            None => format!("{kind} {name}"),
+        }
     }
 
     fn signature(&self, name: &str, result: &str, _: bool) -> [String; 2] {
@@ -201,6 +210,34 @@ impl Printer for Family {
         };
         let lines: String = lines.iter().map(|line| format!("    {line}\n")).collect();
         format!("{}float {name}({arguments}) {{\n{lines}    return {value};\n}}\n", self.linkage)
+    }
+
+    fn each(&self, element: &str, list: &str, n: u8) -> Vec<String> {
+        let declared = self.declare(element, Kind::Vector(4), false, false);
+        vec![format!("for (int i = 0; i < {n}; ++i) {{"), format!("{declared}{list}[i];")]
+    }
+
+    fn taps(&self, n: u8) -> String {
+        let fields = taps(n, |kind, name| format!("{} {name};", self.kind(kind)));
+        let name = self.kind(Kind::Taps(n));
+        if self.has_vectors {
+            format!("{TAPS}struct {name} {{\n{fields}}};\n")
+        } else {
+            format!("{TAPS}typedef struct {name} {{\n{fields}}} {name};\n")
+        }
+    }
+
+    fn give_taps(&self, kind: &str, name: &str, [fetches, weights]: [&[String]; 2]) -> Vec<String> {
+        let field = |field: &'static str, list: &[String]| -> Vec<String> {
+            list.iter().enumerate().map(|(i, value)| format!("{name}.{field}_{i} = {value};")).collect()
+        };
+        [
+            vec![format!("{kind} {name};")],
+            field("fetch", fetches),
+            field("weight", weights),
+            vec![format!("return {name};")],
+        ]
+        .concat()
     }
 
     fn lookup(&self, table: &TableLookup) -> String {

@@ -6,7 +6,7 @@ use super::expression::Writer;
 use super::names::{Names, free};
 use super::printer::Printer;
 use super::{CodeError, comment, helpers};
-use crate::{Formula, Function};
+use crate::{Formula, Function, Kind};
 
 /// Longest line before arguments get lines of their own.
 const WIDTH: usize = 120;
@@ -85,6 +85,10 @@ impl Printing<'_> {
         let unused = (0..function.arguments).filter(|&i| !function.reads(i));
         for line in unused.filter_map(|i| printer.unused(&names[i])) {
             out.push_str(&format!("    {line}\n"));
+        }
+        let lists = (0..function.arguments).filter(|&i| matches!(function.variables[i].kind, Kind::List(_)));
+        for [_, copy] in lists.filter_map(|i| printer.copied(&names[i])) {
+            out.push_str(&format!("    {copy}\n"));
         }
         writer.block(&function.body, 1, true, out);
         out.push_str("}\n");

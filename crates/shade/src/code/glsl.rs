@@ -16,6 +16,7 @@ pub(super) const GLSL: Family = Family {
     constant: "",
     truth: ["bool", "false", "true"],
     vector: "vec",
+    list: "vec4",
     has_vectors: true,
     strict: false,
     integer_sign: false,

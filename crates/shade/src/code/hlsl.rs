@@ -15,6 +15,7 @@ pub(super) const HLSL: Family = Family {
     constant: "const ",
     truth: ["bool", "false", "true"],
     vector: "float",
+    list: "float4",
     has_vectors: true,
     strict: false,
     integer_sign: true,

@@ -90,6 +90,11 @@ impl Language {
         self.printer().kind(kind)
     }
 
+    /// The structure of so many weighted fetches, which functions that return one need before them.
+    pub fn taps(self, n: u8) -> String {
+        self.printer().taps(n)
+    }
+
     /// An argument with its type.
     pub fn argument(self, name: &str, kind: &str) -> String {
         self.printer().argument(name, kind)

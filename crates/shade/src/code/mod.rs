@@ -38,7 +38,8 @@ mod wgsl;
 mod words;
 
 use crate::comment::comment;
-use crate::{Builtin, Expr, ExprKind, Formula, Hypothesis, ShadeError, Statement};
+use crate::hypothesis::visit;
+use crate::{Builtin, ExprKind, Formula, Hypothesis, ShadeError};
 pub use c_table::C_PREFIX;
 pub use expression::decimal;
 pub use language::Language;
@@ -173,27 +174,4 @@ fn transcendental(builtin: Builtin) -> bool {
             | Builtin::Sin
             | Builtin::Cos
     )
-}
-
-/// Calls `f` on every expression of a block.
-fn visit(body: &[Statement], f: &mut impl FnMut(&Expr)) {
-    for statement in body {
-        match statement {
-            Statement::Let(_, e) | Statement::Var(_, e) | Statement::Assign(_, e) | Statement::Return(e) => {
-                visit_expression(e, f);
-            }
-            Statement::If(condition, accept, reject) => {
-                visit_expression(condition, f);
-                visit(accept, f);
-                visit(reject, f);
-            }
-        }
-    }
-}
-
-fn visit_expression(expr: &Expr, f: &mut impl FnMut(&Expr)) {
-    f(expr);
-    for operand in expr.operands() {
-        visit_expression(operand, f);
-    }
 }

@@ -15,6 +15,7 @@ pub(super) const MSL: Family = Family {
     constant: "const ",
     truth: ["bool", "false", "true"],
     vector: "float",
+    list: "constant float4 *",
     has_vectors: true,
     strict: false,
     integer_sign: false,

@@ -90,6 +90,20 @@ pub(super) trait Printer: Sync {
         true
     }
 
+    /// The lines that open a loop over an array: the statement, and what names the vector where the statement does not.
+    fn each(&self, element: &str, list: &str, n: u8) -> Vec<String>;
+
+    /// The name of a copy of an array that may be indexed, and the statement that makes it; none where the argument may be.
+    fn copied(&self, _list: &str) -> Option<[String; 2]> {
+        None
+    }
+
+    /// The structure of so many weighted fetches.
+    fn taps(&self, n: u8) -> String;
+
+    /// The statements that return such a structure, with a name that is free: what to fetch, then the weights.
+    fn give_taps(&self, kind: &str, name: &str, lists: [&[String]; 2]) -> Vec<String>;
+
     /// A built-in function.
     fn builtin(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text;
 
@@ -116,4 +130,14 @@ pub(super) trait Printer: Sync {
     fn rounds(&self, _builtin: Builtin) -> bool {
         true
     }
+}
+
+/// Documentation of the structure of weighted fetches.
+pub(super) const TAPS: &str = "/// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.\n";
+
+/// The lines of the fields of such a structure.
+pub(super) fn taps(n: u8, field: impl Fn(Kind, &str) -> String) -> String {
+    let fetches = (0..n).map(|i| field(Kind::Vector(4), &format!("fetch_{i}")));
+    let weights = (0..n).map(|i| field(Kind::Number, &format!("weight_{i}")));
+    fetches.chain(weights).map(|field| format!("    {field}\n")).collect()
 }

@@ -3,7 +3,7 @@
 use super::expression::{Level, Text, Writer};
 use super::helpers::power;
 use super::names::ascii;
-use super::printer::{Facts, Printer};
+use super::printer::{Facts, Printer, TAPS};
 use super::rust_table;
 use super::table::TableLookup;
 use super::words::Words;
@@ -49,6 +49,8 @@ impl Printer for Rust {
             Kind::Number => "f32".into(),
             Kind::Truth => "bool".into(),
             Kind::Vector(n) => format!("[f32; {n}]"),
+            Kind::List(n) => format!("&[[f32; 4]; {n}]"),
+            Kind::Taps(n) => format!("ParallaxTaps{n}"),
         }
     }
 
@@ -105,6 +107,23 @@ impl Printer for Rust {
 
     fn tail(&self) -> bool {
         true
+    }
+
+    fn each(&self, element: &str, list: &str, _: u8) -> Vec<String> {
+        vec![format!("for {element} in {list} {{")]
+    }
+
+    fn taps(&self, n: u8) -> String {
+        format!(
+            "{TAPS}#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {} {{\n    /// What to fetch.\n    \
+             pub fetches: [[f32; 4]; {n}],\n    /// Their shares, which sum to 1.\n    pub weights: [f32; {n}],\n}}\n",
+            self.kind(Kind::Taps(n))
+        )
+    }
+
+    fn give_taps(&self, kind: &str, _: &str, [fetches, weights]: [&[String]; 2]) -> Vec<String> {
+        let [fetches, weights] = [fetches, weights].map(|list| list.join(", "));
+        vec![format!("{kind} {{ fetches: [{fetches}], weights: [{weights}] }}")]
     }
 
     fn builtin(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
@@ -191,6 +210,7 @@ fn has_var(statement: &Statement) -> bool {
     match statement {
         Statement::Var(..) => true,
         Statement::If(_, accept, reject) => accept.iter().chain(reject).any(has_var),
+        Statement::Each(_, _, body) => body.iter().any(has_var),
         _ => false,
     }
 }

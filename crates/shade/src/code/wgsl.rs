@@ -2,7 +2,7 @@
 
 use super::expression::{Text, Writer, decimal};
 use super::helpers::power;
-use super::printer::{Facts, Printer};
+use super::printer::{Facts, Printer, TAPS, taps};
 use super::table::{TableLookup, Textures};
 use super::words::Words;
 use crate::{Builtin, Expr, Kind};
@@ -53,6 +53,8 @@ impl Printer for Wgsl {
             Kind::Number => "f32".into(),
             Kind::Truth => "bool".into(),
             Kind::Vector(n) => format!("vec{n}<f32>"),
+            Kind::List(n) => format!("array<vec4<f32>, {n}>"),
+            Kind::Taps(n) => format!("parallax_taps_{n}"),
         }
     }
 
@@ -99,6 +101,24 @@ impl Printer for Wgsl {
         let typed = typed || !numbers.iter().any(|e| writer.anchored(e));
         let printed: Vec<String> = operands.iter().map(|e| writer.expression(e, typed).text).collect();
         Text::atom(format!("{name}({})", printed.join(", ")))
+    }
+
+    /// Older front ends index an argument by constants alone.
+    fn copied(&self, list: &str) -> Option<[String; 2]> {
+        Some(["every".into(), format!("var every = {list};")])
+    }
+
+    fn each(&self, element: &str, list: &str, n: u8) -> Vec<String> {
+        vec![format!("for (var i = 0; i < {n}; i++) {{"), format!("let {element} = {list}[i];")]
+    }
+
+    fn taps(&self, n: u8) -> String {
+        let fields = taps(n, |kind, name| format!("{name}: {},", self.kind(kind)));
+        format!("{TAPS}struct {} {{\n{fields}}}\n", self.kind(Kind::Taps(n)))
+    }
+
+    fn give_taps(&self, kind: &str, _: &str, lists: [&[String]; 2]) -> Vec<String> {
+        vec![format!("return {kind}({});", lists.concat().join(", "))]
     }
 
     fn lookup(&self, table: &TableLookup) -> String {

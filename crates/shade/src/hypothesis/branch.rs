@@ -23,6 +23,8 @@ pub(super) struct Lowering<'a> {
     /// Results of calls that have no name.
     pub(super) calls: BTreeMap<usize, Expr>,
     pub(super) variables: Vec<Variable>,
+    /// The vector and the array of the loop that is being lowered, once its vector has a name.
+    pub(super) element: Option<(usize, usize)>,
     depth: usize,
 }
 
@@ -41,6 +43,7 @@ pub(super) fn lower_function(
         logic: BTreeMap::new(),
         calls: BTreeMap::new(),
         variables: Vec::new(),
+        element: None,
         depth: 0,
     };
     lowering.arguments(main, span)?;
@@ -81,6 +84,9 @@ impl Lowering<'_> {
         let mut initial = Vec::new();
         for (handle, local) in self.function.local_variables.iter() {
             let span = self.function.local_variables.get_span(handle);
+            if self.counts(handle) {
+                continue;
+            }
             let kind = self.context.kind(local.ty, span)?;
             let Some(name) = &local.name else { continue };
             if matches!(kind, Kind::Vector(_)) {
@@ -97,7 +103,7 @@ impl Lowering<'_> {
     }
 
     /// A new variable; a name already taken gets a number.
-    fn variable(&mut self, name: &str, kind: Kind) -> usize {
+    pub(super) fn variable(&mut self, name: &str, kind: Kind) -> usize {
         let taken = |candidate: &str| self.variables.iter().any(|v| v.name == candidate);
         let mut unique = name.to_string();
         let mut number = 2;
@@ -109,7 +115,7 @@ impl Lowering<'_> {
         self.variables.len() - 1
     }
 
-    fn block(&mut self, block: &Block) -> Result<Vec<Statement>, ShadeError> {
+    pub(super) fn block(&mut self, block: &Block) -> Result<Vec<Statement>, ShadeError> {
         self.depth += 1;
         if self.depth > Limits::DEPTH {
             let span = block.span_iter().next().map_or(Span::default(), |(_, span)| *span);
@@ -132,9 +138,13 @@ impl Lowering<'_> {
             }
             Naga::Block(block) => out.extend(self.block(block)?),
             Naga::If { condition, accept, reject } => self.branch(*condition, accept, reject, out)?,
+            Naga::Loop { body, .. } if self.context.has_vectors() => out.push(self.each(body, span)?),
             Naga::Return { value: Some(value) } => out.push(Statement::Return(self.expression(*value)?)),
             Naga::Store { pointer, value } => {
                 let local = self.local(*pointer, span)?;
+                if self.counts(local) {
+                    return Ok(());
+                }
                 let lost = || self.context.refuse(span, "this assignment is not allowed here");
                 let variable = self.locals.get(&local.index()).copied().ok_or_else(lost)?;
                 out.push(Statement::Assign(variable, self.expression(*value)?));
@@ -156,6 +166,9 @@ impl Lowering<'_> {
     /// Makes an expression a `let` if it has a name; the others are lowered where they are used.
     fn emit(&mut self, handle: Handle<Expression>, out: &mut Vec<Statement>) -> Result<(), ShadeError> {
         let Some(name) = self.function.named_expressions.get(&handle) else { return Ok(()) };
+        if let Expression::Access { base, .. } = self.function.expressions[handle] {
+            return self.name_element(name, base, handle);
+        }
         let value = self.tree(handle)?;
         let kind = value.value(&self.variables, &self.context.functions);
         let variable = self.variable(name, kind);

@@ -42,13 +42,14 @@ fn remove(body: &mut Vec<Statement>, unread: &impl Fn(usize) -> bool) -> bool {
         Statement::Let(variable, _) | Statement::Assign(variable, _) | Statement::Var(variable, _) => {
             !unread(*variable)
         }
-        Statement::If(..) | Statement::Return(_) => true,
+        Statement::If(..) | Statement::Each(..) | Statement::Return(_) => true,
     });
     let mut changed = body.len() != before;
     for statement in body {
-        if let Statement::If(_, accept, reject) = statement {
-            changed |= remove(accept, unread);
-            changed |= remove(reject, unread);
+        match statement {
+            Statement::If(_, accept, reject) => changed |= remove(accept, unread) | remove(reject, unread),
+            Statement::Each(_, _, body) => changed |= remove(body, unread),
+            _ => {}
         }
     }
     changed
@@ -95,6 +96,7 @@ fn mentions(body: &[Statement], variable: usize) -> bool {
         Statement::If(condition, accept, reject) => {
             condition.reads(variable) || mentions(accept, variable) || mentions(reject, variable)
         }
+        Statement::Each(_, list, body) => *list == variable || mentions(body, variable),
     })
 }
 
@@ -102,6 +104,7 @@ fn assigns(statement: &Statement, variable: usize) -> bool {
     match statement {
         Statement::Assign(v, _) => *v == variable,
         Statement::If(_, accept, reject) => accept.iter().chain(reject).any(|s| assigns(s, variable)),
+        Statement::Each(_, _, body) => body.iter().any(|s| assigns(s, variable)),
         _ => false,
     }
 }

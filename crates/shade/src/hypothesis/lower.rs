@@ -54,9 +54,25 @@ impl Context<'_> {
             TypeInner::Scalar(Scalar::F32) => Ok(Kind::Number),
             TypeInner::Scalar(Scalar::BOOL) => Ok(Kind::Truth),
             TypeInner::Vector { size, scalar: Scalar::F32 } if self.vectors => Ok(Kind::Vector(size as u8)),
+            TypeInner::Array { base, size: naga::ArraySize::Constant(n), .. }
+                if self.vectors && self.kind(base, span)? == Kind::Vector(4) && n.get() < 256 =>
+            {
+                Ok(Kind::List(n.get() as u8))
+            }
+            TypeInner::Struct { ref members, .. } if self.vectors => self.taps(members, span),
             _ if self.vectors => Err(self.refuse(span, "only f32, its vectors and bool are allowed")),
             _ => Err(self.refuse(span, "only f32 and bool are allowed in a hypothesis")),
         }
+    }
+
+    /// The kind of a structure: vectors of 4, then as many numbers.
+    fn taps(&self, members: &[naga::StructMember], span: Span) -> Result<Kind, ShadeError> {
+        let n = members.len() / 2;
+        let kinds: Result<Vec<Kind>, ShadeError> = members.iter().map(|m| self.kind(m.ty, span)).collect();
+        if kinds? == [vec![Kind::Vector(4); n], vec![Kind::Number; n]].concat() && n < 256 {
+            return Ok(Kind::Taps(n as u8));
+        }
+        Err(self.refuse(span, "a structure must have vectors of 4, then as many numbers"))
     }
 
     /// A literal of the dialect.
@@ -86,6 +102,9 @@ impl Context<'_> {
             Kind::Vector(n) => {
                 let zero = Expr { kind: ExprKind::Number(0.0), span: bytes(span) };
                 ExprKind::Compose(vec![zero; usize::from(n)])
+            }
+            Kind::List(_) | Kind::Taps(_) => {
+                return Err(self.refuse(span, "an array or a structure has to be written out"));
             }
         })
     }
@@ -227,7 +246,7 @@ fn refuse_unused(context: &Context, parameters: &[Parameter]) -> Result<(), Shad
 }
 
 /// Calls `f` on every expression of a block.
-pub(super) fn visit(body: &[Statement], f: &mut impl FnMut(&Expr)) {
+pub(crate) fn visit(body: &[Statement], f: &mut impl FnMut(&Expr)) {
     fn expression(expr: &Expr, f: &mut impl FnMut(&Expr)) {
         f(expr);
         for operand in expr.operands() {
@@ -244,6 +263,7 @@ pub(super) fn visit(body: &[Statement], f: &mut impl FnMut(&Expr)) {
                 visit(accept, f);
                 visit(reject, f);
             }
+            Statement::Each(_, _, body) => visit(body, f),
         }
     }
 }

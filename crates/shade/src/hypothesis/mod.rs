@@ -8,6 +8,7 @@
 
 mod branch;
 mod declare;
+mod each;
 mod expression;
 mod lower;
 mod places;
@@ -16,7 +17,7 @@ mod specialise;
 mod syntax;
 mod vector;
 
-pub(crate) use lower::lower_functions;
+pub(crate) use lower::{lower_functions, visit};
 pub use size::Limits;
 pub(crate) use specialise::specialise;
 pub use syntax::{

@@ -14,6 +14,8 @@ impl Limits {
     pub const PARAMETERS: usize = 64;
     /// Operations of the formula, calls expanded, common sub-expressions once.
     pub const OPERATIONS: usize = 4096;
+    /// Of a function of a [`Source`](crate::Source), its loops and calls written out.
+    pub const SOURCE_OPERATIONS: usize = 1 << 15;
     /// Operators and brackets of one statement; bounds how deep an expression can nest.
     pub const STATEMENT: usize = 1024;
     /// Nested branches.

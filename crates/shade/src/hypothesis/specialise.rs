@@ -46,6 +46,9 @@ fn block(body: &[Statement], coefficients: &[f32], name: &str) -> Result<Vec<Sta
                     block(accept, coefficients, name)?,
                     block(reject, coefficients, name)?,
                 ),
+                Statement::Each(element, list, body) => {
+                    Statement::Each(*element, *list, block(body, coefficients, name)?)
+                }
             })
         })
         .collect()

@@ -10,6 +10,10 @@ pub enum Kind {
     Truth,
     /// A vector of 2 to 4 f32.
     Vector(u8),
+    /// An array of so many vectors of 4 f32, as an argument.
+    List(u8),
+    /// A structure of so many weighted fetches, as a result: vectors of 4 f32, then as many weights.
+    Taps(u8),
 }
 
 /// A free parameter: an `override` declaration.
@@ -34,10 +38,13 @@ impl Variable {
     /// Names of its components; its own name if it is no vector.
     pub fn components(&self) -> Vec<String> {
         match self.kind {
-            Kind::Number | Kind::Truth => vec![self.name.clone()],
+            Kind::Number | Kind::Truth | Kind::Taps(_) => vec![self.name.clone()],
             Kind::Vector(n) => {
                 (0..usize::from(n)).map(|i| format!("{}.{}", self.name, &"xyzw"[i..=i])).collect()
             }
+            Kind::List(n) => (0..4 * usize::from(n))
+                .map(|i| format!("{}[{}].{}", self.name, i / 4, &"xyzw"[i % 4..=i % 4]))
+                .collect(),
         }
     }
 }
@@ -176,6 +183,8 @@ pub enum Statement {
     Assign(usize, Expr),
     /// Branches.
     If(Expr, Vec<Statement>, Vec<Statement>),
+    /// Names each vector of an array in turn and runs a block with it.
+    Each(usize, usize, Vec<Statement>),
     /// Returns.
     Return(Expr),
 }
@@ -216,6 +225,7 @@ impl Function {
                 Statement::If(condition, accept, reject) => {
                     condition.reads(variable) || block(accept, variable) || block(reject, variable)
                 }
+                Statement::Each(_, list, body) => *list == variable || block(body, variable),
             })
         }
         block(&self.body, variable)

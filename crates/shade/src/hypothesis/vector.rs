@@ -44,6 +44,10 @@ impl Lowering<'_> {
     pub(super) fn vector(&self, expression: &Expression, span: Span) -> Result<ExprKind, ShadeError> {
         match expression {
             Expression::Compose { ty, components } => {
+                if let Ok(Kind::Taps(_)) = self.context.kind(*ty, span) {
+                    let parts = components.iter().map(|&handle| self.operand(handle));
+                    return Ok(ExprKind::Compose(parts.collect::<Result<_, _>>()?));
+                }
                 let TypeInner::Vector { .. } = self.context.module.types[*ty].inner else {
                     return Err(self
                         .context
@@ -54,7 +58,7 @@ impl Lowering<'_> {
                     let part = self.operand(handle)?;
                     match part.value(&self.variables, &self.context.functions) {
                         Kind::Vector(n) => all.extend((0..n).map(|i| component(&part, i, span))),
-                        Kind::Number | Kind::Truth => all.push(part),
+                        _ => all.push(part),
                     }
                 }
                 Ok(ExprKind::Compose(all))

@@ -20,6 +20,8 @@ struct Builder<'a> {
     known: HashMap<Key, Node>,
     calls: HashMap<(usize, Vec<Value>), Value>,
     span: (u32, u32),
+    /// Most operations.
+    limit: usize,
 }
 
 /// What has happened when a block has run: the variables, and whether and what it has returned.
@@ -51,7 +53,8 @@ impl Tape {
         component: Option<usize>,
         place: [&str; 2],
     ) -> Result<Tape, ShadeError> {
-        let mut made = Inputs { builder: Builder::new(Some(formula)), names: Vec::new(), nodes: Vec::new() };
+        let limit = component.map_or(Limits::OPERATIONS, |_| Limits::SOURCE_OPERATIONS);
+        let mut made = Inputs::of(formula, limit);
         let values = made.call(index);
         let results = component.map_or(&values[..], |i| &values[i..=i]);
         made.tape(results, index, place)
@@ -63,7 +66,7 @@ impl Tape {
         indices: &[usize],
         place: [&str; 2],
     ) -> Result<Tape, ShadeError> {
-        let mut made = Inputs { builder: Builder::new(Some(formula)), names: Vec::new(), nodes: Vec::new() };
+        let mut made = Inputs::of(formula, Limits::SOURCE_OPERATIONS);
         let results: Vec<Node> = indices.iter().flat_map(|&index| made.call(index)).collect();
         made.tape(&results, formula.functions.len() - 1, place)
     }
@@ -76,7 +79,11 @@ struct Inputs<'a> {
     nodes: Vec<Node>,
 }
 
-impl Inputs<'_> {
+impl<'a> Inputs<'a> {
+    fn of(formula: &'a Formula, limit: usize) -> Inputs<'a> {
+        Inputs { builder: Builder::new(Some(formula), limit), names: Vec::new(), nodes: Vec::new() }
+    }
+
     /// Value of a function of the inputs that its arguments name.
     fn call(&mut self, index: usize) -> Value {
         let Some(formula) = self.builder.formula else { return vec![0] };
@@ -100,9 +107,9 @@ impl Inputs<'_> {
     fn tape(self, results: &[Node], index: usize, [file, source]: [&str; 2]) -> Result<Tape, ShadeError> {
         let Inputs { builder, names, .. } = self;
         let found = builder.ops.len();
-        if found > Limits::OPERATIONS {
-            let what = "operations";
-            return Err(ShadeError::TooLarge { file: file.into(), what, found, limit: Limits::OPERATIONS });
+        if found > builder.limit {
+            let (what, limit) = ("operations", builder.limit);
+            return Err(ShadeError::TooLarge { file: file.into(), what, found, limit });
         }
         let place = |span: (u32, u32)| Place::of(file, source, span.0 as usize, span.1 as usize);
         let (ops, spans) = reachable(&builder.ops, &builder.spans, results);
@@ -118,7 +125,7 @@ impl Inputs<'_> {
 
 /// The f32 value of an expression whose operands are literals.
 pub fn fold(expr: &Expr) -> ExprKind {
-    let mut builder = Builder::new(None);
+    let mut builder = Builder::new(None, Limits::OPERATIONS);
     let result = builder.expression(expr, &[]);
     let (ops, spans) = reachable(&builder.ops, &builder.spans, &result);
     let places = spans.iter().map(|_| Place::of("", "", 0, 0)).collect();
@@ -136,7 +143,7 @@ pub fn fold(expr: &Expr) -> ExprKind {
 }
 
 impl<'a> Builder<'a> {
-    fn new(formula: Option<&'a Formula>) -> Builder<'a> {
+    fn new(formula: Option<&'a Formula>, limit: usize) -> Builder<'a> {
         Builder {
             formula,
             ops: Vec::new(),
@@ -144,6 +151,7 @@ impl<'a> Builder<'a> {
             known: HashMap::new(),
             calls: HashMap::new(),
             span: (0, 0),
+            limit,
         }
     }
 
@@ -155,7 +163,7 @@ impl<'a> Builder<'a> {
         if let Some(&node) = self.known.get(&key) {
             return node;
         }
-        if self.ops.len() > Limits::OPERATIONS {
+        if self.ops.len() > self.limit {
             return 0;
         }
         let node = self.ops.len() as Node;
@@ -231,6 +239,13 @@ impl<'a> Builder<'a> {
                     let merged = self.merge(condition, accept, reject);
                     state.variables = merged.variables;
                     state.returned = self.then(state.returned, merged.returned);
+                }
+                Statement::Each(element, list, body) => {
+                    let rows = state.variables[*list].clone().unwrap_or_default();
+                    for row in rows.chunks(4) {
+                        state.variables[*element] = Some(row.to_vec());
+                        state = self.block(body, state);
+                    }
                 }
             }
             if matches!(state.returned, Returned::Always(_)) {

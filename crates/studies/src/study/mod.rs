@@ -115,6 +115,9 @@ pub enum StudyError {
     /// A formula of the catalogue that does not parse.
     #[error(transparent)]
     Formula(#[from] FitError),
+    /// A lookup that cannot be printed.
+    #[error(transparent)]
+    Code(#[from] lobefit_shade::code::CodeError),
     /// The catalogue could not be fitted.
     #[error(transparent)]
     Catalogue(#[from] FitStageError),

@@ -28,7 +28,7 @@ pub(super) fn in_language(language: Language, lobes: &[Lobe]) -> Result<String, 
             }
         }
     }
-    Ok(text + &probe::print(language, &lookups))
+    Ok(text + &probe::print(language, &lookups)?)
 }
 
 /// What a function holds of, so that it is not paired with another chain.

@@ -1,7 +1,7 @@
 //! The lookups of a kind of lobe: what is emitted, with what is said of it.
 
 use super::{Lobe, code};
-use crate::approximate::{Fit, FitStageError};
+use crate::approximate::Fit;
 use crate::data::{MipChain, ProbeLookup};
 use crate::effects::BakeError;
 use crate::effects::Effect;
@@ -17,6 +17,7 @@ use crate::emit::manifest::{CostEntry, LookupFunction};
 pub(super) struct Lookup {
     pub wanted: Wanted,
     chain: Option<MipChain>,
+    inputs: Vec<String>,
     ops: u32,
 }
 
@@ -36,17 +37,11 @@ fn one(
     chain: Option<&MipChain>,
     identifiers: &[(MipChain, String)],
 ) -> Result<Lookup, BakeError> {
-    let level = chain.and_then(|chain| {
-        lobe.functions.iter().find(|f| f.gives == Gives::Level && f.chain == *chain).map(|f| &f.hypothesis)
-    });
+    let level =
+        chain.and_then(|chain| lobe.functions.iter().find(|f| f.gives == Gives::Level && f.chain == *chain));
     let identifier =
         chain.and_then(|chain| identifiers.iter().find(|(known, _)| known == chain)).map(|(_, name)| name);
     let suffix = identifier.map_or_else(String::new, |name| format!("_{name}"));
-    let called = |hypothesis: &lobefit_shade::Hypothesis| Called {
-        name: hypothesis.name().to_string(),
-        inputs: hypothesis.inputs().to_vec(),
-        ops: hypothesis.tape().cost_ops(),
-    };
     let fetches = lookup.taps as usize;
     let fetch = format!("parallax_fetch_{}_{}{suffix}", lookup.shape(), lookup.edges());
     let mut wanted = Wanted {
@@ -56,14 +51,14 @@ fn one(
         rule: TapRule::of(&lobe.spec.kernel, fetches)
             .ok_or(BakeError::NoRule { kernel: lobe.spec.kernel.word().into(), fetches })?,
         header: Vec::new(),
-        width: called(&best.hypothesis),
-        level: level.map(called),
+        width: Called::new(&best.hypothesis, &best.coefficients())?,
+        level: level.map(|f| Called::new(&f.hypothesis, &f.coefficients)).transpose()?,
         alpha_map: lobe.spec.alpha_map,
         power: Tied::FITTED,
     };
-    let ops = wanted.operations().map_err(FitStageError::from)?;
+    let ops = wanted.operations()?;
     wanted.header = header(lobe, &wanted, chain, ops);
-    Ok(Lookup { wanted, chain: chain.cloned(), ops })
+    Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops })
 }
 
 /// What it does, what it must be paired with, what it costs, and what it is off by.
@@ -100,7 +95,7 @@ impl Lookup {
         LookupFunction {
             effect: Parallax.name().into(),
             function: name.clone(),
-            inputs: self.wanted.inputs(),
+            inputs: self.inputs.clone(),
             proxy: lookup.shape(),
             edges: lookup.edges().into(),
             lobe: lookup.lobe.name().into(),

@@ -1,77 +1,52 @@
-//! The lobe of a surface that is fitted to GGX, as a script: the formulas of [`Shading::Fitted`](crate::effects::parallax::Shading) in f32.
+//! The lobe of a surface that is fitted to GGX: the formulas of [`Shading::Fitted`](crate::effects::parallax::Shading) in a shader's arithmetic.
 
+use super::constant;
 use crate::effects::parallax::LobeFit;
 use crate::effects::parallax::lookups::{LEAST_COSINE, NARROWEST};
 
 /// `ray`, the axis, and `width` by the constants of [`LobeFit`]. The powers of |mu| share its logarithm; alpha is at least 1e-8 in its
 /// own, where the share of the normal is below 1e-10. (1 - share) (2 mu n - v) + share n is a sum of n and v; its length is at least the root of 1/2,
-/// as n and the mirror ray are at most at right angles: below the surface (mu < 0) that ray goes straight on, -v.
-const AXIS: &str = "
-mu = normal.x * view.x + normal.y * view.y + normal.z * view.z
-log_mu = log2(min(max(abs(mu), LEAST), 1.0))
-blend = min(A * exp2(B * log2(max(alpha, 0.00000001)) + C * log_mu), 1.0)
-rest = 1.0 - blend
-lifted = blend + 2.0 * rest * max(mu, 0.0)
-axis = lifted * normal.x - rest * view.x | lifted * normal.y - rest * view.y | lifted * normal.z - rest * view.z
-scaled = 1.0 / sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z)
-ray = axis.x * scaled | axis.y * scaled | axis.z * scaled
-narrow = alpha * max(exp2((D - E * alpha) * log_mu) * (1.0 - F * alpha), NARROWEST)
-width = narrow / max(1.0 + alpha - narrow, narrow)
+/// as n and the mirror ray are at most at right angles: below the surface (mu < 0) the mirror ray goes straight on, -v.
+pub(super) const AXIS: &str = "
+let mu = dot(normal, view);
+let log_mu = log2(min(max(abs(mu), LEAST_COSINE), 1.0));
+let blend = min(LEAN_0 * exp2(LEAN_1 * log2(max(alpha, 1e-8)) + LEAN_2 * log_mu), 1.0);
+let rest = 1.0 - blend;
+let lifted = blend + 2.0 * rest * max(mu, 0.0);
+let axis = lifted * normal - rest * view;
+let scaled = 1.0 / sqrt(dot(axis, axis));
+let ray = axis * scaled;
+let narrow = alpha * max(exp2((NARROW_0 - NARROW_1 * alpha) * log_mu) * (1.0 - NARROW_2 * alpha), NARROWEST);
+let width = narrow / max(1.0 + alpha - narrow, narrow);
 ";
 
 /// The half-axes of the lobe, `first` towards the normal and `second` across, by those of a round one, `base_1` and `base_2`. Normal and
 /// view are on one side of the axis, and not both along it but head on and from straight below (within a sine of 1e-6), where the lobe is round and so
 /// the half-axes are any.
-const AXES: &str = "
-squashed = min((G - H * SURFACE) * log_mu, 0.0)
-longer = exp2(-0.5 * squashed)
-shorter = 1.0 / longer
-aside = normal.x + view.x | normal.y + view.y | normal.z + view.z
-inward_1 = aside.x * base_1.x + aside.y * base_1.y + aside.z * base_1.z
-inward_2 = aside.x * base_2.x + aside.y * base_2.y + aside.z * base_2.z
-inward = sqrt(inward_1 * inward_1 + inward_2 * inward_2)
-tiny = max(inward, 0.000001)
-part_1 = choose(inward > 0.000001, inward_1 / tiny, 1.0)
-part_2 = choose(inward > 0.000001, inward_2 / tiny, 0.0)
-first = longer * (part_1 * base_1.x + part_2 * base_2.x) | longer * (part_1 * base_1.y + part_2 * base_2.y) | longer * (part_1 * base_1.z + part_2 * base_2.z)
-second = shorter * (part_1 * base_2.x - part_2 * base_1.x) | shorter * (part_1 * base_2.y - part_2 * base_1.y) | shorter * (part_1 * base_2.z - part_2 * base_1.z)
+pub(super) const AXES: &str = "
+let squashed = min((SQUASH_0 - SQUASH_1 * alpha) * log_mu, 0.0);
+let longer = exp2(-0.5 * squashed);
+let shorter = 1.0 / longer;
+let aside = normal + view;
+let inward_1 = dot(aside, base_1);
+let inward_2 = dot(aside, base_2);
+let inward = sqrt(inward_1 * inward_1 + inward_2 * inward_2);
+let tiny = max(inward, 1e-6);
+let part_1 = select(1.0, inward_1 / tiny, inward > 1e-6);
+let part_2 = select(0.0, inward_2 / tiny, inward > 1e-6);
+let first = longer * (part_1 * base_1 + part_2 * base_2);
+let second = shorter * (part_1 * base_2 - part_2 * base_1);
 ";
 
-/// The lines that name, by `normal`, `view` and `alpha`, the axis and the width of the lobe for a number of fetches, and after them a script of
-/// a lobe of that `ray` and width, by the name `alpha`. Inside the script SURFACE is the alpha of the surface.
-pub(super) fn of_this(taps: u32, script: &str) -> String {
-    let narrowed = replaced(script, |word| (word == "alpha").then(|| "width".to_string()));
-    with_constants(&(AXIS.to_string() + &narrowed), &LobeFit::of(taps))
-}
-
-/// The lines that name its half-axes, after those of a round lobe about it, inside such a script.
-pub(super) fn axes() -> &'static str {
-    AXES
-}
-
-/// Constants in the place of their names.
-fn with_constants(script: &str, fit: &LobeFit) -> String {
-    let constants = [&fit.lean[..], &fit.narrow, &fit.squash].concat();
-    let text = replaced(script, |word| match word {
-        "LEAST" => Some(format!("{:?}", LEAST_COSINE as f32)),
-        "NARROWEST" => Some(format!("{:?}", NARROWEST as f32)),
-        "SURFACE" => Some("alpha".into()),
-        _ => {
-            let place = ["A", "B", "C", "D", "E", "F", "G", "H"].iter().position(|name| *name == word)?;
-            constants.get(place).map(|value| format!("{:?}", *value as f32))
-        }
-    });
-    text.replace("- -", "+ ").replace("+ -", "- ")
-}
-
-/// A text with some of its words replaced.
-fn replaced(text: &str, word: impl Fn(&str) -> Option<String>) -> String {
-    let within = |c: char| c.is_ascii_alphanumeric() || c == '_';
-    let part = |part: &str| {
-        let name = part.trim_end_matches(|c| !within(c));
-        word(name).map_or_else(|| part.to_string(), |new| new + &part[name.len()..])
+/// The constants of the lobe for a number of fetches, as declarations.
+pub(super) fn constants(taps: u32) -> String {
+    let fit = LobeFit::of(taps);
+    let rows = [("LEAN", &fit.lean[..]), ("NARROW", &fit.narrow), ("SQUASH", &fit.squash)];
+    let declared = |(name, values): (&str, &[f64])| -> String {
+        values.iter().enumerate().map(|(i, value)| constant(&format!("{name}_{i}"), *value)).collect()
     };
-    text.split_inclusive(|c| !within(c)).map(part).collect()
+    let limits = constant("LEAST_COSINE", LEAST_COSINE) + &constant("NARROWEST", NARROWEST);
+    limits + &rows.map(declared).concat()
 }
 
 /// What the arguments are, and what the lobe is.

@@ -7,17 +7,15 @@
 mod lobe;
 mod meet;
 mod rule;
-mod script;
 mod several;
 mod single;
-mod spelling;
 
 use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::TapRule;
 use crate::effects::parallax::room::proxies::Tie;
 use crate::effects::parallax::taps::horizon::FADE;
-use lobefit_fit::FitError;
-use lobefit_shade::code::Language;
+use lobefit_shade::code::{self, CodeError, Language};
+use lobefit_shade::{Hypothesis, ShadeError, Source};
 
 /// What the ray of the mirror lobe is.
 const MIRROR: [&str; 2] = [
@@ -25,18 +23,27 @@ const MIRROR: [&str; 2] = [
     "it does not lean as the lobe of a surface does at grazing angles.",
 ];
 
-/// A function of the file that a lookup calls: its name, its arguments in order.
+/// A function of the file that a lookup calls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Called {
     /// Name.
     pub name: String,
     /// Names of the arguments.
     pub inputs: Vec<String>,
-    /// Operations.
-    pub ops: u32,
+    /// Its text in WGSL.
+    pub text: String,
 }
 
 impl Called {
+    /// A formula with its coefficients.
+    ///
+    /// # Errors
+    /// A formula that cannot be printed.
+    pub fn new(hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Called, CodeError> {
+        let text = code::print(Language::Wgsl, hypothesis, coefficients, &[])?.text;
+        Ok(Called { name: hypothesis.name().to_string(), inputs: hypothesis.inputs().to_vec(), text })
+    }
+
     /// A call of a width, by what stands for alpha and rho.
     fn call(&self, alpha: &str, rho: &str) -> String {
         let passed = |input: &String| if input == "rho" { rho.to_string() } else { alpha.to_string() };
@@ -68,25 +75,22 @@ pub struct Wanted {
 }
 
 impl Wanted {
-    /// The lines that name what a width is fetched by, where that is the level.
-    fn level_lines(&self, width: &str) -> String {
-        let Some(level) = &self.level else { return String::new() };
-        let name = &level.name;
-        let root = self.alpha_map.roughness_source(width);
-        if root == width {
-            return format!("mip_{width} :1 = {name}({width})\n");
-        }
-        format!("roughness_{width} = {root}\nmip_{width} :1 = {name}(roughness_{width})\n")
-    }
-
     /// What is fetched by, beside the direction: a width or its level.
     fn fetched(&self, width: &str) -> String {
-        if self.level.is_some() { format!("mip_{width}") } else { width.into() }
+        match &self.level {
+            Some(level) => format!("{}({})", level.name, self.alpha_map.roughness_source(width)),
+            None => width.into(),
+        }
     }
 
     /// Names of the arguments, in order.
-    pub fn inputs(&self) -> Vec<String> {
-        self.routine().arguments.iter().map(|(name, _)| name.to_string()).collect()
+    ///
+    /// # Errors
+    /// A source that does not parse, a defect.
+    pub fn inputs(&self) -> Result<Vec<String>, CodeError> {
+        let source = self.source()?;
+        let function = source.function(&self.name)?;
+        Ok(function.variables[..function.arguments].iter().map(|v| v.name.clone()).collect())
     }
 
     /// What the function takes and returns, and how that is used.
@@ -179,80 +183,103 @@ impl Wanted {
     /// Operations of a call, those of the functions that it calls among them.
     ///
     /// # Errors
-    /// A script that is no arithmetic, a defect.
-    pub fn operations(&self) -> Result<u32, FitError> {
-        let met = meet::routine(self.lookup).operations()?;
-        let level = self.level.as_ref().map_or(0, |level| level.ops);
-        let fetch = single::fetch(self).operations()? + met + self.width.ops + level;
-        let own = self.routine().operations()?;
-        // several fetches need to meet the proxy along the ray first
-        let first = if self.lookup.taps > 1 { met } else { 0 };
-        Ok(own + first + self.lookup.taps * fetch)
+    /// A source that does not parse, a defect.
+    pub fn operations(&self) -> Result<u32, CodeError> {
+        Ok(self.source()?.cost_ops(&[&self.name])?)
     }
 
-    fn routine(&self) -> script::Routine {
-        if self.lookup.taps > 1 { several::lookup(self) } else { single::lookup(self) }
+    /// The lookup with everything that it calls.
+    ///
+    /// # Errors
+    /// A source that does not parse, a defect.
+    pub fn source(&self) -> Result<Source, ShadeError> {
+        let several = self.lookup.taps > 1;
+        let level = self.level.as_ref().map_or("", |level| &level.text);
+        let text = [
+            lobe::constants(self.lookup.taps),
+            rule::constants(&self.rule),
+            self.width.text.clone(),
+            level.to_string(),
+            meet::source(self.lookup),
+            single::fetch(self),
+            if several { several::structure(self.lookup.taps) } else { String::new() },
+            if several { several::lookup(self) } else { single::lookup(self) },
+        ];
+        Source::parse("probe.wgsl", &text.concat())
+    }
+
+    /// Its text with what it shares, in a language.
+    fn print(&self, language: Language) -> Result<Vec<String>, CodeError> {
+        let (source, taps) = (self.source()?, self.lookup.taps);
+        let fetched = if self.level.is_some() { "level" } else { "width" };
+        let fetch = format!(
+            "One fetch of the lookups below, along a ray, of a lobe of width alpha: direction and {fetched}."
+        );
+        let structure = (taps > 1).then(|| language.taps(taps as u8));
+        let functions = [
+            (meet::name(self.lookup), meet::header(self.lookup)),
+            (self.fetch.clone(), vec![fetch]),
+            (self.name.clone(), self.header.clone()),
+        ];
+        let printed = functions.iter().map(|(name, header)| source.print(language, name, header));
+        structure.map(Ok).into_iter().chain(printed).collect()
     }
 }
 
+/// A number as a constant of a source.
+fn constant(name: &str, value: f64) -> String {
+    format!("const {name}: f32 = {:?};\n", value as f32)
+}
+
 /// The functions of lookups and what they share, each after what it calls; empty where there are none.
-pub fn print(language: Language, lookups: &[Wanted]) -> String {
+///
+/// # Errors
+/// A source that does not parse, a defect; a name that the language has taken.
+pub fn print(language: Language, lookups: &[Wanted]) -> Result<String, CodeError> {
     let mut texts: Vec<String> = Vec::new();
     for lookup in lookups {
-        let taps = lookup.lookup.taps as usize;
-        let structure = (taps > 1).then(|| script::structure_text(language, taps));
-        let routines = [meet::routine(lookup.lookup), single::fetch(lookup), lookup.routine()];
-        for text in structure.into_iter().chain(routines.map(|routine| routine.print(language))) {
+        for text in lookup.print(language)? {
             if !texts.contains(&text) {
                 texts.push(text);
             }
         }
     }
-    texts.into_iter().map(|text| format!("\n{text}")).collect()
+    Ok(texts.into_iter().map(|text| format!("\n{text}")).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The scripts' names are words of no language.
+    /// Every combination is a source of the dialect, and its names are words of no language.
     #[test]
-    fn names_are_free_in_every_language() {
-        let called =
-            |name: &str| Called { name: name.into(), inputs: vec!["alpha".into(), "rho".into()], ops: 1 };
-        use SurfaceLobe::{Fitted, Mirror};
-        for (planes, smooth, taps, lobe) in [
-            (None, true, 2, Mirror),
-            (None, false, 3, Fitted),
-            (Some(9), true, 3, Mirror),
-            (Some(9), false, 1, Mirror),
-            (None, true, 1, Fitted),
-        ] {
-            let lookup = ProbeLookup { planes, smooth, taps, lobe };
-            let rule = [TapRule::one(), TapRule::two(), TapRule::three()][taps as usize - 1];
+    fn lookups_are_printed_in_every_language() {
+        let called = |name: &str, input: &str| Called {
+            name: name.into(),
+            inputs: vec![input.into()],
+            text: format!("fn {name}({input}: f32) -> f32 {{ return {input}; }}\n"),
+        };
+        for i in 0..24 {
+            let planes = (i % 2 == 1).then_some(9);
+            let lobe = if i / 4 % 2 == 0 { SurfaceLobe::Mirror } else { SurfaceLobe::Fitted };
+            let lookup = ProbeLookup { planes, smooth: i / 2 % 2 == 0, taps: 1 + i / 8, lobe };
             let wanted = Wanted {
                 name: "lookup".into(),
                 fetch: "one_fetch".into(),
                 lookup,
-                rule,
+                rule: [TapRule::one(), TapRule::two(), TapRule::three()][lookup.taps as usize - 1],
                 header: Vec::new(),
-                width: called("f"),
-                level: Some(called("g")),
+                width: called("f", "alpha"),
+                level: (i % 3 == 0).then(|| called("g", "alpha")),
                 alpha_map: AlphaMap::RoughnessSquared,
                 power: Tie { over: 4.0, power: 1.0 },
             };
-            for routine in [meet::routine(lookup), single::fetch(&wanted), wanted.routine()] {
-                let body = routine.body.lines().filter_map(|line| line.trim().split_once(" = "));
-                let named = body.map(|(name, _)| name.trim_start_matches("var ").trim_start_matches("set "));
-                let named = named.map(|name| name.split(" :").next().unwrap_or(name));
-                let arguments = routine.arguments.iter().map(|(name, _)| *name);
-                for name in
-                    named.chain(arguments).chain(["plane", "every", "result", "taps", "weights", "fetches"])
-                {
-                    for language in Language::ALL {
-                        assert!(!language.takes(name), "{name} in {}", language.title());
-                    }
-                }
+            assert!(wanted.operations().expect("a source") > 20, "{lookup:?}");
+            for language in Language::ALL {
+                let text = print(language, std::slice::from_ref(&wanted)).expect("a text");
+                let renamed =
+                    text.split(|c: char| !c.is_alphanumeric() && c != '_').find(|w| w.ends_with('_'));
+                assert_eq!(renamed, None, "{}", language.title());
             }
         }
     }

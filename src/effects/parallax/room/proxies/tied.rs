@@ -45,13 +45,13 @@ impl Tie {
     }
 
     /// alpha^power/over in a shader's arithmetic on f32.
-    pub fn script(self) -> String {
+    pub fn source(self, alpha: &str) -> String {
         let powered = match self.power {
-            1.0 => "alpha".to_string(),
-            1.25 => "alpha * sqrt(sqrt(alpha))".to_string(),
-            1.5 => "alpha * sqrt(alpha)".to_string(),
-            2.0 => "alpha * alpha".to_string(),
-            power => format!("pow(max(alpha, 0.000001), {:?})", power as f32),
+            1.0 => alpha.to_string(),
+            1.25 => format!("{alpha} * sqrt(sqrt({alpha}))"),
+            1.5 => format!("{alpha} * sqrt({alpha})"),
+            2.0 => format!("{alpha} * {alpha}"),
+            power => format!("pow(max({alpha}, 1e-6), {:?})", power as f32),
         };
         format!("{powered} * {:?}", (1.0 / self.over) as f32)
     }

@@ -31,11 +31,7 @@ fn cost(lookup: ProbeLookup, rule: TapRule, width: &Hypothesis) -> Result<Lookup
         lookup,
         rule,
         header: Vec::new(),
-        width: Called {
-            name: width.name().to_string(),
-            inputs: width.inputs().to_vec(),
-            ops: width.tape().cost_ops(),
-        },
+        width: Called::new(width, &width.starts().iter().map(|x| *x as f32).collect::<Vec<_>>())?,
         level: None,
         alpha_map: AlphaMap::RoughnessSquared,
         power: Tied::FITTED,
