@@ -23,7 +23,7 @@ use lobefit_fit::texels::{self, Lattice, Wanted};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::reflection::{Effort, Interpolant, albedo, split};
 use lobefit_truth::optics::distribution::Ggx;
-use lobefit_truth::quantity::TRUTH_ERROR;
+use lobefit_truth::quantity::{GGX_REFLECTION, TRUTH_ERROR};
 
 /// Samples per cell and axis that the texels are optimised on: fewer in large tables, whose cells hold less curvature and whose
 /// samples would fill the memory (a 512 x 512 table has a million at 2).
@@ -124,16 +124,12 @@ struct Node {
 }
 
 impl Node {
-    /// E and B at a position in texels; from the interpolant where it is given and holds.
-    fn new(spec: &Spec, axes: &[Axis; 2], known: Option<&Interpolant>, [x, y]: [f64; 2]) -> Node {
-        let (u, v) = (unit(&axes[0], x), unit(&axes[1], y));
-        let alpha = spec.region.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
-        let mu = axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0);
+    /// E and B at alpha and mu; from the interpolant where it is given and holds.
+    fn new(spec: &Spec, known: Option<&Interpolant<Ggx>>, (alpha, mu): (f64, f64)) -> Node {
         let effort = &Effort::ladder()[1];
-        let known = known.filter(|_| alpha.min(mu) >= Interpolant::SMALLEST);
+        let known = known.and_then(|known| known.at(alpha, mu));
         let (e, b) = match spec.serves {
-            Serves::SplitSum if let Some(known) = known => known.at(alpha, mu),
-            Serves::SplitSum => split(spec.smith, alpha, mu, effort),
+            Serves::SplitSum => known.unwrap_or_else(|| split(spec.smith, alpha, mu, effort)),
             Serves::Albedo => (albedo(spec.smith, alpha, mu, &effort.outer), 0.0),
         };
         Node { mu, e, b }
@@ -201,18 +197,17 @@ fn optimised(spec: &Spec, axes: &[Axis; 2], counter: &Counter) -> Vec<Channel> {
 fn nodes(spec: &Spec, axes: &[Axis; 2], lattice: &Lattice, counter: &Counter) -> Vec<Node> {
     let samples = lattice.samples();
     counter.add(samples.iter().product());
-    let many = lattice.per_cell.iter().any(|n| *n > 1) && spec.serves == Serves::SplitSum;
-    let known = many.then(|| interpolant(spec)).flatten();
-    let row = |j: usize| -> Vec<Node> {
-        let y = lattice.position(1, j);
-        (0..samples[0]).map(|i| Node::new(spec, axes, known.as_ref(), [lattice.position(0, i), y])).collect()
+    let place = |i: usize| {
+        let (u, v) = (
+            unit(&axes[0], lattice.position(0, i % samples[0])),
+            unit(&axes[1], lattice.position(1, i / samples[0])),
+        );
+        let alpha = spec.region.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
+        (alpha, axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0))
     };
-    let parts: Vec<Vec<Node>> = (0..samples[1]).into_par_iter().map(row).collect();
-    parts.into_iter().flatten().collect()
-}
-
-/// E and B over the rows of a table; none where they begin below what it holds, or no polynomial follows the integrals: each is
-/// integrated then.
-fn interpolant(spec: &Spec) -> Option<Interpolant> {
-    Interpolant::new(Ggx, spec.smith, [spec.region.alpha(), [Interpolant::SMALLEST, 1.0]], true).ok()
+    let places: Vec<(f64, f64)> = (0..samples[0] * samples[1]).map(place).collect();
+    let many = lattice.per_cell.iter().any(|n| *n > 1) && spec.serves == Serves::SplitSum;
+    let known = many.then(|| GGX_REFLECTION.interpolant(spec.smith, true));
+    known.inspect(|known| known.cover(&places));
+    places.into_par_iter().map(|place| Node::new(spec, known, place)).collect()
 }

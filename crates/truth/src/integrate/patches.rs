@@ -1,10 +1,9 @@
 //! A smooth function of two variables at millions of places: polynomials on patches, each checked against the function.
 //!
-//! A patch that misses one of its checked places is halved across the variable in which its series falls more slowly.
+//! A patch that misses one of its checked places is halved across the variable in which its series falls more slowly. The work of one
+//! rectangle is done on one thread, so that threads may wait for it.
 
 use std::f64::consts::PI;
-
-use rayon::prelude::*;
 
 use lobefit_math::ops;
 
@@ -91,7 +90,7 @@ impl Patches {
         [low, high]: [[f64; 2]; 2],
         count: usize,
         tolerance: f64,
-        at: &(impl Fn([f64; 2]) -> [f64; 2] + Sync),
+        at: &impl Fn([f64; 2]) -> [f64; 2],
     ) -> Result<Patches, Missed> {
         let over = Rectangle { low, high };
         Ok(Patches { over, tree: grown(&Source { at, count, tolerance }, over)? })
@@ -114,7 +113,7 @@ impl Patches {
 }
 
 /// The patches of a rectangle.
-fn grown<F: Fn([f64; 2]) -> [f64; 2] + Sync>(source: &Source<F>, over: Rectangle) -> Result<Tree, Missed> {
+fn grown<F: Fn([f64; 2]) -> [f64; 2]>(source: &Source<F>, over: Rectangle) -> Result<Tree, Missed> {
     let sides = [0, 1].map(|axis| over.high[axis] - over.low[axis]);
     let longer = usize::from(sides[1] > sides[0]);
     let axis = if sides[longer] > LONGEST {
@@ -134,8 +133,7 @@ fn grown<F: Fn([f64; 2]) -> [f64; 2] + Sync>(source: &Source<F>, over: Rectangle
     let at = 0.5 * (over.low[axis] + over.high[axis]);
     let (mut below, mut above) = (over, over);
     (below.high[axis], above.low[axis]) = (at, at);
-    let (below, above) = rayon::join(|| grown(source, below), || grown(source, above));
-    Ok(Tree::Cut { axis, at, halves: Box::new([below?, above?]) })
+    Ok(Tree::Cut { axis, at, halves: Box::new([grown(source, below)?, grown(source, above)?]) })
 }
 
 impl Rectangle {
@@ -154,10 +152,10 @@ fn angle(i: usize) -> f64 {
 }
 
 impl Patch {
-    fn new<F: Fn([f64; 2]) -> [f64; 2] + Sync>(source: &Source<F>, over: Rectangle) -> Patch {
+    fn new<F: Fn([f64; 2]) -> [f64; 2]>(source: &Source<F>, over: Rectangle) -> Patch {
         let node =
             |i: usize| (source.at)(over.place([ops::cos(angle(i % NODES)), ops::cos(angle(i / NODES))]));
-        let values: Vec<[f64; 2]> = (0..NODES * NODES).into_par_iter().map(node).collect();
+        let values: Vec<[f64; 2]> = (0..NODES * NODES).map(node).collect();
         let cosines: [[f64; NODES]; NODES] =
             std::array::from_fn(|term| std::array::from_fn(|node| ops::cos(term as f64 * angle(node))));
         let series = |k: usize| {
@@ -192,14 +190,14 @@ impl Patch {
     }
 
     /// Largest difference from the function at the places that are checked.
-    fn checked<F: Fn([f64; 2]) -> [f64; 2] + Sync>(&self, source: &Source<F>) -> f64 {
+    fn checked<F: Fn([f64; 2]) -> [f64; 2]>(&self, source: &Source<F>) -> f64 {
         let off = |unit: &[f64; 2]| {
             let place = self.over.place(*unit);
             let (found, exact) = (self.at(place), (source.at)(place));
             let off = (0..source.count).map(|k| (found[k] - exact[k]).abs());
             worst(off.map(|x| if x.is_finite() { x } else { f64::NAN }))
         };
-        worst(CHECKS.par_iter().map(off).collect::<Vec<f64>>().into_iter())
+        worst(CHECKS.iter().map(off))
     }
 
     /// The variable whose last two terms are larger.

@@ -9,25 +9,25 @@ use crate::integrate::{Estimate, IntegrateError, reflection};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
 use crate::optics::distribution::{Distribution, Ggx};
-use crate::points::{Points, hull};
+use crate::points::Points;
 
 /// The directional albedo E = A + B for F = 1 of a lobe with a distribution of normals, its parts for f0 A + B, and 1 - E.
 ///
 /// The loss is within 1e-6 of itself where mu >= 1e-4. Beckmann's falls faster than any power as alpha goes to 0, and is held to that
 /// above 1e-12.
-#[derive(Clone, Copy, Debug)]
 pub struct Reflection<D> {
     name: &'static str,
     /// The distribution of a width.
     lobe: fn(f64) -> D,
+    /// For each Smith form, E alone, and E and B.
+    known: [[Interpolant<D>; 2]; 2],
 }
 
 /// `ggx-reflection`.
-pub static GGX_REFLECTION: Reflection<Ggx> = Reflection { name: reflection::QUANTITY, lobe: Ggx };
+pub static GGX_REFLECTION: Reflection<Ggx> = Reflection::new(reflection::QUANTITY, Ggx);
 
 /// `beckmann-reflection`.
-pub static BECKMANN_REFLECTION: Reflection<Beckmann> =
-    Reflection { name: "beckmann-reflection", lobe: Beckmann };
+pub static BECKMANN_REFLECTION: Reflection<Beckmann> = Reflection::new("beckmann-reflection", Beckmann);
 
 /// Largest error of E and B at many points, by one rule of eight nodes a panel: measured 6.1e-8 over alpha and mu in [1e-4, 1], held by
 /// `tests/effects/reflection_field.rs`. The texels of tables are made with sixteen and are better.
@@ -39,38 +39,55 @@ const CHUNK: usize = 256;
 /// Smallest alpha and mu of the rule: an f32 next to 1e-4 is among them.
 const RULE_FROM: f64 = 1e-4 * (1.0 - 1e-6);
 
-/// From so many points on, values come from an interpolant, which takes some ten thousand integrals.
+/// From so many points on, values come from an interpolant, of which a tile takes some hundred integrals.
 const MANY: usize = 30_000;
 
+impl<D: Distribution> Reflection<D> {
+    const fn new(name: &'static str, lobe: fn(f64) -> D) -> Reflection<D> {
+        let known = [
+            [
+                Interpolant::new(lobe, Smith::Correlated, false),
+                Interpolant::new(lobe, Smith::Correlated, true),
+            ],
+            [Interpolant::new(lobe, Smith::Separable, false), Interpolant::new(lobe, Smith::Separable, true)],
+        ];
+        Reflection { name, lobe, known }
+    }
+
+    /// E, and B where `split` says so, at millions of points.
+    pub fn interpolant(&self, smith: Smith, split: bool) -> &Interpolant<D> {
+        &self.known[usize::from(smith == Smith::Separable)][usize::from(split)]
+    }
+}
+
 /// E and B at points without a bound of their own.
-struct Fast<D> {
+struct Fast<'a, D> {
     smith: Smith,
     lobe: fn(f64) -> D,
     /// Whether B is asked for; else it is NaN.
     split: bool,
-    known: Option<Interpolant>,
+    /// For many points, where a tile of integrals serves thousands.
+    known: Option<&'a Interpolant<D>>,
 }
 
-impl<D: Distribution> Fast<D> {
-    /// For many points with an interpolant, where a patch of integrals serves thousands. Where no polynomial follows the integrals, there
-    /// is none, and each point is integrated.
-    fn new(smith: Smith, lobe: fn(f64) -> D, split: bool, places: &[(f64, f64)]) -> Fast<D> {
-        let inside = || places.iter().filter(|(alpha, mu)| alpha.min(*mu) >= Interpolant::SMALLEST);
-        let ranges = || [hull(inside().map(|p| p.0)), hull(inside().map(|p| p.1))];
-        let many = places.len() >= MANY;
-        let known = many.then(|| Interpolant::new(lobe, smith, ranges(), split).ok()).flatten();
-        Fast { smith, lobe, split, known }
+impl<'a, D: Distribution> Fast<'a, D> {
+    fn new(of: &'a Reflection<D>, smith: Smith, split: bool, places: &[(f64, f64)]) -> Fast<'a, D> {
+        let known = (places.len() >= MANY).then(|| of.interpolant(smith, split));
+        known.inspect(|known| known.cover(places));
+        Fast { smith, lobe: of.lobe, split, known }
     }
 
     /// E and B; none where no rule is known to keep the tolerance.
     fn at(&self, &(alpha, mu): &(f64, f64), tolerance: f64) -> Option<(f64, f64)> {
+        if let Some(known) = self.known.and_then(|known| known.at(alpha, mu)) {
+            return Some(known);
+        }
         // Twice the nodes for a Gaussian tail: with eight B is off by 2e-6.
         let effort = &Effort::ladder()[usize::from(D::REACH.is_finite())];
-        match &self.known {
-            Some(known) if alpha.min(mu) >= Interpolant::SMALLEST => Some(known.at(alpha, mu)),
+        match self.split {
             _ if alpha != 0.0 && alpha.min(mu) < RULE_FROM => self.bounded(alpha, mu, tolerance),
-            _ if self.split => Some(split_of(self.smith, (self.lobe)(alpha), mu, effort)),
-            _ => Some((albedo_of(self.smith, (self.lobe)(alpha), mu, &effort.outer), f64::NAN)),
+            true => Some(split_of(self.smith, (self.lobe)(alpha), mu, effort)),
+            false => Some((albedo_of(self.smith, (self.lobe)(alpha), mu, &effort.outer), f64::NAN)),
         }
     }
 
@@ -130,7 +147,7 @@ impl<D: Distribution> Quantity for Reflection<D> {
         let [alpha, mu] = given(self, points)?;
         let inputs: Vec<(f64, f64)> = alpha.iter().copied().zip(mu.iter().copied()).collect();
         let split = outputs.iter().any(|output| *output != "E");
-        let fast = Fast::new(variant.smith(self.name)?, self.lobe, split, &inputs);
+        let fast = Fast::new(self, variant.smith(self.name)?, split, &inputs);
         let one = |place: &(f64, f64)| match fast.at(place, tolerance) {
             Some(known) => Ok(known),
             None => self.at(variant, &[place.0, place.1], tolerance).map(|v| (v[0], v[2])),
