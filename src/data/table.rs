@@ -74,8 +74,8 @@ pub struct Table {
     pub name: String,
     /// Quantity it samples.
     pub quantity: String,
-    /// Shadowing form of the quantity.
-    pub smith: Smith,
+    /// Shadowing form, of a quantity that has it.
+    pub smith: Option<Smith>,
     /// How roughness becomes alpha on its roughness axis.
     pub alpha_map: AlphaMap,
     /// One to [`AXES`], the fastest first.

@@ -97,7 +97,7 @@ impl Made {
         self.broken.extend(promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as)));
     }
 
-    /// The section of each include file; none in a language without text.
+    /// Adds to the section of each include file; no section in a language without text.
     ///
     /// # Errors
     /// A formula that cannot be printed.
@@ -105,7 +105,7 @@ impl Made {
         for language in Language::ALL {
             let text = print(language)?;
             if !text.is_empty() {
-                self.part.code.insert(language, text);
+                self.part.code.entry(language).or_default().push_str(&text);
             }
         }
         Ok(())

@@ -6,11 +6,12 @@ use super::context::Context;
 use super::demand::{Demand, Goals, Job, Span};
 use super::grid::Grid;
 use super::selection::{Selected, selected};
+use super::table::{self, ValueTable};
 use super::{BakeError, Called, JobSummary, Made, code, page};
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Dropped, Entry, Fit, FitSet, Region, Wanted};
 use crate::data::Use;
-use crate::report::{ApproximationFinding, EffectFinding, Findings};
+use crate::report::{ApproximationFinding, Findings};
 use crate::scene::Scene;
 use lobefit_truth::quantity::{Quantity, Variant};
 
@@ -36,6 +37,8 @@ pub struct ValueFits<'a> {
     pub curves: &'a [f64],
     /// Seconds on one core of the truth, and of one fit.
     pub seconds: [f64; 2],
+    /// A table beside the fits.
+    pub table: Option<ValueTable>,
 }
 
 impl ValueFits<'_> {
@@ -61,7 +64,9 @@ impl ValueFits<'_> {
         let [truth, fit] = self.seconds;
         let seconds = |job: &Job| truth + (self.own.len() * job.goals.norms.len()) as f64 * fit;
         let what = format!("{} of {}", self.column, self.of);
-        jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job))).collect()
+        let fits = jobs.iter().map(|job| JobSummary::fits(job, &what, seconds(job)));
+        let tables = jobs.iter().filter_map(|job| Some(self.table.as_ref()?.expects(job)));
+        fits.chain(tables).collect()
     }
 
     /// Fits, their code and their page.
@@ -78,7 +83,12 @@ impl ValueFits<'_> {
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
         made.promised(&job.promises, &fits, self.of, Use::Value);
         made.code(|language| code::functions(language, &fits))?;
-        let findings = self.findings(&made.part.finding, context, &region, (&fits, &dropped))?;
+        if let Some(table) = &self.table {
+            let (tables, broken) = table.bake(job, context)?;
+            made.broken.extend(broken);
+            made.tables(context, tables)?;
+        }
+        let findings = self.findings(&made, context, &region, (&fits, &dropped))?;
         made.findings(&findings)?;
         made.fits(context, (fits, dropped), |_, _, entry| entry);
         Ok(made)
@@ -108,7 +118,7 @@ impl ValueFits<'_> {
 
     fn findings(
         &self,
-        effect: &EffectFinding,
+        made: &Made,
         context: &Context,
         region: &Region,
         (fits, dropped): (&[Fit], &[Dropped]),
@@ -121,13 +131,16 @@ impl ValueFits<'_> {
             let curves = lines.lines(&along, &lines.values(one.fit, 1.0)?);
             page::fit(one, self.column.into(), curves, map.field(self.column, true, errors))
         };
+        let tables = made.tables.iter().map(|table| &table.approximation);
+        let all = fits.iter().map(|fit| &fit.approximation);
         let shown = selected(fits, self.column, Use::Value, context);
         Ok(Findings {
-            effects: vec![effect.clone()],
+            effects: vec![made.part.finding.clone()],
             left_out: page::left_out(dropped),
             truths: vec![map.field(self.column, false, truth.iter().copied())],
             caption: self.caption.into(),
-            approximations: fits.iter().map(|f| ApproximationFinding::from(&f.approximation)).collect(),
+            tables: made.tables.iter().filter_map(|t| table::finding(t, &made.part, Vec::new())).collect(),
+            approximations: tables.chain(all).map(ApproximationFinding::from).collect(),
             fits: shown.iter().map(finding).collect::<Result<_, BakeError>>()?,
             ..Findings::new(context.origin())
         })

@@ -127,7 +127,7 @@ mod tests {
         Table {
             name: "test".into(),
             quantity: "ggx-reflection".into(),
-            smith: Smith::Correlated,
+            smith: Some(Smith::Correlated),
             alpha_map: AlphaMap::RoughnessSquared,
             axes: vec![axis("mu", 4), axis("roughness", 3)],
             channels: vec![channel("loss", |i| i / 7.0), channel("bias", |i| -i / 3.0)],

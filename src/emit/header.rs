@@ -27,14 +27,10 @@ impl Recipe {
 
 /// The lines that describe a table: axes, channels, decoding, certificate.
 pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certificate) -> Vec<String> {
+    let smith = table.smith.map_or_else(String::new, |smith| format!("smith: {}; ", smith.name()));
     let mut lines = vec![
         format!("Table {} of {}{}", table.name, table.quantity, fresnel(&table.quantity)),
-        format!(
-            "smith: {}; alpha = {}; texels: {}",
-            table.smith.name(),
-            table.alpha_map.name(),
-            table.format.name()
-        ),
+        format!("{smith}alpha = {}; texels: {}", table.alpha_map.name(), table.format.name()),
     ];
     lines.extend(AXES.iter().zip(&table.axes).map(|(what, axis)| axis_line(what, axis)));
     let [_, rows, slices] = table.size();

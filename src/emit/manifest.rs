@@ -112,8 +112,9 @@ pub struct TableEntry {
     /// What it is looked up for: `value` (E) or `f0-blend` (f0 A + B).
     #[serde(rename = "use")]
     pub used_as: String,
-    /// Shadowing form.
-    pub smith: String,
+    /// Shadowing form, of a quantity that has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smith: Option<String>,
     /// Roughness to alpha.
     pub alpha_map: String,
     /// Channels by name.
@@ -417,7 +418,7 @@ impl TableEntry {
             files: vec![format!("tables/{}.exr", table.name)],
             quantity: table.quantity.clone(),
             used_as: approximation.used_as.name().into(),
-            smith: table.smith.name().into(),
+            smith: table.smith.map(|smith| smith.name().into()),
             alpha_map: table.alpha_map.name().into(),
             channels: table.channels.iter().map(|c| c.name.clone()).collect(),
             decode: decode.iter().map(|(name, formula)| (name.to_string(), formula.to_string())).collect(),

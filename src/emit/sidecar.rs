@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::container::Described;
 use super::manifest::AxisEntry;
 use super::{dds, npy};
-use crate::data::{Certificate, Container};
+use crate::data::{Certificate, Container, Smith};
 
 /// Version of the sidecar's form.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -20,7 +20,8 @@ struct Sidecar<'a> {
     schema_version: u32,
     name: &'a str,
     quantity: &'a str,
-    smith: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    smith: Option<&'static str>,
     alpha_map: &'static str,
     container: &'static str,
     /// Type of a stored number.
@@ -53,7 +54,7 @@ pub fn encode(container: Container, described: &Described) -> Result<Vec<u8>, se
         schema_version: SCHEMA_VERSION,
         name: &table.name,
         quantity: &table.quantity,
-        smith: table.smith.name(),
+        smith: table.smith.map(Smith::name),
         alpha_map: table.alpha_map.name(),
         container: container.name(),
         stored: if container == Container::Raw { "f32" } else { table.format.name() },

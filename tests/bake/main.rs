@@ -2,8 +2,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../volume_support/mod.rs"]
-mod volume_support;
+#[path = "../sliced_support/mod.rs"]
+mod sliced_support;
 
 mod deterministic;
 mod only;
@@ -11,4 +11,4 @@ mod parallax;
 mod regions;
 mod scenes;
 mod sheen;
-mod volumes;
+mod sliced;

@@ -1,7 +1,7 @@
 //! `lobefit bake` on a folder that holds a bake: other containers, a promise that is not kept, and effects one by one.
 
 use crate::common;
-use crate::volume_support;
+use crate::sliced_support;
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -9,8 +9,8 @@ use std::sync::OnceLock;
 use common::{lobefit, stderr};
 use lobefit::bake::{BUILD_FILE, sign};
 use lobefit::store::Files;
+use sliced_support::{ANISO, baked, entry, manifest, small};
 use tempfile::TempDir;
-use volume_support::{ANISO, baked, entry, manifest, small};
 
 #[path = "../../build/sources.rs"]
 mod sources;

@@ -1,11 +1,11 @@
 //! Tables of one effect that hold in different ranges: each is judged and drawn where it must hold, and what one of them took is told as
 //! often as it was done.
 
-use crate::volume_support;
+use crate::sliced_support;
 
 use lobefit::bake::Baked;
 use serde_json::Value;
-use volume_support::baked;
+use sliced_support::baked;
 
 fn scene(more: &str, materials: &[String]) -> Baked {
     baked(&format!(r#"{{"schema_version":1,{more}"materials":[{}]}}"#, materials.join(",")))

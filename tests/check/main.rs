@@ -2,10 +2,10 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../volume_support/mod.rs"]
-mod volume_support;
+#[path = "../sliced_support/mod.rs"]
+mod sliced_support;
 
 mod planted;
+mod sliced;
 mod strays;
 mod values;
-mod volumes;

@@ -13,4 +13,5 @@ mod surface_energy;
 mod taps;
 mod target;
 mod target_coupling;
-mod volume_table;
+mod texel_plan;
+mod value_table;

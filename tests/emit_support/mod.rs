@@ -191,7 +191,7 @@ fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
         serves,
         region: region.into(),
     };
-    let table = build(&spec, &Counter::default()).expect("a table").quantised();
+    let table = build(&spec, &Counter::default()).expect("a table").remove(0).quantised();
     let points = certification(&region, LOG2_POINTS);
     let truth = Albedo::new(spec.smith, &points, true, &Counter::default()).expect("a truth");
     let (decode, points) = (Decode::of(layout, serves), table::Points::isotropic(&points));

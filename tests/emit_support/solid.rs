@@ -32,7 +32,7 @@ fn table(name: &str, format: TexelFormat, axes: Vec<Axis>, channels: &[&str]) ->
     let table = Table {
         name: name.into(),
         quantity: "ggx-glass".into(),
-        smith: Smith::Separable,
+        smith: Some(Smith::Separable),
         alpha_map: AlphaMap::RoughnessSquared,
         channels: channels.iter().enumerate().map(channel).collect(),
         axes,

@@ -99,7 +99,8 @@ fn certificate(table: &Table, decode: Decode, judged: &Points, truth: &[f64]) ->
 fn of_metal(table: &Table, decode: Decode) -> f64 {
     let azimuth = decode == Decode::AzimuthCubic;
     let judge = Lines::new(&region(SliceAxis::Anisotropy, [0.1, 0.77]), azimuth).expect("a range");
-    let (truth, _) = if azimuth { at_azimuths(table.smith, &judge) } else { means(table.smith, &judge) }
+    let smith = table.smith.expect("a form");
+    let (truth, _) = if azimuth { at_azimuths(smith, &judge) } else { means(smith, &judge) }
         .expect("the truths of a judge");
     certificate(table, decode, &judge.points, &truth)
 }

@@ -22,5 +22,5 @@ mod lookup_heads;
 mod lookup_pictures;
 mod lookups;
 mod parallax;
+mod sliced;
 mod tools;
-mod volume;

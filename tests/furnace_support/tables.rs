@@ -42,7 +42,7 @@ fn halves(
     let table = Table {
         name,
         quantity: quantity.into(),
-        smith,
+        smith: Some(smith),
         alpha_map: AlphaMap::RoughnessSquared,
         axes: axes.to_vec(),
         channels: channels.into_iter().map(channel).collect(),

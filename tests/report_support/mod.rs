@@ -145,7 +145,7 @@ fn table(name: &str, size: usize) -> TableFinding {
         name: name.into(),
         files: vec![format!("tables/{name}.exr")],
         quantity: "ggx-reflection".into(),
-        smith: Smith::Correlated,
+        smith: Some(Smith::Correlated),
         alpha_map: AlphaMap::RoughnessSquared,
         decode: "E = E, B = B".into(),
         note: String::new(),

@@ -99,28 +99,28 @@ fn axes_of_tables_with_slices_hold_at_the_limit_only() {
 
 #[test]
 fn texels_of_tables_with_slices_hold_at_the_limit_only() {
-    let volume = |size: &str, more: &str| format!(r#"{{"size":{size}{more}}}"#);
-    read(&glasses(std::iter::once(volume("[256,256,64]", "")))).unwrap();
+    let sliced = |size: &str, more: &str| format!(r#"{{"size":{size}{more}}}"#);
+    read(&glasses(std::iter::once(sliced("[256,256,64]", "")))).unwrap();
     for size in ["[256,256,65]", "[256,256,256]"] {
-        let error = read(&glasses(std::iter::once(volume(size, "")))).unwrap_err();
+        let error = read(&glasses(std::iter::once(sliced(size, "")))).unwrap_err();
         assert!(error.contains("materials[0].wants.tables[0].size: 256x256x"), "{error}");
         assert!(error.ends_with(" is more than 4194304 texels"), "{error}");
     }
-    let error = read(&glasses(std::iter::once(volume("[256,4,65]", "")))).unwrap_err();
+    let error = read(&glasses(std::iter::once(sliced("[256,4,65]", "")))).unwrap_err();
     let expected = "materials[0].wants.tables[0].size: 256 columns x 65 slices of the optimised layout are more than 16384; rows cost less";
     assert!(error.contains(expected), "{error}");
     // Twice 2^22 for the two sides, once as f16 and once as f32, are 2^24.
-    let (half, single) = (volume("[256,256,64]", ""), volume("[256,256,64]", r#","format":"f32""#));
+    let (half, single) = (sliced("[256,256,64]", ""), sliced("[256,256,64]", r#","format":"f32""#));
     let full = [half.clone(), single];
     read(&glasses(full.iter().cloned())).unwrap();
     // The same tables again are the same tables.
     read(&glasses(full.iter().chain(&full).cloned())).unwrap();
-    let error = read(&glasses(full.into_iter().chain([volume("[4,4,4]", "")]))).unwrap_err();
+    let error = read(&glasses(full.into_iter().chain([sliced("[4,4,4]", "")]))).unwrap_err();
     assert_eq!(
         error,
         "s: materials[2].wants.tables[0].size: the scene's tables together exceed 16777216 texels or 536870912 bytes"
     );
-    let five = [4, 5, 6, 7, 8].map(|n| volume(&format!("[4,4,{n}]"), "")).join(",");
+    let five = [4, 5, 6, 7, 8].map(|n| sliced(&format!("[4,4,{n}]"), "")).join(",");
     let error = read(&glasses(std::iter::once(five))).unwrap_err();
     assert!(error.ends_with("materials[0].wants.tables: more than 4 entries"), "{error}");
 }

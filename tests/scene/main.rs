@@ -7,4 +7,4 @@ mod expected_time;
 mod limits;
 mod plan;
 mod schema;
-mod volumes;
+mod sliced;

@@ -19,8 +19,8 @@ pub fn findings(tables: &[BakedTable]) -> Result<Vec<WaysFinding>, BakeError> {
     let own: Vec<&BakedTable> = tables.iter().filter(|t| t.layout != Layout::PathTracer).collect();
     let mut groups: Vec<((Smith, Region), Vec<&BakedTable>)> = Vec::new();
     for baked in own {
-        let Some(table) = baked.table() else { continue };
-        let key = (table.smith, baked.region);
+        let Some(smith) = baked.table().and_then(|table| table.smith) else { continue };
+        let key = (smith, baked.region);
         match groups.iter_mut().find(|(known, _)| *known == key) {
             Some((_, group)) => group.push(baked),
             None => groups.push((key, vec![baked])),

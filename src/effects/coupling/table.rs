@@ -45,7 +45,8 @@ pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, An
         serves: Serves::SplitSum,
         region: (*region).into(),
     };
-    let table = build(&spec, &context.counter)?;
+    let [table] = <[Table; 1]>::try_from(build(&spec, &context.counter)?)
+        .map_err(|tables| BakeError::Internal(format!("{} tables of one name", tables.len())))?;
     let quantised = table.quantised();
     let measured = Measured::new(lobe, &quantised, context)?;
     let here = measured.over(&[f0[0], f0[1]]);

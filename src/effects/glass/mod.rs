@@ -8,8 +8,6 @@
 mod path_tracer;
 mod table;
 
-use rayon::prelude::*;
-
 use super::effect::Note;
 use super::table::{BuildError, Family, Judge, Made, Points, RUN, Region, Sliced, Spec, TableJob};
 use super::who::stay_smooth;
@@ -20,8 +18,9 @@ use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::integrate::glass::table::{Energies, Kernel};
 use lobefit_truth::integrate::monte_carlo;
+use lobefit_truth::points;
+use lobefit_truth::quantity::GgxGlass;
 
 pub use path_tracer::{
     NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid,
@@ -76,7 +75,7 @@ impl Family for Glass {
         let points = Points::certification(region, LOG2_GROUPS);
         let (truths, evaluations) = truths(smith, &points)?;
         counter.add(truths.len() * points.len());
-        let truths = truths.into_iter().map(|e| Albedo { e, b: Vec::new() }).collect();
+        let truths = truths.map(|e| Albedo { e, b: Vec::new() }).to_vec();
         Ok(Judge { points, truths, made: Made { evaluations, integration: JUDGED } })
     }
 }
@@ -123,7 +122,7 @@ impl Sliced for Glass {
     }
 
     fn on_grid(&self, smith: Smith, points: &Points, _: usize) -> Result<Vec<Vec<f64>>, IntegrateError> {
-        Ok(truths(smith, points)?.0)
+        Ok(truths(smith, points)?.0.to_vec())
     }
 
     fn title(&self, slice: f64, side: Option<Side>) -> String {
@@ -143,37 +142,20 @@ impl Sliced for Glass {
 }
 
 /// E from outside and E from inside at every point, within [`JUDGED`], and the evaluations that they took.
-pub fn truths(smith: Smith, points: &Points) -> Result<(Vec<Vec<f64>>, u64), IntegrateError> {
-    let inputs: Vec<[f64; 3]> =
-        points.all.iter().map(|p| [f64::from(p.alpha), f64::from(p.mu), f64::from(p.ior)]).collect();
-    let (both, evaluations) = energies(smith, &inputs, JUDGED)?;
-    Ok(([0, 1].map(|side| both.iter().map(|e| e[side]).collect()).to_vec(), evaluations))
+pub fn truths(smith: Smith, points: &Points) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
+    energies(smith, points.all.iter().map(|p| [p.alpha, p.mu, p.ior].map(f64::from)), JUDGED)
 }
 
-/// Points of one task: work is cut by index alone.
-const CHUNK: usize = 256;
-
-/// E of both sides at (alpha, mu, ior), and the evaluations that took. Neighbours of the same alpha and mu share their rings.
+/// E of both sides at (alpha, mu, ior), and the evaluations that they took.
 fn energies(
     smith: Smith,
-    inputs: &[[f64; 3]],
+    places: impl Iterator<Item = [f64; 3]>,
     tolerance: f64,
-) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
-    let kernel = Kernel::new(smith, tolerance)?;
-    let parts: Vec<(Vec<[f64; 2]>, u64)> = inputs
-        .par_chunks(CHUNK)
-        .map(|chunk| {
-            let mut evaluations = 0;
-            let mut values = Vec::with_capacity(chunk.len());
-            for same in chunk.chunk_by(|a, b| a[..2] == b[..2]) {
-                let iors: Vec<f64> = same.iter().map(|[_, _, ior]| *ior).collect();
-                let mut energies = vec![Energies::default(); iors.len()];
-                evaluations += kernel.energies(same[0][0], same[0][1], &iors, &mut energies)?;
-                values.extend(energies.iter().map(Energies::e));
-            }
-            Ok((values, evaluations))
-        })
-        .collect::<Result<_, IntegrateError>>()?;
-    let evaluations = parts.iter().map(|(_, n)| n).sum();
-    Ok((parts.into_iter().flat_map(|(values, _)| values).collect(), evaluations))
+) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
+    let places: Vec<[f64; 3]> = places.collect();
+    let column = |k: usize| places.iter().map(|place| place[k]).collect::<Vec<f64>>();
+    let inputs = points::Points::new([("alpha", column(0)), ("mu", column(1)), ("ior", column(2))]);
+    let sides = GgxGlass.both_sides(smith, &inputs, tolerance)?;
+    let evaluations = sides[0].evaluations;
+    Ok((sides.map(|side| side.arrays::<3>()).map(|[_, _, e]| e), evaluations))
 }

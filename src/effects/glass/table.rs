@@ -69,12 +69,9 @@ fn optimised(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let axes = glass_axes(spec.sizes()?, region.roughness, region.slices()?.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
     let plan = TexelPlan::new(axes.clone(), region.alpha_map, SAMPLES, nodes, region.mu[0]);
-    let inputs: Vec<[f64; 3]> = plan.points().iter().map(|p| [p.alpha, p.mu, p.slice]).collect();
-    let (both, evaluations) = energies(*smith, &inputs, TARGETS)?;
-    let wanted = [0, 1].map(|side| {
-        let losses: Vec<f64> = both.iter().map(|e| 1.0 - e[side]).collect();
-        plan.targets(&losses)
-    });
+    let places = plan.points().into_iter().map(|p| [p.alpha, p.mu, p.slice]);
+    let (sides, evaluations) = energies(*smith, places, TARGETS)?;
+    let wanted = sides.map(|e| plan.targets(&e.iter().map(|e| 1.0 - e).collect::<Vec<f64>>()));
     let checked = check(QUANTITY, &plan, CHECKED, wanted.each_ref(), |nodes| direct(*smith, nodes))?;
     let channels = wanted.map(|wanted| vec![Channel::new("loss", plan.optimised(&wanted, ROUNDS).0)]);
     let made = Made { evaluations: evaluations + checked.evaluations, integration: checked.worst + JUDGED };
@@ -83,7 +80,7 @@ fn optimised(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
 
 /// Losses from outside and from inside, within [`JUDGED`], and the evaluations that they took.
 fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 2]>, u64), IntegrateError> {
-    let inputs: Vec<[f64; 3]> = nodes.iter().map(|p| [p.alpha, p.mu, p.slice]).collect();
-    let (both, evaluations) = energies(smith, &inputs, JUDGED)?;
-    Ok((both.into_iter().map(|e| e.map(|e| 1.0 - e)).collect(), evaluations))
+    let ([outside, inside], evaluations) =
+        energies(smith, nodes.iter().map(|p| [p.alpha, p.mu, p.slice]), JUDGED)?;
+    Ok((outside.into_iter().zip(inside).map(|(o, i)| [1.0 - o, 1.0 - i]).collect(), evaluations))
 }

@@ -30,6 +30,7 @@ const FITS: ValueFits = ValueFits {
               term it returns more than it receives the narrower it is: a value above 1 is the model's own, no error of its integral.",
     curves: &[0.1, 0.2, 0.3, 0.5, 1.0],
     seconds: [2.0, 0.15],
+    table: None,
 };
 
 impl Effect for Sheen {

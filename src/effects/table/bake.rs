@@ -210,7 +210,7 @@ pub(super) fn finish(
         quantity: table.quantity.clone(),
         column: column.into(),
         used_as,
-        smith: Some(table.smith),
+        smith: table.smith,
         source: Source::Fitted,
         cost: Cost { ops, fetches: 1, bytes: table.bytes() },
         form: Form::Table(table.quantised()),

@@ -10,11 +10,10 @@ use crate::emit::manifest::{LookupEntry, TableEntry, TableError};
 use lobefit_shade::code::Language;
 
 impl Made {
-    /// Enters tables: the files in every container of the scene, and the entries of the manifest. [`code`] gives their
-    /// functions.
+    /// Enters tables: the files in every container of the scene, the entries of the manifest, and the shader code.
     ///
     /// # Errors
-    /// A container that cannot hold a table.
+    /// A container that cannot hold a table; a table whose name a language has taken.
     pub fn tables(&mut self, context: &Context, tables: Vec<BakedTable>) -> Result<(), BakeError> {
         let part = &mut self.part;
         for baked in &tables {
@@ -25,6 +24,7 @@ impl Made {
             let entry = TableEntry::new(part.by.name(), &baked.approximation, table, formulas, errors(baked));
             part.entries.tables.push(entry.in_files(written));
         }
+        self.code(|language| code(language, &tables))?;
         self.tables.extend(tables);
         Ok(())
     }
@@ -44,7 +44,7 @@ fn errors(baked: &BakedTable) -> TableError {
 ///
 /// # Errors
 /// A table whose name a language has taken.
-pub fn code(language: Language, tables: &[BakedTable]) -> Result<String, BakeError> {
+fn code(language: Language, tables: &[BakedTable]) -> Result<String, BakeError> {
     let mut text = String::new();
     for baked in tables {
         let Some(table) = baked.table() else { continue };

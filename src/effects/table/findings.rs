@@ -25,8 +25,10 @@ pub fn findings<F: Sliced>(
     let own = || tables.iter().filter(|t| t.layout != Layout::PathTracer).map(|t| t.region.roughness);
     let alike = own().all(|roughness| own().next() == Some(roughness));
     for baked in tables {
-        let Some(table) = baked.table() else { continue };
-        let key = (table.smith, baked.region);
+        let Some((table, smith)) = baked.table().and_then(|table| Some((table, table.smith?))) else {
+            continue;
+        };
+        let key = (smith, baked.region);
         let known = maps.iter().position(|(smith, region, _)| (*smith, *region) == key);
         let index = match known {
             Some(known) => known,

@@ -79,7 +79,7 @@ fn furnace<F: Sliced>(
     let mut rows: Vec<FurnaceRow> = Vec::new();
     for baked in &group.tables {
         let Some(table) = baked.table() else { continue };
-        let (smith, region) = (table.smith, &baked.region);
+        let (Some(smith), region) = (table.smith, &baked.region) else { continue };
         let grids = Grid::all(family, (smith, region), [&roughness, &mu], &[slice])?;
         let (grid, alpha) = (&grids[0], region.alpha_map.name());
         let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());

@@ -223,7 +223,7 @@ mod tests {
         Table {
             name: "test".into(),
             quantity: "ggx-glass".into(),
-            smith: Smith::Separable,
+            smith: Some(Smith::Separable),
             alpha_map: AlphaMap::Roughness,
             channels,
             axes,

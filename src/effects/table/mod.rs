@@ -12,6 +12,7 @@ mod emit;
 mod estimator;
 mod family;
 mod findings;
+pub mod flat;
 mod furnaces;
 mod grid;
 mod job;
@@ -24,10 +25,10 @@ mod region;
 mod results;
 mod sliced;
 mod spec;
+mod value;
 
 pub use bake::{BakedTable, Judge, bake};
 pub use check::{Checked, check};
-pub use emit::code;
 pub use estimator::{DRAWN, PATH_TRACER_SAMPLES, RUN, estimate};
 pub use family::{Family, Sliced};
 pub use findings::finding;
@@ -41,6 +42,7 @@ pub use region::{Region, SliceAxis, Slices, aspect};
 pub use results::{Way, WaysFinding};
 pub(in crate::effects) use spec::alpha_nodes;
 pub use spec::{BuildError, Made, Spec};
+pub use value::ValueTable;
 
 /// Rounds of relaxation after which the error of tables with slices stands still.
 pub const ROUNDS: usize = 12;

@@ -1,6 +1,7 @@
 //! The page of an effect whose tables have slices.
 
 use super::results::{FurnaceFinding, PathTracerFinding, SlicedFindings, WaysFinding};
+use crate::data::Smith;
 use crate::report::numbers::grouped;
 use crate::report::sections::tables::{SIGNED, maps};
 use crate::report::sections::{called_for, furnace, tables, words};
@@ -54,7 +55,7 @@ fn list(findings: &SlicedFindings) -> Section {
         let lookup = t.errors.iter().find(|(what, _)| what.starts_with("lookup"));
         vec![
             t.name.clone(),
-            t.smith.name().into(),
+            t.smith.map_or("–", Smith::name).into(),
             size.join(" × "),
             grouped(t.bytes),
             t.ops.to_string(),

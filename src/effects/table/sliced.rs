@@ -1,6 +1,6 @@
 //! An effect that is a family of tables with slices: all that is not its own.
 
-use super::{BakedTable, Sliced, TableJob, bake, code, demands, findings, page, summaries};
+use super::{BakedTable, Sliced, TableJob, bake, demands, findings, page, summaries};
 use crate::data::Layout;
 use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job};
@@ -51,7 +51,6 @@ impl<F: Sliced> Effect for F {
         let mut made = Made::new(called, measured(&tables), metric);
         made.part.finding.expected_error = expected(&jobs);
         made.broken = broken;
-        made.code(|language| code(language, &tables))?;
         made.tables(context, tables)?;
         context.progress.stage(&format!("report of {}", called.effect));
         let findings = findings::findings(self, &made.part, &made.tables, context)?;

@@ -48,7 +48,7 @@ impl Spec {
             let table = Table {
                 name: name.clone(),
                 quantity: quantity.into(),
-                smith: self.smith,
+                smith: Some(self.smith),
                 alpha_map: self.region.alpha_map,
                 axes: axes.to_vec(),
                 channels,

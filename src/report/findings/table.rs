@@ -14,8 +14,9 @@ pub struct TableFinding {
     pub files: Vec<String>,
     /// Quantity that it samples.
     pub quantity: String,
-    /// Shadowing form.
-    pub smith: Smith,
+    /// Shadowing form, of a quantity that has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub smith: Option<Smith>,
     /// How roughness becomes alpha.
     pub alpha_map: AlphaMap,
     /// Columns, rows, slices, as far as there are any.

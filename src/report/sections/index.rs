@@ -52,8 +52,9 @@ fn rows(manifest: &Manifest) -> Vec<Vec<String>> {
 }
 
 fn table(t: &TableEntry) -> Vec<String> {
-    let names = [&t.effect, &t.name, &t.quantity, &t.used_as, &t.smith];
-    row(names.map(String::as_str), t.error.lookup.max, &t.cost)
+    let smith = t.smith.as_deref().unwrap_or_default();
+    let [effect, name, quantity, used_as] = [&t.effect, &t.name, &t.quantity, &t.used_as].map(String::as_str);
+    row([effect, name, quantity, used_as, smith], t.error.lookup.max, &t.cost)
 }
 
 fn fit(f: &FitEntry) -> Vec<String> {

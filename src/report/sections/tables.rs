@@ -119,12 +119,10 @@ fn axis(a: &Axis) -> String {
 }
 
 fn facts(table: &TableFinding) -> Vec<(String, String)> {
+    let smith = table.smith.map_or_else(String::new, |smith| format!("{} Smith, ", smith.name()));
     let mut rows = vec![
         ("Files".into(), table.files.join(", ")),
-        (
-            "Quantity".into(),
-            format!("{}, {} Smith, alpha = {}", table.quantity, table.smith.name(), table.alpha_map.name()),
-        ),
+        ("Quantity".into(), format!("{}, {smith}alpha = {}", table.quantity, table.alpha_map.name())),
     ];
     for (what, of) in ["Columns", "Rows", "Slices"].iter().zip(&table.axes) {
         rows.push((what.to_string(), axis(of)));

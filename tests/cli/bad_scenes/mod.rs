@@ -4,7 +4,7 @@ mod json;
 mod materials;
 mod probes;
 mod scenes;
-mod volumes;
+mod sliced;
 mod wants;
 
 use crate::common::{lobefit, names, stderr};

@@ -13,5 +13,5 @@ mod cli;
 mod cost;
 mod lookups;
 mod shaders;
-mod volume;
+mod sliced;
 mod wgsl;

@@ -193,7 +193,8 @@ fn check(gpu: &Gpu, include: &str, table: &Looked) {
     };
     let (exact, at) = against(&table.lookup());
     let (coarse, _) = against(&table.lookup().with_weight_bits(8));
-    let truth = Albedo::new(table.table.smith, &points.set, true, &Counter::default()).expect("a truth");
+    let truth = Albedo::new(table.table.smith.expect("a form"), &points.set, true, &Counter::default())
+        .expect("a truth");
     let (error, worst) = largest(&points, |i| {
         let [e, _, b, _] = found[i].map(f64::from);
         let (e, b) = ((e - truth.e[i]).abs(), (b - truth.b[i]).abs());

@@ -124,8 +124,7 @@ fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFindi
 }
 
 fn table(baked: &BakedTable, part: &Part, context: &Context) -> Result<Option<TableFinding>, BakeError> {
-    let Some(table) = baked.table() else { return Ok(None) };
-    let map = Exact::map(table.smith, &baked.region.flat(), baked.decode.has_bias(), context)?;
+    let map = Exact::map(context.scene.smith, &baked.region.flat(), baked.decode.has_bias(), context)?;
     Ok(finding(baked, part, map.lookup_errors(baked)?))
 }
 

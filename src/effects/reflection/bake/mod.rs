@@ -29,7 +29,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         made.promised(&job.promises, &fits, "fit", Use::Normalisation);
     }
     made.broken.extend(broken);
-    made.code(|language| Ok(functions(language, &fits)? + &table::code(language, &tables)?))?;
+    made.code(|language| functions(language, &fits))?;
     made.tables(context, tables)?;
     context.progress.stage("report of reflection");
     let region = fit.map(|job| job.region(context.scene.alpha)).transpose()?;

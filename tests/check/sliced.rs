@@ -2,7 +2,7 @@
 //! stated error.
 
 use crate::common;
-use crate::volume_support;
+use crate::sliced_support;
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use common::{lobefit, stderr};
 use lobefit::bake::Baked;
 use lobefit::data::Table;
 use lobefit::emit::exr;
-use volume_support::baked;
+use sliced_support::baked;
 
 /// Sizes that differ, so that a transposition shows.
 const SCENE: &str = r#"{"schema_version":1,"materials":[
@@ -26,8 +26,8 @@ fn check(folder: &Path, options: &[&str]) -> (i32, String) {
 
 /// Writes the table with one texel of a channel changed: column 5, row 4, slice 2.
 fn plant(folder: &Path, baked: &Baked, name: &str, channel: usize, change: impl Fn(f64) -> f64) {
-    let volume = baked.tables.iter().find(|v| v.approximation.name == name).expect("the table");
-    let mut table: Table = volume.table().expect("texels").clone();
+    let found = baked.tables.iter().find(|v| v.approximation.name == name).expect("the table");
+    let mut table: Table = found.table().expect("texels").clone();
     let texel = &mut table.channels[channel].texels[(2 * 6 + 4) * 8 + 5];
     *texel = change(*texel);
     let path = folder.join(format!("tables/{name}.exr"));

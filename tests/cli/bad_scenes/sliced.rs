@@ -3,7 +3,7 @@
 use super::{ANISOTROPIC, Case, GLASS, case, material, refused, wants};
 
 /// Tables of three axes that cannot be made.
-fn not_a_volume() -> Vec<Case> {
+fn not_a_sliced_table() -> Vec<Case> {
     let of = |fields: &str, wants: &str| material(&format!(r#"{fields},"wants":{{{wants}}}"#));
     let tables = |fields: &str, tables: &str| of(fields, &format!("\"tables\":{tables}"));
     vec![
@@ -75,5 +75,5 @@ fn not_a_volume() -> Vec<Case> {
 
 #[test]
 fn tables_of_three_axes_that_cannot_be_made_are_refused() {
-    refused(not_a_volume());
+    refused(not_a_sliced_table());
 }

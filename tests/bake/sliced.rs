@@ -1,7 +1,7 @@
 //! Baked tables of three axes: what their files promise holds against integrals of points, by a lookup written from the manifest's
 //! formulas alone; and the path tracer's layout holds the truth at the path tracer's nodes.
 
-use crate::volume_support;
+use crate::sliced_support;
 
 use std::sync::OnceLock;
 
@@ -10,7 +10,7 @@ use lobefit::data::Smith;
 use lobefit::effects::table::{Lookup, Point};
 use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
-use volume_support::{
+use sliced_support::{
     ANISO, AZIMUTH, GLASS, Read, aspect, baked, lerp, manifest, small, spread, true_aniso, true_glass,
 };
 
@@ -24,9 +24,9 @@ fn bake() -> &'static Baked {
 
 /// The lookup that errors are measured with agrees with the one of this test to the rounding of f32 coordinates.
 fn as_measured(name: &str, point: Point, found: f64) {
-    let volumes = &bake().tables;
-    let volume = volumes.iter().find(|v| v.approximation.name == name).expect("the table");
-    let lookup = Lookup::new(volume.table().expect("texels"), volume.decode).expect("three axes");
+    let tables = &bake().tables;
+    let baked = tables.iter().find(|v| v.approximation.name == name).expect("the table");
+    let lookup = Lookup::new(baked.table().expect("texels"), baked.decode).expect("three axes");
     let measured = f64::from(lookup.at(&point).e);
     assert!((measured - found).abs() < 1e-5, "{name} at {point:?}: {measured} and {found}");
 }
