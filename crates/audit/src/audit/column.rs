@@ -69,7 +69,7 @@ impl Column {
     /// What channels of a table of a quantity may hold; nothing for a quantity that is not audited.
     pub fn of(quantity: &str) -> &'static [Column] {
         match quantity {
-            "ggx-reflection" => &REFLECTION,
+            "ggx-reflection" | "beckmann-reflection" => &REFLECTION,
             "ggx-glass" => &GLASS,
             "ggx-average" => &AVERAGE,
             "ggx-reflection-aniso" | "sheen-charlie" => &ALBEDO,

@@ -91,12 +91,13 @@ const ROUND_KEPT: [usize; 2] = [40, 12];
 const FAR: [f64; 2] = [f64::INFINITY, 4.0];
 
 /// Quantities that are audited, and the number of their inputs.
-pub const AUDITED: [(&str, usize); 5] = [
+pub const AUDITED: [(&str, usize); 6] = [
     ("ggx-reflection", 2),
     ("ggx-reflection-aniso", 3),
     ("ggx-average", 1),
     ("ggx-glass", 3),
     ("sheen-charlie", 2),
+    ("beckmann-reflection", 2),
 ];
 
 /// Conventions of which clamps are tried.
@@ -143,7 +144,8 @@ pub fn audit(
 fn truth_of(table: &Shipped, quantity: &dyn Quantity, pins: &Pins) -> Result<Box<dyn Truth>, AuditError> {
     let smiths: Vec<Smith> = pins.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
     Ok(match quantity.name() {
-        "ggx-reflection" => Box::new(truth::reflection(&smiths)?),
+        "ggx-reflection" => Box::new(truth::ggx(&smiths)?),
+        "beckmann-reflection" => Box::new(truth::beckmann(&smiths)?),
         "ggx-average" => Box::new(truth::average(&smiths)?),
         "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
         "sheen-charlie" => Box::new(truth::sheen()?),

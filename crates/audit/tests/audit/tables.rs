@@ -6,7 +6,8 @@ use lobefit_audit::audit::{
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
-use lobefit_truth::integrate::reflection::{self, Effort, albedo, split};
+use lobefit_truth::integrate::reflection::{self, Effort, albedo, split, split_of};
+use lobefit_truth::optics::beckmann::Beckmann;
 use lobefit_truth::quantity;
 
 /// A channel: its name and its value at a texel.
@@ -86,6 +87,22 @@ fn a_sound_table_is_read_as_it_is() {
     assert!(errors.max < 2.5e-4 && errors.max > 1e-5, "half rounding, {}", errors.max);
     assert!(found.furnace.is_some());
     assert!(found.verdict.contains("in no doubt"), "{}", found.verdict);
+}
+
+#[test]
+fn a_table_of_beckmann_is_one_and_no_table_of_ggx() {
+    let at = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
+    let e = |x: usize, y: usize| {
+        split_of(Smith::Separable, Beckmann(at(y, 32) * at(y, 32)), at(x, 16), &Effort::ladder()[2]).0
+    };
+    let table = table([16, 32], &[("R", &|x, y| half(e(x, y)))]);
+    let max = |quantity| {
+        let found = run(&table, quantity, &Pins::default());
+        (found.best().lobe.smith, found.channels[0].errors.as_ref().map_or(f64::INFINITY, |e| e.max))
+    };
+    let (smith, own) = max("beckmann-reflection");
+    assert!(smith == Some(Smith::Separable) && own < 2.6e-4, "{smith:?} {own}");
+    assert!(max("ggx-reflection").1 > 10.0 * own);
 }
 
 #[test]

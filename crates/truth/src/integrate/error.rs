@@ -66,6 +66,12 @@ pub enum IntegrateError {
         /// What is left open.
         choice: &'static str,
     },
+    /// A quantity that is no albedo of a BRDF, or does not say of which.
+    #[error("{quantity} gives no BRDF")]
+    NoBrdf {
+        /// Quantity asked for.
+        quantity: &'static str,
+    },
     /// Points that lack an input.
     #[error("{quantity}: the points have no column `{input}`")]
     NoInput {

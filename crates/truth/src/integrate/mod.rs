@@ -1,6 +1,7 @@
 //! A quantity at a point, integrated to a value with an error bound.
 
 pub mod aniso;
+pub mod brdf;
 pub mod coupling;
 mod error;
 mod estimate;

@@ -24,6 +24,7 @@ pub use variant::{Choice, Variant};
 use rayon::prelude::*;
 
 use crate::integrate::IntegrateError;
+use crate::integrate::brdf::{self, Brdf};
 use crate::integrate::monte_carlo::{Run, Sampled};
 use crate::points::Points;
 
@@ -77,11 +78,27 @@ pub trait Quantity: Sync {
     }
 
     /// The outputs at one point by quadrature. The last is the estimated error of the others, at most `tolerance`: from two rules of which
-    /// one has twice the nodes, it holds at all but 1 of 1000 points (`tests/integrate/error_bound.rs`).
+    /// one has twice the nodes, it holds at all but 1 of 1000 points of `ggx-reflection` (`tests/integrate/error_bound.rs`) and at all but 1 of
+    /// 300 or more of every other quantity (`crates/truth/tests/error.rs`, `tests/integrate/lobes.rs`).
     ///
     /// # Errors
     /// An input outside of its domain, a variant that leaves a choice open, a tolerance that the largest rule does not reach.
-    fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError>;
+    fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
+        let mu = self.inputs().iter().position(|input| input.name == MU.name);
+        let mu = mu.ok_or(IntegrateError::NoInput { quantity: self.name(), input: MU.name })?;
+        let e = brdf::albedo(self.name(), &self.brdf(variant, x)?, x[mu], tolerance)?;
+        Ok(vec![e.value, e.error])
+    }
+
+    /// The BRDF at inputs, of a quantity that is its albedo over `mu`: all that a quantity must give where nobody has derived a shorter
+    /// integral. Its outputs are then one value and the error.
+    ///
+    /// # Errors
+    /// A quantity that has its own [`Quantity::at`]; a variant that leaves a choice open.
+    fn brdf(&self, variant: &Variant, x: &[f64]) -> Result<Brdf<'_>, IntegrateError> {
+        let _ = (variant, x);
+        Err(IntegrateError::NoBrdf { quantity: self.name() })
+    }
 
     /// Some outputs at many points, by the fastest way that keeps an absolute `tolerance`: interpolants and rules that neighbours share where
     /// the quantity has them, else [`Quantity::at`] of every point.

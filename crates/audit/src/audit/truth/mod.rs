@@ -12,7 +12,7 @@ pub(super) use aniso::aniso;
 pub(super) use average::average;
 pub(super) use azimuth::azimuth;
 pub(super) use glass::glass;
-pub(super) use plane::reflection;
+pub(super) use plane::{beckmann, ggx};
 pub(super) use sheen::sheen;
 
 use super::AuditError;

@@ -108,7 +108,7 @@ pub fn split(smith: Smith, alpha: f64, mu: f64, effort: &Effort) -> (f64, f64) {
 }
 
 /// [`split`] of any distribution of normals.
-pub(crate) fn split_of<D: Distribution>(smith: Smith, lobe: D, mu: f64, effort: &Effort) -> (f64, f64) {
+pub fn split_of<D: Distribution>(smith: Smith, lobe: D, mu: f64, effort: &Effort) -> (f64, f64) {
     if lobe.alpha() == 0.0 {
         let value = mirror(mu);
         return (value.e, value.b);
