@@ -2,4 +2,5 @@
 
 mod cycles;
 mod floors;
+mod languages;
 mod readme;

@@ -1,157 +1,79 @@
-//! Formulas of a file's own statement: `sqrt(mu * (1 + l) / (mu + l))`, with `+ - * / ^`, brackets, `sqrt` and `log2`.
+//! Formulas of a file's own statement: `sqrt(mu * (1 + l) / (mu + l))`, with `+ - * /`, brackets, `sqrt`, `log2` and literal powers
+//! `x^2`. They are spelled as WGSL and evaluated in f64 like every other formula.
 
-use lobefit_math::ops;
+use lobefit_shade::{Hypothesis, Tape};
 
 /// A formula.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Formula {
-    Number(f64),
-    Name(String),
-    Negative(Box<Formula>),
-    Binary(char, Box<Formula>, Box<Formula>),
-    Call(String, Box<Formula>),
-}
-
-/// Deepest brackets.
-const DEPTH: usize = 64;
-
-/// Longest text: a chain of sums is as deep as it is long.
-const LENGTH: usize = 1024;
+pub(super) struct Formula(Tape);
 
 impl Formula {
     /// Reads a whole text.
     ///
     /// Errors: what stands where something else is called for.
     pub fn parse(text: &str) -> Result<Formula, String> {
-        if text.len() > LENGTH {
-            return Err(format!("a formula of {} letters, the most is {LENGTH}", text.len()));
-        }
-        let mut reader = Reader { text, at: 0, depth: 0 };
-        let formula = reader.sum()?;
-        match reader.peek() {
-            None => Ok(formula),
-            Some(c) => Err(format!("`{c}` in `{text}`")),
-        }
+        let (formula, names) = spelled(text)?;
+        let arguments: Vec<String> = names.iter().map(|name| format!("{name}: f32")).collect();
+        let source = format!("fn formula({}) -> f32 {{ return {formula}; }}", arguments.join(", "));
+        let parsed = Hypothesis::parse("declared.wgsl", &source);
+        parsed.map(|formula| Formula(formula.tape().clone())).map_err(|_| format!("`{text}` is no formula"))
     }
 
     /// Its value, names given by `of`; none where a name has no value.
     pub fn value(&self, of: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
-        Some(match self {
-            Formula::Number(x) => *x,
-            Formula::Name(name) => of(name)?,
-            Formula::Negative(a) => -a.value(of)?,
-            Formula::Call(name, a) => {
-                let a = a.value(of)?;
-                if name == "sqrt" { a.sqrt() } else { ops::log(a) / std::f64::consts::LN_2 }
-            }
-            Formula::Binary(op, a, b) => {
-                let (a, b) = (a.value(of)?, b.value(of)?);
-                match op {
-                    '+' => a + b,
-                    '-' => a - b,
-                    '*' => a * b,
-                    '/' => a / b,
-                    _ => ops::pow(a, b),
-                }
-            }
-        })
+        let given = self.0.inputs().iter().map(|name| of(name.strip_prefix(PREFIX).unwrap_or(name)));
+        Some(self.0.at(&given.collect::<Option<Vec<f64>>>()?, &[]))
     }
 }
 
-struct Reader<'a> {
-    text: &'a str,
-    at: usize,
-    depth: usize,
+/// Before every name, so that none is a word of WGSL.
+const PREFIX: &str = "v_";
+
+/// A formula in WGSL, and the names in it, each once.
+fn spelled(text: &str) -> Result<(String, Vec<String>), String> {
+    let (mut tokens, mut names): (Vec<String>, Vec<String>) = (Vec::new(), Vec::new());
+    let mut rest = text.trim_start();
+    while let Some(first) = rest.chars().next() {
+        let within = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+        let end =
+            if within(first) { rest.find(|c| !within(c)).unwrap_or(rest.len()) } else { first.len_utf8() };
+        let (word, after) = rest.split_at(end);
+        rest = after.trim_start();
+        if first.is_ascii_digit() {
+            let number = word.parse::<f64>().map_err(|_| format!("`{word}` is no number"))?;
+            // a literal exponent, else a number that is an f32 even where it is whole
+            let power = tokens.pop_if(|token| token == "^").map(|_| operand(&mut tokens));
+            tokens.push(power.map_or(format!("{number:?}"), |base| format!("pow({base}, {number:?})")));
+        } else if within(first) && rest.starts_with('(') {
+            let known = ["sqrt", "log2"].contains(&word);
+            tokens.push(known.then(|| word.to_string()).ok_or(format!("no function `{word}` is known"))?);
+        } else if within(first) {
+            let name = format!("{PREFIX}{word}");
+            if !names.contains(&name) {
+                names.push(name.clone());
+            }
+            tokens.push(name);
+        } else if "+-*/^()".contains(first) {
+            tokens.push(word.to_string());
+        } else {
+            return Err(format!("`{first}` in `{text}`"));
+        }
+    }
+    Ok((tokens.join(" "), names))
 }
 
-impl<'a> Reader<'a> {
-    fn peek(&mut self) -> Option<char> {
-        let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start().len();
-        self.text[self.at..].chars().next()
-    }
-
-    fn take(&mut self, wanted: &[char]) -> Option<char> {
-        let found = self.peek().filter(|c| wanted.contains(c))?;
-        self.at += found.len_utf8();
-        Some(found)
-    }
-
-    /// The longest piece of such characters from here.
-    fn run(&mut self, keep: impl Fn(char) -> bool) -> &'a str {
-        let rest = &self.text[self.at..];
-        let end = rest.find(|c| !keep(c)).unwrap_or(rest.len());
-        self.at += end;
-        &rest[..end]
-    }
-
-    fn sum(&mut self) -> Result<Formula, String> {
-        let mut left = self.product()?;
-        while let Some(op) = self.take(&['+', '-']) {
-            left = Formula::Binary(op, Box::new(left), Box::new(self.product()?));
-        }
-        Ok(left)
-    }
-
-    fn product(&mut self) -> Result<Formula, String> {
-        let mut left = self.power()?;
-        while let Some(op) = self.take(&['*', '/']) {
-            left = Formula::Binary(op, Box::new(left), Box::new(self.power()?));
-        }
-        Ok(left)
-    }
-
-    fn power(&mut self) -> Result<Formula, String> {
-        if self.take(&['-']).is_some() {
-            return Ok(Formula::Negative(Box::new(self.nested(Self::power)?)));
-        }
-        let base = self.term()?;
-        match self.take(&['^']) {
-            Some(op) => Ok(Formula::Binary(op, Box::new(base), Box::new(self.nested(Self::power)?))),
-            None => Ok(base),
+/// Takes the last operand from tokens: a name or a number, or a bracket with what stands in it and the function before it.
+fn operand(tokens: &mut Vec<String>) -> String {
+    let (mut start, mut open) = (tokens.len(), 0);
+    while start > 0 {
+        start -= 1;
+        open += i32::from(tokens[start] == ")") - i32::from(tokens[start] == "(");
+        if open <= 0 {
+            break;
         }
     }
-
-    fn term(&mut self) -> Result<Formula, String> {
-        if self.take(&['(']).is_some() {
-            return self.bracket();
-        }
-        match self.peek() {
-            Some(c) if c.is_ascii_digit() => {
-                let digits = self.run(|c| c.is_ascii_digit() || c == '.');
-                digits.parse().map(Formula::Number).map_err(|_| format!("`{digits}` is no number"))
-            }
-            Some(c) if c.is_ascii_alphabetic() => {
-                let name = self.run(|c| c.is_ascii_alphanumeric() || c == '_').to_string();
-                if self.take(&['(']).is_none() {
-                    return Ok(Formula::Name(name));
-                }
-                if !["sqrt", "log2"].contains(&name.as_str()) {
-                    return Err(format!("no function `{name}` is known"));
-                }
-                Ok(Formula::Call(name, Box::new(self.bracket()?)))
-            }
-            Some(c) => Err(format!("`{c}` in `{}`", self.text)),
-            None => Err(format!("`{}` ends too soon", self.text)),
-        }
-    }
-
-    /// What stands up to the bracket that closes.
-    fn bracket(&mut self) -> Result<Formula, String> {
-        let inside = self.nested(Self::sum)?;
-        let closed = self.take(&[')']);
-        closed.map(|_| inside).ok_or_else(|| format!("a bracket of `{}` is not closed", self.text))
-    }
-
-    fn nested(&mut self, read: fn(&mut Self) -> Result<Formula, String>) -> Result<Formula, String> {
-        self.depth += 1;
-        if self.depth > DEPTH {
-            return Err(format!("more than {DEPTH} brackets inside one another"));
-        }
-        let formula = read(self)?;
-        self.depth -= 1;
-        Ok(formula)
-    }
+    let called = start > 0 && ["sqrt", "log2"].contains(&tokens[start - 1].as_str());
+    tokens.split_off(start - usize::from(called)).join(" ")
 }
 
 #[cfg(test)]
@@ -165,8 +87,10 @@ mod tests {
             Formula::parse(text).unwrap().value(&of)
         };
         assert_eq!(at("sqrt(mu * (1 + l) / (mu + l) * 13) - 2 * -1"), Some(4.0));
-        assert_eq!(at("2^3^2 / 2^-1"), Some(1024.0));
+        assert_eq!(at("(l^2 - 1^2) / (2^2 - 1^2)"), Some(8.0 / 3.0));
+        assert_eq!(at("mu^4 - 1 / 2"), Some(0.00390625 - 0.5));
         assert_eq!(at("-log2(mu) - l"), Some(-1.0));
+        assert_eq!(at("2 * (1 - mu)^2 - sqrt(mu)^3"), Some(1.0));
         assert_eq!(at("mu + nothing"), None);
         for bad in [
             "",
@@ -176,6 +100,7 @@ mod tests {
             "exp(mu)",
             "1.2.3",
             "mu $ l",
+            "mu^l",
             &"(".repeat(200),
             &"-".repeat(200),
             &"1+".repeat(900),

@@ -4,7 +4,7 @@ use naga::{
     ArraySize, Expression, Handle, Literal, Scalar, ScalarKind, Span, SwizzleComponent, Type, TypeInner,
 };
 
-use super::ShaderLanguage as Language;
+use super::ShaderLanguage;
 use super::value::Value;
 use super::walk::{Frame, ONLY, Walk};
 use super::{arithmetic, math};
@@ -202,8 +202,8 @@ impl<'a> Walk<'a> {
     /// What a variable without an initial value holds: zeros in WGSL, nothing in GLSL.
     pub fn unwritten(&mut self, ty: Handle<Type>, span: Span) -> Result<Value, ForeignError> {
         match self.source.language {
-            Language::Wgsl => self.zero(ty, span),
-            Language::Glsl => self.unset(ty, span),
+            ShaderLanguage::Wgsl => self.zero(ty, span),
+            ShaderLanguage::Glsl => self.unset(ty, span),
         }
     }
 

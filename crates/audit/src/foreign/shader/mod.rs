@@ -2,6 +2,10 @@
 //!
 //! naga's front ends parse and check WGSL and GLSL; its intermediate form is walked symbolically. Literals are f32, as in shaders;
 //! operations are made in the order written, none fused; a variable of GLSL that is read before it is set is an error.
+//!
+//! This is not the lowering of `lobefit_shade`, which keeps a text's statements so that they can be printed in six languages, and refuses
+//! what cannot be: integers and their loops, matrices, structures, vectors that change, pointers and `out` arguments. Functions
+//! of other people use all of these, and are only evaluated.
 
 mod arithmetic;
 mod cut;
