@@ -6,7 +6,8 @@ use super::{Anisotropy, azimuth_map};
 use crate::approximate::Counter;
 use crate::data::{Layout, Smith};
 use crate::effects::BakeError;
-use crate::effects::table::{BakedTable, Family, Lookup, Region, Way, WaysFinding, grazing, measure};
+use crate::effects::grid::grazing;
+use crate::effects::table::{BakedTable, Family, Lookup, Region, Way, WaysFinding, measure};
 use crate::report::{ErrorFigure, Field, Ruler};
 
 /// Where the maps are drawn: roughness, and the number of azimuths and cosines.
@@ -77,5 +78,5 @@ fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFind
 
 /// Azimuth in degrees, and mu.
 fn rulers(region: &Region) -> [Ruler; 2] {
-    [Ruler::even("azimuth of the view, degrees", 0.0, 90.0, MAP[0]), grazing(region, MAP[1])]
+    [Ruler::even("azimuth of the view, degrees", 0.0, 90.0, MAP[0]), grazing(&region.flat(), MAP[1])]
 }

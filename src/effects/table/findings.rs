@@ -1,10 +1,11 @@
 //! What the bake of an effect found out, for its page.
 
-use super::grid::{Grid, grazing};
+use super::grid::Grid;
 use super::results::{PathTracerFinding, SlicedFindings};
 use super::{BakedTable, Lookup, Region, Sliced, furnaces};
 use crate::data::{Layout, Place, Smith};
 use crate::effects::context::Context;
+use crate::effects::grid::{self, grazing};
 use crate::effects::table::estimator::{PATH_TRACER_SAMPLES, estimate};
 use crate::effects::{BakeError, Deviation, Part};
 use crate::report::{ChannelFinding, ErrorFigure, Field, Ruler, TableFinding};
@@ -34,8 +35,9 @@ pub fn findings<F: Sliced>(
             Some(known) => known,
             None => {
                 let roughness = Ruler::even("roughness", key.1.roughness[0], key.1.roughness[1], MAP);
-                let rulers = [&roughness, &grazing(&key.1, MAP)];
-                let grids = Grid::all(family, (key.0, &key.1), rulers, &shown_slices(family, &key.1))?;
+                let flat = key.1.flat();
+                let over = grid::Grid::new(&flat, roughness, grazing(&flat, MAP));
+                let grids = Grid::all(family, (key.0, &key.1), &over, &shown_slices(family, &key.1))?;
                 maps.push((key.0, key.1, grids));
                 maps.len() - 1
             }

@@ -1,12 +1,14 @@
 //! Spheres under every condition: what each layout gives, and what the path tracer's reading of its own gives.
 
 use super::findings::{roughness_text, shown_slices};
-use super::grid::{Grid, grazing};
+use super::grid::Grid;
 use super::results::FurnaceFinding;
 use super::{BakedTable, Lookup, Sliced};
+use crate::approximate;
 use crate::data::{Axis, Layout, Registration, Table, Warp};
 use crate::effects::BakeError;
-use crate::report::{Furnace, FurnaceRow, Ruler};
+use crate::effects::grid::{self, chosen, grazing};
+use crate::report::{Furnace, FurnaceRow};
 use lobefit_truth::integrate::glass::Side;
 
 /// How often the furnace's departure from white is amplified.
@@ -75,12 +77,13 @@ fn furnace<F: Sliced>(
     told_apart: bool,
 ) -> Result<FurnaceFinding, BakeError> {
     let first = group.tables.first().ok_or_else(|| BakeError::Internal("a furnace without tables".into()))?;
-    let (roughness, mu) = (spheres(group.roughness), grazing(&first.region, COSINES));
+    let flat = approximate::Region { roughness: group.roughness, ..first.region.flat() };
+    let over = grid::Grid::new(&flat, chosen(&flat, &SPHERES), grazing(&flat, COSINES));
     let mut rows: Vec<FurnaceRow> = Vec::new();
     for baked in &group.tables {
         let Some(table) = baked.table() else { continue };
         let (Some(smith), region) = (table.smith, &baked.region) else { continue };
-        let grids = Grid::all(family, (smith, region), [&roughness, &mu], &[slice])?;
+        let grids = Grid::all(family, (smith, region), &over, &[slice])?;
         let (grid, alpha) = (&grids[0], region.alpha_map.name());
         let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());
         if rows.iter().all(|row| row.name != uncompensated) {
@@ -100,7 +103,8 @@ fn furnace<F: Sliced>(
     }
     let range = if told_apart { roughness_text(group.roughness) } else { String::new() };
     let title = family.title(slice, side) + &range;
-    let furnace = Furnace { roughness: roughness.values, mu: mu.values, rows, amplification: AMPLIFICATION };
+    let furnace =
+        Furnace { roughness: over.roughness.values, mu: over.mu.values, rows, amplification: AMPLIFICATION };
     Ok(FurnaceFinding { title, furnace })
 }
 
@@ -115,16 +119,6 @@ fn called(group: &Group, baked: &BakedTable) -> String {
 /// The roughnesses of the spheres that lie in a range.
 fn inside([low, high]: [f64; 2]) -> Vec<f64> {
     SPHERES.into_iter().filter(|r| (low..=high).contains(r)).collect()
-}
-
-/// The roughnesses of the spheres that lie in the range, or an even division of it.
-fn spheres(range: [f64; 2]) -> Ruler {
-    let values = inside(range);
-    if values.len() < SHARED {
-        Ruler::even("roughness", range[0], range[1], 5)
-    } else {
-        Ruler { name: "roughness".into(), values }
-    }
 }
 
 /// The table as the path tracer's shader sees it at one slice: mu (its root for glass) and roughness as texture coordinates,

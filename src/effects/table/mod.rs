@@ -32,7 +32,6 @@ pub use check::{Checked, check};
 pub use estimator::{DRAWN, PATH_TRACER_SAMPLES, RUN, estimate};
 pub use family::{Family, Sliced};
 pub use findings::finding;
-pub use grid::grazing;
 pub use job::{TableJob, demand, demands, summaries, wanted};
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, Judged, Truth, error_map, measure};
