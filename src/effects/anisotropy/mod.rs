@@ -1,5 +1,5 @@
-//! The effect `anisotropy`: tables of E of the anisotropic reflection lobe over mu, roughness and anisotropy, as the mean over the
-//! azimuth of the view or with it.
+//! The effect `anisotropy`: tables of E of the anisotropic reflection lobe over mu, roughness and
+//! anisotropy, as the mean over the azimuth of the view or with it.
 //!
 //! | table | size | columns | rows | slices | texel |
 //! |---|---|---|---|---|---|
@@ -28,7 +28,7 @@ pub use azimuth::Azimuth;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::monte_carlo;
-pub use path_tracer::{NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes};
+use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use points::Lines;
 pub use table::{aniso_axes, azimuth_axes, path_tracer};
 pub use truth::{AzimuthMap, at_azimuths, azimuth_map, means, means_on};
@@ -39,14 +39,16 @@ pub const QUANTITY: &str = "ggx-reflection-aniso";
 /// The effect.
 pub struct Anisotropy;
 
-/// Seconds on one core of a sampled texel of the azimuth mean: integrated for 1e-6 on Chebyshev nodes, interpolated, encoded. This and
-/// the next four from bakes of the path tracer's and of the default sizes beside one of 8x8x4.
+/// Seconds on one core of a sampled texel of the azimuth mean: integrated for 1e-6 on Chebyshev
+/// nodes, interpolated, encoded. This and the next four from bakes of the path tracer's and of the
+/// default sizes beside one of 8x8x4.
 const SAMPLED_S: f64 = 3.8e-6;
 /// The same of an optimised texel, whose targets are integrated for 1e-5.
 const OPTIMISED_S: f64 = 1.5e-6;
 /// Seconds of a texel with its azimuth: eight interpolated values and their cubic.
 const AZIMUTH_S: f64 = 7.5e-6;
-/// Seconds of the truth at the points where one table is measured: of the azimuth mean, and with the azimuth.
+/// Seconds of the truth at the points where one table is measured: of the azimuth mean, and with
+/// the azimuth.
 const TRUTH_S: f64 = 0.6;
 const AZIMUTH_TRUTH_S: f64 = 1.5;
 /// Seconds of the study of what ignoring the azimuth costs.

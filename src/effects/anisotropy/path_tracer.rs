@@ -11,8 +11,8 @@ pub(super) const FLOOR: f64 = 1e-4;
 /// What the axes do not tell of the nodes.
 pub const NOTE: &str = "texels are exact at the nodes clamped as the sources clamp them: mu to [0.0001, 0.9999], alpha, alpha_x and alpha_y to 0.0001 or more";
 
-/// The axes on which the texels lie: mu = x/64, alpha = y/64, aspect = sqrt(1 - 0.9 sqrt(z/32)), so that z/32 is the square of the
-/// anisotropy. The last texel of each axis lies one step before 1.
+/// The axes on which the texels lie: mu = x/64, alpha = y/64, aspect = sqrt(1 - 0.9 sqrt(z/32)), so
+/// that z/32 is the square of the anisotropy. The last texel of each axis lies one step before 1.
 pub fn axes() -> [Axis; 3] {
     let last = |n: usize| (n - 1) as f64 / n as f64;
     [

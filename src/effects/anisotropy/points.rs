@@ -1,5 +1,6 @@
-//! Points at which the lookups of this effect are measured: every combination of scrambled roughnesses and anisotropies, each roughness
-//! with cosines of its own, since the truth is cheapest on such a grid.
+//! Points at which the lookups of this effect are measured: every combination of scrambled
+//! roughnesses and anisotropies, each roughness with cosines of its own, since the truth is
+//! cheapest on such a grid.
 
 use crate::effects::table::{BuildError, Point, Points, Region, SliceAxis, aspect};
 use lobefit_math::sobol::Sobol;
@@ -23,8 +24,9 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// The points of a region with slices; both ends of every range are among them. With `azimuth` each has an
-    /// azimuth of its own, scrambled over [0, pi/2] with its ends; else all have 0, which nothing reads.
+    /// The points of a region with slices; both ends of every range are among them. With `azimuth`
+    /// each has an azimuth of its own, scrambled over [0, pi/2] with its ends; else all have 0,
+    /// which nothing reads.
     pub fn new(region: &Region, azimuth: bool) -> Result<Lines, BuildError> {
         let range = region.slices()?.range;
         let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
@@ -37,7 +39,8 @@ impl Lines {
         let slices: Vec<f32> = spread(COUNT[1], range, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
         let cosines: Vec<Vec<f32>> =
             rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
-        // in an order of their own: in that of the cosines, which count along a row too, each azimuth goes with a mu
+        // in an order of their own: in that of the cosines, which count along a row too, each
+        // azimuth goes with a mu
         let azimuths = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
         let mut all = Vec::with_capacity(rows.len() * slices.len() * 2 * COUNT[2]);
         for &anisotropy in &slices {

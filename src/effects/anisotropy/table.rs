@@ -13,8 +13,8 @@ use lobefit_truth::integrate::{IntegrateError, Path};
 /// Largest error of a texel of the path tracer's layout.
 const SAMPLED: f64 = 1e-6;
 
-/// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth of what the lookup leaves. The
-/// targets' own error is measured.
+/// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth
+/// of what the lookup leaves. The targets' own error is measured.
 const TARGETS: f64 = 1e-5;
 
 /// Targets drawn for their check.
@@ -26,8 +26,8 @@ const DIRECT: f64 = 1e-6;
 /// Samples per cell that the texels of the azimuth mean are optimised on.
 const SAMPLES: [usize; 3] = [2, 2, 2];
 
-/// Axes of the azimuth mean over the given range of roughness and of anisotropy, in [0, 1]. All register their end points: the ends of
-/// every range are texels.
+/// Axes of the azimuth mean over the given range of roughness and of anisotropy, in [0, 1]. All
+/// register their end points: the ends of every range are texels.
 ///
 /// The columns follow the layer mu ~ alpha, with alpha the geometric mean of alpha_x and alpha_y.
 pub fn aniso_axes(size: [usize; 3], roughness: [f64; 2], anisotropy: [f64; 2]) -> [Axis; 3] {
@@ -39,8 +39,9 @@ pub fn aniso_axes(size: [usize; 3], roughness: [f64; 2], anisotropy: [f64; 2]) -
     ]
 }
 
-/// Axes of the table with the azimuth: those of [`aniso_axes`], the columns looked up with the alpha towards the view,
-/// [`Azimuth::alpha`], in place of alpha. E at one column then hardly depends on the azimuth for small alpha.
+/// Axes of the table with the azimuth: those of [`aniso_axes`], the columns looked up with the
+/// alpha towards the view, [`Azimuth::alpha`], in place of alpha. E at one column then hardly
+/// depends on the azimuth for small alpha.
 pub fn azimuth_axes(size: [usize; 3], roughness: [f64; 2], anisotropy: [f64; 2]) -> [Axis; 3] {
     let [_, rows, slices] = aniso_axes(size, roughness, anisotropy);
     [Axis::ends("mu", size[0], Warp::HomogeneousAzimuth, [0.0, 1.0]), rows, slices]

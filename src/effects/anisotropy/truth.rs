@@ -29,7 +29,8 @@ pub fn means(smith: Smith, lines: &Lines) -> Result<(Vec<f64>, Made), IntegrateE
     Ok((table.e, Made { evaluations, integration: table.checked.worst }))
 }
 
-/// The mean over the azimuth at the points of a grid of `columns` roughnesses by cosines, all of one anisotropy.
+/// The mean over the azimuth at the points of a grid of `columns` roughnesses by cosines, all of
+/// one anisotropy.
 pub fn means_on(smith: Smith, points: &Points, columns: usize) -> Result<Vec<f64>, IntegrateError> {
     let row = &points.all[..columns];
     let alphas: Vec<f64> = row.iter().map(|p| f64::from(p.alpha)).collect();

@@ -14,8 +14,8 @@ use crate::report::{ErrorFigure, Field, Ruler};
 const ROUGHNESS: f64 = 0.7;
 const MAP: [usize; 2] = [46, 40];
 
-/// A finding for each shadowing form and region in which tables of an anisotropic lobe are laid out in the scene's own roughness: a
-/// table is judged where it must hold, and not beside it.
+/// A finding for each shadowing form and region in which tables of an anisotropic lobe are laid out
+/// in the scene's own roughness: a table is judged where it must hold, and not beside it.
 pub fn findings(tables: &[BakedTable]) -> Result<Vec<WaysFinding>, BakeError> {
     let own: Vec<&BakedTable> = tables.iter().filter(|t| t.layout != Layout::PathTracer).collect();
     let mut groups: Vec<((Smith, Region), Vec<&BakedTable>)> = Vec::new();

@@ -1,5 +1,5 @@
-//! The effect `glass`: tables of R + T of a rough dielectric interface over mu, roughness and index of refraction, one for rays from
-//! outside and one for rays from inside.
+//! The effect `glass`: tables of R + T of a rough dielectric interface over mu, roughness and index
+//! of refraction, one for rays from outside and one for rays from inside.
 //!
 //! | table | size | columns | rows | slices | texel |
 //! |---|---|---|---|---|---|
@@ -22,9 +22,7 @@ use lobefit_truth::integrate::monte_carlo;
 use lobefit_truth::points;
 use lobefit_truth::quantity::GgxGlass;
 
-pub use path_tracer::{
-    NOTE as PATH_TRACER_NOTE, SIZE as PATH_TRACER_SIZE, axes as path_tracer_axes, grid as path_tracer_grid,
-};
+use path_tracer::NOTE as PATH_TRACER_NOTE;
 pub use table::{glass_axes, path_tracer};
 
 /// The quantity of this effect.
@@ -33,12 +31,14 @@ pub const QUANTITY: &str = "ggx-glass";
 /// The effect.
 pub struct Glass;
 
-/// Seconds on one core of a sampled and of an optimised texel of one side, and of the truth at the points where a table is measured.
+/// Seconds on one core of a sampled and of an optimised texel of one side, and of the truth at the
+/// points where a table is measured.
 const SAMPLED_S: f64 = 0.45e-6;
 const OPTIMISED_S: f64 = 4.6e-6;
 const TRUTH_S: f64 = 0.3;
 
-/// 2^12 groups of eight uniform points, half as many in the layer and about the critical angle, and the edges.
+/// 2^12 groups of eight uniform points, half as many in the layer and about the critical angle, and
+/// the edges.
 const LOG2_GROUPS: u32 = 12;
 
 /// Tolerance of the truths that lookups are judged against.
@@ -141,7 +141,8 @@ impl Sliced for Glass {
     }
 }
 
-/// E from outside and E from inside at every point, within [`JUDGED`], and the evaluations that they took.
+/// E from outside and E from inside at every point, within [`JUDGED`], and the evaluations that
+/// they took.
 pub fn truths(smith: Smith, points: &Points) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
     energies(smith, points.all.iter().map(|p| [p.alpha, p.mu, p.ior].map(f64::from)), JUDGED)
 }

@@ -10,8 +10,8 @@ use lobefit_truth::integrate::{IntegrateError, Path};
 /// Largest error of a texel of the path tracer's layout.
 const SAMPLED: f64 = 1e-6;
 
-/// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth of what the lookup leaves. The
-/// targets' own error is measured.
+/// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth
+/// of what the lookup leaves. The targets' own error is measured.
 const TARGETS: f64 = 1e-5;
 
 /// Targets drawn for their check.
@@ -20,15 +20,17 @@ const CHECKED: usize = 1 << 15;
 /// Samples per cell that the texels are optimised on: four from slice to slice, where the error is.
 const SAMPLES: [usize; 3] = [2, 1, 4];
 
-/// Smallest index of refraction from which slices linear in it do better than slices that crowd at the matched index.
+/// Smallest index of refraction from which slices linear in it do better than slices that crowd at
+/// the matched index.
 const APART: f64 = 1.1;
 
-/// Axes of one side over the given range of roughness and of ior, in [1, 4]. All register their end points: the ends of every range are
-/// texels.
+/// Axes of one side over the given range of roughness and of ior, in [1, 4]. All register their end
+/// points: the ends of every range are texels.
 ///
-/// Towards ior = 1 the loss of a view from inside changes where the refraction that an average facet makes, of the order of
-/// (ior - 1) / alpha, exceeds mu, and again where mu passes the critical cosine sqrt(2 (ior - 1)). The slices crowd there; the
-/// columns follow the second. From outside it is smoother, and the same axes serve.
+/// Towards ior = 1 the loss of a view from inside changes where the refraction that an average
+/// facet makes, of the order of (ior - 1) / alpha, exceeds mu, and again where mu passes the
+/// critical cosine sqrt(2 (ior - 1)). The slices crowd there; the columns follow the second. From
+/// outside it is smoother, and the same axes serve.
 pub fn glass_axes(size: [usize; 3], roughness: [f64; 2], ior: [f64; 2]) -> [Axis; 3] {
     let slices = if ior[0] < APART { Warp::Ior } else { Warp::Linear };
     [
@@ -38,7 +40,8 @@ pub fn glass_axes(size: [usize; 3], roughness: [f64; 2], ior: [f64; 2]) -> [Axis
     ]
 }
 
-/// The tables for rays from outside and from inside, which share their integrals; texels not yet rounded.
+/// The tables for rays from outside and from inside, which share their integrals; texels not yet
+/// rounded.
 ///
 /// Errors: a truth that cannot be integrated; a layout that has no glass.
 pub fn build(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {

@@ -14,26 +14,30 @@ use crate::scene::{Layout, Lobe, Material, Scene, Serves};
 const E_S: f64 = 0.65e-6;
 /// Seconds of one truth E and B.
 const SPLIT_S: f64 = 7e-6;
-/// Seconds of one optimised texel of a table of E: some 17 truths and its share of the optimisation.
+/// Seconds of one optimised texel of a table of E: some 17 truths and its share of the
+/// optimisation.
 const TEXEL_E_S: f64 = 45e-6;
 /// The same of a table of E and B.
 const TEXEL_SPLIT_S: f64 = 370e-6;
-/// Points at which the tables of a region are judged: 2^17 uniform, half as many in the layer, and the edges.
+/// Points at which the tables of a region are judged: 2^17 uniform, half as many in the layer, and
+/// the edges.
 const JUDGED: f64 = 221_000.0;
-/// Texels of the squares that are tried one after the other where the size is left open and 32x32 is found enough:
-/// 16^2 + 32^2.
+/// Texels of the squares that are tried one after the other where the size is left open and 32x32
+/// is found enough: 16^2 + 32^2.
 const AUTO_TEXELS: f64 = 1_280.0;
 /// Points of a certificate of a fit: 2^20 uniform, half as many in the layer, and the edges.
 const CERTIFIED: f64 = 1.6e6;
 /// Seconds of one evaluation of one formula in its certificate.
 const EVALUATION_S: f64 = 30e-9;
-/// Seconds of one optimisation with its restarts: a round figure between the forms of one parameter and of twenty.
+/// Seconds of one optimisation with its restarts: a round figure between the forms of one parameter
+/// and of twenty.
 const OPTIMISE_S: f64 = 0.05;
 
 /// Seconds of the truth of the fits of f0 A + B, and of one of them.
 const BLEND_TRUTH_S: f64 = 3.3;
 const BLEND_FIT_S: f64 = 0.2;
-/// Name of the job of fits: one for the whole scene, because a fit over the hull of the ranges holds in each of them.
+/// Name of the job of fits: one for the whole scene, because a fit over the hull of the ranges
+/// holds in each of them.
 const FITS: &str = "normalisation";
 
 /// What the materials of the fits want beside normalisations.
@@ -81,7 +85,8 @@ fn because(material: &Material, roughness: Span) -> String {
     format!("{name}: {kind} with a rough specular lobe (roughness {range}) wants {forms}{ignored}")
 }
 
-/// The forms of approximation of the isotropic lobe that a material wants, in words. It wants at least one.
+/// The forms of approximation of the isotropic lobe that a material wants, in words. It wants at
+/// least one.
 fn forms(material: &Material) -> &'static str {
     match (table::wanted(material, 2).count(), material.wants.fit.is_some()) {
         (0, _) => "fits",
@@ -158,8 +163,8 @@ fn fit_summary(scene: &Scene, job: &Job) -> JobSummary {
     JobSummary::fits(job, &format!("the normalisation{more}"), fit_seconds(job, &wants))
 }
 
-/// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for the first of the
-/// tables that are measured there.
+/// Seconds of table job `i` on one core. The truth at the points of a region is computed once, for
+/// the first of the tables that are measured there.
 pub(super) fn table_seconds(i: usize, jobs: &[TableJob]) -> f64 {
     let job = &jobs[i];
     let texels = if job.size.is_none() { AUTO_TEXELS } else { job.texels() as f64 };
@@ -181,8 +186,9 @@ fn texel_seconds(job: &TableJob) -> f64 {
     }
 }
 
-/// Seconds of a fit job on one core: the truth at the points of the certificates, which all normalisations share; the
-/// searches; a certificate for every fit, for the saturating form of every normalisation, and for the published formulas.
+/// Seconds of a fit job on one core: the truth at the points of the certificates, which all
+/// normalisations share; the searches; a certificate for every fit, for the saturating form of
+/// every normalisation, and for the published formulas.
 fn fit_seconds(job: &Job, wants: &FitJob) -> f64 {
     let norms = job.goals.norms.len();
     let normalisations = NORMALISATIONS.len() + wants.hypotheses.len();

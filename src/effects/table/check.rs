@@ -1,8 +1,8 @@
 //! The proof of what texels are optimised for: samples of the lattice integrated directly.
 //!
-//! Targets lie between Chebyshev nodes of ln(alpha), where columns that move with alpha cross the critical angles of glass: the
-//! interpolation errs most on a few lines of alpha. So samples are drawn all over the lattice, and the lines of the worst of them are
-//! integrated at every row.
+//! Targets lie between Chebyshev nodes of ln(alpha), where columns that move with alpha cross the
+//! critical angles of glass: the interpolation errs most on a few lines of alpha. So samples are
+//! drawn all over the lattice, and the lines of the worst of them are integrated at every row.
 
 use std::collections::BTreeSet;
 
@@ -32,8 +32,10 @@ pub struct Checked {
     pub evaluations: u64,
 }
 
-/// Compares the targets of tables that share a plan with direct integrals at a fixed sample of those that count: `drawn` of the whole
-/// lattice, and the lines of the worst of them. What lies between can be worse. `direct` gives the losses at points, a value for each table, and the integrand evaluations that they took.
+/// Compares the targets of tables that share a plan with direct integrals at a fixed sample of
+/// those that count: `drawn` of the whole lattice, and the lines of the worst of them. What lies
+/// between can be worse. `direct` gives the losses at points, a value for each table, and the
+/// integrand evaluations that they took.
 ///
 /// Errors: those of `direct`; a difference that is not a number.
 pub fn check<const TABLES: usize>(

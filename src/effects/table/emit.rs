@@ -10,7 +10,8 @@ use crate::emit::manifest::{LookupEntry, TableEntry, TableError};
 use lobefit_shade::code::Language;
 
 impl Made {
-    /// Enters tables: the files in every container of the scene, the entries of the manifest, and the shader code.
+    /// Enters tables: the files in every container of the scene, the entries of the manifest, and
+    /// the shader code.
     ///
     /// # Errors
     /// A container that cannot hold a table; a table whose name a language has taken.

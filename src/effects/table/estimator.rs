@@ -1,5 +1,5 @@
-//! The path tracer's own method at texels of its tables: random visible normals, the weight G1 of the light, the mean of
-//! the samples.
+//! The path tracer's own method at texels of its tables: random visible normals, the weight G1 of
+//! the light, the mean of the samples.
 
 use rayon::prelude::*;
 
@@ -22,7 +22,8 @@ pub const DRAWN: u64 = SAMPLES * (TRIED * TRIED * TRIED) as u64;
 /// The draw of each texel tried.
 pub const RUN: Run = Run { samples: SAMPLES, seed: 1, points: Points::Random, draw: Draw::VisibleNormal };
 
-/// Root mean square of a sample's standard deviation, over texels spread over a table of the path tracer's layout.
+/// Root mean square of a sample's standard deviation, over texels spread over a table of the path
+/// tracer's layout.
 ///
 /// The same at every call, for any number of threads.
 pub fn estimate<F: Sliced>(family: &F) -> Result<f64, IntegrateError> {

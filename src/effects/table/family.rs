@@ -1,4 +1,5 @@
-//! What an effect declares of its tables. Plan, bake, files, code and page are made from it, once for all effects.
+//! What an effect declares of its tables. Plan, bake, files, code and page are made from it, once
+//! for all effects.
 
 use super::{Judge, Region, Spec, TableJob};
 use crate::approximate::Counter;
@@ -16,7 +17,8 @@ pub trait Family: Sync {
     /// How the name of a table in a layout begins: `ggx-dfg`.
     fn prefix(&self, layout: Layout) -> &'static str;
 
-    /// The sides for which there is a table each: one without a side, or of glass outside and inside.
+    /// The sides for which there is a table each: one without a side, or of glass outside and
+    /// inside.
     fn sides(&self) -> &'static [Option<Side>] {
         &[None]
     }
@@ -38,7 +40,8 @@ pub trait Family: Sync {
     /// A layout that the family does not have; a truth that cannot be integrated.
     fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError>;
 
-    /// Whether the truth of a job must tell more than E in the mean over the azimuth: B, or E at an azimuth.
+    /// Whether the truth of a job must tell more than E in the mean over the azimuth: B, or E at an
+    /// azimuth.
     fn finer(&self, _job: &TableJob, _jobs: &[TableJob]) -> bool {
         false
     }
@@ -56,7 +59,8 @@ pub trait Family: Sync {
     ) -> Result<Judge, BuildError>;
 }
 
-/// An effect that is a family of tables with slices, and nothing else. It is an [`Effect`](crate::effects::Effect) by it.
+/// An effect that is a family of tables with slices, and nothing else. It is an
+/// [`Effect`](crate::effects::Effect) by it.
 pub trait Sliced: Family {
     /// The effect's name.
     fn name(&self) -> &'static str;

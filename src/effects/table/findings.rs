@@ -88,7 +88,8 @@ fn named(grid: &Grid, baked: &BakedTable, what: &str) -> String {
     format!("{what}, {axis} {}{side}", grid.slice)
 }
 
-/// A table as a page shows it, with the maps of its lookup's error; `part` has its entry. None of what is no table.
+/// A table as a page shows it, with the maps of its lookup's error; `part` has its entry. None of
+/// what is no table.
 pub fn finding(baked: &BakedTable, part: &Part, lookup_error: Vec<Field>) -> Option<TableFinding> {
     let table = baked.table()?;
     let entry = part.entries.tables.iter().find(|entry| entry.name == table.name)?;

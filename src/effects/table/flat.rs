@@ -1,16 +1,19 @@
 //! Texels of a table over mu and roughness.
 //!
-//! The homogeneous layout. Near the smooth, grazing corner the albedo E of a lobe depends on mu/alpha alone, so the columns run along
-//! u = sqrt(mu (1 + alpha)/(mu + alpha)), which resolves that layer at every roughness. Schlick's bias B does not suit that
-//! coordinate: for a smooth lobe it falls with (1-mu)^5, all of it inside the last texel. So the table holds, beside the loss 1 - E,
-//! the part of B/E that Schlick's weight at the macro normal does not explain,
+//! The homogeneous layout. Near the smooth, grazing corner the albedo E of a lobe depends on
+//! mu/alpha alone, so the columns run along u = sqrt(mu (1 + alpha)/(mu + alpha)), which resolves
+//! that layer at every roughness. Schlick's bias B does not suit that coordinate: for a smooth lobe
+//! it falls with (1-mu)^5, all of it inside the last texel. So the table holds, beside the loss 1 -
+//! E, the part of B/E that Schlick's weight at the macro normal does not explain,
 //!
 //!   bias = B/E - (1 - mu)^5,   E = 1 - loss,   B = E (bias + (1 - mu)^5),
 //!
-//! which vanishes with alpha away from the layer and depends on mu/alpha alone inside it. The texels are not samples: they are
-//! optimised so that the largest error of the bilinear lookup is smallest ([`lobefit_fit::texels`]).
+//! which vanishes with alpha away from the layer and depends on mu/alpha alone inside it. The
+//! texels are not samples: they are optimised so that the largest error of the bilinear lookup is
+//! smallest ([`lobefit_fit::texels`]).
 //!
-//! The plain layouts hold what engines hold today, E or (A, B) sampled at texel centres over the whole of roughness [0, 1].
+//! The plain layouts hold what engines hold today, E or (A, B) sampled at texel centres over the
+//! whole of roughness [0, 1].
 
 use super::{BuildError, Spec};
 use crate::data::{Axis, Channel, Layout, Registration, Serves, Surface, Table, Warp};
@@ -20,8 +23,9 @@ use lobefit_truth::integrate::IntegrateError;
 /// E and B at places of alpha and mu; B is not read where the table does not hold it.
 pub type Truth<'a> = dyn Fn(&[(f64, f64)]) -> Result<Vec<(f64, f64)>, IntegrateError> + 'a;
 
-/// Samples per cell and axis that the texels are optimised on: fewer in large tables, whose cells hold less curvature and whose
-/// samples would fill the memory (a 512 x 512 table has a million at 2).
+/// Samples per cell and axis that the texels are optimised on: fewer in large tables, whose cells
+/// hold less curvature and whose samples would fill the memory (a 512 x 512 table has a million at
+/// 2).
 pub fn per_cell(spec: &Spec) -> usize {
     match spec.size.iter().product::<usize>() {
         _ if spec.layout != Layout::Homogeneous => 1,
@@ -109,7 +113,8 @@ fn optimised(spec: &Spec, lattice: &Lattice, dense: &[Node]) -> Vec<Channel> {
     let (loss, _) = texels::optimise(lattice, &start, &wanted, ROUNDS);
     let mut channels = vec![Channel::new("loss", loss)];
     if spec.serves == Serves::SplitSum {
-        // The bias is fitted to the albedo as looked up, so that their errors cancel in B where they can.
+        // The bias is fitted to the albedo as looked up, so that their errors cancel in B where
+        // they can.
         let albedos: Vec<f64> =
             texels::looked_up(lattice, &channels[0].texels).into_iter().map(|loss| 1.0 - loss).collect();
         let start = at_texels(&dense.iter().map(|n| n.bias(n.e)).collect::<Vec<_>>());

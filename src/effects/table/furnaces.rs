@@ -1,4 +1,5 @@
-//! Spheres under every condition: what each layout gives, and what the path tracer's reading of its own gives.
+//! Spheres under every condition: what each layout gives, and what the path tracer's reading of its
+//! own gives.
 
 use super::findings::{roughness_text, shown_slices};
 use super::grid::Grid;
@@ -28,8 +29,8 @@ struct Group<'a> {
     tables: Vec<&'a BakedTable>,
 }
 
-/// A picture for each slice, each side, and each group of tables that hold them: no lookup is drawn where its
-/// table would be clamped.
+/// A picture for each slice, each side, and each group of tables that hold them: no lookup is drawn
+/// where its table would be clamped.
 pub fn findings<F: Sliced>(family: &F, tables: &[BakedTable]) -> Result<Vec<FurnaceFinding>, BakeError> {
     // With the azimuth in the table there is no mean to compensate by.
     let means = || tables.iter().filter(|t| t.layout != Layout::Azimuth);
@@ -121,8 +122,9 @@ fn inside([low, high]: [f64; 2]) -> Vec<f64> {
     SPHERES.into_iter().filter(|r| (low..=high).contains(r)).collect()
 }
 
-/// The table as the path tracer's shader sees it at one slice: mu (its root for glass) and roughness as texture coordinates,
-/// which a texture unit takes for texel centres; the slice rounded to the nearest layer, not interpolated.
+/// The table as the path tracer's shader sees it at one slice: mu (its root for glass) and
+/// roughness as texture coordinates, which a texture unit takes for texel centres; the slice
+/// rounded to the nearest layer, not interpolated.
 ///
 /// The result has two equal slices, so that a trilinear lookup returns that layer.
 fn misread(table: &Table, place: f64) -> Table {

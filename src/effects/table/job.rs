@@ -12,43 +12,49 @@ use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
 use crate::scene::{Lobe, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
 
-/// Narrowest range of anisotropy or index of refraction of a job: one value would leave no axis to interpolate along.
+/// Narrowest range of anisotropy or index of refraction of a job: one value would leave no axis to
+/// interpolate along.
 pub const SLICES_WIDTH_MIN: f64 = 0.01;
 
 /// Side of the largest square that is tried for an open size.
 const AUTO_SIDE: usize = 128;
 
-/// The tables to bake for all materials that want the same layout, size, format and use: one of a lobe that reflects,
-/// of rough glass one for each side.
+/// The tables to bake for all materials that want the same layout, size, format and use: one of a
+/// lobe that reflects, of rough glass one for each side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableJob {
     /// Names of the tables, unique in their plan, one for each side: `ggx-dfg-correlated-32x32`,
-    /// `ggx-glass-inside-correlated-128x128x32`; `auto` in place of the size where the bake chooses it, and what differs
-    /// from the defaults appended (`-f32`, `-plain`, `-split-sum`).
+    /// `ggx-glass-inside-correlated-128x128x32`; `auto` in place of the size where the bake chooses
+    /// it, and what differs from the defaults appended (`-f32`, `-plain`, `-split-sum`).
     pub names: Vec<String>,
     /// Shadowing form: the scene's; separable in the path tracer's layout.
     pub smith: Smith,
-    /// How roughness becomes alpha: as the scene says; alpha = roughness in the path tracer's layout.
+    /// How roughness becomes alpha: as the scene says; alpha = roughness in the path tracer's
+    /// layout.
     pub alpha_map: AlphaMap,
     /// Coordinates.
     pub layout: Layout,
     /// What it is looked up for.
     pub serves: Serves,
-    /// Texels along each axis; `None`: the bake chooses the smallest of 16, 32, 64, 128 squares that meets `max_error`.
+    /// Texels along each axis; `None`: the bake chooses the smallest of 16, 32, 64, 128 squares
+    /// that meets `max_error`.
     pub size: Option<Vec<usize>>,
     /// How a texel is stored.
     pub format: TexelFormat,
-    /// Roughness that the rows span: the hull of the materials' rough ranges, at least `ROUGHNESS_WIDTH_MIN` wide; with
-    /// slices from alpha = 4e-4 on.
+    /// Roughness that the rows span: the hull of the materials' rough ranges, at least
+    /// `ROUGHNESS_WIDTH_MIN` wide; with slices from alpha = 4e-4 on.
     pub roughness: [f64; 2],
-    /// What the slices span, where there are any: the hull of the materials' ranges, at least `SLICES_WIDTH_MIN` wide.
+    /// What the slices span, where there are any: the hull of the materials' ranges, at least
+    /// `SLICES_WIDTH_MIN` wide.
     pub slices: Option<Slices>,
-    /// Limit on the lookup error: the strictest of the materials'. Always given where the size is not; `None` in the
-    /// path tracer's layout.
+    /// Limit on the lookup error: the strictest of the materials'. Always given where the size is
+    /// not; `None` in the path tracer's layout.
     pub max_error: Option<f64>,
-    /// The materials that set `max_error`, with the field of each: `gold (materials[0].wants.tables[1].max_error)`.
+    /// The materials that set `max_error`, with the field of each: `gold
+    /// (materials[0].wants.tables[1].max_error)`.
     pub limited_by: String,
-    /// The materials whose limits cannot be judged, since their roughness lies below all rows; none where all can.
+    /// The materials whose limits cannot be judged, since their roughness lies below all rows; none
+    /// where all can.
     pub unjudged_by: Option<String>,
 }
 
@@ -68,8 +74,8 @@ pub fn wanted(material: &Material, axes: usize) -> impl Iterator<Item = (usize, 
     material.wants.tables.iter().enumerate().filter(move |(_, want)| want.layout.axes() == axes)
 }
 
-/// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout alpha = roughness, which is rough
-/// wherever another map is: its alpha is the largest.
+/// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout alpha =
+/// roughness, which is rough wherever another map is: its alpha is the largest.
 fn conventions(scene: &Scene, layout: Layout) -> (Smith, AlphaMap) {
     match layout {
         Layout::PathTracer => (Smith::Separable, AlphaMap::Roughness),
@@ -188,13 +194,15 @@ impl TableJob {
     }
 }
 
-/// Smallest roughness of a table with slices: that of alpha = 4e-4, where its integrals begin. Below it a lookup clamps
-/// to the edge, and the lobe is so narrow that its loss matters at grazing views alone.
+/// Smallest roughness of a table with slices: that of alpha = 4e-4, where its integrals begin.
+/// Below it a lookup clamps to the edge, and the lobe is so narrow that its loss matters at grazing
+/// views alone.
 fn smallest_row(map: AlphaMap) -> f64 {
     map.roughness(4e-4)
 }
 
-/// The roughness that the rows of a table with slices span: at least `ROUGHNESS_WIDTH_MIN` wide, from the smallest row on.
+/// The roughness that the rows of a table with slices span: at least `ROUGHNESS_WIDTH_MIN` wide,
+/// from the smallest row on.
 fn rows(range: [f64; 2], map: AlphaMap) -> Span {
     let least = smallest_row(map);
     Span::at_least(range.map(|r| r.max(least)), ROUGHNESS_WIDTH_MIN, [least, 1.0])
@@ -205,7 +213,8 @@ pub(super) fn size_text(size: &[usize]) -> String {
     size.iter().map(ToString::to_string).collect::<Vec<_>>().join("x")
 }
 
-/// Names of a family's tables: what tells them from others of the scene, and the defaults not at all.
+/// Names of a family's tables: what tells them from others of the scene, and the defaults not at
+/// all.
 fn names(family: &dyn Family, smith: Smith, want: &TableWant) -> Vec<String> {
     let size = want.size.as_ref().map_or_else(|| "auto".into(), |size| size_text(size));
     let mut shape = format!("{}-{size}", smith.name());
@@ -226,7 +235,8 @@ fn names(family: &dyn Family, smith: Smith, want: &TableWant) -> Vec<String> {
     family.sides().iter().map(name).collect()
 }
 
-/// Why a material calls for tables with slices; `None` of a material that is nowhere rough, or wants none.
+/// Why a material calls for tables with slices; `None` of a material that is nowhere rough, or
+/// wants none.
 fn because(lobe: &str, scene: &Scene, material: &Material) -> Option<String> {
     let wants: Vec<&TableWant> = wanted(material, 3).map(|(_, want)| want).collect();
     let slices = slices(material, wants.first()?.layout)?;
@@ -240,8 +250,8 @@ fn because(lobe: &str, scene: &Scene, material: &Material) -> Option<String> {
     Some(format!("{name}: {kind} with {lobe} (roughness {roughness}; {input} {range}) wants {forms}"))
 }
 
-/// A material's roughness and what rows hold of it: `0.3, widened to 0.295 to 0.305`, `0.01 to 1, in rows from 0.02 on,
-/// to which a lookup below clamps`.
+/// A material's roughness and what rows hold of it: `0.3, widened to 0.295 to 0.305`, `0.01 to 1,
+/// in rows from 0.02 on, to which a lookup below clamps`.
 fn rows_text(range: [f64; 2], map: AlphaMap) -> String {
     let span = rows(range, map);
     let (own, rows) = (range_text(range), span.widened());

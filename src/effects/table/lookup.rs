@@ -1,4 +1,5 @@
-//! A table as a shader reads it, whatever the number of its axes: coordinates, linear fetch and decoding, in f32.
+//! A table as a shader reads it, whatever the number of its axes: coordinates, linear fetch and
+//! decoding, in f32.
 
 use crate::data::{AXES, Axis, Decode, Surface, Table, Values};
 
@@ -121,10 +122,12 @@ struct Cell {
 }
 
 impl<'a> Lookup<'a> {
-    /// Lookups with f32 interpolation weights. The texels are taken as they are: quantise the table first.
+    /// Lookups with f32 interpolation weights. The texels are taken as they are: quantise the table
+    /// first.
     ///
     /// # Errors
-    /// No axis or more than a texture has, other channels than `decode` reads, an axis of another variable than [`Point`] has.
+    /// No axis or more than a texture has, other channels than `decode` reads, an axis of another
+    /// variable than [`Point`] has.
     pub fn new(table: &'a Table, decode: Decode) -> Result<Lookup<'a>, LookupError> {
         let (name, axes) = (|| table.name.clone(), table.axes.len());
         let (channels, expected) = (table.channels.len(), decode.channels());
@@ -174,7 +177,8 @@ impl<'a> Lookup<'a> {
         texel
     }
 
-    /// The cell of a texture coordinate, clamped to the edge, on an axis whose texels lie `stride` apart.
+    /// The cell of a texture coordinate, clamped to the edge, on an axis whose texels lie `stride`
+    /// apart.
     fn cell(&self, coordinate: f32, n: usize, stride: usize) -> Cell {
         let position = (coordinate * n as f32 - 0.5).max(0.0).min((n - 1) as f32);
         let position = match self.weight_steps {

@@ -18,12 +18,13 @@ pub struct Truth<'a> {
 /// The errors of a table, by their causes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Errors {
-    /// Largest error known of the integrals that the texels were made from and that the lookup is judged against.
+    /// Largest error known of the integrals that the texels were made from and that the lookup is
+    /// judged against.
     pub integration: f64,
     /// Rounding to the format, by channel.
     pub quantisation: Vec<Rounding>,
-    /// Error of the linear lookup of the quantised texels in the table's use, f32 weights: of E, or where the table has B
-    /// that of [`Judged::Either`].
+    /// Error of the linear lookup of the quantised texels in the table's use, f32 weights: of E, or
+    /// where the table has B that of [`Judged::Either`].
     pub lookup: Deviation,
     /// The same with weights of 8 fractional bits, as many texture units interpolate.
     pub lookup_8_bit: Deviation,
@@ -42,7 +43,8 @@ pub enum Judged {
     E,
     /// B.
     B,
-    /// The larger error of the two, which bounds that of f0 A + B for every f0 in [0, 1] (a lerp of B and E).
+    /// The larger error of the two, which bounds that of f0 A + B for every f0 in [0, 1] (a lerp of
+    /// B and E).
     Either,
 }
 

@@ -1,10 +1,12 @@
-//! Tables of all effects: from a scene's wants to measured texels, files, shader code and pages, for any number of axes.
+//! Tables of all effects: from a scene's wants to measured texels, files, shader code and pages,
+//! for any number of axes.
 //!
-//! An effect declares a [`Family`]: how its tables are named, built and judged. Where its tables have slices, a third axis after
-//! mu and roughness, it is [`Sliced`], and that is all there is to the effect.
+//! An effect declares a [`Family`]: how its tables are named, built and judged. Where its tables
+//! have slices, a third axis after mu and roughness, it is [`Sliced`], and that is all there is to
+//! the effect.
 //!
-//! Layouts for the linear lookup hold losses, 1 - E, whose rounding to a half is small where E is close to 1; their texels are
-//! optimised for it ([`TexelPlan`]).
+//! Layouts for the linear lookup hold losses, 1 - E, whose rounding to a half is small where E is
+//! close to 1; their texels are optimised for it ([`TexelPlan`]).
 
 mod bake;
 mod check;

@@ -1,8 +1,9 @@
 //! Which points a table of three axes needs, and its texels from their values.
 //!
-//! At a fixed column and slice the loss is a smooth function of ln(alpha), all the more since the warps follow the layers that
-//! move with it. So the truth is wanted at a few Chebyshev nodes of ln(alpha) only, for every column and slice of the
-//! lattice of samples, and interpolated to its rows.
+//! At a fixed column and slice the loss is a smooth function of ln(alpha), all the more since the
+//! warps follow the layers that move with it. So the truth is wanted at a few Chebyshev nodes of
+//! ln(alpha) only, for every column and slice of the lattice of samples, and interpolated to its
+//! rows.
 
 use rayon::prelude::*;
 
@@ -33,7 +34,8 @@ pub struct TexelPlan {
 }
 
 impl TexelPlan {
-    /// Samples `per_cell` along each axis; `nodes` Chebyshev nodes in ln(alpha), at least 2; lookups count from `smallest_mu` on.
+    /// Samples `per_cell` along each axis; `nodes` Chebyshev nodes in ln(alpha), at least 2;
+    /// lookups count from `smallest_mu` on.
     ///
     /// # Panics
     /// If the smallest roughness is not above 0, where ln(alpha) ends.
@@ -56,7 +58,8 @@ impl TexelPlan {
         TexelPlan { axes, lattice, alpha_map, smallest_mu, nodes }
     }
 
-    /// The points whose values [`TexelPlan::texels`] takes: columns fastest, then slices, then nodes of alpha.
+    /// The points whose values [`TexelPlan::texels`] takes: columns fastest, then slices, then
+    /// nodes of alpha.
     pub fn points(&self) -> Vec<Node> {
         let [columns, _, slices] = self.samples();
         let mut points = Vec::with_capacity(columns * slices * self.nodes.len());
@@ -68,8 +71,8 @@ impl TexelPlan {
         points
     }
 
-    /// Texels from the losses at the points: optimised for the trilinear lookup in `rounds`, or exact at the texels with 0 rounds. Also
-    /// the largest error over the lattice.
+    /// Texels from the losses at the points: optimised for the trilinear lookup in `rounds`, or
+    /// exact at the texels with 0 rounds. Also the largest error over the lattice.
     ///
     /// # Panics
     /// If there are not as many losses as points.
@@ -77,8 +80,9 @@ impl TexelPlan {
         self.optimised(&self.targets(losses), rounds)
     }
 
-    /// What the lattice should hold: the losses interpolated to its rows, columns fastest, then rows, then slices; and which samples
-    /// count. [`check`](super::check) tells how far the interpolation is off.
+    /// What the lattice should hold: the losses interpolated to its rows, columns fastest, then
+    /// rows, then slices; and which samples count. [`check`](super::check) tells how far the
+    /// interpolation is off.
     ///
     /// # Panics
     /// If there are not as many losses as points.

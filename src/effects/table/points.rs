@@ -1,7 +1,8 @@
-//! Points at which lookups of tables are measured: none that the texels were made from, but for the corners.
+//! Points at which lookups of tables are measured: none that the texels were made from, but for the
+//! corners.
 //!
-//! Those of a table with three axes come in groups of [`GROUP`] that share roughness and mu and differ in the axis of the slices, so that
-//! a truth can share its work.
+//! Those of a table with three axes come in groups of [`GROUP`] that share roughness and mu and
+//! differ in the axis of the slices, so that a truth can share its work.
 
 use super::{Point, Region, SliceAxis, Slices};
 use crate::approximate::{self, layer_mu, lerp};
@@ -18,8 +19,9 @@ pub const GROUP: usize = 8;
 pub struct Points {
     /// The points, group by group.
     pub all: Vec<Point>,
-    /// Which are uniform in roughness, mu and the axis of the slices: RMS and mean are taken over them. The others crowd into the layer
-    /// mu ~ alpha, onto the edges and about the critical angle, where the largest errors hide.
+    /// Which are uniform in roughness, mu and the axis of the slices: RMS and mean are taken over
+    /// them. The others crowd into the layer mu ~ alpha, onto the edges and about the critical
+    /// angle, where the largest errors hide.
     pub uniform: Vec<bool>,
     /// The slice input, where there is one.
     slice: Option<SliceAxis>,
@@ -31,8 +33,8 @@ pub struct Points {
 const EDGE: usize = 1 << 8;
 
 impl Points {
-    /// 2^log2 points uniform in the region, or with slices groups of them; half as many in the layer, as many about the
-    /// critical angle of glass, and the edges.
+    /// 2^log2 points uniform in the region, or with slices groups of them; half as many in the
+    /// layer, as many about the critical angle of glass, and the edges.
     pub fn certification(region: &Region, log2: u32) -> Points {
         match region.slices {
             None => Points::isotropic(&approximate::certification(&region.flat(), log2)),
@@ -87,7 +89,8 @@ impl Points {
         points
     }
 
-    /// The points of a list of roughness, mu and slices, every combination: roughness fastest, then mu.
+    /// The points of a list of roughness, mu and slices, every combination: roughness fastest, then
+    /// mu.
     pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], slice: f64) -> Points {
         let mut points = Points { slice: region.slices.map(|slices| slices.axis), ..Points::default() };
         for m in mu {
@@ -152,7 +155,8 @@ impl Points {
         self.all.extend(slice.map(|x| point(region, roughness, mu, x)));
     }
 
-    /// A group about the critical angle of an index of refraction: mu a few alpha beside its cosine, and indices beside it.
+    /// A group about the critical angle of an index of refraction: mu a few alpha beside its
+    /// cosine, and indices beside it.
     fn push_critical(&mut self, region: &Region, iors: [f64; 2], [roughness, ior]: [f64; 2], t: f64) {
         let alpha = region.alpha_map.alpha(roughness);
         let cosine = |n: f64| ((1.0 - 1.0 / n) * (1.0 + 1.0 / n)).max(0.0).sqrt();

@@ -9,7 +9,8 @@ use crate::data::AlphaMap;
 /// What the slices of a table lie along, after mu along its columns and roughness along its rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SliceAxis {
-    /// Anisotropy a in [0, 1]: aspect = sqrt(1 - 0.9 a), alpha_x = alpha/aspect, alpha_y = alpha aspect (Burley 2012).
+    /// Anisotropy a in [0, 1]: aspect = sqrt(1 - 0.9 a), alpha_x = alpha/aspect, alpha_y = alpha
+    /// aspect (Burley 2012).
     Anisotropy,
     /// Index of refraction, inside over outside.
     Ior,

@@ -32,11 +32,13 @@ pub struct PathTracerFinding {
     pub texels: u64,
     /// Integrand evaluations of ours, checks included.
     pub evaluations: u64,
-    /// Worst difference of our texels from direct integrals at those checked, before rounding to the texel format.
+    /// Worst difference of our texels from direct integrals at those checked, before rounding to
+    /// the texel format.
     pub worst: f64,
     /// Samples that the path tracer draws for all texels.
     pub samples: f64,
-    /// Standard error that these leave, root mean square over texels spread over the table: measured with fewer samples and scaled.
+    /// Standard error that these leave, root mean square over texels spread over the table:
+    /// measured with fewer samples and scaled.
     pub noise: f64,
 }
 

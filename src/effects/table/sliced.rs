@@ -65,7 +65,8 @@ fn measured(tables: &[BakedTable]) -> Option<f64> {
     own.map(|t| t.errors.lookup.max).reduce(f64::max)
 }
 
-/// The largest error that the scene allows a table in a layout of ours; `None` where a table has no limit.
+/// The largest error that the scene allows a table in a layout of ours; `None` where a table has no
+/// limit.
 fn expected(jobs: &[TableJob]) -> Option<f64> {
     let own: Vec<Option<f64>> =
         jobs.iter().filter(|job| job.layout != Layout::PathTracer).map(|job| job.max_error).collect();

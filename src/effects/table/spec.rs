@@ -66,8 +66,9 @@ impl Spec {
 pub struct Made {
     /// Integrand evaluations, checks included; 0 where they are not counted.
     pub evaluations: u64,
-    /// Worst difference from direct integrals with more nodes at the points checked, the tolerance of those added where they are no
-    /// tighter; of integrals that are direct themselves, their tolerance.
+    /// Worst difference from direct integrals with more nodes at the points checked, the tolerance
+    /// of those added where they are no tighter; of integrals that are direct themselves, their
+    /// tolerance.
     pub integration: f64,
 }
 
@@ -105,8 +106,10 @@ pub enum BuildError {
     },
 }
 
-/// Nodes in ln(alpha) for targets that are interpolated to about 1e-4, which [`check`](super::check) measures: E has its nearest singularities at imaginary part pi/2
-/// (alpha^2 negative), so n nodes on a range of half length h leave exp(-n asinh(pi/(2 h))); at least 8.
+/// Nodes in ln(alpha) for targets that are interpolated to about 1e-4, which
+/// [`check`](super::check) measures: E has its nearest singularities at imaginary part pi/2
+/// (alpha^2 negative), so n nodes on a range of half length h leave exp(-n asinh(pi/(2 h))); at
+/// least 8.
 pub(in crate::effects) fn alpha_nodes(alpha: [f64; 2]) -> usize {
     use lobefit_math::ops;
     let rate = ops::asinh(std::f64::consts::PI / ops::log(alpha[1] / alpha[0]).max(1e-3));

@@ -16,8 +16,9 @@ use lobefit_truth::quantity::{Choice, Quantity, Variant};
 /// 2^14 uniform points, half as many in the layer mu ~ alpha, and the edges.
 const LOG2_POINTS: u32 = 14;
 
-/// What is tabulated. An effect of any crate declares it; texels, certificate, files, manifest entry, shader code and what its page shows
-/// follow. A table beside a family of fits is a field of [`ValueFits`](crate::effects::value::ValueFits); alone:
+/// What is tabulated. An effect of any crate declares it; texels, certificate, files, manifest
+/// entry, shader code and what its page shows follow. A table beside a family of fits is a field of
+/// [`ValueFits`](crate::effects::value::ValueFits); alone:
 ///
 /// ```no_run
 /// use lobefit::data::{Layout, TexelFormat};
@@ -64,7 +65,8 @@ pub struct ValueTable {
 }
 
 impl ValueTable {
-    /// The table of a job whose ranges are of roughness and mu, and the limit of the job where it is not kept, in words.
+    /// The table of a job whose ranges are of roughness and mu, and the limit of the job where it
+    /// is not kept, in words.
     ///
     /// # Errors
     /// A job without these ranges; a truth that cannot be integrated; a layout with slices.
