@@ -4,7 +4,7 @@ use lobefit_truth::integrate::coupling::Specular;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{QUANTITIES, Quantity, Variant};
+use lobefit_truth::quantity::{GgxAverage, QUANTITIES, Quantity, Variant};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
@@ -72,6 +72,19 @@ fn e_and_b_of_many_points_are_within_the_tolerance() {
             let worst = (0..COMPARED).into_par_iter().map(off).reduce(|| 0.0, f64::max);
             println!("{quantity:?} {smith:?}: {worst:e}");
             assert!(worst <= tolerance, "{quantity:?} {smith:?}: {worst:e}");
+        }
+    }
+}
+
+#[test]
+fn averages_of_a_wide_range_are_within_their_error() {
+    let alpha: Vec<f64> = (0..400).map(|i| lobefit_math::ops::exp(-16.1 * f64::from(i) / 399.0)).collect();
+    for smith in [Smith::Correlated, Smith::Separable] {
+        let points = Points::new([("alpha", alpha.clone())]);
+        let truth = GgxAverage.truth(&smith.into(), &points, &["E_avg"], 1e-7).expect("in the domain");
+        for (alpha, found) in alpha.iter().zip(&truth.columns[0]) {
+            let exact = GgxAverage.at(&smith.into(), &[*alpha], 1e-9).expect("a value")[0];
+            assert!((found - exact).abs() <= truth.error, "{smith:?} {alpha}: {found} {exact}");
         }
     }
 }

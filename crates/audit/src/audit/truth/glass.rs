@@ -1,16 +1,14 @@
 //! Rough glass over index of refraction, alpha and mu: R and T of either side.
 
-use rayon::prelude::*;
-
 use super::solid::{Knots, Solid};
 use super::{Lobe, Once, Truth, Values, once, place_of};
 use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use lobefit::data::Smith;
-use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::glass::table::{Energies, Kernel};
-use lobefit_truth::integrate::glass::{self, Side};
+use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::GgxGlass;
 
 /// Least alpha that is judged, beside 0: that of the kernel of tables.
 const KERNEL_ALPHA: f64 = 4e-4;
@@ -26,8 +24,6 @@ const EXACT: f64 = 1e-6;
 
 /// Tolerance at the knots.
 const QUICK: f64 = 1e-3;
-
-const SIDES: [Side; 2] = [Side::Outside, Side::Inside];
 
 struct Glass {
     lobes: Vec<Lobe>,
@@ -48,8 +44,7 @@ pub(crate) fn glass(lobes: Vec<Lobe>) -> Result<impl Truth + use<>, AuditError> 
     let mut values = Vec::new();
     for Lobe { smith, side } in &lobes {
         let smith = smith.unwrap_or_default();
-        let both = || energies(smith, [&at[0], &at[1], &at[2]], QUICK);
-        let sides = || both().map(|both| SIDES.map(|side| of_side(&both, Some(side))));
+        let sides = || energies(smith, [&at[0], &at[1], &at[2]], QUICK);
         values.push(&once(&KEPT[place_of(smith)], sides)?[place_among(*side)]);
     }
     Ok(Glass { lobes, solid: Solid { knots, values } })
@@ -59,43 +54,20 @@ fn place_among(side: Option<Side>) -> usize {
     usize::from(side == Some(Side::Inside))
 }
 
-fn of_side(both: &[Energies], side: Option<Side>) -> Values {
-    let k = place_among(side);
-    both.iter().map(|e| [e.r[k], e.t[k]]).collect()
-}
-
-/// R and T at every combination, the index of refraction fastest, then alpha.
+/// R and T of either side at every combination, the index of refraction fastest, then alpha.
 fn energies(
     smith: Smith,
     [iors, alphas, mus]: [&[f64]; 3],
     tolerance: f64,
-) -> Result<Vec<Energies>, AuditError> {
-    let kernel = Kernel::new(smith, tolerance)?;
-    let pairs: Vec<(f64, f64)> = mus.iter().flat_map(|mu| alphas.iter().map(|a| (*a, *mu))).collect();
-    let lines: Vec<Vec<Energies>> = pairs
-        .par_iter()
-        .map(|(alpha, mu)| {
-            let mut out = vec![Energies::default(); iors.len()];
-            if *alpha >= KERNEL_ALPHA {
-                kernel.energies(*alpha, *mu, iors, &mut out)?;
-            } else {
-                smooth(smith, *mu, iors, &mut out)?;
-            }
-            Ok(out)
-        })
-        .collect::<Result<_, IntegrateError>>()?;
-    Ok(lines.into_iter().flatten().collect())
-}
-
-/// The smooth interface.
-fn smooth(smith: Smith, mu: f64, iors: &[f64], out: &mut [Energies]) -> Result<(), IntegrateError> {
-    for (ior, energies) in iors.iter().zip(out) {
-        for (k, side) in SIDES.into_iter().enumerate() {
-            let value = glass::glass(smith, 0.0, mu, *ior, side, EXACT)?;
-            (energies.r[k], energies.t[k]) = (value.r, value.t);
-        }
-    }
-    Ok(())
+) -> Result<[Values; 2], AuditError> {
+    // Narrower lobes are not judged, and stand as the smooth interface.
+    let alphas: Vec<f64> = alphas.iter().map(|a| if *a < KERNEL_ALPHA { 0.0 } else { *a }).collect();
+    let points = Points::product(&[("ior", iors), ("alpha", &alphas), ("mu", mus)]);
+    let sides = GgxGlass.both_sides(smith, &points, tolerance)?;
+    Ok(sides.map(|side| {
+        let [r, t, _] = side.arrays();
+        r.into_iter().zip(t).map(<[f64; 2]>::from).collect()
+    }))
 }
 
 impl Truth for Glass {
@@ -135,7 +107,8 @@ impl Truth for Glass {
 
     fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
         let Lobe { smith, side } = self.lobes[lobe];
-        Ok(of_side(&energies(smith.unwrap_or_default(), [at[0], at[1], at[2]], EXACT)?, side))
+        let [outside, inside] = energies(smith.unwrap_or_default(), [at[0], at[1], at[2]], EXACT)?;
+        Ok(if place_among(side) == 0 { outside } else { inside })
     }
 
     fn bound(&self) -> f64 {
@@ -146,13 +119,14 @@ impl Truth for Glass {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lobefit_truth::integrate::glass;
 
     #[test]
     fn exact_values_are_the_quantity_and_quick_ones_are_near() {
-        let lobes = SIDES.map(|side| Lobe { smith: Some(Smith::Separable), side: Some(side) }).to_vec();
+        let lobes = Side::ALL.map(|side| Lobe { smith: Some(Smith::Separable), side: Some(side) }).to_vec();
         let truth = glass(lobes).unwrap();
         let (iors, alphas, mus) = ([1.2, 1.5], [0.0, 5e-4, 0.09, 0.7], [0.2, 0.83]);
-        for (lobe, side) in SIDES.into_iter().enumerate() {
+        for (lobe, side) in Side::ALL.into_iter().enumerate() {
             let exact = truth.exact(lobe, &[&iors, &alphas, &mus]).unwrap();
             let quick = truth.quick(lobe, &[&iors, &alphas, &mus]).unwrap();
             for (i, value) in exact.iter().enumerate() {

@@ -1,14 +1,13 @@
 //! Charlie sheen over alpha and mu: a value takes so little that every point of a verdict is integrated; conventions are tried on cubics.
 
-use rayon::prelude::*;
-
 use super::solid::{Knots, along};
 use super::{Lobe, Once, Truth, Values, once};
 use crate::audit::AuditError;
 use crate::audit::axis::Input;
 use crate::audit::column::{self, Column};
 use lobefit_math::ops;
-use lobefit_truth::integrate::sheen::{SMALLEST_ALPHA, albedo};
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{Quantity, SheenCharlie, Variant};
 
 /// Least alpha that is judged: below it E at grazing view has no bound.
 const LEAST_ALPHA: f64 = 1e-4;
@@ -27,11 +26,14 @@ struct Sheen {
 static KEPT: Once<Values> = Once::new();
 
 /// E at every combination.
-fn integrated(alphas: &[f64], mus: &[f64]) -> Values {
-    let row = |mu: &f64| -> Values {
-        alphas.iter().map(|a| [albedo(a.clamp(SMALLEST_ALPHA, 1.0), mu.clamp(0.0, 1.0)), 0.0]).collect()
-    };
-    mus.par_iter().map(row).collect::<Vec<Values>>().into_iter().flatten().collect()
+fn integrated(alphas: &[f64], mus: &[f64]) -> Result<Values, AuditError> {
+    let inside =
+        |values: &[f64], least: f64| values.iter().map(|x| x.clamp(least, 1.0)).collect::<Vec<f64>>();
+    let (alphas, mus) = (inside(alphas, SheenCharlie.smallest_alpha()), inside(mus, 0.0));
+    let (points, variant) = (Points::product(&[("alpha", &alphas), ("mu", &mus)]), Variant::default());
+    let tolerance = SheenCharlie.tolerance_of_many(&variant);
+    let [e] = SheenCharlie.truth(&variant, &points, &["E"], tolerance)?.arrays();
+    Ok(e.into_iter().map(|e| [e, 0.0]).collect())
 }
 
 /// `sheen-charlie`: E.
@@ -40,7 +42,7 @@ pub(crate) fn sheen() -> Result<impl Truth, AuditError> {
         Knots { coordinate: ops::log, input: ops::exp, range: [LEAST_ALPHA, 1.0], count: 96 },
         Knots { coordinate: f64::sqrt, input: |u| u * u, range: [0.0, 1.0], count: 128 },
     ];
-    let values = once(&KEPT, || Ok(integrated(&knots[0].inputs(), &knots[1].inputs())))?;
+    let values = once(&KEPT, || integrated(&knots[0].inputs(), &knots[1].inputs()))?;
     Ok(Sheen { lobes: vec![Lobe { smith: None, side: None }], knots, values })
 }
 
@@ -71,7 +73,7 @@ impl Truth for Sheen {
     }
 
     fn exact(&self, _: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
-        Ok(integrated(at[0], at[1]))
+        integrated(at[0], at[1])
     }
 
     fn bound(&self) -> f64 {
