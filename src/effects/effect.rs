@@ -70,7 +70,9 @@ pub trait Effect: Sync {
     }
 
     /// The lobe of its quantities, for the head of the include files.
-    fn lobe(&self, scene: &Scene) -> String;
+    fn lobe(&self, scene: &Scene) -> String {
+        format!("lobe of {}; alpha = {}", self.name(), scene.alpha.name())
+    }
 
     /// What the head of the include files says of its functions.
     fn notes(&self) -> &'static [Note] {

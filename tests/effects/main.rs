@@ -14,4 +14,3 @@ mod taps;
 mod target;
 mod target_coupling;
 mod texel_plan;
-mod value_table;

@@ -2,5 +2,7 @@
 
 mod cycles;
 mod floors;
+mod from_outside;
 mod languages;
 mod readme;
+mod toy_effect;

@@ -118,8 +118,14 @@ impl ValueTable {
     ) -> Result<(Vec<f64>, f64), IntegrateError> {
         let has = self.quantity.has(Choice::Smith);
         let variant = if has { Variant::from(smith) } else { Variant::default() };
-        let (points, tolerance) =
-            (points::Points::new([("alpha", alpha), ("mu", mu)]), self.quantity.tolerance(&variant));
+        // A texel at the end of its axis may lie beyond the quantity's domain: it has the nearest value that there is.
+        let domain = |name| self.quantity.inputs().iter().find(|input| input.name == name);
+        let inside = |name: &'static str, column: Vec<f64>| {
+            let [low, high] = domain(name).map_or([0.0, 1.0], |input| input.domain);
+            (name, column.into_iter().map(|x| x.clamp(low, high)).collect::<Vec<f64>>())
+        };
+        let points = points::Points::new([inside("alpha", alpha), inside("mu", mu)]);
+        let tolerance = self.quantity.tolerance(&variant);
         let truth = self.quantity.truth(&variant, &points, &[self.column], tolerance)?;
         counter.add(points.len());
         let (error, [values]) = (truth.error.max(tolerance), truth.arrays());

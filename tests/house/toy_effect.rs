@@ -1,0 +1,95 @@
+//! An effect added from outside: a quantity with its truth, formulas, a table and a page, baked, checked and emitted by what every
+//! effect has. It is Minnaert's lobe (1941), (mu_l mu_v)^alpha / pi, whose albedo is 2 mu^alpha / (2 + alpha).
+
+use lobefit::approximate::Entry;
+use lobefit::data::{Layout, Norm, TexelFormat};
+use lobefit::effects::context::Context;
+use lobefit::effects::demand::{Demand, Goals, Job};
+use lobefit::effects::table::ValueTable;
+use lobefit::effects::value::ValueFits;
+use lobefit::effects::{BakeError, Called, Effect, JobSummary, Made};
+use lobefit::scene::Scene;
+use lobefit_truth::integrate::IntegrateError;
+use lobefit_truth::integrate::brdf::Brdf;
+use lobefit_truth::quantity::{Choice, Input, Quantity, Variant};
+
+pub struct Minnaert;
+
+impl Quantity for Minnaert {
+    fn name(&self) -> &'static str {
+        "minnaert"
+    }
+    fn inputs(&self) -> &'static [Input] {
+        const { &[Input::new("alpha", [0.0, 1.0]), Input::new("mu", [1e-6, 1.0])] }
+    }
+    fn outputs(&self) -> &'static [&'static str] {
+        &["E", "error"]
+    }
+    fn choices(&self) -> &'static [Choice] {
+        &[]
+    }
+    fn tolerance(&self, _: &Variant) -> f64 {
+        1e-7
+    }
+    fn smallest_alpha(&self) -> f64 {
+        1e-4
+    }
+    fn brdf(&self, _: &Variant, x: &[f64]) -> Result<Brdf<'_>, IntegrateError> {
+        let (alpha, width) = (x[0], 1.0);
+        let weighted = Box::new(move |view: [f64; 3], light: [f64; 3]| {
+            (view[2] * light[2]).powf(alpha) * light[2] / std::f64::consts::PI
+        });
+        Ok(Brdf { weighted, width })
+    }
+}
+
+const FITS: ValueFits = ValueFits {
+    quantity: &Minnaert,
+    column: "E",
+    own: &[Entry {
+        file: "minnaert_e.wgsl",
+        source: "override a: f32 = 1.0;\noverride b: f32 = 0.1;\n\
+                 fn minnaert_e(alpha: f32, mu: f32) -> f32 { return (1.0 - alpha * (a - mu)) / (1.0 + b * alpha); }\n",
+        publication: None,
+    }],
+    published: &[],
+    of: "minnaert",
+    field: "roughness",
+    because: "that is drawn as the moon is",
+    caption: "E of Minnaert's lobe.",
+    curves: &[0.5],
+    seconds: [1.0, 0.1],
+    table: Some(ValueTable {
+        quantity: &Minnaert,
+        column: "E",
+        name: "minnaert",
+        layout: Layout::Homogeneous,
+        size: [16, 12],
+        format: TexelFormat::F16,
+        seconds: 0.5,
+    }),
+};
+
+pub struct Moon;
+
+impl Effect for Moon {
+    fn name(&self) -> &'static str {
+        "moon"
+    }
+    fn demands(&self, scene: &Scene) -> Vec<Demand> {
+        let goals = Goals { max_error: Some(0.5), norms: vec![Norm::Max], ..Goals::default() };
+        vec![FITS.demand(scene, 0, [0.3, 1.0], goals)]
+    }
+    fn left_out(&self, _: &Scene) -> String {
+        "nothing is drawn as the moon is".into()
+    }
+    fn expects(&self, _: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
+        FITS.expects(jobs)
+    }
+    fn formulas(&self) -> Vec<&'static Entry> {
+        FITS.own.iter().collect()
+    }
+    fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
+        FITS.bake(called, context)
+    }
+}
