@@ -13,7 +13,7 @@ fn matches(line: &str) -> bool {
         let (before, after) = (&line[..at], &line[at + found.len()..]);
         let other = before.ends_with(|c: char| c.is_alphanumeric() || c == '_');
         let compared = ["== ", "!= ", "matches!("].iter().any(|sign| before.contains(sign));
-        !other && LANGUAGES.contains(&word(after)) && (line.contains("=>") || compared)
+        !other && LANGUAGES.contains(&word(after)) && (after.contains("=>") || compared)
     })
 }
 
