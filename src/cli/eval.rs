@@ -13,7 +13,7 @@ use super::points::{self, Points, Row};
 use crate::data::Smith;
 use crate::store;
 use lobefit_truth::integrate::{IntegrateError, monte_carlo};
-use lobefit_truth::quantity::{Choice, QUANTITIES, Quantity};
+use lobefit_truth::quantity::{Choice, Input, QUANTITIES, Quantity};
 use rayon::prelude::*;
 
 const EXAMPLES: &str = "\
@@ -27,9 +27,8 @@ Examples:
 ";
 
 const REMARKS: &str = "\
-alpha is 0 (a mirror, smooth glass) or in [1e-7, 1] ([1e-4, 4] with anisotropy, [1e-4, 1] for glass, [1e-6, 1] for sheen);
-mu is in [0, 1] (from 1e-6 for glass), ior in [1, 4], f0 in [0, 1]; Monte Carlo takes no zeros (but mu of sheen). Other
-columns are kept as they are. `error` estimates the largest distance of a value from the truth, from two rules of quadrature of which
+alpha 0 is a mirror, or smooth glass. Monte Carlo takes no zeros, but mu where the lobe has a value there. Other columns are kept as they
+are. `error` estimates the largest distance of a value from the truth, from two rules of quadrature of which
 one has twice the nodes: it holds at all but 1 of 1000 points. With Monte Carlo it is four standard errors. Of a kernel's table the truth
 is that of the lobes as they are interpolated: between few widths they may differ by more.";
 
@@ -38,8 +37,8 @@ pub(super) fn after_help() -> String {
     let row = |quantity: &&dyn Quantity| {
         let choices = quantity.choices().iter().filter(|choice| **choice != Choice::Smith);
         let choices = choices.map(|choice| format!("{} ({})", choice.name(), choice.words().join(", ")));
-        let inputs: Vec<String> =
-            quantity.inputs().iter().map(|input| input.name.to_owned()).chain(choices).collect();
+        let domain = |input: &Input| domain(input, quantity.smallest_alpha());
+        let inputs: Vec<String> = quantity.inputs().iter().map(domain).chain(choices).collect();
         let remark = match quantity.remark() {
             "" => String::new(),
             remark => format!(" ({remark})"),
@@ -49,6 +48,17 @@ pub(super) fn after_help() -> String {
     };
     let rows: String = QUANTITIES.iter().map(row).collect();
     format!("{EXAMPLES}\nQuantities (input columns: appended columns):\n{rows}{REMARKS}")
+}
+
+/// `mu (0 to 1)`, `alpha (0, 1e-7 to 1)`: an input with its domain, where that ends.
+fn domain(input: &Input, smallest_alpha: f64) -> String {
+    let short = |x: f64| format!("{x:?}").trim_end_matches(".0").to_owned();
+    let (name, [low, high]) = (input.name, input.domain);
+    match (low, high) {
+        (low, high) if !(low.is_finite() && high.is_finite()) => name.to_owned(),
+        (0.0, high) if name == "alpha" => format!("{name} (0, {} to {})", short(smallest_alpha), short(high)),
+        (low, high) => format!("{name} ({} to {})", short(low), short(high)),
+    }
 }
 
 /// How the truth is computed.

@@ -25,11 +25,11 @@ pub struct ValueFits<'a> {
     pub own: &'a [Entry],
     /// Published formulas: measured and reported, not emitted.
     pub published: &'a [Entry],
-    /// What it is of, in messages: `sheen`.
+    /// What it is of, in messages.
     pub of: &'static str,
     /// The field of a material that holds the goals.
     pub field: &'static str,
-    /// What a material has that calls for it: `with a sheen layer`.
+    /// What a material has that calls for it: `with a clear coat`.
     pub because: &'static str,
     /// What to see in the map of the truth.
     pub caption: &'static str,

@@ -8,7 +8,7 @@ use super::number::{ErrorLimit, In, Numbers, Ops, Span, Unit, Whole};
 use super::value::{List, Maybe, Word, from_file};
 use super::wants::norms;
 use crate::data::{AlphaMap, Norm};
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 
 /// A diffuse base: Lambert's lobe under the specular one.
 #[derive(Clone, Debug, PartialEq, Serialize)]

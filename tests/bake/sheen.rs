@@ -10,7 +10,7 @@ use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
-use lobefit_truth::integrate::sheen::albedo;
+use lobefit_truth::quantity::sheen::albedo;
 use serde_json::{Value, json};
 
 fn scene(material: &str) -> Scene {

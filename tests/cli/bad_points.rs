@@ -90,5 +90,5 @@ fn values_that_a_method_cannot_take_are_named_with_the_quantity() {
         assert!(stderr(&output).contains(expected), "{expected} in {}", stderr(&output));
     }
     let help = String::from_utf8(lobefit(folder.path(), &["eval", "--help"], b"").stdout).unwrap();
-    assert!(help.contains("alpha is 0 (a mirror, smooth glass) or in [1e-7, 1]"), "{help}");
+    assert!(help.contains("alpha (0, 1e-7 to 1), mu (0 to 1): E, A, B, loss, error"), "{help}");
 }

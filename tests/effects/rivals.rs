@@ -15,7 +15,7 @@ use lobefit::effects::reflection::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS, SEEDS};
 use lobefit::effects::sheen;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::reflection::{TOLERANCE, average, reflection};
-use lobefit_truth::integrate::sheen::albedo as charlie;
+use lobefit_truth::quantity::sheen::albedo as charlie;
 use rivals_support::forms::{BIASES, NORMALISATIONS};
 use rivals_support::page::{CORRELATED_B, Fed, ROWS, Row, SEPARABLE};
 use rivals_support::{Column, Grid, differs, evaluate, figures};

@@ -15,7 +15,7 @@ use lobefit::effects::coupling::{OWN_SPECULAR, RIVALS};
 use lobefit::effects::reflection::BLEND_RIVALS;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 use rivals_support::forms::{BIASES, NORMALISATIONS};
 use rivals_support::{Grid, differs, evaluate, figures};
 

@@ -12,9 +12,9 @@ use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_shade::Hypothesis;
-use lobefit_truth::integrate::coupling::{self, Specular};
 use lobefit_truth::integrate::reflection;
 use lobefit_truth::optics::{fresnel, ggx};
+use lobefit_truth::quantity::coupling::{self, Specular};
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 

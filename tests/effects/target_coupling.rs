@@ -9,7 +9,7 @@ use lobefit::data::{AlphaMap, Smith, Use};
 use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
 use lobefit_shade::{Hypothesis, Precision};
-use lobefit_truth::integrate::coupling::{Specular, TOLERANCE, coupling};
+use lobefit_truth::quantity::coupling::{Specular, TOLERANCE, coupling};
 use lobefit_truth::quantity::{self, Variant};
 
 fn spec(quantity: &str, specular: Option<Specular>) -> TargetSpec {

@@ -14,8 +14,8 @@ use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_shade::code::Language;
 use lobefit_truth::integrate::Estimate;
-use lobefit_truth::integrate::coupling::{Specular, Split, factor};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
+use lobefit_truth::quantity::coupling::{Specular, Split, factor};
 use serde_json::{Value, json};
 
 fn scene(materials: &str) -> Scene {

@@ -27,7 +27,7 @@ use lobefit::data::{Smith, Use};
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 use serde_json::Value;
 use textbook::{Facets, Hemisphere, Vector, direction, schlick};
 

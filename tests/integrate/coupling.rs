@@ -1,9 +1,9 @@
 //! The diffuse factors against their textbook forms: spec + factor = 1, by quadrature and with sampled albedos.
 
 use lobefit::data::Smith;
-use lobefit_truth::integrate::coupling::{Specular, TOLERANCE, coupling};
 use lobefit_truth::integrate::monte_carlo::{self, sobol};
 use lobefit_truth::integrate::reflection::{self, reflection};
+use lobefit_truth::quantity::coupling::{Specular, TOLERANCE, coupling};
 
 const SPECULARS: [Specular; 3] = [Specular::Single, Specular::Normalised, Specular::Compensated];
 const ALPHAS: [f64; 6] = [0.0, 1e-4, 0.01, 0.2, 0.6, 1.0];
@@ -68,8 +68,15 @@ fn sampling_agrees() {
             let rest = 1.0 - albedo(specular, f0, lobe.e.value, lobe.b.value);
             let spread = 5.5 * 8.0 * (lobe.e.standard_error + lobe.b.standard_error);
             assert!((rest - truth.value).abs() <= spread && spread < 0.02, "{alpha} {mu} {f0} {specular:?}");
-            let sampled = monte_carlo::coupling(Smith::Correlated, alpha, mu, f0, specular, run)
-                .expect("in the domain");
+            let sampled = lobefit_truth::quantity::coupling::monte_carlo::coupling(
+                Smith::Correlated,
+                alpha,
+                mu,
+                f0,
+                specular,
+                run,
+            )
+            .expect("in the domain");
             assert!((sampled.value - truth.value).abs() <= 5.5 * sampled.standard_error + truth.error);
         }
     }

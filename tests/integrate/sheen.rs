@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 
 use lobefit_math::gauss::Gauss;
 use lobefit_math::{ops, panels};
-use lobefit_truth::integrate::monte_carlo::{self, sobol};
-use lobefit_truth::integrate::sheen::{TOLERANCE, albedo, sheen};
+use lobefit_truth::integrate::monte_carlo::sobol;
+use lobefit_truth::quantity::sheen::{TOLERANCE, albedo, sheen};
 use rayon::prelude::*;
 
 const ALPHAS: [f64; 9] = [1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.2, 0.45, 0.8, 1.0];
@@ -145,8 +145,12 @@ fn sampling_agrees() {
     for (i, alpha) in [1e-3, 0.05, 0.2, 0.6, 1.0].into_iter().enumerate() {
         for (j, mu) in [0.0, 1e-3, 0.05, 0.4, 0.9].into_iter().enumerate() {
             let truth = sheen(alpha, mu, TOLERANCE).expect("in the domain").value;
-            let guess =
-                monte_carlo::sheen(alpha, mu, sobol(1 << 16, (10 * i + j) as u64)).expect("in the domain");
+            let guess = lobefit_truth::quantity::sheen::monte_carlo::sheen(
+                alpha,
+                mu,
+                sobol(1 << 16, (10 * i + j) as u64),
+            )
+            .expect("in the domain");
             let z = (guess.value - truth) / guess.standard_error;
             assert!(z.abs() < 5.5, "{alpha} {mu}: {guess:?} of {truth}");
             squares.push(z * z);
@@ -167,7 +171,7 @@ fn inputs_outside_the_domain_are_refused() {
     ] {
         let error = sheen(alpha, mu, TOLERANCE).expect_err("refused").to_string();
         assert!(error.contains(named), "{error}");
-        assert!(monte_carlo::sheen(alpha, mu, sobol(64, 0)).is_err());
+        assert!(lobefit_truth::quantity::sheen::monte_carlo::sheen(alpha, mu, sobol(64, 0)).is_err());
     }
     let error = sheen(0.5, 0.5, 1e-30).expect_err("refused").to_string();
     assert!(error.contains("tolerance 1e-30"), "{error}");

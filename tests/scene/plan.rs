@@ -43,9 +43,8 @@ fn reading_a_scene_integrates_nothing() {
         let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path:?}: {e}"));
         // A word of scenes, and the ends of a domain.
         let text = text.replace("lobefit_truth::integrate::footprint::RHO[", "");
-        for line in text.lines().filter(|line| line.contains("lobefit_truth::integrate")) {
-            assert_eq!(line, "use lobefit_truth::integrate::coupling::Specular;", "{path:?}");
-        }
+        let found = text.lines().find(|line| line.contains("lobefit_truth::integrate"));
+        assert_eq!(found, None, "{path:?}");
     }
     // Every fetch is saturated, which the bake says.
     let saturated = r#"{"name":"p","roughness":1,"rho":[2,4]}"#;

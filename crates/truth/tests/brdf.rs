@@ -2,10 +2,11 @@
 
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::brdf::{Brdf, albedo};
+use lobefit_truth::optics::Smith;
 use lobefit_truth::optics::beckmann::Beckmann;
 use lobefit_truth::optics::distribution::{Distribution, Ggx};
 use lobefit_truth::optics::ggx::Vec3;
-use lobefit_truth::optics::{Smith, sheen};
+use lobefit_truth::quantity::sheen::lobe as sheen;
 use lobefit_truth::quantity::{
     BECKMANN_REFLECTION, Choice, GGX_REFLECTION, Input, Quantity, SheenCharlie, Variant,
 };

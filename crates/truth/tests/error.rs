@@ -6,13 +6,14 @@
 use lobefit_math::gauss::Gauss;
 use lobefit_math::panels;
 use lobefit_truth::integrate::brdf::{Brdf, albedo as albedo_of_brdf};
-use lobefit_truth::integrate::coupling::Specular;
 use lobefit_truth::integrate::reflection::{Effort, albedo, loss, split};
+use lobefit_truth::optics::Smith;
 use lobefit_truth::optics::beckmann::Beckmann;
 use lobefit_truth::optics::distribution::Distribution;
 use lobefit_truth::optics::ggx::Vec3;
 use lobefit_truth::optics::kernel::Kernel;
-use lobefit_truth::optics::{Smith, sheen};
+use lobefit_truth::quantity::Specular;
+use lobefit_truth::quantity::sheen::lobe as sheen;
 use lobefit_truth::quantity::{
     BECKMANN_REFLECTION, DiffuseCoupling, GgxAverage, ParallaxAlpha, Quantity, SheenCharlie, Variant,
 };

@@ -1,9 +1,9 @@
 //! The truth of every quantity at many points against its value at each, which has a bound of its own.
 
-use lobefit_truth::integrate::coupling::Specular;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::Smith;
 use lobefit_truth::points::Points;
+use lobefit_truth::quantity::Specular;
 use lobefit_truth::quantity::{GgxAverage, QUANTITIES, Quantity, Variant};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;

@@ -7,9 +7,9 @@ use crate::data::{AlphaMap, Use};
 use lobefit_fit::{FitError, Samples};
 use lobefit_shade::ShadeError;
 use lobefit_truth::integrate::Estimate;
-use lobefit_truth::integrate::coupling::{Split, factor};
 use lobefit_truth::points::Points;
 use lobefit_truth::quantity::Truth;
+use lobefit_truth::quantity::coupling::{Split, factor};
 
 /// Points with the residual `scale f - target` of the use.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use super::affine::affine_in;
 use crate::data::{AlphaMap, Use, nine_digits};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError};
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 use lobefit_truth::quantity::{Choice, Quantity, Variant};
 
 /// What to approximate, and where.

@@ -2,7 +2,7 @@
 
 use super::rivals::{LIGHTS, OWN_SPECULAR, RIVALS};
 use crate::approximate::{Entry, own};
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 
 const NORMALISED: [Entry; 8] = own![
     "coupling_normalised_7",

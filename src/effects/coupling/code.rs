@@ -9,7 +9,7 @@ use crate::effects::coupling::AnyF0;
 use crate::effects::coupling::emitted as coupling;
 use crate::emit::header;
 use lobefit_shade::code::Language;
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 
 /// The text of a lobe; empty where nothing is emitted.
 pub fn in_language(language: Language, lobe: &Lobe) -> Result<String, BakeError> {

@@ -3,7 +3,7 @@
 
 use lobefit_shade::code::{CodeError, Language};
 use lobefit_shade::{ShadeError, Source, Tape};
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 
 const TEXT: &str = include_str!("coupling.wgsl");
 

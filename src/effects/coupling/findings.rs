@@ -14,7 +14,7 @@ use crate::effects::grid::{Grid, chosen, grazing};
 use crate::effects::page::{self, left_out};
 use crate::effects::selection::{Selected, selected};
 use crate::report::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow};
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 
 /// Cosines of spheres.
 const RADII: usize = 40;

@@ -4,9 +4,9 @@ use crate::data::Smith;
 use crate::effects::Albedo;
 use crate::effects::context::Context;
 use crate::effects::grid::Grid;
-use lobefit_truth::integrate::coupling::{Specular, Split, factor};
 use lobefit_truth::integrate::{Estimate, IntegrateError};
 use lobefit_truth::quantity::TRUTH_ERROR;
+use lobefit_truth::quantity::coupling::{Specular, Split, factor};
 
 /// A grid with E and B.
 pub struct Factors {

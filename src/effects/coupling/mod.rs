@@ -33,7 +33,7 @@ pub use catalogue::hypotheses;
 use catalogue::{entries, rivals, sources};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 use lobefit_truth::quantity::{self, Variant};
 pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS, light_ops};
 

@@ -7,7 +7,7 @@ use crate::effects::BakeError;
 use crate::effects::coupling::surface::table::{Grid, ReciprocityRow, rows_of};
 use crate::effects::coupling::surface::{Coupling, Factor, Lobe as Drawn};
 use crate::effects::grid::{chosen, grazing};
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 
 /// Roughness and cosines, as far as they lie in the region: a few, since every material is integrated over the hemisphere as it is drawn.
 /// The study has them all.

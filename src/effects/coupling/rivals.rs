@@ -4,7 +4,7 @@
 use crate::approximate::{Entry, published};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 
 /// The factor, or its mean over the lights of a white environment where it depends on the light.
 pub const RIVALS: [Entry; 8] = published![

@@ -20,8 +20,8 @@ use crate::effects::table::{Lookup, LookupError, Points, Spec};
 use crate::report::ApproximationFinding;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::Estimate;
-use lobefit_truth::integrate::coupling::{Split, factor};
 use lobefit_truth::points;
+use lobefit_truth::quantity::coupling::{Split, factor};
 
 /// Texels along mu and along roughness, and what two channels of f16 take.
 const SIDE: usize = 64;

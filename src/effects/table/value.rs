@@ -25,12 +25,12 @@ const LOG2_POINTS: u32 = 14;
 /// use lobefit::effects::context::Context;
 /// use lobefit::effects::table::ValueTable;
 /// use lobefit::effects::{BakeError, Called, Made};
-/// use lobefit_truth::quantity::SheenCharlie;
+/// use lobefit_truth::quantity::GGX_REFLECTION;
 ///
 /// const TABLE: ValueTable = ValueTable {
-///     quantity: &SheenCharlie,
+///     quantity: &GGX_REFLECTION,
 ///     column: "E",
-///     name: "charlie",
+///     name: "ggx",
 ///     layout: Layout::Homogeneous,
 ///     size: [32, 32],
 ///     format: TexelFormat::F16,

@@ -20,8 +20,8 @@ use lobefit_fit::FitError;
 use lobefit_fit::search::{
     Anchor, Found, Pair, PairSamples, Pairing, Progress, SearchSamples, Second, Space, search, search_pair,
 };
-use lobefit_truth::integrate::coupling::Specular;
 use lobefit_truth::quantity::GGX_REFLECTION;
+use lobefit_truth::quantity::Specular;
 
 /// Values of f0 where an error that is not affine in it is searched.
 const CURVED: usize = 5;

@@ -7,10 +7,9 @@ use crate::fitting::{Demand, FittingError};
 use lobefit_fit::FitError;
 use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};
 use lobefit_shade::Hypothesis;
-use lobefit_truth::integrate::coupling::Specular;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::kernel::Kernel;
-use lobefit_truth::quantity::Variant;
+use lobefit_truth::quantity::{Choice, Specular, Variant};
 
 /// Highest powers of roughness (alpha^4) and of the other inputs in a term.
 const DEGREES: [u8; 2] = [8, 5];
@@ -140,9 +139,11 @@ pub(super) fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
     axes.iter().position(|a| a.arguments[0].0 == name).map(|k| k as u8)
 }
 
-/// The power of roughness that is of one order with mu where a lobe changes: alpha, and of cloth roughness itself.
+/// The power of roughness that is of one order with mu where a lobe changes: alpha of a GGX lobe, whose quantities have a Smith form or a
+/// kernel, and roughness itself of any other.
 pub(super) fn order(target: &Target) -> u8 {
-    if target.quantity.name().starts_with("sheen") { 1 } else { target.alpha_map.power() as u8 }
+    let ggx = [Choice::Smith, Choice::Kernel].iter().any(|choice| target.quantity.has(*choice));
+    if ggx { target.alpha_map.power() as u8 } else { 1 }
 }
 
 /// What a formula is, in a sentence.

@@ -8,8 +8,8 @@ use lobefit_audit::foreign::Step;
 use lobefit_truth::integrate::aniso::table::{Columns, Grid, tabulate};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
-use lobefit_truth::integrate::sheen;
 use lobefit_truth::quantity;
+use lobefit_truth::quantity::sheen;
 
 fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> Shipped {
     let channels = vec![ShippedChannel { name: "0".into(), values }];

@@ -11,8 +11,8 @@ use lobefit::data::Smith;
 use lobefit::store;
 use lobefit_math::ops;
 use lobefit_studies::study::{Size, Study, StudyError, stale};
-use lobefit_truth::integrate::coupling::{Specular, Split, factor};
 use lobefit_truth::integrate::reflection::reflection;
+use lobefit_truth::quantity::coupling::{Specular, Split, factor};
 use serde_json::Value;
 
 const RESULTS: &str = "reports/studies/coupling-reduced/results.json";

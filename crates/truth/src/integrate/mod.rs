@@ -2,7 +2,6 @@
 
 pub mod aniso;
 pub mod brdf;
-pub mod coupling;
 mod error;
 mod estimate;
 pub mod footprint;
@@ -11,7 +10,6 @@ pub mod monte_carlo;
 mod patches;
 mod path;
 pub mod reflection;
-pub mod sheen;
 pub mod walk;
 
 pub use error::IntegrateError;

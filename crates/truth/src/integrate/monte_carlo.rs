@@ -5,18 +5,15 @@
 //! above the horizon. Its standard error comes from independently scrambled replicas.
 
 mod lobes;
-mod sheen;
 
 pub use lobes::{aniso, glass, sobol};
-pub use sheen::sheen;
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use super::coupling::{self, Specular, Split};
+use super::IntegrateError;
 use super::reflection::check_inputs;
-use super::{Estimate, IntegrateError};
 use crate::optics::Smith;
 use crate::optics::distribution::{Distribution, Ggx};
 use crate::optics::fresnel;
@@ -127,7 +124,7 @@ fn check(quantity: &'static str, alpha: f64, mu: f64, run: Run) -> Result<(), In
     check_samples(run)
 }
 
-fn check_samples(run: Run) -> Result<(), IntegrateError> {
+pub(crate) fn check_samples(run: Run) -> Result<(), IntegrateError> {
     if run.samples < REPLICAS as u64 || run.samples > MOST_SAMPLES {
         let must = "samples must be between 32 (one a replica) and 2^32";
         return Err(IntegrateError::Option { option: "samples", value: run.samples.to_string(), must });
@@ -135,25 +132,8 @@ fn check_samples(run: Run) -> Result<(), IntegrateError> {
     Ok(())
 }
 
-/// Estimates `diffuse-coupling` at alpha in [1e-7, 1], mu in (0, 1]. The errors of E, A and the loss add up: the spread is an upper bound.
-pub fn coupling(
-    smith: Smith,
-    alpha: f64,
-    mu: f64,
-    f0: f64,
-    specular: Specular,
-    run: Run,
-) -> Result<Sampled, IntegrateError> {
-    coupling::check_f0(f0)?;
-    let lobe = reflection(smith, alpha, mu, run)?;
-    let part = |x: Sampled| Estimate { value: x.value, error: x.standard_error };
-    let split = Split { e: part(lobe.e), a: part(lobe.a), loss: part(lobe.loss) };
-    let factor = coupling::factor(&split, f0, specular);
-    Ok(Sampled { value: factor.value, standard_error: factor.error })
-}
-
 /// Means of the replicas, in order, whatever thread computes which.
-fn replicas(run: Run, f: impl Fn([f64; DIMENSIONS]) -> Weights + Sync) -> Vec<Weights> {
+pub(crate) fn replicas(run: Run, f: impl Fn([f64; DIMENSIONS]) -> Weights + Sync) -> Vec<Weights> {
     let each = run.samples.div_ceil(REPLICAS as u64);
     let mut seeds = Pcg64::seed_from_u64(run.seed);
     let seeds: Vec<[u32; DIMENSIONS]> = (0..REPLICAS).map(|_| seeds.random()).collect();
@@ -194,7 +174,7 @@ fn mean(
 
 /// Mean and standard error over the replicas. An event of weight 1 that is rarer than one in N samples is likely not
 /// seen at all, and then the spread says nothing of it: 1/N is added in square.
-fn column(means: &[Weights], samples: u64, f: impl Fn(&Weights) -> f64) -> Sampled {
+pub(crate) fn column(means: &[Weights], samples: u64, f: impl Fn(&Weights) -> f64) -> Sampled {
     let values: Vec<f64> = means.iter().map(f).collect();
     let (spread, unseen) = (sum::standard_error(&values), 1.0 / samples as f64);
     Sampled { value: sum::mean(&values), standard_error: (spread * spread + unseen * unseen).sqrt() }

@@ -8,7 +8,6 @@ pub mod fresnel;
 pub mod ggx;
 pub mod kernel;
 pub mod multiscatter;
-pub mod sheen;
 mod smith;
 
 pub use smith::Smith;

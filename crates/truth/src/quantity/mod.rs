@@ -5,16 +5,16 @@
 
 mod aniso;
 mod average;
-mod coupling;
+pub mod coupling;
 mod glass;
 mod parallax;
 mod reflection;
-mod sheen;
+pub mod sheen;
 mod variant;
 
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
-pub use coupling::DiffuseCoupling;
+pub use coupling::{DiffuseCoupling, Specular};
 pub use glass::GgxGlass;
 pub use parallax::ParallaxAlpha;
 pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, TRUTH_ERROR};

@@ -1,7 +1,7 @@
 //! What a quantity is taken for beside its inputs: the form of the shadowing, the side, the lobe.
 
+use super::Specular;
 use crate::integrate::IntegrateError;
-use crate::integrate::coupling::Specular;
 use crate::integrate::glass::Side;
 use crate::optics::Smith;
 use crate::optics::kernel::Kernel;

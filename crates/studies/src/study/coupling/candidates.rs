@@ -12,7 +12,7 @@ use lobefit::effects::coupling::{CouplingSpec, OWN_SPECULAR, OwnSpecular, fit_al
 use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
 use lobefit_shade::{Hypothesis, Precision};
-use lobefit_truth::integrate::coupling::Specular;
+use lobefit_truth::quantity::Specular;
 use lobefit_truth::quantity::{DiffuseCoupling, Variant};
 
 /// Places in the list of the reference, and of the reference that is reciprocal.

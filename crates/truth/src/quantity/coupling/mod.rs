@@ -1,8 +1,12 @@
 //! `diffuse-coupling`: what a specular lobe leaves for the diffuse base below it.
 
+mod integral;
+pub mod monte_carlo;
+
 use super::{ALPHA, Choice, Input, MU, Quantity, Variant};
-use crate::integrate::monte_carlo::{self, Run, Sampled};
-use crate::integrate::{IntegrateError, coupling, reflection};
+use crate::integrate::monte_carlo::{Run, Sampled};
+use crate::integrate::{IntegrateError, reflection};
+pub use integral::{Specular, Split, TOLERANCE, coupling, factor};
 
 /// `diffuse-coupling`: 1 less the albedo of the specular lobe.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +30,7 @@ impl Quantity for DiffuseCoupling {
     }
 
     fn tolerance(&self, _: &Variant) -> f64 {
-        coupling::TOLERANCE
+        TOLERANCE
     }
 
     fn smallest_alpha(&self) -> f64 {
@@ -35,7 +39,7 @@ impl Quantity for DiffuseCoupling {
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
         let (smith, specular) = (variant.smith(self.name())?, variant.specular(self.name())?);
-        let v = coupling::coupling(smith, x[0], x[1], x[2], specular, tolerance)?;
+        let v = coupling(smith, x[0], x[1], x[2], specular, tolerance)?;
         Ok(vec![v.value, v.error])
     }
 

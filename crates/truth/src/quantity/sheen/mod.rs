@@ -1,11 +1,17 @@
 //! `sheen-charlie`: E of the sheen lobe.
 
+mod facets;
+mod integral;
+pub mod lobe;
+pub mod monte_carlo;
+
 use rayon::prelude::*;
 
 use super::{Choice, Input, MU, Quantity, Truth, Variant, each, given};
-use crate::integrate::monte_carlo::{self, Run, Sampled};
-use crate::integrate::{IntegrateError, sheen};
+use crate::integrate::IntegrateError;
+use crate::integrate::monte_carlo::{Run, Sampled};
 use crate::points::Points;
+pub use integral::{SMALLEST_ALPHA, Sheen, TOLERANCE, albedo, sheen};
 
 /// Largest error of the rule of sixteen nodes: 1e-11 of E, which is 399 at most.
 const RULE_ERROR: f64 = 1e-8;
@@ -20,7 +26,7 @@ impl Quantity for SheenCharlie {
     }
 
     fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("alpha", [sheen::SMALLEST_ALPHA, 1.0]), MU] }
+        const { &[Input::new("alpha", [SMALLEST_ALPHA, 1.0]), MU] }
     }
 
     fn outputs(&self) -> &'static [&'static str] {
@@ -32,11 +38,11 @@ impl Quantity for SheenCharlie {
     }
 
     fn tolerance(&self, _: &Variant) -> f64 {
-        sheen::TOLERANCE
+        TOLERANCE
     }
 
     fn smallest_alpha(&self) -> f64 {
-        sheen::SMALLEST_ALPHA
+        SMALLEST_ALPHA
     }
 
     fn remark(&self) -> &'static str {
@@ -44,7 +50,7 @@ impl Quantity for SheenCharlie {
     }
 
     fn at(&self, _: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
-        let v = sheen::sheen(x[0], x[1], tolerance)?;
+        let v = sheen(x[0], x[1], tolerance)?;
         Ok(vec![v.value, v.error])
     }
 
@@ -60,8 +66,8 @@ impl Quantity for SheenCharlie {
         }
         let [alpha, mu] = given(self, points)?;
         let one = |(alpha, mu): (&f64, &f64)| {
-            sheen::check(*alpha, *mu)?;
-            Ok([sheen::albedo(*alpha, *mu)])
+            integral::check(*alpha, *mu)?;
+            Ok([albedo(*alpha, *mu)])
         };
         let rows: Vec<[f64; 1]> = alpha.par_iter().zip(mu).map(one).collect::<Result<_, IntegrateError>>()?;
         Ok(Truth::of_rows(&rows, RULE_ERROR, rows.len() as u64))

@@ -1,7 +1,7 @@
 //! The sheen lobe of Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF" (2017), called Charlie, with the visibility of
 //! Neubelt and Pettineo (2013) that real-time renderers pair it with.
 
-use super::ggx::Vec3;
+use crate::optics::ggx::Vec3;
 use lobefit_math::ops;
 
 /// Exponent of the sine in Charlie's distribution, 1/alpha.

@@ -1,10 +1,10 @@
 //! Monte Carlo for the sheen lobe: facets drawn in proportion to sin^(1/alpha), the view mirrored about each as a vector.
 
-use super::{Run, Sampled, check_samples, column, replicas};
+use super::integral::{check, mass};
+use super::lobe::{exponent, lit};
 use crate::integrate::IntegrateError;
-use crate::integrate::sheen::{check, mass};
+use crate::integrate::monte_carlo::{Run, Sampled, check_samples, column, replicas};
 use crate::optics::ggx::{self, Vec3};
-use crate::optics::sheen::{exponent, lit};
 use lobefit_math::ops;
 
 /// `sheen-charlie` by Monte Carlo: E.

@@ -1,4 +1,4 @@
-//! `sheen-charlie`: the directional albedo of the sheen lobe of [`optics::sheen`](crate::optics::sheen).
+//! `sheen-charlie`: the directional albedo of the sheen lobe of [`lobe`](super::lobe).
 //!
 //! Ends of the domain, as limits of the integral:
 //! - mu = 0: E = (2 + p)/(2 sqrt(pi)) Gamma((p + 3)/2)/Gamma((p + 4)/2), p = 1/alpha, about sqrt(p/(2 pi)): above 1 for alpha below 0.2
@@ -8,13 +8,11 @@
 //!
 //! The derivation stands in `facets`.
 
-mod facets;
-
 use std::sync::LazyLock;
 
-use super::{Estimate, IntegrateError, PanelRule};
-use crate::optics::sheen::exponent;
-use facets::View;
+use super::facets::View;
+use super::lobe::exponent;
+use crate::integrate::{Estimate, IntegrateError, PanelRule};
 
 /// Smallest alpha: D's exponent is 1e6, and E at mu = 0 is 399.
 pub const SMALLEST_ALPHA: f64 = 1e-6;
@@ -57,7 +55,7 @@ pub fn albedo(alpha: f64, mu: f64) -> f64 {
 }
 
 /// Refuses inputs outside the domain.
-pub(crate) fn check(alpha: f64, mu: f64) -> Result<(), IntegrateError> {
+pub(super) fn check(alpha: f64, mu: f64) -> Result<(), IntegrateError> {
     let refuse = |input, value, domain| {
         Err(IntegrateError::Domain { quantity: "sheen-charlie", input, value, domain })
     };
@@ -90,7 +88,7 @@ fn place(alpha: f64, mu: f64) -> String {
 }
 
 /// (2 + p) times the mass of sin^(p + 1) over [0, pi/2], p = 1/alpha: the mean of the rest of the integrand times this is E.
-pub(in crate::integrate) fn mass(alpha: f64) -> f64 {
+pub(super) fn mass(alpha: f64) -> f64 {
     use lobefit_math::ops;
     let p = exponent(alpha);
     let ratio = ops::lgamma(0.5 * p + 1.0) - ops::lgamma(0.5 * p + 1.5);

@@ -10,8 +10,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::reflection::{Reflection, reflection};
-use super::{Estimate, IntegrateError};
+use crate::integrate::reflection::{Reflection, reflection};
+use crate::integrate::{Estimate, IntegrateError};
 use crate::optics::Smith;
 
 /// What multiplies the specular lobe.
@@ -110,7 +110,7 @@ pub fn factor(split: &Split, f0: f64, specular: Specular) -> Estimate {
 }
 
 /// Refuses f0 outside [0, 1].
-pub(in crate::integrate) fn check_f0(f0: f64) -> Result<(), IntegrateError> {
+pub(super) fn check_f0(f0: f64) -> Result<(), IntegrateError> {
     let (quantity, input, domain) = ("diffuse-coupling", "f0", "is outside [0, 1]");
     if (0.0..=1.0).contains(&f0) {
         return Ok(());

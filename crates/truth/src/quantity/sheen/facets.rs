@@ -19,8 +19,8 @@
 //!
 //! The sine's power spans many orders: each range is cut where it has fallen by given factors, and left where it has fallen by e^-45.
 
+use super::lobe::{self, exponent};
 use crate::integrate::PanelRule;
-use crate::optics::sheen::{self, exponent};
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 use std::f64::consts::PI;
@@ -225,7 +225,7 @@ impl View {
         let at = |phi: f64| {
             let both = ops::sin(0.5 * (ring.azimuth + phi)) * ops::sin(0.5 * (ring.azimuth - phi));
             let mu_l = lowest + 4.0 * ring.cosine * swing * both;
-            (fixed + swing * ops::cos(phi)) * sheen::lit(self.mu, mu_l)
+            (fixed + swing * ops::cos(phi)) * lobe::lit(self.mu, mu_l)
         };
         RULE.integrate(0.0, ring.azimuth, at)
     }
