@@ -1,7 +1,7 @@
 //! What the arguments of a shader function are given, by their names and by what the user says.
 
 use super::axis::{Input, Scale};
-use super::{AUDITED, AuditError};
+use super::{AuditError, inputs_of};
 use crate::foreign::ShaderFunction;
 use lobefit_truth::quantity::Quantity;
 
@@ -37,11 +37,6 @@ impl Feed {
             Feed::Blend => f0,
         }
     }
-}
-
-/// Inputs of a quantity; 2 of one that cannot be audited, which is refused later.
-fn inputs_of(quantity: &dyn Quantity) -> usize {
-    AUDITED.iter().find(|a| a.0 == quantity.name()).map_or(2, |a| a.1)
 }
 
 /// The input that an argument's name tells, if the quantity has it.

@@ -1,5 +1,8 @@
 //! What a channel may hold: a column of a quantity, or what people store instead of one.
 
+use super::truth::is_albedo;
+use lobefit_truth::quantity;
+
 /// What a channel holds. Two base values tell them all: E and B for reflection, R and T for glass, E_avg and E(mu = 1) for averages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
@@ -72,7 +75,8 @@ impl Column {
             "ggx-reflection" | "beckmann-reflection" => &REFLECTION,
             "ggx-glass" => &GLASS,
             "ggx-average" => &AVERAGE,
-            "ggx-reflection-aniso" | "sheen-charlie" => &ALBEDO,
+            "ggx-reflection-aniso" => &ALBEDO,
+            other if quantity::find(other).is_some_and(is_albedo) => &ALBEDO,
             _ => &[],
         }
     }

@@ -50,7 +50,7 @@ use errors::Residuals;
 use judge::judge;
 use lobefit::data::{Place, Smith};
 use lobefit_truth::integrate::glass::Side;
-use lobefit_truth::quantity::Quantity;
+use lobefit_truth::quantity::{QUANTITIES, Quantity};
 use lookup::Points;
 use sample::{Candidate, Sample};
 use truth::Truth;
@@ -90,15 +90,16 @@ const ROUND_KEPT: [usize; 2] = [40, 12];
 /// Conventions that rank this many times worse than the best go into the last round with the figures of the one before.
 const FAR: [f64; 2] = [f64::INFINITY, 4.0];
 
-/// Quantities that are audited, and the number of their inputs.
-pub const AUDITED: [(&str, usize); 6] = [
-    ("ggx-reflection", 2),
-    ("ggx-reflection-aniso", 3),
-    ("ggx-average", 1),
-    ("ggx-glass", 3),
-    ("sheen-charlie", 2),
-    ("beckmann-reflection", 2),
-];
+/// Number of inputs of a quantity that are axes of a table of it.
+pub fn inputs_of(quantity: &dyn Quantity) -> usize {
+    quantity.inputs().iter().filter(|input| !input.optional).count()
+}
+
+/// Names of the quantities that can be audited.
+fn audited() -> String {
+    let names = QUANTITIES.iter().map(|quantity| quantity.name());
+    names.filter(|name| !Column::of(name).is_empty()).collect::<Vec<_>>().join(", ")
+}
 
 /// Conventions of which clamps are tried.
 const CLAMPED: [usize; 2] = [TOLD, 1];
@@ -141,14 +142,17 @@ pub fn audit(
 }
 
 /// The truth that the user asks for; only the lobes that may be meant are integrated.
-fn truth_of(table: &Shipped, quantity: &dyn Quantity, pins: &Pins) -> Result<Box<dyn Truth>, AuditError> {
+fn truth_of<'a>(
+    table: &Shipped,
+    quantity: &'a dyn Quantity,
+    pins: &Pins,
+) -> Result<Box<dyn Truth + 'a>, AuditError> {
     let smiths: Vec<Smith> = pins.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
     Ok(match quantity.name() {
         "ggx-reflection" => Box::new(truth::ggx(&smiths)?),
         "beckmann-reflection" => Box::new(truth::beckmann(&smiths)?),
         "ggx-average" => Box::new(truth::average(&smiths)?),
         "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
-        "sheen-charlie" => Box::new(truth::sheen()?),
         "ggx-glass" => {
             let sides = pins.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
             let lobe = |smith: &Smith| {
@@ -156,15 +160,12 @@ fn truth_of(table: &Shipped, quantity: &dyn Quantity, pins: &Pins) -> Result<Box
             };
             Box::new(truth::glass(smiths.iter().flat_map(lobe).collect())?)
         }
+        _ if truth::is_albedo(quantity) => Box::new(truth::albedo(quantity)?),
         other => {
             return Err(AuditError::Option {
                 option: "--as",
                 value: other.into(),
-                reason: format!(
-                    "{}: nothing of it can be audited; {} can",
-                    table.what,
-                    AUDITED.map(|a| a.0).join(", ")
-                ),
+                reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
             });
         }
     })

@@ -309,8 +309,7 @@ fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
 
 /// Inputs of the quantity.
 fn inputs(options: &Options) -> usize {
-    let name = options.wanted.0.name();
-    audit::AUDITED.iter().find(|a| a.0 == name).map_or(2, |a| a.1)
+    audit::inputs_of(options.wanted.0)
 }
 
 /// The table that is meant, of a file that may hold several.

@@ -1,19 +1,19 @@
 //! The truth of a quantity over whole tensors of inputs, fast enough to try thousands of conventions.
 
+mod albedo;
 mod aniso;
 mod average;
 mod azimuth;
 mod glass;
 mod plane;
-mod sheen;
 mod solid;
 
+pub(super) use albedo::{albedo, is_albedo};
 pub(super) use aniso::aniso;
 pub(super) use average::average;
 pub(super) use azimuth::azimuth;
 pub(super) use glass::glass;
 pub(super) use plane::{beckmann, ggx};
-pub(super) use sheen::sheen;
 
 use super::AuditError;
 use super::axis::Input;
