@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::certificate::{approximation, certificate, formula};
 use super::search::{Searched, searched};
 use super::target::{Sampled, Target};
-use super::{Entry, Fit, FitStageError, Keeps, Kept, Safe};
+use super::{Entry, Fit, FitStageError, Safe, SafeProof, SafeRange};
 use crate::data::{Norm, Source};
 use lobefit_fit::{Constraint, Options, Samples};
 use lobefit_shade::{Domain, Hypothesis, Precision};
@@ -59,7 +59,7 @@ impl Prepared {
         &self,
         hypothesis: &Hypothesis,
         norm: Norm,
-        keeps: Option<&Keeps>,
+        safe_range: Option<&SafeRange>,
     ) -> Result<Fit, FitStageError> {
         let sampled = match norm {
             Norm::Max => &self.edged,
@@ -67,10 +67,10 @@ impl Prepared {
         };
         let samples = sampled.samples(hypothesis.name(), hypothesis.inputs(), None)?;
         let domain = self.target.domain()?;
-        let (found, safe) = match keeps {
+        let (found, safe) = match safe_range {
             None => (searched(hypothesis, norm, (&samples, &[]), &domain, &Options::new(norm))?, None),
-            Some(keeps) => {
-                let (found, safe) = keeping(hypothesis, norm, &samples, &domain, keeps)?;
+            Some(safe_range) => {
+                let (found, safe) = keeping(hypothesis, norm, &samples, &domain, safe_range)?;
                 (found, Some(safe))
             }
         };
@@ -120,7 +120,7 @@ fn keeping(
     norm: Norm,
     samples: &Samples,
     domain: &Domain,
-    keeps: &Keeps,
+    safe_range: &SafeRange,
 ) -> Result<(Searched, Safe), FitStageError> {
     let usual = Options::new(norm);
     let alone = Options { starts: 1, iterations: ITERATIONS, ..usual };
@@ -128,13 +128,13 @@ fn keeping(
         searched(hypothesis, norm, (samples, constraints), domain, options)
     };
     let free = within(&[], &alone).or_else(|_| within(&[], &usual))?;
-    if let Kept::Proven(safe) = keeps.prove(hypothesis, &free.coefficients)? {
+    if let SafeProof::Proven(safe) = safe_range.prove(hypothesis, &free.coefficients)? {
         return Ok((free, safe));
     }
-    let bound = within(&keeps.constraints(hypothesis)?, &alone)?;
-    match keeps.prove(hypothesis, &bound.coefficients)? {
-        Kept::Proven(safe) => Ok((bound, safe)),
-        Kept::Unproven(reason) => {
+    let bound = within(&safe_range.constraints(hypothesis)?, &alone)?;
+    match safe_range.prove(hypothesis, &bound.coefficients)? {
+        SafeProof::Proven(safe) => Ok((bound, safe)),
+        SafeProof::Unproven(reason) => {
             let (hypothesis, norm) = (hypothesis.file().to_string(), norm.name());
             Err(FitStageError::Unkept { hypothesis, norm, reason })
         }

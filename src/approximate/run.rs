@@ -3,7 +3,7 @@
 
 use super::prepared::Prepared;
 use super::target::{Target, TargetSpec};
-use super::{Counter, Dropped, Entry, Fit, FitSet, FitStageError, Keeps};
+use super::{Counter, Dropped, Entry, Fit, FitSet, FitStageError, SafeRange};
 use crate::data::{AlphaMap, Norm};
 use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
@@ -26,7 +26,7 @@ pub struct Wanted<'a> {
     /// Most operations of a fit; none: any.
     pub max_ops: Option<u32>,
     /// What the fits must keep beyond their domain.
-    pub keeps: Option<Keeps>,
+    pub safe_range: Option<SafeRange>,
     /// A form of f0 of each minimax fit (of each other fit where there is none), measured at f0 = 1.
     pub with_f0: Option<WithF0>,
 }
@@ -123,7 +123,7 @@ impl<'a> Stage<'a> {
         let norms =
             |h: &Hypothesis| self.wanted.norms.iter().map(|norm| (h.clone(), *norm)).collect::<Vec<_>>();
         let jobs: Vec<Job> = formulas.iter().flat_map(norms).collect();
-        let fit = |(h, norm): &Job| self.of(h)?.fit(h, *norm, self.wanted.keeps.as_ref());
+        let fit = |(h, norm): &Job| self.of(h)?.fit(h, *norm, self.wanted.safe_range.as_ref());
         let results = jobs.par_iter().map(fit).collect();
         (jobs, results)
     }

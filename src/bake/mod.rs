@@ -5,9 +5,9 @@ mod assemble;
 mod build;
 mod compare;
 mod includes;
-mod kept;
 mod names;
 mod opening;
+mod previous;
 mod recipe;
 
 use rayon::prelude::*;
@@ -23,7 +23,7 @@ use crate::scene::Scene;
 use crate::store::Files;
 pub use build::{BUILD, BUILD_FILE, sign};
 pub use compare::{Difference, Kind, compare};
-pub use kept::{KeptError, kept};
+pub use previous::{PreviousError, previous};
 pub use recipe::{TOOL, recipe};
 
 /// What a bake made.

@@ -8,7 +8,7 @@ use super::options::{SceneOption, ThreadsOption, effect};
 use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
-use crate::bake::{Baked, Selection, kept, recipe, sign};
+use crate::bake::{Baked, Selection, previous, recipe, sign};
 use crate::emit::header::{operations, place, short};
 use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
@@ -88,7 +88,7 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection,
         return Ok(Selection::default());
     }
     let recipe = recipe(&input.scene, plan, &input.hypotheses)?;
-    let kept = kept(&options.out, &recipe, plan, &options.only)?;
+    let kept = previous(&options.out, &recipe, plan, &options.only)?;
     Ok(Selection { only: options.only.clone(), kept })
 }
 

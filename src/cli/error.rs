@@ -3,7 +3,7 @@
 use std::io;
 
 use super::points::PointsError;
-use crate::bake::{BakeError, KeptError};
+use crate::bake::{BakeError, PreviousError};
 use crate::fitting::FittingError;
 use crate::report::ReportError;
 use crate::scene::SceneError;
@@ -99,7 +99,7 @@ pub enum CliError {
     Report(#[from] ReportError),
     /// An older bake whose other effects cannot be kept.
     #[error("--only: {0}")]
-    Kept(#[from] KeptError),
+    Previous(#[from] PreviousError),
     /// A formula that was not fitted.
     #[error("{0}")]
     Fitting(#[from] Box<FittingError>),

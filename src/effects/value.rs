@@ -111,7 +111,7 @@ impl ValueFits<'_> {
             published: self.published.iter().collect(),
             norms: &job.goals.norms,
             max_ops: job.goals.max_ops,
-            keeps: None,
+            safe_range: None,
             with_f0: None,
         }
     }

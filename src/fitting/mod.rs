@@ -1,11 +1,11 @@
 //! A formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page. [`fit`] measures,
 //! [`files`] makes what is written of it; nothing here touches the file system.
 
+mod constraint_check;
 mod demands;
 mod document;
 mod environment;
 mod irradiance;
-mod kept;
 mod one;
 mod perceptual;
 mod pictures;
@@ -17,11 +17,11 @@ mod vanished;
 mod weight;
 mod words;
 
+pub use constraint_check::ConstraintCheck;
 pub use demands::Demand;
 pub use document::{document, files};
 pub use environment::{Aimed, Environment, Lamp};
 pub use irradiance::diffuse_light;
-pub use kept::Kept;
 pub use one::{Certified, Proof, Weighted};
 pub use perceptual::{Perceptual, sensitivity};
 pub use summary::summary;

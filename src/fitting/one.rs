@@ -1,6 +1,6 @@
 //! One fit: searched, rounded, proven regular, measured.
 
-use super::kept::{self, Kept};
+use super::constraint_check::{self, ConstraintCheck};
 use super::poles::{Searched, Task, kept_out};
 use super::vanished::{self, Obedient};
 use super::weight::Weight;
@@ -47,7 +47,7 @@ pub struct Certified {
     /// Its weighted errors, where errors were weighted.
     pub weighted: Option<Weighted>,
     /// How the constraints hold, in the order of the demands.
-    pub kept: Vec<Kept>,
+    pub kept: Vec<ConstraintCheck>,
     /// Whether it is finite everywhere.
     pub proof: Proof,
     /// Certificates in every arithmetic, or why there is none.
@@ -70,7 +70,7 @@ pub(super) fn fit_one(
     let domain = target.domain()?;
     let samples = samples(&hypothesis, goal, target, weight)?;
     let options = Options { starts: job.starts, ..Options::new(goal) };
-    let finer = kept::finer(constraints, &job.demands, target, &hypothesis, measured)?;
+    let finer = constraint_check::finer(constraints, &job.demands, target, &hypothesis, measured)?;
     let found = obedient(&hypothesis, &samples, constraints, &finer, &options, &domain)?;
     let task = Task {
         hypothesis: &hypothesis,
@@ -143,7 +143,7 @@ pub(super) fn obedient(
         let fitted = optimise(hypothesis, samples, constraints, options)?;
         let coefficients = round_to_f32(&fitted.coefficients)?;
         let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
-        let kept = kept::kept(finer, &fitted.constraints, tape, &exact, domain)?;
+        let kept = constraint_check::kept(finer, &fitted.constraints, tape, &exact, domain)?;
         Ok(Obedient { fitted, coefficients, exact, kept })
     };
     // Where the search cannot even start, the proof knows the place in the source that is at fault.
@@ -158,7 +158,7 @@ pub(super) fn obedient(
     })?;
     let mut constraints = constraints.to_vec();
     for _ in 0..ROUNDS {
-        if !kept::add_broken(&mut constraints, finer, &best.kept, tape, &best.exact)? {
+        if !constraint_check::add_broken(&mut constraints, finer, &best.kept, tape, &best.exact)? {
             break;
         }
         match search(&constraints) {

@@ -1,6 +1,6 @@
 //! Poles that a search has left between its samples: the search again with the formula's values bound, so that nothing comes near one.
 
-use super::kept::finer;
+use super::constraint_check::finer;
 use super::one::obedient;
 use super::vanished::Obedient;
 use super::{Demand, FittingError, demands};

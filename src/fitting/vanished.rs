@@ -1,6 +1,6 @@
 //! Coefficients that have come out as nothing: set to exactly 0, and told, so that the author drops their terms.
 
-use super::kept::{self, Kept};
+use super::constraint_check::{self, ConstraintCheck};
 use lobefit_fit::{Constraint, FitError, Fitted, Samples};
 use lobefit_shade::{Domain, Hypothesis};
 
@@ -16,7 +16,7 @@ pub(super) struct Obedient {
     pub coefficients: Vec<f32>,
     /// The same in f64.
     pub exact: Vec<f64>,
-    pub kept: Vec<Kept>,
+    pub kept: Vec<ConstraintCheck>,
 }
 
 /// The same with 0 in the place of coefficients that do nothing, one by one, as long as constraints are kept that were before.
@@ -44,8 +44,10 @@ pub(super) fn cleared(
             continue;
         }
         // Where a constraint has no value with 0, 0 is no choice.
-        let Ok(kept) = kept::kept(finer, &found.fitted.constraints, tape, &exact, domain) else { continue };
-        let equal = kept::equations_hold(finer, &found.fitted.constraints, tape, &exact)?;
+        let Ok(kept) = constraint_check::kept(finer, &found.fitted.constraints, tape, &exact, domain) else {
+            continue;
+        };
+        let equal = constraint_check::equations_hold(finer, &found.fitted.constraints, tape, &exact)?;
         if equal && kept.iter().zip(&found.kept).all(|(now, then)| now.is_kept() || !then.is_kept()) {
             found.coefficients[index] = 0.0;
             found = Obedient { exact, kept, ..found };

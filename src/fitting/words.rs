@@ -1,6 +1,6 @@
 //! What a search did, in words.
 
-use super::Kept;
+use super::ConstraintCheck;
 use super::one::Weighted;
 use super::weight::PERCEPTUAL;
 use crate::approximate::target::Target;
@@ -147,7 +147,7 @@ pub(super) fn optimality(fitted: &Fitted, weighted: bool) -> String {
 }
 
 /// How a constraint holds.
-pub(super) fn constraint(kept: &Kept) -> String {
+pub(super) fn constraint(kept: &ConstraintCheck) -> String {
     let held = &kept.held;
     let missed = || format!("by at most {} (rounding allows {})", figure(held.worst), figure(held.tolerance));
     match (kept.proven, kept.is_kept()) {

@@ -1,14 +1,14 @@
 //! Effects: truths, tables, fits, whole materials, and what engines ship.
 
-#[path = "../rivals_support/mod.rs"]
-mod rivals_support;
+#[path = "../published_support/mod.rs"]
+mod published_support;
 
 mod parallax;
+mod published;
+mod published_coupling;
 mod reflection_field;
 mod reflection_fits;
 mod reflection_table;
-mod rivals;
-mod rivals_coupling;
 mod surface_energy;
 mod taps;
 mod target;

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use lobefit::approximate::{Counter, Entry};
 use lobefit::data::{AlphaMap, Norm};
-use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, ParallaxSpec, RIVALS, Spread, fit_all};
+use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, PUBLISHED, ParallaxSpec, Spread, fit_all};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::optics::kernel::Kernel;
 
@@ -43,7 +43,7 @@ fn published_formulas_have_the_errors_that_were_measured_of_them() {
         ("parallax_frostbite", 0.367, 0.882, 0.394, 0.789),
         ("parallax_scaled", 0.098, 0.323, 0.052, 0.172),
     ] {
-        let entry = RIVALS.iter().find(|entry| entry.name() == name).expect("in the catalogue");
+        let entry = PUBLISHED.iter().find(|entry| entry.name() == name).expect("in the catalogue");
         let (near, far) = (spread(entry, &[], near), spread(entry, &[], far));
         println!("{name}: {near:?} {far:?}");
         assert!(close(near.mean, near_mean, 1e-3) && close(near.max, near_max, 1e-3), "{name}: {near:?}");

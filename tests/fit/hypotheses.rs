@@ -14,7 +14,7 @@ fn domain() -> Domain {
         .unwrap()
 }
 
-/// Every hypothesis's operations, by the project's model. Rivals as published: A and B both computed where E is
+/// Every hypothesis's operations, by the project's model. PublishedFormulas as published: A and B both computed where E is
 /// their sum; roughness and alpha given.
 const COSTS: [(&str, u32); 105] = [
     ("ggx_norm_r8", 8),

@@ -1,6 +1,6 @@
 //! The hypotheses of this effect and the published formulas that they compete with.
 
-use super::rivals::{LIGHTS, OWN_SPECULAR, RIVALS};
+use super::published::{LIGHTS, OWN_SPECULAR, PUBLISHED};
 use crate::approximate::{Entry, own};
 use lobefit_truth::quantity::Specular;
 
@@ -35,14 +35,16 @@ pub fn hypotheses(specular: Specular) -> &'static [Entry] {
 }
 
 /// What engines ship: formulas that are the same under every lobe, and those that are 1 less a fitted lobe of this kind.
-pub fn rivals(specular: Specular) -> impl Iterator<Item = &'static Entry> {
-    RIVALS.iter().chain(OWN_SPECULAR.iter().filter(move |own| own.specular == specular).map(|own| &own.entry))
+pub fn published(specular: Specular) -> impl Iterator<Item = &'static Entry> {
+    PUBLISHED
+        .iter()
+        .chain(OWN_SPECULAR.iter().filter(move |own| own.specular == specular).map(|own| &own.entry))
 }
 
 /// Every file of the catalogue, in a fixed order.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     let ours = Specular::ALL.into_iter().flat_map(hypotheses);
-    ours.chain(&RIVALS).chain(OWN_SPECULAR.iter().map(|own| &own.entry))
+    ours.chain(&PUBLISHED).chain(OWN_SPECULAR.iter().map(|own| &own.entry))
 }
 
 /// Every WGSL source of the catalogue, in a fixed order: part of a bake's recipe.

@@ -85,7 +85,7 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
     let f0 = spec.f0[0];
     let truth = map.at(spec.specular, f0);
     let fits = shown.iter().map(|one| fit_finding(lobe, one, (&map, &truth), &lines));
-    let (table, table_anywhere) = super::table::rival(lobe, context)?;
+    let (table, table_anywhere) = super::table::of_published(lobe, context)?;
     let formulas = lobe.fits.iter().map(|f| ApproximationFinding::from(&f.approximation));
     Ok(CouplingLobe {
         specular: spec.specular.name().into(),
@@ -120,11 +120,11 @@ fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<Couplin
     let spheres = Grid::new(region, chosen(region, &SPHERES), grazing(region, RADII));
     let exact = Factors::new(spec.smith, spheres, context)?;
     let grid = &exact.grid;
-    let of_rival = |name: &&str| lobe.fits.iter().find(|f| f.approximation.name == **name);
-    let rivals = SHOWN.iter().filter_map(of_rival);
+    let of_published = |name: &&str| lobe.fits.iter().find(|f| f.approximation.name == **name);
+    let published = SHOWN.iter().filter_map(of_published);
     let ours = [shown.first(), shown.last()];
     let ours = ours.into_iter().take(shown.len()).flatten().map(|one| one.fit);
-    let rows: Vec<&Fit> = rivals.chain(ours).collect();
+    let rows: Vec<&Fit> = published.chain(ours).collect();
     let at = |f0: &f64| -> Result<(f64, Vec<FurnaceRow>), BakeError> {
         let truth = exact.at(spec.specular, *f0);
         let row = |fit: &&Fit| {

@@ -10,9 +10,9 @@ pub mod emitted;
 mod findings;
 mod grid;
 pub mod page;
+mod published;
 mod reciprocity;
 mod results;
-mod rivals;
 mod rule;
 pub mod surface;
 mod table;
@@ -25,17 +25,17 @@ use super::effect::Note;
 use super::who::{about, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
-use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Keeps, Region, Wanted};
+use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Region, SafeRange, Wanted};
 use crate::data::{Norm, Smith, Use};
 use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::hypotheses;
-use catalogue::{entries, rivals, sources};
+use catalogue::{entries, published, sources};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::Specular;
 use lobefit_truth::quantity::{self, Variant};
-pub use rivals::{OWN_SPECULAR, OwnSpecular, RIVALS, light_ops};
+pub use published::{OWN_SPECULAR, OwnSpecular, PUBLISHED, light_ops};
 
 /// The effect.
 pub struct DiffuseCoupling;
@@ -88,7 +88,7 @@ impl Effect for DiffuseCoupling {
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
         let kinds = target.variant.specular.into_iter().filter(|_| target.used_as == Use::Coupling);
-        kinds.flat_map(|s| hypotheses(s).iter().chain(rivals(s))).collect()
+        kinds.flat_map(|s| hypotheses(s).iter().chain(published(s))).collect()
     }
 
     fn operations(&self, formula: &Hypothesis) -> Result<u32, FitError> {
@@ -196,9 +196,9 @@ impl CouplingSpec {
 
     /// What its fits keep wherever a shader may call them: no less than no light for the base. Under a bare lobe the truth goes to the
     /// loss 1 - E as f0 goes to 1, which vanishes at a mirror: there no fit can be told from 0.
-    fn keeps(&self) -> Keeps {
+    fn safe_range(&self) -> SafeRange {
         let f0 = if self.specular == Specular::Single { SINGLE_F0 } else { 1.0 };
-        Keeps { roughness: self.region.roughness, alpha_map: self.region.alpha_map, f0 }
+        SafeRange { roughness: self.region.roughness, alpha_map: self.region.alpha_map, f0 }
     }
 }
 
@@ -211,15 +211,15 @@ pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStag
         spec: spec.target(spec.f0),
         own: hypotheses(spec.specular),
         user: &[],
-        published: rivals(spec.specular).collect(),
+        published: published(spec.specular).collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
-        keeps: Some(spec.keeps()),
+        safe_range: Some(spec.safe_range()),
         with_f0: None,
     };
     let mut set = approximate::fit_all(&wanted, counter)?;
     for fit in &mut set.fits {
-        if let Some(ops) = rivals::light_ops(&fit.approximation.name)? {
+        if let Some(ops) = published::light_ops(&fit.approximation.name)? {
             fit.approximation.cost.ops = ops;
         }
     }

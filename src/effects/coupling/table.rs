@@ -34,7 +34,10 @@ const LOG2: u32 = 14;
 const ANY: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
 /// The exact factor from a lookup of E and B, measured over the lobe's domain and over all f0.
-pub fn rival(lobe: &Lobe, context: &Context) -> Result<(ApproximationFinding, AnyF0Finding), BakeError> {
+pub fn of_published(
+    lobe: &Lobe,
+    context: &Context,
+) -> Result<(ApproximationFinding, AnyF0Finding), BakeError> {
     let CouplingSpec { specular, smith, region, f0, .. } = &lobe.spec;
     let spec = Spec {
         names: vec![format!("coupling_table_{SIDE}x{SIDE}")],

@@ -9,7 +9,7 @@ pub const HYPOTHESES: [Entry; 3] = own!["parallax_1", "parallax_cubic", "paralla
 pub(super) const BIAS: [Entry; 1] = own!["parallax_bias_log"];
 
 /// What engines ship: measured and reported, not emitted.
-pub const RIVALS: [Entry; 5] = published![
+pub const PUBLISHED: [Entry; 5] = published![
     "parallax_none" by "no correction",
     "parallax_frostbite" by "Lagarde and de Rousiers 2014, listing 25",
     "parallax_frostbite_text" by "Lagarde and de Rousiers 2014, section 4.9",
@@ -19,7 +19,7 @@ pub const RIVALS: [Entry; 5] = published![
 
 /// Every file of the catalogue, in a fixed order.
 pub(super) fn entries() -> impl Iterator<Item = &'static Entry> {
-    HYPOTHESES.iter().chain(&BIAS).chain(&RIVALS)
+    HYPOTHESES.iter().chain(&BIAS).chain(&PUBLISHED)
 }
 
 /// Their WGSL sources: part of a study's recipe.

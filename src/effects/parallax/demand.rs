@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{HYPOTHESES, RIVALS};
+use super::{HYPOTHESES, PUBLISHED};
 use crate::data::{MipChain, ProbeLookup};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Goals, Job, Span};
@@ -111,7 +111,7 @@ pub(super) fn summary(scene: &Scene, job: &Job) -> Option<JobSummary> {
         n => format!(", {n} of the lobe fitted to GGX"),
     };
     let of = format!("the width of a fetch from a {} chain", lobe.kernel.name());
-    let fits = HYPOTHESES.len() * job.goals.norms.len() + RIVALS.len();
+    let fits = HYPOTHESES.len() * job.goals.norms.len() + PUBLISHED.len();
     let mut summary = JobSummary::fits(job, &of, TRUTH_S + fits as f64 * FIT_S);
     summary.approximation += &format!("{chains}{lookups}{fitted}");
     Some(summary)

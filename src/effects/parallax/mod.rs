@@ -22,7 +22,7 @@ use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Wanted};
 use crate::data::{AlphaMap, Norm, Use};
 use crate::scene::Scene;
-pub use catalogue::{HYPOTHESES, RIVALS, catalogue_sources};
+pub use catalogue::{HYPOTHESES, PUBLISHED, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use demand::{Lobe, lobes};
 pub use grid::{Cell, Grid, Spread};
@@ -130,10 +130,10 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         },
         own: &HYPOTHESES,
         user: &[],
-        published: RIVALS.iter().collect(),
+        published: PUBLISHED.iter().collect(),
         norms: &spec.norms,
         max_ops: spec.max_ops,
-        keeps: None,
+        safe_range: None,
         with_f0: None,
     };
     let mut set = approximate::fit_all(&wanted, counter)?;

@@ -1,4 +1,4 @@
-//! Total variation of fits and rivals, apart for fetches that are narrowed and widened.
+//! Total variation of fits and published formulas, apart for fetches that are narrowed and widened.
 
 use super::grid::{Cell, Grid, Spread};
 use crate::approximate::{Fit, FitStageError};

@@ -1,6 +1,6 @@
-//! The hypotheses of this effect and the published formulas that are emitted beside them; the others stand in `rivals`.
+//! The hypotheses of this effect and the published formulas that are emitted beside them; the others stand in `published`.
 
-use super::rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
+use super::published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 use crate::approximate::{Entry, own, published};
 
 /// N(alpha, mu) with free parameters, by rising cost.
@@ -52,7 +52,7 @@ pub const SEEDS: [Entry; 2] = published![
 /// Every file of the catalogue, in a fixed order.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     let ours = NORMALISATIONS.iter().chain(&AVERAGES).chain(&BLENDS).chain(&SEEDS);
-    ours.chain(&RIVALS).chain(&BLEND_RIVALS).chain(&AVERAGE_RIVALS)
+    ours.chain(&PUBLISHED).chain(&PUBLISHED_BLENDS).chain(&PUBLISHED_AVERAGES)
 }
 
 #[cfg(test)]

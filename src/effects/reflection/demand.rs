@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::table::Dfg;
-use super::{AVERAGES, BLENDS, NORMALISATIONS, RIVALS, SEEDS};
+use super::{AVERAGES, BLENDS, NORMALISATIONS, PUBLISHED, SEEDS};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Goals, Job, Span};
 use crate::effects::table::{self, TableJob};
@@ -194,7 +194,7 @@ fn fit_seconds(job: &Job, wants: &FitJob) -> f64 {
     let normalisations = NORMALISATIONS.len() + wants.hypotheses.len();
     let averages = if wants.average { AVERAGES.len() } else { 0 };
     let searches = ((normalisations + averages) * norms) as f64;
-    let certificates = searches + (normalisations + SEEDS.len() + RIVALS.len()) as f64;
+    let certificates = searches + (normalisations + SEEDS.len() + PUBLISHED.len()) as f64;
     let blends = if wants.blend { BLEND_TRUTH_S + (BLENDS.len() * norms) as f64 * BLEND_FIT_S } else { 0.0 };
     CERTIFIED * E_S + searches * OPTIMISE_S + certificates * CERTIFIED * EVALUATION_S + blends
 }

@@ -1,7 +1,7 @@
 //! The fits of this effect: normalisations with their saturating forms, averages, and blends f0 A + B.
 
 use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
-use super::{BLEND_RIVALS, RIVALS};
+use super::{PUBLISHED, PUBLISHED_BLENDS};
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Counter, FitSet, FitStageError, Region, Wanted};
 use crate::data::{Norm, Smith, Source, Use};
@@ -65,7 +65,7 @@ impl FitSpec {
         Wanted {
             own: &NORMALISATIONS,
             user: &self.hypotheses,
-            published: SEEDS.iter().chain(&RIVALS).collect(),
+            published: SEEDS.iter().chain(&PUBLISHED).collect(),
             with_f0: Some(saturating),
             ..self.of(&GGX_REFLECTION, "E", Use::Normalisation)
         }
@@ -78,7 +78,7 @@ impl FitSpec {
     }
 
     fn blends(&self) -> Wanted<'_> {
-        let published = BLEND_RIVALS.iter().collect();
+        let published = PUBLISHED_BLENDS.iter().collect();
         Wanted { own: &BLENDS, published, ..self.of(&GGX_REFLECTION, "E", Use::F0Blend) }
     }
 
@@ -99,7 +99,7 @@ impl FitSpec {
             published: Vec::new(),
             norms: &self.norms,
             max_ops: self.max_ops,
-            keeps: None,
+            safe_range: None,
             with_f0: None,
         }
     }

@@ -5,7 +5,7 @@ pub mod bake;
 mod catalogue;
 mod demand;
 mod fits;
-mod rivals;
+mod published;
 mod table;
 
 use super::context::Context;
@@ -20,7 +20,7 @@ pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 pub use demand::FitJob;
 pub use fits::{FitSpec, fit_all};
-pub use rivals::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS};
+pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 pub use table::{Dfg, build};
 
 /// The effect.

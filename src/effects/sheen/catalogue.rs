@@ -15,7 +15,7 @@ pub const HYPOTHESES: [Entry; 8] = own![
 ];
 
 /// E(roughness, mu) as engines ship it: measured and reported, not emitted.
-pub const RIVALS: [Entry; 1] = published!["charlie_e_threejs" by "three.js, IBLSheenBRDF, 2025"];
+pub const PUBLISHED: [Entry; 1] = published!["charlie_e_threejs" by "three.js, IBLSheenBRDF, 2025"];
 
 #[cfg(test)]
 mod tests {
@@ -24,7 +24,7 @@ mod tests {
 
     #[test]
     fn functions_are_named_like_their_files() {
-        for entry in HYPOTHESES.iter().chain(&RIVALS) {
+        for entry in HYPOTHESES.iter().chain(&PUBLISHED) {
             assert_eq!(Hypothesis::parse(entry.file, entry.source).expect("parses").name(), entry.name());
         }
     }

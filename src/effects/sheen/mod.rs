@@ -12,7 +12,7 @@ use crate::approximate::Entry;
 use crate::approximate::target::Target;
 use crate::data::Use;
 use crate::scene::{Material, Scene};
-pub use catalogue::{HYPOTHESES, RIVALS};
+pub use catalogue::{HYPOTHESES, PUBLISHED};
 use lobefit_truth::quantity::{Quantity, SheenCharlie};
 
 /// The effect.
@@ -22,7 +22,7 @@ const FITS: ValueFits = ValueFits {
     quantity: &SheenCharlie,
     column: "E",
     own: &HYPOTHESES,
-    published: &RIVALS,
+    published: &PUBLISHED,
     of: "sheen",
     field: "sheen",
     because: "with a sheen layer",
@@ -61,12 +61,12 @@ impl Effect for Sheen {
     }
 
     fn formulas(&self) -> Vec<&'static Entry> {
-        HYPOTHESES.iter().chain(&RIVALS).collect()
+        HYPOTHESES.iter().chain(&PUBLISHED).collect()
     }
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
         let suits = target.quantity.name() == SheenCharlie.name() && target.used_as == Use::Value;
-        RIVALS.iter().filter(|_| suits).collect()
+        PUBLISHED.iter().filter(|_| suits).collect()
     }
 
     fn lobe(&self, scene: &Scene) -> String {

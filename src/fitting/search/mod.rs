@@ -1,8 +1,8 @@
 //! A search over forms for a quantity: the frontier of cost against certified error, each point a formula to keep.
 
 mod aids;
+mod catalogue;
 mod pair;
-mod rivals;
 mod space;
 mod told;
 
@@ -51,7 +51,7 @@ pub struct Point {
 
 /// Something else that approximates the same for the same use.
 #[derive(Clone, Debug)]
-pub struct Rival {
+pub struct CatalogueFit {
     /// Name.
     pub name: String,
     /// Operations.
@@ -76,7 +76,7 @@ pub struct Searched {
     /// The frontier by rising cost; certified errors fall.
     pub points: Vec<Point>,
     /// What there was before.
-    pub rivals: Vec<Rival>,
+    pub catalogue: Vec<CatalogueFit>,
 }
 
 impl Searched {
@@ -127,8 +127,8 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         );
         return Err(FitError::Solver { message }.into());
     }
-    let rivals = rivals::rivals(&target, &measured)?;
-    Ok(Searched { anchor, target, tried, points, rivals })
+    let catalogue = catalogue::fits(&target, &measured)?;
+    Ok(Searched { anchor, target, tried, points, catalogue })
 }
 
 /// What a search has found, where it is exact, and what was tried beforehand.

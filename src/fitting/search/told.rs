@@ -41,7 +41,7 @@ pub fn summary(searched: &Searched) -> String {
         let _ =
             writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", point.ops, c.max_abs, short(c.rms), place(&c.at));
     }
-    let published = searched.rivals.iter().filter(|r| r.published);
+    let published = searched.catalogue.iter().filter(|r| r.published);
     let mut published: Vec<_> = published.collect();
     published.sort_by_key(|r| r.ops);
     if !published.is_empty() {
@@ -111,7 +111,7 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         Ok(Value::Object(entry))
     };
     let fits: Vec<Value> = searched.points.iter().map(entry).collect::<Result<_, serde_json::Error>>()?;
-    let rival = |r: &super::Rival| json!({"name": r.name, "ops": r.ops, "max": r.max, "rms": r.rms, "published": r.published});
+    let rival = |r: &super::CatalogueFit| json!({"name": r.name, "ops": r.ops, "max": r.max, "rms": r.rms, "published": r.published});
     let tried = |t: &Tried| {
         let (gain, ops, used) = (t.trial.gain, t.trial.ops, t.trial.admitted);
         json!({"what": t.words, "part": t.part, "gain": gain, "ops": ops, "used": used})
@@ -125,7 +125,7 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         "anchor": searched.anchor,
         "tried": searched.tried.iter().map(tried).collect::<Vec<_>>(),
         "fits": fits,
-        "others": searched.rivals.iter().map(rival).collect::<Vec<_>>(),
+        "others": searched.catalogue.iter().map(rival).collect::<Vec<_>>(),
         "reports": [{"file": format!("{name}.html")}, {"file": format!("{name}.json")}],
     });
     let mut bytes = serde_json::to_vec_pretty(&document)?;
@@ -151,7 +151,7 @@ pub fn files(job: &SearchJob, searched: &Searched) -> Result<Files, FittingError
 fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
     let target = &searched.target;
     let ours = searched.points.iter().map(|p| dot(&p.ops.to_string(), p.ops, p.certificate.max_abs, false));
-    let others = searched.rivals.iter().filter(|r| r.published).map(|r| dot(&r.name, r.ops, r.max, true));
+    let others = searched.catalogue.iter().filter(|r| r.published).map(|r| dot(&r.name, r.ops, r.max, true));
     let mut asked = of_target(target);
     asked.push(("Most operations".into(), job.max_ops.to_string()));
     if !searched.anchor.is_empty() {
@@ -164,7 +164,7 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
         certificate: point.certificate.clone(),
         source: point.hypothesis.source().into(),
     };
-    let other = |r: &super::Rival| (r.name.clone(), r.ops, r.max, r.rms, r.published);
+    let other = |r: &super::CatalogueFit| (r.name.clone(), r.ops, r.max, r.rms, r.published);
     SearchPage {
         origin: Origin {
             scene: String::new(),
@@ -178,7 +178,7 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
         asked,
         dots: ours.chain(others).collect(),
         rows: searched.points.iter().map(row).collect(),
-        others: searched.rivals.iter().map(other).collect(),
+        others: searched.catalogue.iter().map(other).collect(),
     }
 }
 

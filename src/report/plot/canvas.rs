@@ -28,7 +28,7 @@ pub(crate) const LABEL_INK: RGBColor = RGBColor(0x10, 0x10, 0x10);
 /// Grid lines; darkened by the style sheet on a dark page.
 pub(crate) const GRID: RGBColor = RGBColor(0xDD, 0xDD, 0xDD);
 
-/// What is there for comparison: published rivals.
+/// What is there for comparison: published formulas.
 pub(crate) const GREY: RGBColor = RGBColor(0x8A, 0x8A, 0x8A);
 
 /// White of labels.

@@ -209,7 +209,7 @@ fn ior_of(root: f64) -> f64 {
 
 /// Where texel i of n lies on its axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Siting {
+pub enum Registration {
     /// (i + 1/2)/n: where a texture unit looks.
     Centre,
     /// i/(n - 1).
@@ -228,52 +228,52 @@ pub enum Siting {
     EndLow,
 }
 
-/// Every siting, the usual ones first.
-pub const SITINGS: [Siting; 8] = [
-    Siting::Centre,
-    Siting::Endpoint,
-    Siting::Left,
-    Siting::Right,
-    Siting::OneHigh,
-    Siting::OneLow,
-    Siting::EndHigh,
-    Siting::EndLow,
+/// Every registration, the usual ones first.
+pub const REGISTRATIONS: [Registration; 8] = [
+    Registration::Centre,
+    Registration::Endpoint,
+    Registration::Left,
+    Registration::Right,
+    Registration::OneHigh,
+    Registration::OneLow,
+    Registration::EndHigh,
+    Registration::EndLow,
 ];
 
-impl Siting {
+impl Registration {
     /// The word in options.
     pub fn name(self) -> &'static str {
         match self {
-            Siting::Centre => "centre",
-            Siting::Endpoint => "endpoint",
-            Siting::Left => "left",
-            Siting::Right => "right",
-            Siting::OneHigh => "one-high",
-            Siting::OneLow => "one-low",
-            Siting::EndHigh => "end-high",
-            Siting::EndLow => "end-low",
+            Registration::Centre => "centre",
+            Registration::Endpoint => "endpoint",
+            Registration::Left => "left",
+            Registration::Right => "right",
+            Registration::OneHigh => "one-high",
+            Registration::OneLow => "one-low",
+            Registration::EndHigh => "end-high",
+            Registration::EndLow => "end-low",
         }
     }
 
-    /// The siting that a reader takes who is told nothing: centres, or end points where the texels lie about those.
-    pub fn plain(self) -> Siting {
+    /// The registration that a reader takes who is told nothing: centres, or end points where the texels lie about those.
+    pub fn plain(self) -> Registration {
         match self {
-            Siting::Endpoint | Siting::EndHigh | Siting::EndLow => Siting::Endpoint,
-            _ => Siting::Centre,
+            Registration::Endpoint | Registration::EndHigh | Registration::EndLow => Registration::Endpoint,
+            _ => Registration::Centre,
         }
     }
 
     /// In words and as a formula.
     pub fn words(self) -> &'static str {
         match self {
-            Siting::Centre => "texel centres, (i + 1/2)/n",
-            Siting::Endpoint => "end points, i/(n - 1)",
-            Siting::Left => "left edges, i/n",
-            Siting::Right => "right edges, (i + 1)/n",
-            Siting::OneHigh => "one texel above the centres, (i + 3/2)/n",
-            Siting::OneLow => "one texel below the centres, (i - 1/2)/n",
-            Siting::EndHigh => "one texel above the end points, (i + 1)/(n - 1)",
-            Siting::EndLow => "one texel below the end points, (i - 1)/(n - 1)",
+            Registration::Centre => "texel centres, (i + 1/2)/n",
+            Registration::Endpoint => "end points, i/(n - 1)",
+            Registration::Left => "left edges, i/n",
+            Registration::Right => "right edges, (i + 1)/n",
+            Registration::OneHigh => "one texel above the centres, (i + 3/2)/n",
+            Registration::OneLow => "one texel below the centres, (i - 1/2)/n",
+            Registration::EndHigh => "one texel above the end points, (i + 1)/(n - 1)",
+            Registration::EndLow => "one texel below the end points, (i - 1)/(n - 1)",
         }
     }
 
@@ -281,15 +281,15 @@ impl Siting {
     pub fn coordinate(self, i: usize, n: usize) -> f64 {
         let (i, n) = (i as f64, n as f64);
         match self {
-            Siting::Centre => (i + 0.5) / n,
-            Siting::Endpoint | Siting::EndHigh | Siting::EndLow if n < 2.0 => 0.0,
-            Siting::Endpoint => i / (n - 1.0),
-            Siting::EndHigh => ((i + 1.0) / (n - 1.0)).min(1.0),
-            Siting::EndLow => ((i - 1.0) / (n - 1.0)).max(0.0),
-            Siting::Left => i / n,
-            Siting::Right => (i + 1.0) / n,
-            Siting::OneHigh => ((i + 1.5) / n).min(1.0),
-            Siting::OneLow => ((i - 0.5) / n).max(0.0),
+            Registration::Centre => (i + 0.5) / n,
+            Registration::Endpoint | Registration::EndHigh | Registration::EndLow if n < 2.0 => 0.0,
+            Registration::Endpoint => i / (n - 1.0),
+            Registration::EndHigh => ((i + 1.0) / (n - 1.0)).min(1.0),
+            Registration::EndLow => ((i - 1.0) / (n - 1.0)).max(0.0),
+            Registration::Left => i / n,
+            Registration::Right => (i + 1.0) / n,
+            Registration::OneHigh => ((i + 1.5) / n).min(1.0),
+            Registration::OneLow => ((i - 0.5) / n).max(0.0),
         }
     }
 
@@ -297,14 +297,14 @@ impl Siting {
     pub fn position(self, x: f64, n: usize) -> f64 {
         let n = n as f64;
         let p = match self {
-            Siting::Centre => x * n - 0.5,
-            Siting::Endpoint => x * (n - 1.0),
-            Siting::Left => x * n,
-            Siting::Right => x * n - 1.0,
-            Siting::OneHigh => x * n - 1.5,
-            Siting::OneLow => x * n + 0.5,
-            Siting::EndHigh => x * (n - 1.0) - 1.0,
-            Siting::EndLow => x * (n - 1.0) + 1.0,
+            Registration::Centre => x * n - 0.5,
+            Registration::Endpoint => x * (n - 1.0),
+            Registration::Left => x * n,
+            Registration::Right => x * n - 1.0,
+            Registration::OneHigh => x * n - 1.5,
+            Registration::OneLow => x * n + 0.5,
+            Registration::EndHigh => x * (n - 1.0) - 1.0,
+            Registration::EndLow => x * (n - 1.0) + 1.0,
         };
         p.clamp(0.0, n - 1.0)
     }
@@ -316,7 +316,7 @@ pub struct AxisReading {
     /// What its coordinate means.
     pub scale: Scale,
     /// Where its texels lie.
-    pub siting: Siting,
+    pub registration: Registration,
     /// Whether the coordinate falls from the first texel to the last.
     pub reversed: bool,
     /// Least value that the input was clamped to; 0 for none.
@@ -325,13 +325,13 @@ pub struct AxisReading {
 
 impl AxisReading {
     /// Without a floor.
-    pub fn new(scale: Scale, siting: Siting, reversed: bool) -> AxisReading {
-        AxisReading { scale, siting, reversed, floor: 0.0 }
+    pub fn new(scale: Scale, registration: Registration, reversed: bool) -> AxisReading {
+        AxisReading { scale, registration, reversed, floor: 0.0 }
     }
 
     /// Coordinate of texel i of n.
     pub fn coordinate(&self, i: usize, n: usize) -> f64 {
-        self.siting.coordinate(if self.reversed { n - 1 - i } else { i }, n)
+        self.registration.coordinate(if self.reversed { n - 1 - i } else { i }, n)
     }
 
     /// The input at texel i of n.
@@ -339,9 +339,9 @@ impl AxisReading {
         self.scale.input_at(self.coordinate(i, n)).max(self.floor)
     }
 
-    /// Position in texels of a coordinate, with a siting of the reader's own.
-    pub fn position(&self, x: f64, n: usize, siting: Siting) -> f64 {
-        let p = siting.position(x, n);
+    /// Position in texels of a coordinate, with a registration of the reader's own.
+    pub fn position(&self, x: f64, n: usize, registration: Registration) -> f64 {
+        let p = registration.position(x, n);
         if self.reversed { (n - 1) as f64 - p } else { p }
     }
 
@@ -357,10 +357,10 @@ mod tests {
 
     #[test]
     fn positions_undo_coordinates() {
-        for siting in SITINGS {
+        for registration in REGISTRATIONS {
             for i in 1..7 {
-                let back = siting.position(siting.coordinate(i, 9), 9);
-                assert!((back - i as f64).abs() < 1e-12, "{siting:?} {i}: {back}");
+                let back = registration.position(registration.coordinate(i, 9), 9);
+                assert!((back - i as f64).abs() < 1e-12, "{registration:?} {i}: {back}");
             }
         }
     }

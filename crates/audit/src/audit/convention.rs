@@ -1,7 +1,7 @@
 //! A whole convention, what of it is given, and how well one fits.
 
 use super::AuditError;
-use super::axis::{AxisReading, Input, SITINGS, Scale, Siting};
+use super::axis::{AxisReading, Input, REGISTRATIONS, Registration, Scale};
 use super::column::Column;
 use super::truth::{Lobe, Truth};
 use lobefit::data::Smith;
@@ -30,11 +30,11 @@ impl Convention {
 
 /// What the user says of a table: everything else is tried.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Pins {
+pub struct Fixed {
     /// Scale of every axis and whether it is reversed.
     pub axes: Option<Vec<(Scale, bool)>>,
-    /// Siting of every axis, or one for all.
-    pub sitings: Option<Vec<Siting>>,
+    /// Registration of every axis, or one for all.
+    pub registrations: Option<Vec<Registration>>,
     /// Shadowing form.
     pub smith: Option<Smith>,
     /// Side of the ray.
@@ -50,10 +50,10 @@ pub struct Pins {
     pub inverse: bool,
 }
 
-impl Pins {
+impl Fixed {
     /// Whether nothing but the column is given.
     pub fn is_free(&self) -> bool {
-        Pins { column: None, inverse: false, ..self.clone() } == Pins::default()
+        Fixed { column: None, inverse: false, ..self.clone() } == Fixed::default()
     }
 
     /// Refuses what cannot be meant for a table of this many axes and channels.
@@ -75,7 +75,7 @@ impl Pins {
                 return refuse("--axes", names, reason);
             }
         }
-        if let Some(given) = &self.sitings
+        if let Some(given) = &self.registrations
             && given.len() != 1
             && given.len() != axes
         {
@@ -112,13 +112,16 @@ impl Pins {
             (None, Some(roles)) => argument(input, roles.get(axis).copied().flatten(), self.inverse),
             (None, None) => input.scales().iter().flat_map(|s| [(*s, false), (*s, true)]).collect(),
         };
-        let sitings: Vec<Siting> = match &self.sitings {
+        let registrations: Vec<Registration> = match &self.registrations {
             Some(given) if given.len() == 1 => given.clone(),
             Some(given) => given.get(axis).copied().into_iter().collect(),
-            None => SITINGS.to_vec(),
+            None => REGISTRATIONS.to_vec(),
         };
         let both = |(scale, reversed): (Scale, bool)| {
-            sitings.iter().map(move |siting| AxisReading::new(scale, *siting, reversed)).collect::<Vec<_>>()
+            registrations
+                .iter()
+                .map(move |registration| AxisReading::new(scale, *registration, reversed))
+                .collect::<Vec<_>>()
         };
         scales.into_iter().flat_map(both).collect()
     }

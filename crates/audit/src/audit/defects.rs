@@ -2,8 +2,8 @@
 
 use super::column::Column;
 use super::errors::Residuals;
-use super::mixed::Mixed;
-use super::shipped::{flat, place};
+use super::table::{flat, place};
+use super::two_lobes::TwoLobes;
 use crate::foreign::Step;
 
 /// Something wrong with a channel.
@@ -23,7 +23,7 @@ pub enum Defect {
         size: Vec<usize>,
     },
     /// A part of the table is of the other shadowing form.
-    OtherLobe(Mixed),
+    OtherLobe(TwoLobes),
     /// All values are too high or too low.
     Bias {
         /// Mean error.

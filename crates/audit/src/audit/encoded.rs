@@ -1,9 +1,9 @@
 //! Values that were encoded for display: a table that was saved as a picture, and fits only once that is undone.
 
-use super::shipped::{Shipped, ShippedChannel, Source};
+use super::table::{AuditedChannel, AuditedTable, Source};
 use super::truth::Truth;
 use super::verdict::{long, opening};
-use super::{Audit, AuditError, Fit, Pins, candidates, finish};
+use super::{Audit, AuditError, Fit, Fixed, candidates, finish};
 use crate::foreign::Step;
 use lobefit_math::ops;
 
@@ -13,9 +13,9 @@ const AXES: usize = 2;
 /// What is said of a table that fits nothing, but does when its values are decoded from sRGB; none if it does not.
 pub(super) fn srgb(
     truth: &dyn Truth,
-    table: &Shipped,
+    table: &AuditedTable,
     live: &[usize],
-    pins: &Pins,
+    fixed: &Fixed,
     done: &Audit,
 ) -> Result<Option<String>, AuditError> {
     let values = || live.iter().flat_map(|k| &table.channels[*k].values);
@@ -23,14 +23,17 @@ pub(super) fn srgb(
     if done.fit != Fit::None || !picture || !values().all(|v| (0.0..=1.0).contains(v)) {
         return Ok(None);
     }
-    let channel = |c: &ShippedChannel| ShippedChannel {
+    let channel = |c: &AuditedChannel| AuditedChannel {
         name: c.name.clone(),
         values: c.values.iter().map(|v| decoded(*v)).collect(),
     };
-    let linear =
-        Shipped { channels: table.channels.iter().map(channel).collect(), step: Step::None, ..table.clone() };
-    let (found, _) = candidates(truth, &linear, live, pins, &|_| ())?;
-    let linear = finish(truth, &linear, live, pins, &found, None)?;
+    let linear = AuditedTable {
+        channels: table.channels.iter().map(channel).collect(),
+        step: Step::None,
+        ..table.clone()
+    };
+    let (found, _) = candidates(truth, &linear, live, fixed, &|_| ())?;
+    let linear = finish(truth, &linear, live, fixed, &found, None)?;
     Ok((linear.fit == Fit::Whole).then(|| {
         format!(
             "But with its values decoded from sRGB, {} Its values were encoded for display: store them as they are, or sample it as an \

@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::judge::Judgement;
 use super::sample::Sample;
-use super::shipped::place;
+use super::table::place;
 use lobefit::data::Place;
 
 /// Error figures with the worst texel.

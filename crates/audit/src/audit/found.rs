@@ -5,9 +5,9 @@ use super::convention::{Convention, Misfit};
 use super::defects::Defect;
 use super::errors::TexelErrors;
 use super::lookup::LookupErrors;
-use super::mixed::Mixed;
 use super::plain::Plain;
-use super::shipped::Source;
+use super::table::Source;
+use super::two_lobes::TwoLobes;
 use lobefit::data::Place;
 
 /// How a table fits its best convention, the better first.
@@ -90,7 +90,7 @@ pub struct Audit {
     /// Rank of the next that differs over that of the first; infinite if there is none.
     pub margin: f64,
     /// Whether part of the convention was given by the user.
-    pub pinned: bool,
+    pub fixed: bool,
     /// Whether the user said which channels are meant: others may be constant.
     pub excused: bool,
     /// The reading of somebody who is told nothing, where the best one is another that nobody said is meant.
@@ -100,7 +100,7 @@ pub struct Audit {
     /// The furnace, where the channels make an albedo.
     pub furnace: Option<Furnace>,
     /// The parts of a table that was made with two shadowing forms; the best convention is that of the larger part.
-    pub mixed: Option<Mixed>,
+    pub two_lobes: Option<TwoLobes>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
     /// All of it in a paragraph.
@@ -154,7 +154,7 @@ impl Audit {
             Some(limit) => {
                 self.fit == Fit::Whole && self.worst_as_read() <= limit && self.unjudged().is_none()
             }
-            None => !self.pinned || self.fit != Fit::None,
+            None => !self.fixed || self.fit != Fit::None,
         }
     }
 }

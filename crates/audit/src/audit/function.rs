@@ -4,7 +4,7 @@
 use super::AuditError;
 use super::arguments::{Feed, feeds};
 use super::axis::Scale;
-use super::shipped::{Shipped, ShippedChannel, Source, place};
+use super::table::{AuditedChannel, AuditedTable, Source, place};
 use crate::foreign::{ShaderFunction, Step};
 use lobefit_truth::quantity::Quantity;
 
@@ -27,12 +27,12 @@ pub fn sampled(
     quantity: &dyn Quantity,
     set: &[(String, f64)],
     axes: &[Scale],
-) -> Result<Shipped, AuditError> {
+) -> Result<AuditedTable, AuditError> {
     of_feeds(function, feeds(function, quantity, set, axes, false)?)
 }
 
 /// The same with the argument that is named for an index of refraction running over 1/ior from 1/2 to 1, for
-/// [`Pins::inverse`](super::Pins::inverse); none of a function that has no such argument.
+/// [`Fixed::inverse`](super::Fixed::inverse); none of a function that has no such argument.
 ///
 /// # Errors
 /// As of [`sampled`].
@@ -40,7 +40,7 @@ pub fn sampled_inverse(
     function: &ShaderFunction,
     quantity: &dyn Quantity,
     set: &[(String, f64)],
-) -> Result<Option<Shipped>, AuditError> {
+) -> Result<Option<AuditedTable>, AuditError> {
     let (names, feeds) = feeds(function, quantity, set, &[], true)?;
     if !feeds.iter().any(|feed| matches!(feed, Feed::Eta(_))) {
         return Ok(None);
@@ -51,14 +51,14 @@ pub fn sampled_inverse(
 fn of_feeds(
     function: &ShaderFunction,
     (names, feeds): (Vec<String>, Vec<Feed>),
-) -> Result<Shipped, AuditError> {
+) -> Result<AuditedTable, AuditError> {
     let n = PLACES[names.len() - 1];
     let size = vec![n; names.len()];
     let places: Vec<Vec<usize>> = (0..size.iter().product()).map(|i| place(i, &size)).collect();
     let centre = |i: usize| (i as f32 + 0.5) / n as f32;
     let blended = feeds.contains(&Feed::Blend);
     let blends: &[(f32, &str)] = if blended { &BLENDS } else { &BLENDS[..1] };
-    let mut channels: Vec<ShippedChannel> = Vec::new();
+    let mut channels: Vec<AuditedChannel> = Vec::new();
     for (f0, words) in blends {
         let column = |feed: &Feed| -> Vec<f32> {
             places.iter().map(|p| feed.value(&|axis| centre(p[axis]), *f0)).collect()
@@ -74,11 +74,11 @@ fn of_feeds(
             let name = if blended { format!("{component} {words}") } else { component };
             // A grey result is one channel, not three.
             if !channels.iter().any(|c| c.values == values) {
-                channels.push(ShippedChannel { name, values });
+                channels.push(AuditedChannel { name, values });
             }
         }
     }
-    Ok(Shipped {
+    Ok(AuditedTable {
         what: function.name.clone(),
         size,
         axes: names,

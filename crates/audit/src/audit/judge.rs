@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::AuditError;
 use super::axis::{AxisReading, Input};
-use super::convention::Pins;
+use super::convention::Fixed;
 use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
 use super::screen::best;
 use super::truth::{Truth, Values};
@@ -71,12 +71,12 @@ fn judged_by(
 fn refit(
     truth: &dyn Truth,
     sample: &Sample,
-    pins: &Pins,
+    fixed: &Fixed,
     axes: Vec<AxisReading>,
     lobe: usize,
 ) -> Result<Option<Candidate>, AuditError> {
     let judgement = judge(truth, sample, &axes, lobe)?;
-    let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), pins, truth.columns());
+    let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), fixed, truth.columns());
     Ok(fitted.map(|fitted| Candidate { axes, lobe, fitted }))
 }
 
@@ -84,13 +84,13 @@ fn refit(
 pub(super) fn rejudge(
     truth: &dyn Truth,
     sample: &Sample,
-    pins: &Pins,
+    fixed: &Fixed,
     list: Vec<Candidate>,
     most: usize,
 ) -> Result<Vec<Candidate>, AuditError> {
     let mut out = Vec::new();
     for c in list {
-        out.extend(refit(truth, sample, pins, c.axes, c.lobe)?);
+        out.extend(refit(truth, sample, fixed, c.axes, c.lobe)?);
     }
     Ok(best(out, most))
 }
@@ -99,13 +99,13 @@ pub(super) fn rejudge(
 pub(super) fn requick(
     truth: &dyn Truth,
     sample: &Sample,
-    pins: &Pins,
+    fixed: &Fixed,
     list: Vec<Candidate>,
     most: usize,
 ) -> Result<Vec<Candidate>, AuditError> {
     let one = |c: Candidate| -> Result<Option<Candidate>, AuditError> {
         let judgement = quickly(truth, sample, &c.axes, c.lobe)?;
-        let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), pins, truth.columns());
+        let fitted = fit_columns(sample, &judgement.base, Some(&judgement.judged), fixed, truth.columns());
         Ok(fitted.map(|fitted| Candidate { fitted, ..c }))
     };
     let done: Vec<Option<Candidate>> = list.into_par_iter().map(one).collect::<Result<_, _>>()?;
@@ -116,7 +116,7 @@ pub(super) fn requick(
 pub(super) fn with_floors(
     truth: &dyn Truth,
     sample: &Sample,
-    pins: &Pins,
+    fixed: &Fixed,
     candidate: &Candidate,
 ) -> Result<Candidate, AuditError> {
     let mut at = candidate.clone();
@@ -142,7 +142,7 @@ pub(super) fn with_floors(
             }
             let mut axes = at.axes.clone();
             raised.iter().for_each(|axis| axes[*axis].floor = floor);
-            let tried = refit(truth, sample, pins, axes, at.lobe)?;
+            let tried = refit(truth, sample, fixed, axes, at.lobe)?;
             if let Some(tried) = tried.filter(|t| explains(t, &at)) {
                 at = tried;
             }

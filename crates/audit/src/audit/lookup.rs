@@ -3,10 +3,10 @@
 use rayon::prelude::*;
 
 use super::AuditError;
-use super::axis::Siting;
+use super::axis::Registration;
 use super::column::Column;
 use super::convention::Convention;
-use super::shipped::{Shipped, flat, place};
+use super::table::{AuditedTable, flat, place};
 use super::truth::Truth;
 use lobefit::data::Place;
 
@@ -67,14 +67,14 @@ impl Points {
         Ok(Points { coordinates, inputs, base })
     }
 
-    /// Errors of a channel's lookup; `siting` is what the reader takes the texels to be at, its own for none.
+    /// Errors of a channel's lookup; `registration` is what the reader takes the texels to be at, its own for none.
     pub(super) fn errors(
         &self,
-        shipped: &Shipped,
+        audited: &AuditedTable,
         channel: usize,
         column: Column,
         convention: &Convention,
-        siting: Option<Siting>,
+        registration: Option<Registration>,
     ) -> Option<LookupErrors> {
         let dims: Vec<usize> = self.inputs.iter().map(Vec::len).collect();
         let positions: Vec<Vec<f64>> = convention
@@ -82,18 +82,18 @@ impl Points {
             .iter()
             .enumerate()
             .map(|(k, axis)| {
-                let n = shipped.size[k];
+                let n = audited.size[k];
                 self.coordinates[k]
                     .iter()
-                    .map(|x| axis.position(*x, n, siting.unwrap_or(axis.siting)))
+                    .map(|x| axis.position(*x, n, registration.unwrap_or(axis.registration)))
                     .collect()
             })
             .collect();
-        let values = &shipped.channels[channel].values;
+        let values = &audited.channels[channel].values;
         let one = |i: usize| {
             let at: Vec<f64> = place(i, &dims).iter().zip(&positions).map(|(k, p)| p[*k]).collect();
-            let inner = at.iter().zip(&shipped.size).all(|(p, n)| *p > 0.0 && *p < (n - 1) as f64);
-            (fetch(values, &shipped.size, &at) - column.value(self.base[i]), inner)
+            let inner = at.iter().zip(&audited.size).all(|(p, n)| *p > 0.0 && *p < (n - 1) as f64);
+            (fetch(values, &audited.size, &at) - column.value(self.base[i]), inner)
         };
         let errors: Vec<(f64, bool)> = (0..self.base.len()).into_par_iter().map(one).collect();
         let worst =

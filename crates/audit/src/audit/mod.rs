@@ -19,18 +19,18 @@ mod found;
 mod function;
 mod judge;
 mod lookup;
-mod mixed;
 mod page;
 mod plain;
 mod sample;
 mod screen;
-mod shipped;
+mod table;
 mod truth;
+mod two_lobes;
 mod verdict;
 
-pub use axis::{AxisReading, Input, SCALES, SITINGS, Scale, Siting};
+pub use axis::{AxisReading, Input, REGISTRATIONS, Registration, SCALES, Scale};
 pub use column::Column;
-pub use convention::{Convention, Misfit, Pins};
+pub use convention::{Convention, Fixed, Misfit};
 pub use declared::{Declared, Held, declared, declared_findings};
 pub use defects::Defect;
 pub use error::AuditError;
@@ -38,11 +38,11 @@ pub use errors::TexelErrors;
 pub use found::{Audit, ChannelAudit, Fit, Furnace, Tried};
 pub use function::{sampled, sampled_inverse};
 pub use lookup::LookupErrors;
-pub use mixed::Mixed;
 pub use page::findings;
 pub use plain::Plain;
-pub use shipped::{MOST_TEXELS, Shipped, ShippedChannel, Source};
+pub use table::{AuditedChannel, AuditedTable, MOST_TEXELS, Source};
 pub use truth::Lobe;
+pub use two_lobes::TwoLobes;
 pub use verdict::limit_judged;
 
 use defects::grain;
@@ -108,31 +108,32 @@ const CLAMPED: [usize; 2] = [TOLD, 1];
 ///
 /// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or options that contradict it.
 pub fn audit(
-    shipped: &Shipped,
+    audited: &AuditedTable,
     quantity: &dyn Quantity,
-    pins: &Pins,
+    fixed: &Fixed,
     progress: &dyn Fn(&str),
 ) -> Result<Audit, AuditError> {
-    let table = shipped.checked()?;
-    let live = table.live(pins.meanings.as_ref().map(Vec::len))?;
+    let table = audited.checked()?;
+    let live = table.live(fixed.meanings.as_ref().map(Vec::len))?;
     progress("truth");
-    let truth = truth_of(&table, quantity, pins)?;
+    let truth = truth_of(&table, quantity, fixed)?;
     let truth = truth.as_ref();
     check_axes(&table, truth)?;
-    pins.check(truth, table.size.len(), live.len())?;
+    fixed.check(truth, table.size.len(), live.len())?;
     let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
     let roles = table.axes.iter().map(role).collect();
-    let sampled = Pins { sitings: Some(vec![Siting::Centre]), roles: Some(roles), ..pins.clone() };
-    let tried = if table.source == Source::Function { &sampled } else { pins };
+    let sampled =
+        Fixed { registrations: Some(vec![Registration::Centre]), roles: Some(roles), ..fixed.clone() };
+    let tried = if table.source == Source::Function { &sampled } else { fixed };
     let (found, sieved) = candidates(truth, &table, &live, tried, progress)?;
     progress("errors under the best convention");
-    let mut done = finish(truth, &table, &live, pins, &found, None)?;
+    let mut done = finish(truth, &table, &live, fixed, &found, None)?;
     let part = |c: &ChannelAudit| c.defects.iter().any(|d| matches!(d, Defect::Part { .. }));
     let odd = done.fit != Fit::Whole || done.channels.iter().any(part);
     if odd && table.source == Source::Table {
         progress("whether it is of two lobes");
-        if let Some((found, parts)) = of_two_lobes(truth, &table, &live, pins, [found, sieved])? {
-            done = finish(truth, &table, &live, pins, &found, Some(parts))?;
+        if let Some((found, parts)) = of_two_lobes(truth, &table, &live, fixed, [found, sieved])? {
+            done = finish(truth, &table, &live, fixed, &found, Some(parts))?;
         }
     }
     if let Some(told) = encoded::srgb(truth, &table, &live, tried, &done)? {
@@ -143,18 +144,18 @@ pub fn audit(
 
 /// The truth that the user asks for; only the lobes that may be meant are integrated.
 fn truth_of<'a>(
-    table: &Shipped,
+    table: &AuditedTable,
     quantity: &'a dyn Quantity,
-    pins: &Pins,
+    fixed: &Fixed,
 ) -> Result<Box<dyn Truth + 'a>, AuditError> {
-    let smiths: Vec<Smith> = pins.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
+    let smiths: Vec<Smith> = fixed.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
     Ok(match quantity.name() {
         "ggx-reflection" => Box::new(truth::ggx(&smiths)?),
         "beckmann-reflection" => Box::new(truth::beckmann(&smiths)?),
         "ggx-average" => Box::new(truth::average(&smiths)?),
         "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
         "ggx-glass" => {
-            let sides = pins.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
+            let sides = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
             let lobe = |smith: &Smith| {
                 sides.iter().map(|side| Lobe { smith: Some(*smith), side: Some(*side) }).collect::<Vec<_>>()
             };
@@ -171,7 +172,7 @@ fn truth_of<'a>(
     })
 }
 
-fn check_axes(table: &Shipped, truth: &dyn Truth) -> Result<(), AuditError> {
+fn check_axes(table: &AuditedTable, truth: &dyn Truth) -> Result<(), AuditError> {
     let (axes, inputs) = (table.size.len(), truth.inputs().len());
     if axes == inputs {
         return Ok(());
@@ -195,22 +196,22 @@ fn check_axes(table: &Shipped, truth: &dyn Truth) -> Result<(), AuditError> {
 /// The conventions with that first which tells the two parts of a table apart, if it is of two; `found` and what the sieve let through.
 fn of_two_lobes(
     truth: &dyn Truth,
-    table: &Shipped,
+    table: &AuditedTable,
     live: &[usize],
-    pins: &Pins,
+    fixed: &Fixed,
     [mut found, sieved]: [Vec<Candidate>; 2],
-) -> Result<Option<(Vec<Candidate>, Mixed)>, AuditError> {
+) -> Result<Option<(Vec<Candidate>, TwoLobes)>, AuditError> {
     let class = usize::from(table.size.len() == 3);
     let some = Sample::new(table, live, QUICK_ROUND[class], false);
     let all = Sample::new(table, live, whole(&table.size), false);
     let best = found[0].fitted.misfits.iter().flatten().map(|m| m.rms).fold(0.0, f64::max);
-    let Some((candidate, parts)) = mixed::mixed(truth, [&some, &all], pins, &sieved, best)? else {
+    let Some((candidate, parts)) = two_lobes::found(truth, [&some, &all], fixed, &sieved, best)? else {
         return Ok(None);
     };
     let columns: Option<Vec<Column>> = candidate.fitted.columns.iter().copied().collect();
-    let pins = Pins { meanings: columns.or(pins.meanings.clone()), ..pins.clone() };
+    let fixed = Fixed { meanings: columns.or(fixed.meanings.clone()), ..fixed.clone() };
     let last = Sample::new(table, live, LAST[class], false);
-    let again = judge::rejudge(truth, &last, &pins, vec![candidate], 1)?;
+    let again = judge::rejudge(truth, &last, &fixed, vec![candidate], 1)?;
     if again.is_empty() {
         return Ok(None);
     }
@@ -221,29 +222,29 @@ fn of_two_lobes(
 /// The conventions that fit best, no two of them alike but for clamps, and what the sieve let through.
 fn candidates(
     truth: &dyn Truth,
-    table: &Shipped,
+    table: &AuditedTable,
     live: &[usize],
-    pins: &Pins,
+    fixed: &Fixed,
     progress: &dyn Fn(&str),
 ) -> Result<(Vec<Candidate>, Vec<Candidate>), AuditError> {
     let class = usize::from(table.size.len() == 3);
     progress("conventions on a few texels");
-    let sieved = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), pins)?;
+    let sieved = screen::screen(truth, &Sample::new(table, live, SIEVE[class], true), fixed)?;
     progress("the best conventions on more texels");
     let more = Sample::new(table, live, QUICK_ROUND[class], false);
-    let found = judge::requick(truth, &more, pins, sieved.clone(), QUICK_KEPT[class])?;
+    let found = judge::requick(truth, &more, fixed, sieved.clone(), QUICK_KEPT[class])?;
     let more = Sample::new(table, live, ROUND[class], false);
-    let found = judge::rejudge(truth, &more, pins, found, ROUND_KEPT[class])?;
+    let found = judge::rejudge(truth, &more, fixed, found, ROUND_KEPT[class])?;
     let mut clamped = Vec::new();
     for (k, candidate) in screen::best(found, TOLD).into_iter().enumerate() {
         let floored = k < CLAMPED[class] && table.source == Source::Table;
-        clamped.push(if floored { judge::with_floors(truth, &more, pins, &candidate)? } else { candidate });
+        clamped.push(if floored { judge::with_floors(truth, &more, fixed, &candidate)? } else { candidate });
     }
     let last = Sample::new(table, live, LAST[class], false);
     let far = FAR[class] * clamped.iter().map(|c| c.fitted.rank).fold(f64::INFINITY, f64::min);
     let (near, far): (Vec<Candidate>, Vec<Candidate>) =
         clamped.into_iter().partition(|c| c.fitted.rank <= far);
-    let near = judge::rejudge(truth, &last, pins, near, TOLD)?;
+    let near = judge::rejudge(truth, &last, fixed, near, TOLD)?;
     let told = screen::best([near, far].concat(), TOLD);
     let mut distinct: Vec<Candidate> = Vec::new();
     for candidate in told {
@@ -269,11 +270,11 @@ fn whole(size: &[usize]) -> usize {
 
 fn finish(
     truth: &dyn Truth,
-    table: &Shipped,
+    table: &AuditedTable,
     live: &[usize],
-    pins: &Pins,
+    fixed: &Fixed,
     found: &[Candidate],
-    mixed: Option<Mixed>,
+    two_lobes: Option<TwoLobes>,
 ) -> Result<Audit, AuditError> {
     let class = usize::from(table.size.len() == 3);
     let sample = Sample::new(table, live, whole(&table.size), false);
@@ -298,7 +299,7 @@ fn finish(
         let at = |texel: &[usize]| inputs_at(&convention, &table.size, texel);
         let step = grain(table.step, &channel.values);
         let alpha = |texel: &[usize]| at(texel).get("alpha").copied();
-        let defects = match (table.source, &mixed) {
+        let defects = match (table.source, &two_lobes) {
             (_, Some(parts)) => vec![Defect::OtherLobe(parts.clone())],
             (Source::Table, None) => defects::defects(&residuals, step, alpha),
             (Source::Function, None) => defects::of_function(&residuals),
@@ -308,7 +309,11 @@ fn finish(
             name: channel.name.clone(),
             column: Some(column),
             constant: None,
-            fit: if mixed.is_some() { Fit::Part } else { fit(table.source, &residuals, &errors, &defects) },
+            fit: if two_lobes.is_some() {
+                Fit::Part
+            } else {
+                fit(table.source, &residuals, &errors, &defects)
+            },
             truth: shown.iter().map(|i| residuals.truth(*i)).collect(),
             map: shown.iter().map(|i| residuals.errors[*i]).collect(),
             errors: Some(errors),
@@ -316,12 +321,12 @@ fn finish(
             lookup: points.as_ref().and_then(|p| p.errors(table, k, column, &convention, None)),
             plain_lookup: points
                 .as_ref()
-                .and_then(|p| p.errors(table, k, column, &convention, Some(Siting::Centre))),
+                .and_then(|p| p.errors(table, k, column, &convention, Some(Registration::Centre))),
         });
     }
     let furnace = furnace(table, &convention, &sample, &judgement, live);
     let judged = channels.iter().filter(|c| c.column.is_some());
-    let plain = plain::plain(truth, table, live, pins, best)?;
+    let plain = plain::plain(truth, table, live, fixed, best)?;
     let mut audit = Audit {
         plain,
         what: table.what.clone(),
@@ -332,12 +337,12 @@ fn finish(
         places,
         fit: judged.map(|c| c.fit).fold(Fit::Whole, Fit::max),
         tried: found.iter().map(|c| tried(c, truth, live, table.channels.len())).collect(),
-        margin: mixed.as_ref().map_or(margin(&ranks(found)), |m| apart(found, m)),
-        pinned: !pins.is_free(),
-        excused: pins.meanings.is_some() || pins.column.is_some(),
+        margin: two_lobes.as_ref().map_or(margin(&ranks(found)), |m| apart(found, m)),
+        fixed: !fixed.is_free(),
+        excused: fixed.meanings.is_some() || fixed.column.is_some(),
         channels,
         furnace,
-        mixed,
+        two_lobes,
         truth_error: truth.bound(),
         verdict: String::new(),
     };
@@ -352,8 +357,8 @@ fn margin(ranks: &[f64]) -> f64 {
 }
 
 /// Rank of the best with one lobe over that of both together.
-fn apart(found: &[Candidate], mixed: &Mixed) -> f64 {
-    ranks(found).into_iter().fold(f64::INFINITY, f64::min) / mixed.rank
+fn apart(found: &[Candidate], two_lobes: &TwoLobes) -> f64 {
+    ranks(found).into_iter().fold(f64::INFINITY, f64::min) / two_lobes.rank
 }
 
 fn ranks(found: &[Candidate]) -> Vec<f64> {
@@ -404,7 +409,7 @@ fn inputs_at(convention: &Convention, size: &[usize], texel: &[usize]) -> Place 
 
 /// E over the table's E, less 1, at the texels; from the one channel that holds an albedo, or from A and B.
 fn furnace(
-    table: &Shipped,
+    table: &AuditedTable,
     convention: &Convention,
     sample: &Sample,
     judgement: &judge::Judgement,
@@ -434,7 +439,7 @@ fn furnace(
         let off = if lit { truth / stored - 1.0 } else { f64::INFINITY };
         let worse = out.as_ref().is_none_or(|f| off.abs() > f.range[0].abs().max(f.range[1].abs()));
         let places: Vec<usize> =
-            shipped::place(i, &dims).iter().zip(&sample.at).map(|(k, at)| at[*k]).collect();
+            table::place(i, &dims).iter().zip(&sample.at).map(|(k, at)| at[*k]).collect();
         let range = out.as_ref().map_or([off; 2], |f| [f.range[0].min(off), f.range[1].max(off)]);
         let at = match out {
             Some(f) if !worse => f.at,

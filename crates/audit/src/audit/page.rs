@@ -1,7 +1,7 @@
 //! What an audit found out, for the report.
 
-use super::axis::{AxisReading, Input, Siting};
-use super::shipped::{Source, flat, place};
+use super::axis::{AxisReading, Input, Registration};
+use super::table::{Source, flat, place};
 use super::verdict::{number, sentence};
 use super::{Audit, ChannelAudit, Convention, Defect, Fit, LookupErrors, Tried};
 use crate::report::{
@@ -84,7 +84,7 @@ fn axis(source: Source, name: &str, a: &AxisReading) -> AuditAxis {
         axis: name.into(),
         coordinate: a.scale.name().into(),
         reversed: a.reversed,
-        registration: if source == Source::Table { a.siting.name().into() } else { String::new() },
+        registration: if source == Source::Table { a.registration.name().into() } else { String::new() },
         clamp: Some(a.floor).filter(|f| *f > 0.0),
     }
 }
@@ -160,7 +160,10 @@ fn maps(audit: &Audit, c: &ChannelAudit) -> Vec<Field> {
             },
             Source::Function => Ruler {
                 name: format!("{} (given {scale})", audit.axes[axis]),
-                values: places.iter().map(|i| Siting::Centre.coordinate(*i, audit.size[axis])).collect(),
+                values: places
+                    .iter()
+                    .map(|i| Registration::Centre.coordinate(*i, audit.size[axis]))
+                    .collect(),
             },
         }
     };

@@ -6,11 +6,11 @@ use super::AuditError;
 use super::arguments::is_gloss;
 use super::axis::{AxisReading, Input, Scale};
 use super::column::Column;
-use super::convention::{Convention, Pins};
+use super::convention::{Convention, Fixed};
 use super::errors::Residuals;
 use super::judge::judge;
 use super::sample::{Candidate, Sample};
-use super::shipped::{Shipped, Source};
+use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use super::verdict::along;
 
@@ -36,9 +36,9 @@ pub struct Plain {
 /// The plain reading of a table; none if the best one is plain, or what is not is said by the user.
 pub(super) fn plain(
     truth: &dyn Truth,
-    table: &Shipped,
+    table: &AuditedTable,
     live: &[usize],
-    pins: &Pins,
+    fixed: &Fixed,
     best: &Candidate,
 ) -> Result<Option<Plain>, AuditError> {
     let convention = best.convention(truth, live, table.channels.len());
@@ -46,17 +46,17 @@ pub(super) fn plain(
     let (mut said, mut options) = (Vec::new(), Vec::new());
     for (name, axis) in table.axes.iter().zip(&mut read.axes) {
         let own = *axis;
-        if pins.axes.is_none() {
+        if fixed.axes.is_none() {
             scaled(name, table.source, axis);
         }
-        if pins.sitings.is_none() && table.source == Source::Table {
-            axis.siting = axis.siting.plain();
+        if fixed.registrations.is_none() && table.source == Source::Table {
+            axis.registration = axis.registration.plain();
         }
         if (own.scale, own.reversed) != (axis.scale, axis.reversed) {
             said.push((own.words(), name.clone()));
         }
-        if own.siting != axis.siting {
-            said.push((own.siting.words().to_string(), name.clone()));
+        if own.registration != axis.registration {
+            said.push((own.registration.words().to_string(), name.clone()));
         }
     }
     let mut untold = along(&said);
@@ -64,11 +64,11 @@ pub(super) fn plain(
         let word = |a: &AxisReading| format!("{}{}", if a.reversed { "1-" } else { "" }, a.scale.name());
         options.push(format!("--axes {}", list(&convention.axes, word)));
     }
-    if read.axes.iter().zip(&convention.axes).any(|(a, b)| a.siting != b.siting) {
-        options.push(format!("--registration {}", list(&convention.axes, |a| a.siting.name().into())));
+    if read.axes.iter().zip(&convention.axes).any(|(a, b)| a.registration != b.registration) {
+        options.push(format!("--registration {}", list(&convention.axes, |a| a.registration.name().into())));
     }
     for column in
-        read.columns.iter_mut().flatten().filter(|_| pins.meanings.is_none() && pins.column.is_none())
+        read.columns.iter_mut().flatten().filter(|_| fixed.meanings.is_none() && fixed.column.is_none())
     {
         let told = match column {
             Column::Normal => Column::Average,
@@ -105,7 +105,7 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
 /// Largest error of any judged channel under a reading, and how many texels were judged.
 fn worst(
     truth: &dyn Truth,
-    table: &Shipped,
+    table: &AuditedTable,
     live: &[usize],
     lobe: usize,
     read: &Convention,

@@ -3,8 +3,8 @@
 use super::CLEAR;
 use super::axis::AxisReading;
 use super::column::Column;
-use super::convention::{Convention, Misfit, Pins};
-use super::shipped::{Shipped, flat, place};
+use super::convention::{Convention, Fixed, Misfit};
+use super::table::{AuditedTable, flat, place};
 use super::truth::{Truth, Values};
 
 /// Texels of some places along every axis.
@@ -19,16 +19,16 @@ pub(super) struct Sample {
 
 impl Sample {
     /// At most `most` places along every axis, evenly spread; with `inner` none of them at an end.
-    pub(super) fn new(shipped: &Shipped, live: &[usize], most: usize, inner: bool) -> Sample {
-        let at: Vec<Vec<usize>> = shipped.size.iter().map(|n| spread(*n, most, inner)).collect();
+    pub(super) fn new(audited: &AuditedTable, live: &[usize], most: usize, inner: bool) -> Sample {
+        let at: Vec<Vec<usize>> = audited.size.iter().map(|n| spread(*n, most, inner)).collect();
         let dims: Vec<usize> = at.iter().map(Vec::len).collect();
         let texel = |i: usize| -> usize {
             let places: Vec<usize> = place(i, &dims).iter().zip(&at).map(|(k, at)| at[*k]).collect();
-            flat(&places, &shipped.size)
+            flat(&places, &audited.size)
         };
         let texels: Vec<usize> = (0..dims.iter().product()).map(texel).collect();
-        let of = |c: &usize| texels.iter().map(|t| shipped.channels[*c].values[*t]).collect();
-        Sample { size: shipped.size.clone(), values: live.iter().map(of).collect(), at }
+        let of = |c: &usize| texels.iter().map(|t| audited.channels[*c].values[*t]).collect();
+        Sample { size: audited.size.clone(), values: live.iter().map(of).collect(), at }
     }
 
     /// Places along every axis.
@@ -140,12 +140,12 @@ pub(super) fn fit_columns(
     sample: &Sample,
     base: &Values,
     judged: Option<&[bool]>,
-    pins: &Pins,
+    fixed: &Fixed,
     columns: &'static [Column],
 ) -> Option<Fitted> {
     let kept = |i: &usize| judged.is_none_or(|j| j[*i]);
     let texels: Vec<usize> = (0..base.len()).filter(kept).collect();
-    if texels.is_empty() || pins.axes.is_none() && texels.len() * LEAST_SHARE < base.len() {
+    if texels.is_empty() || fixed.axes.is_none() && texels.len() * LEAST_SHARE < base.len() {
         return None;
     }
     let misfit = |channel: &[f64], column: Column| {
@@ -173,7 +173,7 @@ pub(super) fn fit_columns(
             }
             best
         };
-        match (&pins.meanings, pins.column) {
+        match (&fixed.meanings, fixed.column) {
             (Some(given), _) => least(&given[k..=k]),
             (None, Some(column)) => least(&[column]),
             (None, None) => {
@@ -188,7 +188,7 @@ pub(super) fn fit_columns(
     };
     let mut fits: Vec<Option<(Column, Misfit)>> =
         sample.values.iter().enumerate().map(|(k, channel)| best(k, channel)).collect();
-    if pins.meanings.is_none() && pins.column.is_some() {
+    if fixed.meanings.is_none() && fixed.column.is_some() {
         keep_best(&mut fits);
     }
     let ranks: Vec<f64> = fits.iter().flatten().map(|(_, m)| m.rank()).collect();

@@ -4,8 +4,8 @@
 use rayon::prelude::*;
 
 use super::AuditError;
-use super::axis::{AxisReading, Input, Scale, Siting};
-use super::convention::Pins;
+use super::axis::{AxisReading, Input, Registration, Scale};
+use super::convention::Fixed;
 use super::sample::{Candidate, Sample, View, fit_columns, judged, steps};
 use super::truth::Truth;
 
@@ -19,17 +19,21 @@ const COORDINATES: usize = 6;
 const COORDINATES_OF_ALL: usize = 120;
 
 /// The most promising conventions, the best first.
-pub(super) fn screen(truth: &dyn Truth, sample: &Sample, pins: &Pins) -> Result<Vec<Candidate>, AuditError> {
+pub(super) fn screen(
+    truth: &dyn Truth,
+    sample: &Sample,
+    fixed: &Fixed,
+) -> Result<Vec<Candidate>, AuditError> {
     let axes = sample.size.len();
     let (mut found, mut rough) = (Vec::new(), Vec::new());
     for assigned in permutations(axes) {
         let readings: Vec<Vec<AxisReading>> =
-            (0..axes).map(|k| pins.readings(assigned[k], truth.inputs()[k])).collect();
+            (0..axes).map(|k| fixed.readings(assigned[k], truth.inputs()[k])).collect();
         if readings.iter().any(Vec::is_empty) {
             continue;
         }
-        for lobe in pins.lobes(truth) {
-            let task = Task { truth, sample, pins, assigned: &assigned, lobe };
+        for lobe in fixed.lobes(truth) {
+            let task = Task { truth, sample, fixed, assigned: &assigned, lobe };
             if axes < 3 {
                 found = best([found, task.product(&readings)?].concat(), KEPT);
             } else {
@@ -37,14 +41,14 @@ pub(super) fn screen(truth: &dyn Truth, sample: &Sample, pins: &Pins) -> Result<
             }
         }
     }
-    if axes < 3 { Ok(found) } else { sited(truth, sample, pins, rough) }
+    if axes < 3 { Ok(found) } else { sited(truth, sample, fixed, rough) }
 }
 
 /// The best choices of coordinates with every registration: `rough` has those of each order of axes and lobe, the best first.
 fn sited(
     truth: &dyn Truth,
     sample: &Sample,
-    pins: &Pins,
+    fixed: &Fixed,
     rough: Vec<Vec<Candidate>>,
 ) -> Result<Vec<Candidate>, AuditError> {
     let of_group = |list: Vec<Candidate>| list.into_iter().enumerate();
@@ -59,11 +63,11 @@ fn sited(
         let assigned: Vec<usize> = truth.inputs().iter().map(along).collect();
         let readings = |(axis, input): (&usize, &Input)| -> Vec<AxisReading> {
             let own = (axes[*axis].scale, axes[*axis].reversed);
-            let all = pins.readings(*axis, *input);
+            let all = fixed.readings(*axis, *input);
             all.into_iter().filter(|r| (r.scale, r.reversed) == own).collect()
         };
         let readings: Vec<Vec<AxisReading>> = assigned.iter().zip(truth.inputs()).map(readings).collect();
-        let task = Task { truth, sample, pins, assigned: &assigned, lobe };
+        let task = Task { truth, sample, fixed, assigned: &assigned, lobe };
         found = best([found, best(task.product(&readings)?, KEPT / 10)].concat(), KEPT);
     }
     Ok(found)
@@ -88,7 +92,7 @@ fn permutations(n: usize) -> Vec<Vec<usize>> {
 struct Task<'a> {
     truth: &'a dyn Truth,
     sample: &'a Sample,
-    pins: &'a Pins,
+    fixed: &'a Fixed,
     /// Axis along which each input of the truth runs.
     assigned: &'a [usize],
     lobe: usize,
@@ -119,7 +123,7 @@ impl Task<'_> {
             }
             let judged = judged(self.truth, self.sample, &axes);
             let base = View { values: &values, steps: steps.clone(), start }.gather(&dims);
-            let fitted = fit_columns(self.sample, &base, Some(&judged), self.pins, self.truth.columns())?;
+            let fitted = fit_columns(self.sample, &base, Some(&judged), self.fixed, self.truth.columns())?;
             Some(Candidate { axes, lobe: self.lobe, fitted })
         };
         let all: Vec<Option<Candidate>> = (0..combinations).into_par_iter().map(one).collect();
@@ -129,7 +133,9 @@ impl Task<'_> {
     /// The choices of coordinates, each with the usual registrations that suit it best; the best first.
     fn coordinates(&self, readings: &[Vec<AxisReading>]) -> Result<Vec<Candidate>, AuditError> {
         let usual = |list: &Vec<AxisReading>| -> Vec<AxisReading> {
-            let two = list.iter().filter(|r| matches!(r.siting, Siting::Centre | Siting::Endpoint));
+            let two = list
+                .iter()
+                .filter(|r| matches!(r.registration, Registration::Centre | Registration::Endpoint));
             let two: Vec<AxisReading> = two.copied().collect();
             if two.is_empty() { list.clone() } else { two }
         };

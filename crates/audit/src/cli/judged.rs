@@ -1,21 +1,21 @@
 //! The audit of a table, or of a function of whose index of refraction nobody says which way round it is.
 
-use crate::audit::{Audit, AuditError, Pins, Shipped, audit};
+use crate::audit::{Audit, AuditError, AuditedTable, Fixed, audit};
 use lobefit::cli::progress::Spinner;
 use lobefit_truth::quantity::Quantity;
 
 /// The audit; with `inverse`, which is a function given 1/ior, the one of both that fits better.
 pub(super) fn judged(
-    shipped: &Shipped,
-    inverse: Option<&Shipped>,
+    audited: &AuditedTable,
+    inverse: Option<&AuditedTable>,
     quantity: &dyn Quantity,
-    pins: &Pins,
+    fixed: &Fixed,
     progress: &Spinner,
 ) -> Result<Audit, AuditError> {
     let told = |stage: &str| progress.stage(stage);
-    let own = audit(shipped, quantity, pins, &told);
+    let own = audit(audited, quantity, fixed, &told);
     let Some(inverse) = inverse else { return own };
-    let other = audit(inverse, quantity, &Pins { inverse: true, ..pins.clone() }, &told);
+    let other = audit(inverse, quantity, &Fixed { inverse: true, ..fixed.clone() }, &told);
     match (own, other) {
         (Ok(own), Ok(other)) => Ok(own.beside(other)),
         (Ok(own), Err(error)) => Ok(noted(own, "eta = 1/ior", &error)),

@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::audit::{self, Audit, Column, Pins, Scale, Shipped, Siting};
+use crate::audit::{self, Audit, AuditedTable, Column, Fixed, Registration, Scale};
 use crate::foreign::{self, Hints, RawFormat};
 use crate::report::{self, AuditFindings};
 use lobefit::cli::CliError;
@@ -23,7 +23,7 @@ use lobefit::data::Smith;
 use lobefit::store::{self, Files, Folder, StoreError};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::quantity::Quantity;
-use words::{Size, axis, column, raw_format, setting, side, siting, size, wanted};
+use words::{Size, axis, column, raw_format, registration, setting, side, size, wanted};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -58,8 +58,8 @@ struct Options {
     #[arg(long, value_name = "A,B,..", value_delimiter = ',', value_parser = axis)]
     pub axes: Vec<(Scale, bool)>,
     /// Where texels lie, of all axes or of each
-    #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = siting)]
-    pub registration: Vec<Siting>,
+    #[arg(long, value_name = "R,..", value_delimiter = ',', value_parser = registration)]
+    pub registration: Vec<Registration>,
     /// Shadowing form: `correlated` or `separable`
     #[arg(long, value_name = "S", value_parser = smith)]
     pub smith: Option<Smith>,
@@ -108,9 +108,9 @@ struct Options {
 
 /// What was read of the file.
 struct Read {
-    shipped: Shipped,
+    audited: AuditedTable,
     /// A function with its index of refraction given as 1/ior, where it has one and nobody says how it is given.
-    inverse: Option<Shipped>,
+    inverse: Option<AuditedTable>,
     /// What the file is, in words.
     holds: String,
     /// What it says of itself, or nothing.
@@ -128,15 +128,16 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn verb(options: &Options) -> Result<Outcome, CliError> {
     other_kind(options)?;
     let bytes = read(options)?;
-    let Read { mut shipped, inverse, holds, note } =
+    let Read { mut audited, inverse, holds, note } =
         if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
     // A folder that cannot be written is told of before the work.
     let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
-    let said = stated::stated(options, &shipped, &note, &progress)?;
+    let said = stated::stated(options, &audited, &note, &progress)?;
     if let Some(said) = &said {
         // What it says of its size is known to agree with the file.
-        shipped = Shipped { size: said.size.clone(), axes: Shipped::axes_of(said.size.len()), ..shipped };
+        audited =
+            AuditedTable { size: said.size.clone(), axes: AuditedTable::axes_of(said.size.len()), ..audited };
     }
     // A file that is known to be of another form or registration than it says is told of in those words, and not as a table of which nothing is known.
     if let Some(said) = said.as_ref().filter(|said| said.holds() || said.instead.is_some()) {
@@ -151,9 +152,11 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
         let found = AuditFindings { verdict: stated::with_limit(found.verdict, options.limit), ..found };
         return publish(options, folder, &found, &refusal::of_stated(said, options.limit));
     }
-    let (own, quantity) = (pins(options)?, options.wanted.0);
-    let judge = |pins: &Pins| {
-        options.threads.install(|| Ok(judged::judged(&shipped, inverse.as_ref(), quantity, pins, &progress)?))
+    let (own, quantity) = (fixed(options)?, options.wanted.0);
+    let judge = |fixed: &Fixed| {
+        options
+            .threads
+            .install(|| Ok(judged::judged(&audited, inverse.as_ref(), quantity, fixed, &progress)?))
     };
     let mut done = judge(&own)?;
     if let Some(said) = &said {
@@ -161,7 +164,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     }
     if options_fit_nothing(&done) {
         progress.stage("the same without the options");
-        let free = judge(&Pins { column: options.wanted.1, ..Pins::default() })?;
+        let free = judge(&Fixed { column: options.wanted.1, ..Fixed::default() })?;
         done.verdict = format!("{} Without those options: {}", done.verdict, free.verdict);
     }
     drop(progress);
@@ -219,7 +222,7 @@ fn publish(
 }
 
 fn options_fit_nothing(done: &Audit) -> bool {
-    done.pinned && done.fit == audit::Fit::None
+    done.fixed && done.fit == audit::Fit::None
 }
 
 /// Extensions of shaders.
@@ -290,8 +293,8 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
                 true => audit::sampled_inverse(source, options.wanted.0, &options.set)?,
                 false => None,
             };
-            let inverse = inverse.map(|inverse| Shipped { what: what.clone(), ..inverse });
-            Ok(Read { shipped: Shipped { what, ..function }, inverse, holds, note: String::new() })
+            let inverse = inverse.map(|inverse| AuditedTable { what: what.clone(), ..inverse });
+            Ok(Read { audited: AuditedTable { what, ..function }, inverse, holds, note: String::new() })
         }
         _ => Err(CliError::Usage(format!(
             "{file}: holds several functions of {inputs} inputs: `{names}`; choose one by --function"
@@ -303,8 +306,8 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
 fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
     let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints(options))?;
     let table = chosen(options, &tables)?;
-    let shipped = Shipped { what: named(options, &table.name), ..Shipped::from(table) };
-    Ok(Read { shipped, inverse: None, holds: table.what.clone(), note: table.note.clone() })
+    let audited = AuditedTable { what: named(options, &table.name), ..AuditedTable::from(table) };
+    Ok(Read { audited, inverse: None, holds: table.what.clone(), note: table.note.clone() })
 }
 
 /// Inputs of the quantity.
@@ -345,13 +348,13 @@ fn hints(options: &Options) -> Hints {
     }
 }
 
-fn pins(options: &Options) -> Result<Pins, CliError> {
+fn fixed(options: &Options) -> Result<Fixed, CliError> {
     let given =
         |list: &[String]| list.iter().map(|m| column(options.wanted.0, m)).collect::<Result<Vec<_>, _>>();
     let meanings = given(&options.meaning).map_err(CliError::Usage)?;
-    Ok(Pins {
+    Ok(Fixed {
         axes: Some(options.axes.clone()).filter(|a| !a.is_empty()),
-        sitings: Some(options.registration.clone()).filter(|r| !r.is_empty()),
+        registrations: Some(options.registration.clone()).filter(|r| !r.is_empty()),
         smith: options.smith,
         side: options.side,
         meanings: Some(meanings).filter(|m| !m.is_empty()),

@@ -6,8 +6,8 @@ use crate::audit::{Audit, Declared, Fit, Source};
 pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
     let function = done.source == Source::Function;
     let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {
-        let given = if done.pinned { " that the options leave open" } else { "" };
-        return match (function, &done.mixed) {
+        let given = if done.fixed { " that the options leave open" } else { "" };
+        return match (function, &done.two_lobes) {
             (_, Some(_)) => "audit failed: a part of the table is of another shadowing form".into(),
             (true, None) => format!("audit failed: it follows no reading of its arguments{given}"),
             (false, None) => format!("audit failed: it fits no convention{given}"),

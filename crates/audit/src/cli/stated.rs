@@ -1,7 +1,7 @@
 //! What a file says of itself, where no option says how it is to be read.
 
 use super::Options;
-use crate::audit::{self, AuditError, Declared, Shipped};
+use crate::audit::{self, AuditError, AuditedTable, Declared};
 use lobefit::cli::CliError;
 use lobefit::cli::output::say;
 use lobefit::cli::progress::Spinner;
@@ -10,7 +10,7 @@ use lobefit::cli::progress::Spinner;
 /// is said).
 pub(super) fn stated(
     options: &Options,
-    shipped: &Shipped,
+    audited: &AuditedTable,
     note: &str,
     progress: &Spinner,
 ) -> Result<Option<Declared>, CliError> {
@@ -24,7 +24,7 @@ pub(super) fn stated(
     }
     progress.stage("what the file says of itself");
     let (quantity, column) = options.wanted;
-    let found = options.threads.install(|| Ok(audit::declared(shipped, quantity, column, note)))?;
+    let found = options.threads.install(|| Ok(audit::declared(audited, quantity, column, note)))?;
     match found {
         Ok(found) => Ok(Some(found)),
         Err(AuditError::Statement { reason, .. }) => {

@@ -1,6 +1,6 @@
 //! The words of the options.
 
-use crate::audit::{Column, SCALES, SITINGS, Scale, Siting};
+use crate::audit::{Column, REGISTRATIONS, Registration, SCALES, Scale};
 use crate::foreign::RawFormat;
 use lobefit::cli::options::quantity;
 use lobefit_truth::integrate::glass::Side;
@@ -55,9 +55,9 @@ pub(super) fn axis(text: &str) -> Result<(Scale, bool), String> {
     })
 }
 
-pub(super) fn siting(text: &str) -> Result<Siting, String> {
-    SITINGS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
-        let names: Vec<&str> = SITINGS.iter().map(|s| s.name()).collect();
+pub(super) fn registration(text: &str) -> Result<Registration, String> {
+    REGISTRATIONS.into_iter().find(|s| s.name() == text).ok_or_else(|| {
+        let names: Vec<&str> = REGISTRATIONS.iter().map(|s| s.name()).collect();
         format!("no such registration; they are {}", names.join(", "))
     })
 }

@@ -174,7 +174,7 @@ pub enum ForeignError {
     },
     /// Brackets of one array that hold different numbers of values.
     #[error("{file}: {at}: {message}")]
-    Mixed {
+    TwoLobes {
         /// File as the caller named it.
         file: String,
         /// Where the first one that differs begins.

@@ -112,8 +112,9 @@ fn row(c: &AuditConvention, best: f64) -> Vec<String> {
 fn axis(a: &AuditAxis) -> String {
     let coordinate = if a.reversed { format!("1 \u{2212} {}", a.coordinate) } else { a.coordinate.clone() };
     let clamp = a.clamp.map_or(String::new(), |c| format!(", \u{2265} {}", brief(c, 2)));
-    let siting = if a.registration.is_empty() { String::new() } else { format!(", {}", a.registration) };
-    format!("{coordinate}{siting}{clamp}")
+    let registration =
+        if a.registration.is_empty() { String::new() } else { format!(", {}", a.registration) };
+    format!("{coordinate}{registration}{clamp}")
 }
 
 fn channel_section(channel: &AuditChannel, function: bool, stated: bool) -> Result<Section, ReportError> {

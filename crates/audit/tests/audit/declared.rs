@@ -4,7 +4,7 @@ use crate::common;
 
 use common::{lobefit, stderr};
 use lobefit::data::Smith;
-use lobefit_audit::audit::{AuditError, Column, Declared, Shipped, declared};
+use lobefit_audit::audit::{AuditError, AuditedTable, Column, Declared, declared};
 use lobefit_audit::foreign::{ForeignTable, Hints, read_table};
 use lobefit_truth::integrate::reflection::{self, Effort};
 use lobefit_truth::quantity;
@@ -20,7 +20,7 @@ fn read(bytes: &[u8]) -> ForeignTable {
 fn run(bytes: &[u8], wanted: Option<Column>) -> Declared {
     let table = read(bytes);
     let found =
-        declared(&Shipped::from(&table), quantity::find("ggx-reflection").unwrap(), wanted, &table.note)
+        declared(&AuditedTable::from(&table), quantity::find("ggx-reflection").unwrap(), wanted, &table.note)
             .unwrap();
     eprintln!("{}", found.verdict);
     found
@@ -53,7 +53,7 @@ fn a_table_is_what_it_says() {
 fn a_table_of_the_azimuth_is_what_it_says() {
     let quantity = quantity::find("ggx-reflection-aniso").unwrap();
     let table = read(AZIMUTH);
-    let run = |note: &str| declared(&Shipped::from(&table), quantity, None, note);
+    let run = |note: &str| declared(&AuditedTable::from(&table), quantity, None, note);
     let found = run(&table.note).unwrap();
     eprintln!("{}", found.verdict);
     assert!(found.holds() && found.size == [64, 16, 16], "{}", found.verdict);
@@ -84,7 +84,7 @@ fn a_table_of_the_azimuth_is_what_it_says() {
 #[test]
 fn a_part_of_the_other_form_is_told() {
     let table = read(DFG);
-    let mut shipped = Shipped::from(&table);
+    let mut shipped = AuditedTable::from(&table);
     let [columns, rows] = [shipped.size[0], shipped.size[1]];
     // The lower half anew by the statement's own axes, of the other form.
     for y in rows / 2..rows {
@@ -135,7 +135,8 @@ fn a_lie_is_found_out() {
 fn a_statement_that_cannot_be_followed_is_named() {
     let refused = |bytes: &[u8], quantity: &str| {
         let table = read(bytes);
-        declared(&Shipped::from(&table), quantity::find(quantity).unwrap(), None, &table.note).unwrap_err()
+        declared(&AuditedTable::from(&table), quantity::find(quantity).unwrap(), None, &table.note)
+            .unwrap_err()
     };
     let other = refused(DFG, "ggx-glass");
     assert!(
@@ -206,7 +207,7 @@ fn restated(pairs: &[(&str, &str)]) -> Result<Declared, AuditError> {
         assert!(note.contains(from), "{from}");
         note = note.replace(from, to);
     }
-    declared(&Shipped::from(&table), quantity::find("ggx-reflection").unwrap(), None, &note)
+    declared(&AuditedTable::from(&table), quantity::find("ggx-reflection").unwrap(), None, &note)
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditError, Column, Fit, Pins, Scale, Source, audit, sampled, sampled_inverse,
+    Audit, AuditError, Column, Fit, Fixed, Scale, Source, audit, sampled, sampled_inverse,
 };
 use lobefit_audit::foreign::read_functions;
 use lobefit_truth::quantity::{self, Quantity};
@@ -37,7 +37,7 @@ fn run(name: &str) -> Audit {
     let function = read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
     let shipped = sampled(&function, of("ggx-reflection"), &[], &[]).unwrap();
     let found =
-        audit(&shipped, quantity::find("ggx-reflection").unwrap(), &Pins::default(), &|_| ()).unwrap();
+        audit(&shipped, quantity::find("ggx-reflection").unwrap(), &Fixed::default(), &|_| ()).unwrap();
     assert_eq!(found.source, Source::Function);
     eprintln!("{}", found.verdict);
     found
@@ -109,8 +109,8 @@ fn an_index_of_refraction_runs_from_1_to_2() {
     let read = |name: &str| read_functions(text.as_bytes(), "g.wgsl", None, Some(name)).unwrap().remove(0);
     let shipped = sampled(&read("glass"), of("ggx-glass"), &[], &[]).unwrap();
     assert!(shipped.channels[0].values.iter().all(|v| *v > 0.0), "an index of 1 or less was asked for");
-    let pins = Pins { column: Some(Column::R), ..Pins::default() };
-    let found = audit(&shipped, quantity::find("ggx-glass").unwrap(), &pins, &|_| ()).unwrap();
+    let fixed = Fixed { column: Some(Column::R), ..Fixed::default() };
+    let found = audit(&shipped, quantity::find("ggx-glass").unwrap(), &fixed, &|_| ()).unwrap();
     assert_eq!(scales(&found)[0], (Scale::Ior, false));
     assert!(found.verdict.contains("the argument ior given ior"), "{}", found.verdict);
     // Words of a name tell, not letters within one; and only where the quantity has an index.
@@ -153,9 +153,9 @@ fn an_index_may_be_given_the_other_way_round() {
     let glass = of("ggx-glass");
     let inverse = sampled_inverse(&function, glass, &[]).unwrap().expect("eta is an index");
     assert!(inverse.channels[0].values.iter().all(|v| *v >= 0.0), "eta is at most 1");
-    let pins = Pins { column: Some(Column::R), ..Pins::default() };
+    let fixed = Fixed { column: Some(Column::R), ..Fixed::default() };
     let run =
-        |shipped: &_, inverse| audit(shipped, glass, &Pins { inverse, ..pins.clone() }, &|_| ()).unwrap();
+        |shipped: &_, inverse| audit(shipped, glass, &Fixed { inverse, ..fixed.clone() }, &|_| ()).unwrap();
     let plain = run(&sampled(&function, glass, &[], &[]).unwrap(), false);
     let (own, other) = (run(&inverse, true), plain.tried[0].rank);
     assert_eq!(scales(&own)[0], (Scale::Eta, false));
@@ -201,7 +201,7 @@ fn a_fit_that_this_tool_wrote_has_its_certificate() {
         let found = audit(
             &sampled(&function, of("ggx-reflection"), &[], &[]).unwrap(),
             quantity,
-            &Pins::default(),
+            &Fixed::default(),
             &|_| (),
         )
         .unwrap();
@@ -229,7 +229,7 @@ fn what_is_no_fit_is_told() {
     let read = |name: &str| read_functions(FITS.as_bytes(), "fits.wgsl", None, Some(name)).unwrap().remove(0);
     let quantity = quantity::find("ggx-reflection").unwrap();
     let bad = sampled(&read("infinite"), of("ggx-reflection"), &[], &[]).unwrap();
-    let error = audit(&bad, quantity, &Pins::default(), &|_| ()).unwrap_err();
+    let error = audit(&bad, quantity, &Fixed::default(), &|_| ()).unwrap_err();
     assert!(matches!(error, AuditError::Undefined { .. }), "{error}");
     let left = sampled(&read("three"), of("ggx-reflection"), &[], &[]).unwrap_err();
     assert!(left.to_string().contains("--set"), "{left}");

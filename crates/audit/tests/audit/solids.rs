@@ -2,7 +2,7 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
+    Audit, AuditedChannel, AuditedTable, Column, Defect, Fit, Fixed, Registration, Scale, Source, audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_truth::integrate::aniso::table::{Columns, Grid, tabulate};
@@ -11,26 +11,26 @@ use lobefit_truth::integrate::glass::table::{Energies, Kernel};
 use lobefit_truth::quantity;
 use lobefit_truth::quantity::sheen;
 
-fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> Shipped {
-    let channels = vec![ShippedChannel { name: "0".into(), values }];
-    Shipped {
+fn shipped(what: &str, size: &[usize], values: Vec<f64>) -> AuditedTable {
+    let channels = vec![AuditedChannel { name: "0".into(), values }];
+    AuditedTable {
         what: what.into(),
         size: size.to_vec(),
-        axes: Shipped::axes_of(size.len()),
+        axes: AuditedTable::axes_of(size.len()),
         source: Source::Table,
         channels,
         step: Step::None,
     }
 }
 
-fn run(shipped: &Shipped, quantity: &str, pins: &Pins) -> Audit {
-    let found = audit(shipped, quantity::find(quantity).unwrap(), pins, &|_| ()).unwrap();
+fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
+    let found = audit(shipped, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();
     eprintln!("{}\n{:#?}", found.verdict, found.tried.iter().take(2).collect::<Vec<_>>());
     found
 }
 
-fn axes(found: &Audit) -> Vec<(Scale, Siting, bool)> {
-    found.best().axes.iter().map(|a| (a.scale, a.siting, a.reversed)).collect()
+fn axes(found: &Audit) -> Vec<(Scale, Registration, bool)> {
+    found.best().axes.iter().map(|a| (a.scale, a.registration, a.reversed)).collect()
 }
 
 const N: usize = 12;
@@ -58,10 +58,10 @@ fn glass(side: usize, f: impl Fn(f64, [usize; 3]) -> f64) -> Vec<f64> {
 }
 
 /// Cycles' axes; with the corners that its clamps change left to a share of the texels.
-const CYCLES: [(Scale, Siting, bool); 3] = [
-    (Scale::Roughness, Siting::Endpoint, false),
-    (Scale::Mu, Siting::Endpoint, false),
-    (Scale::FourthRootF0, Siting::Endpoint, false),
+const CYCLES: [(Scale, Registration, bool); 3] = [
+    (Scale::Roughness, Registration::Endpoint, false),
+    (Scale::Mu, Registration::Endpoint, false),
+    (Scale::FourthRootF0, Registration::Endpoint, false),
 ];
 
 #[test]
@@ -69,7 +69,7 @@ fn glass_from_outside_is_read_as_it_is() {
     let found = run(
         &shipped("glass_E", &[N; 3], glass(0, |e, _| (e * 1e6).round() / 1e6)),
         "ggx-glass",
-        &Pins::default(),
+        &Fixed::default(),
     );
     assert_eq!(axes(&found), CYCLES);
     assert_eq!(found.best().lobe.side, Some(Side::Outside));
@@ -86,7 +86,7 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     // A table from before its renderer rejected rays that leave on the wrong side: too high where z >= 4 and the surface is rough.
     let stale =
         |e: f64, [x, y, z]: [usize; 3]| if z >= 4 && x >= 5 && y <= 6 { (e + 0.25).min(1.0) } else { e };
-    let found = run(&shipped("glass_inv_E", &[N; 3], glass(1, stale)), "ggx-glass", &Pins::default());
+    let found = run(&shipped("glass_inv_E", &[N; 3], glass(1, stale)), "ggx-glass", &Fixed::default());
     assert_eq!(axes(&found), CYCLES);
     assert_eq!(found.best().lobe.side, Some(Side::Inside));
     assert_eq!(found.fit, Fit::Part);
@@ -116,10 +116,10 @@ fn of_the_sources(size: [usize; 3]) -> Vec<f64> {
 }
 
 /// Their coordinates.
-const SOURCES: [(Scale, Siting, bool); 3] = [
-    (Scale::Mu, Siting::Left, false),
-    (Scale::Alpha, Siting::Left, false),
-    (Scale::AnisotropySquared, Siting::Left, false),
+const SOURCES: [(Scale, Registration, bool); 3] = [
+    (Scale::Mu, Registration::Left, false),
+    (Scale::Alpha, Registration::Left, false),
+    (Scale::AnisotropySquared, Registration::Left, false),
 ];
 
 #[test]
@@ -127,7 +127,7 @@ fn the_anisotropic_table_of_the_sources_is_read_as_it_is() {
     let found = run(
         &shipped("reflect", &[16, 16, 8], of_the_sources([16, 16, 8])),
         "ggx-reflection-aniso",
-        &Pins::default(),
+        &Fixed::default(),
     );
     assert_eq!(axes(&found), SOURCES);
     assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
@@ -151,7 +151,7 @@ fn unequal_sizes_and_other_orders_of_axes_are_read() {
             e[(own[2] * size[1] + own[1]) * size[0] + own[0]]
         };
         let table = shipped("reflect", &sides, (0..e.len()).map(value).collect());
-        let found = run(&table, "ggx-reflection-aniso", &Pins { smith, ..Pins::default() });
+        let found = run(&table, "ggx-reflection-aniso", &Fixed { smith, ..Fixed::default() });
         assert_eq!(axes(&found), order.map(|k| SOURCES[k]), "{order:?}");
         assert_eq!((found.best().lobe.smith, found.fit), (Some(Smith::Separable), Fit::Whole), "{order:?}");
         assert!(found.margin > 5.0 && found.worst() < 1e-4, "{order:?}: {}", found.worst());
@@ -174,9 +174,10 @@ fn an_axis_of_the_inverse_index_is_told() {
             values.extend(out.iter().map(|e| e.r[0]));
         }
     }
-    let pins = Pins { side: Some(Side::Outside), ..Pins::default() };
-    let found = run(&shipped("R", &size, values), "ggx-glass", &pins);
-    let wanted = [Scale::IorInverseTwo, Scale::Roughness, Scale::Mu].map(|s| (s, Siting::Centre, false));
+    let fixed = Fixed { side: Some(Side::Outside), ..Fixed::default() };
+    let found = run(&shipped("R", &size, values), "ggx-glass", &fixed);
+    let wanted =
+        [Scale::IorInverseTwo, Scale::Roughness, Scale::Mu].map(|s| (s, Registration::Centre, false));
     assert_eq!(axes(&found), wanted);
     assert_eq!((found.best().columns.clone(), found.fit), (vec![Some(Column::R)], Fit::Whole));
 }
@@ -186,8 +187,11 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
     let at = |i: usize| (i as f64 + 0.5) / 16.0;
     let value = |i: usize| sheen::albedo(at(i / 16) * at(i / 16), at(i % 16));
     let clamped = (0..256).map(|i| (value(i).min(1.0) * 255.0).round() / 255.0).collect();
-    let found = run(&shipped("lut_sheen_E", &[16, 16], clamped), "sheen-charlie", &Pins::default());
-    assert_eq!(axes(&found), [(Scale::Mu, Siting::Centre, false), (Scale::Roughness, Siting::Centre, false)]);
+    let found = run(&shipped("lut_sheen_E", &[16, 16], clamped), "sheen-charlie", &Fixed::default());
+    assert_eq!(
+        axes(&found),
+        [(Scale::Mu, Registration::Centre, false), (Scale::Roughness, Registration::Centre, false)]
+    );
     let stuck = found.channels[0].defects.iter().find_map(|d| match d {
         Defect::Clamped { value, texels, truth } => Some((*value, *texels, *truth)),
         _ => None,
@@ -196,7 +200,7 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
     assert!(end == 1.0 && texels >= 2 && truth > 1.2, "{texels} {truth}");
     // Half vectors drawn by D but weighted as if drawn uniformly, with roughness for alpha: the ratio to the truth runs from 0.4 to 1.4.
     let wrong = (0..256).map(|i| value(i) * (0.4 + at(i % 16)) * (1.6 - at(i / 16))).collect();
-    let found = run(&shipped("lut_charlie", &[16, 16], wrong), "sheen-charlie", &Pins::default());
+    let found = run(&shipped("lut_charlie", &[16, 16], wrong), "sheen-charlie", &Fixed::default());
     assert_eq!(found.fit, Fit::None);
 }
 
@@ -204,7 +208,7 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
 fn texels_that_are_not_sampled_are_told_and_pass_no_limit() {
     let size = [8200, 8, 8];
     let values = (0..8200 * 64).map(|i| 1.0 - 0.3 * ((i / 8200 % 8) as f64 / 8.0)).collect();
-    let mut found = run(&shipped("large", &size, values), "ggx-reflection-aniso", &Pins::default());
+    let mut found = run(&shipped("large", &size, values), "ggx-reflection-aniso", &Fixed::default());
     let errors = found.channels[0].errors.as_ref().unwrap();
     assert_eq!(errors.unsampled, 8200 * 64 - 64 * 64);
     assert!(

@@ -2,7 +2,8 @@
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
-    Audit, AuditError, Column, Defect, Fit, Pins, Scale, Shipped, ShippedChannel, Siting, Source, audit,
+    Audit, AuditError, AuditedChannel, AuditedTable, Column, Defect, Fit, Fixed, Registration, Scale, Source,
+    audit,
 };
 use lobefit_audit::foreign::Step;
 use lobefit_math::ops;
@@ -14,18 +15,18 @@ use lobefit_truth::quantity;
 type Channel<'a> = (&'a str, &'a dyn Fn(usize, usize) -> f64);
 
 /// A table over (mu, alpha) of several functions.
-fn table(size: [usize; 2], channels: &[Channel]) -> Shipped {
+fn table(size: [usize; 2], channels: &[Channel]) -> AuditedTable {
     let texels = |f: &dyn Fn(usize, usize) -> f64| {
         (0..size[0] * size[1]).map(|i| f(i % size[0], i / size[0])).collect()
     };
-    let channel = |(name, f): &(&str, &dyn Fn(usize, usize) -> f64)| ShippedChannel {
+    let channel = |(name, f): &(&str, &dyn Fn(usize, usize) -> f64)| AuditedChannel {
         name: name.to_string(),
         values: texels(f),
     };
-    Shipped {
+    AuditedTable {
         what: "planted".into(),
         size: size.to_vec(),
-        axes: Shipped::axes_of(2),
+        axes: AuditedTable::axes_of(2),
         source: Source::Table,
         channels: channels.iter().map(channel).collect(),
         step: Step::None,
@@ -36,19 +37,19 @@ fn both(smith: Smith, alpha: f64, mu: f64) -> (f64, f64) {
     split(smith, alpha, mu, &Effort::ladder()[1])
 }
 
-fn run(shipped: &Shipped, quantity: &str, pins: &Pins) -> Audit {
-    let found = audit(shipped, quantity::find(quantity).unwrap(), pins, &|_| ()).unwrap();
+fn run(shipped: &AuditedTable, quantity: &str, fixed: &Fixed) -> Audit {
+    let found = audit(shipped, quantity::find(quantity).unwrap(), fixed, &|_| ()).unwrap();
     eprintln!("{}\n{:#?}\n{:?}", found.verdict, found.tried.iter().take(3).collect::<Vec<_>>(), found.margin);
     found
 }
 
-fn reflection_of(shipped: &Shipped) -> Audit {
-    run(shipped, "ggx-reflection", &Pins::default())
+fn reflection_of(shipped: &AuditedTable) -> Audit {
+    run(shipped, "ggx-reflection", &Fixed::default())
 }
 
-/// Scale, siting and direction of every axis.
-fn axes(found: &Audit) -> Vec<(Scale, Siting, bool)> {
-    found.best().axes.iter().map(|a| (a.scale, a.siting, a.reversed)).collect()
+/// Scale, registration and direction of every axis.
+fn axes(found: &Audit) -> Vec<(Scale, Registration, bool)> {
+    found.best().axes.iter().map(|a| (a.scale, a.registration, a.reversed)).collect()
 }
 
 fn columns(found: &Audit) -> Vec<Option<Column>> {
@@ -79,7 +80,10 @@ fn a_sound_table_is_read_as_it_is() {
         &[("R", &|x, y| half(value(x, y).0 - value(x, y).1)), ("G", &|x, y| half(value(x, y).1))],
     ));
     assert_eq!(found.fit, Fit::Whole);
-    assert_eq!(axes(&found), [(Scale::Mu, Siting::Centre, false), (Scale::Roughness, Siting::Centre, false)]);
+    assert_eq!(
+        axes(&found),
+        [(Scale::Mu, Registration::Centre, false), (Scale::Roughness, Registration::Centre, false)]
+    );
     assert_eq!(columns(&found), [Some(Column::A), Some(Column::B)]);
     assert_eq!(found.best().lobe.smith, Some(Smith::Correlated));
     assert!(found.margin > 20.0, "{}", found.margin);
@@ -97,7 +101,7 @@ fn a_table_of_beckmann_is_one_and_no_table_of_ggx() {
     };
     let table = table([16, 32], &[("R", &|x, y| half(e(x, y)))]);
     let max = |quantity| {
-        let found = run(&table, quantity, &Pins::default());
+        let found = run(&table, quantity, &Fixed::default());
         (found.best().lobe.smith, found.channels[0].errors.as_ref().map_or(f64::INFINITY, |e| e.max))
     };
     let (smith, own) = max("beckmann-reflection");
@@ -117,7 +121,7 @@ fn rows_one_texel_off_are_found() {
     ));
     assert_eq!(
         axes(&found),
-        [(Scale::Mu, Siting::Centre, false), (Scale::Roughness, Siting::OneHigh, false)]
+        [(Scale::Mu, Registration::Centre, false), (Scale::Roughness, Registration::OneHigh, false)]
     );
     assert_eq!(columns(&found), [Some(Column::B), Some(Column::E)]);
     assert_eq!(found.fit, Fit::Whole);
@@ -143,16 +147,16 @@ fn a_limit_holds_for_the_table_as_it_will_be_read() {
     // Rows one texel off, and a gloss that is the fourth root of alpha: right to rounding as they are best read.
     let shifted = |x: usize, y: usize| both(Smith::Correlated, one(y) * one(y), at(x)).0;
     let gloss = |x: usize, y: usize| both(Smith::Correlated, fourth(1.0 - at(y)), at(x)).0;
-    let sitings = vec![Siting::Centre, Siting::OneHigh];
+    let registrations = vec![Registration::Centre, Registration::OneHigh];
     let axes = vec![(Scale::Mu, false), (Scale::RoughnessFourth, true)];
-    for (value, least, option, pins) in [
+    for (value, least, option, fixed) in [
         (
             &shifted as &dyn Fn(usize, usize) -> f64,
             0.02,
             "--registration centre,one-high",
-            Pins { sitings: Some(sitings), ..Pins::default() },
+            Fixed { registrations: Some(registrations), ..Fixed::default() },
         ),
-        (&gloss, 0.3, "--axes mu,1-alpha^(1/4)", Pins { axes: Some(axes), ..Pins::default() }),
+        (&gloss, 0.3, "--axes mu,1-alpha^(1/4)", Fixed { axes: Some(axes), ..Fixed::default() }),
     ] {
         let shipped = table([32, 32], &[("R", value)]);
         let found = reflection_of(&shipped);
@@ -161,7 +165,7 @@ fn a_limit_holds_for_the_table_as_it_will_be_read() {
         assert_eq!(plain.options, option);
         assert!(!found.passes(Some(0.5 * least)) && found.passes(Some(1.0)), "the plain reading is judged");
         assert!(found.verdict.contains("without being told"), "{}", found.verdict);
-        let meant = run(&shipped, "ggx-reflection", &pins);
+        let meant = run(&shipped, "ggx-reflection", &fixed);
         assert!(meant.plain.is_none() && meant.passes(Some(1e-6)), "{:?}", meant.plain);
     }
     let sound = reflection_of(&table([32, 32], &[("R", &|x, y| both(Smith::Correlated, at(y), at(x)).0)]));
@@ -171,15 +175,19 @@ fn a_limit_holds_for_the_table_as_it_will_be_read() {
 #[test]
 fn end_points_one_texel_off_are_found() {
     let at = |i: usize| i as f64 / 31.0;
-    for (siting, shift, word) in
-        [(Siting::EndHigh, 1.0, "that of texel i + 1"), (Siting::EndLow, -1.0, "that of texel i - 1")]
-    {
+    for (registration, shift, word) in [
+        (Registration::EndHigh, 1.0, "that of texel i + 1"),
+        (Registration::EndLow, -1.0, "that of texel i - 1"),
+    ] {
         let shifted = |i: usize| ((i as f64 + shift) / 31.0).clamp(0.0, 1.0);
         let value = |x: usize, y: usize| both(Smith::Correlated, shifted(y) * shifted(y), at(x).max(1e-4)).0;
         let found = reflection_of(&table([32, 32], &[("0", &value)]));
-        assert_eq!(axes(&found), [(Scale::Mu, Siting::Endpoint, false), (Scale::Roughness, siting, false)]);
+        assert_eq!(
+            axes(&found),
+            [(Scale::Mu, Registration::Endpoint, false), (Scale::Roughness, registration, false)]
+        );
         let plain = found.plain.as_ref().expect("a shift");
-        assert_eq!(plain.convention.axes[1].siting, Siting::Endpoint);
+        assert_eq!(plain.convention.axes[1].registration, Registration::Endpoint);
         assert!(plain.max > 0.01 && !found.passes(Some(0.01)), "{}", plain.max);
         assert!(found.verdict.contains(word) && found.verdict.contains("end points"), "{}", found.verdict);
     }
@@ -213,7 +221,10 @@ fn nodes_at_left_edges_of_a_separable_lobe_are_found() {
         [64, 64],
         &[("L", &|x, y| both(Smith::Separable, at(y), at(x)).0 + 1.7e-4 * jitter(x, y))],
     ));
-    assert_eq!(axes(&found), [(Scale::Mu, Siting::Left, false), (Scale::Alpha, Siting::Left, false)]);
+    assert_eq!(
+        axes(&found),
+        [(Scale::Mu, Registration::Left, false), (Scale::Alpha, Registration::Left, false)]
+    );
     assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
     assert_eq!(columns(&found), [Some(Column::E)]);
     assert!(found.best().axes.iter().all(|a| a.floor == 1e-4), "{:?}", found.best().axes);
@@ -240,7 +251,7 @@ fn transposed_end_points_with_six_decimals_are_found() {
     ));
     assert_eq!(
         axes(&found),
-        [(Scale::Roughness, Siting::Endpoint, false), (Scale::Mu, Siting::Endpoint, false)]
+        [(Scale::Roughness, Registration::Endpoint, false), (Scale::Mu, Registration::Endpoint, false)]
     );
     assert!(found.channels[0].errors.as_ref().unwrap().max < 6e-7);
     let lookup = found.channels[0].lookup.as_ref().unwrap();
@@ -257,15 +268,15 @@ fn an_average_that_is_normal_incidence_is_found() {
         if i == 0 { 1.0 } else { albedo(Smith::Correlated, at(i) * at(i), 1.0, &Effort::ladder()[1].outer) }
     };
     let values = (0..32).map(|i| e(i) + 3e-4 * jitter(i, 0)).collect();
-    let shipped = Shipped {
+    let shipped = AuditedTable {
         what: "mf_ggx_albedo".into(),
         size: vec![32],
-        axes: Shipped::axes_of(1),
+        axes: AuditedTable::axes_of(1),
         source: Source::Table,
-        channels: vec![ShippedChannel { name: "0".into(), values }],
+        channels: vec![AuditedChannel { name: "0".into(), values }],
         step: Step::None,
     };
-    let found = run(&shipped, "ggx-average", &Pins::default());
+    let found = run(&shipped, "ggx-average", &Fixed::default());
     assert_eq!(columns(&found), [Some(Column::Normal)]);
     assert_eq!(found.fit, Fit::Whole);
     assert!(found.channels[0].errors.as_ref().unwrap().max < 3.1e-4);
@@ -275,17 +286,17 @@ fn an_average_that_is_normal_incidence_is_found() {
     let plain = found.plain.as_ref().expect("an average is meant");
     assert!(plain.max > 0.02 && plain.convention.columns == [Some(Column::Average)], "{plain:?}");
     assert!(!found.passes(Some(1e-2)));
-    let asked = Pins { column: Some(Column::Normal), ..Pins::default() };
+    let asked = Fixed { column: Some(Column::Normal), ..Fixed::default() };
     assert!(run(&shipped, "ggx-average", &asked).passes(Some(1e-3)));
-    // The same as an average: what is pinned is measured.
-    let pins = Pins { column: Some(Column::Average), ..Pins::default() };
-    let pinned = run(&shipped, "ggx-average", &pins);
-    assert!(pinned.channels[0].errors.as_ref().unwrap().max > 0.02);
+    // The same as an average: what is fixed is measured.
+    let fixed = Fixed { column: Some(Column::Average), ..Fixed::default() };
+    let fixed = run(&shipped, "ggx-average", &fixed);
+    assert!(fixed.channels[0].errors.as_ref().unwrap().max > 0.02);
     // And a true average is told for one.
     let mean = |i: usize| reflection::average(Smith::Correlated, at(i) * at(i), 1e-9).unwrap().e_avg;
     let values = (0..32).map(mean).collect();
-    let sound = Shipped { channels: vec![ShippedChannel { name: "0".into(), values }], ..shipped };
-    assert_eq!(columns(&run(&sound, "ggx-average", &Pins::default())), [Some(Column::Average)]);
+    let sound = AuditedTable { channels: vec![AuditedChannel { name: "0".into(), values }], ..shipped };
+    assert_eq!(columns(&run(&sound, "ggx-average", &Fixed::default())), [Some(Column::Average)]);
 }
 
 #[test]
@@ -300,7 +311,10 @@ fn gloss_is_told_from_roughness_and_its_powers() {
     ] {
         let found =
             reflection_of(&table([32, 32], &[("B", &|x, y| both(Smith::Separable, alpha(y), at(x)).1)]));
-        assert_eq!(axes(&found), [(Scale::Mu, Siting::Centre, false), (scale, Siting::Centre, reversed)]);
+        assert_eq!(
+            axes(&found),
+            [(Scale::Mu, Registration::Centre, false), (scale, Registration::Centre, reversed)]
+        );
         assert_eq!(columns(&found), [Some(Column::B)]);
         assert_eq!(found.verdict.contains("gloss"), reversed, "{}", found.verdict);
     }
@@ -325,7 +339,7 @@ fn a_loss_without_its_tail_is_found() {
     assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
     assert_eq!(
         axes(&found),
-        [(Scale::Mu, Siting::Endpoint, false), (Scale::Roughness, Siting::Endpoint, false)]
+        [(Scale::Mu, Registration::Endpoint, false), (Scale::Roughness, Registration::Endpoint, false)]
     );
     let missing = found.channels[0].defects.iter().find_map(|d| match d {
         Defect::MissingLoss { stored, worst, .. } => Some((*stored, *worst)),
@@ -393,9 +407,9 @@ fn a_part_of_the_other_shadowing_form_is_told() {
         assert_eq!(found.fit, Fit::Part);
         assert_eq!(
             axes(&found),
-            [(Scale::Mu, Siting::Centre, false), (Scale::Roughness, Siting::Centre, false)]
+            [(Scale::Mu, Registration::Centre, false), (Scale::Roughness, Registration::Centre, false)]
         );
-        let parts = found.mixed.as_ref().expect("two parts");
+        let parts = found.two_lobes.as_ref().expect("two parts");
         let [most, fewer, all] = parts.texels;
         assert!(most >= fewer && fewer > 60 && all == 1024, "{parts:?}");
         assert!(parts.max < 3e-4 && found.margin > 4.0, "{parts:?} {}", found.margin);
@@ -410,7 +424,7 @@ fn a_part_of_the_other_shadowing_form_is_told() {
     let damaged = |x: usize, y: usize| {
         both(Smith::Correlated, at(y) * at(y), at(x)).0 - if y < 16 { 0.05 * at(x) } else { 0.0 }
     };
-    assert_eq!(reflection_of(&table([32, 32], &[("R", &damaged)])).mixed, None);
+    assert_eq!(reflection_of(&table([32, 32], &[("R", &damaged)])).two_lobes, None);
 }
 
 #[test]
@@ -448,32 +462,34 @@ fn rows_the_other_way_round_are_told() {
 fn a_wrong_guess_is_measured_and_refused() {
     let at = |i: usize| (i as f64 + 0.5) / 16.0;
     let shipped = table([16, 16], &[("0", &|x, y| both(Smith::Correlated, at(y) * at(y), at(x)).0)]);
-    let pins = Pins { axes: Some(vec![(Scale::Roughness, false), (Scale::Mu, false)]), ..Pins::default() };
-    let found = run(&shipped, "ggx-reflection", &pins);
+    let fixed = Fixed { axes: Some(vec![(Scale::Roughness, false), (Scale::Mu, false)]), ..Fixed::default() };
+    let found = run(&shipped, "ggx-reflection", &fixed);
     assert_eq!(found.fit, Fit::None);
     assert!(
         found.verdict.contains("fits no convention of those that the options leave open"),
         "{}",
         found.verdict
     );
-    let refused =
-        |pins: Pins| audit(&shipped, quantity::find("ggx-reflection").unwrap(), &pins, &|_| ()).unwrap_err();
-    let one = refused(Pins { axes: Some(vec![(Scale::Roughness, false)]), ..Pins::default() });
+    let refused = |fixed: Fixed| {
+        audit(&shipped, quantity::find("ggx-reflection").unwrap(), &fixed, &|_| ()).unwrap_err()
+    };
+    let one = refused(Fixed { axes: Some(vec![(Scale::Roughness, false)]), ..Fixed::default() });
     assert!(matches!(one, AuditError::Option { option: "--axes", .. }), "{one}");
     let twice =
-        refused(Pins { axes: Some(vec![(Scale::Mu, false), (Scale::Theta, false)]), ..Pins::default() });
+        refused(Fixed { axes: Some(vec![(Scale::Mu, false), (Scale::Theta, false)]), ..Fixed::default() });
     assert!(twice.to_string().contains("alpha, mu"), "{twice}");
-    let three = refused(Pins { sitings: Some(vec![Siting::Left; 3]), ..Pins::default() });
+    let three = refused(Fixed { registrations: Some(vec![Registration::Left; 3]), ..Fixed::default() });
     assert!(matches!(three, AuditError::Option { option: "--registration", .. }), "{three}");
-    let column = refused(Pins { column: Some(Column::T), ..Pins::default() });
+    let column = refused(Fixed { column: Some(Column::T), ..Fixed::default() });
     assert!(column.to_string().contains("E, A, B"), "{column}");
 }
 
 #[test]
 fn bad_tables_are_named_errors() {
     let quantity = quantity::find("ggx-reflection").unwrap();
-    let refused =
-        |shipped: &Shipped| audit(shipped, quantity, &Pins::default(), &|_| ()).unwrap_err().to_string();
+    let refused = |shipped: &AuditedTable| {
+        audit(shipped, quantity, &Fixed::default(), &|_| ()).unwrap_err().to_string()
+    };
     let sound = table([8, 8], &[("R", &|x, y| (x + y) as f64)]);
     let mut bad = sound.clone();
     bad.channels[0].values[19] = f64::NAN;
@@ -484,7 +500,7 @@ fn bad_tables_are_named_errors() {
     assert!(refused(&table([8, 8], &[("R", &|_, _| 0.5)])).contains("constant (0.5)"));
     assert!(refused(&table([3, 8], &[("R", &|x, _| x as f64)])).contains("too few"));
     assert!(refused(&table([1, 8], &[("R", &|_, y| y as f64)])).contains("ggx-average"));
-    let large = Shipped { size: vec![1 << 40, 1 << 40], ..sound };
+    let large = AuditedTable { size: vec![1 << 40, 1 << 40], ..sound };
     assert!(refused(&large).contains("at most"));
 }
 
@@ -512,7 +528,7 @@ fn a_constant_channel_is_judged_or_named() {
     assert!(free.verdict.contains("Channel G is constant (0)"), "{}", free.verdict);
     assert!(!free.passes(Some(1.0)) && free.unjudged().is_some_and(|why| why.contains("channel G")));
     let with = |list: &[Column]| {
-        run(&shipped, "ggx-reflection", &Pins { meanings: Some(list.to_vec()), ..Pins::default() })
+        run(&shipped, "ggx-reflection", &Fixed { meanings: Some(list.to_vec()), ..Fixed::default() })
     };
     assert!(with(&[Column::A]).passes(Some(1e-3)));
     let judged = with(&[Column::A, Column::B]);

@@ -183,10 +183,10 @@ fn bad_lists_are_named_with_their_place() {
         let message = refused(text, &Hints::default());
         assert!(message.starts_with("t.h") && message.contains(part), "{text}: {message}");
     }
-    let mixed = refused("float t[3][4] = {{1.5,2,3,4},\n{1,2,3},{1,2,3,4}};", &Hints::default());
+    let two_lobes = refused("float t[3][4] = {{1.5,2,3,4},\n{1,2,3},{1,2,3,4}};", &Hints::default());
     assert!(
-        mixed.contains("2:7") && mixed.contains("bracket of 3") && mixed.contains("bracket of 4"),
-        "{mixed}"
+        two_lobes.contains("2:7") && two_lobes.contains("bracket of 3") && two_lobes.contains("bracket of 4"),
+        "{two_lobes}"
     );
     let deep = "{".repeat(100_000);
     assert!(refused(&deep, &Hints::default()).contains("the limit is 64"));

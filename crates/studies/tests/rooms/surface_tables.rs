@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use lobefit::data::Smith;
-use lobefit::effects::coupling::RIVALS;
+use lobefit::effects::coupling::PUBLISHED;
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::Hypothesis;
 use lobefit_studies::surface::absorbing::{ALBEDOS, absorbing_table};
@@ -171,7 +171,7 @@ fn fingerprints_tell_formulas_apart() {
 /// factor at the view times 20/21 (0.95238096 there).
 #[test]
 fn dassault_is_the_formula_of_the_catalogue() {
-    let rival = RIVALS.iter().find(|entry| entry.name() == "coupling_dassault").unwrap();
+    let rival = PUBLISHED.iter().find(|entry| entry.name() == "coupling_dassault").unwrap();
     let tape = Hypothesis::parse(rival.file, rival.source).unwrap();
     for (alpha, mu, f0) in [(0.01, 0.1, 0.04), (0.3, 0.7, 0.2), (1.0, 1.0, 0.9), (0.5, 0.4, 1.0)] {
         let rule = Gauss::new(16);

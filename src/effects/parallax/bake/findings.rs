@@ -69,13 +69,13 @@ fn of_lobe(lobe: &Lobe) -> Result<ParallaxLobe, BakeError> {
 
 /// Published formulas that people know, and the best of ours.
 fn shown<'a>(lobe: &'a Lobe) -> Vec<&'a Fit> {
-    let rival = |name: &&str| lobe.fits.iter().find(|fit| fit.approximation.name == **name);
-    let rivals: Vec<&Fit> = SHOWN.iter().filter_map(rival).collect();
+    let of_published = |name: &&str| lobe.fits.iter().find(|fit| fit.approximation.name == **name);
+    let published: Vec<&Fit> = SHOWN.iter().filter_map(of_published).collect();
     let cheapest = lobe.fits.iter().filter(|fit| fit.emitted).min_by_key(|fit| fit.approximation.cost.ops);
     let best = lobe.best().filter(|best| {
         cheapest.is_none_or(|cheapest| cheapest.approximation.name != best.approximation.name)
     });
-    rivals.into_iter().chain(cheapest).chain(best).collect()
+    published.into_iter().chain(cheapest).chain(best).collect()
 }
 
 fn of_fit(fit: &Fit, variation: &Variation) -> VariationFinding {

@@ -1,7 +1,7 @@
 //! The same for the report.
 
 use super::{Declared, Held};
-use crate::audit::shipped::place;
+use crate::audit::table::place;
 use crate::audit::verdict::number;
 use crate::report::{
     AuditAxis, AuditChannel, AuditConvention, AuditCurve, AuditErrors, AuditFindings, AuditHeld,
@@ -20,9 +20,9 @@ pub fn findings(
     holds: &str,
     limit: Option<f64>,
 ) -> AuditFindings {
-    let axes = found.axes.iter().map(|[letter, name, siting, formula]| AuditAxis {
+    let axes = found.axes.iter().map(|[letter, name, registration, formula]| AuditAxis {
         axis: letter.clone(),
-        coordinate: format!("{name}, {formula}; {siting}"),
+        coordinate: format!("{name}, {formula}; {registration}"),
         reversed: false,
         registration: String::new(),
         clamp: None,

@@ -9,10 +9,10 @@ mod words;
 
 pub use findings::findings as declared_findings;
 
-use super::axis::Siting;
+use super::axis::Registration;
 use super::column::Column;
 use super::lookup::fetch;
-use super::shipped::Shipped;
+use super::table::AuditedTable;
 use super::truth::{Truth, Values, azimuth};
 use super::{AuditError, FITS};
 use domain::Domain;
@@ -72,7 +72,7 @@ pub struct Declared {
     pub quantity: &'static str,
     /// Shadowing form and side.
     pub lobe: String,
-    /// Every axis: its letter, what runs along it, its siting and its formula.
+    /// Every axis: its letter, what runs along it, its registration and its formula.
     pub axes: Vec<[String; 4]>,
     /// Texels along every axis.
     pub size: Vec<usize>,
@@ -122,19 +122,19 @@ impl Declared {
 /// [`AuditError::Statement`] where what it says cannot be read, speaks of another size, depends on more than the quantity's inputs, leaves no
 /// range of an input to judge, or decodes to what is no number; a statement of another quantity; a truth that cannot be had.
 pub fn declared(
-    table: &Shipped,
+    table: &AuditedTable,
     quantity: &dyn Quantity,
     wanted: Option<Column>,
     statement: &str,
 ) -> Result<Declared, AuditError> {
     let odd = |reason: String| AuditError::Statement { what: table.what.clone(), reason };
     let said = Statement::parse(statement).map_err(odd)?;
-    let shipped = agreed(table, quantity, &said)?;
-    let pins = super::Pins { side: said.side, ..super::Pins::default() };
+    let audited = agreed(table, quantity, &said)?;
+    let fixed = super::Fixed { side: said.side, ..super::Fixed::default() };
     let truth: Box<dyn Truth> = match said.azimuth {
         true if quantity.name() == AZIMUTHAL => Box::new(azimuth(&[Smith::Correlated, Smith::Separable])),
         true => return Err(odd(format!("{} does not depend on the azimuth of the view", quantity.name()))),
-        false => super::truth_of(&shipped, quantity, &pins)?,
+        false => super::truth_of(&audited, quantity, &fixed)?,
     };
     let truth = truth.as_ref();
     let Domain { places, beyond, cut } = Domain::new(truth, &said).map_err(odd)?;
@@ -143,15 +143,15 @@ pub fn declared(
     let own = lobe(said.smith).ok_or_else(|| odd("its line `smith` names no shadowing form".into()))?;
     let at: Vec<&[f64]> = places.iter().map(|p| p.1.as_slice()).collect();
     let base = truth.exact(own, &at)?;
-    let look = Look { table: &shipped, said: &said, places: &places, wanted };
-    let sitings: Vec<Siting> = said.axes.iter().map(|a| a.siting).collect();
-    let held = look.errors(truth, &base, &sitings).map_err(odd)?;
+    let look = Look { table: &audited, said: &said, places: &places, wanted };
+    let registrations: Vec<Registration> = said.axes.iter().map(|a| a.registration).collect();
+    let held = look.errors(truth, &base, &registrations).map_err(odd)?;
     let mut found = Declared {
-        what: shipped.what.clone(),
+        what: audited.what.clone(),
         quantity: truth.quantity(),
         lobe: truth.lobes()[own].words(),
-        axes: said.axes.iter().zip(&shipped.axes).map(|(a, letter)| words::axis(a, letter)).collect(),
-        size: shipped.size.clone(),
+        axes: said.axes.iter().zip(&audited.axes).map(|(a, letter)| words::axis(a, letter)).collect(),
+        size: audited.size.clone(),
         held,
         claimed: said.claimed,
         instead: None,
@@ -170,7 +170,11 @@ pub fn declared(
 }
 
 /// The table in the size that the statement gives it, if the file and the question allow it.
-fn agreed(table: &Shipped, quantity: &dyn Quantity, said: &Statement) -> Result<Shipped, AuditError> {
+fn agreed(
+    table: &AuditedTable,
+    quantity: &dyn Quantity,
+    said: &Statement,
+) -> Result<AuditedTable, AuditError> {
     if said.quantity != quantity.name() {
         let reason = format!("{} says that it holds {}: audit it as that", table.what, said.quantity);
         return Err(AuditError::Option { option: "--as", value: quantity.name().into(), reason });
@@ -181,27 +185,32 @@ fn agreed(table: &Shipped, quantity: &dyn Quantity, said: &Statement) -> Result<
         let reason = format!("it speaks of {size:?} texels, the file holds {:?}", table.size);
         return Err(AuditError::Statement { what: table.what.clone(), reason });
     }
-    let axes = Shipped::axes_of(size.len());
-    Shipped { size, axes, ..table.clone() }.checked()
+    let axes = AuditedTable::axes_of(size.len());
+    AuditedTable { size, axes, ..table.clone() }.checked()
 }
 
 /// Lookups as the statement says.
 struct Look<'a> {
-    table: &'a Shipped,
+    table: &'a AuditedTable,
     said: &'a Statement,
     places: &'a [(&'static str, Vec<f64>)],
     wanted: Option<Column>,
 }
 
 impl Look<'_> {
-    /// The columns under these sitings.
-    fn errors(&self, truth: &dyn Truth, base: &Values, sitings: &[Siting]) -> Result<Vec<Held>, String> {
+    /// The columns under these registrations.
+    fn errors(
+        &self,
+        truth: &dyn Truth,
+        base: &Values,
+        registrations: &[Registration],
+    ) -> Result<Vec<Held>, String> {
         let columns = self.columns(truth)?;
         let dims: Vec<usize> = self.places.iter().map(|p| p.1.len()).collect();
         let mut values = vec![Vec::with_capacity(base.len()); columns.len()];
         for i in 0..base.len() {
             let inputs = self.inputs(i, &dims);
-            let decoded = self.decoded(&inputs, sitings)?;
+            let decoded = self.decoded(&inputs, registrations)?;
             for (list, (column, k)) in values.iter_mut().zip(&columns) {
                 let value = decoded[*k];
                 if !value.is_finite() {
@@ -241,21 +250,25 @@ impl Look<'_> {
     }
 
     fn inputs(&self, i: usize, dims: &[usize]) -> Vec<(&'static str, f64)> {
-        let places = super::shipped::place(i, dims);
+        let places = super::table::place(i, dims);
         self.places.iter().zip(places).map(|((name, list), k)| (*name, list[k])).collect()
     }
 
     /// What the channels decode to at inputs.
-    fn decoded(&self, inputs: &[(&'static str, f64)], sitings: &[Siting]) -> Result<Vec<f64>, String> {
+    fn decoded(
+        &self,
+        inputs: &[(&'static str, f64)],
+        registrations: &[Registration],
+    ) -> Result<Vec<f64>, String> {
         let input = |name: &str| inputs.iter().find(|(n, _)| *n == name).map(|(_, x)| *x);
         let roughness = input("alpha").and_then(|alpha| self.roughness(alpha));
         let known = |name: &str| if name == "roughness" { roughness } else { input(name) };
         let mut at = Vec::new();
-        for ((axis, siting), n) in self.said.axes.iter().zip(sitings).zip(&self.table.size) {
+        for ((axis, registration), n) in self.said.axes.iter().zip(registrations).zip(&self.table.size) {
             let u = coordinate(axis, &known)
                 .filter(|u| u.is_finite())
                 .ok_or_else(|| format!("its coordinate `{}` has no value at {inputs:?}", axis.text))?;
-            at.push(siting.position(u, *n));
+            at.push(registration.position(u, *n));
         }
         let texel = |name: &str| {
             let channel = self.table.channels.iter().find(|c| c.name == name)?;
@@ -326,10 +339,10 @@ fn parts(
     look: &Look,
     truth: &dyn Truth,
     bases: [&Values; 2],
-    sitings: &[Siting],
+    registrations: &[Registration],
     limit: f64,
 ) -> Option<String> {
-    let [own, other] = bases.map(|base| look.errors(truth, base, sitings).ok());
+    let [own, other] = bases.map(|base| look.errors(truth, base, registrations).ok());
     let (own, other) = (own?, other?);
     let all = own.first()?.errors.len();
     let good = |held: &[Held], i: usize| held.iter().all(|h| h.errors[i].abs() <= limit);
@@ -352,11 +365,11 @@ fn instead(
     base: &Values,
     limit: f64,
 ) -> Result<Option<String>, AuditError> {
-    let fits = |base: &Values, sitings: &[Siting]| {
+    let fits = |base: &Values, registrations: &[Registration]| {
         let fits = |h: &Held| h.max <= limit && h.fits(truth.bound());
-        look.errors(truth, base, sitings).is_ok_and(|held| held.iter().all(fits))
+        look.errors(truth, base, registrations).is_ok_and(|held| held.iter().all(fits))
     };
-    let said: Vec<Siting> = look.said.axes.iter().map(|a| a.siting).collect();
+    let said: Vec<Registration> = look.said.axes.iter().map(|a| a.registration).collect();
     let at: Vec<&[f64]> = look.places.iter().map(|p| p.1.as_slice()).collect();
     for lobe in (0..truth.lobes().len()).filter(|l| *l != own) {
         let other = truth.exact(lobe, &at)?;
@@ -368,15 +381,15 @@ fn instead(
             return Ok(Some(format!("{words} at {counts}")));
         }
     }
-    for siting in super::SITINGS {
-        if fits(base, &vec![siting; said.len()]) {
-            return Ok(Some(format!("{} along every axis", siting.words())));
+    for registration in super::REGISTRATIONS {
+        if fits(base, &vec![registration; said.len()]) {
+            return Ok(Some(format!("{} along every axis", registration.words())));
         }
         for k in 0..said.len() {
             let mut one = said.clone();
-            one[k] = siting;
+            one[k] = registration;
             if fits(base, &one) {
-                return Ok(Some(format!("{} along {}", siting.words(), look.table.axes[k])));
+                return Ok(Some(format!("{} along {}", registration.words(), look.table.axes[k])));
             }
         }
     }

@@ -1,7 +1,7 @@
 //! What a file that this tool wrote says of itself, in its attribute `lobefit`: the header that every emitted table bears.
 
 use super::formula::Formula;
-use crate::audit::Siting;
+use crate::audit::Registration;
 use lobefit::data::Smith;
 use lobefit_truth::integrate::glass::Side;
 
@@ -13,7 +13,7 @@ pub(super) struct Axis {
     /// Texels.
     pub size: usize,
     /// Where they lie.
-    pub siting: Siting,
+    pub registration: Registration,
     /// Range of what runs along it.
     pub range: [f64; 2],
     /// Its coordinate, as printed.
@@ -108,11 +108,12 @@ fn axis(text: &str) -> Result<Axis, String> {
     let (ends, rest) = rest.split_once("], ").ok_or_else(odd)?;
     let (size, rest) = rest.split_once(" texels, ").ok_or_else(odd)?;
     let (registration, coordinate) = rest.split_once(" registration, ").ok_or_else(odd)?;
-    let siting = [Siting::Centre, Siting::Endpoint].into_iter().find(|s| s.name() == registration);
+    let registration =
+        [Registration::Centre, Registration::Endpoint].into_iter().find(|s| s.name() == registration);
     Ok(Axis {
         name: name.to_string(),
         size: size.parse().map_err(|_| odd())?,
-        siting: siting.ok_or_else(odd)?,
+        registration: registration.ok_or_else(odd)?,
         range: numbers(ends).ok_or_else(odd)?,
         text: coordinate.to_string(),
         coordinate: definitions(coordinate)?,

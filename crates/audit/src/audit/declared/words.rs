@@ -4,17 +4,16 @@ use super::Declared;
 use super::statement::Axis;
 use crate::audit::verdict::{long, number, place};
 
-/// Letter, input, siting, formula.
+/// Letter, input, registration, formula.
 pub(super) fn axis(axis: &Axis, letter: &str) -> [String; 4] {
-    [letter.to_string(), axis.name.clone(), axis.siting.words().to_string(), axis.text.clone()]
+    [letter.to_string(), axis.name.clone(), axis.registration.words().to_string(), axis.text.clone()]
 }
 
 /// All of it.
 pub(super) fn paragraph(found: &Declared) -> String {
-    let axes = found
-        .axes
-        .iter()
-        .map(|[letter, name, siting, formula]| format!("{name} along {letter} at {siting}, by {formula}"));
+    let axes = found.axes.iter().map(|[letter, name, registration, formula]| {
+        format!("{name} along {letter} at {registration}, by {formula}")
+    });
     let axes: Vec<String> = axes.collect();
     let lobe = if found.lobe.is_empty() { String::new() } else { format!(", of {}", found.lobe) };
     let mut out = vec![format!(

@@ -68,9 +68,9 @@ impl Truth for Azimuth {
         let planes: Vec<Vec<f64>> = lines
             .par_iter()
             .map(|(alpha, aspect)| {
-                let pinned = truth.pinned(*alpha, *aspect);
+                let fixed = truth.pinned(*alpha, *aspect);
                 phis.iter()
-                    .flat_map(|phi| mus.iter().map(|mu| pinned.at(*mu, *phi)).collect::<Vec<_>>())
+                    .flat_map(|phi| mus.iter().map(|mu| fixed.at(*mu, *phi)).collect::<Vec<_>>())
                     .collect()
             })
             .collect();

@@ -2,9 +2,9 @@
 
 use super::defect::extent;
 use super::words::listed;
-use crate::audit::axis::{Input, Siting};
-use crate::audit::shipped::Source;
-use crate::audit::{Audit, Column, Defect, Fit, Mixed};
+use crate::audit::axis::{Input, Registration};
+use crate::audit::table::Source;
+use crate::audit::{Audit, Column, Defect, Fit, TwoLobes};
 
 /// The steps that mend it; none where there is nothing to mend.
 pub(super) fn advice(audit: &Audit) -> Option<String> {
@@ -15,7 +15,7 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
         };
         return Some(format!("Do not ship it as this quantity: {told}."));
     }
-    let mut steps: Vec<String> = audit.mixed.iter().map(|parts| one_lobe(audit, parts)).collect();
+    let mut steps: Vec<String> = audit.two_lobes.iter().map(|parts| one_lobe(audit, parts)).collect();
     if audit.source == Source::Table {
         steps.extend(registrations(audit));
     }
@@ -40,7 +40,7 @@ pub(super) fn advice(audit: &Audit) -> Option<String> {
 }
 
 /// What to do about a table of two lobes.
-fn one_lobe(audit: &Audit, parts: &Mixed) -> String {
+fn one_lobe(audit: &Audit, parts: &TwoLobes) -> String {
     let which = match extent(&audit.axes, &parts.range, &parts.size) {
         ranges if ranges.is_empty() => "those texels".to_string(),
         ranges => format!("the texels at {ranges}"),
@@ -65,50 +65,54 @@ fn mending(defect: &Defect, source: Source) -> Option<&'static str> {
     }
 }
 
-/// What to do about the axes, those of the same siting together.
+/// What to do about the axes, those of the same registration together.
 fn registrations(audit: &Audit) -> Vec<String> {
-    let axes: Vec<(&str, Siting, bool)> =
-        audit.axes.iter().zip(&audit.best().axes).map(|(n, a)| (n.as_str(), a.siting, a.reversed)).collect();
-    let mut told: Vec<(Siting, bool)> = Vec::new();
+    let axes: Vec<(&str, Registration, bool)> = audit
+        .axes
+        .iter()
+        .zip(&audit.best().axes)
+        .map(|(n, a)| (n.as_str(), a.registration, a.reversed))
+        .collect();
+    let mut told: Vec<(Registration, bool)> = Vec::new();
     let mut steps = Vec::new();
-    for (_, siting, reversed) in &axes {
-        if !told.contains(&(*siting, *reversed)) {
-            told.push((*siting, *reversed));
-            let same = axes.iter().filter(|a| (a.1, a.2) == (*siting, *reversed)).map(|a| a.0);
-            steps.extend(registration(&listed(&same.collect::<Vec<_>>()), *siting, *reversed));
+    for (_, registration, reversed) in &axes {
+        if !told.contains(&(*registration, *reversed)) {
+            told.push((*registration, *reversed));
+            let same = axes.iter().filter(|a| (a.1, a.2) == (*registration, *reversed)).map(|a| a.0);
+            steps.extend(step(&listed(&same.collect::<Vec<_>>()), *registration, *reversed));
         }
     }
     steps
 }
 
 /// What a reader or maker should do about an axis.
-fn registration(axis: &str, siting: Siting, reversed: bool) -> Option<String> {
-    // The siting is that of the rising coordinate; a reader counts along the texels.
-    let siting = match siting {
-        Siting::Left if reversed => Siting::Right,
-        Siting::Right if reversed => Siting::Left,
-        Siting::OneHigh if reversed => Siting::OneLow,
-        Siting::OneLow if reversed => Siting::OneHigh,
-        Siting::EndHigh if reversed => Siting::EndLow,
-        Siting::EndLow if reversed => Siting::EndHigh,
+fn step(axis: &str, registration: Registration, reversed: bool) -> Option<String> {
+    // The registration is that of the rising coordinate; a reader counts along the texels.
+    let registration = match registration {
+        Registration::Left if reversed => Registration::Right,
+        Registration::Right if reversed => Registration::Left,
+        Registration::OneHigh if reversed => Registration::OneLow,
+        Registration::OneLow if reversed => Registration::OneHigh,
+        Registration::EndHigh if reversed => Registration::EndLow,
+        Registration::EndLow if reversed => Registration::EndHigh,
         other => other,
     };
     let (centres, ends) = ("texel i at (i + 1/2)/n", "texel i at i/(n - 1)");
     let after = "it holds the value of the place after its own, that of texel i + 1";
     let before = "it holds the value of the place before its own, that of texel i - 1";
-    Some(match siting {
-        Siting::Centre => return None,
-        Siting::Endpoint => format!("along {axis}, sample at (u (n - 1) + 1/2)/n for a coordinate u"),
-        Siting::Left => {
+    Some(match registration {
+        Registration::Centre => return None,
+        Registration::Endpoint => format!("along {axis}, sample at (u (n - 1) + 1/2)/n for a coordinate u"),
+        Registration::Left => {
             format!("along {axis}, compute {centres}, or sample at u + 1/(2n) for a coordinate u")
         }
-        Siting::Right => {
+        Registration::Right => {
             format!("along {axis}, compute {centres}, or sample at u - 1/(2n) for a coordinate u")
         }
-        Siting::OneHigh => format!("along {axis}, compute {centres}: now {after}"),
-        Siting::OneLow => format!("along {axis}, compute {centres}: now {before}"),
-        Siting::EndHigh => format!("along {axis}, compute {ends}: now {after}"),
-        Siting::EndLow => format!("along {axis}, compute {ends}: now {before}"),
+        Registration::OneHigh => format!("along {axis}, compute {centres}: now {after}"),
+        Registration::OneLow => format!("along {axis}, compute {centres}: now {before}"),
+        Registration::EndHigh => format!("along {axis}, compute {ends}: now {after}"),
+        Registration::EndLow => format!("along {axis}, compute {ends}: now {before}"),
     })
 }
 
@@ -118,15 +122,15 @@ mod tests {
 
     #[test]
     fn a_falling_axis_is_shifted_the_other_way() {
-        for (siting, mirrored) in [
-            (Siting::Left, Siting::Right),
-            (Siting::OneHigh, Siting::OneLow),
-            (Siting::EndHigh, Siting::EndLow),
+        for (registration, mirrored) in [
+            (Registration::Left, Registration::Right),
+            (Registration::OneHigh, Registration::OneLow),
+            (Registration::EndHigh, Registration::EndLow),
         ] {
-            assert_eq!(registration("x", siting, true), registration("x", mirrored, false));
-            assert_eq!(registration("x", mirrored, true), registration("x", siting, false));
+            assert_eq!(step("x", registration, true), step("x", mirrored, false));
+            assert_eq!(step("x", mirrored, true), step("x", registration, false));
         }
-        assert_ne!(registration("x", Siting::Left, true), registration("x", Siting::Left, false));
+        assert_ne!(step("x", Registration::Left, true), step("x", Registration::Left, false));
     }
 
     #[test]

@@ -9,10 +9,10 @@ pub(super) use defect::sentence;
 pub use limit::limit_judged;
 pub(super) use words::{along, long, number, place};
 
-use super::axis::Siting;
+use super::axis::Registration;
 use super::convention::Convention;
-use super::shipped::Source;
-use super::{Audit, CLEAR, ChannelAudit, Fit, Mixed};
+use super::table::Source;
+use super::{Audit, CLEAR, ChannelAudit, Fit, TwoLobes};
 use words::{axes, percent, reading, readings_differ};
 
 /// Ranks nearer than this are of conventions that are the same at the texels.
@@ -23,7 +23,7 @@ pub(super) fn paragraph(audit: &Audit) -> String {
     let mut out = vec![opening(audit), doubt(audit)];
     for channel in audit.channels.iter().filter(|c| c.column.is_some()) {
         out.extend(errors(audit, channel));
-        if audit.fit != Fit::None && audit.mixed.is_none() {
+        if audit.fit != Fit::None && audit.two_lobes.is_none() {
             out.extend(channel.defects.iter().map(|d| sentence(d, &audit.axes)));
         }
     }
@@ -38,9 +38,9 @@ pub(super) fn paragraph(audit: &Audit) -> String {
 
 /// What it is best read as.
 pub(super) fn opening(audit: &Audit) -> String {
-    let given = if audit.pinned { " of those that the options leave open" } else { "" };
+    let given = if audit.fixed { " of those that the options leave open" } else { "" };
     let (name, reading) = (&audit.what, reading(audit));
-    if let Some(parts) = &audit.mixed {
+    if let Some(parts) = &audit.two_lobes {
         return format!(
             "{name} fits no convention{given} as a whole: {} Both parts are {reading}.",
             halves(audit, parts)
@@ -61,7 +61,7 @@ pub(super) fn opening(audit: &Audit) -> String {
 }
 
 /// The two parts of a table.
-fn halves(audit: &Audit, parts: &Mixed) -> String {
+fn halves(audit: &Audit, parts: &TwoLobes) -> String {
     let [larger, smaller, all] = parts.texels;
     let place = match defect::extent(&audit.axes, &parts.range, &parts.size) {
         ranges if ranges.is_empty() => String::new(),
@@ -80,7 +80,7 @@ fn halves(audit: &Audit, parts: &Mixed) -> String {
 
 /// What a function is best read as.
 fn of_function(audit: &Audit, reading: &str) -> String {
-    let given = if audit.pinned { " that the options leave open" } else { "" };
+    let given = if audit.fixed { " that the options leave open" } else { "" };
     let (name, quantity) = (&audit.what, audit.quantity);
     match audit.fit {
         Fit::Whole => format!("{name} is best read as {reading}."),
@@ -95,7 +95,7 @@ fn doubt(audit: &Audit) -> String {
     if audit.fit == Fit::None {
         return String::new();
     }
-    if audit.mixed.is_some() {
+    if audit.two_lobes.is_some() {
         return format!(
             "Of one lobe throughout, the best convention fits {} times worse.",
             number(audit.margin)
@@ -144,7 +144,7 @@ fn errors(audit: &Audit, channel: &ChannelAudit) -> Option<String> {
     } else {
         String::new()
     };
-    let scope = match (audit.source, &audit.mixed) {
+    let scope = match (audit.source, &audit.two_lobes) {
         (Source::Table, None) => "At its texels".to_string(),
         (Source::Table, Some(_)) => {
             format!("Held against {} throughout, at its texels", audit.best().lobe.words())
@@ -184,7 +184,7 @@ fn judged_at(audit: &Audit) -> String {
 
 /// What a reader makes of it who is told nothing.
 fn untold(audit: &Audit) -> Option<String> {
-    let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None && audit.mixed.is_none())?;
+    let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None && audit.two_lobes.is_none())?;
     let other = readings_differ(audit, audit.best(), &plain.convention);
     let scope = match (audit.source, plain.texels) {
         (Source::Function, _) => String::new(),
@@ -213,7 +213,7 @@ fn idle(audit: &Audit) -> Option<String> {
 const UNSEEN: f64 = 1e-5;
 
 fn furnace(audit: &Audit) -> Option<String> {
-    let f = audit.furnace.as_ref().filter(|_| audit.mixed.is_none())?;
+    let f = audit.furnace.as_ref().filter(|_| audit.two_lobes.is_none())?;
     if f.dark > 0 {
         return Some(format!(
             "No white furnace can be compensated with it: its E is 0 or less at {} {}, the first at {}.",
@@ -236,13 +236,13 @@ fn furnace(audit: &Audit) -> Option<String> {
 
 /// What a shader gets between texels.
 fn lookups(audit: &Audit) -> Option<String> {
-    if audit.fit == Fit::None || audit.mixed.is_some() {
+    if audit.fit == Fit::None || audit.two_lobes.is_some() {
         return None;
     }
     let channel = audit.channels.iter().find(|c| c.lookup.is_some())?;
     let (own, plain) = (channel.lookup.as_ref()?, channel.plain_lookup.as_ref()?);
     let column = channel.column?.name();
-    let centred = audit.best().axes.iter().all(|a| a.siting == Siting::Centre);
+    let centred = audit.best().axes.iter().all(|a| a.registration == Registration::Centre);
     let mut text = format!(
         "Looked up with linear interpolation{}, {column} is off by at most {} (RMS {}), worst at {}; by {} between the outermost texels.",
         if centred { "" } else { " at the coordinates that its texels have" },

@@ -3,7 +3,7 @@
 use crate::audit::Audit;
 use crate::audit::axis::{AxisReading, Input};
 use crate::audit::convention::Convention;
-use crate::audit::shipped::Source;
+use crate::audit::table::Source;
 use lobefit::data::Place;
 
 /// `ggx-reflection holding E (the albedo), of separable Smith, with mu along x at texel centres, ...`.
@@ -20,7 +20,7 @@ pub(super) fn reading(audit: &Audit) -> String {
         })
         .collect();
     // Of a table of two lobes they are told before.
-    let lobe = if audit.mixed.is_some() { String::new() } else { best.lobe.words() };
+    let lobe = if audit.two_lobes.is_some() { String::new() } else { best.lobe.words() };
     let lobe = if lobe.is_empty() { String::new() } else { format!(", of {lobe}") };
     format!("{}, {}{lobe}, with {}", audit.quantity, holds.join(", "), super::axes_of(audit))
 }
@@ -40,7 +40,7 @@ pub(super) fn axes(audit: &Audit, convention: &Convention) -> String {
         // A falling axis and one whose texels lie the other way round are the same numbers.
         let lines = ["columns", "rows", "slices"][k];
         let flipped = if a.reversed { format!(" (or the {lines} are flipped)") } else { String::new() };
-        format!("{}{flipped} along {name} at {}{floor}", a.words(), a.siting.words())
+        format!("{}{flipped} along {name} at {}{floor}", a.words(), a.registration.words())
     };
     let all: Vec<String> = convention.axes.iter().enumerate().map(one).collect();
     all.join(", and ")
@@ -78,8 +78,8 @@ pub(super) fn readings_differ(audit: &Audit, best: &Convention, other: &Conventi
         if (a.scale, a.reversed) != (b.scale, b.reversed) {
             said.push((b.words(), name.clone()));
         }
-        if a.siting != b.siting {
-            said.push((b.siting.words().to_string(), name.clone()));
+        if a.registration != b.registration {
+            said.push((b.registration.words().to_string(), name.clone()));
         }
     }
     parts.extend(along(&said));

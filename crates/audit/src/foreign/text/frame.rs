@@ -22,7 +22,7 @@ pub(super) struct Literal {
     /// All are hexadecimal.
     pub hex: bool,
     /// Where the first bracket ends that holds other entries than those before it, and how they differ.
-    pub mixed: Option<(usize, String)>,
+    pub two_lobes: Option<(usize, String)>,
 }
 
 /// An open bracket.
@@ -55,7 +55,7 @@ pub(super) struct Frame {
     pub decimals: Option<u32>,
     /// See [`Literal`].
     pub hex: bool,
-    mixed: Option<(usize, String)>,
+    two_lobes: Option<(usize, String)>,
     /// Complete lists inside it, which are literals if it is none: with the range of their numbers.
     pub inside: Vec<(Literal, usize, usize)>,
 }
@@ -78,7 +78,7 @@ impl Frame {
             vectors: false,
             decimals: None,
             hex: true,
-            mixed: None,
+            two_lobes: None,
             inside: Vec::new(),
         }
     }
@@ -97,7 +97,7 @@ impl Frame {
             }
             [count, inner @ ..] => {
                 *count += 1;
-                if inner != shape && self.mixed.is_none() {
+                if inner != shape && self.two_lobes.is_none() {
                     let words = |shape: &[usize]| match shape {
                         [] => "a number".to_string(),
                         shape => format!("a bracket of {}", crate::foreign::shape::words(shape)),
@@ -108,7 +108,7 @@ impl Frame {
                         words(shape),
                         words(inner)
                     );
-                    self.mixed = Some((at, message));
+                    self.two_lobes = Some((at, message));
                 }
             }
         }
@@ -120,8 +120,8 @@ impl Frame {
         self.decimals = self.decimals.max(frame.decimals);
         self.hex &= frame.hex;
         self.entry(at, &frame.shape, frame.vectors);
-        if self.mixed.is_none() {
-            self.mixed = frame.mixed.clone();
+        if self.two_lobes.is_none() {
+            self.two_lobes = frame.two_lobes.clone();
         }
         if end - frame.first >= limits::ARRAY_MIN && self.inside.len() <= INSIDE {
             self.inside.push((frame.literal(at + 1), frame.first, end));
@@ -140,7 +140,7 @@ impl Frame {
             vectors: self.vectors,
             decimals: self.decimals,
             hex: self.hex,
-            mixed: self.mixed.clone(),
+            two_lobes: self.two_lobes.clone(),
         }
     }
 }

@@ -58,17 +58,17 @@ fn table(
     literal: Literal,
     hints: &Hints,
 ) -> Result<ForeignTable, ForeignError> {
-    if let Some((at, message)) = literal.mixed {
+    if let Some((at, message)) = literal.two_lobes {
         let message = match lead.name.as_str() {
             "" => message,
             name => format!("{name}: {message}"),
         };
-        return Err(ForeignError::Mixed { file: file.into(), at: Spot::of(text, at), message });
+        return Err(ForeignError::TwoLobes { file: file.into(), at: Spot::of(text, at), message });
     }
     let at = Spot::of(text, literal.open);
     let (size, channels) = match dimensions(&lead, &literal) {
         Ok(size) => size,
-        Err(message) => return Err(ForeignError::Mixed { file: file.into(), at, message }),
+        Err(message) => return Err(ForeignError::TwoLobes { file: file.into(), at, message }),
     };
     let told = size.is_some() || hints.size.is_some();
     let lines = if told { None } else { lines(text, file, &literal) };

@@ -2,7 +2,7 @@
 //! even about both axes). The variable spreads the dip at the short axis, so that the rule converges geometrically.
 
 use super::Rules;
-use super::star::Star;
+use super::rays::Rays;
 use super::view::View;
 use crate::optics::Smith;
 use lobefit_math::ops;
@@ -26,7 +26,7 @@ pub(super) fn mean(smith: Smith, alpha: [f64; 2], mu: f64, rules: &Rules) -> [f6
         let length = length2.sqrt();
         // d phi / d b = root / (cos^2 b + root^2 sin^2 b)
         let weight = root / length2;
-        let value = Star::new(View::towards(smith, alpha, mu, [x / length, y / length])).integrate(rules);
+        let value = Rays::new(View::towards(smith, alpha, mu, [x / length, y / length])).integrate(rules);
         total[0] += weight * value[0];
         total[1] += weight * value[1];
     }

@@ -2,18 +2,18 @@
 //! over it.
 //!
 //! In slope space the facets that reflect above the horizon form a disc of radius 1/mu about the point where the view's own
-//! slope lies; it contains the macro normal, so it is star-shaped about it, and its edge is a closed form that does not depend
-//! on alpha. The integral runs along rays from the macro normal (`ray`) and over their azimuth (`star`).
+//! slope lies; it contains the macro normal, so it is rays-shaped about it, and its edge is a closed form that does not depend
+//! on alpha. The integral runs along rays from the macro normal (`ray`) and over their azimuth (`rays`).
 
 mod average;
 mod ray;
-mod star;
+mod rays;
 pub mod table;
 mod view;
 
 use super::{Estimate, IntegrateError, PanelRule};
 use crate::optics::Smith;
-use star::Star;
+use rays::Rays;
 use view::View;
 
 /// Range of alpha_x and alpha_y, beside both 0.
@@ -123,7 +123,7 @@ pub fn at(
     fine: &Rules,
 ) -> Result<Aniso, IntegrateError> {
     let values = |rules: &Rules| match phi {
-        Some(phi) => Star::new(View::new(smith, alpha, mu, phi)).integrate(rules),
+        Some(phi) => Rays::new(View::new(smith, alpha, mu, phi)).integrate(rules),
         None => average::mean(smith, alpha, mu, rules),
     };
     let (a, b) = (values(coarse), values(fine));

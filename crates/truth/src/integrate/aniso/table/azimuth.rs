@@ -43,11 +43,11 @@ pub(super) fn values(
 ) -> (Vec<f64>, u64) {
     let rule = StarRule::new(smith, alpha, mu, digits);
     let root = (alpha[0] / alpha[1]).sqrt();
-    let star = |i| {
+    let rays = |i| {
         let azimuth = direction(root, node(i, count));
-        dispatch::star(path, &View::towards(smith, alpha, mu, azimuth), &rule)
+        dispatch::rays(path, &View::towards(smith, alpha, mu, azimuth), &rule)
     };
-    ((0..count).map(star).collect(), count as u64 * rule.evaluations())
+    ((0..count).map(rays).collect(), count as u64 * rule.evaluations())
 }
 
 /// E at one azimuth of the view.
@@ -55,11 +55,11 @@ pub(super) fn at(path: Path, smith: Smith, alpha: [f64; 2], mu: f64, phi: f64, d
     let (sin_phi, cos_phi) = ops::sincos(phi);
     let (alpha, [x, y]) = ordered(alpha, [cos_phi.abs(), sin_phi.abs()]);
     let rule = StarRule::new(smith, alpha, mu, digits);
-    let value = dispatch::star(path, &View::towards(smith, alpha, mu, [x, y]), &rule);
+    let value = dispatch::rays(path, &View::towards(smith, alpha, mu, [x, y]), &rule);
     Work { value, evaluations: rule.evaluations() }
 }
 
-/// The axes swapped, where need be, so that the second is the short one, as the star takes it.
+/// The axes swapped, where need be, so that the second is the short one, as the rays takes it.
 fn ordered(alpha: [f64; 2], direction: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     if alpha[0] < alpha[1] {
         return ([alpha[1], alpha[0]], [direction[1], direction[0]]);

@@ -9,7 +9,7 @@ use crate::integrate::Path;
 use crate::integrate::aniso::view::View;
 
 /// E at one azimuth.
-pub(super) fn star(path: Path, view: &View, rule: &StarRule) -> f64 {
+pub(super) fn rays(path: Path, view: &View, rule: &StarRule) -> f64 {
     match path {
         Path::Best => best(view, rule),
         Path::Avx2 => avx2(view, rule),
@@ -22,16 +22,16 @@ pub(super) fn star(path: Path, view: &View, rule: &StarRule) -> f64 {
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
 ))]
 fn best(view: &View, rule: &StarRule) -> f64 {
-    kernel::star(view, rule)
+    kernel::rays(view, rule)
 }
 
 #[multiversion(targets("x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"))]
 fn avx2(view: &View, rule: &StarRule) -> f64 {
-    kernel::star(view, rule)
+    kernel::rays(view, rule)
 }
 
 fn baseline(view: &View, rule: &StarRule) -> f64 {
-    kernel::star(view, rule)
+    kernel::rays(view, rule)
 }
 
 /// The sum of `from`'s rows, each as long as `to`, by their weights.

@@ -1,4 +1,4 @@
-//! E at one azimuth of the view, by the star of rays about the macro normal, eight rays at a time.
+//! E at one azimuth of the view, by the rays of rays about the macro normal, eight rays at a time.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use lobefit_math::lanes::{self, F8, LANES};
 
 /// E by one rule. The view's azimuth lies in the first quadrant, and alpha_y is not above alpha_x.
 #[inline(always)]
-pub(super) fn star(view: &View, rule: &StarRule) -> f64 {
+pub(super) fn rays(view: &View, rule: &StarRule) -> f64 {
     let shadowing = Shadowing::new(view);
     let panels = Panels::new(view, rule.root);
     let mut total = [0.0; LANES];

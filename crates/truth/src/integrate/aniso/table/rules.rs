@@ -1,4 +1,4 @@
-//! Nodes of the star and how many a tolerance takes: fixed along every ray and in every panel of azimuths, so that eight rays run
+//! Nodes of the rays and how many a tolerance takes: fixed along every ray and in every panel of azimuths, so that eight rays run
 //! side by side.
 
 use std::sync::OnceLock;
@@ -39,7 +39,7 @@ pub(super) struct Block {
     pub weight: F8,
 }
 
-/// The nodes of a star.
+/// The nodes of a rays.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StarRule {
     pub ray: &'static [RayNode],
@@ -62,7 +62,7 @@ impl StarRule {
         }
     }
 
-    /// Integrand evaluations of one star, padding included.
+    /// Integrand evaluations of one rays, padding included.
     pub fn evaluations(&self) -> u64 {
         (self.blocks.len() * LANES * self.ray.len()) as u64
     }

@@ -1,10 +1,10 @@
 //! E = R + T of one lobe from one direction, for a list of indices of refraction and both sides.
 
 use super::effort::Effort;
-use super::ends::{self, Seen};
 use super::lobe::Lobe;
 use super::reflect::Reflection;
 use super::rules::Rules;
+use super::stretch::{self, Seen};
 use super::transmit::Sweep;
 use crate::integrate::{IntegrateError, Path};
 use crate::optics::Smith;
@@ -97,8 +97,8 @@ impl Kernel {
         for ior in iors {
             for seen in [Seen::outside(*ior), Seen::inside(*ior)] {
                 if ior - 1.0 >= STRAIGHT {
-                    for stretch in ends::stretches(&lobe, seen).iter().flatten() {
-                        ends::append(&mut sweep, stretch, seen, effort, rules);
+                    for stretch in stretch::stretches(&lobe, seen).iter().flatten() {
+                        stretch::append(&mut sweep, stretch, seen, effort, rules);
                     }
                 }
                 ends.push(sweep.u.len());

@@ -9,7 +9,6 @@
 
 mod check;
 mod effort;
-mod ends;
 mod grid;
 mod interpolation;
 mod kernel;
@@ -18,6 +17,7 @@ mod paths;
 mod reflect;
 mod rings;
 mod rules;
+mod stretch;
 mod transmit;
 
 pub use effort::Effort;

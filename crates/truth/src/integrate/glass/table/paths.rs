@@ -4,9 +4,9 @@
 
 use multiversion::multiversion;
 
-use super::ends::Seen;
 use super::lobe::Lobe;
 use super::rules::Rules;
+use super::stretch::Seen;
 use super::transmit::{self, Sweep};
 use super::{reflect, rings};
 use crate::integrate::Path;

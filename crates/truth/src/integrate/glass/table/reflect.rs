@@ -7,9 +7,9 @@
 use std::f64::consts::FRAC_PI_4;
 
 use super::effort::Effort;
-use super::ends::Seen;
 use super::lobe::{Angles, Lobe};
 use super::rules::{Grade, MOST, Rules};
+use super::stretch::Seen;
 use crate::integrate::Path;
 use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::ops;

@@ -1,4 +1,4 @@
-//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/rivals_coupling.rs` reproduces their
+//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/published_coupling.rs` reproduces their
 //! published comparison.
 
 use crate::approximate::{Entry, published};
@@ -7,7 +7,7 @@ use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::Specular;
 
 /// The factor, or its mean over the lights of a white environment where it depends on the light.
-pub const RIVALS: [Entry; 8] = published![
+pub const PUBLISHED: [Entry; 8] = published![
     "coupling_none" by "no coupling",
     "coupling_f0" by "1 - f0",
     "coupling_fresnel" by "1 - F(mu)",

@@ -14,15 +14,15 @@ use lobefit_math::{ops, panels};
 const LONGEST: f64 = 1.6;
 
 /// The rays of one view.
-pub(super) struct Star {
+pub(super) struct Rays {
     view: View,
     cuts: Vec<f64>,
 }
 
-impl Star {
-    pub fn new(view: View) -> Star {
+impl Rays {
+    pub fn new(view: View) -> Rays {
         let cuts = cuts(&view);
-        Star { view, cuts }
+        Rays { view, cuts }
     }
 
     /// E and loss.

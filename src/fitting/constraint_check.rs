@@ -14,7 +14,7 @@ const ADDED: usize = 32;
 
 /// How a constraint holds with the coefficients as emitted.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Kept {
+pub struct ConstraintCheck {
     /// At all points that were looked at.
     pub held: Held,
     /// The inputs at the point of the largest violation: `alpha = 0.5, mu = 1`.
@@ -23,7 +23,7 @@ pub struct Kept {
     pub proven: bool,
 }
 
-impl Kept {
+impl ConstraintCheck {
     /// Whether nothing was found that rounding does not account for.
     pub fn is_kept(&self) -> bool {
         self.held.worst <= self.held.tolerance
@@ -80,11 +80,11 @@ pub(super) fn kept(
     tape: &Tape,
     coefficients: &[f64],
     domain: &Domain,
-) -> Result<Vec<Kept>, FitError> {
+) -> Result<Vec<ConstraintCheck>, FitError> {
     let one = |(constraint, held): (&Constraint, &Held)| {
         if matches!(constraint.condition, Condition::Equal { .. }) {
             let at = place(tape, constraint, held.at);
-            return Ok(Kept { held: held.clone(), at, proven: false });
+            return Ok(ConstraintCheck { held: held.clone(), at, proven: false });
         }
         let violations = violations(constraint, tape, coefficients)?;
         let (mut worst, mut at) = (0.0, 0);
@@ -114,7 +114,7 @@ pub(super) fn kept(
             (all.worst, at) = ((value - bound).abs(), found.clone());
         }
         let proven = matches!(proof, Some((RangeProof::Proven, _)));
-        Ok(Kept { held: all, at, proven })
+        Ok(ConstraintCheck { held: all, at, proven })
     };
     finer.iter().zip(held).map(one).collect()
 }
@@ -139,7 +139,7 @@ pub(super) fn equations_hold(
 pub(super) fn add_broken(
     constraints: &mut [Constraint],
     finer: &[Constraint],
-    kept: &[Kept],
+    kept: &[ConstraintCheck],
     tape: &Tape,
     coefficients: &[f64],
 ) -> Result<bool, FitError> {

@@ -5,19 +5,19 @@
     reason = "a test may use the platform's functions: its tolerances allow for them"
 )]
 
-use crate::rivals_support;
+use crate::published_support;
 
 use std::sync::LazyLock;
 
 use lobefit::approximate::Entry;
 use lobefit::data::Smith;
-use lobefit::effects::coupling::{OWN_SPECULAR, RIVALS};
-use lobefit::effects::reflection::BLEND_RIVALS;
+use lobefit::effects::coupling::{OWN_SPECULAR, PUBLISHED};
+use lobefit::effects::reflection::PUBLISHED_BLENDS;
 use lobefit_math::gauss::Gauss;
 use lobefit_math::ops;
 use lobefit_truth::quantity::Specular;
-use rivals_support::forms::{BIASES, NORMALISATIONS};
-use rivals_support::{Grid, differs, evaluate, figures};
+use published_support::forms::{BIASES, NORMALISATIONS};
+use published_support::{Grid, differs, evaluate, figures};
 
 static GRID: LazyLock<Grid> = LazyLock::new(|| Grid::new(Smith::Correlated));
 
@@ -91,7 +91,7 @@ const PURE: [(&str, [&str; 4]); 8] = [
 ];
 
 fn pure(name: &str) -> &'static Entry {
-    static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| RIVALS.to_vec());
+    static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| PUBLISHED.to_vec());
     let full = format!("coupling_{name}");
     ALL.iter().find(|e| e.name() == full).unwrap_or_else(|| panic!("{full} is not in the catalogue"))
 }
@@ -102,7 +102,7 @@ fn none_differ(differences: &[String]) {
 
 #[test]
 fn factors_that_engines_ship() {
-    assert_eq!(RIVALS.len(), PURE.len());
+    assert_eq!(PUBLISHED.len(), PURE.len());
     let row = |(name, printed): &(&str, [&str; 4])| {
         let factor = |_, f0: f32| evaluate(pure(name), &GRID, f0, alpha);
         Row { grid: &GRID, factor: &factor, albedo: None }.differences(name, *printed)
@@ -147,7 +147,8 @@ fn own(grid: &Grid, name: &str, printed: [&str; 4]) -> Vec<String> {
         assert_eq!(own.specular, specular);
         evaluate(&own.entry, grid, f0, alpha)
     };
-    let blend = BLEND_RIVALS.into_iter().find(|b| b.name() == format!("ggx_blend_{name}")).expect("a blend");
+    let blend =
+        PUBLISHED_BLENDS.into_iter().find(|b| b.name() == format!("ggx_blend_{name}")).expect("a blend");
     let albedo = Some(evaluate(&blend, grid, 1.0, alpha));
     Row { grid, factor: &factor, albedo }.differences(name, printed)
 }

@@ -8,7 +8,7 @@ pub const MOST_TEXELS: usize = 1 << 24;
 
 /// One channel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ShippedChannel {
+pub struct AuditedChannel {
     /// Its name in the file, or its number.
     pub name: String,
     /// As many values as the size has texels.
@@ -26,7 +26,7 @@ pub enum Source {
 
 /// A table whose conventions are not known.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shipped {
+pub struct AuditedTable {
     /// File and array, for messages.
     pub what: String,
     /// Texels along every axis, the fastest first.
@@ -36,22 +36,22 @@ pub struct Shipped {
     /// What the values are of.
     pub source: Source,
     /// The channels.
-    pub channels: Vec<ShippedChannel>,
+    pub channels: Vec<AuditedChannel>,
     /// What the format rounds values to.
     pub step: Step,
 }
 
-impl From<&ForeignTable> for Shipped {
-    fn from(table: &ForeignTable) -> Shipped {
-        let channel = |c: &crate::foreign::ForeignChannel| ShippedChannel {
+impl From<&ForeignTable> for AuditedTable {
+    fn from(table: &ForeignTable) -> AuditedTable {
+        let channel = |c: &crate::foreign::ForeignChannel| AuditedChannel {
             name: c.name.clone(),
             values: c.values.clone(),
         };
         let name = if table.name.is_empty() { String::new() } else { format!(", {}", table.name) };
-        Shipped {
+        AuditedTable {
             what: format!("{}{name}", table.file),
             size: table.size.clone(),
-            axes: Shipped::axes_of(table.size.len()),
+            axes: AuditedTable::axes_of(table.size.len()),
             source: Source::Table,
             channels: table.channels.iter().map(channel).collect(),
             step: table.step,
@@ -59,14 +59,14 @@ impl From<&ForeignTable> for Shipped {
     }
 }
 
-impl Shipped {
+impl AuditedTable {
     /// `x`, `y`, `z`.
     pub fn axes_of(axes: usize) -> Vec<String> {
         ["x", "y", "z"].into_iter().take(axes).map(String::from).collect()
     }
 
     /// The same without axes of one texel, checked: finite values in the size's number.
-    pub(super) fn checked(&self) -> Result<Shipped, AuditError> {
+    pub(super) fn checked(&self) -> Result<AuditedTable, AuditError> {
         let expected = self.size.iter().try_fold(1_usize, |n, s| n.checked_mul(*s)).unwrap_or(usize::MAX);
         if expected > MOST_TEXELS {
             return Err(AuditError::TooLarge {
@@ -95,11 +95,11 @@ impl Shipped {
         }
         let long = |(name, n): (&String, &usize)| (*n > 1).then(|| name.clone());
         let axes = self.axes.iter().zip(&self.size).filter_map(long).collect();
-        Ok(Shipped { size, axes, ..self.clone() })
+        Ok(AuditedTable { size, axes, ..self.clone() })
     }
 
     /// The error of a value that is no number: of a function by the arguments, of a table by the texel.
-    fn not_finite(&self, channel: &ShippedChannel, i: usize) -> AuditError {
+    fn not_finite(&self, channel: &AuditedChannel, i: usize) -> AuditError {
         let (texel, value) = (place(i, &self.size), channel.values[i]);
         if self.source != Source::Function {
             return AuditError::NotFinite {
@@ -119,7 +119,7 @@ impl Shipped {
 
     /// Channels that vary, by their place; all of them where a meaning is `given` for each.
     pub(super) fn live(&self, given: Option<usize>) -> Result<Vec<usize>, AuditError> {
-        let varies = |c: &ShippedChannel| c.values.iter().any(|v| *v != c.values[0]);
+        let varies = |c: &AuditedChannel| c.values.iter().any(|v| *v != c.values[0]);
         if given == Some(self.channels.len()) && self.channels.iter().any(varies) {
             return Ok((0..self.channels.len()).collect());
         }

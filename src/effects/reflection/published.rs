@@ -1,10 +1,10 @@
-//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/rivals.rs` reproduces their published
+//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/published.rs` reproduces their published
 //! comparison.
 
 use crate::approximate::{Entry, published};
 
 /// N(alpha, mu), as N = 1/E where the publication gives E.
-pub const RIVALS: [Entry; 12] = published![
+pub const PUBLISHED: [Entry; 12] = published![
     "ggx_norm_urp" by "Unity URP, EnvironmentBRDFSpecular",
     "ggx_norm_lazarov" by "D. Lazarov, Getting More Physical in Black Ops II, 2013",
     "ggx_norm_narkowicz_l2" by "K. Narkowicz, Analytical DFG Term for IBL, 2014, after Lazarov",
@@ -20,7 +20,7 @@ pub const RIVALS: [Entry; 12] = published![
 ];
 
 /// f0 A + B of the split sum: B at f0 = 0, E at f0 = 1.
-pub const BLEND_RIVALS: [Entry; 12] = published![
+pub const PUBLISHED_BLENDS: [Entry; 12] = published![
     "ggx_blend_schlick_roughness" by "S. Lagarde; C. Fdez-Aguera 2019; LearnOpenGL",
     "ggx_blend_urp" by "Unity URP, EnvironmentBRDFSpecular",
     "ggx_blend_lazarov" by "D. Lazarov, Getting More Physical in Black Ops II, 2013",
@@ -36,7 +36,7 @@ pub const BLEND_RIVALS: [Entry; 12] = published![
 ];
 
 /// E_avg(alpha).
-pub const AVERAGE_RIVALS: [Entry; 3] = published![
+pub const PUBLISHED_AVERAGES: [Entry; 3] = published![
     "ggx_eavg_dassault" by "Dassault Systemes, Enterprise PBR Shading Model",
     "ggx_eavg_chebyshev" by "a path tracer in Mojo",
     "ggx_eavg_cycles" by "Cycles up to 3.4, mf_ggx_albedo",

@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 
 use super::column::Column;
-use super::convention::{Misfit, Pins};
+use super::convention::{Fixed, Misfit};
 use super::judge::{Judgement, judge, quickly};
 use super::sample::{Candidate, Sample};
 use super::truth::{Lobe, Truth};
@@ -21,7 +21,7 @@ const APART: f64 = 6.0;
 
 /// The two parts of a table.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mixed {
+pub struct TwoLobes {
     /// Lobe of the smaller part.
     pub lobe: Lobe,
     /// Texels that are of the larger part's lobe only, of the smaller part's only, and in all; the rest is the same in both.
@@ -38,14 +38,14 @@ pub struct Mixed {
 
 /// The reading under which a table that fits nothing is of two lobes, read as the larger part's, with its parts; none if it is not so.
 /// `tried` are readings, and `best` is the root mean square of the best with one lobe.
-pub(super) fn mixed(
+pub(super) fn found(
     truth: &dyn Truth,
     [some, all]: [&Sample; 2],
-    pins: &Pins,
+    fixed: &Fixed,
     tried: &[Candidate],
     best: f64,
-) -> Result<Option<(Candidate, Mixed)>, AuditError> {
-    let lobes = pins.lobes(truth);
+) -> Result<Option<(Candidate, TwoLobes)>, AuditError> {
+    let lobes = fixed.lobes(truth);
     let pairs = tried.iter().flat_map(|candidate| {
         let own = candidate.lobe;
         let others = lobes.iter().copied().filter(move |l| *l != own && same_side(truth, *l, own));
@@ -73,7 +73,7 @@ pub(super) fn mixed(
     let smaller = usize::from(sides[1].len() <= sides[0].len());
     let counts = [sides[1 - smaller].len(), sides[smaller].len(), parts.texels.len()];
     let max = sides[smaller].iter().map(|i| parts.error(smaller, *i)).fold(0.0, f64::max);
-    let mixed = Mixed {
+    let two_lobes = TwoLobes {
         lobe: truth.lobes()[both[smaller]],
         texels: counts,
         range: range(all, &sides[smaller]),
@@ -81,7 +81,7 @@ pub(super) fn mixed(
         max,
         rank: misfit.rank(),
     };
-    Ok(Some((Candidate { lobe: both[1 - smaller], ..candidate.clone() }, mixed)))
+    Ok(Some((Candidate { lobe: both[1 - smaller], ..candidate.clone() }, two_lobes)))
 }
 
 fn same_side(truth: &dyn Truth, a: usize, b: usize) -> bool {
@@ -93,7 +93,7 @@ fn range(sample: &Sample, texels: &[usize]) -> Vec<[usize; 2]> {
     let dims = sample.dims();
     let mut range = vec![[usize::MAX, 0]; dims.len()];
     for i in texels {
-        let places = super::shipped::place(*i, &dims);
+        let places = super::table::place(*i, &dims);
         for ((range, k), at) in range.iter_mut().zip(places).zip(&sample.at) {
             *range = [range[0].min(at[k]), range[1].max(at[k])];
         }

@@ -13,7 +13,7 @@ use lobefit_shade::{Domain, Hypothesis, RangeProof, ShadeError, prove_range, pro
 
 /// Where a shader may call a formula of roughness, mu and f0.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Keeps {
+pub struct SafeRange {
     /// Roughness of the fit's region. Formulas that have a value at roughness = mu = 0 are held to roughness from 0.
     pub roughness: [f64; 2],
     /// Roughness to alpha.
@@ -27,7 +27,7 @@ pub type Safe = BTreeMap<String, [f64; 2]>;
 
 /// What was found out about a formula's coefficients.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Kept {
+pub enum SafeProof {
     /// Proven.
     Proven(Safe),
     /// Not, and why.
@@ -49,26 +49,28 @@ const PASSED: f64 = 1.05;
 /// f0 of the bound values: between them formulas are affine in it, or 1 - f0 times such; at 1 they vanish.
 const BOUND_F0: [f64; 2] = [0.0, 0.9];
 
-impl Keeps {
+impl SafeRange {
     /// What interval arithmetic says of coefficients.
     ///
     /// # Errors
     /// Inputs of the formula that are not those of the domain.
-    pub fn prove(&self, hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Kept, FitError> {
+    pub fn prove(&self, hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<SafeProof, FitError> {
         let (safe, exact) = (self.safe(hypothesis), coefficients.iter().map(|c| f64::from(*c)));
         let (exact, domain) = (exact.collect::<Vec<f64>>(), self.domain(&safe)?);
         match prove_regular(hypothesis.tape(), &exact, &domain) {
             Ok(()) => {}
-            Err(error @ ShadeError::Irregular { .. }) => return Ok(Kept::Unproven(error.to_string())),
+            Err(error @ ShadeError::Irregular { .. }) => return Ok(SafeProof::Unproven(error.to_string())),
             Err(error) => return Err(error.into()),
         }
         if let Some(told) = self.too_bright(hypothesis, coefficients)? {
-            return Ok(Kept::Unproven(told));
+            return Ok(SafeProof::Unproven(told));
         }
         Ok(match prove_range(hypothesis.tape(), &exact, &domain, 0.0, f64::INFINITY)? {
-            RangeProof::Proven => Kept::Proven(safe),
-            RangeProof::Violated { at, value } => Kept::Unproven(format!("it is {value:.2e} at {at}")),
-            RangeProof::Open { at } => Kept::Unproven(format!("it cannot be told from negative at {at}")),
+            RangeProof::Proven => SafeProof::Proven(safe),
+            RangeProof::Violated { at, value } => SafeProof::Unproven(format!("it is {value:.2e} at {at}")),
+            RangeProof::Open { at } => {
+                SafeProof::Unproven(format!("it cannot be told from negative at {at}"))
+            }
         })
     }
 
@@ -140,9 +142,9 @@ impl Keeps {
     /// The formula's inputs at places of the lattice.
     fn columns(&self, hypothesis: &Hypothesis, places: &[[f32; 3]]) -> Result<Vec<Vec<f32>>, ShadeError> {
         let column = |name: &String| {
-            let of: fn(&Keeps, [f32; 3]) -> f32 = match name.as_str() {
+            let of: fn(&SafeRange, [f32; 3]) -> f32 = match name.as_str() {
                 "roughness" => |_, [roughness, ..]| roughness,
-                "alpha" => |keeps, [roughness, ..]| keeps.alpha_map.alpha_f32(roughness),
+                "alpha" => |safe_range, [roughness, ..]| safe_range.alpha_map.alpha_f32(roughness),
                 "mu" => |_, [_, mu, _]| mu,
                 "f0" => |_, [.., f0]| f0,
                 _ => {

@@ -5,20 +5,20 @@
     reason = "a test may use the platform's functions: its tolerances allow for them"
 )]
 
-use crate::rivals_support;
+use crate::published_support;
 
 use std::sync::LazyLock;
 
 use lobefit::approximate::Entry;
 use lobefit::data::Smith;
-use lobefit::effects::reflection::{AVERAGE_RIVALS, BLEND_RIVALS, RIVALS, SEEDS};
+use lobefit::effects::reflection::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS, SEEDS};
 use lobefit::effects::sheen;
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::reflection::{TOLERANCE, average, reflection};
 use lobefit_truth::quantity::sheen::albedo as charlie;
-use rivals_support::forms::{BIASES, NORMALISATIONS};
-use rivals_support::page::{CORRELATED_B, Fed, ROWS, Row, SEPARABLE};
-use rivals_support::{Column, Grid, differs, evaluate, figures};
+use published_support::forms::{BIASES, NORMALISATIONS};
+use published_support::page::{CORRELATED_B, Fed, ROWS, Row, SEPARABLE};
+use published_support::{Column, Grid, differs, evaluate, figures};
 
 static CORRELATED: LazyLock<Grid> = LazyLock::new(|| Grid::new(Smith::Correlated));
 static SEPARATE: LazyLock<Grid> = LazyLock::new(|| Grid::new(Smith::Separable));
@@ -26,7 +26,12 @@ static SEPARATE: LazyLock<Grid> = LazyLock::new(|| Grid::new(Smith::Separable));
 /// The values of a formula by name and prefix.
 fn entry(prefix: &str, name: &str) -> &'static Entry {
     let full = format!("{prefix}_{name}");
-    let known = RIVALS.iter().chain(&BLEND_RIVALS).chain(&AVERAGE_RIVALS).chain(&SEEDS).chain(&sheen::RIVALS);
+    let known = PUBLISHED
+        .iter()
+        .chain(&PUBLISHED_BLENDS)
+        .chain(&PUBLISHED_AVERAGES)
+        .chain(&SEEDS)
+        .chain(&sheen::PUBLISHED);
     let find = known.into_iter().find(|entry| entry.name() == full);
     find.copied()
         .map(|e| &*Box::leak(Box::new(e)))
@@ -198,7 +203,7 @@ fn averages_and_what_is_taken_for_one() {
 #[test]
 fn sheen_of_three_js() {
     let grid = Grid::over(0.1, 200);
-    let found = evaluate(&sheen::RIVALS[0], &grid, 0.0, feed(Fed::Right));
+    let found = evaluate(&sheen::PUBLISHED[0], &grid, 0.0, feed(Fed::Right));
     let whole = grid.map(|r, mu| charlie(r * r, mu));
     let clamped: Vec<f64> = whole.iter().map(|e| e.min(1.0)).collect();
     let mut out = Vec::new();

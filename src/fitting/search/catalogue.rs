@@ -1,6 +1,6 @@
 //! What the catalogue has for the same quantity and use: fits of ours at their declared constants, and published formulas.
 
-use super::Rival;
+use super::CatalogueFit;
 use crate::approximate::certificate;
 use crate::approximate::target::{Sampled, Target};
 use crate::data::{AlphaMap, Smith};
@@ -9,14 +9,14 @@ use crate::fitting::FittingError;
 use lobefit_shade::{Hypothesis, Precision};
 
 /// Measured at the same points; none where the conventions are others than the catalogue's.
-pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, FittingError> {
+pub(super) fn fits(target: &Target, measured: &Sampled) -> Result<Vec<CatalogueFit>, FittingError> {
     let usual = target.variant.smith.unwrap_or_default() == Smith::Correlated
         && target.alpha_map == AlphaMap::RoughnessSquared;
     if !usual {
         return Ok(Vec::new());
     }
     let known = target.inputs();
-    let mut rivals = Vec::new();
+    let mut fits = Vec::new();
     let all =
         catalogue().iter().flat_map(|effect| effect.formulas_for(target).into_iter().map(|e| (*effect, e)));
     for (effect, entry) in all {
@@ -28,7 +28,7 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
         let constants: Vec<f32> = hypothesis.parameters().iter().map(|p| p.start).collect();
         let certificate = certificate(&hypothesis, &constants, target, measured, Precision::F32)?;
         let ops = effect.operations(&hypothesis)?;
-        rivals.push(Rival {
+        fits.push(CatalogueFit {
             name,
             ops,
             max: certificate.max_abs,
@@ -36,5 +36,5 @@ pub(super) fn rivals(target: &Target, measured: &Sampled) -> Result<Vec<Rival>, 
             published: constants.is_empty(),
         });
     }
-    Ok(rivals)
+    Ok(fits)
 }

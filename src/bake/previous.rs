@@ -20,7 +20,7 @@ const FILE_BYTES: u64 = 1 << 30;
 /// Why the rest of an older bake cannot be kept.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum KeptError {
+pub enum PreviousError {
     /// It was made from something else.
     #[error(
         "{folder}: the bake there has recipe {found}, this one {expected}: the scene, its hypotheses or the tool changed, \
@@ -65,21 +65,21 @@ pub enum KeptError {
 }
 
 /// The parts of the plan's effects not in `only` that the bake in a folder has; none where there is no bake.
-pub fn kept(root: &Path, recipe: &Recipe, plan: &Plan, only: &[String]) -> Result<Vec<Part>, KeptError> {
+pub fn previous(root: &Path, recipe: &Recipe, plan: &Plan, only: &[String]) -> Result<Vec<Part>, PreviousError> {
     if !store::is_folder(root)? {
         return Ok(Vec::new());
     }
     let old = store::read_set(root, [MANIFEST, BUILD_FILE], FILE_BYTES)?;
     let Some(bytes) = old.get(MANIFEST) else { return Ok(Vec::new()) };
     let folder = root.display().to_string();
-    let wrong = |reason: String| KeptError::Manifest { folder: folder.clone(), reason };
+    let wrong = |reason: String| PreviousError::Manifest { folder: folder.clone(), reason };
     // The recipe first: another version's manifest may have another form.
     let made: Made = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
     if made.recipe != recipe.hash {
-        return Err(KeptError::Recipe { folder, found: made.recipe, expected: recipe.hash.clone() });
+        return Err(PreviousError::Recipe { folder, found: made.recipe, expected: recipe.hash.clone() });
     }
     if !is_signed(&old) {
-        return Err(KeptError::Build { folder });
+        return Err(PreviousError::Build { folder });
     }
     let manifest: Manifest = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
     let mut parts = Vec::new();
@@ -102,13 +102,13 @@ struct Made {
 }
 
 /// The files that entries list.
-fn files(root: &Path, folder: &str, entries: &Entries) -> Result<Files, KeptError> {
+fn files(root: &Path, folder: &str, entries: &Entries) -> Result<Files, PreviousError> {
     let tables = entries.tables.iter().flat_map(|table| &table.files);
     let names: Vec<&str> =
         tables.chain(entries.reports.iter().map(|r| &r.file)).map(String::as_str).collect();
     let found = store::read_set(root, names.iter().copied(), FILE_BYTES)?;
     match names.iter().find(|name| !found.contains_key(**name)) {
-        Some(file) => Err(KeptError::Missing { folder: folder.into(), file: file.to_string() }),
+        Some(file) => Err(PreviousError::Missing { folder: folder.into(), file: file.to_string() }),
         None => Ok(found),
     }
 }
@@ -119,7 +119,7 @@ fn code(
     folder: &str,
     manifest: &Manifest,
     effect: &str,
-) -> Result<BTreeMap<Language, String>, KeptError> {
+) -> Result<BTreeMap<Language, String>, PreviousError> {
     let mut code = BTreeMap::new();
     for language in Language::ALL {
         let file = path(language);
@@ -127,7 +127,7 @@ fn code(
             continue;
         }
         let found = store::read_set(root, [file.as_str()], FILE_BYTES)?;
-        let missing = || KeptError::Missing { folder: folder.into(), file: file.clone() };
+        let missing = || PreviousError::Missing { folder: folder.into(), file: file.clone() };
         let text = found.get(&file).ok_or_else(missing)?;
         if let Some(own) = section(&String::from_utf8_lossy(text), effect) {
             code.insert(language, own.to_string());
