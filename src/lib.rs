@@ -1,17 +1,19 @@
-//! An offline toolchain for people who write renderers: it integrates BRDF quantities to a stated accuracy,
-//! compresses them into tables and fits, measures every approximation against the truth, and emits what an
-//! engine needs together with its certificate and its cost.
+//! An offline toolchain for people who write renderers: it integrates BRDF quantities to a stated
+//! accuracy, compresses them into tables and fits, measures every approximation against the truth,
+//! and emits what an engine needs together with its certificate and its cost.
 //!
-//! Below this package: `lobefit-math` (quadrature rules, sums, lanes), `lobefit-truth` (optics, and quantities integrated to a
-//! value with an error), `lobefit-shade` (the shader language: parse, evaluate, bound, count, print) and `lobefit-fit` (solver,
-//! search, texels). `math` is a package of its own so that neither `shade` nor `fit` can reach optics through it.
+//! Below this package: `lobefit-math` (quadrature rules, sums, lanes), `lobefit-truth` (optics, and
+//! quantities integrated to a value with an error), `lobefit-shade` (the shader language: parse,
+//! evaluate, bound, count, print) and `lobefit-fit` (solver, search, texels). `math` is a package
+//! of its own so that neither `shade` nor `fit` can reach optics through it.
 //!
-//! Above it, each with a binary that [`cli`] runs for its verb: `lobefit-audit` (other people's tables and shader functions
-//! against the truth), `lobefit-gpu` (times of the
-//! emitted code on graphics processors) and `lobefit-studies` (rendered rooms and spheres, random walks: the long experiments, outside `bake`).
+//! Above it, each with a binary that [`cli`] runs for its verb: `lobefit-audit` (other people's
+//! tables and shader functions against the truth), `lobefit-gpu` (times of the emitted code on
+//! graphics processors) and `lobefit-studies` (rendered rooms and spheres, random walks: the long
+//! experiments, outside `bake`).
 //!
-//! A module imports only from the floors below it (`tests/house/floors.rs` reads the imports and fails on an edge that
-//! runs upward).
+//! A module imports only from the floors below it (`tests/house/floors.rs` reads the imports and
+//! fails on an edge that runs upward).
 //!
 //! | floor | module | purpose |
 //! |---|---|---|

@@ -1,4 +1,5 @@
-//! The files of the catalogue. They are what a person writes; they are compiled in, so that nothing depends on the working directory.
+//! The files of the catalogue. They are what a person writes; they are compiled in, so that nothing
+//! depends on the working directory.
 
 use lobefit_shade::Hypothesis;
 
@@ -19,7 +20,8 @@ impl Entry {
         self.file.trim_start_matches("published/").trim_end_matches(".wgsl")
     }
 
-    /// Whether the formula has an argument of this name; what does not parse has none, and is refused where it is fitted.
+    /// Whether the formula has an argument of this name; what does not parse has none, and is
+    /// refused where it is fitted.
     pub fn takes(&self, input: &str) -> bool {
         let parsed = Hypothesis::parse(self.file, self.source);
         parsed.is_ok_and(|h| h.inputs().iter().any(|i| i == input))

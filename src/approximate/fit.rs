@@ -23,8 +23,8 @@ pub struct Fit {
     pub safe: Option<Safe>,
 }
 
-/// A hypothesis without a fit: one of the catalogue whose search did not converge in this region or into which a pole moves, or
-/// one of the user's that costs more than the scene allows.
+/// A hypothesis without a fit: one of the catalogue whose search did not converge in this region or
+/// into which a pole moves, or one of the user's that costs more than the scene allows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Dropped {
     /// Hypothesis.

@@ -1,5 +1,5 @@
-//! One formula for one quantity: what a fit is made to, the points that it is made on, its search, its proof and its
-//! certificate. Nothing here knows an effect.
+//! One formula for one quantity: what a fit is made to, the points that it is made on, its search,
+//! its proof and its certificate. Nothing here knows an effect.
 
 mod certificate;
 mod entry;

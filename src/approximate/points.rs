@@ -1,4 +1,5 @@
-//! Points of a region: lattices to fit on, and others to measure at, which share no point but the corners of the region.
+//! Points of a region: lattices to fit on, and others to measure at, which share no point but the
+//! corners of the region.
 
 use super::Region;
 use crate::data::{Place, shortest};
@@ -9,8 +10,9 @@ use lobefit_truth::points::Points;
 /// Points walked along each edge of the region.
 const EDGE: usize = 1 << 12;
 
-/// 2^log2 scrambled Sobol points uniform in (roughness, mu), half as many uniform in roughness and in the homogeneous
-/// coordinate sqrt(mu (1+alpha)/(mu+alpha)), and all four edges with their corners.
+/// 2^log2 scrambled Sobol points uniform in (roughness, mu), half as many uniform in roughness and
+/// in the homogeneous coordinate sqrt(mu (1+alpha)/(mu+alpha)), and all four edges with their
+/// corners.
 pub fn certification(region: &Region, log2: u32) -> Points {
     let mut points = Points::default();
     let uniform = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0]);
@@ -41,8 +43,8 @@ pub fn place(points: &Points, i: usize) -> Place {
 }
 
 impl Region {
-    /// Adds a point as a shader has it, rounded to the nearest f32 (at an edge of the region it may lie outside by half an ulp): alpha is
-    /// computed from the f32 roughness in f32.
+    /// Adds a point as a shader has it, rounded to the nearest f32 (at an edge of the region it may
+    /// lie outside by half an ulp): alpha is computed from the f32 roughness in f32.
     pub fn push(&self, points: &mut Points, roughness: f64, mu: f64) {
         let roughness = roughness as f32;
         let alpha = f64::from(self.alpha_map.alpha_f32(roughness));
@@ -63,8 +65,8 @@ pub(crate) fn lerp(range: [f64; 2], t: f64) -> f64 {
 /// Smallest alpha of the layer mu ~ alpha: below it nothing is left of it.
 const SMALLEST: f64 = 1e-7;
 
-/// mu at a part `t` of its range in the homogeneous coordinate u = sqrt(mu (1 + alpha)/(mu + alpha)), in which the layer mu ~ alpha
-/// is as wide as the rest.
+/// mu at a part `t` of its range in the homogeneous coordinate u = sqrt(mu (1 + alpha)/(mu +
+/// alpha)), in which the layer mu ~ alpha is as wide as the rest.
 pub(crate) fn layer_mu(mu: [f64; 2], alpha: f64, t: f64) -> f64 {
     let alpha = alpha.max(SMALLEST);
     let u = lerp(mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt()), t);
@@ -84,8 +86,8 @@ pub(crate) fn uniform(region: &Region, n: usize) -> Points {
     points
 }
 
-/// A lattice of about n x n points with the edges, denser towards them: half of its columns uniform in mu, half in the homogeneous
-/// coordinate.
+/// A lattice of about n x n points with the edges, denser towards them: half of its columns uniform
+/// in mu, half in the homogeneous coordinate.
 pub(crate) fn edged(region: &Region, n: usize) -> Points {
     let mut points = Points::default();
     let half = (n / 2).max(2);

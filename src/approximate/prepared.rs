@@ -10,7 +10,8 @@ use crate::data::{Norm, Source};
 use lobefit_fit::{Constraint, Options, Samples};
 use lobefit_shade::{Domain, Hypothesis, Precision};
 
-/// Counts the truths that were integrated: how `bake` shows that nothing is computed which the scene does not call for.
+/// Counts the truths that were integrated: how `bake` shows that nothing is computed which the
+/// scene does not call for.
 #[derive(Debug, Default)]
 pub struct Counter(AtomicU64);
 
@@ -26,7 +27,8 @@ impl Counter {
     }
 }
 
-/// A target with its samples. Formulas that are affine in f0 and those that are not have different ones.
+/// A target with its samples. Formulas that are affine in f0 and those that are not have different
+/// ones.
 pub(super) struct Prepared {
     pub target: Target,
     even: Sampled,
@@ -107,14 +109,16 @@ impl Prepared {
     }
 }
 
-/// Iterations of a search that must keep something: the longest formulas lie in narrow valleys, and take some 400 where f0 or the
-/// region are not those that their starting values are for.
+/// Iterations of a search that must keep something: the longest formulas lie in narrow valleys, and
+/// take some 400 where f0 or the region are not those that their starting values are for.
 const ITERATIONS: u64 = 800;
 
 /// The best coefficients, if they keep what they must; else the best of those that do.
 ///
-/// The starting values of such formulas are a fit's: a search from there alone ends where one from eight starts does (measured at f0 =
-/// 0.04 and over 0.02 to 0.2, on the five longest) in a third of the time. Where it ends nowhere the others are tried; where those do not either, the formula is not for this domain.
+/// The starting values of such formulas are a fit's: a search from there alone ends where one from
+/// eight starts does (measured at f0 = 0.04 and over 0.02 to 0.2, on the five longest) in a third
+/// of the time. Where it ends nowhere the others are tried; where those do not either, the formula
+/// is not for this domain.
 fn keeping(
     hypothesis: &Hypothesis,
     norm: Norm,

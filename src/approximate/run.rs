@@ -1,5 +1,5 @@
-//! The formulas of an effect fitted to a quantity, beside published formulas for the same use: targets, samples, search, proof,
-//! certificates.
+//! The formulas of an effect fitted to a quantity, beside published formulas for the same use:
+//! targets, samples, search, proof, certificates.
 
 use super::prepared::Prepared;
 use super::target::{Target, TargetSpec};
@@ -18,8 +18,8 @@ pub struct Wanted<'a> {
     pub own: &'a [Entry],
     /// The user's hypotheses: file name and WGSL source.
     pub user: &'a [(String, String)],
-    /// Published formulas, for comparison. A formula that takes roughness means alpha = roughness^2: under another map it is left
-    /// out, since it would be judged on a misreading.
+    /// Published formulas, for comparison. A formula that takes roughness means alpha =
+    /// roughness^2: under another map it is left out, since it would be judged on a misreading.
     pub published: Vec<&'a Entry>,
     /// Errors to minimise, one fit each.
     pub norms: &'a [Norm],
@@ -27,19 +27,23 @@ pub struct Wanted<'a> {
     pub max_ops: Option<u32>,
     /// What the fits must keep beyond their domain.
     pub safe_range: Option<SafeRange>,
-    /// A form of f0 of each minimax fit (of each other fit where there is none), measured at f0 = 1.
+    /// A form of f0 of each minimax fit (of each other fit where there is none), measured at
+    /// f0 = 1.
     pub with_f0: Option<WithF0>,
 }
 
-/// Makes a formula of f0 of another formula, given as it stands in its file; the second argument is the name of its fit.
+/// Makes a formula of f0 of another formula, given as it stands in its file; the second argument is
+/// the name of its fit.
 pub type WithF0 = fn(&Hypothesis, &str) -> Result<Hypothesis, ShadeError>;
 
-/// Fits and measures: our formulas in the catalogue's order, the user's, their forms of f0, then the published ones. A hypothesis
-/// of ours that does not converge, or has a pole, in this domain is dropped with the reason, and so is a formula that was asked
-/// for and costs too much; a hypothesis of the user's that does not converge is an error.
+/// Fits and measures: our formulas in the catalogue's order, the user's, their forms of f0, then
+/// the published ones. A hypothesis of ours that does not converge, or has a pole, in this domain
+/// is dropped with the reason, and so is a formula that was asked for and costs too much; a
+/// hypothesis of the user's that does not converge is an error.
 ///
 /// # Errors
-/// A domain that the quantity does not have; a truth that cannot be integrated; a formula that cannot be fitted.
+/// A domain that the quantity does not have; a truth that cannot be integrated; a formula that
+/// cannot be fitted.
 pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageError> {
     // Parse first: a hypothesis that is refused must not cost a bake.
     let squared = wanted.spec.alpha_map == AlphaMap::RoughnessSquared;
@@ -157,7 +161,8 @@ fn among<'a>(
 /// A formula and the norm of its fit.
 type Job = (Hypothesis, Norm);
 
-/// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other error handed on.
+/// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other
+/// error handed on.
 fn kept(
     jobs: &[Job],
     results: Vec<Result<Fit, FitStageError>>,

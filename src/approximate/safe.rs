@@ -1,8 +1,9 @@
-//! What a fit keeps wherever a shader may call it, which is farther than its certificate reaches: no pole, no value below 0, and none
-//! far above 1.
+//! What a fit keeps wherever a shader may call it, which is farther than its certificate reaches:
+//! no pole, no value below 0, and none far above 1.
 //!
-//! The first two are proven by interval arithmetic on the coefficients as emitted, the last is looked at on a lattice of points. Where
-//! the best coefficients do not keep them, the search is made again with the values bound there.
+//! The first two are proven by interval arithmetic on the coefficients as emitted, the last is
+//! looked at on a lattice of points. Where the best coefficients do not keep them, the search is
+//! made again with the values bound there.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +15,8 @@ use lobefit_shade::{Domain, Hypothesis, RangeProof, ShadeError, prove_range, pro
 /// Where a shader may call a formula of roughness, mu and f0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SafeRange {
-    /// Roughness of the fit's region. Formulas that have a value at roughness = mu = 0 are held to roughness from 0.
+    /// Roughness of the fit's region. Formulas that have a value at roughness = mu = 0 are held to
+    /// roughness from 0.
     pub roughness: [f64; 2],
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
@@ -37,16 +39,17 @@ pub enum SafeProof {
 /// Places per axis of the lattice at which values are bound.
 const NODES: usize = 33;
 
-/// What is asked of the values there, times 1 - f0: so far from 0 that the proof need not end in boxes of no size, and so little that
-/// no picture shows it.
+/// What is asked of the values there, times 1 - f0: so far from 0 that the proof need not end in
+/// boxes of no size, and so little that no picture shows it.
 const MARGIN: f64 = 1e-3;
 
-/// Largest value there that coefficients are searched within, and that is let pass: a factor's truth is at most 1, and errors within the
-/// domain are the certificate's to tell.
+/// Largest value there that coefficients are searched within, and that is let pass: a factor's
+/// truth is at most 1, and errors within the domain are the certificate's to tell.
 const MOST: f64 = 1.02;
 const PASSED: f64 = 1.05;
 
-/// f0 of the bound values: between them formulas are affine in it, or 1 - f0 times such; at 1 they vanish.
+/// f0 of the bound values: between them formulas are affine in it, or 1 - f0 times such; at 1 they
+/// vanish.
 const BOUND_F0: [f64; 2] = [0.0, 0.9];
 
 impl SafeRange {
@@ -122,7 +125,8 @@ impl SafeRange {
         places
     }
 
-    /// The box for a formula: roughness from 0, unless it is 0/0 of alpha and mu there, as a lobe's albedo is at a mirror's horizon.
+    /// The box for a formula: roughness from 0, unless it is 0/0 of alpha and mu there, as a lobe's
+    /// albedo is at a mirror's horizon.
     fn safe(&self, hypothesis: &Hypothesis) -> Safe {
         let corner: Vec<f64> = vec![0.0; hypothesis.inputs().len()];
         let columns: Vec<Vec<f64>> = corner.iter().map(|x| vec![*x]).collect();

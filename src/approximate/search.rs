@@ -5,7 +5,8 @@ use crate::data::Norm;
 use lobefit_fit::{Constraint, FitError, Options, Samples, Termination, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, prove_regular};
 
-/// What a search found: coefficients rounded to f32 and proven regular, under the name of their norm.
+/// What a search found: coefficients rounded to f32 and proven regular, under the name of their
+/// norm.
 pub(crate) struct Searched {
     pub hypothesis: Hypothesis,
     pub coefficients: Vec<f32>,
@@ -41,8 +42,8 @@ pub(crate) fn searched(
     Ok(Searched { hypothesis: named_for(hypothesis, norm), coefficients, termination: fitted.termination })
 }
 
-/// Coefficients above this (or a million times a starting value) are on their way to infinity: inputs lie in [0, 1] or not far
-/// from it.
+/// Coefficients above this (or a million times a starting value) are on their way to infinity:
+/// inputs lie in [0, 1] or not far from it.
 const RUN_AWAY: f64 = 1e6;
 
 /// The coefficients of a formula that are on their way to infinity.
@@ -53,7 +54,8 @@ pub fn runaways(hypothesis: &Hypothesis, coefficients: &[f64]) -> impl Iterator<
     away.map(|(p, value)| Runaway { coefficient: p.name.clone(), value: *value })
 }
 
-/// The minimax fit bears its hypothesis' name; the least squares fit has `_rms` appended, so that both can be emitted.
+/// The minimax fit bears its hypothesis' name; the least squares fit has `_rms` appended, so that
+/// both can be emitted.
 fn named_for(hypothesis: &Hypothesis, norm: Norm) -> Hypothesis {
     match norm {
         Norm::Max => hypothesis.clone(),

@@ -1,5 +1,6 @@
-//! The include files: one per language, everything that the scene called for and nothing else. Each effect has a section of its
-//! own between marks, so that a bake of some effects can keep the sections of the others.
+//! The include files: one per language, everything that the scene called for and nothing else. Each
+//! effect has a section of its own between marks, so that a bake of some effects can keep the
+//! sections of the others.
 
 use crate::effects::Part;
 use crate::effects::context::Context;
@@ -15,7 +16,8 @@ pub fn path(language: Language) -> String {
 /// Begins the line that opens a section.
 const MARK: &str = "// ---- ";
 
-/// The mark of what sections share, the first of a file: in most languages a function stands before what calls it.
+/// The mark of what sections share, the first of a file: in most languages a function stands before
+/// what calls it.
 const SHARED: &str = "shared";
 
 /// Language and text of every include file; none where there is nothing to include.

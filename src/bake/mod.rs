@@ -1,5 +1,5 @@
-//! The main job. A plan becomes a bundle of files in memory, which `bake` writes and `check` compares: the same
-//! scene gives the same bytes.
+//! The main job. A plan becomes a bundle of files in memory, which `bake` writes and `check`
+//! compares: the same scene gives the same bytes.
 
 mod assemble;
 mod build;
@@ -33,7 +33,8 @@ pub struct Baked {
     pub files: Files,
     /// Promises of the scene that were not kept, each a sentence.
     pub broken: Vec<String>,
-    /// Truths that were integrated, or interpolated from integrals for the texels of tables of three axes.
+    /// Truths that were integrated, or interpolated from integrals for the texels of tables of
+    /// three axes.
     pub truths: u64,
     /// Tables.
     pub tables: Vec<BakedTable>,
@@ -65,8 +66,8 @@ pub struct Selection {
 
 /// Bakes a plan. Nothing is integrated, fitted, emitted or reported that it does not call for.
 ///
-/// Errors: a hypothesis that is refused, a search that does not end in a minimum, data that is not finite. A promise that is
-/// not kept is no error here: it stands in [`Baked::broken`].
+/// Errors: a hypothesis that is refused, a search that does not end in a minimum, data that is not
+/// finite. A promise that is not kept is no error here: it stands in [`Baked::broken`].
 pub fn bake(
     scene: &Scene,
     plan: &Plan,
@@ -88,7 +89,8 @@ pub fn bake(
     };
     let wanted: Vec<_> =
         plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();
-    // The end of each effect's work, where its own parts have run dry, overlaps with the next effect's.
+    // The end of each effect's work, where its own parts have run dry, overlaps with the next
+    // effect's.
     let made: Vec<_> =
         wanted.par_iter().with_max_len(1).map(|called| called.by.bake(called, &context)).collect();
     for made in made {

@@ -1,5 +1,5 @@
-//! Names in the emitted files: a hypothesis of the user's must not take one that is emitted anyway, nor a word of a language.
-//! Refused before anything is integrated.
+//! Names in the emitted files: a hypothesis of the user's must not take one that is emitted anyway,
+//! nor a word of a language. Refused before anything is integrated.
 
 use super::{BakeError, UserHypothesis};
 use crate::approximate::FitStageError;
@@ -40,7 +40,8 @@ fn forms(name: &str) -> Vec<String> {
     SUFFIXES.iter().map(|suffix| format!("{name}{suffix}")).collect()
 }
 
-/// Prints the formula once with its starting values: what the printers refuse is refused here, with the file.
+/// Prints the formula once with its starting values: what the printers refuse is refused here, with
+/// the file.
 fn printable(user: &UserHypothesis, parsed: &Hypothesis) -> Result<(), BakeError> {
     let starts: Vec<f32> = parsed.parameters().iter().map(|p| p.start).collect();
     let printed =

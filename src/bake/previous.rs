@@ -64,8 +64,14 @@ pub enum PreviousError {
     Store(#[from] StoreError),
 }
 
-/// The parts of the plan's effects not in `only` that the bake in a folder has; none where there is no bake.
-pub fn previous(root: &Path, recipe: &Recipe, plan: &Plan, only: &[String]) -> Result<Vec<Part>, PreviousError> {
+/// The parts of the plan's effects not in `only` that the bake in a folder has; none where there is
+/// no bake.
+pub fn previous(
+    root: &Path,
+    recipe: &Recipe,
+    plan: &Plan,
+    only: &[String],
+) -> Result<Vec<Part>, PreviousError> {
     if !store::is_folder(root)? {
         return Ok(Vec::new());
     }

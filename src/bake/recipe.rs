@@ -8,7 +8,8 @@ use crate::scene::Scene;
 /// Tool and version.
 pub const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
 
-/// The recipe of a scene: the hash covers the tool's version, the scene and every hypothesis, compiled in or the user's.
+/// The recipe of a scene: the hash covers the tool's version, the scene and every hypothesis,
+/// compiled in or the user's.
 pub fn recipe(
     scene: &Scene,
     plan: &Plan,

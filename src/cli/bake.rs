@@ -31,9 +31,9 @@ pub(super) struct Options {
     /// Output folder, created if missing
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
-    /// Bake these effects only and keep what an older bake of the same recipe, by the same build of lobefit, left in the output
-    /// folder of the others.
-    /// An effect that the scene does not call for is refused with the reason from the plan
+    /// Bake these effects only and keep what an older bake of the same recipe, by the same build of
+    /// lobefit, left in the output folder of the others. An effect that the scene does not call for
+    /// is refused with the reason from the plan
     #[arg(long, value_name = "EFFECT", value_delimiter = ',', value_parser = effect)]
     pub only: Vec<String>,
     #[command(flatten)]

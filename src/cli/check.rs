@@ -43,7 +43,8 @@ pub(super) struct Options {
     /// Folder that holds the bake
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub against: PathBuf,
-    /// Accept files whose decoded values differ by no more than this, unless a table breaks its stated error
+    /// Accept files whose decoded values differ by no more than this, unless a table breaks its
+    /// stated error
     #[arg(long, value_name = "TOL", value_parser = not_negative)]
     pub values: Option<f64>,
     #[command(flatten)]
@@ -118,8 +119,9 @@ struct Verdict<'a> {
     studies_unknown: Option<String>,
 }
 
-/// What lies in the folders of a bake and is none of its files, links in their places among it. Hypotheses are a person's, timings are
-/// measured, the name of the build says who baked and studies have a recipe of their own: they may be there.
+/// What lies in the folders of a bake and is none of its files, links in their places among it.
+/// Hypotheses are a person's, timings are measured, the name of the build says who baked and
+/// studies have a recipe of their own: they may be there.
 fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
     let mut strays = Vec::new();
     for place in SUBFOLDERS.into_iter().chain([MANIFEST]) {

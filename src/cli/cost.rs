@@ -76,7 +76,8 @@ pub struct Options {
     pub quiet: bool,
 }
 
-/// Runs the verb; `words` are those that follow it, for the package that drives graphics processors.
+/// Runs the verb; `words` are those that follow it, for the package that drives graphics
+/// processors.
 pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliError> {
     if let Some(record) = &options.page {
         return record::page(options, record);
@@ -108,7 +109,8 @@ pub(super) fn run(options: &Options, words: &[OsString]) -> Result<Outcome, CliE
     Ok(Outcome::Done)
 }
 
-/// The end for a scene that calls for no effect: there is nothing to measure and nothing is written.
+/// The end for a scene that calls for no effect: there is nothing to measure and nothing is
+/// written.
 fn nothing(options: &Options, input: &Input, plan: &Plan) -> Result<Outcome, CliError> {
     if options.json {
         let origin = origin(input, plan, COMMAND)?;

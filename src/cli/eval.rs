@@ -83,13 +83,15 @@ pub(super) struct Options {
     /// CSV file to write; without it, standard output
     #[arg(long, value_name = "OUT.csv")]
     pub out: Option<PathBuf>,
-    /// Lobe of every point of parallax-alpha, in place of a column `kernel`: its word, or a .json file with its table
+    /// Lobe of every point of parallax-alpha, in place of a column `kernel`: its word, or a .json
+    /// file with its table
     #[arg(long, value_name = "WORD|FILE")]
     pub kernel: Option<String>,
     /// Shadowing form: correlated or separable
     #[arg(long, value_name = "S", value_parser = smith, default_value = "correlated")]
     pub smith: Smith,
-    /// Largest error to accept of a value; without it, the quantity's own promise (1e-4 where the kernel is a table, 1e-3 of one that ends with a jump)
+    /// Largest error to accept of a value; without it, the quantity's own promise (1e-4 where the
+    /// kernel is a table, 1e-3 of one that ends with a jump)
     #[arg(long, value_name = "T", value_parser = positive)]
     pub tolerance: Option<f64>,
     /// How the truth is computed

@@ -1,4 +1,5 @@
-//! Verbs whose code is in another package: their binaries are run in place of this one, as git and cargo run theirs.
+//! Verbs whose code is in another package: their binaries are run in place of this one, as git and
+//! cargo run theirs.
 
 use std::env;
 use std::ffi::{OsStr, OsString};
@@ -22,7 +23,8 @@ pub(super) struct Words {
 /// Verbs of other packages.
 const VERBS: [&str; 2] = ["audit", "report"];
 
-/// The arguments of the program; `help VERB` of another package's verb becomes `VERB --help`, which its binary answers.
+/// The arguments of the program; `help VERB` of another package's verb becomes `VERB --help`, which
+/// its binary answers.
 pub(super) fn help_of_verb(arguments: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments: Vec<OsString> = arguments.into_iter().collect();
     let external = arguments.get(2).is_some_and(|verb| VERBS.iter().any(|v| verb == v));
@@ -33,7 +35,8 @@ pub(super) fn help_of_verb(arguments: impl IntoIterator<Item = OsString>) -> Vec
     arguments
 }
 
-/// Runs a package's binary on the words that follow the verb, with the streams and the exit code of this process.
+/// Runs a package's binary on the words that follow the verb, with the streams and the exit code of
+/// this process.
 pub(super) fn run(package: &'static str, words: &[OsString]) -> Result<Outcome, CliError> {
     let mut command = Command::new(find(package)?);
     let program = command.get_program().to_string_lossy().into_owned();

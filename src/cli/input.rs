@@ -25,13 +25,14 @@ pub struct Input {
     name: String,
     /// Its hypothesis files, in order of first mention; each parses.
     pub hypotheses: Vec<UserHypothesis>,
-    /// The paths at which they were read, by the paths that the scene gives: for messages only, since nothing that is
-    /// written may depend on where the scene lies.
+    /// The paths at which they were read, by the paths that the scene gives: for messages only,
+    /// since nothing that is written may depend on where the scene lies.
     paths: BTreeMap<String, String>,
 }
 
 impl Input {
-    /// Bakes the scene's plan. Errors name the scene and its hypothesis files by the paths at which they were read.
+    /// Bakes the scene's plan. Errors name the scene and its hypothesis files by the paths at which
+    /// they were read.
     ///
     /// # Errors
     /// What the bake says.

@@ -33,8 +33,8 @@ Examples:
 
 Exit codes: 0 done; 1 a check or promise failed; 2 bad input or usage; 3 cannot write.";
 
-/// Integrates BRDF quantities to a stated accuracy, compresses them into tables and fits, and emits what a renderer
-/// needs with its measured error.
+/// Integrates BRDF quantities to a stated accuracy, compresses them into tables and fits, and emits
+/// what a renderer needs with its measured error.
 #[derive(Parser)]
 #[command(name = "lobefit", version, after_help = EXAMPLES)]
 struct Cli {

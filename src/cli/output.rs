@@ -16,7 +16,8 @@ pub enum Outcome {
     Failed,
 }
 
-/// Writes a result to standard output. A reader that has gone away is no error: it has what it wanted.
+/// Writes a result to standard output. A reader that has gone away is no error: it has what it
+/// wanted.
 pub fn print(bytes: &[u8]) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
     match out.write_all(bytes).and_then(|()| out.flush()) {
@@ -49,7 +50,8 @@ pub fn finish(done: Result<Outcome, CliError>) -> ExitCode {
     }
 }
 
-/// Help and version on standard output with exit code 0, wrong usage on standard error with exit code 2.
+/// Help and version on standard output with exit code 0, wrong usage on standard error with exit
+/// code 2.
 pub fn usage(error: &clap::Error) -> ExitCode {
     // Help into a closed pipe is as fine as any other output into one.
     let _ = error.print();

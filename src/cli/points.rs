@@ -23,7 +23,8 @@ pub enum PointsError {
         /// What is wrong, with the column's name.
         message: String,
     },
-    /// A computed value that is not finite, or a row without values: a defect of the computation, never printed.
+    /// A computed value that is not finite, or a row without values: a defect of the computation,
+    /// never printed.
     #[error("{}: row {row}: the computed {column} is not a finite number", visible(file))]
     Value {
         /// File as the user named it.
@@ -55,8 +56,9 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Reads a CSV (comma, double quotes, any line end, UTF-8 byte order mark allowed) with a header that names the
-    /// quantity's inputs among its columns. Empty lines are skipped, and the byte order mark is not kept.
+    /// Reads a CSV (comma, double quotes, any line end, UTF-8 byte order mark allowed) with a
+    /// header that names the quantity's inputs among its columns. Empty lines are skipped, and the
+    /// byte order mark is not kept.
     pub(super) fn parse(bytes: Vec<u8>, file: &str, quantity: &dyn Quantity) -> Result<Points, PointsError> {
         let mut points =
             Points { file: file.into(), bytes, header: 0..0, records: Vec::new(), rows: Vec::new() };
@@ -105,8 +107,9 @@ impl Points {
         PointsError::Row { file: self.file.clone(), line, message: format!("row {}: {message}", row + 1) }
     }
 
-    /// The file with the quantity's outputs appended: the bytes of every row as they were, line ends LF, empty lines
-    /// left out; numbers in the shortest digits that read back to the same f64.
+    /// The file with the quantity's outputs appended: the bytes of every row as they were, line
+    /// ends LF, empty lines left out; numbers in the shortest digits that read back to the same
+    /// f64.
     pub(super) fn with_columns(
         &self,
         quantity: &dyn Quantity,
@@ -137,8 +140,8 @@ impl Points {
     }
 }
 
-/// The shortest digits that read back to the same f64: positional from 1e-5 to 1e16, else with an exponent; whole
-/// numbers without a point.
+/// The shortest digits that read back to the same f64: positional from 1e-5 to 1e16, else with an
+/// exponent; whole numbers without a point.
 pub(super) fn shortest(x: f64) -> String {
     let text = format!("{x:?}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)

@@ -8,7 +8,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::bake::Progress;
 use crate::plan::Plan;
 
-/// A bar on standard error with the stage's name; nothing where standard error is no terminal, or quiet is asked for.
+/// A bar on standard error with the stage's name; nothing where standard error is no terminal, or
+/// quiet is asked for.
 pub struct Bar(ProgressBar);
 
 impl Bar {

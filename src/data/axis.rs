@@ -40,28 +40,32 @@ pub enum Warp {
     /// u = sqrt(mu): texels dense at grazing angles.
     #[serde(rename = "sqrt")]
     Sqrt,
-    /// u = sqrt(mu (1 + alpha) / (mu + alpha)): resolves the layer mu ~ alpha, where the albedo of a smooth lobe
-    /// depends on mu/alpha alone, at every roughness.
+    /// u = sqrt(mu (1 + alpha) / (mu + alpha)): resolves the layer mu ~ alpha, where the albedo of
+    /// a smooth lobe depends on mu/alpha alone, at every roughness.
     #[serde(rename = "homogeneous")]
     Homogeneous,
-    /// u = sqrt(mu (1 + l) / (mu + l)), l = alpha + 3 sqrt(ior - 1): the layer mu ~ alpha of a rough interface together with the
-    /// onset of total internal reflection, which near ior = 1 lies at mu = sqrt(2 (ior - 1)) and would else wander across the
-    /// columns from slice to slice.
+    /// u = sqrt(mu (1 + l) / (mu + l)), l = alpha + 3 sqrt(ior - 1): the layer mu ~ alpha of a
+    /// rough interface together with the onset of total internal reflection, which near ior = 1
+    /// lies at mu = sqrt(2 (ior - 1)) and would else wander across the columns from slice to slice.
     #[serde(rename = "homogeneous-ior")]
     HomogeneousIor,
-    /// [`Warp::Homogeneous`] in the alpha towards the view, alpha_v = sqrt(alpha_x^2 cos^2 phi + alpha_y^2 sin^2 phi), with
-    /// alpha_x = alpha/aspect, alpha_y = alpha aspect and aspect^2 = 1 - 0.9 anisotropy: the width in Smith's Lambda of the view.
+    /// [`Warp::Homogeneous`] in the alpha towards the view, alpha_v = sqrt(alpha_x^2 cos^2 phi +
+    /// alpha_y^2 sin^2 phi), with alpha_x = alpha/aspect, alpha_y = alpha aspect and aspect^2 = 1 -
+    /// 0.9 anisotropy: the width in Smith's Lambda of the view.
     #[serde(rename = "homogeneous-azimuth")]
     HomogeneousAzimuth,
-    /// u = anisotropy^2, scaled: the path tracer's axis, whose slice z of n has the aspect sqrt(1 - 0.9 sqrt(z/n)).
+    /// u = anisotropy^2, scaled: the path tracer's axis, whose slice z of n has the aspect sqrt(1 -
+    /// 0.9 sqrt(z/n)).
     #[serde(rename = "square")]
     Square,
-    /// The axis of ior: with r = sqrt(ior - min), R = sqrt(max - min) and c = 0.001 + 0.55 sqrt(alpha),
-    /// u = (sqrt(r (R + c)/(R (r + c)) + 0.01) - 0.1)/(sqrt(1.01) - 0.1). Slices crowd at min = 1, where a lobe changes as soon as
-    /// its refraction, ior - 1, is comparable with mu; the smoother the surface, the sooner.
+    /// The axis of ior: with r = sqrt(ior - min), R = sqrt(max - min) and c = 0.001 + 0.55
+    /// sqrt(alpha), u = (sqrt(r (R + c)/(R (r + c)) + 0.01) - 0.1)/(sqrt(1.01) - 0.1). Slices crowd
+    /// at min = 1, where a lobe changes as soon as its refraction, ior - 1, is comparable with mu;
+    /// the smoother the surface, the sooner.
     #[serde(rename = "ior")]
     Ior,
-    /// The axis of anisotropy, linear in the aspect alpha_y/alpha = alpha/alpha_x = sqrt(1 - 0.9 anisotropy).
+    /// The axis of anisotropy, linear in the aspect alpha_y/alpha = alpha/alpha_x = sqrt(1 - 0.9
+    /// anisotropy).
     #[serde(rename = "aspect")]
     Aspect,
 }
@@ -103,7 +107,8 @@ pub struct Surface<T> {
     pub ior: T,
     /// Anisotropy in [0, 1]; 0 where the quantity has none.
     pub anisotropy: T,
-    /// Square of the cosine of the view's azimuth from the alpha_x axis; 1 where the table does not resolve the azimuth.
+    /// Square of the cosine of the view's azimuth from the alpha_x axis; 1 where the table does not
+    /// resolve the azimuth.
     pub cos2_phi: T,
 }
 
@@ -127,11 +132,13 @@ impl Surface<f32> {
     }
 }
 
-/// Width of the onset of total internal reflection in [`Warp::HomogeneousIor`], in units of sqrt(ior - 1). Empirical, as are the
-/// constants of [`Warp::Ior`]: the best of a scan of the lookup's error over alpha in [0.02, 1] and ior in [1, 2].
+/// Width of the onset of total internal reflection in [`Warp::HomogeneousIor`], in units of
+/// sqrt(ior - 1). Empirical, as are the constants of [`Warp::Ior`]: the best of a scan of the
+/// lookup's error over alpha in [0.02, 1] and ior in [1, 2].
 const ONSET: f64 = 3.0;
 
-/// c of [`Warp::Ior`] is `LAYER[0] + LAYER[1] sqrt(alpha)`; the first term only keeps 0/0 away from alpha = 0.
+/// c of [`Warp::Ior`] is `LAYER[0] + LAYER[1] sqrt(alpha)`; the first term only keeps 0/0 away from
+/// alpha = 0.
 const LAYER: [f64; 2] = [0.001, 0.55];
 
 /// sqrt of the term that keeps the first slices of [`Warp::Ior`] from crowding too much.
@@ -140,7 +147,8 @@ const CROWDING: f64 = 0.1;
 /// alpha_y/alpha_x of the strongest anisotropy is 1 - `SQUASH`.
 const SQUASH: f64 = 0.9;
 
-/// One axis of a table. The first axis is the texture's x (columns), the second its y (rows, first row at the top).
+/// One axis of a table. The first axis is the texture's x (columns), the second its y (rows, first
+/// row at the top).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Axis {
     /// Physical variable: `mu`, `roughness`, ...
@@ -189,7 +197,8 @@ impl Axis {
         }
     }
 
-    /// The formula of the unit coordinate from the physical variables, as written in headers and the manifest.
+    /// The formula of the unit coordinate from the physical variables, as written in headers and
+    /// the manifest.
     pub fn formula(&self) -> String {
         let Axis { name, min, max, .. } = self;
         match self.warp {
@@ -228,8 +237,9 @@ impl Axis {
         }
     }
 
-    /// Scale and offset, in f32, that a shader applies to the warp's value to get the texture coordinate (on a linear axis, to the
-    /// physical value itself). With end points registered, u = 0 is the first texel's centre.
+    /// Scale and offset, in f32, that a shader applies to the warp's value to get the texture
+    /// coordinate (on a linear axis, to the physical value itself). With end points registered, u =
+    /// 0 is the first texel's centre.
     pub fn affine(&self) -> (f32, f32) {
         let n = self.size as f64;
         let (scale, offset) = match self.registration {
@@ -285,7 +295,8 @@ mod tests {
         pairs.into_iter().flatten().collect()
     }
 
-    /// From a unit coordinate to the variable and, in a shader's arithmetic, back: within a hundredth of a texel.
+    /// From a unit coordinate to the variable and, in a shader's arithmetic, back: within a
+    /// hundredth of a texel.
     #[test]
     fn a_lookup_finds_the_unit_coordinate_that_a_value_came_from() {
         for axis in all() {

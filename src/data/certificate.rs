@@ -1,4 +1,5 @@
-//! What was measured of an approximation: the same figures for a table, a fit and somebody else's code.
+//! What was measured of an approximation: the same figures for a table, a fit and somebody else's
+//! code.
 
 use std::collections::BTreeMap;
 
@@ -19,8 +20,9 @@ pub fn nine_digits(x: f64) -> f64 {
 
 /// Measured error of an approximation over its domain.
 ///
-/// `max_abs` is the largest error at the measured points, rounded up in its last printed digit; the points are never
-/// those that the approximation was fitted on. For the use `normalisation` the error is the furnace error |E N - 1|.
+/// `max_abs` is the largest error at the measured points, rounded up in its last printed digit; the
+/// points are never those that the approximation was fitted on. For the use `normalisation` the
+/// error is the furnace error |E N - 1|.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// Largest absolute error.

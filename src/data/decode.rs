@@ -11,8 +11,8 @@ pub struct Values {
     pub b: Option<f32>,
 }
 
-/// How values follow from the channels of a texel. Another meaning is another variant: its channels, its formula for headers, and its
-/// function in `decodings.wgsl`.
+/// How values follow from the channels of a texel. Another meaning is another variant: its
+/// channels, its formula for headers, and its function in `decodings.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Decode {
     /// `E`: the directional albedo.
@@ -21,8 +21,9 @@ pub enum Decode {
     Loss,
     /// `A`, `B`: scale and bias of Schlick's F0; E = A + B.
     SplitSum,
-    /// `c0`, `c1`, `c2`, `c3`: with q = 1 - 0.9 anisotropy and (alpha_v/alpha)^2 = cos2_phi/q + (1 - cos2_phi) q, the alpha towards the view,
-    /// t = log((alpha_v/alpha)^2)/-log(q) in [-1, 1] and E = 1 - (c0 + t (c1 + t (c2 + t c3))).
+    /// `c0`, `c1`, `c2`, `c3`: with q = 1 - 0.9 anisotropy and (alpha_v/alpha)^2 = cos2_phi/q +
+    /// (1 - cos2_phi) q, the alpha towards the view, t = log((alpha_v/alpha)^2)/-log(q) in [-1, 1]
+    /// and E = 1 - (c0 + t (c1 + t (c2 + t c3))).
     AzimuthCubic,
     /// `loss`, `bias`: E = 1 - loss, B = E (bias + (1 - mu)^5).
     LossBias,

@@ -3,12 +3,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Which coordinates a table is laid out in. The first three are over mu and roughness; the others have a third axis, the
-/// anisotropy of the lobe or the index of refraction of glass.
+/// Which coordinates a table is laid out in. The first three are over mu and roughness; the others
+/// have a third axis, the anisotropy of the lobe or the index of refraction of glass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Layout {
-    /// Over mu and roughness, u = sqrt(mu (1 + alpha) / (mu + alpha)): small tables for a reciprocal more in the shader.
+    /// Over mu and roughness, u = sqrt(mu (1 + alpha) / (mu + alpha)): small tables for a
+    /// reciprocal more in the shader.
     Homogeneous,
     /// Over mu and roughness, both linear, texel centres: what engines use today.
     Plain,
@@ -16,10 +17,11 @@ pub enum Layout {
     PlainSquared,
     /// With a third axis: registration, warp and texel values chosen for the trilinear lookup.
     Optimised,
-    /// With a third axis: the nodes, shadowing form and roughness map of a known path tracer, to drop into it.
+    /// With a third axis: the nodes, shadowing form and roughness map of a known path tracer, to
+    /// drop into it.
     PathTracer,
-    /// With a third axis, of anisotropic lobes only: the azimuth of the view is a coordinate, where the other layouts hold the
-    /// mean over it.
+    /// With a third axis, of anisotropic lobes only: the azimuth of the view is a coordinate, where
+    /// the other layouts hold the mean over it.
     Azimuth,
 }
 

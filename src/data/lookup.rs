@@ -10,7 +10,8 @@ pub enum SurfaceLobe {
     /// Round about the mirror ray, alpha wide: what the split sum takes it for.
     #[default]
     Mirror,
-    /// Leaning towards the normal, and narrower across the plane of incidence, by constants fitted to GGX.
+    /// Leaning towards the normal, and narrower across the plane of incidence, by constants fitted
+    /// to GGX.
     Fitted,
 }
 

@@ -61,7 +61,8 @@ pub enum MipChain {
         /// Number of levels, at least 2; of a logarithmic chain at least 3.
         count: u32,
     },
-    /// By the roughness of every level, strictly increasing in [0, 1], at least two; between levels it is interpolated linearly.
+    /// By the roughness of every level, strictly increasing in [0, 1], at least two; between levels
+    /// it is interpolated linearly.
     Given(Vec<f64>),
 }
 
@@ -91,7 +92,8 @@ impl MipChain {
         if matches!(self, MipChain::Mapped { map: MipMap::Log, .. }) { last - 1.0 } else { last }
     }
 
-    /// The level that holds a roughness, in [0, [`MipChain::widest`]]; roughness that no level holds is that of the nearest.
+    /// The level that holds a roughness, in [0, [`MipChain::widest`]]; roughness that no level
+    /// holds is that of the nearest.
     pub fn level(&self, roughness: f64) -> f64 {
         let r = roughness.clamp(0.0, 1.0);
         let last = self.count() as f64 - 1.0;
@@ -108,7 +110,8 @@ impl MipChain {
         }
     }
 
-    /// The roughness of a level, which is clamped to [0, [`MipChain::widest`]]: the inverse of [`MipChain::level`].
+    /// The roughness of a level, which is clamped to [0, [`MipChain::widest`]]: the inverse of
+    /// [`MipChain::level`].
     pub fn roughness(&self, level: f64) -> f64 {
         let level = level.clamp(0.0, self.widest());
         let part = level / (self.count() as f64 - 1.0);

@@ -1,5 +1,6 @@
-//! The nouns of the program. Everything that stands in for a truth, a table, a fit or somebody else's
-//! code, is an [`Approximation`]: it approximates a quantity, has a [`Certificate`] and a [`Cost`].
+//! The nouns of the program. Everything that stands in for a truth, a table, a fit or somebody
+//! else's code, is an [`Approximation`]: it approximates a quantity, has a [`Certificate`] and a
+//! [`Cost`].
 
 mod alpha_map;
 mod approximation;

@@ -1,4 +1,5 @@
-//! Warps and decodings as a shader computes them: the functions of `warps.wgsl` and `decodings.wgsl`, evaluated in f32 and counted.
+//! Warps and decodings as a shader computes them: the functions of `warps.wgsl` and
+//! `decodings.wgsl`, evaluated in f32 and counted.
 
 use std::sync::LazyLock;
 
@@ -110,7 +111,8 @@ impl Axis {
 }
 
 impl Decode {
-    /// The values of a texel in a shader's arithmetic; what lies beyond the table's channels is not read.
+    /// The values of a texel in a shader's arithmetic; what lies beyond the table's channels is not
+    /// read.
     pub fn values(self, texel: [f32; 4], mu: f32, surface: Surface<f32>) -> Values {
         let Surface { alpha, ior, anisotropy, cos2_phi } = surface;
         let [r, g, b, a] = texel;
@@ -123,7 +125,8 @@ impl Decode {
 /// Arguments that the functions of tables may have, in their order.
 pub const ARGUMENTS: [&str; 6] = ["roughness", "alpha", "mu", "anisotropy", "ior", "cos2_phi"];
 
-/// The functions of a table: its coordinates and its decoding, with the library's functions written out in them.
+/// The functions of a table: its coordinates and its decoding, with the library's functions written
+/// out in them.
 #[derive(Clone, Debug)]
 pub struct TableCode {
     source: Source,
@@ -134,8 +137,8 @@ pub struct TableCode {
 }
 
 impl TableCode {
-    /// Those of a table called `name`, the functions having the arguments that they read and those that `also` asks for: of the
-    /// coordinates, and of the decoding.
+    /// Those of a table called `name`, the functions having the arguments that they read and those
+    /// that `also` asks for: of the coordinates, and of the decoding.
     ///
     /// # Errors
     /// A library that does not parse, a defect of this program.

@@ -67,7 +67,8 @@ impl Axis {
 /// Most axes of a table: the dimensions of a texture.
 pub const AXES: usize = 3;
 
-/// A table: columns along `axes[0]`, rows along `axes[1]`, slices along `axes[2]`, as far as there are axes.
+/// A table: columns along `axes[0]`, rows along `axes[1]`, slices along `axes[2]`, as far as there
+/// are axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Name, `ggx-dfg-...`.

@@ -41,7 +41,8 @@ pub struct Called {
     pub bytes: u64,
     /// Whether the bake chooses the size of a table.
     pub bytes_at_most: bool,
-    /// The largest error that the scene allows any of the jobs; `None` where one of them has no limit.
+    /// The largest error that the scene allows any of the jobs; `None` where one of them has no
+    /// limit.
     pub expected_error: Option<f64>,
     /// Expected time of all jobs and of their report on one core.
     pub seconds: f64,
@@ -113,7 +114,8 @@ impl Called {
         })
     }
 
-    /// What its page and the manifest say of it, with the error that was measured and what error that is.
+    /// What its page and the manifest say of it, with the error that was measured and what error
+    /// that is.
     pub fn finding(&self, measured_error: Option<f64>, metric: &str) -> EffectFinding {
         EffectFinding {
             effect: self.effect.into(),

@@ -7,7 +7,8 @@ use crate::emit::container::{Described, encode};
 use crate::emit::header;
 use crate::store::Files;
 
-/// Adds the files of a table, `note` last in its header; their paths, the table's own before its sidecars.
+/// Adds the files of a table, `note` last in its header; their paths, the table's own before its
+/// sidecars.
 pub fn contained(
     table: &Table,
     decode: Decode,

@@ -7,8 +7,9 @@ use crate::approximate::Region;
 use crate::data::{AlphaMap, Norm};
 use crate::scene::smallest_rough;
 
-/// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no second dimension to fit, so it is
-/// widened about itself to this width; the figure is a choice, small beside the curvature of E in roughness.
+/// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no
+/// second dimension to fit, so it is widened about itself to this width; the figure is a choice,
+/// small beside the curvature of E in roughness.
 pub const ROUGHNESS_WIDTH_MIN: f64 = 0.01;
 
 /// Range of mu over which every table is measured, whatever the fits' domain is.
@@ -70,7 +71,8 @@ pub struct Demand {
     pub goals: Goals,
 }
 
-/// A limit that materials or probes set: one emitted fit of at most `max_ops` operations within `max_error`, or the table within it.
+/// A limit that materials or probes set: one emitted fit of at most `max_ops` operations within
+/// `max_error`, or the table within it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Promise {
     /// Most operations; `None`: any.
@@ -83,9 +85,10 @@ pub struct Promise {
 
 /// Demands that one fit or table serves.
 ///
-/// Merge rule: the hull of the ranges; the largest `max_ops` (a material content with fewer operations finds such fits among the
-/// others); every norm that is wanted; the strictest `max_error`, for summaries. Each different pair of `max_ops` and `max_error` is a
-/// [`Promise`] of its own, since an error belongs to its number of operations.
+/// Merge rule: the hull of the ranges; the largest `max_ops` (a material content with fewer
+/// operations finds such fits among the others); every norm that is wanted; the strictest
+/// `max_error`, for summaries. Each different pair of `max_ops` and `max_error` is a [`Promise`] of
+/// its own, since an error belongs to its number of operations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {
     /// Name, unique in its plan.
@@ -259,7 +262,8 @@ impl Job {
         Ok(Region { roughness: self.range("roughness")?, mu: self.range("mu")?, alpha_map })
     }
 
-    /// The materials that set the strictest limit, with the field of each: `gold (materials[0].wants.tables[0].max_error)`.
+    /// The materials that set the strictest limit, with the field of each: `gold
+    /// (materials[0].wants.tables[0].max_error)`.
     pub fn limited_by(&self) -> String {
         let strictest = self.promises.iter().filter(|p| Some(p.max_error) == self.goals.max_error);
         strictest.map(Promise::wanted_by).collect::<Vec<_>>().join(", ")

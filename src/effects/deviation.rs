@@ -19,7 +19,8 @@ pub struct Deviation {
 }
 
 impl Deviation {
-    /// Of signed errors at points; `truth` is E, by point; `uniform` tells which are uniform and `place` where a point is.
+    /// Of signed errors at points; `truth` is E, by point; `uniform` tells which are uniform and
+    /// `place` where a point is.
     pub fn of(
         errors: &[f64],
         truth: &[f64],

@@ -1,4 +1,5 @@
-//! What an effect declares. The plan, the bake and its files loop over a catalogue of such values and know none of them by name.
+//! What an effect declares. The plan, the bake and its files loop over a catalogue of such values
+//! and know none of them by name.
 
 use std::fmt;
 
@@ -11,13 +12,15 @@ use crate::scene::Scene;
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
 
-/// Lines for the head of the include files, and the texts in the emitted code of which any calls for them.
+/// Lines for the head of the include files, and the texts in the emitted code of which any calls
+/// for them.
 pub type Note = (&'static [&'static str], &'static [&'static str]);
 
 /// Seconds of a page and its pictures on one core, where an effect does not say otherwise.
 const REPORT_S: f64 = 0.7;
 
-/// One thing that a scene can call for. Its folder holds everything of it; one line in the [catalogue](super::catalogue) adds it.
+/// One thing that a scene can call for. Its folder holds everything of it; one line in the
+/// [catalogue](super::catalogue) adds it.
 pub trait Effect: Sync {
     /// Its name in options, files and the manifest.
     fn name(&self) -> &'static str;

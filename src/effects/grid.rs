@@ -11,7 +11,8 @@ const MAP: usize = 64;
 /// Cosines of a curve.
 pub const COSINES: usize = 64;
 
-/// Fewest of the wanted roughnesses that a range must hold; a narrower range is divided evenly instead.
+/// Fewest of the wanted roughnesses that a range must hold; a narrower range is divided evenly
+/// instead.
 const FEWEST: usize = 3;
 
 /// A grid, roughness along rows.
@@ -98,7 +99,8 @@ pub fn grazing(region: &Region, n: usize) -> Ruler {
     Ruler { name: "mu".into(), values: (0..n).map(at).collect() }
 }
 
-/// The wanted roughnesses that lie in the region, or an even division of a range that holds too few.
+/// The wanted roughnesses that lie in the region, or an even division of a range that holds too
+/// few.
 pub fn chosen(region: &Region, wanted: &[f64]) -> Ruler {
     let [low, high] = region.roughness;
     let values: Vec<f64> = wanted.iter().copied().filter(|r| (low..=high).contains(r)).collect();

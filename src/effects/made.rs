@@ -15,8 +15,8 @@ use crate::report::{self, EffectFinding, File, Findings, Page};
 use crate::store::Files;
 use lobefit_shade::code::Language;
 
-/// What one effect adds to the files of a bake. The same recipe gives the same part, so one that an older bake left on the disk stands
-/// for the one that would be made.
+/// What one effect adds to the files of a bake. The same recipe gives the same part, so one that an
+/// older bake left on the disk stands for the one that would be made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     /// The effect.
@@ -64,8 +64,9 @@ impl Made {
         }
     }
 
-    /// Enters the emitted fits of a job, with what `more` adds to the entry of the fit at an index, and the hypotheses without one.
-    /// A published formula is measured for every job; one result of a name is enough.
+    /// Enters the emitted fits of a job, with what `more` adds to the entry of the fit at an index,
+    /// and the hypotheses without one. A published formula is measured for every job; one result of
+    /// a name is enough.
     pub fn fits(
         &mut self,
         context: &Context,
@@ -139,7 +140,8 @@ impl Made {
     }
 }
 
-/// A sentence, after `what`, where no emitted fit for the use, of at most so many operations, is within the promised error.
+/// A sentence, after `what`, where no emitted fit for the use, of at most so many operations, is
+/// within the promised error.
 fn unkept(promise: &Promise, fits: &[Fit], what: &str, used_as: Use) -> Option<String> {
     let emitted = fits.iter().filter(|f| f.emitted && f.wraps.is_none());
     let affordable = emitted

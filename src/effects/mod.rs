@@ -1,5 +1,6 @@
-//! The effects that a scene can call for. Each is a value of [`Effect`] in the [`catalogue`] and has a folder: who calls for it, its
-//! quantities, fits and tables, its shader code and its page. What several effects share stands beside their folders.
+//! The effects that a scene can call for. Each is a value of [`Effect`] in the [`catalogue`] and
+//! has a folder: who calls for it, its quantities, fits and tables, its shader code and its page.
+//! What several effects share stands beside their folders.
 
 mod albedo;
 pub mod anisotropy;

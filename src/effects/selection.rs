@@ -4,7 +4,8 @@ use super::context::Context;
 use crate::approximate::Fit;
 use crate::data::Use;
 
-/// Our versions of the source post's two formulas: shown beside the published constants whether beaten or not.
+/// Our versions of the source post's two formulas: shown beside the published constants whether
+/// beaten or not.
 const REFITTED: [&str; 2] = ["ggx_norm_n1.wgsl", "ggx_norm_n2.wgsl"];
 
 /// A fit to be shown, and why it is.
@@ -15,7 +16,8 @@ pub struct Selected<'a> {
     pub because: &'static str,
 }
 
-/// The emitted fits of a whole column (no part of a pair) for a use that are worth a picture, in the order given.
+/// The emitted fits of a whole column (no part of a pair) for a use that are worth a picture, in
+/// the order given.
 pub fn selected<'a>(fits: &'a [Fit], column: &str, used_as: Use, context: &Context) -> Vec<Selected<'a>> {
     let of_use = |f: &&Fit| {
         let a = &f.approximation;

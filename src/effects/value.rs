@@ -1,4 +1,5 @@
-//! Fits of one column of a quantity of alpha and mu: all that an effect needs which a shader answers with formulas alone.
+//! Fits of one column of a quantity of alpha and mu: all that an effect needs which a shader
+//! answers with formulas alone.
 
 use std::collections::BTreeMap;
 

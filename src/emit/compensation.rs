@@ -1,5 +1,5 @@
-//! The functions that compensate a lobe with a value of its table, in every language (Turquin, "Practical multiple
-//! scattering compensation for microfacet models", 2019).
+//! The functions that compensate a lobe with a value of its table, in every language (Turquin,
+//! "Practical multiple scattering compensation for microfacet models", 2019).
 
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
@@ -34,7 +34,8 @@ impl Compensation {
         }
     }
 
-    /// Its functions in a language: one of the factor, one of colours. In C they need [`helpers`](lobefit_shade::code::helpers).
+    /// Its functions in a language: one of the factor, one of colours. In C they need
+    /// [`helpers`](lobefit_shade::code::helpers).
     ///
     /// # Errors
     /// A text that does not parse, a defect of this program.
@@ -53,7 +54,8 @@ impl Compensation {
     }
 }
 
-/// The function `name` that is 1 + f0 (N - 1), by a call of N, the function `inner` of the same inputs but f0.
+/// The function `name` that is 1 + f0 (N - 1), by a call of N, the function `inner` of the same
+/// inputs but f0.
 ///
 /// # Errors
 /// A name that the language has taken; a text that does not parse, a defect of this program.

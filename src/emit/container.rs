@@ -44,9 +44,11 @@ pub enum ContainerError {
     Json(#[from] serde_json::Error),
 }
 
-/// The files of a table in a container: the table, and a JSON file beside it where the container has no room for the header.
+/// The files of a table in a container: the table, and a JSON file beside it where the container
+/// has no room for the header.
 ///
-/// Errors: a table that contradicts itself or holds a value that is not finite in its format; what the container cannot hold.
+/// Errors: a table that contradicts itself or holds a value that is not finite in its format; what
+/// the container cannot hold.
 pub fn encode(container: Container, described: &Described) -> Result<Vec<File>, ContainerError> {
     let table = described.table;
     // A finite value may be beyond the range of its format.

@@ -1,5 +1,5 @@
-//! DirectDraw surfaces with the extended header of Direct3D 10: a 3-D texture, or a 2-D texture for two axes, one level, texels
-//! tightly packed.
+//! DirectDraw surfaces with the extended header of Direct3D 10: a 3-D texture, or a 2-D texture for
+//! two axes, one level, texels tightly packed.
 //!
 //! Layout and values: Microsoft, "Programming guide for DDS", "DDS_HEADER", "DDS_HEADER_DXT10".
 
@@ -31,7 +31,8 @@ pub enum DdsError {
 /// Bytes before the first texel: magic number, header and its extension.
 pub const OFFSET: usize = 4 + 124 + 20;
 
-/// DDSD_CAPS, _HEIGHT, _WIDTH, _PITCH, _PIXELFORMAT, _MIPMAPCOUNT: the fields of the header that hold.
+/// DDSD_CAPS, _HEIGHT, _WIDTH, _PITCH, _PIXELFORMAT, _MIPMAPCOUNT: the fields of the header that
+/// hold.
 const FLAGS: u32 = 0x1 | 0x2 | 0x4 | 0x8 | 0x1000 | 0x2_0000;
 
 /// DDSD_DEPTH.
@@ -50,8 +51,8 @@ const FOURCC: [u8; 4] = *b"DX10";
 /// D3D10_RESOURCE_DIMENSION_TEXTURE2D and _TEXTURE3D.
 const DIMENSIONS: [u32; 2] = [3, 4];
 
-/// Channels of a stored texel: three become four, the fourth 0, since DXGI has no format of three halves and graphics
-/// interfaces need not filter its format of three singles.
+/// Channels of a stored texel: three become four, the fourth 0, since DXGI has no format of three
+/// halves and graphics interfaces need not filter its format of three singles.
 pub fn stored_channels(table: &Table) -> usize {
     match table.channels.len() {
         3 => 4,

@@ -1,6 +1,7 @@
 //! EXR images of tables: one layer, one channel per quantity, with the header as string attributes.
-//! Tables of two axes are uncompressed; those of three, megabytes, are compressed without loss (ZIP, blocks of 16 rows). The format
-//! has no third dimension: slices lie one below the other, slice z in the rows z * rows to z * rows + rows - 1.
+//! Tables of two axes are uncompressed; those of three, megabytes, are compressed without loss
+//! (ZIP, blocks of 16 rows). The format has no third dimension: slices lie one below the other,
+//! slice z in the rows z * rows to z * rows + rows - 1.
 
 use std::io::Cursor;
 
@@ -46,7 +47,8 @@ pub struct Decoded {
     pub channels: Vec<Channel>,
 }
 
-/// The bytes of a table: an image of columns x (rows * slices). `header` becomes string attributes of the layer (name, text).
+/// The bytes of a table: an image of columns x (rows * slices). `header` becomes string attributes
+/// of the layer (name, text).
 pub fn encode(table: &Table, header: &[(String, String)]) -> Result<Vec<u8>, ExrError> {
     let [columns, rows, slices] = table.size();
     let size = (columns, rows * slices);

@@ -1,4 +1,5 @@
-//! The header that every emitted file bears, as plain lines; each format puts its comment marks before them.
+//! The header that every emitted file bears, as plain lines; each format puts its comment marks
+//! before them.
 
 use crate::data::{Axis, Certificate, Place, Table};
 

@@ -1,5 +1,6 @@
-//! The functions that read a table: coordinates with the remap of its registration, decoding, and the lookup itself, in every
-//! [`Language`]. The arithmetic is that in which the table was measured.
+//! The functions that read a table: coordinates with the remap of its registration, decoding, and
+//! the lookup itself, in every [`Language`]. The arithmetic is that in which the table was
+//! measured.
 
 use crate::data::{ARGUMENTS, Decode, Table, TableCode, TexelFormat};
 use lobefit_shade::code::{CodeError, Language, TableLookup};
@@ -21,7 +22,8 @@ impl Readable<'_> {
         self.table.name.replace(|c: char| !c.is_ascii_alphanumeric(), "_")
     }
 
-    /// The functions `<name>_uv` (`<name>_uvw` with slices), `<name>_decode` and `<name>_lookup`, see [`TableLookup::print`].
+    /// The functions `<name>_uv` (`<name>_uvw` with slices), `<name>_decode` and `<name>_lookup`,
+    /// see [`TableLookup::print`].
     ///
     /// # Errors
     /// A name that the language has taken; a defect of the library of warps and decodings.
@@ -41,8 +43,9 @@ impl Readable<'_> {
         Ok(self.lookup()?.arguments)
     }
 
-    /// The functions of a table of three axes have the arguments that they read; those of a table of two have `roughness`, `alpha` and
-    /// `mu` whether they use them or not, so that one layout can stand in for another.
+    /// The functions of a table of three axes have the arguments that they read; those of a table
+    /// of two have `roughness`, `alpha` and `mu` whether they use them or not, so that one layout
+    /// can stand in for another.
     fn code(&self) -> Result<TableCode, CodeError> {
         let habitual: [&[&str]; 2] =
             if self.table.axes.len() == 2 { [&ARGUMENTS[..3], &["mu"]] } else { [&[], &[]] };

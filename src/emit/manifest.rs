@@ -1,4 +1,5 @@
-//! `manifest.json`: what a bake made, for scripts. Keys are in alphabetical order; no dates, hosts or absolute paths.
+//! `manifest.json`: what a bake made, for scripts. Keys are in alphabetical order; no dates, hosts
+//! or absolute paths.
 
 use std::collections::BTreeMap;
 
@@ -153,12 +154,14 @@ pub struct AxisEntry {
 /// Errors of a table, told apart.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TableError {
-    /// Largest error of what it was made from and judged against: the worst difference from direct integrals at a fixed sample, or the
-    /// tolerance of integrals that are direct themselves. No more than that is known of places between the samples.
+    /// Largest error of what it was made from and judged against: the worst difference from direct
+    /// integrals at a fixed sample, or the tolerance of integrals that are direct themselves. No
+    /// more than that is known of places between the samples.
     pub integration: f64,
     /// Largest change of a texel by rounding to the format.
     pub quantisation: f64,
-    /// Bilinear lookup, or trilinear where there are slices, of the quantised texels against the truth, f32 weights.
+    /// Bilinear lookup, or trilinear where there are slices, of the quantised texels against the
+    /// truth, f32 weights.
     pub lookup: LookupEntry,
     /// The same with weights of 8 fractional bits.
     pub lookup_8_bit_weights: LookupEntry,
@@ -208,7 +211,8 @@ pub struct FitEntry {
     /// What multiplies the specular lobe above a base; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub specular: Option<String>,
-    /// Largest error over all f0 in [0, 1], whatever the certificate's are; none of formulas that do not depend on it.
+    /// Largest error over all f0 in [0, 1], whatever the certificate's are; none of formulas that
+    /// do not depend on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub any_f0: Option<AnyF0Entry>,
     /// The lobe that a chain is prefiltered with; none of other quantities.
@@ -239,7 +243,8 @@ pub struct AnyF0Entry {
     pub looked_at: String,
 }
 
-/// Total variation over the cells of a grid whose fetches are not saturated, of a fit and of the best width in every cell.
+/// Total variation over the cells of a grid whose fetches are not saturated, of a fit and of the
+/// best width in every cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VariationEntry {
     /// Where the shading point is nearer than the probe, rho < 1; none without such cells.
@@ -469,8 +474,8 @@ impl FitEntry {
 }
 
 impl FitEntry {
-    /// The entry of a factor under a lobe of this kind, with its error over all f0 and where it is proven to have no pole and no
-    /// value below 0.
+    /// The entry of a factor under a lobe of this kind, with its error over all f0 and where it is
+    /// proven to have no pole and no value below 0.
     pub fn under(
         self,
         specular: &str,

@@ -1,4 +1,5 @@
-//! NumPy arrays, format version 1.0 (numpy.lib.format): a magic number, a Python dictionary padded to 64 bytes, the texels.
+//! NumPy arrays, format version 1.0 (numpy.lib.format): a magic number, a Python dictionary padded
+//! to 64 bytes, the texels.
 
 use super::texels::interleaved;
 use crate::data::{Table, TexelFormat};
@@ -9,8 +10,8 @@ const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
 /// The data begin at a multiple of this.
 const ALIGNMENT: usize = 64;
 
-/// The bytes of a validated table: an array of `<f2` or `<f4` in C order, of shape (slices, rows, columns), or (rows, columns)
-/// for two axes; with a last axis of channels if there are several.
+/// The bytes of a validated table: an array of `<f2` or `<f4` in C order, of shape (slices, rows,
+/// columns), or (rows, columns) for two axes; with a last axis of channels if there are several.
 pub fn encode(table: &Table) -> Vec<u8> {
     let mut bytes = header(table);
     bytes.extend(interleaved(table, table.format, table.channels.len()));
@@ -29,7 +30,8 @@ fn header(table: &Table) -> Vec<u8> {
     }
     let mut dictionary =
         format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({}), }}", shape.join(", "));
-    // Two bytes say how long the dictionary is: at most four numbers of 20 digits are far below 65536.
+    // Two bytes say how long the dictionary is: at most four numbers of 20 digits are far
+    // below 65536.
     let prefix = MAGIC.len() + 2;
     let total = (prefix + dictionary.len() + 1).next_multiple_of(ALIGNMENT);
     dictionary.push_str(&" ".repeat(total - prefix - dictionary.len() - 1));

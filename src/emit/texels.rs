@@ -4,8 +4,8 @@ use half::f16;
 
 use crate::data::{Table, TexelFormat};
 
-/// The quantised texels as little-endian numbers of `stored`: columns fastest, then rows, then slices, the channels of a texel
-/// together, with zeros after them up to `channels`.
+/// The quantised texels as little-endian numbers of `stored`: columns fastest, then rows, then
+/// slices, the channels of a texel together, with zeros after them up to `channels`.
 pub(super) fn interleaved(table: &Table, stored: TexelFormat, channels: usize) -> Vec<u8> {
     let texels = table.size().iter().product();
     let mut bytes = Vec::with_capacity(texels * channels * stored.bytes() as usize);

@@ -1,12 +1,13 @@
-//! Whether demands hold where the coefficients were not fitted to them: at the points of the certificate, on finer lattices, and by
-//! proof.
+//! Whether demands hold where the coefficients were not fitted to them: at the points of the
+//! certificate, on finer lattices, and by proof.
 
 use super::{Demand, FittingError};
 use crate::approximate::target::{Sampled, Target};
 use lobefit_fit::{Condition, Constraint, FitError, Held};
 use lobefit_shade::{Domain, Hypothesis, RangeProof, Tape, prove_range};
 
-/// A violation below this part of the values is that of f32's own rounding, a few units in the last place of a value of 1.
+/// A violation below this part of the values is that of f32's own rounding, a few units in the last
+/// place of a value of 1.
 const ROUNDING: f64 = 1e-6;
 
 /// Points that one round adds to a constraint.
@@ -30,8 +31,8 @@ impl ConstraintCheck {
     }
 }
 
-/// The constraints at more places than they are fitted at: a range at the points of the certificate, a slope on a finer lattice;
-/// equations as they are.
+/// The constraints at more places than they are fitted at: a range at the points of the
+/// certificate, a slope on a finer lattice; equations as they are.
 pub(super) fn finer(
     constraints: &[Constraint],
     demands: &[Demand],
@@ -73,7 +74,8 @@ pub(super) fn finer(
     constraints.iter().map(one).collect()
 }
 
-/// How the finer constraints hold; `held` tells how the ones hold that were fitted to, in the same order.
+/// How the finer constraints hold; `held` tells how the ones hold that were fitted to, in the same
+/// order.
 pub(super) fn kept(
     finer: &[Constraint],
     held: &[Held],
@@ -135,7 +137,8 @@ pub(super) fn equations_hold(
     Ok(true)
 }
 
-/// The finer constraints' points of the largest violations, added to the constraints that are fitted to. Whether there were any.
+/// The finer constraints' points of the largest violations, added to the constraints that are
+/// fitted to. Whether there were any.
 pub(super) fn add_broken(
     constraints: &mut [Constraint],
     finer: &[Constraint],

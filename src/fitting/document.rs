@@ -17,7 +17,8 @@ use lobefit_shade::code::Language;
 /// Tool and version.
 pub(super) const TOOL: &str = concat!("lobefit ", env!("CARGO_PKG_VERSION"));
 
-/// The document for machines: `fits[]` as in a bake's manifest, each with all certificates and what the solver did.
+/// The document for machines: `fits[]` as in a bake's manifest, each with all certificates and what
+/// the solver did.
 ///
 /// # Errors
 /// Values that JSON does not have.

@@ -41,7 +41,8 @@ impl Aimed {
         Aimed { axis: normalise(lamp.towards), edge: lamp.cosine(), radiance: lamp.radiance }
     }
 
-    /// Its radiance from a direction and the density of one drawn evenly from it, 1 over its solid angle; 0 outside.
+    /// Its radiance from a direction and the density of one drawn evenly from it, 1 over its solid
+    /// angle; 0 outside.
     pub fn seen(&self, direction: Vec3) -> ([f64; 3], f64) {
         if dot(self.axis, direction) < self.edge {
             return ([0.0; 3], 0.0);
@@ -63,7 +64,8 @@ impl Aimed {
 pub struct Environment {
     /// Radiance of the sky at the zenith.
     pub zenith: [f64; 3],
-    /// Radiance of the sky above the horizon; between both it goes with the square root of the height y.
+    /// Radiance of the sky above the horizon; between both it goes with the square root of the
+    /// height y.
     pub horizon: [f64; 3],
     /// Radiance of the ground.
     pub ground: [f64; 3],
@@ -74,8 +76,9 @@ pub struct Environment {
 }
 
 impl Environment {
-    /// A clear afternoon: a low blue sky over a brown ground, a sun (3 degrees wide, so that its highlight on a smooth sphere has
-    /// some pixels) at the upper right, a bright cloud behind the spheres at the left, which lights them at grazing angles.
+    /// A clear afternoon: a low blue sky over a brown ground, a sun (3 degrees wide, so that its
+    /// highlight on a smooth sphere has some pixels) at the upper right, a bright cloud behind the
+    /// spheres at the left, which lights them at grazing angles.
     pub fn afternoon() -> Environment {
         Environment {
             zenith: [0.10, 0.20, 0.44],

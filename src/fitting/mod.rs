@@ -1,5 +1,5 @@
-//! A formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page. [`fit`] measures,
-//! [`files`] makes what is written of it; nothing here touches the file system.
+//! A formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page.
+//! [`fit`] measures, [`files`] makes what is written of it; nothing here touches the file system.
 
 mod constraint_check;
 mod demands;
@@ -41,7 +41,8 @@ pub struct Job {
     pub spec: TargetSpec,
     /// What the coefficients minimise: one fit for each.
     pub goals: Vec<Goal>,
-    /// Weight of the errors that are minimised: a WGSL expression of the inputs, or `perceptual` for [`Perceptual`].
+    /// Weight of the errors that are minimised: a WGSL expression of the inputs, or `perceptual`
+    /// for [`Perceptual`].
     pub weight: Option<String>,
     /// What the coefficients have to obey.
     pub demands: Vec<Demand>,
@@ -135,7 +136,8 @@ impl From<ShadeError> for FittingError {
 }
 
 impl FittingError {
-    /// Refuses a formula of which some parameters are determined nowhere. An end that is no halt is told of as such.
+    /// Refuses a formula of which some parameters are determined nowhere. An end that is no halt is
+    /// told of as such.
     fn of_rank(hypothesis: &Hypothesis, fitted: &Fitted) -> Result<(), FittingError> {
         let halted = fitted.termination.is_converged() || fitted.termination == Termination::Saddle;
         if !fitted.undetermined_everywhere || !halted {
@@ -166,9 +168,12 @@ impl FittingError {
 /// Fits the formula for every goal and certifies each fit.
 ///
 /// # Errors
-/// Bad input: an unknown input, a bad domain, a formula that is not finite on its samples, constraints that contradict one another,
-/// parameters that coincide or do not matter, unless allowed ([`FittingError::Undetermined`]); a formula that is not finite where it is measured in the main arithmetic ([`FittingError::Uncertified`]). A search that does not converge, a pole that cannot be excluded, and an error above the limit are no errors here: they are told
-/// in [`Certified::problems`].
+/// Bad input: an unknown input, a bad domain, a formula that is not finite on its samples,
+/// constraints that contradict one another, parameters that coincide or do not matter, unless
+/// allowed ([`FittingError::Undetermined`]); a formula that is not finite where it is measured in
+/// the main arithmetic ([`FittingError::Uncertified`]). A search that does not converge, a pole
+/// that cannot be excluded, and an error above the limit are no errors here: they are told in
+/// [`Certified::problems`].
 pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
     let target = Target::new(&job.spec, &job.hypothesis)?;
     // Refused before the work.

@@ -20,7 +20,8 @@ pub enum Proof {
     NotProven(ShadeError),
 }
 
-/// What the weighted errors of a fit come to, at points that are spread evenly over the domain whatever the norm is.
+/// What the weighted errors of a fit come to, at points that are spread evenly over the domain
+/// whatever the norm is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weighted {
     /// Largest magnitude of weight times error.
@@ -129,7 +130,8 @@ pub(super) fn fit_one(
 /// Rounds in which places where a constraint was broken are added to it.
 const ROUNDS: usize = 6;
 
-/// Searches, looks where the finer constraints are broken, and searches again with these places added.
+/// Searches, looks where the finer constraints are broken, and searches again with these places
+/// added.
 pub(super) fn obedient(
     hypothesis: &Hypothesis,
     samples: &Samples,
@@ -171,7 +173,8 @@ pub(super) fn obedient(
     Ok(best)
 }
 
-/// The only fit bears its hypothesis' name; of several, all but the minimax fit have their norm appended.
+/// The only fit bears its hypothesis' name; of several, all but the minimax fit have their norm
+/// appended.
 fn named_for(hypothesis: &Hypothesis, goal: Goal, goals: usize) -> Hypothesis {
     match goal {
         Goal::Max => hypothesis.clone(),
@@ -190,7 +193,8 @@ fn samples(
     target: &Target,
     weight: Option<&Weight>,
 ) -> Result<Samples, FittingError> {
-    // The values of f0 that stand for all do so for a mean square or a maximum of errors that are affine in it, as they are weighted.
+    // The values of f0 that stand for all do so for a mean square or a maximum of errors that are
+    // affine in it, as they are weighted.
     let mut target = target.clone();
     let squares = !matches!(goal, Goal::Power(p) if p != 2.0);
     target.affine &= squares && !weight.is_some_and(|weight| weight.reads("f0"));
@@ -228,7 +232,8 @@ pub(super) fn approximation(
     approximate::approximation(hypothesis, form, target, Source::Fitted, certificate)
 }
 
-/// The file's own name without its extension: nothing that is written depends on where the file lies.
+/// The file's own name without its extension: nothing that is written depends on where the file
+/// lies.
 pub(super) fn stem(file: &str) -> String {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     name.strip_suffix(".wgsl").unwrap_or(name).to_string()

@@ -1,16 +1,20 @@
 //! How much of an error is seen: a weight over mu.
 //!
-//! A pixel of a sphere seen from afar shows a normal with the cosine mu to the view; those between mu and mu + d mu fill the share
-//! 2 mu d mu of its disc. There a white surface of radiance Y that errs by e, relative to the light that falls on it, departs by e Y, and
-//! to first order in the lightness L* of FLIP's colour difference by e Y dL*/dY. The mean square of that over the pixels of a sphere in the
-//! furnace (Y = 1) and of one in the environment of the studies, each with half the say, is the integral of (w e)^2 over mu with
+//! A pixel of a sphere seen from afar shows a normal with the cosine mu to the view; those between
+//! mu and mu + d mu fill the share 2 mu d mu of its disc. There a white surface of radiance Y that
+//! errs by e, relative to the light that falls on it, departs by e Y, and to first order in the
+//! lightness L* of FLIP's colour difference by e Y dL*/dY. The mean square of that over the pixels
+//! of a sphere in the furnace (Y = 1) and of one in the environment of the studies, each with half
+//! the say, is the integral of (w e)^2 over mu with
 //!
 //! w(mu)^2 = 2 mu (s(1)^2 + mean of s(Y)^2)/2, s(Y) = Y dL*/dY,
 //!
-//! the mean over the azimuths of the disc and Y the radiance of a white Lambertian sphere over that of its brightest place; divided by
-//! s(1)^2, so that w = sqrt(2 mu) in the furnace alone. A least squares fit with this weight (`--norm rms --weight perceptual`) so has the
-//! least mean square difference in lightness; FLIP itself compresses (the power 0.7) and blurs on top of that, which moves no weight between
-//! places that are seen alike. Roughness and f0 do not matter: a white surface that is right is equally bright for all of them.
+//! the mean over the azimuths of the disc and Y the radiance of a white Lambertian sphere over that
+//! of its brightest place; divided by s(1)^2, so that w = sqrt(2 mu) in the furnace alone. A least
+//! squares fit with this weight (`--norm rms --weight perceptual`) so has the least mean square
+//! difference in lightness; FLIP itself compresses (the power 0.7) and blurs on top of that, which
+//! moves no weight between places that are seen alike. Roughness and f0 do not matter: a white
+//! surface that is right is equally bright for all of them.
 
 use std::f64::consts::PI;
 
@@ -73,8 +77,9 @@ impl Perceptual {
 /// Slope of L*'s linear foot and its end (CIE 15:2004).
 const FOOT: f64 = 6.0 / 29.0;
 
-/// Slope dL*/dY of the lightness at a relative luminance Y: how far, per unit of light, two neutral pixels lie apart in the distance
-/// that FLIP's colour difference grows with. Y in [0, 1]; 903.3 at 0, 38.7 at 1.
+/// Slope dL*/dY of the lightness at a relative luminance Y: how far, per unit of light, two neutral
+/// pixels lie apart in the distance that FLIP's colour difference grows with. Y in [0, 1]; 903.3 at
+/// 0, 38.7 at 1.
 pub fn sensitivity(y: f64) -> f64 {
     if y > FOOT * FOOT * FOOT {
         let root = ops::cbrt(y);

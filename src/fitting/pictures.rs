@@ -175,8 +175,8 @@ fn error_name(used_as: Use) -> String {
     if used_as == Use::Normalisation { "furnace error E N - 1".into() } else { "error".into() }
 }
 
-/// The places where the error is larger than all around, the worst first. The certificate's worst place takes the first rank where it
-/// lies in this picture.
+/// The places where the error is larger than all around, the worst first. The certificate's worst
+/// place takes the first rank where it lies in this picture.
 fn worst(field: &Field, fit: &Certified, at: &[(String, f64)]) -> Vec<(f64, f64, f64)> {
     let (columns, rows) = (field.x.values.len(), field.y.values.len());
     let value = |i: usize, j: usize| f64::from(field.values[j * columns + i]);

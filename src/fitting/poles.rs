@@ -1,4 +1,5 @@
-//! Poles that a search has left between its samples: the search again with the formula's values bound, so that nothing comes near one.
+//! Poles that a search has left between its samples: the search again with the formula's values
+//! bound, so that nothing comes near one.
 
 use super::constraint_check::finer;
 use super::one::obedient;
@@ -24,8 +25,9 @@ pub(super) struct Task<'a> {
     pub domain: &'a Domain,
 }
 
-/// The search as it is, if it is proven finite, or if the values are bound already; else one within the range that the formula should have
-/// and as much on either side of it as that is wide, if that one is proven.
+/// The search as it is, if it is proven finite, or if the values are bound already; else one within
+/// the range that the formula should have and as much on either side of it as that is wide, if that
+/// one is proven.
 ///
 /// # Errors
 /// Places that the target does not have.
@@ -52,7 +54,8 @@ pub(super) fn kept_out(
     let more = demands::constraints(&demand, target, task.hypothesis)?;
     let all = [task.constraints, &more].concat();
     let wider = [&first.finer[..], &finer(&more, &demand, target, task.hypothesis, measured)?].concat();
-    // Within bounds that cannot be kept, or that no start reaches, nothing is found: the first search stands, and its pole is told.
+    // Within bounds that cannot be kept, or that no start reaches, nothing is found: the first
+    // search stands, and its pole is told.
     match obedient(task.hypothesis, task.samples, &all, &wider, task.options, task.domain) {
         Ok(again) if is_regular(&again) => Ok(Searched { found: again, finer: wider }),
         _ => Ok(first),

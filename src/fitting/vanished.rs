@@ -1,13 +1,16 @@
-//! Coefficients that have come out as nothing: set to exactly 0, and told, so that the author drops their terms.
+//! Coefficients that have come out as nothing: set to exactly 0, and told, so that the author drops
+//! their terms.
 
 use super::constraint_check::{self, ConstraintCheck};
 use lobefit_fit::{Constraint, FitError, Fitted, Samples};
 use lobefit_shade::{Domain, Hypothesis};
 
-/// A coefficient whose whole effect on every sample is below this part of the largest error is rounding of the solver.
+/// A coefficient whose whole effect on every sample is below this part of the largest error is
+/// rounding of the solver.
 const NOTHING: f64 = 1e-6;
 
-/// Beside an error that is itself rounding, so is an effect below this part of the targets: a fortieth of an f32's last place.
+/// Beside an error that is itself rounding, so is an effect below this part of the targets: a
+/// fortieth of an f32's last place.
 const ROUNDING: f64 = 1e-9;
 
 /// Coefficients that obey the constraints, at as many places as can be had.
@@ -19,7 +22,8 @@ pub(super) struct Obedient {
     pub kept: Vec<ConstraintCheck>,
 }
 
-/// The same with 0 in the place of coefficients that do nothing, one by one, as long as constraints are kept that were before.
+/// The same with 0 in the place of coefficients that do nothing, one by one, as long as constraints
+/// are kept that were before.
 pub(super) fn cleared(
     found: Obedient,
     hypothesis: &Hypothesis,
@@ -56,7 +60,8 @@ pub(super) fn cleared(
     Ok(found)
 }
 
-/// One sentence for each coefficient that is 0, but for those of which `fitted` says already that they do not matter.
+/// One sentence for each coefficient that is 0, but for those of which `fitted` says already that
+/// they do not matter.
 pub(super) fn notes(hypothesis: &Hypothesis, coefficients: &[f32], fitted: &Fitted) -> Vec<String> {
     let zero = hypothesis.parameters().iter().zip(coefficients).filter(|(_, value)| **value == 0.0);
     zero.filter(|(parameter, _)| !fitted.is_idle(&parameter.name))

@@ -35,7 +35,8 @@ const FILE: &str = "weight";
 const BEFORE: &str = "return ";
 
 impl Weight {
-    /// Parses the expression as the body of a function of all inputs; `perceptual` stands for itself.
+    /// Parses the expression as the body of a function of all inputs; `perceptual` stands for
+    /// itself.
     pub fn parse(expression: &str, target: &Target) -> Result<Weight, FittingError> {
         if expression.trim() != PERCEPTUAL {
             return Ok(Weight::Expression(Box::new(Expression::parse(expression, target)?)));

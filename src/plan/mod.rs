@@ -1,5 +1,5 @@
-//! A scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is planned
-//! that no material needs; jobs that several materials share are planned once.
+//! A scene to the jobs that it calls for, and to the effects left out with the reason. Nothing is
+//! planned that no material needs; jobs that several materials share are planned once.
 
 use serde::Serialize;
 

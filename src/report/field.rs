@@ -35,7 +35,8 @@ impl Ruler {
     }
 }
 
-/// Values over a grid. They are pictures and need f32; figures that carry a promise are f64 elsewhere.
+/// Values over a grid. They are pictures and need f32; figures that carry a promise are f64
+/// elsewhere.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Field {
     /// What it is: `E`, `E N - 1`, `lookup error of E`.

@@ -1,4 +1,5 @@
-//! What emitted functions take on a graphics processor, as measured on one: not reproducible, so kept apart from the findings of a bake.
+//! What emitted functions take on a graphics processor, as measured on one: not reproducible, so
+//! kept apart from the findings of a bake.
 
 use serde::{Deserialize, Serialize};
 
@@ -112,7 +113,8 @@ pub struct GpuRow {
     pub nanoseconds: GpuSpread,
     /// The loop with the evaluation over the loop without it, of dispatches one after the other.
     pub ratio: GpuSpread,
-    /// Evaluations a second that the device does, from the median; none where the time is not told from 0.
+    /// Evaluations a second that the device does, from the median; none where the time is not told
+    /// from 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub evaluations_per_second: Option<f64>,
     /// Beside a plain fetch of the same repeat.

@@ -1,4 +1,5 @@
-//! Findings as JSON: shortest digits that read back to the same number, objects on lines, lists of numbers on one.
+//! Findings as JSON: shortest digits that read back to the same number, objects on lines, lists of
+//! numbers on one.
 
 use std::io;
 

@@ -1,10 +1,11 @@
 //! What was found out, as pictures and pages. Plain data in, bytes out; nothing is measured here.
 //!
-//! [`index`] is the overview of a bake, [`files`] are the page of one of its effects and its figures, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a
-//! [`Page`], a list of [`Section`]s of [`Block`]s; a new effect adds a section from the figures there are
-//! ([`HeatMap`], [`Curves`], [`Scatter`], [`Spheres`], [`Bars`]). The same data gives the same bytes for any number
-//! of threads: rows of pictures are computed in parallel and joined in order, coordinates have fixed decimals, and
-//! nothing reads a clock.
+//! [`index`] is the overview of a bake, [`files`] are the page of one of its effects and its
+//! figures, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a [`Page`], a list of
+//! [`Section`]s of [`Block`]s; a new effect adds a section from the figures there are ([`HeatMap`],
+//! [`Curves`], [`Scatter`], [`Spheres`], [`Bars`]). The same data gives the same bytes for any
+//! number of threads: rows of pictures are computed in parallel and joined in order, coordinates
+//! have fixed decimals, and nothing reads a clock.
 
 pub mod check;
 mod error;
@@ -57,7 +58,8 @@ pub struct File {
 /// `reports/<effect>.html` of a page of sections, and `reports/<effect>.json` of its figures.
 ///
 /// # Errors
-/// Data that is not finite, empty where it must not be, or of mismatched size, by section and field.
+/// Data that is not finite, empty where it must not be, or of mismatched size, by section and
+/// field.
 pub fn files(effect: &str, page: &Page, figures: &impl Serialize) -> Result<Vec<File>, ReportError> {
     let figures = json::document(&format!("{effect}.json"), figures)?;
     Ok(vec![
@@ -93,7 +95,8 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
     Ok(vec![file("reports/timings.html", text.into_bytes()), file("reports/timings.json", figures)])
 }
 
-/// The page of times on a graphics processor as HTML, and its record as JSON; the page names the hash of the record's bytes.
+/// The page of times on a graphics processor as HTML, and its record as JSON; the page names the
+/// hash of the record's bytes.
 ///
 /// # Errors
 /// As [`files`].

@@ -1,6 +1,7 @@
 //! Numbers as people read them: few digits, and never a maximum that is printed smaller than it is.
 
-/// `x` with `digits` significant digits, rounded to nearest; plain between 1e-3 and 1e5, else `1.2e-5`.
+/// `x` with `digits` significant digits, rounded to nearest; plain between 1e-3 and 1e5, else
+/// `1.2e-5`.
 pub fn significant(x: f64, digits: usize) -> String {
     layout(&format!("{x:.*e}", digits.max(1) - 1))
 }
@@ -63,7 +64,8 @@ pub fn tick(x: f64) -> String {
     if x == 0.0 {
         return "0".into();
     }
-    // Ticks are multiples of a decimal step; 12 digits drop the binary residue of the multiplication.
+    // Ticks are multiples of a decimal step; 12 digits drop the binary residue of the
+    // multiplication.
     let short: f64 = format!("{x:.11e}").parse().unwrap_or(x);
     let size = short.abs();
     let text = if (1e-3..1e5).contains(&size) { format!("{size}") } else { power_of_ten(size) };
@@ -75,7 +77,8 @@ pub fn place(x: f64) -> String {
     tick(rounded(x, 6))
 }
 
-/// A text, each decimal fraction in it with at most 6 significant digits; numbers inside names stay.
+/// A text, each decimal fraction in it with at most 6 significant digits; numbers inside names
+/// stay.
 pub fn shortened(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;

@@ -28,7 +28,8 @@ pub struct Section {
     pub blocks: Vec<Block>,
 }
 
-/// A piece of a section. All text is plain and escaped on the way into the page; only `svg` is markup.
+/// A piece of a section. All text is plain and escaped on the way into the page; only `svg` is
+/// markup.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Block {
     /// A paragraph.

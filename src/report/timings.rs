@@ -1,4 +1,5 @@
-//! What accuracy costs in seconds, as measured on one machine: not reproducible, so kept apart from the findings.
+//! What accuracy costs in seconds, as measured on one machine: not reproducible, so kept apart from
+//! the findings.
 
 use serde::Serialize;
 
@@ -83,8 +84,8 @@ pub struct TimedApproximation {
     pub table: bool,
 }
 
-/// The three tables of the sources: reflection over mu, roughness and anisotropy; rough glass from either side over mu, alpha
-/// and the index of refraction.
+/// The three tables of the sources: reflection over mu, roughness and anisotropy; rough glass from
+/// either side over mu, alpha and the index of refraction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TimedTables {
     /// Threads at work.

@@ -11,7 +11,8 @@ pub struct Position {
     pub column: usize,
 }
 
-/// A scene, or the table of a kernel that it names, that is refused. Every message names the file; its text holds no control characters.
+/// A scene, or the table of a kernel that it names, that is refused. Every message names the file;
+/// its text holds no control characters.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
@@ -33,7 +34,8 @@ pub enum SceneError {
         /// What is wrong and what to do.
         message: String,
     },
-    /// Not JSON, or a field that is unknown, twice there, missing, of the wrong type or out of range.
+    /// Not JSON, or a field that is unknown, twice there, missing, of the wrong type or out of
+    /// range.
     #[error("{}:{}:{}: {}{}", visible(file), at.line, at.column, prefix(path), visible(message))]
     Field {
         /// File as the user named it.
@@ -59,6 +61,7 @@ pub enum SceneError {
 
 /// `path: `, or nothing for the scene itself.
 fn prefix(path: &str) -> String {
-    // serde_path_to_error says "." for the whole and "?" where it lost its way in text that is not JSON.
+    // serde_path_to_error says "." for the whole and "?" where it lost its way in text that is not
+    // JSON.
     if matches!(path, "" | "." | "?") { String::new() } else { format!("{}: ", visible(path)) }
 }

@@ -1,7 +1,7 @@
 //! What a scene's names may do in messages: nothing but be read. They reach no generated code.
 
-/// Whether a character could end a line or reorder the text around it where the name is printed: control characters,
-/// the Unicode line ends, and the bidirectional controls.
+/// Whether a character could end a line or reorder the text around it where the name is printed:
+/// control characters, the Unicode line ends, and the bidirectional controls.
 fn acts(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{200e}' | '\u{200f}' | '\u{061c}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')

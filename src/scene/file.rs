@@ -34,7 +34,8 @@ pub struct Scene {
     pub alpha: AlphaMap,
     /// Domain of mu for fits, lo < hi in [1e-4, 1].
     pub mu: [f64; 2],
-    /// File formats in which every table is written, each once, in the order of [`Container`]; at least one.
+    /// File formats in which every table is written, each once, in the order of [`Container`]; at
+    /// least one.
     // Absent at its default: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "exr_alone")]
     pub formats: Vec<Container>,
@@ -63,8 +64,8 @@ struct SceneFile {
     /// How roughness becomes GGX alpha; default `roughness^2`.
     #[serde(default)]
     alpha: Maybe<Word<AlphaMap>>,
-    /// Range [lo, hi] of the cosine of the view angle over which fits are made and certified; default [0.01, 1].
-    /// Tables are judged over [0.001, 1] whatever it is.
+    /// Range [lo, hi] of the cosine of the view angle over which fits are made and certified;
+    /// default [0.01, 1]. Tables are judged over [0.001, 1] whatever it is.
     #[serde(default)]
     mu: Maybe<Span<Cosine, false>>,
     /// File formats in which every table is written; default EXR alone.
@@ -109,7 +110,8 @@ impl Scene {
         })
     }
 
-    /// Reads a scene; `kernel` reads the table of a path relative to the scene, which the field names.
+    /// Reads a scene; `kernel` reads the table of a path relative to the scene, which the field
+    /// names.
     ///
     /// # Errors
     /// As [`Scene::from_json`]; those of `kernel`.
@@ -149,14 +151,16 @@ impl Scene {
         Scene::from_json(include_bytes!("default.json"), "the built-in scene")
     }
 
-    /// Hash of what the scene means: blake3 of its normal form, in which every default is filled in, so that spelling,
-    /// layout and order of fields do not matter and values do. The text of hypothesis files is not part of it.
+    /// Hash of what the scene means: blake3 of its normal form, in which every default is filled
+    /// in, so that spelling, layout and order of fields do not matter and values do. The text of
+    /// hypothesis files is not part of it.
     pub fn hash(&self) -> Result<String, serde_json::Error> {
         let normal = serde_json::to_vec(self)?;
         Ok(blake3::hash(&normal).to_hex().to_string())
     }
 
-    /// Hypothesis files that the materials name, each once, in order of first mention, with the field that mentions it.
+    /// Hypothesis files that the materials name, each once, in order of first mention, with the
+    /// field that mentions it.
     pub fn hypotheses(&self) -> Vec<(&str, String)> {
         let mut paths: Vec<(&str, String)> = Vec::new();
         for (i, material) in self.materials.iter().enumerate() {
@@ -195,8 +199,8 @@ impl Scene {
         Ok(())
     }
 
-    /// A chain holds some of the roughness that it is looked up with. Rules of several fetches are fitted for kernels with a
-    /// formula, the lobe of a surface for one kernel alone.
+    /// A chain holds some of the roughness that it is looked up with. Rules of several fetches are
+    /// fitted for kernels with a formula, the lobe of a surface for one kernel alone.
     fn check_probes(&self) -> Result<(), (String, String)> {
         self.check_kernels()?;
         for (i, probe) in self.probes.iter().enumerate() {
@@ -227,7 +231,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Functions are named by their kernel's name: two tables of one name would have the same functions.
+    /// Functions are named by their kernel's name: two tables of one name would have the same
+    /// functions.
     fn check_kernels(&self) -> Result<(), (String, String)> {
         let mut known: BTreeMap<&str, (usize, &Kernel)> = BTreeMap::new();
         for (i, probe) in self.probes.iter().enumerate() {
@@ -243,7 +248,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Holds the texels of all different tables together to the limits, before anything is allocated.
+    /// Holds the texels of all different tables together to the limits, before anything is
+    /// allocated.
     fn check_texels(&self) -> Result<(), (String, String)> {
         let mut tables = BTreeSet::new();
         let mut total = (0, 0);
@@ -264,7 +270,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Holds hypotheses to their number. Whether two define one function is seen when they are read.
+    /// Holds hypotheses to their number. Whether two define one function is seen when they are
+    /// read.
     fn check_hypotheses(&self) -> Result<(), (String, String)> {
         let mut count = 0;
         for (i, material) in self.materials.iter().enumerate() {

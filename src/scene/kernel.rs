@@ -1,4 +1,5 @@
-//! The lobe that a probe's chain is prefiltered with: one of a word, or a table in a file of its own.
+//! The lobe that a probe's chain is prefiltered with: one of a word, or a table in a file of its
+//! own.
 
 use std::borrow::Cow;
 
@@ -93,9 +94,11 @@ impl TextRule for FunctionPart {
     }
 }
 
-/// The lobe that a renderer's cubemaps are prefiltered with, as a table: its weight over the angle at some widths. With x the energy that
-/// GGX's lobe D(theta/2) of the same width holds inside an angle, its density over x is interpolated: between angles by monotone cubics, between widths
-/// linearly in ln alpha; below the narrowest width the density over x is that of the narrowest. A dozen widths or more leave 0.001 of the energy.
+/// The lobe that a renderer's cubemaps are prefiltered with, as a table: its weight over the angle
+/// at some widths. With x the energy that GGX's lobe D(theta/2) of the same width holds inside an
+/// angle, its density over x is interpolated: between angles by monotone cubics, between widths
+/// linearly in ln alpha; below the narrowest width the density over x is that of the narrowest. A
+/// dozen widths or more leave 0.001 of the energy.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Kernel")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a kernel")]
@@ -103,7 +106,8 @@ struct KernelFile {
     /// Version of this format: 1.
     #[allow(dead_code, reason = "reading it is the check")]
     schema_version: Whole<Version>,
-    /// What functions for such chains are named by: small letters, digits and single hyphens, at most 32, a letter first.
+    /// What functions for such chains are named by: small letters, digits and single hyphens, at
+    /// most 32, a letter first.
     name: Text<FunctionPart>,
     /// The lobe at some widths, the narrowest first; the last is of alpha 1.
     lobes: List<Lobe, { limits::KERNEL_LOBES }>,
@@ -116,7 +120,8 @@ struct KernelFile {
 struct LobeFile {
     /// Its width alpha: GGX's of the level that is prefiltered with it.
     alpha: In<Width>,
-    /// Angles from the axis in radians, rising from 0 to at most pi/2 = 1.5707963; at least 8. Beyond the last the lobe is 0.
+    /// Angles from the axis in radians, rising from 0 to at most pi/2 = 1.5707963; at least 8.
+    /// Beyond the last the lobe is 0.
     theta: List<In<QuarterTurn>, { limits::KERNEL_ANGLES }>,
     /// Weight of the radiance per solid angle at every angle, in any unit: the lobe is normalised.
     density: List<In<NotNegative>, { limits::KERNEL_ANGLES }>,

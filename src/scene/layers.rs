@@ -1,4 +1,5 @@
-//! What a material has beside its specular lobe: a diffuse base below it, a sheen layer above it, each with what is wanted of it.
+//! What a material has beside its specular lobe: a diffuse base below it, a sheen layer above it,
+//! each with what is wanted of it.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -13,8 +14,8 @@ use lobefit_truth::quantity::Specular;
 /// A diffuse base: Lambert's lobe under the specular one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Base {
-    /// Albedo per colour channel, in [0, 1]. It scales the base's share of the light, and the error of that with it: the coupling
-    /// factor does not depend on it.
+    /// Albedo per colour channel, in [0, 1]. It scales the base's share of the light, and the error
+    /// of that with it: the coupling factor does not depend on it.
     pub albedo: [f64; 3],
     /// What multiplies the specular lobe above it: the factor is what that leaves.
     pub specular: Specular,
@@ -33,23 +34,26 @@ impl Base {
     }
 }
 
-/// The diffuse base of a dielectric (Lambert's lobe), which calls for fits of the factor that a white base is multiplied by so that base and
-/// specular lobe together send back exactly all light. An albedo below 1 scales the base's share alone, and its error as well.
+/// The diffuse base of a dielectric (Lambert's lobe), which calls for fits of the factor that a
+/// white base is multiplied by so that base and specular lobe together send back exactly all light.
+/// An albedo below 1 scales the base's share alone, and its error as well.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Base")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a diffuse base")]
 struct BaseFile {
-    /// Albedo of the base: a number, or one for red, green and blue; default 1, white. A black base calls for nothing.
+    /// Albedo of the base: a number, or one for red, green and blue; default 1, white. A black base
+    /// calls for nothing.
     #[serde(default)]
     albedo: Maybe<Numbers<In<Unit>, 3, true>>,
-    /// What the renderer multiplies the specular lobe by: `single` nothing; `normalised` 1/E (the default); `compensated`
-    /// 1 + f0 (1/E - 1).
+    /// What the renderer multiplies the specular lobe by: `single` nothing; `normalised` 1/E (the
+    /// default); `compensated` 1 + f0 (1/E - 1).
     #[serde(default)]
     specular: Maybe<Word<Specular>>,
     /// Most operations that an emitted fit may take; default: any number.
     #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
-    /// Error of the factor that at least one emitted fit within `max_ops` must meet, else the bake fails; default: no limit.
+    /// Error of the factor that at least one emitted fit within `max_ops` must meet, else the bake
+    /// fails; default: no limit.
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, one fit each; default both.
@@ -94,19 +98,20 @@ impl Sheen {
     }
 }
 
-/// A sheen layer, as of cloth (the lobe of Estevez and Kulla 2017), which calls for fits of its albedo E. At grazing E exceeds 1,
-/// the more the smaller its alpha is.
+/// A sheen layer, as of cloth (the lobe of Estevez and Kulla 2017), which calls for fits of its
+/// albedo E. At grazing E exceeds 1, the more the smaller its alpha is.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Sheen")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a sheen layer")]
 struct SheenFile {
-    /// Roughness of the sheen: a number, or the range [lo, hi] that the material's texture spans. Where alpha is below 0.0001 it
-    /// calls for nothing.
+    /// Roughness of the sheen: a number, or the range [lo, hi] that the material's texture spans.
+    /// Where alpha is below 0.0001 it calls for nothing.
     roughness: Span<Unit, true>,
     /// Most operations that an emitted fit may take; default: any number.
     #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
-    /// Error of E that at least one emitted fit within `max_ops` must meet, else the bake fails; default: no limit.
+    /// Error of E that at least one emitted fit within `max_ops` must meet, else the bake fails;
+    /// default: no limit.
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, one fit each; default both.

@@ -1,4 +1,5 @@
-//! Every limit on what a scene may ask for, in one place. They bound time and memory before either is spent.
+//! Every limit on what a scene may ask for, in one place. They bound time and memory before either
+//! is spent.
 
 /// Largest scene file, bytes.
 pub const FILE_BYTES: u64 = 16 << 20;
@@ -18,11 +19,13 @@ pub const AXIS_MAX: usize = 1024;
 pub const SLICED_AXIS_MIN: usize = 4;
 /// Most texels of an axis of a table of three.
 pub const SLICED_AXIS_MAX: usize = 256;
-/// Most texels of a table of three axes. One whose texels are optimised has eight samples a texel, which with their errors take 17 bytes
-/// each: of this size 0.6 GB, of glass, whose sides share their integrals, 0.9 GB.
+/// Most texels of a table of three axes. One whose texels are optimised has eight samples a texel,
+/// which with their errors take 17 bytes each: of this size 0.6 GB, of glass, whose sides share
+/// their integrals, 0.9 GB.
 pub const SLICED_CELLS: usize = 1 << 22;
-/// Most columns times slices of a table of three axes whose texels are optimised. Each is sampled eightfold at up to 26 alphas, so that
-/// this takes up to 3.4 million integrals of some ten microseconds, and 0.3 GB for their inputs and values.
+/// Most columns times slices of a table of three axes whose texels are optimised. Each is sampled
+/// eightfold at up to 26 alphas, so that this takes up to 3.4 million integrals of some ten
+/// microseconds, and 0.3 GB for their inputs and values.
 pub const SLICED_LINES: usize = 1 << 14;
 /// Most tables that a material may want.
 pub const TABLES: usize = 4;
@@ -55,9 +58,10 @@ pub const FIT_OPS: u32 = 1000;
 /// Most worker threads.
 pub const THREADS: usize = 256;
 
-/// Smallest GGX alpha that counts as rough. Below it the lobe is narrower than the accuracy promise of the
-/// integrals reaches (alpha in [1e-4, 1]), and its albedo differs from the mirror's by less than 2e-4 for
-/// mu >= 1e-3 (the albedo depends on mu/alpha alone there): such a material is smooth.
+/// Smallest GGX alpha that counts as rough. Below it the lobe is narrower than the accuracy promise
+/// of the integrals reaches (alpha in [1e-4, 1]), and its albedo differs from the mirror's by less
+/// than 2e-4 for mu >= 1e-3 (the albedo depends on mu/alpha alone there): such a material is
+/// smooth.
 pub const SMOOTH_ALPHA: f64 = 1e-4;
 /// Largest index of refraction of glass: where the accuracy promise of the integrals ends.
 pub const GLASS_IOR: f64 = 3.0;
@@ -66,8 +70,8 @@ pub const PATH_TRACER_IOR: f64 = 2.0;
 /// Smallest mu of the domain of a fit: where the accuracy promise of the integrals ends.
 pub const MU_MIN: f64 = 1e-4;
 
-/// Cells and bytes of a table with `columns` x `rows` texels of `texel_bytes` each (all channels), or `None` where
-/// the product overflows or exceeds [`CELLS`] or [`TEXEL_BYTES`].
+/// Cells and bytes of a table with `columns` x `rows` texels of `texel_bytes` each (all channels),
+/// or `None` where the product overflows or exceeds [`CELLS`] or [`TEXEL_BYTES`].
 pub fn texels(columns: usize, rows: usize, texel_bytes: u64) -> Option<(u64, u64)> {
     let cells = u64::try_from(columns).ok()?.checked_mul(u64::try_from(rows).ok()?)?;
     let bytes = cells.checked_mul(texel_bytes)?;

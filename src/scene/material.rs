@@ -60,15 +60,18 @@ pub struct Material {
     pub name: String,
     /// Metal, dielectric or glass.
     pub kind: Kind,
-    /// Reflectance at normal incidence, per colour channel, in [0, 1]; of glass `None`: `ior` says it.
+    /// Reflectance at normal incidence, per colour channel, in [0, 1]; of glass `None`: `ior` says
+    /// it.
     pub f0: Option<[f64; 3]>,
-    /// Index of refraction where the scene gave that: of a dielectric one number in (1, 4], of glass a range in [1, 3].
+    /// Index of refraction where the scene gave that: of a dielectric one number in (1, 4], of
+    /// glass a range in [1, 3].
     #[serde(serialize_with = "one_or_range")]
     pub ior: Option<[f64; 2]>,
     /// Roughness range in [0, 1], lo <= hi.
     pub roughness: [f64; 2],
-    /// Range of the anisotropy in [0, 1], lo <= hi: aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect,
-    /// alpha_y = alpha aspect (Burley 2012, "Physically Based Shading at Disney"). 0 to 0: isotropic.
+    /// Range of the anisotropy in [0, 1], lo <= hi: aspect = sqrt(1 - 0.9 anisotropy), alpha_x =
+    /// alpha / aspect, alpha_y = alpha aspect (Burley 2012, "Physically Based Shading at Disney").
+    /// 0 to 0: isotropic.
     // Absent at its default: the hash of an isotropic scene is that of the versions before it.
     #[serde(skip_serializing_if = "isotropic")]
     pub anisotropy: [f64; 2],
@@ -102,7 +105,8 @@ impl Material {
         lobe(self.kind, self.anisotropy)
     }
 
-    /// The part of the roughness range whose lobe is rough (alpha >= [`SMOOTH_ALPHA`]), or `None` for a smooth material.
+    /// The part of the roughness range whose lobe is rough (alpha >= [`SMOOTH_ALPHA`]), or `None`
+    /// for a smooth material.
     pub fn rough_range(&self, map: AlphaMap) -> Option<[f64; 2]> {
         rough_part(self.roughness, map)
     }
@@ -113,16 +117,17 @@ pub(super) fn rough_part([lo, hi]: [f64; 2], map: AlphaMap) -> Option<[f64; 2]> 
     (map.alpha(hi) >= SMOOTH_ALPHA).then(|| [lo.max(smallest_rough(map)), hi])
 }
 
-/// The roughness at which alpha is [`SMOOTH_ALPHA`]: the root of the map, whose alpha is not below it in f64.
+/// The roughness at which alpha is [`SMOOTH_ALPHA`]: the root of the map, whose alpha is not below
+/// it in f64.
 pub fn smallest_rough(map: AlphaMap) -> f64 {
     map.roughness(SMOOTH_ALPHA)
 }
 
 /// A material.
 #[derive(Deserialize, JsonSchema)]
-// A diffuse base is a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric either, glass `ior`. Tables with a
-// third axis are for anisotropic materials and for glass, which has neither anisotropy nor the approximations of lobes that only
-// reflect.
+// A diffuse base is a dielectric's. Exactly one of `f0` and `ior`: a metal `f0`, a dielectric
+// either, glass `ior`. Tables with a third axis are for anisotropic materials and for glass, which
+// has neither anisotropy nor the approximations of lobes that only reflect.
 #[schemars(rename = "Material", extend(
     "oneOf" = [{ "required": ["f0"] }, { "required": ["ior"] }],
     "anyOf" = [
@@ -173,18 +178,20 @@ struct MaterialFile {
     name: Text<Name>,
     /// `metal`, `dielectric`, or `glass`, which transmits light through its rough surface.
     kind: Word<Kind>,
-    /// Reflectance at normal incidence: a number, or one for red, green and blue. A metal needs it; a dielectric has
-    /// either this or `ior`; glass has none.
+    /// Reflectance at normal incidence: a number, or one for red, green and blue. A metal needs it;
+    /// a dielectric has either this or `ior`; glass has none.
     #[serde(default)]
     f0: Maybe<Numbers<In<Unit>, 3, true>>,
-    /// Index of refraction: of a dielectric a number in (1, 4]; of glass a number or a range [lo, hi] in [1, 3].
+    /// Index of refraction: of a dielectric a number in (1, 4]; of glass a number or a range [lo,
+    /// hi] in [1, 3].
     #[serde(default)]
     ior: Maybe<Span<Ior, true>>,
-    /// Roughness: a number, or the range [lo, hi] that the material's texture spans. Where alpha is below 0.0001 the
-    /// surface counts as smooth and calls for no rough specular.
+    /// Roughness: a number, or the range [lo, hi] that the material's texture spans. Where alpha is
+    /// below 0.0001 the surface counts as smooth and calls for no rough specular.
     roughness: Span<Unit, true>,
-    /// Anisotropy of a metal or a dielectric: a number, or the range [lo, hi] that the material's texture spans; default 0.
-    /// aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect, alpha_y = alpha aspect.
+    /// Anisotropy of a metal or a dielectric: a number, or the range [lo, hi] that the material's
+    /// texture spans; default 0. aspect = sqrt(1 - 0.9 anisotropy), alpha_x = alpha / aspect,
+    /// alpha_y = alpha aspect.
     #[serde(default)]
     anisotropy: Maybe<Span<Unit, true>>,
     /// A sheen layer; without it, none.
@@ -193,8 +200,8 @@ struct MaterialFile {
     /// The diffuse base of a dielectric; without it, none.
     #[serde(default)]
     base: Maybe<Base>,
-    /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a table with a third axis, with
-    /// their defaults.
+    /// What is wanted; without it a table and fits, or of anisotropic materials and of glass a
+    /// table with a third axis, with their defaults.
     #[serde(default)]
     wants: Maybe<OpenWants>,
 }

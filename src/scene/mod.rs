@@ -1,7 +1,8 @@
 //! Bytes to a validated scene, which owns every limit on input.
 //!
-//! A scene is JSON of our own (`lobefit schema` prints its JSON Schema). Unknown and repeated fields, `null`, negative
-//! zero and anything out of range are refused with file, line, column and field. Nothing here opens a file.
+//! A scene is JSON of our own (`lobefit schema` prints its JSON Schema). Unknown and repeated
+//! fields, `null`, negative zero and anything out of range are refused with file, line, column and
+//! field. Nothing here opens a file.
 
 mod error;
 pub mod escape;

@@ -30,7 +30,8 @@ impl TextRule for HypothesisPath {
     }
 }
 
-/// Whether a path is relative, plain, and of a file whose name ends in `extension`; if not, the message.
+/// Whether a path is relative, plain, and of a file whose name ends in `extension`; if not, the
+/// message.
 pub(super) fn relative(text: &str, extension: &str) -> Result<(), String> {
     if let Some(c) = text.chars().find(|&c| c.is_control() || matches!(c, '\\' | ':')) {
         return Err(format!("the path holds {}; use a relative path with `/`", c.escape_default()));

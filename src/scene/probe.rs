@@ -16,7 +16,8 @@ use lobefit_truth::optics::kernel::Kernel;
 /// Roughness where the scene gives none: below it a fetch is as sharp as the texels.
 const ROUGHNESS: [f64; 2] = [0.1, 1.0];
 
-/// Ratios of distances where the scene gives none: from close to a wall to half a room behind the probe.
+/// Ratios of distances where the scene gives none: from close to a wall to half a room behind the
+/// probe.
 const RHO: [f64; 2] = [1.0 / 16.0, 8.0];
 
 /// A probe.
@@ -32,7 +33,8 @@ pub struct Probe {
     pub kernel_file: Option<String>,
     /// Roughness range of what looks it up, in [0, 1], lo <= hi.
     pub roughness: [f64; 2],
-    /// Distance of the shading point over that of the probe, from what they see; lo <= hi in [1e-6, 1e3].
+    /// Distance of the shading point over that of the probe, from what they see; lo <= hi in [1e-6,
+    /// 1e3].
     pub rho: [f64; 2],
     /// Its chain of levels; `None`: fetches are by alpha.
     pub mips: Option<MipChain>,
@@ -53,57 +55,64 @@ impl Probe {
         rough_part(self.roughness, map)
     }
 
-    /// The first lookup of several fetches, with their number, where no rule of several is fitted for the lobe: for one in a file.
+    /// The first lookup of several fetches, with their number, where no rule of several is fitted
+    /// for the lobe: for one in a file.
     pub(super) fn unruled(&self) -> Option<(usize, u32)> {
         let several = self.lookups.iter().position(|lookup| lookup.taps > 1);
         several.filter(|_| !self.kernel.is_analytic()).map(|j| (j, self.lookups[j].taps))
     }
 
-    /// The roughness of the first and of the last level of its chain, where none that it is looked up with lies between.
+    /// The roughness of the first and of the last level of its chain, where none that it is looked
+    /// up with lies between.
     pub(super) fn unheld(&self) -> Option<[f64; 2]> {
         let chain = self.mips.as_ref()?;
         let ends = [0.0, chain.widest()].map(|level| chain.roughness(level));
         (self.roughness[1] < ends[0] || self.roughness[0] > ends[1]).then_some(ends)
     }
 
-    /// The first lookup of the fitted lobe, where it is fitted for another: with fetches of the half-cosine lobe.
+    /// The first lookup of the fitted lobe, where it is fitted for another: with fetches of the
+    /// half-cosine lobe.
     pub(super) fn unfitted(&self) -> Option<usize> {
         let fitted = self.lookups.iter().position(|lookup| lookup.is_fitted());
         fitted.filter(|_| self.kernel != Kernel::HalfCosine)
     }
 }
 
-/// A probe: a prefiltered cubemap that is looked up where a ray meets the proxy of a room. It calls for fits of the width alpha' of the
-/// lobe to fetch, by the width alpha seen from the shading point and the ratio rho of its distance to the probe's.
+/// A probe: a prefiltered cubemap that is looked up where a ray meets the proxy of a room. It calls
+/// for fits of the width alpha' of the lobe to fetch, by the width alpha seen from the shading
+/// point and the ratio rho of its distance to the probe's.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Probe")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a probe")]
 struct ProbeFile {
     /// Name; unique among the probes.
     name: Text<Name>,
-    /// The lobe that its levels are prefiltered with: `ndf` D(theta), `half` D(theta/2), `half-cosine` D(theta/2) cos(theta), which is
-    /// what engines bake and the default; or the path of a .json file, relative to the scene, with a table of another lobe
-    /// (`lobefit schema --kernel`).
+    /// The lobe that its levels are prefiltered with: `ndf` D(theta), `half` D(theta/2),
+    /// `half-cosine` D(theta/2) cos(theta), which is what engines bake and the default; or the path
+    /// of a .json file, relative to the scene, with a table of another lobe (`lobefit schema
+    /// --kernel`).
     #[serde(default)]
     kernel: Maybe<KernelWord>,
-    /// Roughness of what looks it up: a number, or the range [lo, hi]; default [0.1, 1]. Where alpha is below 0.0001 it calls for
-    /// nothing.
+    /// Roughness of what looks it up: a number, or the range [lo, hi]; default [0.1, 1]. Where
+    /// alpha is below 0.0001 it calls for nothing.
     #[serde(default)]
     roughness: Maybe<Span<Unit, true>>,
-    /// Distance of the shading point over that of the probe, from the point of the proxy that both see: a number, or the range
-    /// [lo, hi]; default [0.0625, 8]. Where even the widest lobe is too narrow nothing is promised.
+    /// Distance of the shading point over that of the probe, from the point of the proxy that both
+    /// see: a number, or the range [lo, hi]; default [0.0625, 8]. Where even the widest lobe is too
+    /// narrow nothing is promised.
     #[serde(default)]
     rho: Maybe<Span<Ratio, true>>,
     /// Its chain of levels, for functions of the level; default none.
     #[serde(default)]
     mips: Maybe<MipChain>,
-    /// Most operations that an emitted fit may take; default: any number. Where that leaves no fit, `lookups` cannot be made, and the bake
-    /// fails.
+    /// Most operations that an emitted fit may take; default: any number. Where that leaves no fit,
+    /// `lookups` cannot be made, and the bake fails.
     #[serde(default)]
     max_ops: Maybe<Whole<Ops>>,
-    /// Largest total variation between the footprint that is wanted and the one that is fetched that at least one emitted fit within
-    /// `max_ops` must keep, on a grid over `roughness` and `rho` without its saturated cells, else the bake fails; default: no
-    /// limit. It bounds the error of radiance in units of the scene's range. The best width itself leaves up to 0.034
+    /// Largest total variation between the footprint that is wanted and the one that is fetched
+    /// that at least one emitted fit within `max_ops` must keep, on a grid over `roughness` and
+    /// `rho` without its saturated cells, else the bake fails; default: no limit. It bounds the
+    /// error of radiance in units of the scene's range. The best width itself leaves up to 0.034
     /// (half-cosine).
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
@@ -111,14 +120,16 @@ struct ProbeFile {
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Maybe<List<Word<Norm>, 2>>,
-    /// Functions that look it up, each with its proxy of the room and its number of fetches; default none. They take the width from the fit
-    /// of the least largest relative error and return directions with widths, or with levels where `mips` is given.
+    /// Functions that look it up, each with its proxy of the room and its number of fetches;
+    /// default none. They take the width from the fit of the least largest relative error and
+    /// return directions with widths, or with levels where `mips` is given.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     lookups: Maybe<List<ProbeLookup, { limits::LOOKUPS_MAX }>>,
 }
 
-/// A function that looks a probe up: where the ray that a surface reflects meets the proxy, and what to fetch from there.
+/// A function that looks a probe up: where the ray that a surface reflects meets the proxy, and
+/// what to fetch from there.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Lookup")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a lookup, which may be empty")]
@@ -126,14 +137,17 @@ struct LookupFile {
     /// Number of planes of the proxy; default: a box along the axes, between two corners.
     #[serde(default)]
     planes: Maybe<Whole<Planes>>,
-    /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing jumps there, or `sharp`; default `smooth`.
+    /// Edges of the proxy: `smooth`, which rounds them by the width of the lobe so that nothing
+    /// jumps there, or `sharp`; default `smooth`.
     #[serde(default)]
     edges: Maybe<Word<Edges>>,
-    /// Number of fetches: 1, or where the kernel is no file 2 or 3 along the axis that the wall stretches; default 1.
+    /// Number of fetches: 1, or where the kernel is no file 2 or 3 along the axis that the wall
+    /// stretches; default 1.
     #[serde(default)]
     taps: Maybe<Whole<TapCount>>,
-    /// What the lobe of a surface is taken for: `mirror`, round about the reflected ray, or for half-cosine chains `fitted`, leaning towards the
-    /// normal and squashed at grazing angles as GGX is, by normal and view; default `mirror`.
+    /// What the lobe of a surface is taken for: `mirror`, round about the reflected ray, or for
+    /// half-cosine chains `fitted`, leaning towards the normal and squashed at grazing angles as
+    /// GGX is, by normal and view; default `mirror`.
     #[serde(default)]
     lobe: Maybe<Word<SurfaceLobe>>,
 }
@@ -174,12 +188,14 @@ fn lookups(list: Option<List<ProbeLookup, { limits::LOOKUPS_MAX }>>) -> Result<V
     }
 }
 
-/// A chain of prefiltered levels: a published `map` with its `count`, or the roughness of each of its `levels`.
+/// A chain of prefiltered levels: a published `map` with its `count`, or the roughness of each of
+/// its `levels`.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Mips", extend("minProperties" = 1))]
 #[serde(deny_unknown_fields, expecting = "an object with `map` and `count`, or with `levels`")]
 struct MipsFile {
-    /// Roughness r to level: `linear` r, `r(2-r)`, `r(1.7-0.7r)`, all times `count` - 1; `log` `count` - 2 + 1.2 log2 r.
+    /// Roughness r to level: `linear` r, `r(2-r)`, `r(1.7-0.7r)`, all times `count` - 1; `log`
+    /// `count` - 2 + 1.2 log2 r.
     #[serde(default)]
     map: Maybe<Word<MipMap>>,
     /// Number of levels, with `map`; at least 3 for `log`.

@@ -1,4 +1,5 @@
-//! Wanted tables: of the lobe of a metal or a dielectric, with or without its anisotropy, and of rough glass.
+//! Wanted tables: of the lobe of a metal or a dielectric, with or without its anisotropy, and of
+//! rough glass.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,9 +11,10 @@ use super::value::{List, Maybe, Word, about, from_file};
 use crate::data::{AXES, TexelFormat};
 pub use crate::data::{Layout, Serves};
 
-/// The limit on the lookup error where neither size nor limit is given: what a 32x32 table in the homogeneous layout (64x64 for
-/// split sum), a 64x64x32 (anisotropic) or 128x128x32 (glass) one in the optimised layout for alpha >= 0.02, and a 64x16x16 one
-/// with the azimuth reach with room to spare.
+/// The limit on the lookup error where neither size nor limit is given: what a 32x32 table in the
+/// homogeneous layout (64x64 for split sum), a 64x64x32 (anisotropic) or 128x128x32 (glass) one in
+/// the optimised layout for alpha >= 0.02, and a 64x16x16 one with the azimuth reach with room to
+/// spare.
 fn default_limit(layout: Layout, serves: Serves) -> Option<f64> {
     match (layout, serves) {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, Serves::Albedo) => Some(1e-3),
@@ -23,7 +25,8 @@ fn default_limit(layout: Layout, serves: Serves) -> Option<f64> {
     }
 }
 
-/// Texels along each axis where the scene gives none: open for tables of two axes, fixed for the path tracer's.
+/// Texels along each axis where the scene gives none: open for tables of two axes, fixed for the
+/// path tracer's.
 fn default_size(lobe: Lobe, layout: Layout) -> Option<Vec<usize>> {
     match (layout, lobe) {
         (Layout::Homogeneous | Layout::Plain | Layout::PlainSquared, _) => None,
@@ -40,13 +43,15 @@ fn default_size(lobe: Lobe, layout: Layout) -> Option<Vec<usize>> {
 pub struct TableWant {
     /// Coordinates, and with them the number of axes.
     pub layout: Layout,
-    /// Texels along each axis; `None`, of two axes alone: the smallest of 16, 32, 64, 128 squares that meets the limit.
+    /// Texels along each axis; `None`, of two axes alone: the smallest of 16, 32, 64, 128 squares
+    /// that meets the limit.
     pub size: Option<Vec<usize>>,
     /// How a texel is stored.
     pub format: TexelFormat,
     /// What it is looked up for: with a third axis the albedo.
     pub serves: Serves,
-    /// Largest lookup error that the bake may deliver; always given where `size` is `None`, never in the path tracer's layout.
+    /// Largest lookup error that the bake may deliver; always given where `size` is `None`, never
+    /// in the path tracer's layout.
     pub max_error: Option<f64>,
 }
 
@@ -59,9 +64,10 @@ pub(super) struct OpenTable {
     max_error: Option<f64>,
 }
 
-/// A table of the albedo: over mu and roughness; with the anisotropy as a third axis, as the mean over the azimuth of the view or
-/// with it; or of rough glass with the index of refraction as a third axis, for rays from outside and from inside. The error of a
-/// table is that of its linear lookup after rounding to the texel format.
+/// A table of the albedo: over mu and roughness; with the anisotropy as a third axis, as the mean
+/// over the azimuth of the view or with it; or of rough glass with the index of refraction as a
+/// third axis, for rays from outside and from inside. The error of a table is that of its linear
+/// lookup after rounding to the texel format.
 #[derive(Default, Deserialize, JsonSchema)]
 #[schemars(rename = "Table", extend("anyOf" = [
     {
@@ -80,22 +86,25 @@ pub(super) struct OpenTable {
 ]))]
 #[serde(deny_unknown_fields, default, expecting = "an object that describes a table")]
 struct TableFile {
-    /// Coordinates of the texels. Over mu and roughness: `homogeneous` (the default of isotropic materials), `plain`,
-    /// `plain-squared`. With a third axis, of anisotropic materials and of glass: `optimised` (their default), `path-tracer`, which
-    /// takes separable Smith and alpha = roughness whatever the scene says, has its own size and takes no `max_error`, and
-    /// `azimuth`, which is for anisotropic materials.
+    /// Coordinates of the texels. Over mu and roughness: `homogeneous` (the default of isotropic
+    /// materials), `plain`, `plain-squared`. With a third axis, of anisotropic materials and of
+    /// glass: `optimised` (their default), `path-tracer`, which takes separable Smith and alpha =
+    /// roughness whatever the scene says, has its own size and takes no `max_error`, and `azimuth`,
+    /// which is for anisotropic materials.
     layout: Maybe<Word<Layout>>,
-    /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to 256 along three, of these at
-    /// most 4194304 together, and in the optimised layout 16384 columns times slices. Default of two axes: the smallest of 16x16,
-    /// 32x32, 64x64, 128x128 that meets `max_error`; of three: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32.
+    /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
+    /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384
+    /// columns times slices. Default of two axes: the smallest of 16x16, 32x32, 64x64, 128x128 that
+    /// meets `max_error`; of three: 64x64x32, with the azimuth 64x16x16, of glass 128x128x32.
     #[schemars(extend("minItems" = 2))]
     size: Maybe<List<Whole<AxisSize>, AXES>>,
     /// Texel format; default `f16`.
     format: Maybe<Word<TexelFormat>>,
     /// What the table is looked up for; default `albedo`, the only one with a third axis.
     serves: Maybe<Word<Serves>>,
-    /// Limit on the lookup error; the bake fails where it is exceeded. Default without `size`: 0.001 for `albedo`, 0.003 for
-    /// `split-sum`, with a third axis 0.002, with the azimuth 0.01; with `size`: no limit.
+    /// Limit on the lookup error; the bake fails where it is exceeded. Default without `size`:
+    /// 0.001 for `albedo`, 0.003 for `split-sum`, with a third axis 0.002, with the azimuth 0.01;
+    /// with `size`: no limit.
     max_error: Maybe<In<ErrorLimit>>,
 }
 

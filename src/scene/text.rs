@@ -3,7 +3,8 @@
 use super::error::{Position, SceneError};
 use super::limits;
 
-/// The bytes as text, once they are known to be UTF-8 within the limits on length, nesting and strings.
+/// The bytes as text, once they are known to be UTF-8 within the limits on length, nesting and
+/// strings.
 pub(super) fn accept<'a>(bytes: &'a [u8], file: &str) -> Result<&'a str, SceneError> {
     if bytes.len() as u64 > limits::FILE_BYTES {
         return Err(SceneError::TooLarge { file: file.into(), limit: limits::FILE_BYTES });
@@ -49,7 +50,8 @@ fn nesting(bytes: &[u8]) -> Result<(), (usize, String)> {
     Ok(())
 }
 
-/// Index of the closing quote of the string that opens at `start` (the end of the file where there is none).
+/// Index of the closing quote of the string that opens at `start` (the end of the file where there
+/// is none).
 fn string_end(bytes: &[u8], start: usize) -> Result<usize, (usize, String)> {
     let mut i = start + 1;
     while i < bytes.len() && bytes[i] != b'"' {

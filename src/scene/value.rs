@@ -1,5 +1,5 @@
-//! The kinds of value that a scene field can hold. Each refuses what it is not while the reader still stands at it, so
-//! that the error has the place; each says in the JSON Schema what it takes.
+//! The kinds of value that a scene field can hold. Each refuses what it is not while the reader
+//! still stands at it, so that the error has the place; each says in the JSON Schema what it takes.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -10,10 +10,12 @@ use serde::de::value::StrDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Visitor};
 use serde_json::Value;
 
-/// Between a field and the message about it, on their way through the reader's errors, which have no place for the first.
+/// Between a field and the message about it, on their way through the reader's errors, which have
+/// no place for the first.
 const ABOUT: char = '\u{1f}';
 
-/// A message about a field inside of the object that is refused, `lookups[1]`; one about a field inside of that field goes on from there.
+/// A message about a field inside of the object that is refused, `lookups[1]`; one about a field
+/// inside of that field goes on from there.
 pub(super) fn about(field: impl fmt::Display, message: impl fmt::Display) -> String {
     let message = message.to_string();
     let (inner, text) = told(&message);
@@ -21,8 +23,8 @@ pub(super) fn about(field: impl fmt::Display, message: impl fmt::Display) -> Str
     format!("{field}{dot}{inner}{ABOUT}{text}")
 }
 
-/// The field that a message is [`about`], empty for the whole object, and the message. The text of a scene, which a message may hold, names
-/// no field.
+/// The field that a message is [`about`], empty for the whole object, and the message. The text of
+/// a scene, which a message may hold, names no field.
 pub(super) fn told(message: &str) -> (&str, &str) {
     let named = |field: &str| field.chars().all(|c| c.is_ascii_alphanumeric() || "_.[]".contains(c));
     message.split_once(ABOUT).filter(|(field, _)| named(field)).unwrap_or(("", message))
@@ -163,8 +165,9 @@ impl<T: JsonSchema, const MAX: usize> JsonSchema for List<T, MAX> {
     }
 }
 
-/// A deserialiser for structs that takes objects only: serde's derived structs would also take their fields as an
-/// array in the order of declaration, which no reader of the scene would see through.
+/// A deserialiser for structs that takes objects only: serde's derived structs would also take
+/// their fields as an array in the order of declaration, which no reader of the scene would see
+/// through.
 pub(super) struct ObjectOnly<D>(pub D);
 
 impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
@@ -178,7 +181,8 @@ impl<'de, D: Deserializer<'de>> Deserializer<'de> for ObjectOnly<D> {
     }
 }
 
-/// Gives the public type of a scene object the reader and the schema of the struct that mirrors the file.
+/// Gives the public type of a scene object the reader and the schema of the struct that mirrors the
+/// file.
 macro_rules! from_file {
     ($public:ty, $file:ty) => {
         impl<'de> serde::Deserialize<'de> for $public {

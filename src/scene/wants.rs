@@ -47,8 +47,8 @@ pub(super) struct OpenWants {
     fit: Option<FitWant>,
 }
 
-/// What the material wants of its specular lobe: tables, fits, or both. Without `wants`: a table and fits, with their defaults; of
-/// anisotropic materials and of glass, a table with a third axis.
+/// What the material wants of its specular lobe: tables, fits, or both. Without `wants`: a table
+/// and fits, with their defaults; of anisotropic materials and of glass, a table with a third axis.
 #[derive(Deserialize, JsonSchema)]
 #[schemars(rename = "Wants", extend("minProperties" = 1))]
 #[serde(deny_unknown_fields, expecting = "an object with `tables` or `fit`")]
@@ -83,8 +83,8 @@ impl<'de> Deserialize<'de> for Renamed {
 struct FitFile {
     /// Most operations that an emitted fit may take; default: any number.
     max_ops: Maybe<Whole<Ops>>,
-    /// Furnace error |E N - 1| that at least one emitted normalisation within `max_ops` must meet, else the bake
-    /// fails; default: no limit.
+    /// Furnace error |E N - 1| that at least one emitted normalisation within `max_ops` must meet,
+    /// else the bake fails; default: no limit.
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, one fit each; default both.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
@@ -93,7 +93,8 @@ struct FitFile {
     average: Maybe<bool>,
     /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false.
     blend: Maybe<bool>,
-    /// Hypotheses of your own: WGSL files, as relative paths from the scene file's folder, with `/` and without `..`.
+    /// Hypotheses of your own: WGSL files, as relative paths from the scene file's folder, with `/`
+    /// and without `..`.
     hypotheses: Maybe<List<Text<HypothesisPath>, { limits::HYPOTHESES }>>,
 }
 
@@ -146,7 +147,8 @@ impl TryFrom<WantsFile> for OpenWants {
 }
 
 impl OpenWants {
-    /// What a material with this lobe wants where it does not say: a table, and where the lobe is isotropic fits.
+    /// What a material with this lobe wants where it does not say: a table, and where the lobe is
+    /// isotropic fits.
     pub(super) fn default(lobe: Lobe) -> Result<Self, String> {
         let fit = if lobe == Lobe::Isotropic { Some(FitWant::try_from(FitFile::default())?) } else { None };
         Ok(OpenWants { tables: vec![OpenTable::default()?], fit })

@@ -1,4 +1,5 @@
-//! A set of files that belong together, with a manifest that is written last: what the manifest lists is complete.
+//! A set of files that belong together, with a manifest that is written last: what the manifest
+//! lists is complete.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -18,7 +19,8 @@ pub type Files = BTreeMap<String, Vec<u8>>;
 pub const MANIFEST: &str = "manifest.json";
 /// The folders that a bake writes to.
 pub const SUBFOLDERS: [&str; 3] = ["fits", "reports", "tables"];
-/// How the temporary files of a set begin: a later writer, holding the lock, removes those that were left behind.
+/// How the temporary files of a set begin: a later writer, holding the lock, removes those that
+/// were left behind.
 const BUNDLE_PREFIX: &str = ".lobefit-set-";
 /// Largest old manifest that is read, bytes.
 const MANIFEST_BYTES: u64 = 64 << 20;
@@ -56,8 +58,9 @@ pub struct Folder<D: Disk = LocalDisk> {
 }
 
 impl Folder {
-    /// Opens a folder for writing: locks it where it is there, and tries by a temporary file whether it (or the
-    /// nearest folder above it) can be written. Leaves nothing behind, so that work can follow before writing.
+    /// Opens a folder for writing: locks it where it is there, and tries by a temporary file
+    /// whether it (or the nearest folder above it) can be written. Leaves nothing behind, so that
+    /// work can follow before writing.
     pub fn open(root: &Path) -> Result<Folder, StoreError> {
         Folder::open_on(LocalDisk, root, Layout::Bake)
     }
@@ -83,10 +86,11 @@ impl<D: Disk> Folder<D> {
         Ok(folder)
     }
 
-    /// Writes a set. First every file whose bytes are new is written and synchronised beside its destination; an error up
-    /// to here changes nothing. Then the files are renamed one after the other, those that only the old manifest lists are
-    /// removed, and so are the folders that this leaves empty; the new manifest comes last, so that the old one lists what
-    /// is left to remove until nothing is. A set without a manifest leaves the old one and what it lists.
+    /// Writes a set. First every file whose bytes are new is written and synchronised beside its
+    /// destination; an error up to here changes nothing. Then the files are renamed one after the
+    /// other, those that only the old manifest lists are removed, and so are the folders that this
+    /// leaves empty; the new manifest comes last, so that the old one lists what is left to remove
+    /// until nothing is. A set without a manifest leaves the old one and what it lists.
     pub fn write(&mut self, files: &Files) -> Result<Written, StoreError> {
         for name in files.keys() {
             if inside(&self.root, name).is_err() || !self.layout.holds(name) {
@@ -102,7 +106,8 @@ impl<D: Disk> Folder<D> {
         written
     }
 
-    /// Everything that can be done before a destination changes. Folders are noted as they are created.
+    /// Everything that can be done before a destination changes. Folders are noted as they are
+    /// created.
     fn prepare(
         &mut self,
         files: &Files,
@@ -128,8 +133,8 @@ impl<D: Disk> Folder<D> {
         Ok(prepared)
     }
 
-    /// Removes the folders that were created for a set that was not written, where they are empty. One that cannot be
-    /// removed stays: the error that is told is the one that came first.
+    /// Removes the folders that were created for a set that was not written, where they are empty.
+    /// One that cannot be removed stays: the error that is told is the one that came first.
     fn withdraw(&mut self, created: &[PathBuf]) {
         if created.contains(&self.root) {
             self.lock = None;
@@ -139,7 +144,8 @@ impl<D: Disk> Folder<D> {
         }
     }
 
-    /// Whether there is a folder; anything else in its place is an error. The root itself may be a link to one.
+    /// Whether there is a folder; anything else in its place is an error. The root itself may be a
+    /// link to one.
     fn exists(&self, path: &Path) -> Result<bool, StoreError> {
         let in_the_way = |what| Err(StoreError::InTheWay { path: path.to_owned(), what });
         match self.look(path)? {
@@ -173,8 +179,8 @@ impl<D: Disk> Folder<D> {
         missing.into_iter().rev().try_for_each(|folder| self.create(folder, created))
     }
 
-    /// Creates the folders between the root and a file that are missing; a link among them is an error, since it may
-    /// lead out of the root.
+    /// Creates the folders between the root and a file that are missing; a link among them is an
+    /// error, since it may lead out of the root.
     fn create_below(&self, file: &Path, created: &mut Vec<PathBuf>) -> Result<(), StoreError> {
         let folders: Vec<&Path> = file.ancestors().skip(1).take_while(|a| *a != self.root).collect();
         for folder in folders.into_iter().rev() {
@@ -197,8 +203,8 @@ impl<D: Disk> Folder<D> {
         Ok(())
     }
 
-    /// Creates and removes a temporary file in every folder that will be written to and is there, or in the nearest
-    /// folder above the root.
+    /// Creates and removes a temporary file in every folder that will be written to and is there,
+    /// or in the nearest folder above the root.
     fn probe(&self) -> Result<(), StoreError> {
         let mut nearest = self.root.as_path();
         while !self.exists(nearest)? {
@@ -218,8 +224,8 @@ impl<D: Disk> Folder<D> {
         Ok(())
     }
 
-    /// Removes the temporary files of a write that was broken off, in the folders of the layout and of this set; the lock says that it
-    /// is over.
+    /// Removes the temporary files of a write that was broken off, in the folders of the layout and
+    /// of this set; the lock says that it is over.
     fn sweep(&self, files: &Files) -> Result<(), StoreError> {
         let mut folders: BTreeSet<PathBuf> =
             self.layout.folders().iter().map(|f| self.root.join(f)).collect();
@@ -246,7 +252,8 @@ impl<D: Disk> Folder<D> {
         Ok(())
     }
 
-    /// The files that the old manifest lists, as they are written there; none where there is no manifest.
+    /// The files that the old manifest lists, as they are written there; none where there is no
+    /// manifest.
     fn old_manifest(&self) -> Result<BTreeSet<String>, StoreError> {
         let path = self.root.join(MANIFEST);
         match self.disk.look(&path).map_err(StoreError::writing(&path, Operation::Look))? {
@@ -259,9 +266,9 @@ impl<D: Disk> Folder<D> {
         listed(&bytes).map_err(|reason| StoreError::ForeignManifest { path, reason })
     }
 
-    /// Finds the regular files and links that the old manifest lists and the new set does not have, and the folders that
-    /// only they are in. The old manifest is not trusted: what does not lie in a folder of a bake, or is reached through a
-    /// link, is left alone.
+    /// Finds the regular files and links that the old manifest lists and the new set does not have,
+    /// and the folders that only they are in. The old manifest is not trusted: what does not lie in
+    /// a folder of a bake, or is reached through a link, is left alone.
     fn find_stale(&self, files: &Files, prepared: &mut Prepared<D::Temp>) -> Result<(), StoreError> {
         let mut left = BTreeSet::new();
         for name in self.old_manifest()?.into_iter().filter(|name| !files.contains_key(name)) {
@@ -313,8 +320,8 @@ impl Layout {
     }
 }
 
-/// The path of `name` below `root`, where `name` is a plain relative path with `/`: no empty part, no `.`, no `..`, no
-/// backslash, no drive, no control character.
+/// The path of `name` below `root`, where `name` is a plain relative path with `/`: no empty part,
+/// no `.`, no `..`, no backslash, no drive, no control character.
 pub fn inside(root: &Path, name: &str) -> Result<PathBuf, StoreError> {
     let hostile = |c: char| c.is_control() || matches!(c, '\\' | ':');
     if name.contains(hostile) || name.split('/').any(|part| matches!(part, "" | "." | "..")) {
@@ -323,7 +330,8 @@ pub fn inside(root: &Path, name: &str) -> Result<PathBuf, StoreError> {
     Ok(root.join(name.split('/').collect::<PathBuf>()))
 }
 
-/// Whether the name is one that a bake may write or remove: the manifest, or a file in one of its folders.
+/// Whether the name is one that a bake may write or remove: the manifest, or a file in one of its
+/// folders.
 fn is_ours(name: &str) -> bool {
     name == MANIFEST || name.split_once('/').is_some_and(|(folder, _)| SUBFOLDERS.contains(&folder))
 }
@@ -333,7 +341,8 @@ fn within(name: &str, folder: &str) -> bool {
     name.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
 }
 
-/// The files that a manifest lists: every string under a key `file`, and in the lists under a key `files`.
+/// The files that a manifest lists: every string under a key `file`, and in the lists under a key
+/// `files`.
 fn listed(bytes: &[u8]) -> Result<BTreeSet<String>, String> {
     let manifest: Value = serde_json::from_slice(bytes).map_err(|e| e.to_string())?;
     let known = |key: &&str| manifest.get(key).is_some_and(Value::is_array);

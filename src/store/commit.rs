@@ -50,8 +50,8 @@ impl<T: Temp> Prepared<T> {
         }
     }
 
-    /// Renames the files, removes what is stale, renames the manifest. Where this is broken off, the old manifest is still
-    /// there, and the next write finds what is left to do.
+    /// Renames the files, removes what is stale, renames the manifest. Where this is broken off,
+    /// the old manifest is still there, and the next write finds what is left to do.
     pub fn commit(self, disk: &impl Disk, root: &Path) -> Result<Written, StoreError> {
         let mut done = self.done;
         let mut changed = BTreeSet::new();

@@ -18,8 +18,8 @@ pub enum Kind {
 pub trait Temp {
     /// Writes some of the bytes and says how many.
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize>;
-    /// Brings what was written to the disk. Nothing is written after it, and no handle need stay open: a set may have more
-    /// files than a process may hold.
+    /// Brings what was written to the disk. Nothing is written after it, and no handle need stay
+    /// open: a set may have more files than a process may hold.
     fn sync(&mut self) -> io::Result<()>;
     /// Takes the destination's place.
     fn rename(self, destination: &Path) -> io::Result<()>;

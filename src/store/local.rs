@@ -118,13 +118,15 @@ fn readable_by_all(builder: &mut tempfile::Builder) {
     let _ = builder;
 }
 
-/// What stands for the folder in locking: where possible the folder itself, so that no file is left behind.
+/// What stands for the folder in locking: where possible the folder itself, so that no file is left
+/// behind.
 #[cfg(unix)]
 fn lockable(folder: &Path) -> io::Result<File> {
     File::open(folder)
 }
 
-/// What stands for the folder in locking: a file that stays, since removing it would let two processes lock two files.
+/// What stands for the folder in locking: a file that stays, since removing it would let two
+/// processes lock two files.
 #[cfg(not(unix))]
 fn lockable(folder: &Path) -> io::Result<File> {
     File::options().create(true).truncate(false).write(true).open(folder.join(".lobefit.lock"))

@@ -1,10 +1,11 @@
-//! The only module that touches the file system: bounded reads, atomic writes, sets of files whose manifest
-//! is written last.
+//! The only module that touches the file system: bounded reads, atomic writes, sets of files whose
+//! manifest is written last.
 //!
-//! A file is written as a temporary file beside its destination, synchronised, renamed over it, and the folder is
-//! synchronised: at every moment the destination holds its old bytes or its new ones. Of a set, every temporary file is
-//! on the disk before the first is renamed, so that a disk that is full tears no set. The operations go through the trait
-//! [`Disk`], so that tests can let each of them fail.
+//! A file is written as a temporary file beside its destination, synchronised, renamed over it, and
+//! the folder is synchronised: at every moment the destination holds its old bytes or its new ones.
+//! Of a set, every temporary file is on the disk before the first is renamed, so that a disk that
+//! is full tears no set. The operations go through the trait [`Disk`], so that tests can let each
+//! of them fail.
 
 mod bundle;
 mod commit;

@@ -15,7 +15,8 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, StoreError> {
     bounded(bytes, path, limit)
 }
 
-/// A stream, for instance standard input, of at most `limit` bytes; `name` stands for it in messages.
+/// A stream, for instance standard input, of at most `limit` bytes; `name` stands for it in
+/// messages.
 pub fn read_stream(stream: impl Read, name: &str, limit: u64) -> Result<Vec<u8>, StoreError> {
     let path = Path::new(name);
     let mut bytes = Vec::new();
@@ -36,15 +37,16 @@ fn bounded(bytes: Vec<u8>, path: &Path, limit: u64) -> Result<Vec<u8>, StoreErro
 /// Something that lies in a folder and is none itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
-    /// Relative path with `/`, to be read and not to be opened: bytes that are not UTF-8 are written `\xff`, and nothing
-    /// is said about what else the name holds.
+    /// Relative path with `/`, to be read and not to be opened: bytes that are not UTF-8 are
+    /// written `\xff`, and nothing is said about what else the name holds.
     pub name: String,
     /// [`Kind::File`], or [`Kind::Other`] for a link or device.
     pub kind: Kind,
 }
 
-/// Everything below `root/folder` but folders, sorted by name; nothing where the folder is not there. Links are not
-/// followed: a link to a folder, and `folder` itself where it is a link, is one entry.
+/// Everything below `root/folder` but folders, sorted by name; nothing where the folder is not
+/// there. Links are not followed: a link to a folder, and `folder` itself where it is a link, is
+/// one entry.
 pub fn list(root: &Path, folder: &str) -> Result<Vec<Entry>, StoreError> {
     let mut found = Vec::new();
     let mut pending = vec![(root.join(folder), folder.to_owned())];

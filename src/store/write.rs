@@ -9,8 +9,8 @@ use super::{LocalDisk, Operation, StoreError};
 /// How the temporary file of a single file begins.
 const PREFIX: &str = ".lobefit-file-";
 
-/// Writes a file in one step: the path holds its old bytes or the new ones, whatever happens. Says whether anything
-/// had to be written.
+/// Writes a file in one step: the path holds its old bytes or the new ones, whatever happens. Says
+/// whether anything had to be written.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<bool, StoreError> {
     replace(&LocalDisk, path, bytes, PREFIX)
 }
@@ -24,8 +24,8 @@ fn replace<D: Disk>(disk: &D, path: &Path, bytes: &[u8], prefix: &str) -> Result
     Ok(true)
 }
 
-/// The bytes in a temporary file beside their destination, on the disk and ready to be renamed; none where the destination
-/// holds them already.
+/// The bytes in a temporary file beside their destination, on the disk and ready to be renamed;
+/// none where the destination holds them already.
 pub(super) fn stage<D: Disk>(
     disk: &D,
     path: &Path,

@@ -1,4 +1,5 @@
-//! What accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a bake.
+//! What accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a
+//! bake.
 
 mod lookups;
 pub mod record;
@@ -140,7 +141,8 @@ fn fit_seconds(fit: &Fit, points: &Points) -> Result<f64, BakeError> {
     }))
 }
 
-/// The columns of a fit's inputs: those of the points, and evenly spaced values of any other input of its certified domain.
+/// The columns of a fit's inputs: those of the points, and evenly spaced values of any other input
+/// of its certified domain.
 fn columns(fit: &Fit, points: &Points) -> Result<Vec<Vec<f32>>, ShadeError> {
     let domain = &fit.approximation.certificate.domain;
     let spread = |[low, high]: [f64; 2]| {

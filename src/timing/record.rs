@@ -1,4 +1,5 @@
-//! Records of times on graphics processors, read back: what a record says, and whether it is of the code at hand.
+//! Records of times on graphics processors, read back: what a record says, and whether it is of the
+//! code at hand.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +11,8 @@ use crate::report::{GpuRecord, ReportError, SCHEMA_VERSION, gpu_page};
 use crate::store::MANIFEST;
 use lobefit_shade::code::Language;
 
-/// Version of the way of measuring: to be raised when rows measured before and after cannot be compared.
+/// Version of the way of measuring: to be raised when rows measured before and after cannot be
+/// compared.
 pub const METHOD: u32 = 2;
 
 /// The folder of a bake in which records are looked for.
@@ -80,7 +82,8 @@ pub fn page(record: &GpuRecord) -> Result<(String, Vec<u8>), RecordError> {
     Ok(gpu_page(record)?)
 }
 
-/// Rows of a record that are not of a bake's code: their functions have changed or are gone, or they were measured in another way.
+/// Rows of a record that are not of a bake's code: their functions have changed or are gone, or
+/// they were measured in another way.
 pub fn stale(record: &GpuRecord, baked: &Baked) -> Vec<String> {
     let include = Include::of(baked);
     let current = |function: &str, code: Option<&str>| {
@@ -94,7 +97,8 @@ pub fn stale(record: &GpuRecord, baked: &Baked) -> Vec<String> {
     changed.map(|row| row.name.clone()).collect()
 }
 
-/// Functions of a bake's manifest of which a record says nothing: neither a time nor why there is none.
+/// Functions of a bake's manifest of which a record says nothing: neither a time nor why there is
+/// none.
 pub fn missing(record: &GpuRecord, baked: &Baked) -> Vec<String> {
     let timed = record.rows.iter().filter_map(|row| row.function.as_deref());
     let known: BTreeSet<&str> =
@@ -145,7 +149,8 @@ impl Include {
         Some(Include { texels, ..Include::new(String::from_utf8_lossy(bytes).into_owned()) })
     }
 
-    /// Of a text as this program prints it: items begin at the beginning of a line and end with a brace there.
+    /// Of a text as this program prints it: items begin at the beginning of a line and end with a
+    /// brace there.
     pub fn new(text: String) -> Include {
         let mut items: BTreeMap<String, String> = BTreeMap::new();
         let mut inside: Option<String> = None;
@@ -166,7 +171,8 @@ impl Include {
         Include { text, items, texels: BTreeMap::new() }
     }
 
-    /// The code of a function and of all that it names, without comments; none where there is no such function.
+    /// The code of a function and of all that it names, without comments; none where there is no
+    /// such function.
     pub fn code(&self, function: &str) -> Option<String> {
         let mut needed = BTreeSet::new();
         let mut pending = vec![self.items.get_key_value(function)?];

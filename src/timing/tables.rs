@@ -1,4 +1,5 @@
-//! Whole tables: the path tracer's three, by the kernels and by its own estimator on the same cores.
+//! Whole tables: the path tracer's three, by the kernels and by its own estimator on the same
+//! cores.
 
 use std::time::Instant;
 
@@ -13,7 +14,8 @@ use lobefit_truth::integrate::{IntegrateError, Path};
 /// Accuracies asked for.
 const TOLERANCES: [f64; 4] = [1e-4, 1e-5, 1e-6, 1e-7];
 
-/// Runs of each table of which the fastest counts: what is measured is the work, not what else the machine does.
+/// Runs of each table of which the fastest counts: what is measured is the work, not what else the
+/// machine does.
 const RUNS: usize = 5;
 
 /// Texels of the three tables.

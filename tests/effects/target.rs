@@ -72,9 +72,7 @@ fn points_of_measurement_are_no_samples_and_edges_are_among_both() {
 /// Residuals that the truth leaves, at a few points of every use, by the quantity itself.
 #[test]
 fn scale_and_target_are_those_of_the_use() {
-    let at = |sampled: &Sampled, i: usize, name: &str| {
-        f64::from(sampled.points.column(name).expect("a column")[i])
-    };
+    let at = |sampled: &Sampled, i: usize, name: &str| sampled.points.column(name).expect("a column")[i];
     let truth = |sampled: &Sampled, i: usize| {
         let inputs = [at(sampled, i, "alpha"), at(sampled, i, "mu")];
         let v =
@@ -138,7 +136,7 @@ fn a_generic_quantity_is_sampled_over_all_its_inputs() {
     let target = Target::new(&spec, &formula("roughness mu ior")).expect("a target");
     assert!(target.is_dear());
     let sampled = target.at(&[vec![0.35, 0.5, 1.5]], &[1.0]).expect("R");
-    let alpha = f64::from(sampled.points.column("alpha").expect("alpha")[0]);
+    let alpha = sampled.points.column("alpha").expect("alpha")[0];
     let exact = quantity::GgxGlass.at(&variant, &[alpha, 0.5, 1.5], 1e-8).expect("R");
     assert!((sampled.target[0] - exact[0]).abs() < 1e-6, "{} {}", sampled.target[0], exact[0]);
 }

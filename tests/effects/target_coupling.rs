@@ -34,7 +34,7 @@ fn a_coupling_target_is_the_factor_of_the_integral() {
         assert_eq!(target.used_as, Use::Coupling);
         let sampled = target.at(&places.map(|p| p.to_vec()), &f0).expect("a truth");
         assert_eq!(sampled.target.len(), places.len() * f0.len());
-        let at = |i: usize, name: &str| f64::from(sampled.points.column(name).expect("a column")[i]);
+        let at = |i: usize, name: &str| sampled.points.column(name).expect("a column")[i];
         for i in 0..sampled.target.len() {
             let (alpha, mu, f0) = (at(i, "alpha"), at(i, "mu"), at(i, "f0"));
             let truth =
@@ -78,8 +78,7 @@ fn a_p_norm_with_a_weight_of_f0_is_taken_over_all_f0() {
     let places: Vec<Vec<f64>> = (0..1600).map(|i| vec![centre(0.02, i / 40), centre(0.01, i % 40)]).collect();
     let f0: Vec<f64> = (0..101).map(|i| (f64::from(i) + 0.5) / 101.0).collect();
     let all = target.at(&places, &f0).expect("a truth");
-    let weights: Vec<f64> =
-        all.points.column("f0").expect("f0").iter().map(|f| f64::from(*f).powi(2)).collect();
+    let weights: Vec<f64> = all.points.column("f0").expect("f0").iter().map(|f| f.powi(2)).collect();
     let norm = |c: f64| -> f64 {
         all.target.iter().zip(&weights).map(|(t, w)| (w * (c - t)).abs().powf(p)).sum::<f64>()
     };

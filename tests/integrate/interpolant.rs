@@ -16,7 +16,7 @@ fn the_interpolant_is_within_its_stated_error() {
             let mut random = Pcg64::seed_from_u64(31_000_000 + index);
             let mut log = || lobefit_math::ops::exp(-4.0 * std::f64::consts::LN_10 * random.random::<f64>());
             let (alpha, near) = (log().max(1e-4), log().max(1e-4));
-            let mu = if index % 2 == 0 { near } else { (1.0 - near).max(1e-4) };
+            let mu = if index.is_multiple_of(2) { near } else { (1.0 - near).max(1e-4) };
             let truth = reflection(smith, alpha, mu, 1e-10).expect("in the domain");
             let (e, b) = known.at(alpha, mu).expect("in the domain");
             ((e - truth.e).abs().max((b - truth.b).abs()), alpha, mu)

@@ -7,8 +7,8 @@
 //! | [`report`] | the figures of an audit and their page |
 //! | [`run`] | the verb |
 //!
-//! The program `lobefit` runs the binary of this package for its verb `audit`. Readers of files that are not our own, and the
-//! parser for GLSL, are compiled here and nowhere else.
+//! The program `lobefit` runs the binary of this package for its verb `audit`. Readers of files
+//! that are not our own, and the parser for GLSL, are compiled here and nowhere else.
 
 pub mod audit;
 mod cli;

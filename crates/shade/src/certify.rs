@@ -9,7 +9,8 @@ use super::tape::{BLOCK, Node, Op, Real, Workspace};
 use super::{ShadeError, Tape};
 use lobefit_math::lanes;
 
-/// Points whose squares are summed before they join the total: bounds the rounding error of a sum of millions.
+/// Points whose squares are summed before they join the total: bounds the rounding error of a sum
+/// of millions.
 const RUN: usize = 4096;
 
 /// 1 less some roundings.
@@ -60,7 +61,8 @@ impl Precision {
 pub struct Measured {
     /// Largest |scale f - target|.
     pub max_abs: f64,
-    /// Largest |scale f - target| / |target|, over the points where the target is not 0 to a shader: at least the smallest normal f32.
+    /// Largest |scale f - target| / |target|, over the points where the target is not 0 to a
+    /// shader: at least the smallest normal f32.
     pub max_rel: f64,
     /// Root of the mean square.
     pub rms: f64,
@@ -72,15 +74,15 @@ pub struct Measured {
     pub points: usize,
 }
 
-/// Measures `scale f - target` with f evaluated in f32 at f32 points (one column per input) and the rest in f64;
-/// a formula without inputs has the same value at every point of the target.
+/// Measures `scale f - target` with f evaluated in f32 at f32 points (one column per input) and the
+/// rest in f64; a formula without inputs has the same value at every point of the target.
 ///
-/// The furnace error of a normalisation N has scale E and target 1; the error of a value scale 1 and target the
-/// truth. The result does not depend on the number of threads.
+/// The furnace error of a normalisation N has scale E and target 1; the error of a value scale 1
+/// and target the truth. The result does not depend on the number of threads.
 ///
 /// # Errors
-/// No points; columns or coefficients of the wrong number or length; truth or result that is not finite, with its
-/// index.
+/// No points; columns or coefficients of the wrong number or length; truth or result that is not
+/// finite, with its index.
 pub fn measure(
     tape: &Tape,
     coefficients: &[f32],
@@ -91,8 +93,8 @@ pub fn measure(
     Ok(measure_first(tape, coefficients, inputs, scale, target, target.len())?.0)
 }
 
-/// [`measure`] over all points and over the `first` of them, from one evaluation: where the others are there to find the
-/// largest error and would spoil a mean.
+/// [`measure`] over all points and over the `first` of them, from one evaluation: where the others
+/// are there to find the largest error and would spoil a mean.
 ///
 /// # Errors
 /// As [`measure`]; `first` is 0.
@@ -109,11 +111,12 @@ pub fn measure_first(
 
 /// [`measure_first`] in another arithmetic; scale, target and the error itself are always f64.
 ///
-/// In f16 the points are rounded to half precision first, so that the error is also that of the input: what a shader sees that
-/// keeps its variables in f16.
+/// In f16 the points are rounded to half precision first, so that the error is also that of the
+/// input: what a shader sees that keeps its variables in f16.
 ///
 /// # Errors
-/// As [`measure_first`]; in f16 a coefficient, a literal or an input beyond 65504, which is infinite there.
+/// As [`measure_first`]; in f16 a coefficient, a literal or an input beyond 65504, which is
+/// infinite there.
 pub fn measure_in(
     tape: &Tape,
     coefficients: &[f32],
@@ -310,7 +313,8 @@ impl Sums {
             if error > sums.max_abs {
                 (sums.max_abs, sums.worst) = (error, start + i);
             }
-            // The product spares a division wherever the ratio cannot be larger; its rounding is made good by the margin.
+            // The product spares a division wherever the ratio cannot be larger; its rounding is
+            // made good by the margin.
             if error >= sums.max_rel * target * BELOW && target >= f64::from(f32::MIN_POSITIVE) {
                 sums.max_rel = sums.max_rel.max(error / target);
             }
@@ -343,7 +347,8 @@ impl Sums {
     }
 }
 
-/// The smallest number of `digits` significant decimal digits that is not below `x`: how a bound is printed.
+/// The smallest number of `digits` significant decimal digits that is not below `x`: how a bound is
+/// printed.
 ///
 /// Values that are not finite or not positive are returned as they are.
 pub fn round_up(x: f64, digits: usize) -> f64 {

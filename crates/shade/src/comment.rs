@@ -1,9 +1,9 @@
-//! Text from elsewhere as comments. What a person wrote may not end the comment, hide code from its reader, or swallow the
-//! line after it.
+//! Text from elsewhere as comments. What a person wrote may not end the comment, hide code from its
+//! reader, or swallow the line after it.
 
-/// Lines behind a comment mark, none ending in blanks. Control characters, line and paragraph separators, and the controls
-/// of writing direction become their escapes, as does what splices lines in the languages of C's family: a backslash at the
-/// end of a line, and its trigraph `??/`.
+/// Lines behind a comment mark, none ending in blanks. Control characters, line and paragraph
+/// separators, and the controls of writing direction become their escapes, as does what splices
+/// lines in the languages of C's family: a backslash at the end of a line, and its trigraph `??/`.
 pub fn comment(mark: &str, lines: &[String]) -> String {
     lines.iter().map(|line| format!("{mark} {}", escaped(line)).trim_end().to_string() + "\n").collect()
 }
@@ -23,8 +23,8 @@ fn escaped(line: &str) -> String {
     text
 }
 
-/// Controls; U+2028 and U+2029, which end lines in WGSL; the marks, embeddings, overrides and isolates of the
-/// bidirectional algorithm (Unicode Standard Annex 9), and the byte order mark.
+/// Controls; U+2028 and U+2029, which end lines in WGSL; the marks, embeddings, overrides and
+/// isolates of the bidirectional algorithm (Unicode Standard Annex 9), and the byte order mark.
 fn hostile(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{feff}')

@@ -48,7 +48,8 @@ impl Domain {
         Ok(domain)
     }
 
-    /// Adds the input `name = axis^power`, computed by repeated squaring as in a shader (power 1, 2 or 4).
+    /// Adds the input `name = axis^power`, computed by repeated squaring as in a shader (power 1, 2
+    /// or 4).
     ///
     /// # Errors
     /// An unknown axis, a name given twice, another power, an axis that reaches below 0.
@@ -94,7 +95,8 @@ impl Domain {
         axes.chain(derived).collect()
     }
 
-    /// Columns of the inputs named in `inputs`, from columns of axis values (one per axis, in order).
+    /// Columns of the inputs named in `inputs`, from columns of axis values (one per axis, in
+    /// order).
     ///
     /// # Errors
     /// An input that the domain does not give; another number of columns than axes.

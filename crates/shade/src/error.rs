@@ -18,8 +18,8 @@ pub struct Place {
 }
 
 impl Place {
-    /// The place of byte range `start..end` of `source`; ends beyond the source are clamped to it. The name of a
-    /// function that is called is shown with its arguments.
+    /// The place of byte range `start..end` of `source`; ends beyond the source are clamped to it.
+    /// The name of a function that is called is shown with its arguments.
     pub fn of(file: &str, source: &str, start: usize, end: usize) -> Place {
         let start = floor_char(source, start);
         let end = after_arguments(source, start, floor_char(source, end).max(start));

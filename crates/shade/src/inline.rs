@@ -2,8 +2,8 @@
 
 use crate::hypothesis::{Binary, Expr, ExprKind, Function, Statement, Variable};
 
-/// A function with the calls of some straight functions (names, then a result) written out. What it names already by the same name and value
-/// is not named again.
+/// A function with the calls of some straight functions (names, then a result) written out. What it
+/// names already by the same name and value is not named again.
 pub(crate) fn inlined(functions: &[Function], index: usize, which: &dyn Fn(&str) -> bool) -> Function {
     let function = &functions[index];
     let mut inliner = Inliner { functions, which, variables: function.variables.clone() };
@@ -111,7 +111,8 @@ fn named(statement: &Statement) -> Option<(usize, &Expr)> {
     }
 }
 
-/// An expression of a callee with the caller's values for its variables. A factor of 1 is left out: the product has the same bits.
+/// An expression of a callee with the caller's values for its variables. A factor of 1 is left out:
+/// the product has the same bits.
 fn substituted(expr: &Expr, values: &[Option<Expr>]) -> Expr {
     if let ExprKind::Variable(index) = &expr.kind {
         return values[*index].clone().unwrap_or_else(|| expr.clone());

@@ -1,9 +1,11 @@
-//! The shader language of the project: a formula is a WGSL function of f32 inputs with free parameters.
+//! The shader language of the project: a formula is a WGSL function of f32 inputs with free
+//! parameters.
 //!
-//! [`Source`] parses functions of numbers and vectors, [`Hypothesis`] parses a formula and refuses what the dialect leaves out; [`Tape`] evaluates it in f64, f32 and f16, with
-//! derivatives and over intervals, and counts its operations; [`prove_regular`] proves that it has no pole in a [`Domain`],
-//! [`prove_range`] that its values stay in a range; [`measure`] certifies it in the arithmetic that a shader has; [`code`] prints
-//! it in every language. Nothing here knows optics.
+//! [`Source`] parses functions of numbers and vectors, [`Hypothesis`] parses a formula and refuses
+//! what the dialect leaves out; [`Tape`] evaluates it in f64, f32 and f16, with derivatives and
+//! over intervals, and counts its operations; [`prove_regular`] proves that it has no pole in a
+//! [`Domain`], [`prove_range`] that its values stay in a range; [`measure`] certifies it in the
+//! arithmetic that a shader has; [`code`] prints it in every language. Nothing here knows optics.
 
 mod certify;
 pub mod code;

@@ -19,19 +19,21 @@ pub enum RangeProof {
         /// The value there.
         value: f64,
     },
-    /// Neither could be shown: the formula touches an end of the range, or comes too close to one, in this box. That it holds at
-    /// points that were tried is all there is to say.
+    /// Neither could be shown: the formula touches an end of the range, or comes too close to one,
+    /// in this box. That it holds at points that were tried is all there is to say.
     Open {
         /// The box: `alpha = 0.5 .. 0.50001, mu = ...`.
         at: String,
     },
 }
 
-/// Tries to prove, by interval arithmetic on a subdivision of the domain, that lo <= f <= hi for every f32 value of f, the rounding
-/// of f32 included; either end may be infinite. A formula that reaches an end exactly (1 at a mirror) is not proven there.
+/// Tries to prove, by interval arithmetic on a subdivision of the domain, that lo <= f <= hi for
+/// every f32 value of f, the rounding of f32 included; either end may be infinite. A formula that
+/// reaches an end exactly (1 at a mirror) is not proven there.
 ///
 /// # Errors
-/// Ends that are not numbers or in the wrong order; inputs that the domain does not give; coefficients of the wrong number.
+/// Ends that are not numbers or in the wrong order; inputs that the domain does not give;
+/// coefficients of the wrong number.
 pub fn prove_range(
     tape: &Tape,
     coefficients: &[f64],

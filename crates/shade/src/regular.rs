@@ -11,15 +11,15 @@ const BOXES: usize = 200_000;
 /// A box whose sides are all below this part of the domain's is not divided further.
 const SMALLEST: f64 = 1e-7;
 
-/// Proves, by interval arithmetic on a subdivision of the domain, that in f32 no divisor is 0 or flushed to it, no
-/// square root is of a negative number, no logarithm of one that is not positive, no power of a negative base (or
-/// of 0 to an exponent that is not positive), and nothing overflows. Branches that a condition excludes are not
-/// asked.
+/// Proves, by interval arithmetic on a subdivision of the domain, that in f32 no divisor is 0 or
+/// flushed to it, no square root is of a negative number, no logarithm of one that is not positive,
+/// no power of a negative base (or of 0 to an exponent that is not positive), and nothing
+/// overflows. Branches that a condition excludes are not asked.
 ///
 /// # Errors
-/// [`ShadeError::Irregular`] with the sub-expression and a box where it could not be excluded: the formula has a pole
-/// there, or comes too close to one to be shipped. Inputs that the domain does not give, coefficients of the wrong
-/// number.
+/// [`ShadeError::Irregular`] with the sub-expression and a box where it could not be excluded: the
+/// formula has a pole there, or comes too close to one to be shipped. Inputs that the domain does
+/// not give, coefficients of the wrong number.
 pub fn prove_regular(tape: &Tape, coefficients: &[f64], domain: &Domain) -> Result<(), ShadeError> {
     let expected = tape.parameters();
     if coefficients.len() != expected {
@@ -125,9 +125,10 @@ pub(super) type Widths = (f64, f64);
 /// A box, halved.
 pub(super) type Halves = (Vec<Interval>, Vec<Interval>);
 
-/// The two halves of a box along the axis that bounds the operand in danger best; where that is equal (the operand
-/// is clamped, or without bounds), along the one that bounds best what it is computed from; then along the side
-/// that is longest against its distance from 0. None if the box is as small as boxes get.
+/// The two halves of a box along the axis that bounds the operand in danger best; where that is
+/// equal (the operand is clamped, or without bounds), along the one that bounds best what it is
+/// computed from; then along the side that is longest against its distance from 0. None if the box
+/// is as small as boxes get.
 pub(super) fn divide(
     region: &[Interval],
     whole: &[Interval],

@@ -1,4 +1,5 @@
-//! Functions of numbers and vectors from one WGSL text: evaluated, counted and printed from the same syntax.
+//! Functions of numbers and vectors from one WGSL text: evaluated, counted and printed from the
+//! same syntax.
 
 use crate::code::{CodeError, Language};
 use crate::hypothesis::{Formula, Function};
@@ -9,8 +10,9 @@ use crate::{Place, ShadeError, hypothesis};
 
 /// Functions of one WGSL text, each after those that it calls.
 ///
-/// The dialect is that of [`Hypothesis`](crate::Hypothesis) with `vec2f`, `vec3f` and `vec4f`: their components, constructors,
-/// arithmetic, `dot` and `select`. A vector that a function returns gets a name before it is used, and so does one that is an argument.
+/// The dialect is that of [`Hypothesis`](crate::Hypothesis) with `vec2f`, `vec3f` and `vec4f`:
+/// their components, constructors, arithmetic, `dot` and `select`. A vector that a function returns
+/// gets a name before it is used, and so does one that is an argument.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Source {
     file: String,
@@ -23,7 +25,8 @@ impl Source {
     /// Parses and checks WGSL functions; `file` is used in messages only.
     ///
     /// # Errors
-    /// Sources beyond [`Limits`](crate::Limits), what is not WGSL, what is WGSL outside the dialect; each with file, line, column.
+    /// Sources beyond [`Limits`](crate::Limits), what is not WGSL, what is WGSL outside the
+    /// dialect; each with file, line, column.
     pub fn parse(file: &str, text: &str) -> Result<Source, ShadeError> {
         hypothesis::on_parser_stack(file, text, || {
             let (formula, docs) = hypothesis::lower_functions(file, text)?;
@@ -92,7 +95,8 @@ impl Source {
         Ok(&self.docs[self.index(name)?])
     }
 
-    /// A component of a function's value as a list of operations; its inputs are the arguments, component by component (`ray.x`).
+    /// A component of a function's value as a list of operations; its inputs are the arguments,
+    /// component by component (`ray.x`).
     ///
     /// # Errors
     /// There is no function of this name; more operations than [`Limits`](crate::Limits) has.
@@ -100,19 +104,23 @@ impl Source {
         Tape::of_function(&self.formula, self.index(name)?, Some(component), [&self.file, &self.text])
     }
 
-    /// Operations of some functions together, arguments of one name being the same value and what they share counted once.
+    /// Operations of some functions together, arguments of one name being the same value and what
+    /// they share counted once.
     ///
     /// # Errors
-    /// There is no function of one of the names; more operations than [`Limits`](crate::Limits) has.
+    /// There is no function of one of the names; more operations than [`Limits`](crate::Limits)
+    /// has.
     pub fn cost_ops(&self, names: &[&str]) -> Result<u32, ShadeError> {
         let indices: Result<Vec<usize>, ShadeError> = names.iter().map(|name| self.index(name)).collect();
         Ok(Tape::of_functions(&self.formula, &indices?, [&self.file, &self.text])?.cost_ops())
     }
 
-    /// A function as source text, `header` as its documentation. It calls the others by their names.
+    /// A function as source text, `header` as its documentation. It calls the others by their
+    /// names.
     ///
     /// # Errors
-    /// There is no function of this name; a number that no shader has, a name that the language has taken.
+    /// There is no function of this name; a number that no shader has, a name that the language has
+    /// taken.
     pub fn print(&self, language: Language, name: &str, header: &[String]) -> Result<String, CodeError> {
         crate::code::print_function(language, &self.formula, self.index(name)?, header)
     }

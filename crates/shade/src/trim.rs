@@ -2,7 +2,8 @@
 
 use crate::hypothesis::{Expr, ExprKind, Function, Statement};
 
-/// The functions, each without the arguments that its body does not read once those that it calls have lost theirs.
+/// The functions, each without the arguments that its body does not read once those that it calls
+/// have lost theirs.
 pub(crate) fn trimmed(functions: &[Function]) -> Vec<Function> {
     let mut done: Vec<Function> = Vec::new();
     // by function, whether each argument stays

@@ -4,7 +4,8 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Points {
     columns: Vec<(String, Vec<f64>)>,
-    /// The first `uniform` points are spread evenly: RMS and mean are taken over them. The others crowd where the largest errors hide.
+    /// The first `uniform` points are spread evenly: RMS and mean are taken over them. The others
+    /// crowd where the largest errors hide.
     pub uniform: usize,
 }
 

@@ -25,7 +25,8 @@ fn points(quantity: &dyn Quantity, count: usize) -> Points {
         let [low, high] = [input.domain[0].max(1e-4), input.domain[1].min(2.0)];
         let value = |x: f64| match input.name {
             "phi" => 1.5 * x,
-            _ => lobefit_math::ops::exp(low.ln() + (high / low).ln() * x).clamp(low, high),
+            _ => lobefit_math::ops::exp(lobefit_math::ops::log(low) + lobefit_math::ops::log(high / low) * x)
+                .clamp(low, high),
         };
         (input.name, (0..count).map(|_| value(random.random())).collect())
     };

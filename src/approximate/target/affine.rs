@@ -13,8 +13,9 @@ enum Degree {
     Other,
 }
 
-/// Whether the formula is a + b x in the input of this name, with a and b free of it; also where it does not have the input. Judged by
-/// its operations: false may be said of a formula that is affine in disguise.
+/// Whether the formula is a + b x in the input of this name, with a and b free of it; also where it
+/// does not have the input. Judged by its operations: false may be said of a formula that is affine
+/// in disguise.
 pub(super) fn affine_in(tape: &Tape, input: &str) -> bool {
     let mut degrees: Vec<Degree> = Vec::with_capacity(tape.ops().len());
     for op in tape.ops() {

@@ -1,4 +1,5 @@
-//! Where constraints hold: edges at which a formula is exact, lattices over which it stays in a range or is monotone.
+//! Where constraints hold: edges at which a formula is exact, lattices over which it stays in a
+//! range or is monotone.
 
 use super::spec::ROUGHNESS;
 use super::{Span, Target, TargetError};
@@ -8,7 +9,8 @@ use lobefit_shade::ShadeError;
 /// Places per axis of the lattices of constraints.
 const NODES: usize = 17;
 
-/// Places per axis where it is checked that they hold, and the most places of all axes for that many.
+/// Places per axis where it is checked that they hold, and the most places of all axes for that
+/// many.
 const FINE: usize = 65;
 const MOST: usize = 1 << 18;
 
@@ -16,11 +18,12 @@ const MOST: usize = 1 << 18;
 type Columns = Vec<Vec<f64>>;
 
 impl Target {
-    /// Places at which `input` has this value, which may lie outside of the domain, with what the formula should be there: the
-    /// truth, or `value`. Columns follow `names`.
+    /// Places at which `input` has this value, which may lie outside of the domain, with what the
+    /// formula should be there: the truth, or `value`. Columns follow `names`.
     ///
     /// # Errors
-    /// An input that there is not, a value that the quantity does not have, a truth that cannot be integrated.
+    /// An input that there is not, a value that the quantity does not have, a truth that cannot be
+    /// integrated.
     pub fn edge(
         &self,
         names: &[String],

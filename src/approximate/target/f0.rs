@@ -16,18 +16,19 @@ pub(super) enum Choice {
     Measured,
 }
 
-/// Panels of the rules for means where the error is not affine in f0: samples have no weights of their own, so that all nodes weigh
-/// the same, as in Chebyshev's quadrature (Abramowitz & Stegun, 25.4.28). Midpoints in their place are off by a percent where a
-/// p-norm is weighted by f0.
+/// Panels of the rules for means where the error is not affine in f0: samples have no weights of
+/// their own, so that all nodes weigh the same, as in Chebyshev's quadrature (Abramowitz & Stegun,
+/// 25.4.28). Midpoints in their place are off by a percent where a p-norm is weighted by f0.
 const EVEN: usize = 2;
 const MEAN: usize = 3;
 
-/// Values of f0 for the largest error there: Chebyshev's extrema, and an even lattice with both ends.
+/// Values of f0 for the largest error there: Chebyshev's extrema, and an even lattice with both
+/// ends.
 const EDGED: usize = 9;
 const LATTICE: usize = 17;
 
-/// The values: for an error that is affine in f0 the two Gauss nodes, which give the exact mean square, or the two ends, where the
-/// error is largest.
+/// The values: for an error that is affine in f0 the two Gauss nodes, which give the exact mean
+/// square, or the two ends, where the error is largest.
 pub(super) fn values(span: &Span, affine: bool, choice: Choice) -> Vec<f64> {
     let [low, high] = span.range;
     let at = |t: f64| low + (high - low) * t;

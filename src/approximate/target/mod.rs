@@ -1,5 +1,5 @@
-//! What a formula of the user's is fitted to: a quantity's column in a use, over a domain, as samples to fit on and other points
-//! to certify at.
+//! What a formula of the user's is fitted to: a quantity's column in a use, over a domain, as
+//! samples to fit on and other points to certify at.
 //!
 //! | use | residual | inputs beside those of the quantity |
 //! |---|---|---|
@@ -9,9 +9,9 @@
 //! | `coupling` | f - factor of `diffuse-coupling` | |
 //! | `parallax` | f / alpha_adjusted - 1 of `parallax-alpha`, where no fetch is saturated | |
 //!
-//! Where formula and truth are affine in f0, the error is too: it is largest at an end of the range of f0, and its mean square is
-//! that over the two Gauss nodes, so that four values of f0 stand for all. Roughness stands for the quantity's alpha; both are
-//! inputs of the formula.
+//! Where formula and truth are affine in f0, the error is too: it is largest at an end of the range
+//! of f0, and its mean square is that over the two Gauss nodes, so that four values of f0 stand for
+//! all. Roughness stands for the quantity's alpha; both are inputs of the formula.
 
 mod affine;
 mod edges;

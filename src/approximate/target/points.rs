@@ -16,7 +16,8 @@ pub(super) struct Effort {
     pub log2: u32,
 }
 
-/// The points in the order given, every axis with its value as a shader has it; alpha is added where roughness is an axis that makes it.
+/// The points in the order given, every axis with its value as a shader has it; alpha is added
+/// where roughness is an axis that makes it.
 pub(super) fn of(axes: &[Span], alpha: Option<AlphaMap>, places: &[Vec<f64>]) -> Points {
     let column = |k: usize| places.iter().map(|place| f64::from(place[k] as f32)).collect();
     let points = Points::new(axes.iter().enumerate().map(|(k, axis)| (axis.name.as_str(), column(k))));
@@ -52,7 +53,8 @@ pub(super) fn even(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Po
     of(axes, alpha, &product(&axes.iter().map(nodes).collect::<Vec<_>>()))
 }
 
-/// A lattice with the edges, denser towards them; where there is a layer mu ~ alpha, half of it in the homogeneous coordinate.
+/// A lattice with the edges, denser towards them; where there is a layer mu ~ alpha, half of it in
+/// the homogeneous coordinate.
 pub(super) fn with_edges(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Points {
     let n = per_axis(axes, effort);
     if let Some(region) = region(axes, alpha) {
@@ -74,7 +76,8 @@ pub(super) fn with_edges(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort)
 /// Binary logarithm of the number of points where a truth costs a microsecond or less.
 pub(super) const MANY: u32 = 20;
 
-/// Uniform points, half as many in the layer mu ~ alpha, and points on every face: none inside the box that is fitted on.
+/// Uniform points, half as many in the layer mu ~ alpha, and points on every face: none inside the
+/// box that is fitted on.
 pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -> Points {
     if let Some(region) = region(axes, alpha) {
         return certification(&region, effort.log2);
@@ -120,7 +123,8 @@ pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -
     points
 }
 
-/// Nodes of each axis that is spanned, so that the lattice has about as many points as the effort says; 1 where none is.
+/// Nodes of each axis that is spanned, so that the lattice has about as many points as the effort
+/// says; 1 where none is.
 fn per_axis(axes: &[Span], effort: Effort) -> usize {
     let spanned = axes.iter().filter(|axis| axis.is_spanned()).count();
     if spanned == 0 {

@@ -92,7 +92,8 @@ impl Target {
         self.spread(points, Choice::Edged)
     }
 
-    /// Points to certify at, none of them a sample but for some on the faces of the box; the first `uniform` are for means.
+    /// Points to certify at, none of them a sample but for some on the faces of the box; the first
+    /// `uniform` are for means.
     ///
     /// # Errors
     /// As [`Target::even`].
@@ -110,7 +111,8 @@ impl Target {
         Ok(sampled)
     }
 
-    /// Samples at places of the axes, in order, for each of the values of f0 in turn (ignored where it is no input).
+    /// Samples at places of the axes, in order, for each of the values of f0 in turn (ignored where
+    /// it is no input).
     ///
     /// # Errors
     /// As [`Target::even`].
@@ -130,7 +132,8 @@ impl Target {
         Ok(self.used(points, &truth, &f0))
     }
 
-    /// The points with their truth; without those where a fetch is saturated, of which no formula is to blame.
+    /// The points with their truth; without those where a fetch is saturated, of which no formula
+    /// is to blame.
     fn open(&self, points: Points) -> Result<(Points, Truth), TargetError> {
         let truth = self.truth(&points)?;
         let [_, saturated] = &truth.columns[..] else { return Ok((points, truth)) };

@@ -17,7 +17,8 @@ pub struct TargetSpec {
     pub quantity: &'static dyn Quantity,
     /// Its column; none: its first.
     pub column: Option<String>,
-    /// Use; none: `coupling` for `diffuse-coupling`, `f0-blend` for a formula of f0 and `ggx-reflection`, else `value`.
+    /// Use; none: `coupling` for `diffuse-coupling`, `f0-blend` for a formula of f0 and
+    /// `ggx-reflection`, else `value`.
     pub used_as: Option<Use>,
     /// Variant of the quantity; what the quantity does not have is ignored.
     pub variant: Variant,
@@ -78,9 +79,9 @@ pub(super) const ROUGHNESS: &str = "roughness";
 const RHO: &str = "rho";
 
 impl Span {
-    /// The range of an input where none is asked for, inside the range of the quantity's own: that of the published comparisons,
-    /// roughness 0.02 to 1 and mu 0.01 to 1; widths of an anisotropic lobe from 0.02, ior to 2, an azimuth over its quarter,
-    /// ratios of distances 1/16 to 8.
+    /// The range of an input where none is asked for, inside the range of the quantity's own: that
+    /// of the published comparisons, roughness 0.02 to 1 and mu 0.01 to 1; widths of an anisotropic
+    /// lobe from 0.02, ior to 2, an azimuth over its quarter, ratios of distances 1/16 to 8.
     pub fn usual(name: &str, defined: [f64; 2]) -> Span {
         let wanted = match name {
             ROUGHNESS => [0.02, 1.0],
@@ -95,7 +96,8 @@ impl Span {
         Span { name: name.into(), range }
     }
 
-    /// The ends in the coordinate that points are even in: the logarithm of a ratio, any other value itself.
+    /// The ends in the coordinate that points are even in: the logarithm of a ratio, any other
+    /// value itself.
     pub(super) fn coordinates(&self) -> [f64; 2] {
         if self.name == RHO { self.range.map(ops::log) } else { self.range }
     }
@@ -127,7 +129,8 @@ impl Target {
     /// Checks a spec against the quantity and the formula's arguments.
     ///
     /// # Errors
-    /// Unknown columns, uses that the quantity does not have, ranges outside of its domain, missing words, arguments that are no input.
+    /// Unknown columns, uses that the quantity does not have, ranges outside of its domain, missing
+    /// words, arguments that are no input.
     pub fn new(spec: &TargetSpec, formula: &Hypothesis) -> Result<Target, TargetError> {
         let column = column(spec)?;
         let used_as = used_as(spec, column, formula)?;
@@ -340,7 +343,8 @@ fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use,
     }
 }
 
-/// The columns that are all the energy that leaves a surface in a white furnace: what a normalisation may divide by.
+/// The columns that are all the energy that leaves a surface in a white furnace: what a
+/// normalisation may divide by.
 const ALBEDOS: [&str; 2] = ["E", "E_avg"];
 
 fn takes(formula: &Hypothesis, input: &str) -> bool {

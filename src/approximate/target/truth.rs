@@ -11,7 +11,8 @@ use lobefit_truth::quantity::{GGX_REFLECTION, Quantity, Truth};
 /// An f32 next to an end of a range may lie outside of it by this part.
 const ROUNDING: f64 = 1e-6;
 
-/// Points by the microseconds that a truth takes about: less than one, one, some ten, a hundred, a thousand, and more.
+/// Points by the microseconds that a truth takes about: less than one, one, some ten, a hundred, a
+/// thousand, and more.
 const INTERPOLATED: Effort = Effort { lattice: 257, log2: MANY };
 const CHEAP: Effort = Effort { lattice: 96 * 96, log2: MANY };
 const SPLIT: Effort = Effort { lattice: 96 * 96, log2: 17 };
@@ -26,8 +27,9 @@ const SPLIT_CURVED: Effort = Effort { lattice: 48 * 48, log2: 15 };
 const SATURATED: &str = "saturated";
 
 impl Target {
-    /// The quantity that is integrated, and its outputs: E and B of `ggx-reflection` where f0 is an input, of which every use makes its
-    /// values; else the column, with the mark of values that are left out.
+    /// The quantity that is integrated, and its outputs: E and B of `ggx-reflection` where f0 is an
+    /// input, of which every use makes its values; else the column, with the mark of values that
+    /// are left out.
     fn asked(&self) -> (&'static dyn Quantity, Vec<&'static str>) {
         if self.is_split() {
             return (&GGX_REFLECTION, vec!["E", "B"]);
@@ -79,7 +81,8 @@ impl Target {
     }
 }
 
-/// Values of an input; one that lies outside the quantity's domain by the rounding of an f32 alone is taken for the end.
+/// Values of an input; one that lies outside the quantity's domain by the rounding of an f32 alone
+/// is taken for the end.
 fn rounded(quantity: &dyn Quantity, name: &str, column: &[f64]) -> Vec<f64> {
     let Some(input) = quantity.inputs().iter().find(|input| input.name == name) else {
         return column.to_vec();

@@ -5,7 +5,8 @@ use crate::bake::{Baked, BakedTable};
 use crate::data::{Channel, TexelFormat};
 use crate::emit::exr::{self, Decoded};
 
-/// How two images differ: the texel that is furthest off, and whether the texels found still keep the stated error.
+/// How two images differ: the texel that is furthest off, and whether the texels found still keep
+/// the stated error.
 pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (expected, found) = match (exr::decode(expected), exr::decode(found)) {
         (Ok(expected), Ok(found)) => (expected, found),

@@ -69,9 +69,10 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Every file of the bake that differs from that of `found`, and the `strays`: what else lies in the folder, links in the
-/// places of files among it. With `tolerance`, files whose decoded values are all within it pass, but never a table that breaks
-/// its stated error; pages of the report are then not compared, since they are drawn from the figures.
+/// Every file of the bake that differs from that of `found`, and the `strays`: what else lies in
+/// the folder, links in the places of files among it. With `tolerance`, files whose decoded values
+/// are all within it pass, but never a table that breaks its stated error; pages of the report are
+/// then not compared, since they are drawn from the figures.
 pub fn compare(
     baked: &Baked,
     found: &Files,

@@ -2,8 +2,8 @@
 
 use super::{Difference, Kind};
 
-/// How two texts differ: by the largest difference of their numbers if all else is equal, else by their first differing
-/// line, else by the first line whose end differs.
+/// How two texts differ: by the largest difference of their numbers if all else is equal, else by
+/// their first differing line, else by the first line whose end differs.
 pub fn different(file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (Ok(expected), Ok(found)) = (std::str::from_utf8(expected), std::str::from_utf8(found)) else {
         return Difference::plain(file, Kind::Different, "different bytes; not text");
@@ -79,7 +79,8 @@ fn number_end(bytes: &[u8], start: usize) -> usize {
     i
 }
 
-/// The first differing line, cut to a readable length; where all lines are equal, the first whose end is another.
+/// The first differing line, cut to a readable length; where all lines are equal, the first whose
+/// end is another.
 fn first_line(expected: &str, found: &str) -> (usize, String) {
     const END: &str = "(end of file)";
     let (mut want, mut have) = (expected.lines(), found.lines());

@@ -30,7 +30,8 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// What is said of a record that is not of the bake's code, or not of all of it; nothing of one that is.
+    /// What is said of a record that is not of the bake's code, or not of all of it; nothing of one
+    /// that is.
     pub fn note(&self) -> Option<String> {
         let device = visible(&self.device);
         let stale = some(&self.stale).map(|names| {
@@ -69,8 +70,9 @@ pub(super) fn placed(entry: &Entry, all: &[Entry]) -> bool {
     }
 }
 
-/// The records that are there, and what is wrong with them: no record, or another page than its own. Times of other code are nothing wrong, for
-/// they are measured where there is a device; they are told of.
+/// The records that are there, and what is wrong with them: no record, or another page than its
+/// own. Times of other code are nothing wrong, for they are measured where there is a device; they
+/// are told of.
 pub(super) fn records(root: &Path, baked: &Baked) -> Result<(Vec<Record>, Vec<Difference>), CliError> {
     let (mut records, mut differences) = (Vec::new(), Vec::new());
     let entries = store::list(root, FOLDER)?;

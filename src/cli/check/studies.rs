@@ -1,4 +1,5 @@
-//! Studies that lie beside a bake. Their own package, `lobefit-studies`, knows whether they are of this version; none are run again.
+//! Studies that lie beside a bake. Their own package, `lobefit-studies`, knows whether they are of
+//! this version; none are run again.
 
 use std::ffi::OsStr;
 use std::path::Path;

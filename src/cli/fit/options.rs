@@ -34,32 +34,38 @@ pub(in crate::cli) struct Options {
     /// Most operations of a formula (--search only), 1 to 64
     #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub max_ops: Option<u32>,
-    /// Forms of each cost that are built upon (--search only): more take longer and may find better ones; without it, 24
+    /// Forms of each cost that are built upon (--search only): more take longer and may find better
+    /// ones; without it, 24
     #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub width: Option<u16>,
-    /// What forms may have beside sums of powers (--search only): auto (what pays in narrow searches beforehand, which are told),
-    /// none, or some of complement (1 - mu), reciprocal (1 / (mu + k alpha)), root, decay (exp2(-k mu)), inverse-root; exp2, root-of,
-    /// square (of the whole form)
+    /// What forms may have beside sums of powers (--search only): auto (what pays in narrow
+    /// searches beforehand, which are told), none, or some of complement (1 - mu), reciprocal (1 /
+    /// (mu + k alpha)), root, decay (exp2(-k mu)), inverse-root; exp2, root-of, square (of the
+    /// whole form)
     #[arg(long, value_name = "H", requires = "search", conflicts_with = "hypothesis", value_delimiter = ',', value_parser = helper, default_value = "auto")]
     pub helpers: Vec<Asked>,
     /// Quantity and column that the formula approximates; without a column, the quantity's first
     #[arg(long, value_name = "QUANTITY[:COLUMN]", value_parser = to)]
     pub to: To,
-    /// What it is used as: value, normalisation, f0-blend, coupling; without it, coupling for diffuse-coupling, f0-blend for a
-    /// formula of f0 and ggx-reflection, else value
+    /// What it is used as: value, normalisation, f0-blend, coupling; without it, coupling for
+    /// diffuse-coupling, f0-blend for a formula of f0 and ggx-reflection, else value
     #[arg(long = "use", value_name = "USE", value_parser = used_as)]
     pub used_as: Option<Use>,
-    /// What the constants minimise: max, rms, p=P (the p-norm, 2 <= P <= 1000); several make several fits
+    /// What the constants minimise: max, rms, p=P (the p-norm, 2 <= P <= 1000); several make
+    /// several fits
     #[arg(long, value_name = "NORM", value_parser = goal, default_value = "max")]
     pub norm: Vec<Goal>,
-    /// Weight of the error that is minimised: a WGSL expression of the inputs, as `mu`, or `perceptual`: how much of an error at mu is
-    /// seen on spheres in the furnace and under a sky (with --norm rms). Certificates are not weighted
+    /// Weight of the error that is minimised: a WGSL expression of the inputs, as `mu`, or
+    /// `perceptual`: how much of an error at mu is seen on spheres in the furnace and under a sky
+    /// (with --norm rms). Certificates are not weighted
     #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
     pub weight: Option<String>,
-    /// Range of an input; without it roughness 0.02..1, mu 0.01..1, f0 0..1, ior 1..2, alpha_x and alpha_y 0.02..1
+    /// Range of an input; without it roughness 0.02..1, mu 0.01..1, f0 0..1, ior 1..2, alpha_x and
+    /// alpha_y 0.02..1
     #[arg(long, value_name = "INPUT=LOW..HIGH", value_parser = domain)]
     pub domain: Vec<(String, [f64; 2])>,
-    /// Value of an input that is a word (side, specular, kernel, which may be a .json file with its table), or one number for an input
+    /// Value of an input that is a word (side, specular, kernel, which may be a .json file with its
+    /// table), or one number for an input
     #[arg(long, value_name = "INPUT=VALUE", value_parser = fix)]
     pub fix: Vec<(String, String)>,
     /// The formula equals the truth, or VALUE, wherever the input has this value
@@ -74,7 +80,8 @@ pub(in crate::cli) struct Options {
     /// The formula never rises as this input rises
     #[arg(long, value_name = "INPUT")]
     pub falling: Vec<String>,
-    /// Divisors keep their sign in the domain: always asked for and proven, with or without this option
+    /// Divisors keep their sign in the domain: always asked for and proven, with or without this
+    /// option
     #[arg(long)]
     pub positive_denominator: bool,
     /// Arithmetic of a certificate: f32, f32-fma, f16, f16-fma; the first is the main one
@@ -89,7 +96,8 @@ pub(in crate::cli) struct Options {
     /// Starting points of the search, 1 to 1024
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), default_value_t = STARTS)]
     pub starts: u16,
-    /// Accept parameters that coincide or do not matter, and tell which; without it they are an error
+    /// Accept parameters that coincide or do not matter, and tell which; without it they are an
+    /// error
     #[arg(long)]
     pub allow_undetermined: bool,
     /// Largest error of the main certificate; above it the exit code is 1
@@ -202,7 +210,8 @@ impl Options {
         self.exact.iter().chain(&self.range).cloned().chain(rising).chain(falling).collect()
     }
 
-    /// The command in a fixed order of options, without those that change no byte of a result and without the folders of this run.
+    /// The command in a fixed order of options, without those that change no byte of a result and
+    /// without the folders of this run.
     fn command(&self) -> String {
         let mut words = vec!["lobefit fit".to_string()];
         let mut push = |option: &str, value: String| {

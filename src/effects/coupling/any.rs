@@ -39,18 +39,21 @@ impl Between {
     }
 }
 
-/// Nodes per axis of roughness and mu, and values of f0: a survey beside the certificate, with a hundredth of its points.
+/// Nodes per axis of roughness and mu, and values of f0: a survey beside the certificate, with a
+/// hundredth of its points.
 const SIDE: usize = 64;
 const F0: usize = 17;
 
-/// An error differs from its parabola in f0 by no more than this where it is one: eight roundings of f32, of values up to 1.
+/// An error differs from its parabola in f0 by no more than this where it is one: eight roundings
+/// of f32, of values up to 1.
 const ROUNDING: f64 = 8.0 * f32::EPSILON as f64;
 
-/// The errors of fits and published formulas over f0 in [0, 1], in their order; region and truth as of the spec. Never below a fit's own
-/// certificate, whose place is looked at too.
+/// The errors of fits and published formulas over f0 in [0, 1], in their order; region and truth as
+/// of the spec. Never below a fit's own certificate, whose place is looked at too.
 ///
 /// # Errors
-/// A region outside of the quantity's domain; a truth that cannot be integrated; a formula that is not finite at some f0.
+/// A region outside of the quantity's domain; a truth that cannot be integrated; a formula that is
+/// not finite at some f0.
 pub fn anywhere(spec: &CouplingSpec, fits: &[&Fit], counter: &Counter) -> Result<Vec<AnyF0>, FitStageError> {
     let Some(first) = fits.first() else { return Ok(Vec::new()) };
     let target = Target::new(&spec.target([0.0, 1.0]), &first.hypothesis)?;
@@ -103,7 +106,8 @@ struct Peak {
     error: f64,
 }
 
-/// The peak of the errors of a place, every `stride`-th number for the values of f0 in turn; none if they are no parabola.
+/// The peak of the errors of a place, every `stride`-th number for the values of f0 in turn; none
+/// if they are no parabola.
 fn peak(errors: &[f64], stride: usize) -> Option<Peak> {
     let at = |k: usize| errors[k * stride];
     let (first, middle, last) = (at(0), at(F0 / 2), at(F0 - 1));

@@ -62,14 +62,16 @@ impl Lobe {
         self.fits.iter().zip(&self.anywhere)
     }
 
-    /// The most accurate of the emitted factors, the cheapest of equals: the one that a material is shown with.
+    /// The most accurate of the emitted factors, the cheapest of equals: the one that a material is
+    /// shown with.
     pub fn best(&self) -> Option<&Fit> {
         let rank = |fit: &&Fit| (fit.approximation.certificate.max_abs, fit.approximation.cost.ops);
         let emitted = self.fits.iter().filter(|fit| fit.emitted);
         emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
     }
 
-    /// The entry of a fit with its error over all f0, and where it is proven to have no pole and no value below 0.
+    /// The entry of a fit with its error over all f0, and where it is proven to have no pole and no
+    /// value below 0.
     fn entry(&self, i: usize, fit: &Fit, entry: FitEntry) -> FitEntry {
         let any = &self.anywhere[i];
         let any = AnyF0Entry {

@@ -34,7 +34,8 @@ pub fn hypotheses(specular: Specular) -> &'static [Entry] {
     }
 }
 
-/// What engines ship: formulas that are the same under every lobe, and those that are 1 less a fitted lobe of this kind.
+/// What engines ship: formulas that are the same under every lobe, and those that are 1 less a
+/// fitted lobe of this kind.
 pub fn published(specular: Specular) -> impl Iterator<Item = &'static Entry> {
     PUBLISHED
         .iter()

@@ -1,4 +1,5 @@
-//! The section of this effect in the include files: under each kind of lobe its factors, the exact one from E and B, and a material.
+//! The section of this effect in the include files: under each kind of lobe its factors, the exact
+//! one from E and B, and a material.
 
 use super::bake::Lobe;
 use super::rule;

@@ -1,5 +1,5 @@
-//! The functions around the coupling factors, in every language: the exact factor from E and B, and a base under a lobe. Their
-//! formulas are those of `coupling.wgsl`.
+//! The functions around the coupling factors, in every language: the exact factor from E and B, and
+//! a base under a lobe. Their formulas are those of `coupling.wgsl`.
 
 use lobefit_shade::code::{CodeError, Language};
 use lobefit_shade::{ShadeError, Source, Tape};
@@ -38,7 +38,8 @@ pub fn names() -> impl Iterator<Item = String> {
     around.chain(reciprocal)
 }
 
-/// The functions of a material whose directions can be exchanged. Its lobe must be such a one, which of ours the bare one alone is.
+/// The functions of a material whose directions can be exchanged. Its lobe must be such a one,
+/// which of ours the bare one alone is.
 const AVERAGE: &str = "diffuse_coupling_average_single";
 const RECIPROCAL: &str = "diffuse_coupled_reciprocal_single";
 const EXCHANGED: &str = "diffuse_coupling_reciprocal_single";
@@ -57,7 +58,8 @@ fn coloured(name: &str) -> String {
 pub struct RuleError {
     /// Largest error of the average.
     pub average: f64,
-    /// Largest error, for it, of the light that a white base sends back, over the f0 of the certificate.
+    /// Largest error, for it, of the light that a white base sends back, over the f0 of the
+    /// certificate.
     pub energy: f64,
     /// The same over all f0.
     pub any_energy: f64,
@@ -165,8 +167,9 @@ pub fn exact_ops(specular: Specular) -> Result<u32, ShadeError> {
     alone()?.cost_ops(&[&exact_name(specular)])
 }
 
-/// A material: the specular lobe `lobe`, per colour channel and multiplied as the name says, over a base whose factor is that of the
-/// function `factor` with these arguments; and the same for an f0 per channel.
+/// A material: the specular lobe `lobe`, per colour channel and multiplied as the name says, over a
+/// base whose factor is that of the function `factor` with these arguments; and the same for an f0
+/// per channel.
 ///
 /// # Errors
 /// Arguments that no factor has; a text that does not parse, a defect of this program.
@@ -196,7 +199,8 @@ pub fn coupled(
     Ok(format!("{one}\n{three}"))
 }
 
-/// The same for path tracers, with the average that it takes: a base under a bare lobe, which may exchange light and view.
+/// The same for path tracers, with the average that it takes: a base under a bare lobe, which may
+/// exchange light and view.
 ///
 /// # Errors
 /// Arguments that no factor has; a text that does not parse, a defect of this program.

@@ -114,7 +114,8 @@ fn fit_finding(
     page::fit(one, format!("factor at f0 = {f0}"), curves, map.field("factor", true, errors))
 }
 
-/// Spheres of lobe and white base together, the lobe exact: without coupling, with published factors, and with ours of the frontier.
+/// Spheres of lobe and white base together, the lobe exact: without coupling, with published
+/// factors, and with ours of the frontier.
 fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<CouplingFurnace, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
     let spheres = Grid::new(region, chosen(region, &SPHERES), grazing(region, RADII));

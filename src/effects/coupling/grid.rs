@@ -1,4 +1,5 @@
-//! The truth of a factor over a grid of roughness and mu: what the page of the effect is drawn from.
+//! The truth of a factor over a grid of roughness and mu: what the page of the effect is drawn
+//! from.
 
 use crate::data::Smith;
 use crate::effects::Albedo;

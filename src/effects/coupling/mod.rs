@@ -1,6 +1,8 @@
-//! The effect `diffuse-coupling`: how much light a specular lobe leaves for the diffuse base below it. Quantity `diffuse-coupling`.
+//! The effect `diffuse-coupling`: how much light a specular lobe leaves for the diffuse base below
+//! it. Quantity `diffuse-coupling`.
 //!
-//! A factor stands for every albedo of the base: with albedo c the base sends back factor c, and the error of the factor counts c times.
+//! A factor stands for every albedo of the base: with albedo c the base sends back factor c, and
+//! the error of the factor counts c times.
 
 mod any;
 mod bake;
@@ -143,7 +145,8 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
             "{name}: {kind} with a diffuse base under a {specular} lobe (roughness {}) wants fits{ignored}",
             roughness.text()
         ),
-        // f0 may be one value: a factor is close to a multiple of 1 - f0, and one f0 leaves two axes to fit over.
+        // f0 may be one value: a factor is close to a multiple of 1 - f0, and one f0 leaves two
+        // axes to fit over.
         spans: BTreeMap::from([("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)]),
         goals: Goals { max_ops: base.max_ops, max_error: base.max_error, norms: base.norms.clone() },
     })
@@ -159,7 +162,8 @@ fn specular(scene: &Scene, job: &Job) -> Option<Specular> {
     Some(scene.materials.get(job.demands.first()?.of)?.base.as_ref()?.specular)
 }
 
-/// Largest f0 for which a factor under a bare lobe is proven not to be negative: beyond any dielectric's.
+/// Largest f0 for which a factor under a bare lobe is proven not to be negative: beyond any
+/// dielectric's.
 const SINGLE_F0: f64 = 0.9;
 
 /// What to fit.
@@ -194,15 +198,17 @@ impl CouplingSpec {
         }
     }
 
-    /// What its fits keep wherever a shader may call them: no less than no light for the base. Under a bare lobe the truth goes to the
-    /// loss 1 - E as f0 goes to 1, which vanishes at a mirror: there no fit can be told from 0.
+    /// What its fits keep wherever a shader may call them: no less than no light for the base.
+    /// Under a bare lobe the truth goes to the loss 1 - E as f0 goes to 1, which vanishes at a
+    /// mirror: there no fit can be told from 0.
     fn safe_range(&self) -> SafeRange {
         let f0 = if self.specular == Specular::Single { SINGLE_F0 } else { 1.0 };
         SafeRange { roughness: self.region.roughness, alpha_map: self.region.alpha_map, f0 }
     }
 }
 
-/// Fits of the factor, and the published ones beside them; of formulas that take roughness, where the map to alpha is theirs.
+/// Fits of the factor, and the published ones beside them; of formulas that take roughness, where
+/// the map to alpha is theirs.
 ///
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be integrated.

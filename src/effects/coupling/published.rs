@@ -1,5 +1,5 @@
-//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/published_coupling.rs` reproduces their
-//! published comparison.
+//! What engines ship for this effect: measured and reported beside ours, not emitted.
+//! `tests/effects/published_coupling.rs` reproduces their published comparison.
 
 use crate::approximate::{Entry, published};
 use lobefit_fit::FitError;
@@ -18,8 +18,8 @@ pub const PUBLISHED: [Entry; 8] = published![
     "coupling_dassault" by "Dassault Systemes, Enterprise PBR Shading Model",
 ];
 
-/// What a shader computes of the formulas that depend on the light, for their cost: `l` is the light's cosine, `vh` that between view and
-/// half vector.
+/// What a shader computes of the formulas that depend on the light, for their cost: `l` is the
+/// light's cosine, `vh` that between view and half vector.
 pub(super) const LIGHTS: [(&str, &str); 3] = [
     (
         "coupling_gltf",
@@ -65,7 +65,8 @@ pub fn light_ops(name: &str) -> Result<Option<u32>, FitError> {
     Ok(Some(Hypothesis::parse(name, source)?.tape().cost_ops()))
 }
 
-/// 1 less the albedo of a published lobe, f0 A + B, times what its own E says that a lobe of this kind is multiplied by.
+/// 1 less the albedo of a published lobe, f0 A + B, times what its own E says that a lobe of this
+/// kind is multiplied by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OwnSpecular {
     /// What multiplies the lobe.
@@ -74,7 +75,8 @@ pub struct OwnSpecular {
     pub entry: Entry,
 }
 
-/// The factors of one published f0 A + B, with its arguments but f0 (declared, and as they are passed).
+/// The factors of one published f0 A + B, with its arguments but f0 (declared, and as they are
+/// passed).
 macro_rules! own_specular {
     ($($name:literal of $blend:literal ($declared:literal, $passed:literal) by $publication:literal),* $(,)?) => {
         [$(

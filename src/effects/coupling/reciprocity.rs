@@ -1,4 +1,5 @@
-//! Whole materials of a job's lobe over published couplings and over the best fit, as functions of two directions.
+//! Whole materials of a job's lobe over published couplings and over the best fit, as functions of
+//! two directions.
 
 use super::bake::Lobe;
 use crate::approximate::Region;
@@ -9,12 +10,13 @@ use crate::effects::coupling::surface::{Coupling, Factor, Lobe as Drawn};
 use crate::effects::grid::{chosen, grazing};
 use lobefit_truth::quantity::Specular;
 
-/// Roughness and cosines, as far as they lie in the region: a few, since every material is integrated over the hemisphere as it is drawn.
-/// The study has them all.
+/// Roughness and cosines, as far as they lie in the region: a few, since every material is
+/// integrated over the hemisphere as it is drawn. The study has them all.
 const ROUGHNESS: [f64; 4] = [0.2, 0.4, 0.7, 1.0];
 const COSINES: [f64; 4] = [0.1, 0.3, 0.6, 1.0];
 
-/// The rows of a lobe, and where they were measured; none where alpha is not roughness^2, which the materials take it for.
+/// The rows of a lobe, and where they were measured; none where alpha is not roughness^2, which the
+/// materials take it for.
 pub fn rows(lobe: &Lobe) -> Result<Option<(Grid, Vec<ReciprocityRow>)>, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
     if region.alpha_map != AlphaMap::RoughnessSquared {

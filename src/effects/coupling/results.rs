@@ -63,7 +63,8 @@ pub struct CouplingLobe {
     pub fits: Vec<FitFinding>,
     /// Lobe and white base in a white environment.
     pub furnace: CouplingFurnace,
-    /// The lobe over published couplings and the best fit, as functions of two directions; none where that was not measured.
+    /// The lobe over published couplings and the best fit, as functions of two directions; none
+    /// where that was not measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reciprocity: Option<CouplingReciprocity>,
 }
@@ -101,6 +102,7 @@ pub struct CouplingFurnace {
     pub mu: Vec<f64>,
     /// How many times the departure from white is amplified.
     pub amplification: f64,
-    /// f0, and the light of lobe and base together for each factor; `factors[column][k]` at `mu[k]`.
+    /// f0, and the light of lobe and base together for each factor; `factors[column][k]` at
+    /// `mu[k]`.
     pub panels: Vec<(f64, Vec<FurnaceRow>)>,
 }

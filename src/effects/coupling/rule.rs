@@ -8,7 +8,8 @@ use lobefit_math::gauss::Gauss;
 use lobefit_shade::round_up;
 use lobefit_truth::points::Points;
 
-/// Places of roughness, values of f0, and nodes of the rule that takes the integral's place: the emitted one has four.
+/// Places of roughness, values of f0, and nodes of the rule that takes the integral's place: the
+/// emitted one has four.
 const ROUGHNESS: usize = 33;
 const F0: usize = 33;
 const NODES: usize = 64;

@@ -27,7 +27,8 @@ use lobefit_truth::quantity::coupling::{Split, factor};
 const SIDE: usize = 64;
 const BYTES: u64 = 4 * (SIDE * SIDE) as u64;
 
-/// Binary logarithm of the points that it is measured at: a table's error is smooth, and this is a comparison.
+/// Binary logarithm of the points that it is measured at: a table's error is smooth, and this is a
+/// comparison.
 const LOG2: u32 = 14;
 
 /// Values of f0 of the error over all; the error is a parabola in it.

@@ -56,8 +56,9 @@ pub struct LevelFunction {
     pub gives: Gives,
     /// The chain.
     pub chain: MipChain,
-    /// Its error in f32: of `mip` against the map itself, of `roughness` of the way there and back, of `adjusted-mip` and
-    /// `mip-bias` against the level that holds the best width, over the cells of a grid that are not saturated.
+    /// Its error in f32: of `mip` against the map itself, of `roughness` of the way there and back,
+    /// of `adjusted-mip` and `mip-bias` against the level that holds the best width, over the cells
+    /// of a grid that are not saturated.
     pub error: LevelError,
 }
 
@@ -67,7 +68,8 @@ const STEPS: usize = 4096;
 /// The file name of a function that is written here, for messages.
 const FILE: &str = "parallax_chain.wgsl";
 
-/// The functions of a chain: its map, the inverse, and the level to fetch by a fit of the width. `identifier` tells it from other chains.
+/// The functions of a chain: its map, the inverse, and the level to fetch by a fit of the width.
+/// `identifier` tells it from other chains.
 ///
 /// # Errors
 /// A fit whose source cannot be composed with these, a defect.
@@ -141,7 +143,8 @@ fn adjusted_error(
     worst(off, |i| at(i).into_iter().collect())
 }
 
-/// The levels to add in logarithmic chains, fitted for the smallest error in levels; none where no chain is logarithmic.
+/// The levels to add in logarithmic chains, fitted for the smallest error in levels; none where no
+/// chain is logarithmic.
 ///
 /// # Errors
 /// A search that does not end in a minimum.

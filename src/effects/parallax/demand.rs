@@ -10,21 +10,25 @@ use crate::scene::{Probe, Scene};
 use lobefit_truth::integrate::footprint;
 use lobefit_truth::optics::kernel::Kernel;
 
-/// Narrowest range of ratios of a job: its ends are this factor apart, a choice as the narrowest range of roughness is.
+/// Narrowest range of ratios of a job: its ends are this factor apart, a choice as the narrowest
+/// range of roughness is.
 const RHO_FACTOR_MIN: f64 = 1.01;
 
-/// Seconds of the truths of the fits and of their grid on one core, and of one of the fits with its total variation there.
+/// Seconds of the truths of the fits and of their grid on one core, and of one of the fits with its
+/// total variation there.
 const TRUTH_S: f64 = 0.35;
 const FIT_S: f64 = 0.02;
 
-/// What the probes of one job want: the lobe that their chains are prefiltered with, their different chains and lookups.
+/// What the probes of one job want: the lobe that their chains are prefiltered with, their
+/// different chains and lookups.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lobe {
     /// The lobe.
     pub kernel: Kernel,
     /// The different chains of levels, in the order of the probes.
     pub chains: Vec<MipChain>,
-    /// The different lookups, with the chain of the probe that they fetch from, in the order of the probes.
+    /// The different lookups, with the chain of the probe that they fetch from, in the order of the
+    /// probes.
     pub lookups: Vec<(ProbeLookup, Option<MipChain>)>,
 }
 

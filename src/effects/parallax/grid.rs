@@ -37,7 +37,8 @@ pub struct Grid {
     pub cells: Vec<Cell>,
 }
 
-/// What a formula's fetches are off by over some cells: the total variation, and mean and largest of the other measures.
+/// What a formula's fetches are off by over some cells: the total variation, and mean and largest
+/// of the other measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// Mean.
@@ -57,7 +58,8 @@ pub struct Spread {
 }
 
 impl Grid {
-    /// The grid of a study: `count` roughnesses and ratios between the ends of both, the ends among them.
+    /// The grid of a study: `count` roughnesses and ratios between the ends of both, the ends among
+    /// them.
     ///
     /// # Errors
     /// A cell outside of the domain of `parallax-alpha`.
@@ -89,7 +91,8 @@ impl Grid {
         Ok(Grid { kernel, cells })
     }
 
-    /// The widths that a formula of alpha, roughness and rho gives in every cell, in f32 as a shader does.
+    /// The widths that a formula of alpha, roughness and rho gives in every cell, in f32 as a
+    /// shader does.
     ///
     /// # Errors
     /// A formula with free parameters beyond `coefficients`, or with other inputs.
@@ -112,7 +115,8 @@ impl Grid {
         Ok(hypothesis.tape().evaluate(&inputs, coefficients)?.into_iter().map(f64::from).collect())
     }
 
-    /// What fetches of these widths, one for each cell, are off by over the cells that are wanted; `None` where none is.
+    /// What fetches of these widths, one for each cell, are off by over the cells that are wanted;
+    /// `None` where none is.
     ///
     /// # Errors
     /// A width outside of [1e-12, 1].

@@ -1,4 +1,5 @@
-//! The effect `parallax`: a prefiltered cubemap looked up where a ray meets the proxy of a room. Quantity `parallax-alpha`.
+//! The effect `parallax`: a prefiltered cubemap looked up where a ray meets the proxy of a room.
+//! Quantity `parallax-alpha`.
 
 mod bake;
 mod catalogue;
@@ -112,8 +113,9 @@ pub struct ParallaxSpec {
     pub norms: Vec<Norm>,
 }
 
-/// Fits of the width of a fetch, and the published ones beside them; of formulas that take roughness, where the map to alpha is theirs.
-/// Errors are relative to the best width, where that is not saturated.
+/// Fits of the width of a fetch, and the published ones beside them; of formulas that take
+/// roughness, where the map to alpha is theirs. Errors are relative to the best width, where that
+/// is not saturated.
 ///
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be computed.
@@ -147,7 +149,8 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
     Ok(set)
 }
 
-/// The name of a function for chains of a kernel: that of the usual one is not told, any other follows the effect's.
+/// The name of a function for chains of a kernel: that of the usual one is not told, any other
+/// follows the effect's.
 pub fn named(kernel: &Kernel, name: &str) -> String {
     if *kernel == Kernel::default() {
         return name.into();

@@ -32,8 +32,8 @@ pub struct ParallaxLobe {
     pub variations: Vec<VariationFinding>,
     /// Places whose fetches are saturated: roughness, rho.
     pub saturated: Vec<(f64, f64)>,
-    /// What the best width leaves, over roughness and rho: total variation, root mean square difference, largest difference, difference of
-    /// the encircled energies.
+    /// What the best width leaves, over roughness and rho: total variation, root mean square
+    /// difference, largest difference, difference of the encircled energies.
     pub least: Vec<Field>,
     /// Relative errors of fits over roughness and rho, 0 where a fetch is saturated.
     pub maps: Vec<ParallaxMap>,
@@ -72,7 +72,8 @@ pub struct VariationRow {
     pub max: f64,
     /// Where that is.
     pub at: Place,
-    /// Mean and largest of the root mean square difference of energies per area over that of the footprint asked for.
+    /// Mean and largest of the root mean square difference of energies per area over that of the
+    /// footprint asked for.
     pub l2: [f64; 2],
     /// Of the largest difference over the largest of what is asked for.
     pub largest: [f64; 2],

@@ -64,7 +64,8 @@ pub fn roughness(name: &str, chain: &MipChain) -> String {
     format!("fn {name}(mip: f32) -> f32 {{\n{body}\n}}\n")
 }
 
-/// The function of a level and a ratio that gives the level to fetch, by a fit of the width, with the fit's parameters.
+/// The function of a level and a ratio that gives the level to fetch, by a fit of the width, with
+/// the fit's parameters.
 pub fn adjusted(name: &str, chain: &MipChain, map: AlphaMap, fit: &Fit) -> String {
     let original = fit.hypothesis.source().to_string();
     let own = own_name(&original);

@@ -1,5 +1,6 @@
-//! What accuracy costs: the error of E against the number of integrand evaluations, for Monte Carlo, scrambled Sobol points and
-//! the quadrature, with the setting of the path tracer of the sources.
+//! What accuracy costs: the error of E against the number of integrand evaluations, for Monte
+//! Carlo, scrambled Sobol points and the quadrature, with the setting of the path tracer of the
+//! sources.
 
 use multiversion::multiversion;
 use rand::{RngExt, SeedableRng};
@@ -33,11 +34,13 @@ pub struct Study {
 pub struct Series {
     /// Its name.
     pub name: &'static str,
-    /// (integrand evaluations, error): for the random ones the standard error, else |value - truth|.
+    /// (integrand evaluations, error): for the random ones the standard error, else |value -
+    /// truth|.
     pub points: Vec<(f64, f64)>,
 }
 
-/// The setting of the sources at this point: 500 000 dispatches of 20 samples, each mean added to an f32.
+/// The setting of the sources at this point: 500 000 dispatches of 20 samples, each mean added to
+/// an f32.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sources {
     /// Samples.
@@ -48,7 +51,8 @@ pub struct Sources {
     pub bias: f64,
 }
 
-/// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the sources' running sum is at its worst.
+/// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the sources'
+/// running sum is at its worst.
 pub const POINTS: [(&str, f64, f64); 2] = [("easy", 0.5, 0.7), ("hard", 0.016, 0.11)];
 
 /// The integrators that sample: name, point set, what is drawn.
@@ -140,8 +144,9 @@ fn sources(smith: Smith, alpha: f64, mu: f64) -> Sources {
     }
 }
 
-/// Shadowing of the lights mirrored about visible normals, 0 below the horizon: `ggx::visible_normal` and `ggx::mirror` of an isotropic
-/// lobe, of which the light's height alone is wanted.
+/// Shadowing of the lights mirrored about visible normals, 0 below the horizon:
+/// `ggx::visible_normal` and `ggx::mirror` of an isotropic lobe, of which the light's height alone
+/// is wanted.
 #[multiversion(targets(
     "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"

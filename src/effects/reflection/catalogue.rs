@@ -1,4 +1,5 @@
-//! The hypotheses of this effect and the published formulas that are emitted beside them; the others stand in `published`.
+//! The hypotheses of this effect and the published formulas that are emitted beside them; the
+//! others stand in `published`.
 
 use super::published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 use crate::approximate::{Entry, own, published};

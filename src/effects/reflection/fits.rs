@@ -1,4 +1,5 @@
-//! The fits of this effect: normalisations with their saturating forms, averages, and blends f0 A + B.
+//! The fits of this effect: normalisations with their saturating forms, averages, and blends f0 A +
+//! B.
 
 use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 use super::{PUBLISHED, PUBLISHED_BLENDS};
@@ -27,8 +28,9 @@ pub struct FitSpec {
     pub hypotheses: Vec<(String, String)>,
 }
 
-/// Everything that the spec asks for: normalisations of ours, the user's, their saturating forms, averages, blends, and the
-/// published normalisations, of which the formulas of the source post are emitted.
+/// Everything that the spec asks for: normalisations of ours, the user's, their saturating forms,
+/// averages, blends, and the published normalisations, of which the formulas of the source post are
+/// emitted.
 ///
 /// # Errors
 /// A region outside of the quantities' domain; a hypothesis of the user's that cannot be fitted.
@@ -105,8 +107,9 @@ impl FitSpec {
     }
 }
 
-/// 1 + f0 (N - 1), which is exact where f0 = 1 wherever N is. With F the furnace error of N, its relative error against
-/// 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so N's certificate stands for it.
+/// 1 + f0 (N - 1), which is exact where f0 = 1 wherever N is. With F the furnace error of N, its
+/// relative error against 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so
+/// N's certificate stands for it.
 fn saturating(original: &Hypothesis, fit: &str) -> Result<Hypothesis, ShadeError> {
     let (inner, inputs) = (original.name(), original.inputs());
     let declared: Vec<String> = inputs.iter().map(|input| format!("{input}: f32")).collect();

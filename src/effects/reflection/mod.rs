@@ -1,4 +1,5 @@
-//! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities `ggx-reflection` and `ggx-average`.
+//! The effect `reflection`: the specular lobe of rough metals and dielectrics. Quantities
+//! `ggx-reflection` and `ggx-average`.
 
 mod accuracy;
 pub mod bake;

@@ -1,5 +1,5 @@
-//! What engines ship for this effect: measured and reported beside ours, not emitted. `tests/effects/published.rs` reproduces their published
-//! comparison.
+//! What engines ship for this effect: measured and reported beside ours, not emitted.
+//! `tests/effects/published.rs` reproduces their published comparison.
 
 use crate::approximate::{Entry, published};
 

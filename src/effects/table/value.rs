@@ -118,7 +118,8 @@ impl ValueTable {
     ) -> Result<(Vec<f64>, f64), IntegrateError> {
         let has = self.quantity.has(Choice::Smith);
         let variant = if has { Variant::from(smith) } else { Variant::default() };
-        // A texel at the end of its axis may lie beyond the quantity's domain: it has the nearest value that there is.
+        // A texel at the end of its axis may lie beyond the quantity's domain: it has the nearest
+        // value that there is.
         let domain = |name| self.quantity.inputs().iter().find(|input| input.name == name);
         let inside = |name: &'static str, column: Vec<f64>| {
             let [low, high] = domain(name).map_or([0.0, 1.0], |input| input.domain);

@@ -31,7 +31,8 @@ pub enum AidKind {
 /// Which of them a search uses.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Aids {
-    /// Complement and reciprocal, where they suit the quantity; and of the others those that pay in narrow searches.
+    /// Complement and reciprocal, where they suit the quantity; and of the others those that pay in
+    /// narrow searches.
     #[default]
     Auto,
     /// These, whether they pay or not.
@@ -84,8 +85,9 @@ impl AidKind {
         }
     }
 
-    /// The aids of this kind over these axes. Helpers read mu and roughness where the quantity has them, else every axis; the
-    /// reciprocals are homogeneous where mu is as large as alpha, or, of cloth, as roughness.
+    /// The aids of this kind over these axes. Helpers read mu and roughness where the quantity has
+    /// them, else every axis; the reciprocals are homogeneous where mu is as large as alpha, or, of
+    /// cloth, as roughness.
     fn aids(self, target: &Target, axes: &[SearchAxis]) -> Vec<Aid> {
         let (mu, rough) = (space::place(axes, "mu"), space::place(axes, "roughness"));
         let both = mu.zip(rough).map(|(x, y)| (x, y, space::order(target)));
@@ -113,7 +115,8 @@ impl AidKind {
     }
 }
 
-/// The space with what the job asks for: given, or, of `usual` and what pays; and what was tried. `whole`: forms may be put into functions.
+/// The space with what the job asks for: given, or, of `usual` and what pays; and what was tried.
+/// `whole`: forms may be put into functions.
 pub(super) fn aided(
     mut space: Space,
     usual: &[AidKind],
@@ -159,8 +162,9 @@ pub(super) fn aided(
     Ok((space, trials))
 }
 
-/// What a search by itself begins with: a value falls off from grazing by powers of 1 - mu; factors of the furnace are rational in mu
-/// already. A smooth lobe depends on mu/alpha alone, and the rim of cloth on mu/roughness: one reciprocal makes both degree 0.
+/// What a search by itself begins with: a value falls off from grazing by powers of 1 - mu; factors
+/// of the furnace are rational in mu already. A smooth lobe depends on mu/alpha alone, and the rim
+/// of cloth on mu/roughness: one reciprocal makes both degree 0.
 pub(super) fn usual(target: &Target) -> &'static [AidKind] {
     match target.used_as {
         Use::Value => &[AidKind::Complement, AidKind::Reciprocal],

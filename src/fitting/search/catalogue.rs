@@ -1,4 +1,5 @@
-//! What the catalogue has for the same quantity and use: fits of ours at their declared constants, and published formulas.
+//! What the catalogue has for the same quantity and use: fits of ours at their declared constants,
+//! and published formulas.
 
 use super::CatalogueFit;
 use crate::approximate::certificate;

@@ -1,4 +1,5 @@
-//! A search over forms for a quantity: the frontier of cost against certified error, each point a formula to keep.
+//! A search over forms for a quantity: the frontier of cost against certified error, each point a
+//! formula to keep.
 
 mod aids;
 mod catalogue;
@@ -45,7 +46,8 @@ pub struct Point {
     pub ops: u32,
     /// Error in f32 at points that it was not searched on.
     pub certificate: Certificate,
-    /// No coefficients of this form have a smaller largest error on the samples; 0 where nothing is proven.
+    /// No coefficients of this form have a smaller largest error on the samples; 0 where nothing is
+    /// proven.
     pub bound: f64,
 }
 
@@ -93,7 +95,8 @@ impl Searched {
     }
 }
 
-/// Searches, then certifies the frontier; forms that the certificate puts behind a cheaper one are dropped.
+/// Searches, then certifies the frontier; forms that the certificate puts behind a cheaper one are
+/// dropped.
 ///
 /// # Errors
 /// A target that cannot be searched; no form within the budget.
@@ -111,7 +114,8 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         if let Err(ShadeError::Irregular { .. }) =
             prove_regular(form.hypothesis.tape(), &exact, &target.domain()?)
         {
-            // Not to be had in the whole domain: the search proves what it can, the certificate needs all.
+            // Not to be had in the whole domain: the search proves what it can, the certificate
+            // needs all.
             continue;
         }
         let certificate = certified(&form.hypothesis, &coefficients, &target, &measured)?;

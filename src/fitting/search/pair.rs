@@ -1,5 +1,6 @@
-//! Formulas of f0: two functions of the other inputs, searched together. With E the albedo of a white lobe, B that of a lobe without
-//! reflectance at normal incidence, and the share B/E, which is smoother than B:
+//! Formulas of f0: two functions of the other inputs, searched together. With E the albedo of a
+//! white lobe, B that of a lobe without reflectance at normal incidence, and the share B/E, which
+//! is smoother than B:
 //!
 //! | target | formula |
 //! |---|---|
@@ -8,7 +9,8 @@
 //! | `coupling`, normalised | (1 - f0) (1 - share): one function |
 //! | `coupling`, compensated | g (a + loss (1 - g a)), g = 1 - f0, a = 1 - share, loss = 1 - E |
 //!
-//! Errors of E and B are averaged by f0, so that those of a blend are as large as the larger of theirs.
+//! Errors of E and B are averaged by f0, so that those of a blend are as large as the larger of
+//! theirs.
 
 use super::aids::{self, AidKind};
 use super::space;
@@ -111,8 +113,8 @@ impl Split {
     }
 }
 
-/// Operations that one of two functions may have, of those of the formula: most of the others are left to the second, whose division
-/// may be the same.
+/// Operations that one of two functions may have, of those of the formula: most of the others are
+/// left to the second, whose division may be the same.
 fn share(max_ops: u32, tenths: u32) -> u32 {
     (max_ops * tenths / 10).max(max_ops.min(8))
 }
@@ -126,8 +128,8 @@ struct Asked<'a> {
     tried: Vec<Tried>,
 }
 
-/// A function of a formula: its name there, its share of the operations in tenths, what its forms may have, where they are exact, and
-/// its values with the factors that its errors have.
+/// A function of a formula: its name there, its share of the operations in tenths, what its forms
+/// may have, where they are exact, and its values with the factors that its errors have.
 struct Part {
     name: &'static str,
     tenths: u32,
@@ -244,7 +246,8 @@ impl Asked<'_> {
     }
 }
 
-/// Values of f0 that are evenly spread over a range, both its ends among them; but at f0 = 1 every form is exactly 0, which says nothing.
+/// Values of f0 that are evenly spread over a range, both its ends among them; but at f0 = 1 every
+/// form is exactly 0, which says nothing.
 fn curved([low, high]: [f64; 2]) -> Vec<f64> {
     let parts = if high == 1.0 { CURVED } else { CURVED - 1 };
     (0..CURVED).map(|i| low + (high - low) * i as f64 / parts as f64).collect()

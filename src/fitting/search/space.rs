@@ -37,7 +37,8 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
 /// `ggx_reflection_e_normalisation`: quantity, column, use.
 pub(super) fn name(target: &Target) -> String {
     let Variant { side, specular, kernel, .. } = &target.variant;
-    // Of a kernel's table the name: the hash in its word does not belong into the name of a function.
+    // Of a kernel's table the name: the hash in its word does not belong into the name of a
+    // function.
     let words = [side.map(Side::name), specular.map(Specular::name), kernel.as_ref().map(Kernel::name)];
     let words = words.into_iter().flatten().map(String::from);
     let parts = [target.quantity.name(), target.column, target.used_as.name()].map(String::from);
@@ -50,8 +51,8 @@ fn spanned(target: &Target) -> Vec<usize> {
     (0..target.axes.len()).filter(|k| target.axes[*k].is_spanned()).collect()
 }
 
-/// Where forms are exact. Asked for: the one value of the truth, or the value given, where an input is 0; not asked for: the
-/// truth at alpha = 0 if it has one value there.
+/// Where forms are exact. Asked for: the one value of the truth, or the value given, where an input
+/// is 0; not asked for: the truth at alpha = 0 if it has one value there.
 pub(super) fn anchor(target: &Target, demands: &[Demand]) -> Result<Option<Anchor>, FittingError> {
     let refuse =
         |input: &str, reason: String| TargetError::Edge { setting: "exact", input: input.into(), reason };
@@ -139,8 +140,8 @@ pub(super) fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
     axes.iter().position(|a| a.arguments[0].0 == name).map(|k| k as u8)
 }
 
-/// The power of roughness that is of one order with mu where a lobe changes: alpha of a GGX lobe, whose quantities have a Smith form or a
-/// kernel, and roughness itself of any other.
+/// The power of roughness that is of one order with mu where a lobe changes: alpha of a GGX lobe,
+/// whose quantities have a Smith form or a kernel, and roughness itself of any other.
 pub(super) fn order(target: &Target) -> u8 {
     let ggx = [Choice::Smith, Choice::Kernel].iter().any(|choice| target.quantity.has(*choice));
     if ggx { target.alpha_map.power() as u8 } else { 1 }

@@ -65,7 +65,8 @@ impl From<&Approximation> for ApproximationFinding {
 pub struct FitFinding {
     /// Name of the approximation; cost, certificate and source stand there.
     pub name: String,
-    /// What earns it pictures, as it reads after a number of fits; those that share the words are counted together.
+    /// What earns it pictures, as it reads after a number of fits; those that share the words are
+    /// counted together.
     pub shown_as: String,
     /// The formula as a person reads it, constants filled in; may have several lines.
     pub formula: String,

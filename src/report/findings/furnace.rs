@@ -11,7 +11,8 @@ pub struct Furnace {
     pub mu: Vec<f64>,
     /// The rows; the first is the uncompensated lobe, which is also shown unamplified.
     pub rows: Vec<FurnaceRow>,
-    /// How many times the departure from white is amplified: 10 gives the deepest colours to a departure of 0.1.
+    /// How many times the departure from white is amplified: 10 gives the deepest colours to a
+    /// departure of 0.1.
     pub amplification: f64,
 }
 

@@ -1,5 +1,5 @@
-//! Everything a bake found out, as plain data: filled by the one who ran the jobs, shown by the page, and written
-//! as it is to `reports/<effect>.json`.
+//! Everything a bake found out, as plain data: filled by the one who ran the jobs, shown by the
+//! page, and written as it is to `reports/<effect>.json`.
 
 mod approximation;
 mod furnace;
@@ -36,8 +36,8 @@ pub struct Origin {
 
 /// What the bake of a scene found out.
 ///
-/// Empty lists are fine where the scene called for nothing of the kind: the page then says so or leaves the section
-/// out. Lists inside an entry must be filled.
+/// Empty lists are fine where the scene called for nothing of the kind: the page then says so or
+/// leaves the section out. Lists inside an entry must be filled.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Findings {
     /// What made it.

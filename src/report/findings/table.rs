@@ -39,7 +39,8 @@ pub struct TableFinding {
     pub evaluations: u64,
     /// Errors by their causes, in the order of the page: what each is of, and its size.
     pub errors: Vec<(String, ErrorFigure)>,
-    /// Signed error of the lookup of the quantised texels, over roughness and mu: a map for each value, or for each slice shown.
+    /// Signed error of the lookup of the quantised texels, over roughness and mu: a map for each
+    /// value, or for each slice shown.
     pub lookup_error: Vec<Field>,
 }
 
@@ -52,7 +53,8 @@ fn is_zero(n: &u64) -> bool {
 pub struct ChannelFinding {
     /// Name in the file.
     pub name: String,
-    /// Texels as stored, row by row, first row at the top; for the picture only, the file holds them.
+    /// Texels as stored, row by row, first row at the top; for the picture only, the file holds
+    /// them.
     #[serde(skip)]
     pub texels: Vec<f64>,
 }

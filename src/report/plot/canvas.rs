@@ -1,7 +1,8 @@
 //! A sheet of SVG to draw on, in pixels of the page; plotters draws, this wrapper scales and names.
 //!
-//! plotters' coordinates are integers, so the sheet is drawn at [`SCALE`] units per pixel and shown through its
-//! view box: coordinates have one fixed decimal, and the same data gives the same bytes everywhere.
+//! plotters' coordinates are integers, so the sheet is drawn at [`SCALE`] units per pixel and shown
+//! through its view box: coordinates have one fixed decimal, and the same data gives the same bytes
+//! everywhere.
 
 use plotters::backend::SVGBackend;
 use plotters::coord::Shift;
@@ -94,7 +95,8 @@ pub(crate) struct Canvas<'a> {
     figure: &'a str,
 }
 
-/// Draws a sheet of `width` by `height` pixels; `under` is SVG markup laid under the drawing (pictures).
+/// Draws a sheet of `width` by `height` pixels; `under` is SVG markup laid under the drawing
+/// (pictures).
 pub(crate) fn sheet(
     figure: &str,
     (width, height): (f64, f64),
@@ -110,7 +112,8 @@ pub(crate) fn sheet(
         draw(&canvas)?;
         canvas.area.present().map_err(|e| refused(figure, &e))?;
     }
-    // The first line is plotters' own <svg ...>; ours has the page's size and a name for screen readers.
+    // The first line is plotters' own <svg ...>; ours has the page's size and a name for screen
+    // readers.
     let body = text.split_once('\n').map_or("", |(_, rest)| rest);
     Ok(format!(
         "<svg class=\"plot\" role=\"img\" aria-label=\"{}\" width=\"{width}\" height=\"{height}\" \
@@ -237,7 +240,8 @@ pub(crate) fn escape(text: &str) -> String {
     out
 }
 
-/// Drops what plotters writes for every element and the style sheet or the SVG default says already.
+/// Drops what plotters writes for every element and the style sheet or the SVG default says
+/// already.
 fn tidy(body: &str) -> String {
     body.replace(" opacity=\"1\"", "")
         .replace(" stroke=\"none\"", "")

@@ -1,4 +1,5 @@
-//! Colour maps and how values are spread over them; one place, so that the same colour means the same everywhere.
+//! Colour maps and how values are spread over them; one place, so that the same colour means the
+//! same everywhere.
 
 use plotters::style::RGBColor;
 
@@ -9,7 +10,8 @@ use crate::report::numbers;
 /// Entries of a colour map; odd, so that zero has an entry of its own in the signed maps.
 pub(crate) const LEVELS: usize = 255;
 
-/// Line colours that stay apart under colour-vision deficiency (Okabe and Ito 2008, without black and yellow).
+/// Line colours that stay apart under colour-vision deficiency (Okabe and Ito 2008, without black
+/// and yellow).
 pub(crate) const LINES: [RGBColor; 7] = [
     RGBColor(0xD5, 0x5E, 0x00),
     RGBColor(0x00, 0x72, 0xB2),
@@ -56,7 +58,8 @@ pub enum Shade {
         /// Linear, or by square root of the magnitude.
         spread: Spread,
     },
-    /// Departure from the white environment (which is grey), blue for lost and red for gained energy.
+    /// Departure from the white environment (which is grey), blue for lost and red for gained
+    /// energy.
     Departure {
         /// Departure of the deepest colours.
         limit: f64,

@@ -54,7 +54,8 @@ pub struct Curves {
     pub title: String,
     /// Label and spread of the horizontal axis.
     pub x: (String, Spread),
-    /// Label and spread of the vertical axis. On a logarithmic axis values that are not positive sit on its foot.
+    /// Label and spread of the vertical axis. On a logarithmic axis values that are not positive
+    /// sit on its foot.
     pub y: (String, Spread),
     /// The lines, drawn in order.
     pub series: Vec<Series>,
@@ -226,7 +227,8 @@ impl Curves {
         Ok(())
     }
 
-    /// Texts beside the last points, pushed apart where lines end together, and then in the order in which the lines run on the whole.
+    /// Texts beside the last points, pushed apart where lines end together, and then in the order
+    /// in which the lines run on the whole.
     fn draw_ends(&self, canvas: &Canvas, plan: &Plan) -> Result<(), ReportError> {
         let mut ends: Vec<(f64, &str, f64)> = Vec::new();
         for s in &self.series {
@@ -283,8 +285,8 @@ fn bars(canvas: &Canvas, ends: &[(f64, f64)], colour: RGBColor) -> Result<(), Re
 /// Height of a line of text.
 const LINE: f64 = 12.0;
 
-/// Heights of texts, from the bottom up, at least a line apart and within the frame as long as there is room, each as near as that
-/// allows to the height it is wanted at.
+/// Heights of texts, from the bottom up, at least a line apart and within the frame as long as
+/// there is room, each as near as that allows to the height it is wanted at.
 fn apart(wanted: &[f64], frame: Frame) -> Vec<f64> {
     let mut heights: Vec<f64> = Vec::with_capacity(wanted.len());
     for &y in wanted {

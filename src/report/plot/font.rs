@@ -1,4 +1,5 @@
-//! The embedded font: registered once for plotters, measured for the placing of labels, embedded in the page.
+//! The embedded font: registered once for plotters, measured for the placing of labels, embedded in
+//! the page.
 
 use std::sync::OnceLock;
 
@@ -49,8 +50,8 @@ pub(crate) fn shorten(text: &str, size: f64, limit: f64) -> Result<String, Repor
     Ok(String::new())
 }
 
-/// `text` in lines no wider than `limit` pixels, broken after hyphens, underscores and spaces; what is left after `lines` lines
-/// is shortened.
+/// `text` in lines no wider than `limit` pixels, broken after hyphens, underscores and spaces; what
+/// is left after `lines` lines is shortened.
 pub(crate) fn wrap(text: &str, size: f64, limit: f64, lines: usize) -> Result<Vec<String>, ReportError> {
     let mut out: Vec<String> = Vec::new();
     let mut current = String::new();

@@ -9,7 +9,8 @@ use crate::report::{Image, ReportError, check};
 const NAMES: f64 = 150.0;
 const NAME_LINES: usize = 4;
 
-/// Pixels of the page between the top and the first line of the columns' names, and between their lines; the most lines.
+/// Pixels of the page between the top and the first line of the columns' names, and between their
+/// lines; the most lines.
 const HEAD: f64 = 36.0;
 const LINE: f64 = 14.0;
 const HEAD_LINES: usize = 3;

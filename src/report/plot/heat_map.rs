@@ -1,4 +1,5 @@
-//! A field in colour: a PNG of one pixel per cell inside drawn axes, with a colour bar and the worst place marked.
+//! A field in colour: a PNG of one pixel per cell inside drawn axes, with a colour bar and the
+//! worst place marked.
 
 use super::canvas::{Align, Canvas, Frame, INK, LABEL_INK, PAPER, TEXT, picture, sheet};
 use super::{Figure, Scale, Shade, Spread, axes, colour_bar, font, raster};
@@ -39,7 +40,8 @@ pub struct HeatMap<'a> {
 }
 
 impl<'a> HeatMap<'a> {
-    /// The field with its own scale and its worst place marked: signed by square root, magnitudes linear.
+    /// The field with its own scale and its worst place marked: signed by square root, magnitudes
+    /// linear.
     pub fn of(title: &str, field: &'a Field) -> HeatMap<'a> {
         let worst = field.worst().filter(|_| field.signed).map(|(x, y, value)| Worst {
             x,
@@ -75,7 +77,8 @@ impl<'a> HeatMap<'a> {
         Ok(Frame { left, top: 30.0, right: left + self.size.0, bottom: 30.0 + self.size.1 })
     }
 
-    /// Pixel of a physical place: centres of the first and last cells lie half a cell inside the frame.
+    /// Pixel of a physical place: centres of the first and last cells lie half a cell inside the
+    /// frame.
     fn pixel(&self, frame: Frame, x: f64, y: f64) -> (f64, f64) {
         let across = (self.field.x.position(x) + 0.5) / self.field.x.values.len() as f64;
         let up = (self.field.y.position(y) + 0.5) / self.field.y.values.len() as f64;
@@ -125,7 +128,8 @@ impl Figure for HeatMap<'_> {
     }
 }
 
-/// Symmetric limits that hold `peak`, small errors spread apart; a field of zeros gets limits of 1e-12.
+/// Symmetric limits that hold `peak`, small errors spread apart; a field of zeros gets limits of
+/// 1e-12.
 pub fn signed(peak: f64) -> Shade {
     Shade::Signed { limit: numbers::round_up(peak.max(1e-12), 2), spread: Spread::Root }
 }

@@ -32,12 +32,12 @@ pub(crate) struct Label {
     pub(crate) leader: bool,
 }
 
-/// Places every label, from right to left, at the first spot that is free of obstacles, points and placed labels. A point
-/// without a name only keeps others off.
+/// Places every label, from right to left, at the first spot that is free of obstacles, points and
+/// placed labels. A point without a name only keeps others off.
 ///
-/// Greedy: the first spot whose leader, if it needs one, crosses nothing; else the first that is free; a label with no free spot
-/// within the reach keeps the nearest one that is free of other labels, and failing that the first; that takes more than some
-/// hundred crowded points.
+/// Greedy: the first spot whose leader, if it needs one, crosses nothing; else the first that is
+/// free; a label with no free spot within the reach keeps the nearest one that is free of other
+/// labels, and failing that the first; that takes more than some hundred crowded points.
 pub(crate) fn place(
     points: &[(f64, f64)],
     names: &[String],
@@ -90,7 +90,8 @@ pub(crate) fn leader_end(point: (f64, f64), frame: Frame) -> (f64, f64) {
     }
 }
 
-/// Whether a label's leader crosses no label, no other point and no other leader, and no other leader crosses the label.
+/// Whether a label's leader crosses no label, no other point and no other leader, and no other
+/// leader crosses the label.
 fn is_clear(point: (f64, f64), frame: Frame, named: &[(f64, f64)], placed: &[Label], dots: &[Frame]) -> bool {
     let others = || named.iter().zip(placed).filter(|(_, label)| label.leader);
     if others()
@@ -156,7 +157,8 @@ mod tests {
         Ok(())
     }
 
-    /// A column of points at the right edge, as costs that many formulas share: no leader crosses another or a name.
+    /// A column of points at the right edge, as costs that many formulas share: no leader crosses
+    /// another or a name.
     #[test]
     fn leaders_of_a_column_at_an_edge_do_not_cross() -> Result<(), ReportError> {
         let points: Vec<(f64, f64)> = (0..6).map(|i| (560.0, 210.0 + f64::from(i) * 21.0)).collect();

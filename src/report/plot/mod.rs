@@ -1,5 +1,5 @@
-//! The figures, each a value that draws itself into SVG; they know values, labels and colours, and nothing of
-//! what is reported.
+//! The figures, each a value that draws itself into SVG; they know values, labels and colours, and
+//! nothing of what is reported.
 
 mod axes;
 mod bars;

@@ -15,7 +15,8 @@ pub(crate) fn png(
     levels: &[u8],
     shade: Shade,
 ) -> Result<String, ReportError> {
-    // Palettes are ordered, so a smooth picture has small differences of indices: a fifth smaller than unfiltered.
+    // Palettes are ordered, so a smooth picture has small differences of indices: a fifth smaller
+    // than unfiltered.
     base64(figure, encode(size, levels, Some(shade.palette()), png::Filter::Sub))
 }
 

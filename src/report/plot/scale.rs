@@ -30,7 +30,8 @@ pub(crate) struct Tick {
 }
 
 impl Scale {
-    /// The scale that holds all values, rounded outward to ticks (linear) or to decades, 2 and 5 (log).
+    /// The scale that holds all values, rounded outward to ticks (linear) or to decades, 2 and 5
+    /// (log).
     pub(crate) fn around(spread: Spread, values: impl Iterator<Item = f64> + Clone) -> Scale {
         let min = values.clone().fold(f64::INFINITY, f64::min);
         let max = values.fold(f64::NEG_INFINITY, f64::max);
@@ -50,7 +51,8 @@ impl Scale {
         }
     }
 
-    /// The scale with room beyond an end on which a value sits, so that a mark there is not cut by the frame.
+    /// The scale with room beyond an end on which a value sits, so that a mark there is not cut by
+    /// the frame.
     pub(crate) fn roomy(self, values: impl Iterator<Item = f64> + Clone) -> Scale {
         const ROOM: f64 = 0.05;
         let near = |end: f64| values.clone().any(|v| (self.position(v) - end).abs() < ROOM / 2.0);
@@ -121,7 +123,8 @@ fn linear_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
         .collect()
 }
 
-/// Decades with labels, thinned to about `count`; 2..9 without, or 2 and 5 labelled where decades are few.
+/// Decades with labels, thinned to about `count`; 2..9 without, or 2 and 5 labelled where decades
+/// are few.
 fn log_ticks(min: f64, max: f64, count: usize) -> Vec<Tick> {
     let low = exponent(min * (1.0 + 1e-9));
     let high = exponent(max * (1.0 + 1e-9));

@@ -22,8 +22,8 @@ pub struct Dot {
     pub table: bool,
 }
 
-/// Points over two axes. The frontier joins the formulas of ours that no other formula of ours beats in both; tables
-/// stand apart, since a fetch is no operation.
+/// Points over two axes. The frontier joins the formulas of ours that no other formula of ours
+/// beats in both; tables stand apart, since a fetch is no operation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
     /// Line above the chart.

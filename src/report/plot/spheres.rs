@@ -1,8 +1,9 @@
 //! Rows of spheres in a white environment, seen from afar: the furnace.
 //!
-//! A convex sphere in light of radiance 1 from everywhere shows at each point the radiance `factor(mu)`, mu being
-//! the cosine between view and normal: sqrt(1 - r^2) at distance r from the centre of the disc. A perfect
-//! compensation has factor 1 and cannot be told from its surroundings.
+//! A convex sphere in light of radiance 1 from everywhere shows at each point the radiance
+//! `factor(mu)`, mu being the cosine between view and normal: sqrt(1 - r^2) at distance r from the
+//! centre of the disc. A perfect compensation has factor 1 and cannot be told from its
+//! surroundings.
 
 use rayon::prelude::*;
 
@@ -136,8 +137,9 @@ impl Spheres<'_> {
     }
 }
 
-/// Departure from the environment's 1 of each pixel of a square of `side` pixels with a sphere of `radius` pixels in its middle, row by
-/// row: `factors[k]` at `mu[k]`, which increase; linear between, constant beyond the ends. Both lists have the same length, not 0.
+/// Departure from the environment's 1 of each pixel of a square of `side` pixels with a sphere of
+/// `radius` pixels in its middle, row by row: `factors[k]` at `mu[k]`, which increase; linear
+/// between, constant beyond the ends. Both lists have the same length, not 0.
 pub fn disc(side: usize, radius: f64, mu: &[f64], factors: &[f64]) -> Vec<f64> {
     let pixels = (0..side * side).map(|i| pixel(i % side, i / side, side as f64 / 2.0, radius, mu));
     pixels
@@ -164,7 +166,8 @@ fn stencil(mu: &[f64]) -> Vec<Pixel> {
 fn pixel(column: usize, row: usize, centre: f64, radius: f64, mu: &[f64]) -> Pixel {
     let (x, y) = (column as f64 + 0.5 - centre, row as f64 + 0.5 - centre);
     let distance = (x * x + y * y).sqrt();
-    // Near the edge mu falls to zero within a pixel: sample it finely; elsewhere its middle stands for it.
+    // Near the edge mu falls to zero within a pixel: sample it finely; elsewhere its middle stands
+    // for it.
     let n = if (distance - radius).abs() < 3.0 { EDGE } else { 1 };
     let offset = |k: usize| (k as f64 + 0.5) / n as f64 - 0.5;
     let mut samples = Vec::new();

@@ -75,7 +75,8 @@ fn groups(all: &[ApproximationFinding]) -> Vec<Vec<&ApproximationFinding>> {
     groups
 }
 
-/// Cost against error of a group; nothing where the table says as much, and none that is exact (a log axis has no 0).
+/// Cost against error of a group; nothing where the table says as much, and none that is exact (a
+/// log axis has no 0).
 fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> {
     let dots: Vec<Dot> = group.iter().filter(|a| a.certificate.max_abs > 0.0).map(|a| dot(a)).collect();
     if !words::worth_a_chart(&dots) {

@@ -64,8 +64,8 @@ impl<'a> Shown<'a> {
         Ok(Shown { fit, approximation, error: words::labelled(&fit.error) })
     }
 
-    /// The certificate's worst place where it names both inputs of the map, signed as the map's nearest node; else the
-    /// map's own.
+    /// The certificate's worst place where it names both inputs of the map, signed as the map's
+    /// nearest node; else the map's own.
     fn worst(&self) -> Option<Worst> {
         let certificate = &self.approximation.certificate;
         let at = |name: &str| certificate.at.get(name).copied();
@@ -83,7 +83,8 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// How many times the error of the most accurate fit the common scale reaches: farther, and good fits are all white.
+/// How many times the error of the most accurate fit the common scale reaches: farther, and good
+/// fits are all white.
 const REACH: f64 = 10.0;
 
 /// Limit of the common scale: the largest error, or a round figure below it.
@@ -117,7 +118,8 @@ fn overview(shown: &[Shown]) -> Result<Block, ReportError> {
     figures(&maps, &caption)
 }
 
-/// The fits on the frontier of operations and error, one chart per roughness that all of them share.
+/// The fits on the frontier of operations and error, one chart per roughness that all of them
+/// share.
 fn together(shown: &[Shown]) -> Result<Option<Block>, ReportError> {
     let dots: Vec<Dot> = shown
         .iter()
@@ -130,7 +132,8 @@ fn together(shown: &[Shown]) -> Result<Option<Block>, ReportError> {
         })
         .collect();
     let mut best = crate::report::plot::frontier(&dots);
-    // Where the frontier is long, its accurate end is the one that is hard to tell apart by figures alone.
+    // Where the frontier is long, its accurate end is the one that is hard to tell apart by figures
+    // alone.
     let all = best.len();
     best.drain(..all.saturating_sub(TOGETHER));
     let first = best.first().map_or(&[][..], |&i| &shown[i].fit.curves);

@@ -104,7 +104,8 @@ fn charted(rows: &[&GpuRow]) -> Result<Section, ReportError> {
     Ok(Section { id: "fits".into(), title: "Fits".into(), lead: FITS.into(), blocks })
 }
 
-/// Rows that approximate the same column of the same quantity for the same use: what may share a chart.
+/// Rows that approximate the same column of the same quantity for the same use: what may share a
+/// chart.
 fn groups<'a>(rows: &[&'a GpuRow]) -> Vec<Vec<&'a GpuRow>> {
     let key = |row: &GpuRow| row.error.as_ref().map(|e| (e.quantity.clone(), e.column.clone(), e.used_as));
     let mut groups: Vec<Vec<&GpuRow>> = Vec::new();
@@ -117,7 +118,8 @@ fn groups<'a>(rows: &[&'a GpuRow]) -> Vec<Vec<&'a GpuRow>> {
     groups
 }
 
-/// Time against error of a group; only the frontier and published formulas are named, the table names all.
+/// Time against error of a group; only the frontier and published formulas are named, the table
+/// names all.
 fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
     let Some(first) = group[0].error.as_ref() else { return Ok(None) };
     let dot = |row: &&GpuRow| {

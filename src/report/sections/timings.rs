@@ -125,7 +125,8 @@ fn groups(all: &[TimedApproximation]) -> Vec<Vec<&TimedApproximation>> {
     groups
 }
 
-/// Time against error of a group; only the frontier and published formulas are named, the table names all.
+/// Time against error of a group; only the frontier and published formulas are named, the table
+/// names all.
 fn time_against_error(group: &[&TimedApproximation]) -> Result<Option<Block>, ReportError> {
     let mut dots: Vec<Dot> = group.iter().filter(|e| e.max_error > 0.0).map(|e| dot(e)).collect();
     if !words::worth_a_chart(&dots) {

@@ -67,7 +67,8 @@ pub fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }
 
-/// Whether points tell more than their rows in a table: three or more, not all at one place of the horizontal axis.
+/// Whether points tell more than their rows in a table: three or more, not all at one place of the
+/// horizontal axis.
 pub fn worth_a_chart(dots: &[Dot]) -> bool {
     dots.len() >= 3 && dots.iter().any(|d| d.x != dots[0].x)
 }

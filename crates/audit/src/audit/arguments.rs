@@ -45,7 +45,8 @@ fn role_in(quantity: &dyn Quantity, name: &str) -> Option<Input> {
     role(name).filter(|input| *input != Input::Ior || has_ior)
 }
 
-/// Names of the axes, and what every argument is given: one that is named for an index, the index or, if it is `inverse`, 1/ior.
+/// Names of the axes, and what every argument is given: one that is named for an index, the index
+/// or, if it is `inverse`, 1/ior.
 pub(super) fn feeds(
     function: &ShaderFunction,
     quantity: &dyn Quantity,
@@ -109,10 +110,12 @@ pub(super) fn feeds(
     Ok((axes.into_iter().map(|a| a.1).collect(), done))
 }
 
-/// Added to an argument's index where an axis is meant that has no number yet; functions have at most 64 arguments.
+/// Added to an argument's index where an axis is meant that has no number yet; functions have at
+/// most 64 arguments.
 const CORNER: usize = 1 << 16;
 
-/// A normal (0, 0, 1) and a view (sin, 0, cos), where the arguments are two such vectors: the axis is the cosine, by the view's z.
+/// A normal (0, 0, 1) and a view (sin, 0, cos), where the arguments are two such vectors: the axis
+/// is the cosine, by the view's z.
 fn directions(arguments: &[String], feeds: &mut [Option<Feed>]) -> Option<(usize, String)> {
     let vector = |words: &[&str]| {
         (0..arguments.len().saturating_sub(2)).find_map(|i| {
@@ -173,7 +176,8 @@ pub(super) fn is_gloss(name: &str) -> bool {
     name.contains("gloss") || name.contains("smooth")
 }
 
-/// The words of a snake or camel case name, in lower case: `specularIOR`, `ior_inside`, `IORValue`, but not `interior`.
+/// The words of a snake or camel case name, in lower case: `specularIOR`, `ior_inside`, `IORValue`,
+/// but not `interior`.
 fn words(name: &str) -> impl Iterator<Item = String> {
     let letters: Vec<char> = name.chars().collect();
     let mut out = vec![String::new()];

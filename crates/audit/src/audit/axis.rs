@@ -1,4 +1,5 @@
-//! How an axis of somebody's table may be read: which input runs along it, what its coordinate means, and where texel i lies.
+//! How an axis of somebody's table may be read: which input runs along it, what its coordinate
+//! means, and where texel i lies.
 
 use lobefit_math::ops;
 
@@ -11,7 +12,8 @@ pub enum Input {
     Mu,
     /// Index of refraction, inside over outside.
     Ior,
-    /// Squared cosine of the view's azimuth from the alpha_x axis: of tables that say so, no axis of which it runs along.
+    /// Squared cosine of the view's azimuth from the alpha_x axis: of tables that say so, no axis
+    /// of which it runs along.
     Azimuth,
     /// Anisotropy a: aspect = sqrt(1 - 0.9 a), alpha_x = alpha/aspect, alpha_y = alpha aspect.
     Anisotropy,
@@ -73,7 +75,8 @@ pub enum Scale {
     MuSquared,
     /// The index itself, from 1 to 2: an argument of a function that is named for it.
     Ior,
-    /// The index the other way round, eta = 1/ior, from 1/2 to 1 as ior falls from 2: an argument of a function that is named for an index.
+    /// The index the other way round, eta = 1/ior, from 1/2 to 1 as ior falls from 2: an argument
+    /// of a function that is named for an index.
     Eta,
     /// ior = 1 + x.
     IorUnit,
@@ -255,7 +258,8 @@ impl Registration {
         }
     }
 
-    /// The registration that a reader takes who is told nothing: centres, or end points where the texels lie about those.
+    /// The registration that a reader takes who is told nothing: centres, or end points where the
+    /// texels lie about those.
     pub fn plain(self) -> Registration {
         match self {
             Registration::Endpoint | Registration::EndHigh | Registration::EndLow => Registration::Endpoint,

@@ -3,7 +3,8 @@
 use super::truth::is_albedo;
 use lobefit_truth::quantity;
 
-/// What a channel holds. Two base values tell them all: E and B for reflection, R and T for glass, E_avg and E(mu = 1) for averages.
+/// What a channel holds. Two base values tell them all: E and B for reflection, R and T for glass,
+/// E_avg and E(mu = 1) for averages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
     /// Directional albedo.
@@ -159,7 +160,8 @@ impl Column {
         self.albedo(self.value(base))
     }
 
-    /// Whether it is of one f0: B is near to all of those, so that they are told only from clear figures.
+    /// Whether it is of one f0: B is near to all of those, so that they are told only from clear
+    /// figures.
     pub fn is_fixed(self) -> bool {
         matches!(self, Column::At(_))
     }

@@ -136,7 +136,8 @@ impl Fixed {
     }
 }
 
-/// What an argument may be given for an input: nobody passes the root of a cosine, and one that is named for a cosine is one.
+/// What an argument may be given for an input: nobody passes the root of a cosine, and one that is
+/// named for a cosine is one.
 fn argument(input: Input, role: Option<Input>, inverse: bool) -> Vec<(Scale, bool)> {
     match (input, role) {
         (_, Some(role)) if role != input => Vec::new(),
@@ -176,22 +177,25 @@ impl Misfit {
         Misfit { rms: (all / n as f64).sqrt(), trimmed: (least / kept.max(1) as f64).sqrt(), max }
     }
 
-    /// A bound of the rank of errors with these squares, from below: none of those that the trimmed figure leaves out is above the largest.
+    /// A bound of the rank of errors with these squares, from below: none of those that the trimmed
+    /// figure leaves out is above the largest.
     pub(super) fn least_rank(squares: impl Iterator<Item = f64>) -> f64 {
         let (mut n, mut sum, mut most) = (0, 0.0, 0.0_f64);
         for square in squares {
             (n, sum, most) = (n + 1, sum + square, most.max(square));
         }
         let kept = n * KEPT_FIFTHS / 5;
-        // A part in 1e9 of the sum covers its rounding, which takes another order here than in the figure.
+        // A part in 1e9 of the sum covers its rounding, which takes another order here than in the
+        // figure.
         let least = (sum * (1.0 - 1e-9) - (n - kept) as f64 * most).max(0.0);
         let (rms, trimmed) =
             ((sum * (1.0 - 1e-9) / n.max(1) as f64).sqrt(), (least / kept.max(1) as f64).sqrt());
         ((trimmed + 1e-9) * (rms + 1e-9)).sqrt()
     }
 
-    /// What conventions are ranked by: the geometric mean of both root mean squares. A table of which a part is stale fits its true convention in
-    /// the trimmed figure, one with a wrong clamp shows in the other; 1e-9 keeps an exact fit from hiding what else is wrong.
+    /// What conventions are ranked by: the geometric mean of both root mean squares. A table of
+    /// which a part is stale fits its true convention in the trimmed figure, one with a wrong clamp
+    /// shows in the other; 1e-9 keeps an exact fit from hiding what else is wrong.
     pub(super) fn rank(&self) -> f64 {
         ((self.trimmed + 1e-9) * (self.rms + 1e-9)).sqrt()
     }

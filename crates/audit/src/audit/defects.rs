@@ -52,7 +52,8 @@ pub enum Defect {
         /// Root mean square of the error that rounding to it makes.
         rms: f64,
     },
-    /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's tail.
+    /// A loss that is far too small where the surface is smooth: a sampling that missed the lobe's
+    /// tail.
     MissingLoss {
         /// Share of the true loss that a quarter of the smooth texels do not even hold.
         stored: f64,
@@ -100,7 +101,8 @@ pub(super) fn of_function(r: &Residuals) -> Vec<Defect> {
     clamped(r).into_iter().chain(bias(r, rms(r))).collect()
 }
 
-/// Root mean square of the error that rounding to a format makes at the judged texels: a third of the square of half a step.
+/// Root mean square of the error that rounding to a format makes at the judged texels: a third of
+/// the square of half a step.
 fn rounding(r: &Residuals, step: Step) -> f64 {
     let square = |i: &usize| step.rounding(r.values[*i]) * step.rounding(r.values[*i]) / 3.0;
     (r.judged.iter().map(square).sum::<f64>() / r.judged.len() as f64).sqrt()
@@ -146,7 +148,8 @@ fn clamped(r: &Residuals) -> Option<Defect> {
     told
 }
 
-/// Root mean square of white noise that would make the second differences of the errors, along the axis where they are least.
+/// Root mean square of white noise that would make the second differences of the errors, along the
+/// axis where they are least.
 fn noise(r: &Residuals) -> f64 {
     let dims = r.sample.dims();
     let along = |axis: usize| {
@@ -201,8 +204,8 @@ fn missing_loss(r: &Residuals, step: Step, alpha: impl Fn(&[usize]) -> Option<f6
     Some(Defect::MissingLoss { stored: quarter, alpha, worst: worst.2, texel: worst.3 })
 }
 
-/// What the values of a channel are rounded to: the file's word, or for a file that can hold more than was put into it the coarsest
-/// format that all values fit.
+/// What the values of a channel are rounded to: the file's word, or for a file that can hold more
+/// than was put into it the coarsest format that all values fit.
 pub(super) fn grain(step: Step, values: &[f64]) -> Step {
     if step != Step::None || values.len() < 16 {
         return step;

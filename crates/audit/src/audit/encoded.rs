@@ -1,4 +1,5 @@
-//! Values that were encoded for display: a table that was saved as a picture, and fits only once that is undone.
+//! Values that were encoded for display: a table that was saved as a picture, and fits only once
+//! that is undone.
 
 use super::table::{AuditedChannel, AuditedTable, Source};
 use super::truth::Truth;
@@ -7,10 +8,12 @@ use super::{Audit, AuditError, Fit, Fixed, candidates, finish};
 use crate::foreign::Step;
 use lobefit_math::ops;
 
-/// Most axes of a table of which this is tried: of three every try takes seconds, and pictures have two.
+/// Most axes of a table of which this is tried: of three every try takes seconds, and pictures have
+/// two.
 const AXES: usize = 2;
 
-/// What is said of a table that fits nothing, but does when its values are decoded from sRGB; none if it does not.
+/// What is said of a table that fits nothing, but does when its values are decoded from sRGB; none
+/// if it does not.
 pub(super) fn srgb(
     truth: &dyn Truth,
     table: &AuditedTable,

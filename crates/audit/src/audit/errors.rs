@@ -1,4 +1,5 @@
-//! The error of a channel at its texels under one reading, and what it tells of how the table was made.
+//! The error of a channel at its texels under one reading, and what it tells of how the table was
+//! made.
 
 use super::column::Column;
 use super::judge::Judgement;
@@ -27,7 +28,8 @@ pub struct TexelErrors {
     pub truth: f64,
     /// Texels judged, and texels in all.
     pub texels: [usize; 2],
-    /// Texels that were not looked at, of a table of three axes with more than [`super::JUDGED_TEXELS`].
+    /// Texels that were not looked at, of a table of three axes with more than
+    /// [`super::JUDGED_TEXELS`].
     pub unsampled: usize,
 }
 

@@ -56,7 +56,8 @@ pub struct ChannelAudit {
     pub errors: Option<TexelErrors>,
     /// How it fits.
     pub fit: Fit,
-    /// Signed errors of the texels, the first axis fastest, of at most 64 (three axes) or 4096 places along each; empty if not judged.
+    /// Signed errors of the texels, the first axis fastest, of at most 64 (three axes) or 4096
+    /// places along each; empty if not judged.
     pub map: Vec<f64>,
     /// The truth at those texels.
     pub truth: Vec<f64>,
@@ -93,13 +94,15 @@ pub struct Audit {
     pub fixed: bool,
     /// Whether the user said which channels are meant: others may be constant.
     pub excused: bool,
-    /// The reading of somebody who is told nothing, where the best one is another that nobody said is meant.
+    /// The reading of somebody who is told nothing, where the best one is another that nobody said
+    /// is meant.
     pub plain: Option<Plain>,
     /// The channels.
     pub channels: Vec<ChannelAudit>,
     /// The furnace, where the channels make an albedo.
     pub furnace: Option<Furnace>,
-    /// The parts of a table that was made with two shadowing forms; the best convention is that of the larger part.
+    /// The parts of a table that was made with two shadowing forms; the best convention is that of
+    /// the larger part.
     pub two_lobes: Option<TwoLobes>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
@@ -108,7 +111,8 @@ pub struct Audit {
 }
 
 impl Audit {
-    /// Of two audits of the same function, whose arguments were given other things, the one that fits better, with the conventions of both.
+    /// Of two audits of the same function, whose arguments were given other things, the one that
+    /// fits better, with the conventions of both.
     pub fn beside(self, other: Audit) -> Audit {
         let (mut best, rest) =
             if other.tried[0].rank < self.tried[0].rank { (other, self) } else { (self, other) };
@@ -130,7 +134,8 @@ impl Audit {
         self.channels.iter().filter_map(|c| c.errors.as_ref()).map(|e| e.max).fold(0.0, f64::max)
     }
 
-    /// What was not judged, for which it passes no limit: texels that were not sampled, or constant channels that no option leaves out.
+    /// What was not judged, for which it passes no limit: texels that were not sampled, or constant
+    /// channels that no option leaves out.
     pub fn unjudged(&self) -> Option<String> {
         let sampled = |c: &ChannelAudit| c.errors.as_ref().map_or(0, |e| e.unsampled);
         if let Some(n) = self.channels.iter().map(sampled).max().filter(|n| *n > 0) {
@@ -147,8 +152,9 @@ impl Audit {
         self.plain.as_ref().map_or(0.0, |p| p.max).max(self.worst())
     }
 
-    /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by more than the limit, as it is best read
-    /// and as it will be read. With nothing given by the user and no limit an audit only tells.
+    /// Whether it is what it is said to be: it fits, all of it was judged, and no texel is off by
+    /// more than the limit, as it is best read and as it will be read. With nothing given by the
+    /// user and no limit an audit only tells.
     pub fn passes(&self, limit: Option<f64>) -> bool {
         match limit {
             Some(limit) => {

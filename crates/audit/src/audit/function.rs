@@ -1,5 +1,6 @@
-//! A shader function as a table: its values at texel centres of the unit square (or cube) of its arguments, in f32 as a shader computes
-//! them. What the arguments mean is then found as the axes of a table are.
+//! A shader function as a table: its values at texel centres of the unit square (or cube) of its
+//! arguments, in f32 as a shader computes them. What the arguments mean is then found as the axes
+//! of a table are.
 
 use super::AuditError;
 use super::arguments::{Feed, feeds};
@@ -14,14 +15,17 @@ const PLACES: [usize; 3] = [512, 128, 20];
 /// Values that an argument for F0 takes, one after the other: f0 A + B at 0 is B, and at 1 it is E.
 const BLENDS: [(f32, &str); 2] = [(0.0, "at F0 = 0"), (1.0, "at F0 = 1")];
 
-/// A function over as many arguments as the quantity has inputs; `set` gives others a value, by name, and `axes` says what the
-/// remaining ones are given, if the user does.
+/// A function over as many arguments as the quantity has inputs; `set` gives others a value, by
+/// name, and `axes` says what the remaining ones are given, if the user does.
 ///
-/// An argument runs over 0 to 1, one that is an index of refraction (by its name, if the quantity has one, or by `axes`) over 1 to 2. One whose name says that it is an
-/// F0 or a colour is taken at 0 and at 1, alpha beside a roughness is its square, and a normal and a view are two unit vectors.
+/// An argument runs over 0 to 1, one that is an index of refraction (by its name, if the quantity
+/// has one, or by `axes`) over 1 to 2. One whose name says that it is an F0 or a colour is taken at
+/// 0 and at 1, alpha beside a roughness is its square, and a normal and a view are two unit
+/// vectors.
 ///
 /// # Errors
-/// More or fewer arguments left than inputs; a value that is no number; an argument that is not there.
+/// More or fewer arguments left than inputs; a value that is no number; an argument that is not
+/// there.
 pub fn sampled(
     function: &ShaderFunction,
     quantity: &dyn Quantity,
@@ -31,8 +35,9 @@ pub fn sampled(
     of_feeds(function, feeds(function, quantity, set, axes, false)?)
 }
 
-/// The same with the argument that is named for an index of refraction running over 1/ior from 1/2 to 1, for
-/// [`Fixed::inverse`](super::Fixed::inverse); none of a function that has no such argument.
+/// The same with the argument that is named for an index of refraction running over 1/ior from 1/2
+/// to 1, for [`Fixed::inverse`](super::Fixed::inverse); none of a function that has no such
+/// argument.
 ///
 /// # Errors
 /// As of [`sampled`].

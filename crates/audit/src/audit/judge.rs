@@ -1,4 +1,5 @@
-//! The exact judgement: the sieve's best on more texels, then on all, with the clamps that the ends of an axis may have.
+//! The exact judgement: the sieve's best on more texels, then on all, with the clamps that the ends
+//! of an axis may have.
 
 use rayon::prelude::*;
 
@@ -12,7 +13,8 @@ use super::truth::{Truth, Values};
 /// Least values that tables clamp alpha and mu to.
 const FLOORS: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-5];
 
-/// Base values at every texel of a sample under a reading, in the table's order, and which are judged.
+/// Base values at every texel of a sample under a reading, in the table's order, and which are
+/// judged.
 pub(super) struct Judgement {
     /// Base values; the ends of the range stand in where a texel is not judged.
     pub base: Values,
@@ -112,7 +114,8 @@ pub(super) fn requick(
     Ok(best(done.into_iter().flatten().collect(), most))
 }
 
-/// The candidate with the clamps that fit best: of all its axes together (a corner shows only that), then of each.
+/// The candidate with the clamps that fit best: of all its axes together (a corner shows only
+/// that), then of each.
 pub(super) fn with_floors(
     truth: &dyn Truth,
     sample: &Sample,
@@ -151,8 +154,8 @@ pub(super) fn with_floors(
     Ok(at)
 }
 
-/// Whether a clamp explains something: more of the texels as well as those before, or none fewer clearly better. A clamp that takes texels out
-/// of the domain explains nothing.
+/// Whether a clamp explains something: more of the texels as well as those before, or none fewer
+/// clearly better. A clamp that takes texels out of the domain explains nothing.
 fn explains(clamped: &Candidate, before: &Candidate) -> bool {
     let (now, then) = (&clamped.fitted, &before.fitted);
     now.texels > then.texels && now.rank < 1.2 * then.rank

@@ -1,4 +1,5 @@
-//! What a shader gets between the texels: linear interpolation, with the table's own registration and with that of a texture unit.
+//! What a shader gets between the texels: linear interpolation, with the table's own registration
+//! and with that of a texture unit.
 
 use rayon::prelude::*;
 
@@ -67,7 +68,8 @@ impl Points {
         Ok(Points { coordinates, inputs, base })
     }
 
-    /// Errors of a channel's lookup; `registration` is what the reader takes the texels to be at, its own for none.
+    /// Errors of a channel's lookup; `registration` is what the reader takes the texels to be at,
+    /// its own for none.
     pub(super) fn errors(
         &self,
         audited: &AuditedTable,

@@ -1,10 +1,12 @@
-//! Somebody else's table or shader function against the truth. Every convention that tables are made with is tried (which input
-//! runs along which axis, what its coordinate means, where texel i lies, which lobe, what a channel holds); the one that fits best is
-//! judged exactly, and what is wrong under it is named.
+//! Somebody else's table or shader function against the truth. Every convention that tables are
+//! made with is tried (which input runs along which axis, what its coordinate means, where texel i
+//! lies, which lobe, what a channel holds); the one that fits best is judged exactly, and what is
+//! wrong under it is named.
 //!
-//! Conventions are ranked by the geometric mean of two root mean squares of the texels' errors, of all and of the best four fifths
-//! ([`Misfit`]). A table *fits* a convention if its error is small beside the spread of the truth ([`FITS`]); it is *in no doubt*
-//! if the next convention ranks [`CLEAR`] times worse.
+//! Conventions are ranked by the geometric mean of two root mean squares of the texels' errors, of
+//! all and of the best four fifths ([`Misfit`]). A table *fits* a convention if its error is small
+//! beside the spread of the truth ([`FITS`]); it is *in no doubt* if the next convention ranks
+//! [`CLEAR`] times worse.
 
 mod arguments;
 mod axis;
@@ -55,12 +57,14 @@ use lookup::Points;
 use sample::{Candidate, Sample};
 use truth::Truth;
 
-/// Largest root mean square, beside the spread of the truth, with which a channel fits a convention. Published tables that are what they say
-/// leave up to 0.014 (the LTC magnitude, sampled without the lobe's tail); tables of something else left 0.05 and more.
+/// Largest root mean square, beside the spread of the truth, with which a channel fits a
+/// convention. Published tables that are what they say leave up to 0.014 (the LTC magnitude,
+/// sampled without the lobe's tail); tables of something else left 0.05 and more.
 pub const FITS: f64 = 0.02;
 
-/// The same of a function, which is an approximation. Published ones leave up to 0.08 against the lobe that they were fitted to; those that
-/// leave more (0.16, 0.2, 0.36) were fitted to something else and misread by as much as another convention is.
+/// The same of a function, which is an approximation. Published ones leave up to 0.08 against the
+/// lobe that they were fitted to; those that leave more (0.16, 0.2, 0.36) were fitted to something
+/// else and misread by as much as another convention is.
 pub const FUNCTION_FITS: f64 = 0.1;
 
 /// How much worse the next convention must rank for the best to be in no doubt.
@@ -69,16 +73,16 @@ pub const CLEAR: f64 = 2.0;
 /// Conventions that are told of.
 const TOLD: usize = 10;
 
-/// Places along every axis: in the sieve, in a round by the quick truth, in the first exact one, in the last, and where the best is judged
-/// (2 axes or fewer, and 3).
+/// Places along every axis: in the sieve, in a round by the quick truth, in the first exact one, in
+/// the last, and where the best is judged (2 axes or fewer, and 3).
 const SIEVE: [usize; 2] = [10, 6];
 const QUICK_ROUND: [usize; 2] = [24, 12];
 const ROUND: [usize; 2] = [24, 9];
 const LAST: [usize; 2] = [4096, 16];
 const WHOLE: [usize; 2] = [4096, 64];
 
-/// Most texels of a table of three axes that are all judged: every one is an integral of its own. A larger one is judged at 64 places along
-/// each axis, and passes no limit.
+/// Most texels of a table of three axes that are all judged: every one is an integral of its own. A
+/// larger one is judged at 64 places along each axis, and passes no limit.
 pub const JUDGED_TEXELS: usize = 1 << 19;
 
 /// Conventions after the quick round.
@@ -87,7 +91,8 @@ const QUICK_KEPT: [usize; 2] = [80, 12];
 /// Conventions after the first exact round.
 const ROUND_KEPT: [usize; 2] = [40, 12];
 
-/// Conventions that rank this many times worse than the best go into the last round with the figures of the one before.
+/// Conventions that rank this many times worse than the best go into the last round with the
+/// figures of the one before.
 const FAR: [f64; 2] = [f64::INFINITY, 4.0];
 
 /// Number of inputs of a quantity that are axes of a table of it.
@@ -106,7 +111,8 @@ const CLAMPED: [usize; 2] = [TOLD, 1];
 
 /// Audits a table as a quantity. `progress` is told the stages.
 ///
-/// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or options that contradict it.
+/// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or
+/// options that contradict it.
 pub fn audit(
     audited: &AuditedTable,
     quantity: &dyn Quantity,
@@ -193,7 +199,8 @@ fn check_axes(table: &AuditedTable, truth: &dyn Truth) -> Result<(), AuditError>
     })
 }
 
-/// The conventions with that first which tells the two parts of a table apart, if it is of two; `found` and what the sieve let through.
+/// The conventions with that first which tells the two parts of a table apart, if it is of two;
+/// `found` and what the sieve let through.
 fn of_two_lobes(
     truth: &dyn Truth,
     table: &AuditedTable,
@@ -219,7 +226,8 @@ fn of_two_lobes(
     Ok(Some(([again, found].concat(), parts)))
 }
 
-/// The conventions that fit best, no two of them alike but for clamps, and what the sieve let through.
+/// The conventions that fit best, no two of them alike but for clamps, and what the sieve let
+/// through.
 fn candidates(
     truth: &dyn Truth,
     table: &AuditedTable,
@@ -262,7 +270,8 @@ fn candidates(
     Ok((distinct, sieved))
 }
 
-/// Places along every axis at which the best convention is judged: all, but of a table of three axes that is too large for that.
+/// Places along every axis at which the best convention is judged: all, but of a table of three
+/// axes that is too large for that.
 fn whole(size: &[usize]) -> usize {
     let large = size.len() == 3 && size.iter().product::<usize>() > JUDGED_TEXELS;
     if large { WHOLE[1] } else { usize::MAX }
@@ -350,7 +359,8 @@ fn finish(
     Ok(audit)
 }
 
-/// Rank of the first that differs over that of the best: E at normal incidence is the same for both forms of Smith.
+/// Rank of the first that differs over that of the best: E at normal incidence is the same for both
+/// forms of Smith.
 fn margin(ranks: &[f64]) -> f64 {
     let times = ranks.iter().map(|rank| rank / ranks[0]);
     times.skip(1).find(|t| t - 1.0 >= 1e-6).unwrap_or(f64::INFINITY)
@@ -407,7 +417,8 @@ fn inputs_at(convention: &Convention, size: &[usize], texel: &[usize]) -> Place 
     along.map(|((axis, i), n)| (axis.scale.input().name().to_string(), axis.node(*i, *n))).collect()
 }
 
-/// E over the table's E, less 1, at the texels; from the one channel that holds an albedo, or from A and B.
+/// E over the table's E, less 1, at the texels; from the one channel that holds an albedo, or from
+/// A and B.
 fn furnace(
     table: &AuditedTable,
     convention: &Convention,

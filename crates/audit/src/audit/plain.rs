@@ -1,6 +1,7 @@
-//! What a reader makes of a table who is told nothing: it takes texels for centres (or for end points, where they lie about those), axes for
-//! rising ones, a roughness for a roughness and an average for an average. A table that is right only under another reading is
-//! wrong as it will be used, unless the user says that it is meant so.
+//! What a reader makes of a table who is told nothing: it takes texels for centres (or for end
+//! points, where they lie about those), axes for rising ones, a roughness for a roughness and an
+//! average for an average. A table that is right only under another reading is wrong as it will be
+//! used, unless the user says that it is meant so.
 
 use super::AuditError;
 use super::arguments::is_gloss;
@@ -14,8 +15,8 @@ use super::table::{AuditedTable, Source};
 use super::truth::Truth;
 use super::verdict::along;
 
-/// Places along each of three axes at which a plain reading is judged of a table with more than [`super::JUDGED_TEXELS`]: every one is an integral of
-/// its own.
+/// Places along each of three axes at which a plain reading is judged of a table with more than
+/// [`super::JUDGED_TEXELS`]: every one is an integral of its own.
 const PLACES: usize = 16;
 
 /// A table under the reading of somebody who is told nothing, where the best reading is another.
@@ -91,8 +92,9 @@ fn list(axes: &[AxisReading], word: impl Fn(&AxisReading) -> String) -> String {
     axes.iter().map(word).collect::<Vec<_>>().join(",")
 }
 
-/// The coordinate that a reader takes an axis for. Roughness and alpha are both passed as they are; their powers come of squaring once too
-/// often. An argument that is named for gloss is one, 1 - roughness.
+/// The coordinate that a reader takes an axis for. Roughness and alpha are both passed as they are;
+/// their powers come of squaring once too often. An argument that is named for gloss is one, 1 -
+/// roughness.
 fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
     let gloss = source == Source::Function && is_gloss(name);
     if axis.scale.input() == Input::Alpha {

@@ -132,7 +132,8 @@ pub(super) struct Fitted {
     pub texels: usize,
 }
 
-/// A reading under which fewer than one texel in this many has a truth is no reading, unless the user gives it.
+/// A reading under which fewer than one texel in this many has a truth is no reading, unless the
+/// user gives it.
 const LEAST_SHARE: usize = 3;
 
 /// The best columns of the channels for given base values; none if no texel is judged, or few are.
@@ -153,7 +154,8 @@ pub(super) fn fit_columns(
         Misfit::of(&errors)
     };
     let best = |k: usize, channel: &Vec<f64>| {
-        // The first of the columns that fit best; those of which two sums tell that they do not are passed over.
+        // The first of the columns that fit best; those of which two sums tell that they do not are
+        // passed over.
         let least = |tried: &[Column]| {
             let mut best: Option<(Column, Misfit)> = None;
             for column in tried {

@@ -1,5 +1,6 @@
-//! The cheap sieve: every convention on a few texels; where three axes make too many, first with the two usual registrations, which lie
-//! half a texel from all others, then the coordinates that fit best with every registration.
+//! The cheap sieve: every convention on a few texels; where three axes make too many, first with
+//! the two usual registrations, which lie half a texel from all others, then the coordinates that
+//! fit best with every registration.
 
 use rayon::prelude::*;
 
@@ -12,9 +13,10 @@ use super::truth::Truth;
 /// Conventions that a sieve lets through.
 const KEPT: usize = 300;
 
-/// Choices of coordinates, of three axes, that are tried with every registration: of each order of axes and lobe, and the best of all of
-/// those together. Where the texels lie shifts an axis by half a texel, which on a short axis is as much as another power of its coordinate
-/// is, so that with the usual registrations the right powers may come late.
+/// Choices of coordinates, of three axes, that are tried with every registration: of each order of
+/// axes and lobe, and the best of all of those together. Where the texels lie shifts an axis by
+/// half a texel, which on a short axis is as much as another power of its coordinate is, so that
+/// with the usual registrations the right powers may come late.
 const COORDINATES: usize = 6;
 const COORDINATES_OF_ALL: usize = 120;
 
@@ -44,7 +46,8 @@ pub(super) fn screen(
     if axes < 3 { Ok(found) } else { sited(truth, sample, fixed, rough) }
 }
 
-/// The best choices of coordinates with every registration: `rough` has those of each order of axes and lobe, the best first.
+/// The best choices of coordinates with every registration: `rough` has those of each order of axes
+/// and lobe, the best first.
 fn sited(
     truth: &dyn Truth,
     sample: &Sample,
@@ -130,7 +133,8 @@ impl Task<'_> {
         Ok(best(all.into_iter().flatten().collect(), KEPT))
     }
 
-    /// The choices of coordinates, each with the usual registrations that suit it best; the best first.
+    /// The choices of coordinates, each with the usual registrations that suit it best; the best
+    /// first.
     fn coordinates(&self, readings: &[Vec<AxisReading>]) -> Result<Vec<Candidate>, AuditError> {
         let usual = |list: &Vec<AxisReading>| -> Vec<AxisReading> {
             let two = list

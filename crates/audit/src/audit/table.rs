@@ -98,7 +98,8 @@ impl AuditedTable {
         Ok(AuditedTable { size, axes, ..self.clone() })
     }
 
-    /// The error of a value that is no number: of a function by the arguments, of a table by the texel.
+    /// The error of a value that is no number: of a function by the arguments, of a table by the
+    /// texel.
     fn not_finite(&self, channel: &AuditedChannel, i: usize) -> AuditError {
         let (texel, value) = (place(i, &self.size), channel.values[i]);
         if self.source != Source::Function {

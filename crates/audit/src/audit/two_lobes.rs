@@ -1,5 +1,6 @@
-//! A table of which a part was made with the other shadowing form: stale since the code around it changed. No single convention fits it, and
-//! those that do best are compromises; the right one is that under which each texel is of one lobe or of the other.
+//! A table of which a part was made with the other shadowing form: stale since the code around it
+//! changed. No single convention fits it, and those that do best are compromises; the right one is
+//! that under which each texel is of one lobe or of the other.
 
 use rayon::prelude::*;
 
@@ -10,13 +11,15 @@ use super::sample::{Candidate, Sample};
 use super::truth::{Lobe, Truth};
 use super::{AuditError, FITS};
 
-/// The root mean square must be this many times less with two lobes than that of the best with one is.
+/// The root mean square must be this many times less with two lobes than that of the best with one
+/// is.
 const BETTER: f64 = 4.0;
 
 /// Least share of the texels that each of the lobes explains and the other does not.
 const LEAST_SHARE: f64 = 0.05;
 
-/// A texel tells lobes apart where their errors differ by this many times the misfit of both together.
+/// A texel tells lobes apart where their errors differ by this many times the misfit of both
+/// together.
 const APART: f64 = 6.0;
 
 /// The two parts of a table.
@@ -24,7 +27,8 @@ const APART: f64 = 6.0;
 pub struct TwoLobes {
     /// Lobe of the smaller part.
     pub lobe: Lobe,
-    /// Texels that are of the larger part's lobe only, of the smaller part's only, and in all; the rest is the same in both.
+    /// Texels that are of the larger part's lobe only, of the smaller part's only, and in all; the
+    /// rest is the same in both.
     pub texels: [usize; 3],
     /// First and last index of the smaller part along every axis.
     pub range: Vec<[usize; 2]>,
@@ -36,8 +40,9 @@ pub struct TwoLobes {
     pub rank: f64,
 }
 
-/// The reading under which a table that fits nothing is of two lobes, read as the larger part's, with its parts; none if it is not so.
-/// `tried` are readings, and `best` is the root mean square of the best with one lobe.
+/// The reading under which a table that fits nothing is of two lobes, read as the larger part's,
+/// with its parts; none if it is not so. `tried` are readings, and `best` is the root mean square
+/// of the best with one lobe.
 pub(super) fn found(
     truth: &dyn Truth,
     [some, all]: [&Sample; 2],

@@ -1,4 +1,5 @@
-//! The audit of a table, or of a function of whose index of refraction nobody says which way round it is.
+//! The audit of a table, or of a function of whose index of refraction nobody says which way round
+//! it is.
 
 use crate::audit::{Audit, AuditError, AuditedTable, Fixed, audit};
 use lobefit::cli::progress::Spinner;

@@ -90,7 +90,8 @@ struct Options {
     /// Value of an argument that is no input
     #[arg(long, value_name = "NAME=VALUE", value_parser = setting)]
     pub set: Vec<(String, f64)>,
-    /// Largest error that is accepted: at a texel, at a function's points, at a lookup of a file that says how it is looked up
+    /// Largest error that is accepted: at a texel, at a function's points, at a lookup of a file
+    /// that says how it is looked up
     #[arg(long, value_name = "E", value_parser = not_negative)]
     pub limit: Option<f64>,
     /// Folder for NAME.audit.html and NAME.audit.json
@@ -109,7 +110,8 @@ struct Options {
 /// What was read of the file.
 struct Read {
     audited: AuditedTable,
-    /// A function with its index of refraction given as 1/ior, where it has one and nobody says how it is given.
+    /// A function with its index of refraction given as 1/ior, where it has one and nobody says how
+    /// it is given.
     inverse: Option<AuditedTable>,
     /// What the file is, in words.
     holds: String,
@@ -139,7 +141,8 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
         audited =
             AuditedTable { size: said.size.clone(), axes: AuditedTable::axes_of(said.size.len()), ..audited };
     }
-    // A file that is known to be of another form or registration than it says is told of in those words, and not as a table of which nothing is known.
+    // A file that is known to be of another form or registration than it says is told of in those
+    // words, and not as a table of which nothing is known.
     if let Some(said) = said.as_ref().filter(|said| said.holds() || said.instead.is_some()) {
         drop(progress);
         let found = audit::declared_findings(

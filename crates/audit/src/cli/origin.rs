@@ -46,7 +46,8 @@ fn command(options: &Options) -> String {
     words.join(" ")
 }
 
-/// A word as a shell takes it: in single quotes where it holds anything but letters, digits and harmless signs.
+/// A word as a shell takes it: in single quotes where it holds anything but letters, digits and
+/// harmless signs.
 fn quoted(word: &str) -> String {
     let harmless = |c: char| c.is_alphanumeric() || "-_./:,=+%@".contains(c);
     if !word.is_empty() && word.chars().all(harmless) {

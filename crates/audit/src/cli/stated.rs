@@ -6,8 +6,8 @@ use lobefit::cli::CliError;
 use lobefit::cli::output::say;
 use lobefit::cli::progress::Spinner;
 
-/// The table as its own statement has it; none if it makes none, or options say how it is read, or what it says cannot be understood (which
-/// is said).
+/// The table as its own statement has it; none if it makes none, or options say how it is read, or
+/// what it says cannot be understood (which is said).
 pub(super) fn stated(
     options: &Options,
     audited: &AuditedTable,

@@ -182,7 +182,8 @@ pub enum ForeignError {
         /// What differs from what.
         message: String,
     },
-    /// An array, layer or function that is asked for by name and is not there, or may be one of several.
+    /// An array, layer or function that is asked for by name and is not there, or may be one of
+    /// several.
     #[error("{file}: {what} {name} is not there; the file has {}", known.join(", "))]
     NoSuch {
         /// File as the caller named it.

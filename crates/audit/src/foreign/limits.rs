@@ -6,13 +6,15 @@ pub const BYTES: u64 = 64 << 20;
 pub const VALUES: usize = 1 << 24;
 /// Most channels of a table.
 pub const CHANNELS: usize = 64;
-/// Most bytes that a byte of a compressed file may stand for before its header is taken for a lie: deflate reaches 1032.
+/// Most bytes that a byte of a compressed file may stand for before its header is taken for a lie:
+/// deflate reaches 1032.
 pub const EXPANSION: u64 = 4096;
 /// Deepest nesting of brackets in a text.
 pub const DEPTH: usize = 64;
 /// Most axes and channel indices of an array in a text.
 pub const DIMENSIONS: usize = 8;
-/// Fewest values of an array in a text that was not asked for by name: shorter ones are constants of the code around.
+/// Fewest values of an array in a text that was not asked for by name: shorter ones are constants
+/// of the code around.
 pub const ARRAY_MIN: usize = 8;
 /// Most values of a table of one axis whose size was not stated: see the guess of sizes.
 pub const LINE_MAX: usize = 128;

@@ -31,13 +31,14 @@ enum Kind {
     Other(&'static str, &'static str),
 }
 
-/// Tables of a file: one, or one per array of a text and per layer of an EXR file. By its first bytes, else by its extension (`raw`,
-/// `bin`, `dat`: raw numbers), else by being a text; `file` is used for the extension and in messages.
+/// Tables of a file: one, or one per array of a text and per layer of an EXR file. By its first
+/// bytes, else by its extension (`raw`, `bin`, `dat`: raw numbers), else by being a text; `file` is
+/// used for the extension and in messages.
 ///
 /// # Errors
-/// Each names the file, the place and what to do: bytes beyond [`limits::BYTES`] or values beyond [`limits::VALUES`]; what is
-/// not recognised, not supported, cut short or malformed; sizes that contradict each other or cannot be told; values that are
-/// NaN or infinite.
+/// Each names the file, the place and what to do: bytes beyond [`limits::BYTES`] or values beyond
+/// [`limits::VALUES`]; what is not recognised, not supported, cut short or malformed; sizes that
+/// contradict each other or cannot be told; values that are NaN or infinite.
 pub fn read_table(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>, ForeignError> {
     if bytes.is_empty() {
         return Err(ForeignError::Empty { file: file.into() });

@@ -3,7 +3,8 @@
 use super::limits::{self, LINE_MAX, SIDE_MIN};
 use super::{ForeignChannel, ForeignError, ForeignTable, Hints, Step};
 
-/// Values as they lie in a file, the channels of a texel together, with what the file says about them.
+/// Values as they lie in a file, the channels of a texel together, with what the file says about
+/// them.
 pub(super) struct Values {
     /// Name of the array or layer, or empty.
     pub name: String,
@@ -84,7 +85,8 @@ pub(super) fn words(size: &[usize]) -> String {
     size.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ")
 }
 
-/// The size that the caller states, checked on its own: one to three axes, none empty, no more texels than the limit.
+/// The size that the caller states, checked on its own: one to three axes, none empty, no more
+/// texels than the limit.
 pub(super) fn stated(file: &str, size: &[usize]) -> Result<usize, ForeignError> {
     if !(1..=3).contains(&size.len()) || size.contains(&0) {
         let message = format!("cannot be {:?}: a size has one to three axes, none of them empty", size);
@@ -152,8 +154,9 @@ fn regroup(size: &[usize], channels: usize, asked: usize) -> Option<(Vec<usize>,
     Some(([&[row / asked], rest].concat(), asked))
 }
 
-/// Squares of one to three channels, cubes of one; where there is none, squares of four channels and cubes of two to four; short
-/// lists may be a line. The lines of a text that are as many and as long as the rows of a square decide between them.
+/// Squares of one to three channels, cubes of one; where there is none, squares of four channels
+/// and cubes of two to four; short lists may be a line. The lines of a text that are as many and as
+/// long as the rows of a square decide between them.
 fn guess(file: &str, list: &Values, channels: Option<usize>) -> Result<(Vec<usize>, usize), ForeignError> {
     let found = list.values.len();
     let fits = |power: usize, channels: usize| -> Option<(Vec<usize>, usize)> {
@@ -194,8 +197,9 @@ fn guess(file: &str, list: &Values, channels: Option<usize>) -> Result<(Vec<usiz
 /// Size (x fastest) and channels, or only the channels, that nested lists give.
 pub(super) type Grouped = (Option<(Vec<usize>, usize)>, Option<usize>);
 
-/// What the extents of nested lists, outermost first, say: the innermost is that of channels if it is a vector's, if it is at most
-/// four and the next is not, or if there are four; a plain list says nothing, a list of texels only their channels.
+/// What the extents of nested lists, outermost first, say: the innermost is that of channels if it
+/// is a vector's, if it is at most four and the next is not, or if there are four; a plain list
+/// says nothing, a list of texels only their channels.
 pub(super) fn grouped(extents: &[usize], vectors: bool) -> Result<Grouped, String> {
     let small = matches!(extents, [.., next, last] if *last <= 4 && *next > 4);
     let (size, channels) = match extents {

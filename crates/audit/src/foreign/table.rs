@@ -18,8 +18,8 @@ pub enum Step {
 }
 
 impl Step {
-    /// Half the distance between neighbours of the format near `x`: what rounding to nearest may have done to a value that is
-    /// stored as x. 0 for [`Step::None`].
+    /// Half the distance between neighbours of the format near `x`: what rounding to nearest may
+    /// have done to a value that is stored as x. 0 for [`Step::None`].
     pub fn rounding(self, x: f64) -> f64 {
         match self {
             Step::None => 0.0,
@@ -53,7 +53,8 @@ impl Step {
 pub struct ForeignChannel {
     /// Its name in the file; `0`, `1`, ... where the file names none.
     pub name: String,
-    /// As many finite values as the product of the table's sizes, x fastest, in the file's order of rows.
+    /// As many finite values as the product of the table's sizes, x fastest, in the file's order of
+    /// rows.
     pub values: Vec<f64>,
 }
 
@@ -72,7 +73,8 @@ pub struct ForeignTable {
     pub channels: Vec<ForeignChannel>,
     /// What the format rounds values to.
     pub step: Step,
-    /// What the file says of itself: the attribute `lobefit` of an EXR layer that this tool wrote; empty in all others.
+    /// What the file says of itself: the attribute `lobefit` of an EXR layer that this tool wrote;
+    /// empty in all others.
     pub note: String,
 }
 
@@ -153,8 +155,9 @@ fn pieces<const N: usize>(bytes: &[u8], value: impl Fn([u8; N]) -> f64) -> Vec<f
 /// What the caller knows about a file that the file does not say.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Hints {
-    /// Texels along each axis, x fastest. Where the file is an image of two axes and this names three, the image is an atlas of
-    /// slices: tiles of size x by y, left to right, then top to bottom.
+    /// Texels along each axis, x fastest. Where the file is an image of two axes and this names
+    /// three, the image is an atlas of slices: tiles of size x by y, left to right, then top to
+    /// bottom.
     pub size: Option<Vec<usize>>,
     /// Values of a texel, for files that do not say.
     pub channels: Option<usize>,

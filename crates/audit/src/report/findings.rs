@@ -22,7 +22,8 @@ pub struct AuditFindings {
     pub fits: String,
     /// Largest error at a texel or point of any channel that is judged.
     pub max_error: f64,
-    /// Largest error as somebody reads it who is told nothing, where that reading is not the best one.
+    /// Largest error as somebody reads it who is told nothing, where that reading is not the best
+    /// one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plain: Option<AuditPlain>,
     /// Largest error that the user allows.
@@ -80,7 +81,8 @@ pub struct AuditAxis {
     pub coordinate: String,
     /// Whether it is one minus that.
     pub reversed: bool,
-    /// Where texel i lies: `centre`, `endpoint`, `left`, `right`, `one-high`, `one-low`, `end-high`, `end-low`; empty for an argument.
+    /// Where texel i lies: `centre`, `endpoint`, `left`, `right`, `one-high`, `one-low`,
+    /// `end-high`, `end-low`; empty for an argument.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub registration: String,
     /// Least value that the input was clamped to.

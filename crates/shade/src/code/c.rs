@@ -69,7 +69,8 @@ fn call(builtin: Builtin) -> Option<&'static str> {
     Some(name)
 }
 
-/// The words of C99 and of C++20, the macros of `<math.h>` and of common platforms; the functions of `<math.h>`.
+/// The words of C99 and of C++20, the macros of `<math.h>` and of common platforms; the functions
+/// of `<math.h>`.
 const WORDS: Words = Words {
     reserved: "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t
         class compl concept const consteval constexpr constinit const_cast continue co_await co_return co_yield decltype

@@ -1,4 +1,5 @@
-//! The lookup in C, from an array of texels, and what lookups and other functions of vectors share there.
+//! The lookup in C, from an array of texels, and what lookups and other functions of vectors share
+//! there.
 
 use super::c::C;
 use super::printer::Printer;

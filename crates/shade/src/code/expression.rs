@@ -48,7 +48,8 @@ pub(super) struct Writer<'a> {
     pub function_names: &'a [String],
     /// Printed names of the function's variables.
     pub names: &'a [String],
-    /// Printed names of what stands in for built-ins that the language lacks, by what they compute (`mix`, `pow5`).
+    /// Printed names of what stands in for built-ins that the language lacks, by what they compute
+    /// (`mix`, `pow5`).
     pub helpers: &'a BTreeMap<String, String>,
 }
 
@@ -58,7 +59,8 @@ impl Writer<'_> {
         expr.value(&self.function.variables, self.functions)
     }
 
-    /// An expression; where the language has no arithmetic of vectors, those are written component by component.
+    /// An expression; where the language has no arithmetic of vectors, those are written component
+    /// by component.
     pub fn expression(&self, expr: &Expr, typed: bool) -> Text {
         let whole = matches!(expr.kind, ExprKind::Variable(_) | ExprKind::Call(..));
         if let Kind::Vector(n) = self.kind(expr)
@@ -212,7 +214,8 @@ impl Writer<'_> {
         }
     }
 
-    /// A block's statements, each line indented by `depth` steps; `tail` if its last value is the function's.
+    /// A block's statements, each line indented by `depth` steps; `tail` if its last value is the
+    /// function's.
     pub fn block(&self, body: &[Statement], depth: usize, tail: bool, out: &mut String) {
         for (index, statement) in body.iter().enumerate() {
             let tail = tail && index + 1 == body.len();
@@ -357,7 +360,8 @@ fn operator(op: Binary) -> (&'static str, Level) {
     }
 }
 
-/// The lines that raise x to a power by repeated squaring, each squaring declared as `declare x2 = ...;`, and the value.
+/// The lines that raise x to a power by repeated squaring, each squaring declared as `declare x2 =
+/// ...;`, and the value.
 pub(super) fn power_body(n: u32, declare: &str) -> (Vec<String>, String) {
     let name = |step: u32| if step == 1 { "x".to_string() } else { format!("x{step}") };
     let steps = power_steps(n);
@@ -374,8 +378,8 @@ pub(super) fn power_body(n: u32, declare: &str) -> (Vec<String>, String) {
     (lines, value)
 }
 
-/// The shortest decimal; where reading it as f64 and rounding that to f32 would give another number (WGSL and glslang do so
-/// with literals that have no suffix), the decimal of the f64.
+/// The shortest decimal; where reading it as f64 and rounding that to f32 would give another number
+/// (WGSL and glslang do so with literals that have no suffix), the decimal of the f64.
 pub fn decimal(x: f32) -> String {
     let short = format!("{x:?}");
     match short.parse::<f64>() {

@@ -1,4 +1,5 @@
-//! The printer of the languages of C's family: HLSL, GLSL, MSL and C. What differs between them is data.
+//! The printer of the languages of C's family: HLSL, GLSL, MSL and C. What differs between them is
+//! data.
 
 use super::expression::{Level, Text, Writer, decimal};
 use super::helpers::power;
@@ -19,7 +20,8 @@ pub(super) struct Family {
     pub truth: [&'static str; 3],
     /// How the vector types begin, before the number of components.
     pub vector: &'static str,
-    /// The type of the vectors of an array that is an argument; ends in `*` where that is a pointer.
+    /// The type of the vectors of an array that is an argument; ends in `*` where that is a
+    /// pointer.
     pub list: &'static str,
     /// Whether vectors have constructors and arithmetic.
     pub has_vectors: bool,
@@ -98,7 +100,8 @@ impl Family {
     }
 }
 
-/// Whether a `clamp` or `smoothstep` has literal bounds in their order: built-ins are undefined where they are not.
+/// Whether a `clamp` or `smoothstep` has literal bounds in their order: built-ins are undefined
+/// where they are not.
 fn ordered(lo: &Expr, hi: &Expr) -> bool {
     matches!((&lo.kind, &hi.kind), (ExprKind::Number(lo), ExprKind::Number(hi)) if lo < hi)
 }

@@ -68,19 +68,22 @@ impl Language {
         self.facts().comment
     }
 
-    /// What a file of printed functions says of its language: what it needs, and what becomes of bits.
+    /// What a file of printed functions says of its language: what it needs, and what becomes of
+    /// bits.
     pub fn notes(self) -> &'static [&'static str] {
         self.facts().notes
     }
 
     /// What printed functions need before them in their file, once; empty or ends in a line feed.
     ///
-    /// `#pragma once` stands where files include one another; GLSL has no such directive of its own.
+    /// `#pragma once` stands where files include one another; GLSL has no such directive of its
+    /// own.
     pub fn opening(self) -> &'static str {
         self.facts().opening
     }
 
-    /// What stands at the start of a file of functions, [`Language::opening`] in it; empty or ends in a line feed.
+    /// What stands at the start of a file of functions, [`Language::opening`] in it; empty or ends
+    /// in a line feed.
     pub fn preamble(self) -> String {
         format!("{}{}", self.facts().attributes, self.facts().opening)
     }

@@ -12,8 +12,9 @@ struct Place {
     open: usize,
 }
 
-/// A statement, indented by `depth` steps. Too long for a line, it is broken before the signs of its sums, outer sums before inner ones,
-/// or after commas; a line is indented by one step more for each bracket that is open where it begins.
+/// A statement, indented by `depth` steps. Too long for a line, it is broken before the signs of
+/// its sums, outer sums before inner ones, or after commas; a line is indented by one step more for
+/// each bracket that is open where it begins.
 pub fn lines(statement: &str, depth: usize) -> String {
     let mut rest = statement;
     let mut open = 0;
@@ -29,7 +30,8 @@ pub fn lines(statement: &str, depth: usize) -> String {
     out + &format!("{:indent$}{rest}\n", "")
 }
 
-/// The outermost place that fits and fills the line somewhat, else the outermost that fits, else the first; of several the last.
+/// The outermost place that fits and fills the line somewhat, else the outermost that fits, else
+/// the first; of several the last.
 fn best(text: &str, open: usize, width: usize) -> Option<Place> {
     let places = places(text, open);
     let fits = places.iter().filter(|p| p.at <= width);

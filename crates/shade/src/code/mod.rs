@@ -1,8 +1,10 @@
-//! A fitted formula as source code, with the hypothesis's own names and structure, in every [`Language`].
+//! A fitted formula as source code, with the hypothesis's own names and structure, in every
+//! [`Language`].
 //!
-//! The printers write the specialised formula: coefficients and constant sub-expressions as the shortest decimals
-//! that read back to the same f32, in the order of operations of the hypothesis, with no more parentheses than that
-//! order needs. `a + -c b` is written `a - c b`, which has the same bits.
+//! The printers write the specialised formula: coefficients and constant sub-expressions as the
+//! shortest decimals that read back to the same f32, in the order of operations of the hypothesis,
+//! with no more parentheses than that order needs. `a + -c b` is written `a - c b`, which has the
+//! same bits.
 //!
 //! What is promised of the values, beside those of the hypothesis's tape in f32:
 //!
@@ -14,9 +16,11 @@
 //! | HLSL, GLSL | the same as C, with the specifications' built-ins, in C++; on a device, what Vulkan leaves to it, which is the same as in WGSL; glslang, SPIR-V Tools, and a Vulkan device |
 //! | MSL | the same as C, with the specification's built-ins, in C++. No Metal compiler runs outside Apple's systems, and none has read it; fast math, its default, may reorder sums |
 //!
-//! The ulp are of sums of positive terms, or of 1 where terms cancel. In C's family, `mix` is x (1 - t) + y t by a function of ours where
-//! the language's own is x + t (y - x); `select` is `?:`, both of whose operands are free of side effects; `fma` is `fmaf`, `fma` in MSL,
-//! `mad` in HLSL and, for versions that have none, `x * y + z` in GLSL, the last two of which may round once or twice.
+//! The ulp are of sums of positive terms, or of 1 where terms cancel. In C's family, `mix` is x
+//! (1 - t) + y t by a function of ours where the language's own is x + t (y - x); `select` is `?:`,
+//! both of whose operands are free of side effects; `fma` is `fmaf`, `fma` in MSL, `mad` in HLSL
+//! and, for versions that have none, `x * y + z` in GLSL, the last two of which may round once or
+//! twice.
 
 mod c;
 mod c_table;
@@ -47,7 +51,8 @@ pub use lines::lines as wrapped;
 pub use rust_table::RUST_HELPERS;
 pub use table::{LETTERS, TableLookup, helpers};
 
-/// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of tiny ones are.
+/// Magnitude below which a coefficient is refused: shaders flush subnormal numbers, and products of
+/// tiny ones are.
 const TINY: f32 = 1e-30;
 
 /// A function as source text.
@@ -57,9 +62,10 @@ pub struct Printed {
     pub text: String,
     /// Rust: whether it needs `std` (sqrt, floor, mul_add, exp, ...); `core` is enough otherwise.
     pub needs_std: bool,
-    /// Whether its bits are promised, as far as the language promises bits: it uses no transcendental function, whose last bits are
-    /// the platform's, and no `fma` where the language may round twice.
-    /// `min`, `max` and `clamp` are excepted where an operand is not a number or two zeros differ in sign.
+    /// Whether its bits are promised, as far as the language promises bits: it uses no
+    /// transcendental function, whose last bits are the platform's, and no `fma` where the language
+    /// may round twice. `min`, `max` and `clamp` are excepted where an operand is not a number or
+    /// two zeros differ in sign.
     pub exact: bool,
 }
 
@@ -103,13 +109,14 @@ pub enum CodeError {
 
 /// The fit as a function of f32 arguments and result, `header` as its documentation.
 ///
-/// The text stands after [`Language::opening`] in a file and needs nothing else. Its functions keep the hypothesis's names, but for
-/// words that the language has taken; helpers have the formula's name before theirs, so that one file can hold many formulas.
-/// Every function stands before its first use.
+/// The text stands after [`Language::opening`] in a file and needs nothing else. Its functions keep
+/// the hypothesis's names, but for words that the language has taken; helpers have the formula's
+/// name before theirs, so that one file can hold many formulas. Every function stands before its
+/// first use.
 ///
 /// # Errors
-/// Coefficients of the wrong number, not finite, or below 1e-30; a function named as a word of the language, or in letters
-/// that it does not have.
+/// Coefficients of the wrong number, not finite, or below 1e-30; a function named as a word of the
+/// language, or in letters that it does not have.
 pub fn print(
     language: Language,
     hypothesis: &Hypothesis,
@@ -121,7 +128,8 @@ pub fn print(
     Ok(printed(text, language, &formula))
 }
 
-/// One function of a formula without parameters, `header` as its documentation; what it calls stands before it under its own name.
+/// One function of a formula without parameters, `header` as its documentation; what it calls
+/// stands before it under its own name.
 pub(crate) fn print_function(
     language: Language,
     formula: &Formula,

@@ -74,7 +74,8 @@ fn call(builtin: Builtin) -> Option<&'static str> {
     Some(name)
 }
 
-/// The words of C++14, and those of the Metal Shading Language Specification, sections 1.4, 2, 4 and 6.
+/// The words of C++14, and those of the Metal Shading Language Specification, sections 1.4, 2, 4
+/// and 6.
 const WORDS: Words = Words {
     reserved: "alignas alignof and and_eq array asm atomic_bool atomic_int atomic_uint auto bfloat bitand bitor bool
         break case catch char char16_t char32_t class compl const const_cast constant constexpr continue decltype default

@@ -17,7 +17,8 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// The formula keeps its name; its helpers get it as a prefix, so that files can hold many formulas.
+    /// The formula keeps its name; its helpers get it as a prefix, so that files can hold many
+    /// formulas.
     ///
     /// # Errors
     /// The formula's name is a word of the language, or no name in it.
@@ -95,7 +96,8 @@ const GREEK: &str =
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma
     tau upsilon phi chi psi omega";
 
-/// A name in ASCII, as rustc warns of letters that look like others: Greek letters by their names, other letters by their code points.
+/// A name in ASCII, as rustc warns of letters that look like others: Greek letters by their names,
+/// other letters by their code points.
 pub(super) fn ascii(name: &str) -> String {
     let mut text = String::new();
     for c in name.chars() {
@@ -108,7 +110,8 @@ pub(super) fn ascii(name: &str) -> String {
     text
 }
 
-/// A name in ASCII without what C's family keeps for itself: two underscores in a row, one before a capital, and GLSL's `gl_`.
+/// A name in ASCII without what C's family keeps for itself: two underscores in a row, one before a
+/// capital, and GLSL's `gl_`.
 pub(super) fn plain(name: &str) -> String {
     let mut text = ascii(name);
     while text.contains("__") {

@@ -1,4 +1,5 @@
-//! What a language does its own way: everything that differs between the languages of the emitted code is a method here.
+//! What a language does its own way: everything that differs between the languages of the emitted
+//! code is a method here.
 
 use super::expression::{Text, Writer};
 use super::table::TableLookup;
@@ -15,7 +16,8 @@ pub(super) struct Facts {
     pub extension: &'static str,
     /// Begins a line of a file's opening comment.
     pub comment: &'static str,
-    /// What a file of printed functions says of its language: what it needs, and what becomes of bits.
+    /// What a file of printed functions says of its language: what it needs, and what becomes of
+    /// bits.
     pub notes: &'static [&'static str],
     /// What printed functions need before them in their file, once; empty or ends in a line feed.
     pub opening: &'static str,
@@ -46,7 +48,8 @@ pub(super) trait Printer: Sync {
         format!("{vector}.{}", &"xyzw"[i..=i])
     }
 
-    /// Whether the language has arithmetic of vectors; where it has none, each component is written out.
+    /// Whether the language has arithmetic of vectors; where it has none, each component is written
+    /// out.
     fn has_vectors(&self) -> bool {
         true
     }
@@ -59,7 +62,8 @@ pub(super) trait Printer: Sync {
     /// An argument with its type.
     fn argument(&self, name: &str, kind: &str) -> String;
 
-    /// What stands before and after the arguments of a function; `public` for one that a file offers.
+    /// What stands before and after the arguments of a function; `public` for one that a file
+    /// offers.
     fn signature(&self, name: &str, result: &str, public: bool) -> [String; 2];
 
     /// Lines before a function, for what its names and statements are.
@@ -85,15 +89,18 @@ pub(super) trait Printer: Sync {
         false
     }
 
-    /// Whether a function may return a vector that it makes in the same statement; else the vector gets a name first.
+    /// Whether a function may return a vector that it makes in the same statement; else the vector
+    /// gets a name first.
     fn returns_vectors(&self) -> bool {
         true
     }
 
-    /// The lines that open a loop over an array: the statement, and what names the vector where the statement does not.
+    /// The lines that open a loop over an array: the statement, and what names the vector where the
+    /// statement does not.
     fn each(&self, element: &str, list: &str, n: u8) -> Vec<String>;
 
-    /// The name of a copy of an array that may be indexed, and the statement that makes it; none where the argument may be.
+    /// The name of a copy of an array that may be indexed, and the statement that makes it; none
+    /// where the argument may be.
     fn copied(&self, _list: &str) -> Option<[String; 2]> {
         None
     }
@@ -101,13 +108,15 @@ pub(super) trait Printer: Sync {
     /// The structure of so many weighted fetches.
     fn taps(&self, n: u8) -> String;
 
-    /// The statements that return such a structure, with a name that is free: what to fetch, then the weights.
+    /// The statements that return such a structure, with a name that is free: what to fetch, then
+    /// the weights.
     fn give_taps(&self, kind: &str, name: &str, lists: [&[String]; 2]) -> Vec<String>;
 
     /// A built-in function.
     fn builtin(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text;
 
-    /// What stands in for a built-in that the language lacks: `mix`, `smoothstep`; none where it has one, or where an expression does.
+    /// What stands in for a built-in that the language lacks: `mix`, `smoothstep`; none where it
+    /// has one, or where an expression does.
     fn lacking(&self, builtin: Builtin, operands: &[Expr]) -> Option<&'static str>;
 
     /// The function that stands in, by what it computes (`mix`, `pow5`).
@@ -121,7 +130,8 @@ pub(super) trait Printer: Sync {
     /// The lookup of a table.
     fn lookup(&self, table: &TableLookup) -> String;
 
-    /// What lookups and other functions of vectors share, as far as these texts of functions use it.
+    /// What lookups and other functions of vectors share, as far as these texts of functions use
+    /// it.
     fn shared(&self, _functions: &str) -> String {
         String::new()
     }

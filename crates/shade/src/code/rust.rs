@@ -9,8 +9,8 @@ use super::table::TableLookup;
 use super::words::Words;
 use crate::{Builtin, Expr, ExprKind, Function, Kind, Statement};
 
-/// What Rust does its own way: operations that are neither operators nor methods become functions inside the
-/// function that uses them.
+/// What Rust does its own way: operations that are neither operators nor methods become functions
+/// inside the function that uses them.
 pub(super) struct Rust;
 
 const FACTS: Facts = Facts {
@@ -82,7 +82,8 @@ impl Printer for Rust {
             out.push_str("#[allow(non_snake_case)]\n");
         }
         if function.body.iter().any(has_var) {
-            // A `var` keeps its initial value as written, also where every branch then assigns another: printed as it stands.
+            // A `var` keeps its initial value as written, also where every branch then assigns
+            // another: printed as it stands.
             out.push_str("#[allow(unused_assignments)]\n");
         }
         out

@@ -28,7 +28,8 @@ pub(super) fn lookup(table: &TableLookup) -> String {
     format!("{text}{}    {}\n}}\n", corners(table), table.decoded(&blended))
 }
 
-/// The lines that fetch the texels around a position: `a` to `d` of a table of two axes, `near` and `far` of one of three.
+/// The lines that fetch the texels around a position: `a` to `d` of a table of two axes, `near` and
+/// `far` of one of three.
 fn corners(table: &TableLookup) -> String {
     let (columns, rows) = (table.sizes[0], table.sizes[1]);
     if table.sizes.len() == 2 {

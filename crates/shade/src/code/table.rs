@@ -4,7 +4,8 @@ use super::Language;
 use super::printer::Printer;
 use crate::Kind;
 
-/// A lookup to be printed: of a table of two or three axes, whose functions `<name>_uv` (`<name>_uvw`) and `<name>_decode` the file has.
+/// A lookup to be printed: of a table of two or three axes, whose functions `<name>_uv`
+/// (`<name>_uvw`) and `<name>_decode` the file has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TableLookup {
     /// The table's name as an identifier.
@@ -33,9 +34,10 @@ pub const LETTERS: [&str; 4] = ["u", "v", "w", "t"];
 impl TableLookup {
     /// The function `<name>_lookup`.
     ///
-    /// It takes a texture of two or three dimensions and a sampler that filters linearly and clamps to the edge (in GLSL one `sampler2D` or
-    /// `sampler3D`). In Rust and C, which have no textures, it fetches from a slice or array of f32 texels itself, columns fastest
-    /// and slices slowest, a texel's channels together, and calls [`helpers`].
+    /// It takes a texture of two or three dimensions and a sampler that filters linearly and clamps
+    /// to the edge (in GLSL one `sampler2D` or `sampler3D`). In Rust and C, which have no textures,
+    /// it fetches from a slice or array of f32 texels itself, columns fastest and slices slowest, a
+    /// texel's channels together, and calls [`helpers`].
     pub fn print(&self, language: Language) -> String {
         language.printer().lookup(self)
     }
@@ -80,8 +82,8 @@ pub(super) fn kind(n: usize) -> Kind {
     if n == 1 { Kind::Number } else { Kind::Vector(n as u8) }
 }
 
-/// What lookups and other functions of vectors share in a language, to stand before them; empty where they share nothing. `functions` is the
-/// text of them all.
+/// What lookups and other functions of vectors share in a language, to stand before them; empty
+/// where they share nothing. `functions` is the text of them all.
 pub fn helpers(language: Language, functions: &str) -> String {
     language.printer().shared(functions)
 }

@@ -21,7 +21,8 @@ const FACTS: Facts = Facts {
     words: WORDS,
 };
 
-/// Built-ins that printed code may call, and so must not be shadowed. WGSL's own words cannot stand in a hypothesis.
+/// Built-ins that printed code may call, and so must not be shadowed. WGSL's own words cannot stand
+/// in a hypothesis.
 const WORDS: Words = Words {
     reserved:
         "abs min max clamp saturate mix fma sqrt inverseSqrt exp exp2 log log2 pow floor sign step smoothstep
@@ -96,7 +97,8 @@ impl Printer for Wgsl {
             Builtin::Dot => "dot",
             Builtin::Select => "select",
         };
-        // Literals alone would be taken for abstract numbers, which naga refuses beside a run-time condition.
+        // Literals alone would be taken for abstract numbers, which naga refuses beside a run-time
+        // condition.
         let numbers = if builtin == Builtin::Select { &operands[..2] } else { operands };
         let typed = typed || !numbers.iter().any(|e| writer.anchored(e));
         let printed: Vec<String> = operands.iter().map(|e| writer.expression(e, typed).text).collect();

@@ -2,7 +2,8 @@
 
 /// The words of a language.
 pub(super) struct Words {
-    /// Keywords, reserved words, types, macros, and the functions that printed code calls: nothing may be named so.
+    /// Keywords, reserved words, types, macros, and the functions that printed code calls: nothing
+    /// may be named so.
     pub reserved: &'static str,
     /// Functions of the language: a variable may be named so, a function may not.
     pub functions: &'static str,

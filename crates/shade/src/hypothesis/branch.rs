@@ -206,8 +206,9 @@ impl Lowering<'_> {
         Ok(())
     }
 
-    /// naga lowers `a && b` to `if a { _t = b; } else { _t = false; }` with an anonymous `_t` (and `a || b` to
-    /// `if !a { _t = b; } else { _t = true; }`): the anonymous local and the handle of b, if this is one of those.
+    /// naga lowers `a && b` to `if a { _t = b; } else { _t = false; }` with an anonymous `_t` (and
+    /// `a || b` to `if !a { _t = b; } else { _t = true; }`): the anonymous local and the handle of
+    /// b, if this is one of those.
     fn short_circuit(
         &self,
         accept: &Block,

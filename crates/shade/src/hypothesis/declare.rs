@@ -1,5 +1,5 @@
-//! Puts each `var` declaration where its first use is, and drops names that nothing reads: the front end hoists
-//! declarations out of their place, and readers want them back.
+//! Puts each `var` declaration where its first use is, and drops names that nothing reads: the
+//! front end hoists declarations out of their place, and readers want them back.
 
 use super::lower::visit;
 use super::syntax::{Expr, ExprKind, Statement};

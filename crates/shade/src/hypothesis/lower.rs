@@ -158,8 +158,8 @@ fn parse(file: &str, source: &str) -> Result<Module, ShadeError> {
     Ok(module)
 }
 
-/// The front end's message with the label of its place, unless that says nothing new: labels refer to the message (`see msg`), or
-/// repeat it.
+/// The front end's message with the label of its place, unless that says nothing new: labels refer
+/// to the message (`see msg`), or repeat it.
 fn worded(message: &str, label: &str) -> String {
     let told = label.is_empty() || label == "see msg" || message.contains(label);
     if told { message.to_string() } else { format!("{message} ({label})") }
@@ -212,7 +212,8 @@ fn parameters(context: &Context) -> Result<Vec<Parameter>, ShadeError> {
     overrides.iter().map(one).collect()
 }
 
-/// Refuses functions that are never called and parameters that are never read: the author meant something else.
+/// Refuses functions that are never called and parameters that are never read: the author meant
+/// something else.
 fn refuse_unused(context: &Context, parameters: &[Parameter]) -> Result<(), ShadeError> {
     let mut called = vec![false; context.functions.len()];
     let mut read = vec![false; parameters.len()];

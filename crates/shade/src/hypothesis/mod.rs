@@ -1,10 +1,11 @@
-//! A hypothesis: a WGSL module whose last function is a formula and whose `override` declarations are its free
-//! parameters.
+//! A hypothesis: a WGSL module whose last function is a formula and whose `override` declarations
+//! are its free parameters.
 //!
-//! The dialect: f32 and bool; `const`, `override`, `let`, `var`; `if`, `return`; calls of the module's own
-//! functions; arithmetic, comparisons, logic; `abs min max clamp saturate mix fma sqrt inverseSqrt exp exp2 log log2
-//! pow floor sign step smoothstep sin cos select`. Everything else is refused with its place. WGSL rounds literals
-//! to f32 when it parses them; the f64 evaluation uses the rounded values too.
+//! The dialect: f32 and bool; `const`, `override`, `let`, `var`; `if`, `return`; calls of the
+//! module's own functions; arithmetic, comparisons, logic; `abs min max clamp saturate mix fma sqrt
+//! inverseSqrt exp exp2 log log2 pow floor sign step smoothstep sin cos select`. Everything else is
+//! refused with its place. WGSL rounds literals to f32 when it parses them; the f64 evaluation uses
+//! the rounded values too.
 
 mod branch;
 mod declare;
@@ -63,12 +64,13 @@ pub struct Hypothesis {
 impl Hypothesis {
     /// Parses and checks a WGSL module; `file` is used in messages only.
     ///
-    /// The last function of the module is the formula: f32 arguments (its inputs, by name), f32 result. A parameter
-    /// without initial value starts at 1.
+    /// The last function of the module is the formula: f32 arguments (its inputs, by name), f32
+    /// result. A parameter without initial value starts at 1.
     ///
     /// # Errors
-    /// Sources beyond [`Limits`]; what is not WGSL ([`ShadeError::Syntax`]); what is WGSL outside the dialect, an
-    /// unused parameter, a function that is never called ([`ShadeError::Dialect`]); each with file, line, column.
+    /// Sources beyond [`Limits`]; what is not WGSL ([`ShadeError::Syntax`]); what is WGSL outside
+    /// the dialect, an unused parameter, a function that is never called ([`ShadeError::Dialect`]);
+    /// each with file, line, column.
     pub fn parse(file: &str, source: &str) -> Result<Hypothesis, ShadeError> {
         on_parser_stack(file, source, || Self::parse_here(file, source))
     }
@@ -143,8 +145,8 @@ impl Hypothesis {
         &self.tape
     }
 
-    /// The formula with coefficients in place of its parameters and constant sub-expressions folded, in f32, for
-    /// printing. It has the bits of the tape at these coefficients.
+    /// The formula with coefficients in place of its parameters and constant sub-expressions
+    /// folded, in f32, for printing. It has the bits of the tape at these coefficients.
     ///
     /// # Errors
     /// Another number of coefficients than parameters; a coefficient that is not finite; a constant

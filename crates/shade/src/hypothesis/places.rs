@@ -1,4 +1,5 @@
-//! Where names are declared in a hypothesis's source, by its text: the front end keeps no place of an argument.
+//! Where names are declared in a hypothesis's source, by its text: the front end keeps no place of
+//! an argument.
 
 use super::Hypothesis;
 use crate::Place;

@@ -1,5 +1,5 @@
-//! Limits on the size of a hypothesis: a formula that a shader evaluates per pixel is small, a source that is not is
-//! a mistake or an attack on the parser's stack.
+//! Limits on the size of a hypothesis: a formula that a shader evaluates per pixel is small, a
+//! source that is not is a mistake or an attack on the parser's stack.
 
 use crate::ShadeError;
 

@@ -1,5 +1,5 @@
-//! The syntax of a hypothesis: what is left of WGSL once the dialect's limits are applied. The evaluator and the
-//! printers both read this, so that what is fitted is what is printed.
+//! The syntax of a hypothesis: what is left of WGSL once the dialect's limits are applied. The
+//! evaluator and the printers both read this, so that what is fitted is what is printed.
 
 /// The kind of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,7 +12,8 @@ pub enum Kind {
     Vector(u8),
     /// An array of so many vectors of 4 f32, as an argument.
     List(u8),
-    /// A structure of so many weighted fetches, as a result: vectors of 4 f32, then as many weights.
+    /// A structure of so many weighted fetches, as a result: vectors of 4 f32, then as many
+    /// weights.
     Taps(u8),
 }
 
@@ -255,8 +256,8 @@ impl Expr {
         }
     }
 
-    /// The kind of its value, in a function of these variables that calls these functions. A number beside a vector is each of its
-    /// components.
+    /// The kind of its value, in a function of these variables that calls these functions. A number
+    /// beside a vector is each of its components.
     pub fn value(&self, variables: &[Variable], functions: &[Function]) -> Kind {
         let of = |e: &Expr| e.value(variables, functions);
         match &self.kind {

@@ -1,5 +1,6 @@
-//! Vectors: naga's arena to trees of the dialect. A vector that a call returns has to be named before it is an operand, and so has
-//! one that is an argument: not every language can write it in place.
+//! Vectors: naga's arena to trees of the dialect. A vector that a call returns has to be named
+//! before it is an operand, and so has one that is an argument: not every language can write it in
+//! place.
 
 use naga::{Expression, Handle, Span, TypeInner};
 

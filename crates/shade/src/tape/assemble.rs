@@ -7,7 +7,8 @@ use super::real::{binary, select, unary};
 use super::{Node, Op, Tape};
 use crate::Place;
 
-/// A tape under construction: equal operations are one. Operands must be nodes that it has returned.
+/// A tape under construction: equal operations are one. Operands must be nodes that it has
+/// returned.
 #[derive(Debug, Default)]
 pub struct Assembler {
     ops: Vec<Op>,
@@ -60,8 +61,8 @@ impl Assembler {
         self.ops.is_empty()
     }
 
-    /// The tape whose result is a node, of a function with these inputs and no parameters; `place` gives the places of byte
-    /// ranges.
+    /// The tape whose result is a node, of a function with these inputs and no parameters; `place`
+    /// gives the places of byte ranges.
     pub fn tape(
         &self,
         result: Node,

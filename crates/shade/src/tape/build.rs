@@ -45,8 +45,9 @@ impl Tape {
         Tape::of_function(formula, formula.functions.len() - 1, None, [file, source])
     }
 
-    /// The tape of a function among functions; inputs are its arguments, component by component. Its result is one component
-    /// of the function's; without a component it is the last of all that the function computes, a tape for its cost.
+    /// The tape of a function among functions; inputs are its arguments, component by component.
+    /// Its result is one component of the function's; without a component it is the last of all
+    /// that the function computes, a tape for its cost.
     pub(crate) fn of_function(
         formula: &Formula,
         index: usize,
@@ -155,8 +156,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The node of an operation, new or known. Beyond the limit on operations nothing new is made: the tape is
-    /// refused when it is done.
+    /// The node of an operation, new or known. Beyond the limit on operations nothing new is made:
+    /// the tape is refused when it is done.
     fn push(&mut self, op: Op) -> Node {
         let op = canonical(op);
         let key = key(op);

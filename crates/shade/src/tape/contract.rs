@@ -3,10 +3,11 @@
 use super::{BinaryOp, Node, Op, Tape, UnaryOp};
 
 impl Tape {
-    /// The tape with every multiplication that the cost model fuses contracted into the additions that use it, rounded once.
+    /// The tape with every multiplication that the cost model fuses contracted into the additions
+    /// that use it, rounded once.
     ///
-    /// A quotient that the model fuses stays a quotient and an addition: an exact division is not a reciprocal and a product.
-    /// Operations that nothing uses any more stay in the list.
+    /// A quotient that the model fuses stays a quotient and an addition: an exact division is not a
+    /// reciprocal and a product. Operations that nothing uses any more stay in the list.
     pub fn contracted(&self) -> Tape {
         let fused = self.fused(&self.constants());
         let mut tape = Tape { ops: Vec::new(), places: Vec::new(), ..self.clone() };
@@ -41,7 +42,8 @@ impl Tape {
         tape
     }
 
-    /// How a + b or a - b is a fused multiply-add, if one of the two is a fused product, through negations.
+    /// How a + b or a - b is a fused multiply-add, if one of the two is a fused product, through
+    /// negations.
     fn fusion(&self, fused: &[bool], code: BinaryOp, a: Node, b: Node) -> Option<Fusion> {
         let minus = code == BinaryOp::Subtract;
         let product = |mut node: Node| {

@@ -9,7 +9,8 @@ use crate::ShadeError;
 /// Points evaluated together.
 pub const BLOCK: usize = 64;
 
-/// Points per parallel task; a whole number of blocks, so that no result depends on the number of threads.
+/// Points per parallel task; a whole number of blocks, so that no result depends on the number of
+/// threads.
 const TASK: usize = 64 * BLOCK;
 
 /// One value per point of a block.
@@ -117,7 +118,8 @@ impl Tape {
         Ok(points)
     }
 
-    /// Evaluates points `start .. start + count` of the columns into `workspace`; lanes beyond repeat the last one.
+    /// Evaluates points `start .. start + count` of the columns into `workspace`; lanes beyond
+    /// repeat the last one.
     pub fn forward<R: Real>(
         &self,
         inputs: &[Vec<R>],
@@ -160,7 +162,8 @@ fn map<R: Real>(out: &mut Lanes<R>, a: &Lanes<R>, f: impl Fn(R) -> R) {
     }
 }
 
-/// A binary operation on all lanes; the common ones as loops of their own, which the compiler vectorises.
+/// A binary operation on all lanes; the common ones as loops of their own, which the compiler
+/// vectorises.
 fn two<R: Real>(code: BinaryOp, out: &mut Lanes<R>, a: &Lanes<R>, b: &Lanes<R>) {
     #[inline(always)]
     fn lanes<R: Real>(out: &mut Lanes<R>, a: &Lanes<R>, b: &Lanes<R>, f: impl Fn(R, R) -> R) {

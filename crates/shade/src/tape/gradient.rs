@@ -7,8 +7,8 @@ use lobefit_math::ops;
 impl Tape {
     /// The derivatives of the results of the last block evaluated: `gradient[p][lane]`.
     ///
-    /// At a kink (|x| at 0, equal operands of min) the derivative is that of the branch taken; floor and sign have
-    /// derivative 0.
+    /// At a kink (|x| at 0, equal operands of min) the derivative is that of the branch taken;
+    /// floor and sign have derivative 0.
     pub fn reverse(&self, workspace: &mut Workspace<f64>, gradient: &mut [[f64; BLOCK]]) {
         let Workspace { values, adjoints } = workspace;
         adjoints.clear();
@@ -51,7 +51,8 @@ impl Tape {
     }
 }
 
-/// Adds seed times partial derivative to each operand; where either is 0 nothing is added, whatever the other is.
+/// Adds seed times partial derivative to each operand; where either is 0 nothing is added, whatever
+/// the other is.
 #[inline(always)]
 fn spread<const N: usize>(
     adjoints: &mut [Lanes<f64>],

@@ -1,7 +1,8 @@
 //! The arithmetic of a tape in f16: every operation is rounded to half precision, subnormals kept.
 //!
-//! Sums, products, quotients and square roots are taken in f32 and rounded again, which gives the correctly rounded result
-//! since 24 >= 2 * 11 + 2 bits (Figueroa 1995); the transcendental functions are libm's in f32, rounded.
+//! Sums, products, quotients and square roots are taken in f32 and rounded again, which gives the
+//! correctly rounded result since 24 >= 2 * 11 + 2 bits (Figueroa 1995); the transcendental
+//! functions are libm's in f32, rounded.
 
 use half::f16;
 
@@ -13,8 +14,8 @@ fn through(x: f16, f: impl Fn(f32) -> f32) -> f16 {
     f16::from_f32(f(x.to_f32()))
 }
 
-/// Rounded to odd in f32: a number that is no f32 becomes the one of its two neighbours whose last bit is 1. |x| is at most 2^33 and not
-/// below 2^-48 but for 0: no f32 overflows or is subnormal.
+/// Rounded to odd in f32: a number that is no f32 becomes the one of its two neighbours whose last
+/// bit is 1. |x| is at most 2^33 and not below 2^-48 but for 0: no f32 overflows or is subnormal.
 fn odd(x: f64) -> f32 {
     let near = x as f32;
     let wide = f64::from(near);
@@ -34,8 +35,9 @@ impl Real for f16 {
         f16::from_f32(x)
     }
 
-    /// The product is exact in f64; the sum is rounded to odd there and again in f32, so that the last rounding sees on which side of a
-    /// tie it lies (Boldo & Melquiond 2008). Not from f64 at once: where a host converts in hardware, that goes through f32, to even.
+    /// The product is exact in f64; the sum is rounded to odd there and again in f32, so that the
+    /// last rounding sees on which side of a tie it lies (Boldo & Melquiond 2008). Not from f64 at
+    /// once: where a host converts in hardware, that goes through f32, to even.
     fn fma(self, y: f16, z: f16) -> f16 {
         let (product, z) = (self.to_f64() * y.to_f64(), z.to_f64());
         let sum = product + z;

@@ -1,8 +1,10 @@
-//! Intervals of f32 values: bounds that hold for the arithmetic as emitted, not only for real numbers.
+//! Intervals of f32 values: bounds that hold for the arithmetic as emitted, not only for real
+//! numbers.
 //!
-//! Rounding to nearest is monotone, so the f32 result of an exactly rounded operation lies between its real bounds
-//! rounded down and up to f32, and a bound that is itself an f32 (1 - 1 = 0) is kept. Divisions get 3 more ulp
-//! (2.5 by WGSL's accuracy table), transcendental functions 8, pow 64.
+//! Rounding to nearest is monotone, so the f32 result of an exactly rounded operation lies between
+//! its real bounds rounded down and up to f32, and a bound that is itself an f32 (1 - 1 = 0) is
+//! kept. Divisions get 3 more ulp (2.5 by WGSL's accuracy table), transcendental functions 8,
+//! pow 64.
 
 /// A closed interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,7 +72,8 @@ impl Interval {
         outward(lo, hi, 0)
     }
 
-    /// x y of factors that have one sign between them: a square, without the negative values of a product.
+    /// x y of factors that have one sign between them: a square, without the negative values of a
+    /// product.
     pub fn mul_same_sign(self, y: Interval) -> Interval {
         self.abs().times(y.abs())
     }

@@ -8,7 +8,8 @@ const TRUE: Interval = Interval { lo: 1.0, hi: 1.0 };
 const EITHER: Interval = Interval { lo: 0.0, hi: 1.0 };
 
 impl Tape {
-    /// Bounds of every operation's f32 value over a box of inputs (f32 values, in order); the last is the result's.
+    /// Bounds of every operation's f32 value over a box of inputs (f32 values, in order); the last
+    /// is the result's.
     ///
     /// An operation that may leave the reals has bounds without end.
     pub fn bounds(&self, inputs: &[Interval], coefficients: &[f64]) -> Vec<Interval> {
@@ -33,8 +34,8 @@ impl Tape {
         values
     }
 
-    /// Which operations the result needs, given their bounds: the branch that a decided condition leaves out is
-    /// not needed.
+    /// Which operations the result needs, given their bounds: the branch that a decided condition
+    /// leaves out is not needed.
     pub fn needed(&self, bounds: &[Interval]) -> Vec<bool> {
         let mut needed = vec![false; self.ops.len()];
         if let Some(last) = needed.last_mut() {

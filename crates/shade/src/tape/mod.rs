@@ -1,5 +1,5 @@
-//! A formula as a flat list of operations in single-assignment form, common sub-expressions once: what is evaluated,
-//! differentiated, bounded and counted.
+//! A formula as a flat list of operations in single-assignment form, common sub-expressions once:
+//! what is evaluated, differentiated, bounded and counted.
 
 mod assemble;
 mod build;
@@ -106,7 +106,8 @@ pub enum BinaryOp {
 
 /// A formula as a list of operations.
 ///
-/// Not-a-number is never hidden: `min`, `max`, `clamp`, comparisons and `select` pass it on, unlike a shader's.
+/// Not-a-number is never hidden: `min`, `max`, `clamp`, comparisons and `select` pass it on, unlike
+/// a shader's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tape {
     ops: Vec<Op>,
@@ -127,7 +128,8 @@ impl Tape {
         &self.places[node as usize]
     }
 
-    /// A tape of operations, operands before their users and the result last, for its cost: it has no source.
+    /// A tape of operations, operands before their users and the result last, for its cost: it has
+    /// no source.
     pub fn of_ops(ops: Vec<Op>, parameters: usize) -> Tape {
         let places = ops.iter().map(|_| Place::of("", "", 0, 0)).collect();
         Tape { ops, places, function: String::new(), inputs: Vec::new(), parameters }

@@ -1,7 +1,8 @@
 //! The arithmetic of a tape in f32 and f64.
 //!
-//! Sums, products, quotients, square roots, fma and floor are IEEE 754; the transcendental functions are libm's of the same width, without
-//! contraction or reassociation anywhere, so that plain Rust in the same order gives the same bits.
+//! Sums, products, quotients, square roots, fma and floor are IEEE 754; the transcendental
+//! functions are libm's of the same width, without contraction or reassociation anywhere, so that
+//! plain Rust in the same order gives the same bits.
 
 use super::{BinaryOp, UnaryOp};
 use lobefit_math::ops;

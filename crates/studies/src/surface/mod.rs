@@ -1,6 +1,7 @@
 //! What is measured of whole materials beyond furnace and reciprocity: [`interface`] compares
 //! Schlick's Fresnel with the exact one, [`absorbing`] measures bases below white, [`colour`] rough
-//! metals and [`random_walk`] the random walk of facets. [`SurfaceRows`] gathers the rows for a page.
+//! metals and [`random_walk`] the random walk of facets. [`SurfaceRows`] gathers the rows for a
+//! page.
 
 pub mod absorbing;
 pub mod colour;

@@ -1,4 +1,5 @@
-//! The albedo of any isotropic BRDF: the truth of a quantity for which nobody has derived a shorter integral.
+//! The albedo of any isotropic BRDF: the truth of a quantity for which nobody has derived a shorter
+//! integral.
 
 use super::reflection::Effort;
 use super::reflection::hemisphere::Hemisphere;
@@ -9,16 +10,17 @@ use crate::optics::ggx::Vec3;
 pub struct Brdf<'a> {
     /// f(view, light) cos(theta_light) of unit directions above the surface, whose normal is z.
     pub weighted: Box<dyn Fn(Vec3, Vec3) -> f64 + Sync + 'a>,
-    /// Width alpha in [1e-7, 1] of its narrowest peak about the mirror direction; 1e-3 where it has a kink there, 1 where it is smooth.
-    /// Panels are graded from the mirror direction outwards, so that wider lobes beside it are resolved too.
+    /// Width alpha in [1e-7, 1] of its narrowest peak about the mirror direction; 1e-3 where it has
+    /// a kink there, 1 where it is smooth. Panels are graded from the mirror direction outwards, so
+    /// that wider lobes beside it are resolved too.
     pub width: f64,
 }
 
 /// Smallest cosine of a view: a BRDF has 0/0 at 0.
 pub const SMALLEST_MU: f64 = 1e-6;
 
-/// Integrates the BRDF of a quantity over the lights of a view at mu in [1e-6, 1], to an absolute `tolerance`. The error is the
-/// difference of two rules of which one has twice the nodes.
+/// Integrates the BRDF of a quantity over the lights of a view at mu in [1e-6, 1], to an absolute
+/// `tolerance`. The error is the difference of two rules of which one has twice the nodes.
 ///
 /// # Errors
 /// A cosine outside the domain; a tolerance that the largest rule does not reach.
@@ -41,7 +43,8 @@ pub fn albedo(
     let mut reached = f64::INFINITY;
     for effort in &Effort::ladder()[1..] {
         let fine = by(effort);
-        // Of a function of which nothing is known: the difference itself, however much smaller the error of the finer rule is.
+        // Of a function of which nothing is known: the difference itself, however much smaller the
+        // error of the finer rule is.
         let value = Estimate { value: fine, error: (fine - coarse).abs() };
         if !value.error.is_finite() {
             return Err(IntegrateError::NotFinite { quantity, place: format!("mu = {mu:?}") });

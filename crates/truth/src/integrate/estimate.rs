@@ -12,8 +12,8 @@ pub struct Estimate {
     pub error: f64,
 }
 
-/// Rounding, relative to the size of the terms. Measured over alpha in [1e-7, 1] and mu in [1e-10, 1]: E + loss = 1 to 1e-15;
-/// B differs from a rule with four times the nodes by up to 4e-14.
+/// Rounding, relative to the size of the terms. Measured over alpha in [1e-7, 1] and mu in [1e-10,
+/// 1]: E + loss = 1 to 1e-15; B differs from a rule with four times the nodes by up to 4e-14.
 const ROUNDING: f64 = 6e-14;
 
 impl Estimate {
@@ -22,8 +22,9 @@ impl Estimate {
         Estimate { error: self.error + (times - 1.0) * ROUNDING * scale, ..self }
     }
 
-    /// [`Estimate::from_pair`] where twice the nodes do not square the error, because a singularity lies near: the bound falls with
-    /// the power 1.5 of the difference. The factor 20 is empirical (`tests/integrate/lobes.rs`).
+    /// [`Estimate::from_pair`] where twice the nodes do not square the error, because a singularity
+    /// lies near: the bound falls with the power 1.5 of the difference. The factor 20 is empirical
+    /// (`tests/integrate/lobes.rs`).
     pub fn from_slow_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
         let difference = (fine - coarse).abs();
         let error = difference * (20.0 * (difference / scale).sqrt()).min(1.0) + ROUNDING * scale;
@@ -32,9 +33,10 @@ impl Estimate {
 
     /// The finer of two values with a bound from their difference.
     ///
-    /// The finer rule has twice the nodes, so where the rules converge geometrically its error is about the square of
-    /// the coarse one's (relative to `scale`, the size of the integrand's terms). The factor 30 is empirical: with it the
-    /// bound held in 19 992 of 20 000 random points (`tests/integrate/error_bound.rs`).
+    /// The finer rule has twice the nodes, so where the rules converge geometrically its error is
+    /// about the square of the coarse one's (relative to `scale`, the size of the integrand's
+    /// terms). The factor 30 is empirical: with it the bound held in 19 992 of 20 000 random points
+    /// (`tests/integrate/error_bound.rs`).
     pub fn from_pair(coarse: f64, fine: f64, scale: f64) -> Estimate {
         let difference = (fine - coarse).abs();
         let error = difference * (30.0 * difference / scale).min(1.0) + ROUNDING * scale;
@@ -87,8 +89,9 @@ impl PanelRule {
         self.panel_of(a, b, &Function(f))
     }
 
-    /// Integral of an integrand over [a, b]: [`PanelRule::panel`] where the integrand must be compiled for the instructions of its
-    /// caller, which a closure outside of the caller's body is not.
+    /// Integral of an integrand over [a, b]: [`PanelRule::panel`] where the integrand must be
+    /// compiled for the instructions of its caller, which a closure outside of the caller's body is
+    /// not.
     #[inline(always)]
     pub fn panel_of(&self, a: f64, b: f64, integrand: &impl Integrand) -> f64 {
         let (half, middle) = (0.5 * (b - a), 0.5 * (a + b));

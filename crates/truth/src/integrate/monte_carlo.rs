@@ -1,8 +1,10 @@
-//! The independent second opinion: Monte Carlo over directions. It shares with the quadrature the definition of Schlick's
-//! weight and nothing else: not the azimuth integral, not its variables, not its form of the shadowing.
+//! The independent second opinion: Monte Carlo over directions. It shares with the quadrature the
+//! definition of Schlick's weight and nothing else: not the azimuth integral, not its variables,
+//! not its form of the shadowing.
 //!
-//! The estimator draws visible normals by spherical caps, mirrors the view about each and averages G2/G1(v) of the lights
-//! above the horizon. Its standard error comes from independently scrambled replicas.
+//! The estimator draws visible normals by spherical caps, mirrors the view about each and averages
+//! G2/G1(v) of the lights above the horizon. Its standard error comes from independently scrambled
+//! replicas.
 
 mod lobes;
 
@@ -106,7 +108,8 @@ pub fn reflection_of<D: Distribution>(
     })
 }
 
-/// Estimates `ggx-average` at alpha in [1e-7, 1]: E_avg and its loss. The third coordinate draws the cosine, mu^2 uniform.
+/// Estimates `ggx-average` at alpha in [1e-7, 1]: E_avg and its loss. The third coordinate draws
+/// the cosine, mu^2 uniform.
 pub fn average(smith: Smith, alpha: f64, run: Run) -> Result<(Sampled, Sampled), IntegrateError> {
     check("ggx-average", alpha, 1.0, run)?;
     let means = replicas(run, |x| sample(smith, Ggx(alpha), x[2].sqrt(), run.draw, x));
@@ -172,8 +175,9 @@ fn mean(
     blocks.map(|block| sum::pairwise(&block) / samples as f64)
 }
 
-/// Mean and standard error over the replicas. An event of weight 1 that is rarer than one in N samples is likely not
-/// seen at all, and then the spread says nothing of it: 1/N is added in square.
+/// Mean and standard error over the replicas. An event of weight 1 that is rarer than one in N
+/// samples is likely not seen at all, and then the spread says nothing of it: 1/N is added in
+/// square.
 pub(crate) fn column(means: &[Weights], samples: u64, f: impl Fn(&Weights) -> f64) -> Sampled {
     let values: Vec<f64> = means.iter().map(f).collect();
     let (spread, unseen) = (sum::standard_error(&values), 1.0 / samples as f64);
@@ -201,7 +205,8 @@ fn by_visible_normal<D: Distribution>(smith: Smith, lobe: D, view: Vec3, x: [f64
     [kept, kept * fresnel::schlick_weight(1.0 - cosine.min(1.0)), lost]
 }
 
-/// 2 pi f cos of a light uniform over the hemisphere; the textbook estimator, with the textbook's variance.
+/// 2 pi f cos of a light uniform over the hemisphere; the textbook estimator, with the textbook's
+/// variance.
 fn by_uniform_light<D: Distribution>(smith: Smith, lobe: D, view: Vec3, x: [f64; DIMENSIONS]) -> Weights {
     let mu_l = x[1].max(f64::MIN_POSITIVE);
     let sine = ((1.0 - mu_l) * (1.0 + mu_l)).sqrt();

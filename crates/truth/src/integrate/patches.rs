@@ -1,7 +1,9 @@
-//! A smooth function of two variables at millions of places: polynomials on patches, each checked against the function.
+//! A smooth function of two variables at millions of places: polynomials on patches, each checked
+//! against the function.
 //!
-//! A patch that misses one of its checked places is halved across the variable in which its series falls more slowly. The work of one
-//! rectangle is done on one thread, so that threads may wait for it.
+//! A patch that misses one of its checked places is halved across the variable in which its series
+//! falls more slowly. The work of one rectangle is done on one thread, so that threads may wait for
+//! it.
 
 use std::f64::consts::PI;
 
@@ -10,7 +12,8 @@ use lobefit_math::ops;
 /// Chebyshev nodes of a patch along each variable.
 const NODES: usize = 12;
 
-/// Longest side of a patch: poles at a distance of pi/2 are then at 2.6 half sides, and the series fall by 5.4 a term.
+/// Longest side of a patch: poles at a distance of pi/2 are then at 2.6 half sides, and the series
+/// fall by 5.4 a term.
 const LONGEST: f64 = 1.2;
 
 /// Shortest side: a patch that misses its places at this size is a defect of the function.
@@ -81,8 +84,8 @@ struct Source<'a, F> {
 }
 
 impl Patches {
-    /// The first `count` values of a function over [low, high], within `tolerance` of it at the places that are checked. The function
-    /// must be smooth to less than that.
+    /// The first `count` values of a function over [low, high], within `tolerance` of it at the
+    /// places that are checked. The function must be smooth to less than that.
     ///
     /// # Errors
     /// A place where no polynomial follows the function.

@@ -1,5 +1,5 @@
-//! Which compiled form of a kernel's loops to run: all do the same operations in the same order, nothing contracted, so all give the
-//! same bits.
+//! Which compiled form of a kernel's loops to run: all do the same operations in the same order,
+//! nothing contracted, so all give the same bits.
 
 /// Instructions to use.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

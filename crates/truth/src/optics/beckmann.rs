@@ -1,5 +1,6 @@
-//! The Beckmann distribution (Beckmann and Spizzichino 1963; Walter et al. 2007, eqs. 25 to 29), isotropic: slopes of facets are normal with
-//! variance alpha^2/2 along either axis. With c = mu/(alpha sin theta) (Heitz 2014, eq. 68)
+//! The Beckmann distribution (Beckmann and Spizzichino 1963; Walter et al. 2007, eqs. 25 to 29),
+//! isotropic: slopes of facets are normal with variance alpha^2/2 along either axis. With c =
+//! mu/(alpha sin theta) (Heitz 2014, eq. 68)
 //!
 //!   Lambda = (exp(-c^2)/(c sqrt(pi)) - erfc(c))/2,   s = mu (1 + 2 Lambda) = mu erf(c) + alpha sin(theta) exp(-c^2)/sqrt(pi),
 //!   s - mu = alpha sin(theta) ierfc(c),              ierfc(c) = exp(-c^2)/sqrt(pi) - c erfc(c), the integral of erfc beyond c.
@@ -19,7 +20,8 @@ pub struct Beckmann(pub f64);
 /// 1/sqrt(pi).
 const INVERSE_ROOT_PI: f64 = 0.564_189_583_547_756_3;
 
-/// c from which ierfc is taken from its continued fraction: below it the difference loses a digit at most.
+/// c from which ierfc is taken from its continued fraction: below it the difference loses a digit
+/// at most.
 const FRACTION_FROM: f64 = 2.0;
 
 /// Terms of the continued fraction, which leave 1e-16 of it at c = 2.
@@ -38,8 +40,9 @@ impl Beckmann {
     }
 }
 
-/// exp(-c^2)/sqrt(pi) - c erfc(c) for c >= 0. With erfc(c) = exp(-c^2)/sqrt(pi)/K(c), K = c + (1/2)/(c + (2/2)/(c + (3/2)/(c + ...)))
-/// (Abramowitz & Stegun, 7.1.14), it is exp(-c^2)/sqrt(pi) (K - c)/K, without cancellation.
+/// exp(-c^2)/sqrt(pi) - c erfc(c) for c >= 0. With erfc(c) = exp(-c^2)/sqrt(pi)/K(c), K = c +
+/// (1/2)/(c + (2/2)/(c + (3/2)/(c + ...))) (Abramowitz & Stegun, 7.1.14), it is exp(-c^2)/sqrt(pi)
+/// (K - c)/K, without cancellation.
 fn ierfc(c: f64) -> f64 {
     let gauss = INVERSE_ROOT_PI * ops::exp(-c * c);
     if c < FRACTION_FROM {
@@ -64,7 +67,8 @@ impl Distribution for Beckmann {
         ops::exp(-tan2 / a2) / (PI * a2 * cos2 * cos2)
     }
 
-    /// With h of |v + l|^2/4 = cos^2(S/2) + t, tan^2 = (cos^2(S/2) sin^2(D/2) + t)/(cos^2(S/2) cos^2(D/2)).
+    /// With h of |v + l|^2/4 = cos^2(S/2) + t, tan^2 = (cos^2(S/2) sin^2(D/2) + t)/(cos^2(S/2)
+    /// cos^2(D/2)).
     fn density_of_half(self, polar: &Polar, t: f64) -> f64 {
         let a2 = self.0 * self.0;
         let (near, cos2) = (polar.cos_s * polar.cos_s, polar.cos_d * polar.cos_d);
@@ -91,8 +95,8 @@ impl Distribution for Beckmann {
         if c < Self::REACH { self.0 * sine * ierfc(c) } else { 0.0 }
     }
 
-    /// Slopes visible from the stretched view at angle theta: y is normal, and x along the view has density
-    /// (1 - x tan theta) exp(-x^2) up to cot theta, inverted by Newton's method.
+    /// Slopes visible from the stretched view at angle theta: y is normal, and x along the view has
+    /// density (1 - x tan theta) exp(-x^2) up to cot theta, inverted by Newton's method.
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3 {
         let stretched = [self.0 * view[0], self.0 * view[1], view[2]];
         let across = (stretched[0] * stretched[0] + stretched[1] * stretched[1]).sqrt();

@@ -1,13 +1,15 @@
 //! Distributions of microfacet normals as the integrators see them.
 //!
-//! What Smith's theory needs of a distribution is one function of a direction, the projected area of all facets about it, front and
-//! back: s(omega) = mu (1 + 2 Lambda). It is finite at grazing view, where Lambda is not. With it
-//! G1 = 2 mu/(mu + s) and both forms of G2 are the same functions for every distribution ([`Smith`](super::Smith)).
+//! What Smith's theory needs of a distribution is one function of a direction, the projected area
+//! of all facets about it, front and back: s(omega) = mu (1 + 2 Lambda). It is finite at grazing
+//! view, where Lambda is not. With it G1 = 2 mu/(mu + s) and both forms of G2 are the same
+//! functions for every distribution ([`Smith`](super::Smith)).
 
 use super::ggx::{self, Vec3};
 
-/// The lights at one polar angle theta_l about a view at theta, by half of S = theta + theta_l and of D = theta - theta_l. At an azimuth psi
-/// from the mirror's side, t = sin(theta) sin(theta_l) sin^2(psi/2), and |v + l|^2/4 = cos^2(S/2) + t.
+/// The lights at one polar angle theta_l about a view at theta, by half of S = theta + theta_l and
+/// of D = theta - theta_l. At an azimuth psi from the mirror's side, t = sin(theta) sin(theta_l)
+/// sin^2(psi/2), and |v + l|^2/4 = cos^2(S/2) + t.
 #[derive(Clone, Copy, Debug)]
 pub struct Polar {
     /// sin(D/2).
@@ -25,10 +27,12 @@ pub trait Distribution: Copy + Sync {
     /// The width.
     fn alpha(self) -> f64;
 
-    /// D of a unit normal on the side of the surface; the integral of D cos over the hemisphere is 1.
+    /// D of a unit normal on the side of the surface; the integral of D cos over the hemisphere
+    /// is 1.
     fn density(self, normal: Vec3) -> f64;
 
-    /// The largest tan(theta_h)/alpha at which D is not 0 in f64: infinite of a distribution whose tail is a power.
+    /// The largest tan(theta_h)/alpha at which D is not 0 in f64: infinite of a distribution whose
+    /// tail is a power.
     const REACH: f64;
 
     /// pi D/alpha^2 of the half vector at t (see [`Polar`]), without cancellation at the peak.
@@ -44,7 +48,8 @@ pub trait Distribution: Copy + Sync {
         None
     }
 
-    /// The projected area s = mu (1 + 2 Lambda) of all facets about a direction with this cosine >= 0 and sine.
+    /// The projected area s = mu (1 + 2 Lambda) of all facets about a direction with this cosine >=
+    /// 0 and sine.
     fn area(self, cosine: f64, sine: f64) -> f64;
 
     /// The same of a cosine alone.
@@ -62,7 +67,8 @@ pub trait Distribution: Copy + Sync {
         self.lift(cosine, sine, self.area(cosine, sine)) / (2.0 * cosine)
     }
 
-    /// A normal visible from `view` (of unit length, above the surface), drawn by two numbers in [0, 1).
+    /// A normal visible from `view` (of unit length, above the surface), drawn by two numbers in
+    /// [0, 1).
     fn visible_normal(self, view: Vec3, u: f64, v: f64) -> Vec3;
 }
 
@@ -90,7 +96,8 @@ impl Distribution for Ggx {
 
     const REACH: f64 = f64::INFINITY;
 
-    /// With q = |v + l|^2, D = (alpha^2/pi) (q/(q - k))^2, k = (1 - alpha^2)(mu + mu_l)^2: q - k = 4 (cos^2(S/2) P + t).
+    /// With q = |v + l|^2, D = (alpha^2/pi) (q/(q - k))^2, k = (1 - alpha^2)(mu + mu_l)^2: q - k =
+    /// 4 (cos^2(S/2) P + t).
     #[inline(always)]
     fn density_of_half(self, polar: &Polar, t: f64) -> f64 {
         let near = polar.cos_s * polar.cos_s;
@@ -103,10 +110,10 @@ impl Distribution for Ggx {
         polar.cos_s * polar.cos_s * self.peak(polar)
     }
 
-    /// With q - k at psi = 0 as 4 cos^2(S/2) P, P = sin^2(D/2) + a^2 cos^2(D/2), and at psi = pi as 4 cos^2(D/2) Q,
-    /// Q = sin^2(S/2) + a^2 cos^2(S/2), the integral is
-    /// 2 a^2 [1 + 2 (1-a^2) C / sqrt(PQ) + (1-a^2)^2 C (cos^2(S/2) P + cos^2(D/2) Q) / (2 (PQ)^(3/2))],
-    /// C = cos(D/2) cos(S/2). For a <= 1 every term is positive.
+    /// With q - k at psi = 0 as 4 cos^2(S/2) P, P = sin^2(D/2) + a^2 cos^2(D/2), and at psi = pi as
+    /// 4 cos^2(D/2) Q, Q = sin^2(S/2) + a^2 cos^2(S/2), the integral is 2 a^2 [1 + 2 (1-a^2) C /
+    /// sqrt(PQ) + (1-a^2)^2 C (cos^2(S/2) P + cos^2(D/2) Q) / (2 (PQ)^(3/2))], C = cos(D/2)
+    /// cos(S/2). For a <= 1 every term is positive.
     #[inline(always)]
     fn azimuth_integral(self, polar: &Polar) -> Option<f64> {
         let a2 = self.0 * self.0;

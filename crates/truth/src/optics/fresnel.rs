@@ -1,19 +1,21 @@
-//! Fresnel reflectance: exact for dielectrics and conductors, and Schlick's approximation, with their averages over the hemisphere.
+//! Fresnel reflectance: exact for dielectrics and conductors, and Schlick's approximation, with
+//! their averages over the hemisphere.
 
 use std::sync::LazyLock;
 
 use lobefit_math::gauss::Gauss;
 use lobefit_math::panels;
 
-/// Weight of F90 in Schlick's Fresnel, (1 - c)^5, from 1 - c (pass the difference: it can be had without
-/// cancellation). Schlick 1994, eq. 24.
+/// Weight of F90 in Schlick's Fresnel, (1 - c)^5, from 1 - c (pass the difference: it can be had
+/// without cancellation). Schlick 1994, eq. 24.
 #[inline(always)]
 pub fn schlick_weight(one_minus_cosine: f64) -> f64 {
     let square = one_minus_cosine * one_minus_cosine;
     square * square * one_minus_cosine
 }
 
-/// Reflectance at normal incidence of a dielectric with relative index of refraction `ior` >= 1: ((n-1)/(n+1))^2.
+/// Reflectance at normal incidence of a dielectric with relative index of refraction `ior` >= 1:
+/// ((n-1)/(n+1))^2.
 pub fn f0_of_ior(ior: f64) -> f64 {
     let ratio = (ior - 1.0) / (ior + 1.0);
     ratio * ratio
@@ -25,17 +27,19 @@ pub fn schlick(f0: f64, one_minus_cosine: f64) -> f64 {
     f0 + (1.0 - f0) * schlick_weight(one_minus_cosine)
 }
 
-/// 2 int_0^1 F(c) c dc of Schlick's Fresnel, (1 + 20 f0)/21: the weight's own average is 2 (1/6 - 1/7) = 1/21.
+/// 2 int_0^1 F(c) c dc of Schlick's Fresnel, (1 + 20 f0)/21: the weight's own average is 2 (1/6 -
+/// 1/7) = 1/21.
 pub fn schlick_average(f0: f64) -> f64 {
     (1.0 + 20.0 * f0) / 21.0
 }
 
-/// Squared amplitudes (s, p) of an interface of relative index `eta` = n_view/n_far at incidence of cosine c and squared sine s2, c_t the
-/// cosine of refraction and `contrast` = 1 - eta^2.
+/// Squared amplitudes (s, p) of an interface of relative index `eta` = n_view/n_far at incidence of
+/// cosine c and squared sine s2, c_t the cosine of refraction and `contrast` = 1 - eta^2.
 ///
-/// The textbook amplitudes have numerators that cancel as eta -> 1; both are rewritten with c_t - eta c = contrast/(c_t + eta c):
-/// r_s = (eta c - c_t)/(eta c + c_t) = -contrast/(eta c + c_t)^2,
-/// r_p = (c - eta c_t)/(c + eta c_t), c^2 - eta^2 c_t^2 = (1 - eta^2)(c^2 (1 + eta^2) - eta^2) = contrast (c^2 - eta^2 s^2).
+/// The textbook amplitudes have numerators that cancel as eta -> 1; both are rewritten with c_t -
+/// eta c = contrast/(c_t + eta c): r_s = (eta c - c_t)/(eta c + c_t) = -contrast/(eta c + c_t)^2,
+/// r_p = (c - eta c_t)/(c + eta c_t), c^2 - eta^2 c_t^2 = (1 - eta^2)(c^2 (1 + eta^2) - eta^2) =
+/// contrast (c^2 - eta^2 s^2).
 #[inline(always)]
 pub fn unpolarised(eta: f64, contrast: f64, c: f64, s2: f64, c_t: f64) -> f64 {
     let (sum_s, sum_p) = (eta * c + c_t, c + eta * c_t);
@@ -44,8 +48,9 @@ pub fn unpolarised(eta: f64, contrast: f64, c: f64, s2: f64, c_t: f64) -> f64 {
     0.5 * (r_s * r_s + r_p * r_p)
 }
 
-/// Unpolarised reflectance of a dielectric of index `ior` >= 1 seen from outside at the cosine c in [0, 1]: f0 at c = 1, 1 at c = 0 for
-/// ior > 1, and 0 everywhere for ior = 1. Born and Wolf, Principles of Optics, sec. 1.5.2.
+/// Unpolarised reflectance of a dielectric of index `ior` >= 1 seen from outside at the cosine c in
+/// [0, 1]: f0 at c = 1, 1 at c = 0 for ior > 1, and 0 everywhere for ior = 1. Born and Wolf,
+/// Principles of Optics, sec. 1.5.2.
 pub fn dielectric(ior: f64, c: f64) -> f64 {
     let contrast = (ior - 1.0) * (ior + 1.0) / (ior * ior);
     if contrast == 0.0 {
@@ -56,8 +61,8 @@ pub fn dielectric(ior: f64, c: f64) -> f64 {
     unpolarised(eta, contrast, c, (1.0 - c) * (1.0 + c), c_t)
 }
 
-/// 2 int_0^1 F(c) c dc of [`dielectric`], to 1e-12: panels graded to the branch point at c = i sqrt(ior^2 - 1); 0 at ior = 1.
-/// Duntley 1942 has it in closed form, which cancels near ior = 1.
+/// 2 int_0^1 F(c) c dc of [`dielectric`], to 1e-12: panels graded to the branch point at c = i
+/// sqrt(ior^2 - 1); 0 at ior = 1. Duntley 1942 has it in closed form, which cancels near ior = 1.
 pub fn dielectric_average(ior: f64) -> f64 {
     static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(24));
     let branch = ((ior - 1.0) * (ior + 1.0)).sqrt();
@@ -69,9 +74,10 @@ pub fn dielectric_average(ior: f64) -> f64 {
     cuts.windows(2).map(part).sum()
 }
 
-/// Unpolarised reflectance of a conductor of complex index eta + i k (eta > 0, k >= 0, relative to outside; without absorption eta >= 1) at the cosine c in [0, 1]; 1 at
-/// c = 0. Born and Wolf, sec. 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k:
-/// R_s = |c - a - i b|^2/|c + a + i b|^2, and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
+/// Unpolarised reflectance of a conductor of complex index eta + i k (eta > 0, k >= 0, relative to
+/// outside; without absorption eta >= 1) at the cosine c in [0, 1]; 1 at c = 0. Born and Wolf, sec.
+/// 14.2, with (a + i b)^2 = eta^2 - k^2 - s^2 + 2 i eta k: R_s = |c - a - i b|^2/|c + a + i b|^2,
+/// and R_p = R_s |s^2 - c (a + i b)|^2/|s^2 + c (a + i b)|^2.
 pub fn conductor(eta: f64, k: f64, c: f64) -> f64 {
     let (c2, s2) = (c * c, (1.0 - c) * (1.0 + c));
     let real = eta * eta - k * k - s2;

@@ -1,26 +1,28 @@
-//! The GGX microfacet distribution (Trowbridge and Reitz 1975, Walter et al. 2007), isotropic, with Smith shadowing
-//! (Heitz 2014), and its visible normals. Directions are (x, y, z) about the macro normal z.
+//! The GGX microfacet distribution (Trowbridge and Reitz 1975, Walter et al. 2007), isotropic, with
+//! Smith shadowing (Heitz 2014), and its visible normals. Directions are (x, y, z) about the macro
+//! normal z.
 
 use crate::optics::Smith;
 use lobefit_math::ops;
 pub use lobefit_math::vector::Vec3;
 
-/// sqrt(mu^2 + alpha^2 (1 - mu^2)): the length of the stretched direction. For mu in [0, 1] it lies in
-/// [min(alpha, 1), max(alpha, 1)].
+/// sqrt(mu^2 + alpha^2 (1 - mu^2)): the length of the stretched direction. For mu in [0, 1] it lies
+/// in [min(alpha, 1), max(alpha, 1)].
 #[inline(always)]
 pub fn stretched_length(alpha: f64, mu: f64) -> f64 {
     (mu * mu + alpha * alpha * ((1.0 - mu) * (1.0 + mu))).sqrt()
 }
 
-/// Smith's Lambda, (sqrt(1 + alpha^2 tan^2) - 1)/2 (Heitz 2014, eq. 72), without cancellation at small alpha.
-/// mu in (0, 1]; infinite at mu = 0.
+/// Smith's Lambda, (sqrt(1 + alpha^2 tan^2) - 1)/2 (Heitz 2014, eq. 72), without cancellation at
+/// small alpha. mu in (0, 1]; infinite at mu = 0.
 #[inline(always)]
 pub fn lambda(alpha: f64, mu: f64) -> f64 {
     let square = alpha * alpha * ((1.0 - mu) * (1.0 + mu)) / (mu * mu);
     square / (2.0 * (1.0 + (1.0 + square).sqrt()))
 }
 
-/// [`lambda`] of an anisotropic lobe towards a direction on either side of the surface; infinite at z = 0.
+/// [`lambda`] of an anisotropic lobe towards a direction on either side of the surface; infinite at
+/// z = 0.
 #[inline(always)]
 pub fn lambda_towards(alpha: [f64; 2], direction: Vec3) -> f64 {
     let (x, y, z) = (alpha[0] * direction[0], alpha[1] * direction[1], direction[2]);
@@ -34,8 +36,9 @@ pub fn lit_given_visible(smith: Smith, alpha: f64, mu_v: f64, mu_l: f64) -> f64 
     smith.lit_given_visible(lambda(alpha, mu_v), lambda(alpha, mu_l))
 }
 
-/// G2/(4 mu_l mu_v), finite where one cosine is 0: correlated 1/(2 (mu_l s_v + mu_v s_l)), separable 1/((mu_v + s_v)(mu_l + s_l)),
-/// s = [`stretched_length`]. Exactly the same with the two directions exchanged; infinite for the correlated form at mu_l = mu_v = 0.
+/// G2/(4 mu_l mu_v), finite where one cosine is 0: correlated 1/(2 (mu_l s_v + mu_v s_l)),
+/// separable 1/((mu_v + s_v)(mu_l + s_l)), s = [`stretched_length`]. Exactly the same with the two
+/// directions exchanged; infinite for the correlated form at mu_l = mu_v = 0.
 #[inline(always)]
 pub fn visibility(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64) -> f64 {
     match smith {
@@ -44,9 +47,10 @@ pub fn visibility(smith: Smith, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64) -> f64
     }
 }
 
-/// A normal visible from `view`, drawn by the spherical cap of Dupuy and Benyoub 2023, listing 2, from two numbers in
-/// [0, 1). No tangent frame and no branch. `view` on either side of the horizon: from below, the visible normals are those of facets seen
-/// between others, and the cap of directions mirrored about them is z in (-view.z, 1] all the same.
+/// A normal visible from `view`, drawn by the spherical cap of Dupuy and Benyoub 2023, listing 2,
+/// from two numbers in [0, 1). No tangent frame and no branch. `view` on either side of the
+/// horizon: from below, the visible normals are those of facets seen between others, and the cap of
+/// directions mirrored about them is z in (-view.z, 1] all the same.
 pub fn visible_normal(alpha: [f64; 2], view: Vec3, u: f64, v: f64) -> Vec3 {
     visible_normal_at(alpha, view, ops::sincos(2.0 * std::f64::consts::PI * u), v)
 }
@@ -97,7 +101,8 @@ mod tests {
     fn projected_area_of_the_normals_is_one() {
         let rule = Gauss::new(64);
         for alpha in [0.05, 0.3, 1.0] {
-            // t = tan^2 / (tan^2 + alpha^2) flattens D cos: the integral over normals is that of t over [0, 1].
+            // t = tan^2 / (tan^2 + alpha^2) flattens D cos: the integral over normals is that of t
+            // over [0, 1].
             let total = rule.integrate(0.0, 1.0, |t| {
                 let tan2 = alpha * alpha * t / (1.0 - t);
                 let cosine = 1.0 / (1.0 + tan2).sqrt();

@@ -26,8 +26,9 @@ impl Smith {
         }
     }
 
-    /// Probability that a microfacet seen from v is also lit from l: G2/G1(v), in [0, 1], of Lambdas that are at least 0.
-    /// Correlated (1 + Lambda_v)/(1 + Lambda_v + Lambda_l), separable 1/(1 + Lambda_l).
+    /// Probability that a microfacet seen from v is also lit from l: G2/G1(v), in [0, 1], of
+    /// Lambdas that are at least 0. Correlated (1 + Lambda_v)/(1 + Lambda_v + Lambda_l), separable
+    /// 1/(1 + Lambda_l).
     #[inline(always)]
     pub fn lit_given_visible(self, of_view: f64, of_light: f64) -> f64 {
         match self {
@@ -45,8 +46,9 @@ impl Smith {
         }
     }
 
-    /// Geometry factor of the reflection integral, G2/mu_v with no 0/0 at mu_v = 0: correlated 2 mu_l/(mu_l s_v + mu_v s_l), separable
-    /// 4 mu_l/((mu_v + s_v)(mu_l + s_l)), s = mu (1 + 2 Lambda) the projected area of all facets
+    /// Geometry factor of the reflection integral, G2/mu_v with no 0/0 at mu_v = 0: correlated 2
+    /// mu_l/(mu_l s_v + mu_v s_l), separable 4 mu_l/((mu_v + s_v)(mu_l + s_l)), s = mu (1 + 2
+    /// Lambda) the projected area of all facets
     /// ([`Distribution::area`](super::distribution::Distribution::area)).
     #[inline(always)]
     pub fn shadowing_over_cosine(self, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64) -> f64 {
@@ -56,7 +58,8 @@ impl Smith {
         }
     }
 
-    /// (G1(v) - G2)/mu_v, the light that shadowing takes, with no cancellation where it is little; `lift` = s_l - mu_l.
+    /// (G1(v) - G2)/mu_v, the light that shadowing takes, with no cancellation where it is little;
+    /// `lift` = s_l - mu_l.
     #[inline(always)]
     pub fn shadowed_over_cosine(self, mu_v: f64, s_v: f64, mu_l: f64, s_l: f64, lift: f64) -> f64 {
         let masking = 2.0 / (mu_v + s_v);

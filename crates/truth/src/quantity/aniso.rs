@@ -4,7 +4,8 @@ use super::{Choice, Input, MU, Quantity, Variant};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, aniso};
 
-/// `ggx-reflection-aniso`: the directional albedo at an azimuth of the view, or its mean over the azimuth.
+/// `ggx-reflection-aniso`: the directional albedo at an azimuth of the view, or its mean over the
+/// azimuth.
 #[derive(Clone, Copy, Debug)]
 pub struct GgxReflectionAniso;
 

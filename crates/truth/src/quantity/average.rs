@@ -10,7 +10,8 @@ use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, reflection};
 use crate::points::{Points, hull};
 
-/// Nodes of the interpolant of E_avg over a [`SPAN`] of ln(alpha), in which it is analytic: within 1e-9 (`crates/truth/tests/many.rs`).
+/// Nodes of the interpolant of E_avg over a [`SPAN`] of ln(alpha), in which it is analytic: within
+/// 1e-9 (`crates/truth/tests/many.rs`).
 const NODES: usize = 48;
 
 /// From 1e-4 to 1, with room for the rounding of an f32.

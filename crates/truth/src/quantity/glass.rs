@@ -17,8 +17,8 @@ const CHUNK: usize = 256;
 const FINEST: f64 = 1e-8;
 
 impl GgxGlass {
-    /// R, T and E at points from outside and from inside, which share their work as neighbours of one alpha and mu do; E is within a
-    /// tolerance in [1e-8, 1e-2], R and T within twice as much.
+    /// R, T and E at points from outside and from inside, which share their work as neighbours of
+    /// one alpha and mu do; E is within a tolerance in [1e-8, 1e-2], R and T within twice as much.
     ///
     /// # Errors
     /// As [`Quantity::at`].
@@ -49,7 +49,8 @@ impl GgxGlass {
     }
 }
 
-/// R and T from both sides at points of one alpha and mu; returns the evaluations. Beyond the domain of the rings each is integrated.
+/// R and T from both sides at points of one alpha and mu; returns the evaluations. Beyond the
+/// domain of the rings each is integrated.
 fn group(
     kernel: &Kernel,
     smith: Smith,

@@ -1,5 +1,6 @@
-//! Quantities by name: each is a value of the list [`QUANTITIES`], with its inputs, its outputs, the variants that it really has,
-//! its truth and, where it has one, its second opinion by Monte Carlo.
+//! Quantities by name: each is a value of the list [`QUANTITIES`], with its inputs, its outputs,
+//! the variants that it really has, its truth and, where it has one, its second opinion by Monte
+//! Carlo.
 //!
 //! A quantity is added by a file here that implements [`Quantity`] and by a line of the list.
 
@@ -35,7 +36,8 @@ pub struct Input {
     pub name: &'static str,
     /// Smallest and largest value.
     pub domain: [f64; 2],
-    /// Whether it may be absent. [`Quantity::at`] then takes a NaN in its place, and the truth is the mean over the input.
+    /// Whether it may be absent. [`Quantity::at`] then takes a NaN in its place, and the truth is
+    /// the mean over the input.
     pub optional: bool,
 }
 
@@ -69,7 +71,8 @@ pub trait Quantity: Sync {
     /// The largest error where no tolerance is asked for: the quantity's promise.
     fn tolerance(&self, variant: &Variant) -> f64;
 
-    /// The smallest alpha above 0 at which there is a truth. At 0 itself, a mirror, there may be one all the same.
+    /// The smallest alpha above 0 at which there is a truth. At 0 itself, a mirror, there may be
+    /// one all the same.
     fn smallest_alpha(&self) -> f64;
 
     /// A remark for who lists the quantities; empty where inputs and outputs say all.
@@ -77,12 +80,14 @@ pub trait Quantity: Sync {
         ""
     }
 
-    /// The outputs at one point by quadrature. The last is the estimated error of the others, at most `tolerance`: from two rules of which
-    /// one has twice the nodes, it holds at all but 1 of 1000 points of `ggx-reflection` (`tests/integrate/error_bound.rs`) and at all but 1 of
-    /// 300 or more of every other quantity (`crates/truth/tests/error.rs`, `tests/integrate/lobes.rs`).
+    /// The outputs at one point by quadrature. The last is the estimated error of the others, at
+    /// most `tolerance`: from two rules of which one has twice the nodes, it holds at all but 1 of
+    /// 1000 points of `ggx-reflection` (`tests/integrate/error_bound.rs`) and at all but 1 of 300
+    /// or more of every other quantity (`crates/truth/tests/error.rs`, `tests/integrate/lobes.rs`).
     ///
     /// # Errors
-    /// An input outside of its domain, a variant that leaves a choice open, a tolerance that the largest rule does not reach.
+    /// An input outside of its domain, a variant that leaves a choice open, a tolerance that the
+    /// largest rule does not reach.
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
         let mu = self.inputs().iter().position(|input| input.name == MU.name);
         let mu = mu.ok_or(IntegrateError::NoInput { quantity: self.name(), input: MU.name })?;
@@ -90,8 +95,9 @@ pub trait Quantity: Sync {
         Ok(vec![e.value, e.error])
     }
 
-    /// The BRDF at inputs, of a quantity that is its albedo over `mu`: all that a quantity must give where nobody has derived a shorter
-    /// integral. Its outputs are then one value and the error.
+    /// The BRDF at inputs, of a quantity that is its albedo over `mu`: all that a quantity must
+    /// give where nobody has derived a shorter integral. Its outputs are then one value and the
+    /// error.
     ///
     /// # Errors
     /// A quantity that has its own [`Quantity::at`]; a variant that leaves a choice open.
@@ -100,11 +106,13 @@ pub trait Quantity: Sync {
         Err(IntegrateError::NoBrdf { quantity: self.name() })
     }
 
-    /// Some outputs at many points, by the fastest way that keeps an absolute `tolerance`: interpolants and rules that neighbours share where
-    /// the quantity has them, else [`Quantity::at`] of every point.
+    /// Some outputs at many points, by the fastest way that keeps an absolute `tolerance`:
+    /// interpolants and rules that neighbours share where the quantity has them, else
+    /// [`Quantity::at`] of every point.
     ///
     /// # Errors
-    /// As [`Quantity::at`]; an output that there is not, a column of inputs that the points do not have.
+    /// As [`Quantity::at`]; an output that there is not, a column of inputs that the points do not
+    /// have.
     fn truth(
         &self,
         variant: &Variant,
@@ -115,21 +123,25 @@ pub trait Quantity: Sync {
         each(self, variant, points, outputs, tolerance)
     }
 
-    /// The tolerance of [`Quantity::truth`] that its fast ways keep: what to ask for where the promise is finer than any use of many points.
+    /// The tolerance of [`Quantity::truth`] that its fast ways keep: what to ask for where the
+    /// promise is finer than any use of many points.
     fn tolerance_of_many(&self, variant: &Variant) -> f64 {
         self.tolerance(variant).max(1e-6)
     }
 
-    /// About how many microseconds a point of many takes on one core, at [`Quantity::tolerance_of_many`].
+    /// About how many microseconds a point of many takes on one core, at
+    /// [`Quantity::tolerance_of_many`].
     fn microseconds(&self, outputs: &[&str]) -> f64 {
         let _ = outputs;
         1e4
     }
 
-    /// The outputs without the error at one point by Monte Carlo, which shares nothing with the quadrature but definitions.
+    /// The outputs without the error at one point by Monte Carlo, which shares nothing with the
+    /// quadrature but definitions.
     ///
     /// # Errors
-    /// As [`Quantity::at`]; an input at a limit that cannot be sampled; a quantity that is no integral.
+    /// As [`Quantity::at`]; an input at a limit that cannot be sampled; a quantity that is no
+    /// integral.
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {
         let _ = (variant, x, run);
         Err(IntegrateError::NoSecondOpinion { quantity: self.name() })
@@ -175,7 +187,8 @@ impl Truth {
     }
 }
 
-/// Columns of the inputs of a quantity, in its order; `None` of an optional input that the points do not have.
+/// Columns of the inputs of a quantity, in its order; `None` of an optional input that the points
+/// do not have.
 fn inputs<'a, Q: Quantity + ?Sized>(
     quantity: &Q,
     points: &'a Points,

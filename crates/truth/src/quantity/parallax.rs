@@ -6,8 +6,9 @@ use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, each, given, places}
 use crate::integrate::{IntegrateError, footprint};
 use crate::points::Points;
 
-/// `parallax-alpha`: the width of a fetch, seen from a probe, that covers a wall as a lobe does from a shading point. It is a minimum
-/// and not an integral: there is no second opinion by Monte Carlo.
+/// `parallax-alpha`: the width of a fetch, seen from a probe, that covers a wall as a lobe does
+/// from a shading point. It is a minimum and not an integral: there is no second opinion by Monte
+/// Carlo.
 #[derive(Clone, Copy, Debug)]
 pub struct ParallaxAlpha;
 

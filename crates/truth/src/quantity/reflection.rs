@@ -11,10 +11,11 @@ use crate::optics::beckmann::Beckmann;
 use crate::optics::distribution::{Distribution, Ggx};
 use crate::points::Points;
 
-/// The directional albedo E = A + B for F = 1 of a lobe with a distribution of normals, its parts for f0 A + B, and 1 - E.
+/// The directional albedo E = A + B for F = 1 of a lobe with a distribution of normals, its parts
+/// for f0 A + B, and 1 - E.
 ///
-/// The loss is within 1e-6 of itself where mu >= 1e-4. Beckmann's falls faster than any power as alpha goes to 0, and is held to that
-/// above 1e-12.
+/// The loss is within 1e-6 of itself where mu >= 1e-4. Beckmann's falls faster than any power as
+/// alpha goes to 0, and is held to that above 1e-12.
 pub struct Reflection<D> {
     name: &'static str,
     /// The distribution of a width.
@@ -29,8 +30,9 @@ pub static GGX_REFLECTION: Reflection<Ggx> = Reflection::new(reflection::QUANTIT
 /// `beckmann-reflection`.
 pub static BECKMANN_REFLECTION: Reflection<Beckmann> = Reflection::new("beckmann-reflection", Beckmann);
 
-/// Largest error of E and B at many points, by one rule of eight nodes a panel: measured 6.1e-8 over alpha and mu in [1e-4, 1], held by
-/// `tests/effects/reflection_field.rs`. The texels of tables are made with sixteen and are better.
+/// Largest error of E and B at many points, by one rule of eight nodes a panel: measured 6.1e-8
+/// over alpha and mu in [1e-4, 1], held by `tests/effects/reflection_field.rs`. The texels of
+/// tables are made with sixteen and are better.
 pub const TRUTH_ERROR: f64 = 1e-7;
 
 /// Least points of one task.
@@ -39,7 +41,8 @@ const CHUNK: usize = 256;
 /// Smallest alpha and mu of the rule: an f32 next to 1e-4 is among them.
 const RULE_FROM: f64 = 1e-4 * (1.0 - 1e-6);
 
-/// From so many points on, values come from an interpolant, of which a tile takes some hundred integrals.
+/// From so many points on, values come from an interpolant, of which a tile takes some hundred
+/// integrals.
 const MANY: usize = 30_000;
 
 impl<D: Distribution> Reflection<D> {

@@ -15,7 +15,8 @@ pub enum Choice {
     Side,
     /// What multiplies the specular lobe: `specular`.
     Specular,
-    /// The lobe that a chain is prefiltered with: `kernel`. Without it, the half-angle lobe weighted by the cosine.
+    /// The lobe that a chain is prefiltered with: `kernel`. Without it, the half-angle lobe
+    /// weighted by the cosine.
     Kernel,
 }
 

@@ -1,4 +1,5 @@
-//! Lobes and couplings as functions of two directions: who keeps energy, who keeps reciprocity, and at what cost.
+//! Lobes and couplings as functions of two directions: who keeps energy, who keeps reciprocity, and
+//! at what cost.
 
 use crate::effects::coupling::results::CouplingLobe;
 use crate::effects::coupling::surface::table::{ExchangeAt, FurnaceRow, ReciprocityRow};
@@ -8,7 +9,8 @@ use crate::report::{Block, ReportError, Section, TextTable, check, words};
 /// A furnace departure below this is the error of the measurement.
 const CLOSED: f64 = 1e-5;
 
-/// A departure from reciprocity below this is rounding: three products and a quotient of f64, of sums that cancel by less than ten.
+/// A departure from reciprocity below this is rounding: three products and a quotient of f64, of
+/// sums that cancel by less than ten.
 const ROUNDING: f64 = 1e-14;
 
 /// Largest f0 of a dielectric that the picks are made for: an index of refraction of 2.6.
@@ -146,8 +148,8 @@ fn place(row: &ReciprocityRow) -> String {
     format!("α\u{a0}{}, μ\u{a0}{}\u{a0}↔\u{a0}{}", brief(alpha, 2), brief(mu_l, 2), brief(mu_v, 2))
 }
 
-/// What each kind of author may want: the cheapest that closes the furnace and is reciprocal, the cheapest that closes it, and the least
-/// wrong without a texel.
+/// What each kind of author may want: the cheapest that closes the furnace and is reciprocal, the
+/// cheapest that closes it, and the least wrong without a texel.
 fn picks(rows: &[&ReciprocityRow]) -> impl Iterator<Item = String> {
     let dielectric = |f: &&FurnaceRow| f.f0 <= DIELECTRIC;
     let worst = |row: &ReciprocityRow| {

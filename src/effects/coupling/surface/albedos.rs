@@ -1,4 +1,5 @@
-//! What a surface needs to know of its specular lobe from everywhere: albedos of one alpha, interpolated over the cosine.
+//! What a surface needs to know of its specular lobe from everywhere: albedos of one alpha,
+//! interpolated over the cosine.
 
 use rayon::prelude::*;
 
@@ -13,13 +14,16 @@ use lobefit_truth::optics::fresnel;
 /// Range of alpha of a surface. At 0 the lobe is a mirror, which has no BRDF.
 pub const ALPHA: [f64; 2] = [1e-4, 1.0];
 
-/// Range of the index of refraction with exact Fresnel; below it the reflectance changes within 1e-2 of grazing, which the rules do not resolve.
+/// Range of the index of refraction with exact Fresnel; below it the reflectance changes within
+/// 1e-2 of grazing, which the rules do not resolve.
 pub const IOR: [f64; 2] = [1.0001, 4.0];
 
-/// The panels over the cosine begin at this part of alpha: below it E departs from E(0) by less than 1e-7 alpha.
+/// The panels over the cosine begin at this part of alpha: below it E departs from E(0) by less
+/// than 1e-7 alpha.
 pub(super) const FIRST_PANEL: f64 = 1e-6;
 
-/// Directional albedos over mu in [0, 1] of one lobe, to 1e-7 (the loss: relative, for mu >= 1e-5 alpha), and their averages.
+/// Directional albedos over mu in [0, 1] of one lobe, to 1e-7 (the loss: relative, for mu >= 1e-5
+/// alpha), and their averages.
 #[derive(Clone, Debug)]
 pub struct Albedos {
     /// Form of the shadowing.
@@ -53,7 +57,8 @@ impl Column {
 }
 
 impl Albedos {
-    /// Integrates the lobe of alpha in [1e-4, 1], with exact Fresnel for an `ior` in [1.0001, 4] beside Schlick's.
+    /// Integrates the lobe of alpha in [1e-4, 1], with exact Fresnel for an `ior` in [1.0001, 4]
+    /// beside Schlick's.
     ///
     /// # Errors
     /// An input outside its range; an integral that is not finite.

@@ -1,7 +1,8 @@
 //! What a lobe and a coupling cost a shader, counted on the formula that it would run.
 //!
-//! Counted is one channel of specular and diffuse, from what every shader has at hand (D V F and F of the facet, rho/pi, f0, the cosines,
-//! roughness, constants of the material) and from texels of A and B, beyond the bare sum specular + diffuse.
+//! Counted is one channel of specular and diffuse, from what every shader has at hand (D V F and F
+//! of the facet, rho/pi, f0, the cosines, roughness, constants of the material) and from texels of
+//! A and B, beyond the bare sum specular + diffuse.
 
 use super::SurfaceError;
 use super::material::{Coupling, Factor, Lobe};
@@ -9,8 +10,9 @@ use crate::data::Cost;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::ShadeError;
 
-/// Arguments of every formula. `specular` is D V F, `diffuse` rho/pi, `fresnel` F(v.h); a and b are texels of A and B at l and v, `series`
-/// the colour of the second lobe, `second` that over pi times the average loss, `scale` one over what a coupling divides by.
+/// Arguments of every formula. `specular` is D V F, `diffuse` rho/pi, `fresnel` F(v.h); a and b are
+/// texels of A and B at l and v, `series` the colour of the second lobe, `second` that over pi
+/// times the average loss, `scale` one over what a coupling divides by.
 const ARGUMENTS: &str = "specular: f32, diffuse: f32, f0: f32, fresnel: f32, roughness: f32, alpha: f32, mu_l: f32, mu_v: f32, a_l: f32, b_l: f32, \
                          a_v: f32, b_v: f32, series: f32, second: f32, scale: f32";
 
@@ -32,15 +34,17 @@ const HELPERS: [(&str, &str); 3] = [
 /// Operations and texels of a lobe over a base with this coupling; none: without a base.
 ///
 /// # Errors
-/// A formula that does not parse, a defect of this program; a coupling whose formula came without its cost.
+/// A formula that does not parse, a defect of this program; a coupling whose formula came without
+/// its cost.
 pub fn cost(lobe: Lobe, coupling: Option<&Coupling>) -> Result<Cost, SurfaceError> {
     let whole = formula(lobe, coupling)?.tape().cost_ops();
     let bare = u32::from(coupling.is_some());
     Ok(Cost { ops: whole - bare + extra(coupling)?, fetches: texels(lobe, coupling), bytes: 0 })
 }
 
-/// The formula that is counted: f(l, v) of one channel. The value of a [`Coupling::Factor`] is its argument `scale`, the values and the
-/// scale of a [`Coupling::Symmetrised`] are `series`, `second` and `scale`.
+/// The formula that is counted: f(l, v) of one channel. The value of a [`Coupling::Factor`] is its
+/// argument `scale`, the values and the scale of a [`Coupling::Symmetrised`] are `series`, `second`
+/// and `scale`.
 ///
 /// # Errors
 /// A formula that does not parse, a defect of this program.
@@ -84,7 +88,8 @@ fn left(lobe: Lobe, side: char) -> String {
     }
 }
 
-/// The factor of the base; that of a formula is counted by its own hypothesis, and names stand for its values here.
+/// The factor of the base; that of a formula is counted by its own hypothesis, and names stand for
+/// its values here.
 fn factor(lobe: Lobe, coupling: &Coupling) -> String {
     match coupling {
         Coupling::None => "1.0".into(),

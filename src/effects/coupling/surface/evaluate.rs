@@ -88,8 +88,8 @@ impl Surface {
         Surface::with(material, Arc::new(albedos))
     }
 
-    /// A surface with albedos that were integrated before, of the same shadowing and alpha, and of the same index of refraction if the
-    /// material has one.
+    /// A surface with albedos that were integrated before, of the same shadowing and alpha, and of
+    /// the same index of refraction if the material has one.
     ///
     /// # Errors
     /// A property outside its range; albedos of another lobe.
@@ -132,7 +132,8 @@ impl Surface {
         &self.albedos
     }
 
-    /// f(l, v) by channel, without the cosine; 0 if either direction (of unit length) is not above the horizon.
+    /// f(l, v) by channel, without the cosine; 0 if either direction (of unit length) is not above
+    /// the horizon.
     pub fn evaluate(&self, light: Vec3, view: Vec3) -> [f64; 3] {
         let parts = self.parts(light, view);
         [0, 1, 2].map(|i| parts.specular[i] + parts.base[i])
@@ -159,7 +160,8 @@ impl Surface {
         Side { mu, column, left, stretched, boost, factor: self.factor(mu, &left) }
     }
 
-    /// What this surface knows of a direction of which another one, of the same lobe, knows `common`: the same but for its own factor.
+    /// What this surface knows of a direction of which another one, of the same lobe, knows
+    /// `common`: the same but for its own factor.
     pub fn own_side(&self, common: &Side) -> Side {
         Side { factor: self.factor(common.mu, &common.left), ..*common }
     }
@@ -208,8 +210,9 @@ impl Surface {
         }
     }
 
-    /// 1 less the albedo of the specular lobe as it is drawn. With k = E less the albedo of the bare lobe (g A with Schlick's Fresnel):
-    /// single loss + k; normalised k/E; compensated k + loss (1 - f0 (1 - k/E)); Kulla-Conty k + loss (1 - series).
+    /// 1 less the albedo of the specular lobe as it is drawn. With k = E less the albedo of the
+    /// bare lobe (g A with Schlick's Fresnel): single loss + k; normalised k/E; compensated k +
+    /// loss (1 - f0 (1 - k/E)); Kulla-Conty k + loss (1 - series).
     fn left(&self, at: &Column) -> [f64; 3] {
         self.channels(|i| {
             let kept = match self.material.fresnel {

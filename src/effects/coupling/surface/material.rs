@@ -28,9 +28,11 @@ pub enum Lobe {
     Normalised,
     /// Times 1 + f0 (1/E(v) - 1) (Fdez-Aguera 2019; Turquin 2019).
     Compensated,
-    /// A second lobe is added (Kulla and Conty 2017), coloured by the series from the second reflection on, F_avg^2 E_avg/(1 - F_avg (1 - E_avg)).
+    /// A second lobe is added (Kulla and Conty 2017), coloured by the series from the second
+    /// reflection on, F_avg^2 E_avg/(1 - F_avg (1 - E_avg)).
     KullaConty,
-    /// The same with the series from the first reflection on, F_avg E_avg/(1 - F_avg (1 - E_avg)), as some engines write it.
+    /// The same with the series from the first reflection on, F_avg E_avg/(1 - F_avg (1 - E_avg)),
+    /// as some engines write it.
     KullaContyOnce,
 }
 
@@ -72,7 +74,8 @@ impl Lobe {
     }
 }
 
-/// What the diffuse base is multiplied with. F is Fresnel's reflectance of the material, mu_v = n.v.
+/// What the diffuse base is multiplied with. F is Fresnel's reflectance of the material, mu_v =
+/// n.v.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Coupling {
     /// 1.
@@ -87,23 +90,27 @@ pub enum Coupling {
     HalfVector,
     /// Ashikhmin and Shirley 2000.
     AshikhminShirley,
-    /// The product of what the lobe of the Enterprise PBR Shading Model leaves at l and at v, by its own fit (Dassault Systemes).
+    /// The product of what the lobe of the Enterprise PBR Shading Model leaves at l and at v, by
+    /// its own fit (Dassault Systemes).
     Dassault,
     /// 1 less Schlick's Fresnel with a roughness term.
     SchlickRoughness,
     /// mix(1 - F(n.v), 1 - f0, roughness) (Pesce 2019).
     Pesce,
-    /// 1 less the albedo of the specular lobe as it is drawn, at v: exact in energy for a white base.
+    /// 1 less the albedo of the specular lobe as it is drawn, at v: exact in energy for a white
+    /// base.
     OneMinusOwnSpecular,
-    /// The reciprocal product of what the specular lobe, as it is drawn, leaves at l and at v, over its average (Kelemen and
-    /// Szirmay-Kalos 2001): exact in energy for a white base.
+    /// The reciprocal product of what the specular lobe, as it is drawn, leaves at l and at v, over
+    /// its average (Kelemen and Szirmay-Kalos 2001): exact in energy for a white base.
     Kelemen,
-    /// The same with the light that goes back and forth between base and lobe: the one that knows the base's albedo.
+    /// The same with the light that goes back and forth between base and lobe: the one that knows
+    /// the base's albedo.
     Interreflected,
     /// A formula of (roughness, alpha, mu, f0), at v.
     Factor(Factor),
-    /// Such a formula made reciprocal, f(l) f(v)/f_avg: as the average of f(l) is f_avg, it sends back f(v) of a white base as the formula
-    /// does, with the same error in the furnace. f_avg is a constant of the material. Below [`Factor::least_mu`] f is taken there.
+    /// Such a formula made reciprocal, f(l) f(v)/f_avg: as the average of f(l) is f_avg, it sends
+    /// back f(v) of a white base as the formula does, with the same error in the furnace. f_avg is
+    /// a constant of the material. Below [`Factor::least_mu`] f is taken there.
     Symmetrised(Factor),
 }
 
@@ -254,8 +261,9 @@ impl Factor {
         Ok(Factor { ops, ..factor })
     }
 
-    /// The same, made for cosines from `least_mu`: [`Coupling::Symmetrised`], which needs it at every light, takes it there below. A rational
-    /// formula may have a pole where it was not fitted.
+    /// The same, made for cosines from `least_mu`: [`Coupling::Symmetrised`], which needs it at
+    /// every light, takes it there below. A rational formula may have a pole where it was not
+    /// fitted.
     pub fn above(self, least_mu: f64) -> Factor {
         Factor { least_mu, ..self }
     }

@@ -15,7 +15,8 @@ use lobefit_truth::optics::ggx::Vec3;
 /// Error bound that a furnace measurement must reach.
 pub const TOLERANCE: f64 = 1e-6;
 
-/// What a surface sends back to one view in an environment of radiance 1, by channel, with error bounds.
+/// What a surface sends back to one view in an environment of radiance 1, by channel, with error
+/// bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Albedo {
     /// The specular lobe, with what was added to it.
@@ -37,7 +38,8 @@ impl Albedo {
 /// Most of [`TOLERANCE`] that the specular part may take; the base has what is left.
 const SPECULAR: f64 = 0.8 * TOLERANCE;
 
-/// The rules of one view, each finer than the one before: made once and used for every material of that alpha.
+/// The rules of one view, each finer than the one before: made once and used for every material of
+/// that alpha.
 #[derive(Clone, Debug)]
 pub struct Rules {
     alpha: f64,
@@ -67,7 +69,8 @@ impl Rules {
         self.albedo_over(self.specular(surface)?, surface)
     }
 
-    /// [`Rules::albedo`] of a surface whose specular part is known: surfaces that differ in their base alone share it.
+    /// [`Rules::albedo`] of a surface whose specular part is known: surfaces that differ in their
+    /// base alone share it.
     ///
     /// # Errors
     /// As [`Rules::albedo`].
@@ -76,7 +79,8 @@ impl Rules {
         Ok(Albedo { specular, base: self.base(surface, TOLERANCE - taken)? })
     }
 
-    /// The base of [`Rules::albedo`]: over cosines where it knows these alone, over the hemisphere where it knows the facet.
+    /// The base of [`Rules::albedo`]: over cosines where it knows these alone, over the hemisphere
+    /// where it knows the facet.
     ///
     /// # Errors
     /// As [`Rules::albedo`].
@@ -88,7 +92,8 @@ impl Rules {
         }
     }
 
-    /// Cosines with their weights 2 pi mu dmu: a Gauss rule on each of the panels that the albedos have, which are graded to grazing.
+    /// Cosines with their weights 2 pi mu dmu: a Gauss rule on each of the panels that the albedos
+    /// have, which are graded to grazing.
     fn cosines(&self, i: usize) -> &[(f64, f64)] {
         self.cosines[i].get_or_init(|| {
             let rule = Gauss::new(NODES[i]);
@@ -251,7 +256,8 @@ pub struct Reciprocity {
     pub at: Pair,
 }
 
-/// The largest departure from reciprocity of a surface over `pairs`, the first of equal ones; none of no pairs.
+/// The largest departure from reciprocity of a surface over `pairs`, the first of equal ones; none
+/// of no pairs.
 ///
 /// # Errors
 /// A value that is not finite.

@@ -42,7 +42,8 @@ pub struct ReciprocityRow {
     pub coupling: Option<String>,
     /// Whether f(l, v) = f(v, l) by its formula.
     pub reciprocal: bool,
-    /// Furnace of a white base by f0; of the lobe alone only at f0 = 1, where all light must come back.
+    /// Furnace of a white base by f0; of the lobe alone only at f0 = 1, where all light must come
+    /// back.
     pub furnace: Vec<FurnaceRow>,
     /// Largest |f(l, v) - f(v, l)| over the mean of their sizes, 2 at most.
     pub reciprocity: f64,

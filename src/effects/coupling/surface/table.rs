@@ -61,7 +61,8 @@ impl ReciprocityRow {
 /// A lobe with what couples its base; none: alone.
 type Entry<'a> = (Lobe, Option<&'a Coupling>);
 
-/// Measures every lobe alone and over every one of `couplings`, a white base under Schlick's Fresnel.
+/// Measures every lobe alone and over every one of `couplings`, a white base under Schlick's
+/// Fresnel.
 ///
 /// # Errors
 /// A surface that cannot be measured; a formula among the couplings whose cost is not known.
@@ -149,7 +150,8 @@ fn by_channel(f0: &[f64]) -> impl Iterator<Item = [f64; 3]> {
     f0.chunks(3).map(|part| [0, 1, 2].map(|i| part[i.min(part.len() - 1)]))
 }
 
-/// Departures from 1 of every entry at one view, by f0. Entries of one lobe share its specular part.
+/// Departures from 1 of every entry at one view, by f0. Entries of one lobe share its specular
+/// part.
 fn departures(
     grid: &Grid,
     albedos: &Arc<Albedos>,

@@ -1,4 +1,5 @@
-//! The section of this effect in the include files: under each lobe its fits, then the functions of its chains.
+//! The section of this effect in the include files: under each lobe its fits, then the functions of
+//! its chains.
 
 use std::collections::BTreeSet;
 

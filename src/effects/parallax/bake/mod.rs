@@ -14,7 +14,8 @@ use crate::effects::{BakeError, Called, Made};
 use crate::scene::Scene;
 use lobefit_truth::integrate::footprint;
 
-/// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among them.
+/// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among
+/// them.
 const GRID: [usize; 2] = [19, 29];
 
 /// What was made for the chains of one kind of lobe.
@@ -68,8 +69,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     Ok(made)
 }
 
-/// A probe whose every fetch is saturated has nothing to fit. That of the smallest ratio at the smallest width is the last to saturate: the
-/// best width grows with both.
+/// A probe whose every fetch is saturated has nothing to fit. That of the smallest ratio at the
+/// smallest width is the last to saturate: the best width grows with both.
 fn refuse_saturated(scene: &Scene) -> Result<(), BakeError> {
     for (i, probe) in scene.probes.iter().enumerate() {
         let Some([lowest, _]) = probe.rough_range(scene.alpha) else { continue };
@@ -83,7 +84,8 @@ fn refuse_saturated(scene: &Scene) -> Result<(), BakeError> {
     Ok(())
 }
 
-/// The different chains of all jobs, with what tells each from the others in the names of its functions.
+/// The different chains of all jobs, with what tells each from the others in the names of its
+/// functions.
 fn identifiers<'a>(chains: impl Iterator<Item = &'a MipChain>) -> Vec<(MipChain, String)> {
     let mut known: Vec<(MipChain, String)> = Vec::new();
     for chain in chains {
@@ -160,14 +162,16 @@ impl<'a> Lobe<'a> {
         self.fits.iter().zip(&self.variations)
     }
 
-    /// The most accurate of the emitted fits, the cheapest of equals: the one that levels are adjusted by.
+    /// The most accurate of the emitted fits, the cheapest of equals: the one that levels are
+    /// adjusted by.
     fn best(&self) -> Option<&Fit> {
         let rank = |fit: &&Fit| (fit.approximation.certificate.max_abs, fit.approximation.cost.ops);
         let emitted = self.fits.iter().filter(|fit| fit.emitted);
         emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
     }
 
-    /// The least of the largest total variations of the emitted fits of at most so many operations, with the fit.
+    /// The least of the largest total variations of the emitted fits of at most so many operations,
+    /// with the fit.
     fn least_variation(&self, max_ops: Option<u32>) -> Option<(&Fit, f64)> {
         let affordable = |fit: &Fit| max_ops.is_none_or(|most| fit.approximation.cost.ops <= most);
         let emitted = self.measured().filter(|(fit, _)| fit.emitted && affordable(fit));
@@ -176,7 +180,8 @@ impl<'a> Lobe<'a> {
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// What says that lookups are wanted and no fit is emitted that they could take the width from: every lookup is a promise.
+    /// What says that lookups are wanted and no fit is emitted that they could take the width from:
+    /// every lookup is a promise.
     fn without_lookups(&self) -> Option<String> {
         if self.wants.lookups.is_empty() || self.best().is_some() {
             return None;

@@ -22,7 +22,8 @@ pub enum Ratio {
 pub enum Width {
     /// alpha.
     Same,
-    /// Listing 25 of Lagarde and de Rousiers 2014: r = sqrt(alpha) goes to mix(clamp(rho r, 0, r), r, r).
+    /// Listing 25 of Lagarde and de Rousiers 2014: r = sqrt(alpha) goes to mix(clamp(rho r, 0, r),
+    /// r, r).
     Frostbite,
     /// min(1, rho alpha).
     Scaled,
@@ -40,7 +41,8 @@ pub enum Width {
 }
 
 impl Width {
-    /// What lookups are emitted with where no scene says otherwise: the most accurate fit of the built-in scene's probe, `parallax_cubic`.
+    /// What lookups are emitted with where no scene says otherwise: the most accurate fit of the
+    /// built-in scene's probe, `parallax_cubic`.
     pub const EMITTED: Width = Width::Cubic { k: 0.953_761_4, c: 0.107_512_49, d: 0.249_301_72 };
 
     /// The width, in (0, 1].
@@ -94,8 +96,8 @@ pub struct Corrected<P> {
 }
 
 impl<P: Proxy> Lookup for Corrected<P> {
-    /// Rays that leave below the surface fade out ([`fade`]); those that miss the proxy are dropped and the rest weighted up; where the lobe's
-    /// axis misses it, the one fetch is along the axis.
+    /// Rays that leave below the surface fade out ([`fade`]); those that miss the proxy are dropped
+    /// and the rest weighted up; where the lobe's axis misses it, the one fetch is along the axis.
     fn taps(&self, seen: &Seen) -> Vec<Tap> {
         let lobe = self.shading.lobe(seen);
         let met = self.meet(seen, lobe.axis, lobe.alpha);

@@ -12,7 +12,8 @@ pub struct ShadingLobe {
     pub axis: Vec3,
     /// Its width, the geometric mean of those along and across the plane of incidence.
     pub alpha: f64,
-    /// Its half-axes over that mean, at right angles to `axis`: in the plane of incidence and across it; their lengths' product is 1.
+    /// Its half-axes over that mean, at right angles to `axis`: in the plane of incidence and
+    /// across it; their lengths' product is 1.
     pub axes: [Vec3; 2],
 }
 
@@ -22,11 +23,11 @@ pub struct ShadingLobe {
 pub enum Shading {
     /// Round about the mirror ray, as wide as alpha: what the split sum takes it for.
     Mirror,
-    /// Round about the dominant direction of Lagarde and de Rousiers 2014, listing 21, taken in alpha: the normal and the mirror ray mixed by
-    /// (1 - alpha)(sqrt(1 - alpha) + alpha).
+    /// Round about the dominant direction of Lagarde and de Rousiers 2014, listing 21, taken in
+    /// alpha: the normal and the mirror ray mixed by (1 - alpha)(sqrt(1 - alpha) + alpha).
     Dominant,
-    /// Round about the mirror ray, narrower by the root of n.v, which is at least [`LEAST_COSINE`]: the Jacobian of the half vector, n.v across
-    /// the plane of incidence and 1 along.
+    /// Round about the mirror ray, narrower by the root of n.v, which is at least [`LEAST_COSINE`]:
+    /// the Jacobian of the half vector, n.v across the plane of incidence and 1 along.
     RootCosine,
     /// As constants say that were fitted to the lobe of GGX.
     Fitted(LobeFit),
@@ -37,9 +38,11 @@ pub enum Shading {
 pub struct LobeFit {
     /// Share of the normal mixed into the mirror ray: `min(1, lean[0] alpha^lean[1] mu^lean[2])`.
     pub lean: [f64; 3],
-    /// Ratio of its footprint to that of the round lobe: `mu^(narrow[0] - narrow[1] alpha) (1 - narrow[2] alpha)`, at least 0.05.
+    /// Ratio of its footprint to that of the round lobe: `mu^(narrow[0] - narrow[1] alpha) (1 -
+    /// narrow[2] alpha)`, at least 0.05.
     pub narrow: [f64; 3],
-    /// Width across over width along the plane of incidence: `mu^(squash[0] - squash[1] alpha)`, at most 1.
+    /// Width across over width along the plane of incidence: `mu^(squash[0] - squash[1] alpha)`, at
+    /// most 1.
     pub squash: [f64; 2],
 }
 
@@ -50,8 +53,9 @@ pub const LEAST_COSINE: f64 = 0.02;
 pub const NARROWEST: f64 = 0.05;
 
 impl LobeFit {
-    /// For one fetch: the lobe is round. The error of these constants, and of those below, is within 1 % of that of what study `parallax`, "The
-    /// lobe of a surface", fits: beside its least error others are next to as good, and those shipped do not follow every change of a rule.
+    /// For one fetch: the lobe is round. The error of these constants, and of those below, is
+    /// within 1 % of that of what study `parallax`, "The lobe of a surface", fits: beside its least
+    /// error others are next to as good, and those shipped do not follow every change of a rule.
     pub const ONE: LobeFit =
         LobeFit { lean: [0.7323, 1.7068, -0.2953], narrow: [0.2586, 0.5576, 0.079], squash: [0.0, 0.0] };
 
@@ -78,9 +82,10 @@ impl LobeFit {
         }
     }
 
-    /// What lookups of that many fetches are expected to be off by in relative L2 against GGX, the geometric mean over roughness 0.15 to 0.9: of this
-    /// lobe, and of the round one about the mirror ray. As the study finds in the room
-    /// that the constants are fitted in, with smooth edges of its box.
+    /// What lookups of that many fetches are expected to be off by in relative L2 against GGX, the
+    /// geometric mean over roughness 0.15 to 0.9: of this lobe, and of the round one about the
+    /// mirror ray. As the study finds in the room that the constants are fitted in, with smooth
+    /// edges of its box.
     pub fn expected(fetches: u32) -> [f64; 2] {
         match fetches {
             0 | 1 => [0.205, 0.225],
@@ -89,7 +94,8 @@ impl LobeFit {
         }
     }
 
-    /// Share of the normal in the axis, ratio of the footprint, width across over width along; at n.v below 0 as at -n.v.
+    /// Share of the normal in the axis, ratio of the footprint, width across over width along; at
+    /// n.v below 0 as at -n.v.
     pub fn at(&self, alpha: f64, mu: f64) -> [f64; 3] {
         let mu = mu.abs().clamp(LEAST_COSINE, 1.0);
         let power = |exponent: f64| ops::pow(mu, exponent);
@@ -103,8 +109,9 @@ impl LobeFit {
 }
 
 impl Shading {
-    /// The lobe at a shading point. Where that is seen from below, the mirror ray goes straight on, and a fitted lobe is that of the view
-    /// mirrored in the surface: it stays above that, and does not jump where n.v changes its sign.
+    /// The lobe at a shading point. Where that is seen from below, the mirror ray goes straight on,
+    /// and a fitted lobe is that of the view mirrored in the surface: it stays above that, and does
+    /// not jump where n.v changes its sign.
     pub fn lobe(&self, seen: &Seen) -> ShadingLobe {
         let alpha = seen.alpha;
         let mu = dot(seen.normal, seen.view);
@@ -116,8 +123,8 @@ impl Shading {
             Shading::Fitted(fit) => fit.at(alpha, mu).into(),
         };
         let axis = normalise(plus(scaled(seen.normal, share), scaled(mirror, 1.0 - share)));
-        // normal and view are on one side of the axis: one of both has a part across it but head on and from straight below, where the lobe
-        // is round
+        // normal and view are on one side of the axis: one of both has a part across it but head on
+        // and from straight below, where the lobe is round
         let across = cross(axis, plus(seen.normal, seen.view));
         let root = squash.sqrt();
         let axes = if length(across) > STRAIGHT {

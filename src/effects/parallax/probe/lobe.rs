@@ -1,12 +1,15 @@
-//! The lobe of a surface that is fitted to GGX: the formulas of [`Shading::Fitted`](crate::effects::parallax::Shading) in a shader's arithmetic.
+//! The lobe of a surface that is fitted to GGX: the formulas of
+//! [`Shading::Fitted`](crate::effects::parallax::Shading) in a shader's arithmetic.
 
 use super::constant;
 use crate::effects::parallax::LobeFit;
 use crate::effects::parallax::lookups::{LEAST_COSINE, NARROWEST};
 
-/// `ray`, the axis, and `width` by the constants of [`LobeFit`]. The powers of |mu| share its logarithm; alpha is at least 1e-8 in its
-/// own, where the share of the normal is below 1e-10. (1 - share) (2 mu n - v) + share n is a sum of n and v; its length is at least the root of 1/2,
-/// as n and the mirror ray are at most at right angles: below the surface (mu < 0) the mirror ray goes straight on, -v.
+/// `ray`, the axis, and `width` by the constants of [`LobeFit`]. The powers of |mu| share its
+/// logarithm; alpha is at least 1e-8 in its own, where the share of the normal is below 1e-10. (1 -
+/// share) (2 mu n - v) + share n is a sum of n and v; its length is at least the root of 1/2, as n
+/// and the mirror ray are at most at right angles: below the surface (mu < 0) the mirror ray goes
+/// straight on, -v.
 pub(super) const AXIS: &str = "
 let mu = dot(normal, view);
 let log_mu = log2(min(max(abs(mu), LEAST_COSINE), 1.0));
@@ -20,9 +23,10 @@ let narrow = alpha * max(exp2((NARROW_0 - NARROW_1 * alpha) * log_mu) * (1.0 - N
 let width = narrow / max(1.0 + alpha - narrow, narrow);
 ";
 
-/// The half-axes of the lobe, `first` towards the normal and `second` across, by those of a round one, `base_1` and `base_2`. Normal and
-/// view are on one side of the axis, and not both along it but head on and from straight below (within a sine of 1e-6), where the lobe is round and so
-/// the half-axes are any.
+/// The half-axes of the lobe, `first` towards the normal and `second` across, by those of a round
+/// one, `base_1` and `base_2`. Normal and view are on one side of the axis, and not both along it
+/// but head on and from straight below (within a sine of 1e-6), where the lobe is round and so the
+/// half-axes are any.
 pub(super) const AXES: &str = "
 let squashed = min((SQUASH_0 - SQUASH_1 * alpha) * log_mu, 0.0);
 let longer = exp2(-0.5 * squashed);

@@ -1,4 +1,5 @@
-//! Where a ray meets a proxy: the formulas of [`crate::effects::parallax::room::proxies`] in a shader's arithmetic, by `meet.wgsl`.
+//! Where a ray meets a proxy: the formulas of [`crate::effects::parallax::room::proxies`] in a
+//! shader's arithmetic, by `meet.wgsl`.
 
 use super::constant;
 use crate::data::ProbeLookup;

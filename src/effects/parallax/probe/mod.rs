@@ -1,8 +1,9 @@
 //! Functions that look a probe up through a proxy of its room, in every language.
 //!
-//! A lookup takes the shading point, the ray that it reflects and the width of its lobe, or for the lobe that is fitted to GGX the surface's
-//! normal, the view and alpha, and returns what to fetch from the probe's
-//! prefiltered cubemap: a direction with the width of a lobe, or with the level that holds it where the chain is known.
+//! A lookup takes the shading point, the ray that it reflects and the width of its lobe, or for the
+//! lobe that is fitted to GGX the surface's normal, the view and alpha, and returns what to fetch
+//! from the probe's prefiltered cubemap: a direction with the width of a lobe, or with the level
+//! that holds it where the chain is known.
 
 mod lobe;
 mod meet;
@@ -56,7 +57,8 @@ impl Called {
 pub struct Wanted {
     /// Name of the function.
     pub name: String,
-    /// Name of the function of one fetch along a ray, which lookups of the same lobe, proxy and chain share.
+    /// Name of the function of one fetch along a ray, which lookups of the same lobe, proxy and
+    /// chain share.
     pub fetch: String,
     /// What it does.
     pub lookup: ProbeLookup,
@@ -134,7 +136,8 @@ impl Wanted {
         lines
     }
 
-    /// The power of smooth edges, a formula of the lobe's width: of alpha, or of the `width` that the fitted lobe has.
+    /// The power of smooth edges, a formula of the lobe's width: of alpha, or of the `width` that
+    /// the fitted lobe has.
     pub fn power_formula(&self) -> String {
         let formula = self.power.formula();
         if self.lookup.is_fitted() { formula.replace("alpha", "width") } else { formula }
@@ -170,7 +173,8 @@ impl Wanted {
         format!("Use: color = {sum}sample_level(env, {fetch}.xyz, {level}){note}")
     }
 
-    /// What several fetches are expected to be off by, and those of the fitted lobe; nothing of one about the ray.
+    /// What several fetches are expected to be off by, and those of the fitted lobe; nothing of one
+    /// about the ray.
     pub fn expected(&self) -> Vec<String> {
         let taps = self.lookup.taps;
         let mut lines = if self.lookup.is_fitted() { lobe::expected(taps) } else { Vec::new() };
@@ -231,7 +235,8 @@ fn constant(name: &str, value: f64) -> String {
     format!("const {name}: f32 = {:?};\n", value as f32)
 }
 
-/// The functions of lookups and what they share, each after what it calls; empty where there are none.
+/// The functions of lookups and what they share, each after what it calls; empty where there are
+/// none.
 ///
 /// # Errors
 /// A source that does not parse, a defect; a name that the language has taken.

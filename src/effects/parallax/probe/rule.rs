@@ -4,7 +4,8 @@ use super::constant;
 use crate::effects::parallax::TapRule;
 use crate::effects::parallax::taps::expected::{EXPECTED_UP_TO, Expected};
 
-/// Where the fetches lie and how wide they are, by z = `spread`, y = `skewed` and the lobe's `width`; the constants by their names in [`TWO_NAMES`].
+/// Where the fetches lie and how wide they are, by z = `spread`, y = `skewed` and the lobe's
+/// `width`; the constants by their names in [`TWO_NAMES`].
 const TWO: &str = "
 let skewed = (1.0 + A * width) * width * growth / max(spread + width, 1e-12);
 let apart = spread * (C0 + C1 * spread) / (1.0 + C2 * width);
@@ -60,8 +61,8 @@ fn names(rule: &TapRule) -> &'static [&'static str] {
     }
 }
 
-/// The statements that name, by `spread`, `growth`, `slope` and `width`, what the rule says of every fetch: the tangent `tilt_i`, the width over
-/// that of the lobe `own_i`, the share `share_i`.
+/// The statements that name, by `spread`, `growth`, `slope` and `width`, what the rule says of
+/// every fetch: the tangent `tilt_i`, the width over that of the lobe `own_i`, the share `share_i`.
 pub(super) fn statements(rule: &TapRule) -> String {
     let formulas = if rule.count() == 2 { TWO } else { THREE };
     let bent = |i: usize| format!("let tilt_{i} = raw_{i} / (1.0 + max(raw_{i} * slope, 0.0));\n");

@@ -1,5 +1,6 @@
-//! Two or three fetches along the axis that the proxy stretches: the formulas of [`lobefit_truth::optics::footprint::Stretch`] and of
-//! the rule of fetches in a shader's arithmetic.
+//! Two or three fetches along the axis that the proxy stretches: the formulas of
+//! [`lobefit_truth::optics::footprint::Stretch`] and of the rule of fetches in a shader's
+//! arithmetic.
 
 use super::{Wanted, lobe, rule, single};
 use crate::effects::parallax::taps::horizon::{FADE, LEAST};
@@ -13,10 +14,12 @@ let FIRST = vec3f(1.0 + upright * ray.x * ray.x * turned, upright * mixed, -upri
 let SECOND = vec3f(mixed, upright + ray.y * ray.y * turned, -ray.y);
 ";
 
-/// The map of a lobe of half-axes `first` and `second` to the probe, as [`lobefit_truth::optics::footprint::Stretch`] has it. M^T M
-/// over the root of its determinant, `shrunk` (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]; `shrunk` is
-/// (n.w_p)/(n.w_s), but where a grazing cosine counts as 0.02. With the growth over the lobe's width added, its larger eigenvalue is `large`
-/// and the difference of both 2 `off`, so that z^2 = 1 - small/large, `spread` squared, is 2 off/large without a difference.
+/// The map of a lobe of half-axes `first` and `second` to the probe, as
+/// [`lobefit_truth::optics::footprint::Stretch`] has it. M^T M over the root of its determinant,
+/// `shrunk` (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]; `shrunk` is
+/// (n.w_p)/(n.w_s), but where a grazing cosine counts as 0.02. With the growth over the lobe's
+/// width added, its larger eigenvalue is `large` and the difference of both 2 `off`, so that z^2 =
+/// 1 - small/large, `spread` squared, is 2 off/large without a difference.
 const STRETCH: &str = "
 let slope_1 = -dot(met.xyz, first) / here;
 let slope_2 = -dot(met.xyz, second) / here;
@@ -112,7 +115,8 @@ let upward = dot(ray, normal);
 let rising = dot(major, normal);
 ";
 
-/// What share of its weight a fetch keeps above the surface, as [`horizon`](crate::effects::parallax::taps::horizon) has it.
+/// What share of its weight a fetch keeps above the surface, as
+/// [`horizon`](crate::effects::parallax::taps::horizon) has it.
 fn kept_share(wanted: &Wanted, i: usize) -> String {
     let steep = (1.0 / FADE) as f32;
     let square = tilted(wanted, &format!("tilt_{i}"));

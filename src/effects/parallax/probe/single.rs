@@ -2,8 +2,9 @@
 
 use super::{Wanted, lobe, meet};
 
-/// What becomes of a place met by the ray: `met` holds normal and distance. The direction is the ray's own within 1e-6 of the distance about
-/// the probe, where the place is the probe's. Cosines with the proxy's normal are at least 0.02.
+/// What becomes of a place met by the ray: `met` holds normal and distance. The direction is the
+/// ray's own within 1e-6 of the distance about the probe, where the place is the probe's. Cosines
+/// with the proxy's normal are at least 0.02.
 const SEEN: &str = "
 let offset = place - probe + met.w * ray;
 let least = 1e-12 * met.w * met.w;
@@ -56,8 +57,8 @@ pub(super) fn fetch(wanted: &Wanted) -> String {
     function(&wanted.fetch, &["ray"], wanted.lookup.smooth, wanted, ["vec4f", &body.concat()])
 }
 
-/// The points that a lookup takes beside the place. Several fetches of the mirror lobe take the normal too, for
-/// fetches that leave below the surface.
+/// The points that a lookup takes beside the place. Several fetches of the mirror lobe take the
+/// normal too, for fetches that leave below the surface.
 pub(super) fn points(wanted: &Wanted) -> &'static [&'static str] {
     match (wanted.lookup.is_fitted(), wanted.lookup.taps > 1) {
         (true, _) => &["normal", "view"],

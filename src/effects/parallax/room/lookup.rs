@@ -52,7 +52,8 @@ impl From<&Meeting> for Hit {
 
 /// What a lookup takes a room for.
 pub trait Proxy: Sync {
-    /// Where a ray of unit length from inside meets it, as a lobe of width `alpha` about the ray shall; `None` where it does not.
+    /// Where a ray of unit length from inside meets it, as a lobe of width `alpha` about the ray
+    /// shall; `None` where it does not.
     fn meet(&self, from: Vec3, towards: Vec3, alpha: f64) -> Option<Meeting>;
 }
 

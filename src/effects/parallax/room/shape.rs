@@ -45,8 +45,9 @@ impl Convex {
         Convex { planes: (0..3).flat_map(pair).collect() }
     }
 
-    /// Where a ray from `from` leaves it: the distance in units of the length of `towards`, and the plane. `None` for a ray that leaves
-    /// through no plane. From outside a plane that the ray recedes from, the distance is negative.
+    /// Where a ray from `from` leaves it: the distance in units of the length of `towards`, and the
+    /// plane. `None` for a ray that leaves through no plane. From outside a plane that the ray
+    /// recedes from, the distance is negative.
     pub fn exit(&self, from: Vec3, towards: Vec3) -> Option<(f64, usize)> {
         let mut exit: Option<(f64, usize)> = None;
         for (i, plane) in self.planes.iter().enumerate() {

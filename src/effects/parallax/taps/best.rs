@@ -23,12 +23,14 @@ const ITERATIONS: u64 = 120;
 /// Tilts of a first start spread over this many widths of the lobe.
 const SPREAD: f64 = 0.6;
 
-/// Bounds of tilts over alpha, of logarithms of widths and of weights: outside, a fetch has no part in the footprint any more.
+/// Bounds of tilts over alpha, of logarithms of widths and of weights: outside, a fetch has no part
+/// in the footprint any more.
 const TILTS: f64 = 12.0;
 const WIDTHS: [f64; 2] = [-3.0, 1.5];
 const WEIGHTS: f64 = 7.0;
 
-/// `count` fetches along the long axis with the least H^-1 norm, from a start: those found at a neighbouring slant, or a spread.
+/// `count` fetches along the long axis with the least H^-1 norm, from a start: those found at a
+/// neighbouring slant, or a spread.
 ///
 /// # Errors
 /// A start whose rays miss the wall; a solver that fails. A start of another count is none.

@@ -1,18 +1,22 @@
 //! The constants of the rules, by the lobe that a chain is prefiltered with.
 //!
-//! Those of the fetches minimise the squared H^-1 norms of the differences, each over the 3/4 power of that of one fetch, over 140 walls at every
-//! slant to shading point and probe and six in front of the probe at each of seven widths ([`super::fit`]; the study fits on from those of
-//! half-cosine chains, and tests see that none of the others moves by a fit: `tests/effects/taps.rs`). Of 3000
-//! other walls two fetches serve so many worse than one does, by more than 0.001 in total variation and by up to: half-cosine 5, 0.027; half 6,
-//! 0.063; ndf 8, 0.045; three: 2, 0.01; 1, 0.007; none.
+//! Those of the fetches minimise the squared H^-1 norms of the differences, each over the 3/4 power
+//! of that of one fetch, over 140 walls at every slant to shading point and probe and six in front
+//! of the probe at each of seven widths ([`super::fit`]; the study fits on from those of
+//! half-cosine chains, and tests see that none of the others moves by a fit:
+//! `tests/effects/taps.rs`). Of 3000 other walls two fetches serve so many worse than one does, by
+//! more than 0.001 in total variation and by up to: half-cosine 5, 0.027; half 6, 0.063; ndf 8,
+//! 0.045; three: 2, 0.01; 1, 0.007; none.
 
 use super::expected::Expected;
 use lobefit_truth::optics::kernel::Kernel;
 
-/// Constants of two fetches: a, c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1 of [`TapRule`](super::TapRule).
+/// Constants of two fetches: a, c0, c1, c2, e0, e1, e2, n0, n1, f0, f1, w0, w1 of
+/// [`TapRule`](super::TapRule).
 pub type Two = [f64; 13];
 
-/// Constants of three: a, b0, b1, c0, c1, c2, d0, d1, e0, e1, e2, e3, n0, n1, f0, f1, g0, g1, g2, w0, w1, h0, h1.
+/// Constants of three: a, b0, b1, c0, c1, c2, d0, d1, e0, e1, e2, e3, n0, n1, f0, f1, g0, g1, g2,
+/// w0, w1, h0, h1.
 pub type Three = [f64; 23];
 
 /// The rules for a lobe.

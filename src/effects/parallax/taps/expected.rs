@@ -13,11 +13,12 @@ use lobefit_truth::optics::footprint::Stretch;
 /// The formula of an expected total variation and how far off it is.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Expected {
-    /// p, s, q, r of the root of (p l/(1 + s l))^2 + (q g/(1 + r g))^2, l the logarithm of the footprint's length over its width,
-    /// g = alpha [`Stretch::growth`]. Least squares over the 1600 walls of seed 3.
+    /// p, s, q, r of the root of (p l/(1 + s l))^2 + (q g/(1 + r g))^2, l the logarithm of the
+    /// footprint's length over its width, g = alpha [`Stretch::growth`]. Least squares over the
+    /// 1600 walls of seed 3.
     pub constants: [f64; 4],
-    /// Largest root mean square error at any width up to each of [`EXPECTED_UP_TO`], over the 1600 of seed 5. Wide lobes of which much
-    /// misses the wall have no third input that would tell.
+    /// Largest root mean square error at any width up to each of [`EXPECTED_UP_TO`], over the 1600
+    /// of seed 5. Wide lobes of which much misses the wall have no third input that would tell.
     pub off: [f64; 2],
 }
 

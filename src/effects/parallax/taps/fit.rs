@@ -32,8 +32,9 @@ const IN_FRONT: [f64; 6] = [8.0, 20.0, 40.0, 55.0, 65.0, 75.0];
 const COSINES: [f64; 2] = [0.15, 1.0];
 const RATIOS: [f64; 2] = [0.15, 2.0];
 
-/// Walls at slants to shading point and probe, evenly over the cosines of both slants above 0.15, the azimuth and the logarithm of the ratio of
-/// the distances in [0.15, 2]: a Sobol set of a seed for the first three, one in an order of its own for the ratio.
+/// Walls at slants to shading point and probe, evenly over the cosines of both slants above 0.15,
+/// the azimuth and the logarithm of the ratio of the distances in [0.15, 2]: a Sobol set of a seed
+/// for the first three, one in an order of its own for the ratio.
 pub fn slants(count: u32, seed: u32) -> Vec<Slant> {
     let first = Sobol::new([seed, seed ^ 0x51ed_270b, seed ^ 0x2545_f491]);
     let second = Sobol::new([seed ^ 0x0123_4567, 0, 0]).padded(seed.wrapping_mul(0x9e37_79b9) ^ 0x68e3_1da4);
@@ -48,8 +49,8 @@ pub fn slants(count: u32, seed: u32) -> Vec<Slant> {
     (0..count).map(wall).collect()
 }
 
-/// A kernel's lobes of some widths on walls: for each width those in front of the probe, and `count` in all of the
-/// walls of [`slants`].
+/// A kernel's lobes of some widths on walls: for each width those in front of the probe, and
+/// `count` in all of the walls of [`slants`].
 ///
 /// # Errors
 /// As [`Case::new`].
@@ -149,7 +150,8 @@ pub struct RuleFit {
     pub settled: bool,
 }
 
-/// The constants of a rule that serve the situations best, from its own. The same for any number of threads.
+/// The constants of a rule that serve the situations best, from its own. The same for any number of
+/// threads.
 ///
 /// # Errors
 /// Constants that give fetches of no width; a solver that fails.

@@ -15,11 +15,13 @@ pub struct Least {
     pub settled: bool,
 }
 
-/// An evaluation makes as many footprints as there are walls. No parameter moves farther than 1/2 in a step: widths and weights are logarithms,
-/// tilts multiples of the lobe's width. A step that gains less than 1e-7 ends the search.
+/// An evaluation makes as many footprints as there are walls. No parameter moves farther than 1/2
+/// in a step: widths and weights are logarithms, tilts multiples of the lobe's width. A step that
+/// gains less than 1e-7 ends the search.
 const LIMITS: Limits = Limits { iterations: 0, trials: 14, longest: 0.5, settled: Some(1e-7) };
 
-/// Minimises a sum of squares from a start; `squares` gives none where its parameters are refused. Deterministic.
+/// Minimises a sum of squares from a start; `squares` gives none where its parameters are refused.
+/// Deterministic.
 ///
 /// # Errors
 /// A start that is refused; equations that are those of no sum of squares.

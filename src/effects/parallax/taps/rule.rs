@@ -1,21 +1,26 @@
 //! Where the fetches go, how wide they are and what they weigh.
 //!
-//! With z = [`Stretch::length`], sigma = alpha [`Stretch::growth`] the change of ln(d_s/d_p) over the width of the lobe, y = (1 + a alpha)
-//! sigma/(z + alpha), and tilts in units of alpha before the last step, the two fetches are at
+//! With z = [`Stretch::length`], sigma = alpha [`Stretch::growth`] the change of ln(d_s/d_p) over
+//! the width of the lobe, y = (1 + a alpha) sigma/(z + alpha), and tilts in units of alpha before
+//! the last step, the two fetches are at
 //!
 //!   -+z (c0 + c1 z)/(1 + c2 alpha), of widths 1 + z (e0 + e1 z + e2 alpha) + y (n0 + n1 z) near and y (f0 + f1 z) far,
 //!   of weights (1 +- k/sqrt(z^2 + k^2))/2, k = y (w0 + w1 z).
 //!
-//! The three, with Y = y (b0 + b1 z)/z in [0, 1.5] and A = (c0 + c1 z)/(1 + c2 alpha), are at -A (sqrt(1 + Y^2) - Y), y (d0 + d1 z) and
-//! A (sqrt(1 + Y^2) + Y), the outer ones of widths e0 + e1 z + alpha (e2 + e3 z) with y (n0 + n1 z) and y (f0 + f1 z) as above, the
-//! inner one 1 + z (g0 + g1 z + g2 alpha), of weights G (sqrt(1 + W^2) +- W) and 1, W = y (w0 + w1 z)/z in [-1.5, 1.5], G = z^2 (h0 z + h1 alpha),
-//! over their sum. Where the footprint is round and grows nowhere, z = y = 0, all of it is the one fetch of the lobe; where it does not grow,
-//! near and far mirror each other, so that nothing jumps where the growth changes its sign.
-//! Where it grows, several fetches are left at kappa = 1, and z = 0 with growth is a place where they may jump: the growth's own part of the length,
-//! alpha^2 g g^T, then just makes up for kappa, the long axis turns by 90 degrees there, and with it what it grows by along itself.
+//! The three, with Y = y (b0 + b1 z)/z in [0, 1.5] and A = (c0 + c1 z)/(1 + c2 alpha), are at -A
+//! (sqrt(1 + Y^2) - Y), y (d0 + d1 z) and A (sqrt(1 + Y^2) + Y), the outer ones of widths e0 + e1
+//! z + alpha (e2 + e3 z) with y (n0 + n1 z) and y (f0 + f1 z) as above, the inner one 1 + z (g0 +
+//! g1 z + g2 alpha), of weights G (sqrt(1 + W^2) +- W) and 1, W = y (w0 + w1 z)/z in [-1.5, 1.5],
+//! G = z^2 (h0 z + h1 alpha), over their sum. Where the footprint is round and grows nowhere, z =
+//! y = 0, all of it is the one fetch of the lobe; where it does not grow, near and far mirror each
+//! other, so that nothing jumps where the growth changes its sign. Where it grows, several fetches
+//! are left at kappa = 1, and z = 0 with growth is a place where they may jump: the growth's own
+//! part of the length, alpha^2 g g^T, then just makes up for kappa, the long axis turns by 90
+//! degrees there, and with it what it grows by along itself.
 //!
-//! Last, a tilt of tangent t = c alpha becomes t/(1 + max(t s, 0)), s = [`Stretch::slope`]: no ray is tilted past the plane of the wall. The constants
-//! are fitted lobe by lobe ([`Constants`]). What two fail with on walls of half-cosine lobes is mostly at azimuths near pi.
+//! Last, a tilt of tangent t = c alpha becomes t/(1 + max(t s, 0)), s = [`Stretch::slope`]: no ray
+//! is tilted past the plane of the wall. The constants are fitted lobe by lobe ([`Constants`]).
+//! What two fail with on walls of half-cosine lobes is mostly at azimuths near pi.
 
 use super::constants::{Constants, HALF_COSINE, Three, Two};
 use super::expected::{self, Expected};
@@ -31,8 +36,8 @@ const NARROWEST: f64 = 0.1;
 /// Below, z counts as this in a denominator; what it divides has z as a factor.
 const LEAST_LENGTH: f64 = 1e-6;
 
-/// A rule for a number of fetches: one fetch of the lobe itself where the footprint is round and grows nowhere, and continuous in the stretch
-/// but where it is round (z = 0) and grows.
+/// A rule for a number of fetches: one fetch of the lobe itself where the footprint is round and
+/// grows nowhere, and continuous in the stretch but where it is round (z = 0) and grows.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[serde(into = "Row")]
 pub struct TapRule {
@@ -72,8 +77,9 @@ struct Skew {
 }
 
 impl TapRule {
-    /// The rule of 1, 2 or 3 fetches for chains of a kernel; `None` of another number, and of several where no rule is fitted for the kernel. One
-    /// fetch from a chain of such a kernel is taken to be as far off as one from half-cosine chains.
+    /// The rule of 1, 2 or 3 fetches for chains of a kernel; `None` of another number, and of
+    /// several where no rule is fitted for the kernel. One fetch from a chain of such a kernel is
+    /// taken to be as far off as one from half-cosine chains.
     pub fn of(kernel: &Kernel, fetches: usize) -> Option<TapRule> {
         let constants = Constants::of(kernel);
         let rule = |form, of: &Constants| TapRule { form, expected: of.expected[fetches - 1] };
@@ -128,7 +134,8 @@ impl TapRule {
         }
     }
 
-    /// The fetches for a lobe of width `alpha` in [0, 1], from the one nearest to the shading point to the farthest.
+    /// The fetches for a lobe of width `alpha` in [0, 1], from the one nearest to the shading point
+    /// to the farthest.
     pub fn taps(&self, stretch: &Stretch, alpha: f64) -> Vec<RuleTap> {
         let skew = |a: f64| {
             let z = stretch.length;
@@ -148,7 +155,8 @@ impl TapRule {
         taps
     }
 
-    /// What the fetches are expected to be off by in total variation: 0 where there is no stretch and no growth.
+    /// What the fetches are expected to be off by in total variation: 0 where there is no stretch
+    /// and no growth.
     pub fn expected(&self, stretch: &Stretch, alpha: f64) -> f64 {
         expected::variation(&self.expected.constants, stretch, alpha)
     }

@@ -1,4 +1,5 @@
-//! Samples for the report's pictures: the truth and every approximation over a grid of roughness and mu.
+//! Samples for the report's pictures: the truth and every approximation over a grid of roughness
+//! and mu.
 
 use crate::approximate::{Fit, FitStageError, Region};
 use crate::data::Smith;

@@ -1,5 +1,5 @@
-//! Where a table is judged that says itself what it is: over the domain that it claims, as far as the truth is had; and what its axes cover
-//! beyond that, of which nothing is known.
+//! Where a table is judged that says itself what it is: over the domain that it claims, as far as
+//! the truth is had; and what its axes cover beyond that, of which nothing is known.
 
 use super::statement::{Axis, Statement};
 use crate::audit::axis::Input;
@@ -9,15 +9,18 @@ use crate::audit::verdict::number;
 /// Places along the inputs: of two, of three and of four.
 const PLACES: [usize; 3] = [64, 14, 11];
 
-/// Cosine below which the certificates of this tool claim nothing, though axes of mu begin at 0: no table is held to more.
+/// Cosine below which the certificates of this tool claim nothing, though axes of mu begin at 0: no
+/// table is held to more.
 const GRAZING: f64 = 0.001;
 
-/// How far apart ends may lie that are the same: they are printed, and one may come of the other by a formula.
+/// How far apart ends may lie that are the same: they are printed, and one may come of the other by
+/// a formula.
 const SAME: f64 = 1e-6;
 
 /// What is judged of a table.
 pub(super) struct Domain {
-    /// Every input with its places, both ends among them; more of mu and alpha where they are small.
+    /// Every input with its places, both ends among them; more of mu and alpha where they are
+    /// small.
     pub places: Vec<(&'static str, Vec<f64>)>,
     /// What the axes cover and the file claims nothing of: `alpha below 0.02`.
     pub beyond: Vec<String>,
@@ -26,7 +29,8 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Errors: an input of which the statement gives no range, or one that is empty or a single value where the truth is had.
+    /// Errors: an input of which the statement gives no range, or one that is empty or a single
+    /// value where the truth is had.
     pub fn new(truth: &dyn Truth, said: &Statement) -> Result<Domain, String> {
         let count = PLACES[truth.inputs().len().clamp(2, 4) - 2];
         let mut out = Domain { places: Vec::new(), beyond: Vec::new(), cut: Vec::new() };

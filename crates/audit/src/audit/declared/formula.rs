@@ -1,5 +1,6 @@
-//! Formulas of a file's own statement: `sqrt(mu * (1 + l) / (mu + l))`, with `+ - * /`, brackets, `sqrt`, `log2` and literal powers
-//! `x^2`. They are spelled as WGSL and evaluated in f64 like every other formula.
+//! Formulas of a file's own statement: `sqrt(mu * (1 + l) / (mu + l))`, with `+ - * /`, brackets,
+//! `sqrt`, `log2` and literal powers `x^2`. They are spelled as WGSL and evaluated in f64 like
+//! every other formula.
 
 use lobefit_shade::{Hypothesis, Tape};
 
@@ -62,7 +63,8 @@ fn spelled(text: &str) -> Result<(String, Vec<String>), String> {
     Ok((tokens.join(" "), names))
 }
 
-/// Takes the last operand from tokens: a name or a number, or a bracket with what stands in it and the function before it.
+/// Takes the last operand from tokens: a name or a number, or a bracket with what stands in it and
+/// the function before it.
 fn operand(tokens: &mut Vec<String>) -> String {
     let (mut start, mut open) = (tokens.len(), 0);
     while start > 0 {

@@ -1,5 +1,6 @@
-//! A table that says itself what it is, as those that this tool writes do: what it says is read, and then held against the truth. It is
-//! looked up as its statement says, between its texels too, all over the domain that it claims.
+//! A table that says itself what it is, as those that this tool writes do: what it says is read,
+//! and then held against the truth. It is looked up as its statement says, between its texels too,
+//! all over the domain that it claims.
 
 mod domain;
 mod findings;
@@ -21,7 +22,8 @@ use lobefit::data::{Place, Smith};
 use lobefit_truth::quantity::Quantity;
 use statement::{Axis, Statement};
 
-/// How much larger than claimed an error may be: it is looked for at other places than the file's maker did.
+/// How much larger than claimed an error may be: it is looked for at other places than the file's
+/// maker did.
 const SLACK: f64 = 1.2;
 
 /// The quantity of which tables may depend on the azimuth of the view.
@@ -51,7 +53,8 @@ pub struct Held {
 }
 
 impl Held {
-    /// Whether it is the column at all, whatever its file claims: by the root mean square, as the columns of any table.
+    /// Whether it is the column at all, whatever its file claims: by the root mean square, as the
+    /// columns of any table.
     fn fits(&self, truth_error: f64) -> bool {
         self.rms <= FITS * self.spread() + truth_error
     }
@@ -80,13 +83,15 @@ pub struct Declared {
     pub held: Vec<Held>,
     /// Names of the truth's inputs and the places along each.
     pub places: Vec<(&'static str, Vec<f64>)>,
-    /// What its axes cover without its claiming anything of it, for which it passes no limit: `alpha below 0.02`.
+    /// What its axes cover without its claiming anything of it, for which it passes no limit:
+    /// `alpha below 0.02`.
     pub beyond: Vec<String>,
     /// What it claims where the truth is not had, so that it was not judged.
     pub cut: Vec<String>,
     /// Largest error that it claims.
     pub claimed: f64,
-    /// What would make it true, where it is not: the other registration or shadowing form under which it is as good as claimed.
+    /// What would make it true, where it is not: the other registration or shadowing form under
+    /// which it is as good as claimed.
     pub instead: Option<String>,
     /// Bound of the truth's own error.
     pub truth_error: f64,
@@ -100,7 +105,8 @@ impl Declared {
         self.held.iter().map(|h| h.max).fold(0.0, f64::max)
     }
 
-    /// Whether it is what it says: it keeps its claim, and is no further off than any table of the quantity may be.
+    /// Whether it is what it says: it keeps its claim, and is no further off than any table of the
+    /// quantity may be.
     pub fn holds(&self) -> bool {
         self.keeps() && self.held.iter().all(|h| h.fits(self.truth_error))
     }
@@ -116,11 +122,13 @@ impl Declared {
     }
 }
 
-/// Holds a table against the truth as its own `statement` says that it is looked up; of the columns, only `wanted` if it is given.
+/// Holds a table against the truth as its own `statement` says that it is looked up; of the
+/// columns, only `wanted` if it is given.
 ///
 /// # Errors
-/// [`AuditError::Statement`] where what it says cannot be read, speaks of another size, depends on more than the quantity's inputs, leaves no
-/// range of an input to judge, or decodes to what is no number; a statement of another quantity; a truth that cannot be had.
+/// [`AuditError::Statement`] where what it says cannot be read, speaks of another size, depends on
+/// more than the quantity's inputs, leaves no range of an input to judge, or decodes to what is no
+/// number; a statement of another quantity; a truth that cannot be had.
 pub fn declared(
     table: &AuditedTable,
     quantity: &dyn Quantity,
@@ -286,7 +294,8 @@ impl Look<'_> {
         self.said.decode.iter().zip(made).map(value).collect()
     }
 
-    /// The roughness of an alpha: the alpha maps are powers, which rise on [0, 1], so that halving finds it to the last digits.
+    /// The roughness of an alpha: the alpha maps are powers, which rise on [0, 1], so that halving
+    /// finds it to the last digits.
     fn roughness(&self, alpha: f64) -> Option<f64> {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..64 {
@@ -306,8 +315,9 @@ fn coordinate(axis: &Axis, known: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
     made(&axis.coordinate, &|_| None, known).first().copied().flatten()
 }
 
-/// Values of definitions, in their order, each of which may use others of them, besides what is `known`; what is `excepted` has that value
-/// whatever its formula. Each is made once; none where a name has no value.
+/// Values of definitions, in their order, each of which may use others of them, besides what is
+/// `known`; what is `excepted` has that value whatever its formula. Each is made once; none where a
+/// name has no value.
 fn made(
     definitions: &[(String, Formula)],
     excepted: &dyn Fn(&str) -> Option<f64>,
@@ -328,7 +338,8 @@ fn made(
     }
 }
 
-/// Least share of the points that two lobes together explain, where each explains a part of a table that neither explains.
+/// Least share of the points that two lobes together explain, where each explains a part of a table
+/// that neither explains.
 const EXPLAINED: f64 = 0.9;
 
 /// Least share of the points that the other lobe alone explains.
@@ -357,7 +368,8 @@ fn parts(
     })
 }
 
-/// The registration, of one axis or of all, or the shadowing form under which the table is as good as it claims.
+/// The registration, of one axis or of all, or the shadowing form under which the table is as good
+/// as it claims.
 fn instead(
     look: &Look,
     truth: &dyn Truth,

@@ -1,5 +1,5 @@
-//! The albedo of a lobe over alpha and mu that comes in one form: conventions are tried on cubics, and every point of a verdict is
-//! integrated.
+//! The albedo of a lobe over alpha and mu that comes in one form: conventions are tried on cubics,
+//! and every point of a verdict is integrated.
 
 use super::solid::{Knots, along};
 use super::{Lobe, Truth, Values};

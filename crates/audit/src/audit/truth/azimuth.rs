@@ -1,5 +1,5 @@
-//! The anisotropic lobe over mu, alpha, anisotropy and the azimuth of the view: for tables that say how they are looked up. No convention is
-//! tried with it.
+//! The anisotropic lobe over mu, alpha, anisotropy and the azimuth of the view: for tables that say
+//! how they are looked up. No convention is tried with it.
 
 use rayon::prelude::*;
 
@@ -12,7 +12,8 @@ use lobefit::effects::table::aspect;
 use lobefit_math::ops;
 use lobefit_truth::integrate::aniso::table::Azimuthal;
 
-/// Least alpha and mu that are judged: below it the interpolant over all of its four inputs needs more nodes than it has.
+/// Least alpha and mu that are judged: below it the interpolant over all of its four inputs needs
+/// more nodes than it has.
 const LEAST: f64 = 1e-3;
 
 /// Tolerance of a value.

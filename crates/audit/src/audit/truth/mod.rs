@@ -1,4 +1,5 @@
-//! The truth of a quantity over whole tensors of inputs, fast enough to try thousands of conventions.
+//! The truth of a quantity over whole tensors of inputs, fast enough to try thousands of
+//! conventions.
 
 mod albedo;
 mod aniso;
@@ -48,7 +49,8 @@ impl Lobe {
 /// What is integrated once for all audits of a process.
 type Once<T> = std::sync::OnceLock<T>;
 
-/// What `made` makes, unless it was made before. It is not made under a lock: a thread that waits for others in it may be given another audit.
+/// What `made` makes, unless it was made before. It is not made under a lock: a thread that waits
+/// for others in it may be given another audit.
 fn once<T>(
     kept: &'static Once<T>,
     made: impl FnOnce() -> Result<T, AuditError>,
@@ -65,7 +67,8 @@ fn place_of(smith: Smith) -> usize {
     usize::from(smith == Smith::Separable)
 }
 
-/// Two base values (see [`Column`]) at every combination of the inputs given, the first input fastest.
+/// Two base values (see [`Column`]) at every combination of the inputs given, the first input
+/// fastest.
 pub(super) type Values = Vec<[f64; 2]>;
 
 /// A quantity's truth.

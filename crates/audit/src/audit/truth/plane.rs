@@ -1,5 +1,6 @@
-//! Truths over alpha and mu: interpolated in ln(alpha) and ln(mu), in which they are analytic with singularities no nearer than
-//! i pi/2 (alpha^2 or mu^2 negative), so that Chebyshev nodes converge geometrically; what lies below the interpolant is integrated.
+//! Truths over alpha and mu: interpolated in ln(alpha) and ln(mu), in which they are analytic with
+//! singularities no nearer than i pi/2 (alpha^2 or mu^2 negative), so that Chebyshev nodes converge
+//! geometrically; what lies below the interpolant is integrated.
 
 use rayon::prelude::*;
 
@@ -17,10 +18,12 @@ use lobefit_truth::quantity::{BECKMANN_REFLECTION, GGX_REFLECTION, Quantity};
 /// Least alpha and mu of the interpolant.
 const LEAST: f64 = 1e-6;
 
-/// Nodes along each axis. Measured over [1e-6, 1]^2: 56 nodes leave 1e-6, 72 leave 3e-8, a factor of 9 for every 8 more.
+/// Nodes along each axis. Measured over [1e-6, 1]^2: 56 nodes leave 1e-6, 72 leave 3e-8, a factor
+/// of 9 for every 8 more.
 const NODES: usize = 88;
 
-/// What [`NODES`] leave, and the rule of sixteen nodes a panel: of GGX, and of Beckmann, whose tail bends more.
+/// What [`NODES`] leave, and the rule of sixteen nodes a panel: of GGX, and of Beckmann, whose tail
+/// bends more.
 const BOUNDS: [f64; 2] = [1e-9, 1e-5];
 
 /// E and B of one point.

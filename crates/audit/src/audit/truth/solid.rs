@@ -1,4 +1,5 @@
-//! Truths over three inputs, coarsely: cubic interpolation between knots, for trying many conventions. What a verdict says is exact.
+//! Truths over three inputs, coarsely: cubic interpolation between knots, for trying many
+//! conventions. What a verdict says is exact.
 
 use super::Values;
 
@@ -24,7 +25,8 @@ impl Knots {
         (0..self.count).map(|i| at(i).clamp(self.range[0], self.range[1])).collect()
     }
 
-    /// The first of the knots that an input's value is made of, and their weights: Lagrange's cubic, near an end that of the last four.
+    /// The first of the knots that an input's value is made of, and their weights: Lagrange's
+    /// cubic, near an end that of the last four.
     fn place(&self, x: f64) -> (usize, [f64; 4]) {
         let [low, high] = self.range.map(self.coordinate);
         let u = (self.coordinate)(x.clamp(self.range[0], self.range[1]));
@@ -47,7 +49,8 @@ pub(super) struct Solid {
 }
 
 impl Solid {
-    /// Values at every combination of inputs, the first fastest: one input after the other, the slowest first.
+    /// Values at every combination of inputs, the first fastest: one input after the other, the
+    /// slowest first.
     pub(super) fn at(&self, lobe: usize, at: &[&[f64]]) -> Values {
         let [nx, ny, _] = self.knots.map(|k| k.count);
         let slow = along(&self.knots[2], at[2], nx * ny, self.values[lobe]);

@@ -4,7 +4,8 @@ use super::words::{number, place};
 use crate::audit::Audit;
 use crate::audit::table::Source;
 
-/// Of a table or function whose convention was found: at texels or points, and what lookups between them make of it.
+/// Of a table or function whose convention was found: at texels or points, and what lookups between
+/// them make of it.
 pub fn limit_judged(audit: &Audit, limit: f64) -> String {
     let limit_text = number(limit);
     if audit.source == Source::Function {

@@ -209,7 +209,8 @@ fn idle(audit: &Audit) -> Option<String> {
     (!told.is_empty()).then(|| told.join(" "))
 }
 
-/// Departures from white below this are not worth a sentence: in per cent, and in three digits, they would be next to nothing.
+/// Departures from white below this are not worth a sentence: in per cent, and in three digits,
+/// they would be next to nothing.
 const UNSEEN: f64 = 1e-5;
 
 fn furnace(audit: &Audit) -> Option<String> {

@@ -1,5 +1,6 @@
-//! DirectDraw surfaces, with and without the extended header: textures of one, two and three dimensions and arrays of two,
-//! uncompressed; the largest level. Layout: Microsoft, "DDS_HEADER", "DDS_PIXELFORMAT", "DDS_HEADER_DXT10".
+//! DirectDraw surfaces, with and without the extended header: textures of one, two and three
+//! dimensions and arrays of two, uncompressed; the largest level. Layout: Microsoft, "DDS_HEADER",
+//! "DDS_PIXELFORMAT", "DDS_HEADER_DXT10".
 
 use super::packed::{CONVERT, Pixels, Source};
 use super::{Image, claimed, dxgi};

@@ -1,4 +1,5 @@
-//! Texel formats of DirectDraw surfaces. Source: Microsoft, "DXGI_FORMAT" and "Programming guide for DDS".
+//! Texel formats of DirectDraw surfaces. Source: Microsoft, "DXGI_FORMAT" and "Programming guide
+//! for DDS".
 
 use super::packed::Pixels;
 use crate::foreign::RawFormat::{F16, F32, Unorm8, Unorm16};

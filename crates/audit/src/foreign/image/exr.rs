@@ -1,4 +1,5 @@
-//! OpenEXR images: flat layers of half, single and integer channels of any names, the largest resolution level.
+//! OpenEXR images: flat layers of half, single and integer channels of any names, the largest
+//! resolution level.
 
 use std::cell::Cell;
 use std::io::{Cursor, Read, Seek, SeekFrom};

@@ -1,5 +1,6 @@
-//! KTX 2 textures of one to three dimensions and arrays of two, uncompressed or supercompressed with Zstandard; the largest
-//! level. Layout: Khronos, "KTX File Format Specification", version 2.0, section 3.
+//! KTX 2 textures of one to three dimensions and arrays of two, uncompressed or supercompressed
+//! with Zstandard; the largest level. Layout: Khronos, "KTX File Format Specification", version
+//! 2.0, section 3.
 
 use std::io::Read;
 

@@ -94,7 +94,8 @@ fn slices(values: &[f64], width: usize, x: usize, y: usize) -> Vec<f64> {
     out
 }
 
-/// Texels of a size that a header claims, times channels: refused beyond the limit, before anything is allocated.
+/// Texels of a size that a header claims, times channels: refused beyond the limit, before anything
+/// is allocated.
 fn claimed(file: &str, size: &[u64], channels: u64) -> Result<usize, ForeignError> {
     let product = |n: u128, &side: &u64| n.checked_mul(u128::from(side));
     let found = size.iter().chain([&channels]).try_fold(1, product).unwrap_or(u128::MAX);
@@ -110,7 +111,8 @@ fn claimed(file: &str, size: &[u64], channels: u64) -> Result<usize, ForeignErro
     Ok(found as usize)
 }
 
-/// Runs a reader of another crate: if it fails in a way that it does not foresee, that is an error like any other.
+/// Runs a reader of another crate: if it fails in a way that it does not foresee, that is an error
+/// like any other.
 fn guarded<T>(
     file: &str,
     reader: &str,

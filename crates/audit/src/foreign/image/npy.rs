@@ -50,7 +50,8 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
     Ok(vec![shape::table(file, list, hints)?])
 }
 
-/// Refuses a size that contradicts the array's own: a list may be laid out, and rows may be slices one below the other.
+/// Refuses a size that contradicts the array's own: a list may be laid out, and rows may be slices
+/// one below the other.
 fn contradicted(
     source: Source,
     shape: &[usize],

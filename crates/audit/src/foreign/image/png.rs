@@ -1,5 +1,5 @@
-//! PNG images of 8 and 16 bits. Values are those stored, divided by 255 or 65535: a colour space that the file names is named
-//! too, and not applied, for what tables hold are no colours.
+//! PNG images of 8 and 16 bits. Values are those stored, divided by 255 or 65535: a colour space
+//! that the file names is named too, and not applied, for what tables hold are no colours.
 
 use std::io::Cursor;
 

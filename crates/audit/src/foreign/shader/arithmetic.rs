@@ -1,4 +1,5 @@
-//! Operators of shaders on values: entry by entry, a scalar with every entry of a vector, and the products of matrices.
+//! Operators of shaders on values: entry by entry, a scalar with every entry of a vector, and the
+//! products of matrices.
 
 use naga::{BinaryOperator, Expression, Handle, RelationalFunction, Span, UnaryOperator};
 

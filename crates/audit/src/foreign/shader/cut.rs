@@ -1,5 +1,5 @@
-//! GLSL without what the front end cannot read: functions of combined samplers, and what depends on them, are blanked out, byte for byte,
-//! so that places stay where they are.
+//! GLSL without what the front end cannot read: functions of combined samplers, and what depends on
+//! them, are blanked out, byte for byte, so that places stay where they are.
 
 use std::collections::BTreeSet;
 
@@ -23,7 +23,8 @@ impl Cut {
     /// Leaves out what reads textures, and what is made of it.
     ///
     /// # Errors
-    /// The function asked for reads a texture, or the right side of one of its `&&` or `||` changes variables.
+    /// The function asked for reads a texture, or the right side of one of its `&&` or `||` changes
+    /// variables.
     pub fn new(source: &Source, entry: Option<&str>) -> Result<Cut, ForeignError> {
         let items = items(&source.text);
         let mut cut = Cut { needed: needed(&items, entry), items, gone: BTreeSet::new() };
@@ -56,7 +57,8 @@ impl Cut {
         Ok(cut)
     }
 
-    /// Leaves out the function at a byte, that the front end stumbles over; false if it is needed, or there is none.
+    /// Leaves out the function at a byte, that the front end stumbles over; false if it is needed,
+    /// or there is none.
     pub fn drop_at(&mut self, at: usize) -> bool {
         let here = |i: &usize| {
             let item = &self.items[*i];
@@ -134,7 +136,8 @@ impl Cut {
         }
     }
 
-    /// Functions that write variables of others: those outside of functions, by themselves or by a call, or their caller's.
+    /// Functions that write variables of others: those outside of functions, by themselves or by a
+    /// call, or their caller's.
     fn writers(&self) -> BTreeSet<String> {
         let variables =
             self.items.iter().filter(|i| i.variable && !i.name.is_empty()).map(|i| i.name.clone());

@@ -247,7 +247,8 @@ impl<'a> Walk<'a> {
         })
     }
 
-    /// Scalars of a type, those of an array counted in. A module's types name only those before them, so that one pass counts all.
+    /// Scalars of a type, those of an array counted in. A module's types name only those before
+    /// them, so that one pass counts all.
     fn entries(&self, ty: Handle<Type>) -> usize {
         let mut counts: Vec<usize> = Vec::with_capacity(ty.index() + 1);
         for (_, each) in self.module.types.iter().take(ty.index() + 1) {

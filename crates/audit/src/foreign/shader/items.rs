@@ -15,7 +15,8 @@ pub(super) struct Item {
     pub outs: bool,
     /// Whether it declares a variable that functions may write to.
     pub variable: bool,
-    /// Names that it holds, in order, with the byte where each begins, and whether a bracket of arguments follows.
+    /// Names that it holds, in order, with the byte where each begins, and whether a bracket of
+    /// arguments follows.
     pub words: Vec<(usize, String, bool)>,
 }
 
@@ -106,7 +107,8 @@ fn note(item: &mut Item, at: usize, token: Token, before: Token, depth: usize) {
     }
 }
 
-/// The text with blanks for the `const` of `const in` arguments, which the front end does not know, and which says nothing of values.
+/// The text with blanks for the `const` of `const in` arguments, which the front end does not know,
+/// and which says nothing of values.
 pub(super) fn plain_arguments(text: &str) -> String {
     let mut lexer = Lexer::new(text, "");
     let (mut before, mut out, mut from) = (None, String::with_capacity(text.len()), 0);
@@ -121,8 +123,8 @@ pub(super) fn plain_arguments(text: &str) -> String {
     out + &text[from..]
 }
 
-/// The byte of something on the right of `&&` or `||` that changes what others read, within a range, with its name: GLSL makes it only where
-/// the left side asks for it, the front end always.
+/// The byte of something on the right of `&&` or `||` that changes what others read, within a
+/// range, with its name: GLSL makes it only where the left side asks for it, the front end always.
 pub(super) fn eager(text: &str, range: [usize; 2], writes: &dyn Fn(&str) -> bool) -> Option<(usize, String)> {
     let text = &text[range[0]..range[1]];
     let bytes = text.as_bytes();
@@ -165,7 +167,8 @@ pub(super) fn eager(text: &str, range: [usize; 2], writes: &dyn Fn(&str) -> bool
     None
 }
 
-/// Whether `=` at a byte is of `==`, `!=`, `<=` or `>=`, and not of an assignment, as it is in `<<=`.
+/// Whether `=` at a byte is of `==`, `!=`, `<=` or `>=`, and not of an assignment, as it is in
+/// `<<=`.
 fn compares(bytes: &[u8], at: usize) -> bool {
     let before = |k: usize| at.checked_sub(k).map(|i| bytes[i]);
     match before(1) {

@@ -1,11 +1,13 @@
 //! Shader functions as tapes: one per scalar of the result, over the scalars of the arguments.
 //!
-//! naga's front ends parse and check WGSL and GLSL; its intermediate form is walked symbolically. Literals are f32, as in shaders;
-//! operations are made in the order written, none fused; a variable of GLSL that is read before it is set is an error.
+//! naga's front ends parse and check WGSL and GLSL; its intermediate form is walked symbolically.
+//! Literals are f32, as in shaders; operations are made in the order written, none fused; a
+//! variable of GLSL that is read before it is set is an error.
 //!
-//! This is not the lowering of `lobefit_shade`, which keeps a text's statements so that they can be printed in six languages, and refuses
-//! what cannot be: integers and their loops, matrices, structures, vectors that change, pointers and `out` arguments. Functions
-//! of other people use all of these, and are only evaluated.
+//! This is not the lowering of `lobefit_shade`, which keeps a text's statements so that they can be
+//! printed in six languages, and refuses what cannot be: integers and their loops, matrices,
+//! structures, vectors that change, pointers and `out` arguments. Functions of other people use all
+//! of these, and are only evaluated.
 
 mod arithmetic;
 mod cut;
@@ -42,29 +44,32 @@ pub struct ShaderFunction {
     pub name: String,
     /// Scalars of its arguments, in order: `roughness`, and `f0.x f0.y f0.z` for a vector f0.
     pub inputs: Vec<String>,
-    /// Scalars of its result, in order: nothing for a single number, else `x y`, members of a structure, `out` arguments.
+    /// Scalars of its result, in order: nothing for a single number, else `x y`, members of a
+    /// structure, `out` arguments.
     pub results: Vec<String>,
     /// One tape per scalar of the result, in order; each takes all inputs and no parameters.
     pub components: Vec<Tape>,
     /// Where it begins.
     pub at: Spot,
-    /// Functions of its file that were left out before it was read, by name: in GLSL those that read textures or that the front end cannot
-    /// read, and what depends on them.
+    /// Functions of its file that were left out before it was read, by name: in GLSL those that
+    /// read textures or that the front end cannot read, and what depends on them.
     pub left_out: Vec<String>,
 }
 
 /// Stack of the thread that parses and walks: both recurse over nested expressions.
 const STACK: usize = 64 << 20;
 
-/// The functions of a shader file: the one that is asked for (each overload of it), or all that can be read. The language is told
-/// by the extension, else by the text, if it is not stated. GLSL may be a bare include: it needs neither `#version` nor `main`;
-/// directives that name other files are left out, and so are functions that read textures or that the front end cannot
-/// read, unless the one asked for needs them; `saturate` is known.
+/// The functions of a shader file: the one that is asked for (each overload of it), or all that can
+/// be read. The language is told by the extension, else by the text, if it is not stated. GLSL may
+/// be a bare include: it needs neither `#version` nor `main`; directives that name other files are
+/// left out, and so are functions that read textures or that the front end cannot read, unless the
+/// one asked for needs them; `saturate` is known.
 ///
 /// # Errors
-/// Each names the file, line and column, and what to do: what is no WGSL or GLSL; a function that is not there, or uses textures,
-/// uniforms, loops or indices that depend on inputs, or whatever else [`Tape`] cannot hold; where no function is asked for, only if
-/// none can be read, the first one's reason.
+/// Each names the file, line and column, and what to do: what is no WGSL or GLSL; a function that
+/// is not there, or uses textures, uniforms, loops or indices that depend on inputs, or whatever
+/// else [`Tape`] cannot hold; where no function is asked for, only if none can be read, the first
+/// one's reason.
 pub fn read_functions(
     bytes: &[u8],
     file: &str,

@@ -21,7 +21,8 @@ pub(super) struct Signature {
 const INPUTS: usize = 64;
 
 impl<'a> Walk<'a> {
-    /// Inputs for every scalar argument; variables, nothing written to them, for those that the function writes.
+    /// Inputs for every scalar argument; variables, nothing written to them, for those that the
+    /// function writes.
     pub fn arguments(&mut self, function: &'a Function, span: Span) -> Result<Signature, ForeignError> {
         let mut signature = Signature { inputs: Vec::new(), values: Vec::new(), outs: Vec::new() };
         for argument in &function.arguments {
@@ -72,7 +73,8 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// The scalars of a result with their names: of the value returned, then of what was written to arguments.
+    /// The scalars of a result with their names: of the value returned, then of what was written to
+    /// arguments.
     pub fn results(
         &mut self,
         function: &'a Function,

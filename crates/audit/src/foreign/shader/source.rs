@@ -21,7 +21,8 @@ pub(super) struct Source {
     prelude: &'static str,
 }
 
-/// Directives of GLSL that say nothing about what functions compute, and that the front end stumbles over.
+/// Directives of GLSL that say nothing about what functions compute, and that the front end
+/// stumbles over.
 const DIRECTIVES: [&str; 6] = ["version", "extension", "pragma", "line", "include", "import"];
 
 /// Most functions that the front end may stumble over: every one costs a parse.
@@ -58,8 +59,8 @@ impl Source {
         Ok(Source { file, text, language, prelude })
     }
 
-    /// The module of the source, type-checked, and the names of functions of GLSL that are left out of it: those that the front end cannot
-    /// read and that the one asked for does not need.
+    /// The module of the source, type-checked, and the names of functions of GLSL that are left out
+    /// of it: those that the front end cannot read and that the one asked for does not need.
     pub fn parse(&self, entry: Option<&str>) -> Result<(Module, Vec<String>), ForeignError> {
         let (module, left_out) = match self.language {
             ShaderLanguage::Wgsl => (self.wgsl()?, Vec::new()),
@@ -152,7 +153,8 @@ impl Source {
     }
 }
 
-/// What stands before GLSL: `saturate`, which engines define for all their sources and shaders call without saying so.
+/// What stands before GLSL: `saturate`, which engines define for all their sources and shaders call
+/// without saying so.
 fn prelude(text: &str) -> &'static str {
     let defined = text.lines().any(|l| l.trim_start().starts_with('#') && l.contains(" saturate"));
     let declared = || items(text).iter().any(|i| i.function && i.name == "saturate");
@@ -171,8 +173,8 @@ fn guess(file: &str, text: &str) -> ShaderLanguage {
     }
 }
 
-/// GLSL with the directives of [`DIRECTIVES`] turned into blanks, byte for byte, so that places stay where they are, and with the
-/// `main` that the front end asks for.
+/// GLSL with the directives of [`DIRECTIVES`] turned into blanks, byte for byte, so that places
+/// stay where they are, and with the `main` that the front end asks for.
 fn blanked(text: &str) -> String {
     let is_one = |line: &str| {
         let rest = line.trim_start().strip_prefix('#').map(str::trim_start);

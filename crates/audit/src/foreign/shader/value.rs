@@ -165,7 +165,8 @@ impl Maker {
         }
     }
 
-    /// One value or the other, entry by entry; what is unset in one, or differs where no number does, is unset.
+    /// One value or the other, entry by entry; what is unset in one, or differs where no number
+    /// does, is unset.
     pub fn merge(&mut self, condition: Node, accept: &Value, reject: &Value) -> Value {
         match (accept, reject) {
             (a, b) if a == b => a.clone(),

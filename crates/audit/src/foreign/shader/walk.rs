@@ -1,4 +1,5 @@
-//! Statements of a shader function, walked symbolically: calls inlined, loops unrolled, both sides of a branch taken and merged.
+//! Statements of a shader function, walked symbolically: calls inlined, loops unrolled, both sides
+//! of a branch taken and merged.
 
 use naga::{Block, Expression, Function, Handle, Module, Span, Statement, SwitchValue};
 
@@ -49,7 +50,8 @@ pub(super) struct Walk<'a> {
     pub globals: Vec<Option<usize>>,
     /// The last place that was known: front ends do not tell that of every expression.
     here: Span,
-    /// Slots below this belong to callers of a function that may have returned already: they are not written.
+    /// Slots below this belong to callers of a function that may have returned already: they are
+    /// not written.
     guard: usize,
     steps: usize,
     depth: usize,
@@ -244,7 +246,8 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// The guard at a statement of a function: its callers' slots, once it has returned on some path.
+    /// The guard at a statement of a function: its callers' slots, once it has returned on some
+    /// path.
     fn guarded(&self, frame: &Frame) -> usize {
         if matches!(frame.returned, Returned::Where(..)) { self.guard.max(frame.base) } else { self.guard }
     }

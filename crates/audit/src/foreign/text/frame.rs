@@ -21,7 +21,8 @@ pub(super) struct Literal {
     pub decimals: Option<u32>,
     /// All are hexadecimal.
     pub hex: bool,
-    /// Where the first bracket ends that holds other entries than those before it, and how they differ.
+    /// Where the first bracket ends that holds other entries than those before it, and how they
+    /// differ.
     pub two_lobes: Option<(usize, String)>,
 }
 

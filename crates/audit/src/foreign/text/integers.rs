@@ -6,8 +6,9 @@ use crate::foreign::{ForeignError, RawFormat, Spot, Step};
 
 /// What kind of numbers they are, their values and step.
 ///
-/// With a format stated, that is what they are. Without: integers up to 1 are numbers; hexadecimal ones of 16 bits are halves if
-/// all are between -16 and 16, which unorms of a table that uses its range are not; all else is refused as ambiguous.
+/// With a format stated, that is what they are. Without: integers up to 1 are numbers; hexadecimal
+/// ones of 16 bits are halves if all are between -16 and 16, which unorms of a table that uses its
+/// range are not; all else is refused as ambiguous.
 pub(super) fn read(
     file: &str,
     at: Spot,

@@ -10,7 +10,8 @@ const LONGEST: usize = 2000;
 pub(super) struct Lead {
     /// The declared name, or empty.
     pub name: String,
-    /// Sizes declared after the name, `[32][32]`, outermost first; 0 where a size is none that can be read.
+    /// Sizes declared after the name, `[32][32]`, outermost first; 0 where a size is none that can
+    /// be read.
     pub sizes: Vec<usize>,
 }
 

@@ -1,4 +1,5 @@
-//! Tokens of program text: what C, C++, HLSL, GLSL, WGSL, Rust, JavaScript and Python have in common.
+//! Tokens of program text: what C, C++, HLSL, GLSL, WGSL, Rust, JavaScript and Python have in
+//! common.
 
 /// A piece of program text.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,8 +33,8 @@ pub(in crate::foreign) struct Number {
 pub(in crate::foreign) struct Lexer<'a> {
     text: &'a str,
     at: usize,
-    /// `#` begins a comment (Python), a directive (C) or an attribute (Rust); all end with the line, but for `#[`.
-    /// Single quotes enclose strings, rather than naming lifetimes.
+    /// `#` begins a comment (Python), a directive (C) or an attribute (Rust); all end with the
+    /// line, but for `#[`. Single quotes enclose strings, rather than naming lifetimes.
     quotes: bool,
 }
 
@@ -100,7 +101,8 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// A string: to its closing quote, or to the end of the line if it is not closed there (backquotes reach over lines).
+    /// A string: to its closing quote, or to the end of the line if it is not closed there
+    /// (backquotes reach over lines).
     fn string(&mut self, quote: char) -> Token<'a> {
         let rest = &self.text[self.at + 1..];
         let mut escaped = false;
@@ -122,7 +124,8 @@ impl<'a> Lexer<'a> {
         self.at += length;
         match number {
             Some(number) => Token::Number(number),
-            // What begins like a number and is none spoils the brackets around it, as any odd character does.
+            // What begins like a number and is none spoils the brackets around it, as any odd
+            // character does.
             None => Token::Mark(b'?'),
         }
     }

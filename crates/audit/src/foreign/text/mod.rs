@@ -1,8 +1,8 @@
-//! Array literals of program texts: C, C++, HLSL, GLSL, WGSL, Rust, JavaScript, TypeScript, Python, JSON, and lists of numbers
-//! without anything around them.
+//! Array literals of program texts: C, C++, HLSL, GLSL, WGSL, Rust, JavaScript, TypeScript, Python,
+//! JSON, and lists of numbers without anything around them.
 //!
-//! Nested brackets are axes, outermost slowest; brackets of two to four numbers, and vectors, are texels of channels. What is
-//! computed (`1.0 / 3.0`, `sin(x)`, `[0.5; 9]`) is no literal.
+//! Nested brackets are axes, outermost slowest; brackets of two to four numbers, and vectors, are
+//! texels of channels. What is computed (`1.0 / 3.0`, `sin(x)`, `[0.5; 9]`) is no literal.
 
 mod frame;
 mod integers;
@@ -107,7 +107,8 @@ fn dimensions(lead: &Lead, literal: &Literal) -> Result<shape::Grouped, String> 
     shape::grouped(shape, literal.vectors && !flat).map_err(|message| format!("{}: {message}", lead.name))
 }
 
-/// Whether declared sizes are those of the brackets, outermost first: channels may follow them, and inner brackets may be left out.
+/// Whether declared sizes are those of the brackets, outermost first: channels may follow them, and
+/// inner brackets may be left out.
 fn agree(stated: &[usize], shape: &[usize]) -> bool {
     let long = |list: &[usize]| list.iter().copied().filter(|&n| n != 1).collect::<Vec<_>>();
     let (stated, shape) = (long(stated), long(shape));

@@ -2,10 +2,12 @@
 
 use super::lex::{Lexer, Token};
 
-/// Most operators and brackets on the way from a statement to a term. Arguments of one bracket are beside each other, not inside.
+/// Most operators and brackets on the way from a statement to a term. Arguments of one bracket are
+/// beside each other, not inside.
 pub(in crate::foreign) fn nesting(text: &str, file: &str) -> usize {
     let mut lexer = Lexer::new(text, file);
-    // Operators since the last comma or semicolon, for each bracket that is open, the outermost being the text itself.
+    // Operators since the last comma or semicolon, for each bracket that is open, the outermost
+    // being the text itself.
     let (mut open, mut sum, mut deepest) = (vec![0usize], 0usize, 0);
     while let Some((_, token)) = lexer.next() {
         let operator = match token {

@@ -1,7 +1,7 @@
 //! One pass over a program text for the brackets that hold nothing but numbers: array literals.
 //!
-//! Invariant: brackets that hold something else lie outside those that do not, so the open brackets that may still become
-//! literals are the innermost ones, and `values` holds their numbers only.
+//! Invariant: brackets that hold something else lie outside those that do not, so the open brackets
+//! that may still become literals are the innermost ones, and `values` holds their numbers only.
 
 use super::frame::{Frame, Literal};
 use super::lex::{Lexer, Number, Token};
@@ -25,7 +25,8 @@ struct Scan<'a> {
     generic: usize,
 }
 
-/// The array literals of a text with at least [`limits::ARRAY_MIN`] values, in order. A text that is nothing but numbers is one.
+/// The array literals of a text with at least [`limits::ARRAY_MIN`] values, in order. A text that
+/// is nothing but numbers is one.
 pub(super) fn literals(text: &str, file: &str) -> Result<Vec<Literal>, ForeignError> {
     let mut scan = Scan {
         text,
@@ -56,7 +57,8 @@ impl<'a> Scan<'a> {
         &mut self.frames[last]
     }
 
-    /// Whether the token was one of generic arguments, which end at the bracket that matches or at what they cannot hold.
+    /// Whether the token was one of generic arguments, which end at the bracket that matches or at
+    /// what they cannot hold.
     fn in_generic(&mut self, token: Token) -> bool {
         match token {
             Token::Mark(b'<') => self.generic += 1,
@@ -210,7 +212,8 @@ impl<'a> Scan<'a> {
         Ok(())
     }
 
-    /// Something that is no number: the open brackets are no literals, what is complete inside them is.
+    /// Something that is no number: the open brackets are no literals, what is complete inside them
+    /// is.
     fn spoil(&mut self) -> Result<(), ForeignError> {
         let first = self.frames.iter().position(|f| f.pure).unwrap_or(self.frames.len());
         for depth in first..self.frames.len() {
@@ -224,7 +227,8 @@ impl<'a> Scan<'a> {
         Ok(())
     }
 
-    /// The text ends: a list without brackets is a literal, a bracket of numbers that is still open is cut short.
+    /// The text ends: a list without brackets is a literal, a bracket of numbers that is still open
+    /// is cut short.
     fn end(&mut self) -> Result<(), ForeignError> {
         let open = self.frames.len() - 1;
         let top = self.top();

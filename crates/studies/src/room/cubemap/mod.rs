@@ -1,11 +1,11 @@
 //! The cubemap of a probe as an engine has it: faces of texels, a chain of levels prefiltered with
 //! a lobe each, fetched by trilinear interpolation.
 //!
-//! What of the error of a lookup is the chain's own can be separated part by part: a level is captured
-//! or integrated ([`Source`]), stored in 16 or 32 bits ([`Format`]) and read across the edges of
-//! its faces or not ([`Edges`]); [`Integrated`] fetches without any of them. [`Viewpoint`] says
-//! from where the texels of a level see the room: from the probe, or from above the wall that they
-//! show.
+//! What of the error of a lookup is the chain's own can be separated part by part: a level is
+//! captured or integrated ([`Source`]), stored in 16 or 32 bits ([`Format`]) and read across the
+//! edges of its faces or not ([`Edges`]); [`Integrated`] fetches without any of them. [`Viewpoint`]
+//! says from where the texels of a level see the room: from the probe, or from above the wall that
+//! they show.
 
 mod capture;
 mod chain;

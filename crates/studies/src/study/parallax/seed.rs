@@ -68,7 +68,7 @@ fn cell(
     distance: f64,
 ) -> Result<SeedCell, IntegrateError> {
     let kernel = &parameters.kernel;
-    let [shifted, plain] = fits(&kernel, plotted, alpha, distance)?;
+    let [shifted, plain] = fits(kernel, plotted, alpha, distance)?;
     let x = || (0..=POINTS).map(|i| f64::from(i) / f64::from(POINTS));
     let target = kernel.lobe(alpha);
     let curve = |fit: &WindowFit| {

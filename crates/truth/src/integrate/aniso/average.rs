@@ -1,5 +1,6 @@
-//! The mean over the view's azimuth: a periodic trapezoid in b, tan(phi) = sqrt(alpha_x/alpha_y) tan(b), over one quadrant (E is
-//! even about both axes). The variable spreads the dip at the short axis, so that the rule converges geometrically.
+//! The mean over the view's azimuth: a periodic trapezoid in b, tan(phi) = sqrt(alpha_x/alpha_y)
+//! tan(b), over one quadrant (E is even about both axes). The variable spreads the dip at the short
+//! axis, so that the rule converges geometrically.
 
 use super::Rules;
 use super::rays::Rays;
@@ -7,14 +8,16 @@ use super::view::View;
 use crate::optics::Smith;
 use lobefit_math::ops;
 
-/// Digits of the rule of eight nodes, as a multiple of the strip's width: the trapezoid's error is exp(-4 strip count).
+/// Digits of the rule of eight nodes, as a multiple of the strip's width: the trapezoid's error is
+/// exp(-4 strip count).
 const NODES: f64 = 14.0;
 
 /// E and loss, averaged over the azimuth; finer rules have more azimuths in proportion.
 pub(super) fn mean(smith: Smith, alpha: [f64; 2], mu: f64, rules: &Rules) -> [f64; 2] {
     let ratio = (alpha[0] / alpha[1]).max(alpha[1] / alpha[0]);
     let root = (alpha[0] / alpha[1]).sqrt();
-    // The integrand's strip of analyticity in b has half width atanh(sqrt(min/max)) (numerics: 14/(4 atanh)).
+    // The integrand's strip of analyticity in b has half width atanh(sqrt(min/max)) (numerics:
+    // 14/(4 atanh)).
     let strip = if ratio > 1.0 { atanh((1.0 / ratio).sqrt()) } else { f64::INFINITY };
     let count = ((NODES / (4.0 * strip)).ceil().max(2.0) as usize) * (rules.azimuth.nodes() / 8);
     let mut total = [0.0; 2];

@@ -1,9 +1,10 @@
-//! `ggx-reflection-aniso`: E and its loss of the anisotropic GGX reflection lobe, at a fixed azimuth of the view or averaged
-//! over it.
+//! `ggx-reflection-aniso`: E and its loss of the anisotropic GGX reflection lobe, at a fixed
+//! azimuth of the view or averaged over it.
 //!
-//! In slope space the facets that reflect above the horizon form a disc of radius 1/mu about the point where the view's own
-//! slope lies; it contains the macro normal, so it is rays-shaped about it, and its edge is a closed form that does not depend
-//! on alpha. The integral runs along rays from the macro normal (`ray`) and over their azimuth (`rays`).
+//! In slope space the facets that reflect above the horizon form a disc of radius 1/mu about the
+//! point where the view's own slope lies; it contains the macro normal, so it is rays-shaped about
+//! it, and its edge is a closed form that does not depend on alpha. The integral runs along rays
+//! from the macro normal (`ray`) and over their azimuth (`rays`).
 
 mod average;
 mod ray;
@@ -19,8 +20,8 @@ use view::View;
 /// Range of alpha_x and alpha_y, beside both 0.
 pub const ALPHA: [f64; 2] = [1e-4, 4.0];
 
-/// Tolerance of a value when none is asked for: the promise for alpha_x, alpha_y in [1e-3, 3] with ratio up to 1:100 and mu in
-/// [1e-3, 1].
+/// Tolerance of a value when none is asked for: the promise for alpha_x, alpha_y in [1e-3, 3] with
+/// ratio up to 1:100 and mu in [1e-3, 1].
 pub const TOLERANCE: f64 = 1e-9;
 
 /// `ggx-reflection-aniso` at a point.
@@ -50,8 +51,8 @@ impl Rules {
     }
 }
 
-/// Integrates E and the loss at alpha_x, alpha_y in [1e-4, 4] (or both 0: the mirror), mu in [0, 1] and the azimuth phi of the
-/// view from the alpha_x axis, radians; without phi, the mean over it.
+/// Integrates E and the loss at alpha_x, alpha_y in [1e-4, 4] (or both 0: the mirror), mu in [0, 1]
+/// and the azimuth phi of the view from the alpha_x axis, radians; without phi, the mean over it.
 pub fn aniso(
     smith: Smith,
     alpha: [f64; 2],
@@ -75,8 +76,8 @@ pub fn aniso(
     Err(IntegrateError::Tolerance { quantity: QUANTITY, place, reached, tolerance })
 }
 
-/// Rounding of the nested sums in units of a single one's: a floor of 2e-11, a fiftieth of the promise, which also covers the rare
-/// points where both rules err alike.
+/// Rounding of the nested sums in units of a single one's: a floor of 2e-11, a fiftieth of the
+/// promise, which also covers the rare points where both rules err alike.
 const FLOOR: f64 = 300.0;
 
 const QUANTITY: &str = "ggx-reflection-aniso";

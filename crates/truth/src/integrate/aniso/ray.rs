@@ -1,5 +1,6 @@
-//! One ray of facets from the macro normal at a fixed azimuth: facet angle t, tan(t/2) = (g/2) sinh(v), g the effective alpha
-//! along the ray. In v the distribution is one unit wide, with its poles at +-i pi/2.
+//! One ray of facets from the macro normal at a fixed azimuth: facet angle t, tan(t/2) = (g/2)
+//! sinh(v), g the effective alpha along the ray. In v the distribution is one unit wide, with its
+//! poles at +-i pi/2.
 
 use super::view::View;
 use crate::integrate::PanelRule;
@@ -21,7 +22,8 @@ pub(super) struct Ray<'a> {
 }
 
 impl<'a> Ray<'a> {
-    /// The ray whose stretched azimuth is (cos, sin): its direction is (alpha_x cos, alpha_y sin)/g.
+    /// The ray whose stretched azimuth is (cos, sin): its direction is (alpha_x cos, alpha_y
+    /// sin)/g.
     pub fn new(view: &'a View, stretched: [f64; 2]) -> Ray<'a> {
         let (x, y) = (view.alpha[0] * stretched[0], view.alpha[1] * stretched[1]);
         let g = (x * x + y * y).sqrt();
@@ -30,7 +32,8 @@ impl<'a> Ray<'a> {
         Ray { view, azimuth, g, cosine }
     }
 
-    /// E and loss of the ray, each times g^2: int sin(t) (v.h) G/mu / (cos^2 t + sin^2 t/g^2)^2 dt / g^2.
+    /// E and loss of the ray, each times g^2: int sin(t) (v.h) G/mu / (cos^2 t + sin^2 t/g^2)^2 dt
+    /// / g^2.
     pub fn integrate(&self, rule: &PanelRule) -> [f64; 2] {
         let lean = self.view.sine * self.cosine;
         let q = (self.view.mu * self.view.mu + lean * lean).sqrt();
@@ -52,7 +55,8 @@ impl<'a> Ray<'a> {
         [e * area, (above + below) * area]
     }
 
-    /// tan(t/2) at the horizon of the light, mu cos(2t) + lean sin(2t) = 0, and where v.h = 0 or t = pi/2.
+    /// tan(t/2) at the horizon of the light, mu cos(2t) + lean sin(2t) = 0, and where v.h = 0 or
+    /// t = pi/2.
     fn ends(&self, lean: f64, q: f64) -> [f64; 2] {
         let mu = self.view.mu;
         let half = |opposite: f64, adjacent: f64| {
@@ -65,8 +69,8 @@ impl<'a> Ray<'a> {
         if lean >= 0.0 { [half(q + lean, mu), 1.0] } else { [half(mu, q - lean), half(mu, -lean)] }
     }
 
-    /// Scale in v on which the shadowing of the light varies at its horizon: s_l has branch points at mu_l = +-i s_l, and the
-    /// correlated form a pole at mu_l = -mu s_l/s_v.
+    /// Scale in v on which the shadowing of the light varies at its horizon: s_l has branch points
+    /// at mu_l = +-i s_l, and the correlated form a pole at mu_l = -mu s_l/s_v.
     fn scale(&self, horizon: f64, q: f64) -> f64 {
         let view = self.view;
         let length2 = 1.0 + horizon * horizon;
@@ -115,7 +119,8 @@ impl<'a> Ray<'a> {
         self.along(v, |_, _| masking)
     }
 
-    /// The integrand in v, with a geometry factor of the light's cosine and alpha_x^2 l_x^2 + alpha_y^2 l_y^2.
+    /// The integrand in v, with a geometry factor of the light's cosine and alpha_x^2 l_x^2 +
+    /// alpha_y^2 l_y^2.
     #[inline(always)]
     fn along(&self, v: &F8, geometry: impl Fn(f64, f64) -> f64) -> F8 {
         let view = self.view;

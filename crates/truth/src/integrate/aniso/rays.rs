@@ -1,7 +1,8 @@
 //! All rays of facets about the macro normal.
 //!
-//! The azimuth is that of the stretched slopes, psi: a ray points along (alpha_x cos psi, alpha_y sin psi), and
-//! E = (1/pi) int dpsi (ray integral)/g^2 with g the length of that vector: the rays' weights do not depend on the anisotropy.
+//! The azimuth is that of the stretched slopes, psi: a ray points along (alpha_x cos psi, alpha_y
+//! sin psi), and E = (1/pi) int dpsi (ray integral)/g^2 with g the length of that vector: the rays'
+//! weights do not depend on the anisotropy.
 
 use std::f64::consts::PI;
 
@@ -46,13 +47,15 @@ fn breaks(view: &View) -> Vec<(f64, f64)> {
     let [cos_phi, sin_phi] = view.azimuth;
     let ratio = (ax / ay).min(ay / ax);
     let mut breaks = Vec::new();
-    // g, the length of (ax cos psi, ay sin psi), has branch points at this distance from the short axis.
+    // g, the length of (ax cos psi, ay sin psi), has branch points at this distance from the short
+    // axis.
     let short = if ax < ay { 0.0 } else { 0.5 * PI };
     for turn in [0.0, PI] {
         breaks.push((short + turn, ratio));
         breaks.push((short + 0.5 * PI + turn, 1.0));
     }
-    // The radius of the disc turns from large to small where a ray is perpendicular to the view, on the scale mu/sin(theta).
+    // The radius of the disc turns from large to small where a ray is perpendicular to the view, on
+    // the scale mu/sin(theta).
     if view.sine > 0.0 {
         let across = ops::atan2(cos_phi / ay, -sin_phi / ax);
         let (x, y) = (ax * ops::cos(across), ay * ops::sin(across));
@@ -61,7 +64,8 @@ fn breaks(view: &View) -> Vec<(f64, f64)> {
             breaks.push((across + turn, scale.clamp(1e-9, 1.0)));
         }
     }
-    // The light's stretched length dips where the light runs along the short axis at the horizon: h ~ v + l.
+    // The light's stretched length dips where the light runs along the short axis at the horizon: h
+    // ~ v + l.
     for sign in [-1.0, 1.0] {
         let along = if ax < ay { [sign, 0.0] } else { [0.0, sign] };
         let (x, y) = (view.sine * cos_phi + along[0], view.sine * sin_phi + along[1]);

@@ -12,8 +12,8 @@ use lobefit_math::ops;
 /// Steps of ln R: exp(-pi^2/h) is 2e-11 and 1e-14.
 const STEPS: [f64; 2] = [0.4, 0.3];
 
-/// Where the kernel is a table, piecewise smooth alone, the first step, of one that ends with a jump and of any other, and what each is of the one
-/// before: at most so many.
+/// Where the kernel is a table, piecewise smooth alone, the first step, of one that ends with a
+/// jump and of any other, and what each is of the one before: at most so many.
 const TABLE_STEP: f64 = 0.1;
 const CUT_STEP: f64 = 0.02;
 const REFINED: f64 = 0.7;
@@ -22,17 +22,19 @@ const REFINEMENTS: usize = 16;
 /// How many times the largest difference between the last three such widths their error is at most.
 const SAFETY: f64 = 10.0;
 
-/// ln alpha' is sought this far on either side of a closed form, and farther where the distance still falls; and this far above 0, where
-/// a width is saturated.
+/// ln alpha' is sought this far on either side of a closed form, and farther where the distance
+/// still falls; and this far above 0, where a width is saturated.
 const REACH: f64 = 0.3;
 
-/// Widenings of the interval: the closed form is nowhere off by a factor of 10 where lobes are as wide as they say.
+/// Widenings of the interval: the closed form is nowhere off by a factor of 10 where lobes are as
+/// wide as they say.
 const WIDENINGS: usize = 8;
 
 /// Widths above 1 that count as 1, in the logarithm: what rounding leaves at alpha = rho = 1.
 const SATURATED: f64 = 1e-6;
 
-/// Relative and absolute tolerance of ln alpha'; a minimum of a smooth function is not known better.
+/// Relative and absolute tolerance of ln alpha'; a minimum of a smooth function is not known
+/// better.
 const SOUGHT: f64 = 1e-10;
 
 /// How far from its minimum the distance differs by no more than its rounding.
@@ -54,7 +56,8 @@ pub struct Adjusted {
     pub error: f64,
 }
 
-/// `parallax-alpha` at alpha in {0} or [1e-6, 1] and rho in [1e-6, 1e3], to an absolute `tolerance`.
+/// `parallax-alpha` at alpha in {0} or [1e-6, 1] and rho in [1e-6, 1e3], to an absolute
+/// `tolerance`.
 ///
 /// # Errors
 /// An input outside its domain; a tolerance that is not reached.
@@ -79,7 +82,8 @@ pub fn adjusted(kernel: &Kernel, alpha: f64, rho: f64, tolerance: f64) -> Result
     Ok(Adjusted { alpha: exact, tv, saturated, error })
 }
 
-/// The best width, whether it is saturated, and its error, by finer and finer steps until that is within a tolerance or there are enough of them.
+/// The best width, whether it is saturated, and its error, by finer and finer steps until that is
+/// within a tolerance or there are enough of them.
 fn of_table(
     kernel: &Kernel,
     alpha: f64,
@@ -172,8 +176,9 @@ fn search(kernel: &Kernel, alpha: f64, rho: f64, step: f64) -> Result<(f64, bool
     Ok(if found > SATURATED { (1.0, true) } else { (ops::exp(found).min(1.0), false) })
 }
 
-/// An interval of ln alpha' about `middle` with a minimum inside, or at its upper end where that is saturated; `None` where the distance
-/// falls on and on, as with a table whose lobes do not follow their widths.
+/// An interval of ln alpha' about `middle` with a minimum inside, or at its upper end where that is
+/// saturated; `None` where the distance falls on and on, as with a table whose lobes do not follow
+/// their widths.
 fn bracket(distance: &Distance, middle: f64) -> Option<[f64; 2]> {
     let lows = std::iter::successors(Some(middle - REACH), |low| Some(low - REACH));
     let highs =

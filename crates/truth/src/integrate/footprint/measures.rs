@@ -7,7 +7,8 @@ use crate::optics::kernel::{Kernel, Lobe};
 /// Step of ln R: between neighbours the densities cross at most once, where they have a formula.
 const STEP: f64 = 0.1;
 
-/// Steps of a table's lobes, finer the more angles it has, so that what crosses twice in one is less than its noise from angle to angle.
+/// Steps of a table's lobes, finer the more angles it has, so that what crosses twice in one is
+/// less than its noise from angle to angle.
 const TABLE_STEPS: [f64; 2] = [0.005, 0.1];
 const ANGLES_A_STEP: f64 = 4.0;
 

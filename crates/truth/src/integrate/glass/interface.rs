@@ -1,4 +1,5 @@
-//! A smooth dielectric interface: refraction and Fresnel, stable for every index of refraction >= 1.
+//! A smooth dielectric interface: refraction and Fresnel, stable for every index of
+//! refraction >= 1.
 
 use crate::optics::fresnel;
 
@@ -40,8 +41,8 @@ pub(super) struct Interface {
 pub(super) struct Facet {
     /// Reflectance.
     pub fresnel: f64,
-    /// cos and sin of the angle from the straight-through direction to the refracted one, positive towards the facet's
-    /// normal; (1, 0) at total reflection.
+    /// cos and sin of the angle from the straight-through direction to the refracted one, positive
+    /// towards the facet's normal; (1, 0) at total reflection.
     pub deviation: [f64; 2],
 }
 

@@ -1,12 +1,15 @@
-//! `ggx-glass`: energy that a rough dielectric interface reflects (R) and transmits (T), from either side, with exact Fresnel
-//! and total internal reflection. Isotropic GGX; energy, so no 1/eta^2; a ray that leaves on the wrong side counts 0.
+//! `ggx-glass`: energy that a rough dielectric interface reflects (R) and transmits (T), from
+//! either side, with exact Fresnel and total internal reflection. Isotropic GGX; energy, so no
+//! 1/eta^2; a ray that leaves on the wrong side counts 0.
 //!
-//! Facets are swept in polar coordinates about the view: the angle theta_d between view and facet normal, on which Fresnel,
-//! the half angle of the reflection and the deviation of the refraction depend alone (`sweep`), and the azimuth psi about the
-//! view, in which the heights of facet, mirrored and refracted direction are all linear in cos(psi) (`ring`).
+//! Facets are swept in polar coordinates about the view: the angle theta_d between view and facet
+//! normal, on which Fresnel, the half angle of the reflection and the deviation of the refraction
+//! depend alone (`sweep`), and the azimuth psi about the view, in which the heights of facet,
+//! mirrored and refracted direction are all linear in cos(psi) (`ring`).
 //!
-//! Ends of the domain: alpha = 0 is the smooth interface, R = F(mu), T = 1 - F(mu). ior = 1 has R = 0 and T = G2/G1 of the
-//! straight-through direction: (1 + L)/(1 + 2 L) for the correlated form and 1/(1 + L) for the separable one, not 1.
+//! Ends of the domain: alpha = 0 is the smooth interface, R = F(mu), T = 1 - F(mu). ior = 1 has R =
+//! 0 and T = G2/G1 of the straight-through direction: (1 + L)/(1 + 2 L) for the correlated form and
+//! 1/(1 + L) for the separable one, not 1.
 
 mod interface;
 mod ring;
@@ -28,7 +31,8 @@ pub const SMALLEST_MU: f64 = 1e-6;
 /// Largest index of refraction.
 pub const LARGEST_IOR: f64 = 4.0;
 
-/// Tolerance of a value when none is asked for: the promise for alpha and mu in [1e-3, 1] and ior in [1, 3].
+/// Tolerance of a value when none is asked for: the promise for alpha and mu in [1e-3, 1] and ior
+/// in [1, 3].
 pub const TOLERANCE: f64 = 1e-8;
 
 /// `ggx-glass` at a point.
@@ -50,8 +54,8 @@ pub struct Glass {
 
 const QUANTITY: &str = "ggx-glass";
 
-/// Integrates `ggx-glass` at alpha in {0} or [1e-4, 1], mu in [1e-6, 1] and ior = n_inside/n_outside in [1, 4]; `side` is where the
-/// ray comes from.
+/// Integrates `ggx-glass` at alpha in {0} or [1e-4, 1], mu in [1e-6, 1] and ior =
+/// n_inside/n_outside in [1, 4]; `side` is where the ray comes from.
 pub fn glass(
     smith: Smith,
     alpha: f64,

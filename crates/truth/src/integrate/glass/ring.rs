@@ -1,12 +1,12 @@
 //! The ring of facets at one angle to the view.
 //!
-//! With the view at angle theta from the macro normal and e(psi) the unit vectors perpendicular to it (psi = 0 towards the macro
-//! normal), a facet is h = cos(theta_d) v + sin(theta_d) e, so
+//! With the view at angle theta from the macro normal and e(psi) the unit vectors perpendicular to
+//! it (psi = 0 towards the macro normal), a facet is h = cos(theta_d) v + sin(theta_d) e, so
 //!   h_z = mu cos(theta_d) + sin(theta) sin(theta_d) cos(psi),
 //!   mirrored  l_z =  mu cos(2 theta_d) + sin(theta) sin(2 theta_d) cos(psi),
 //!   refracted l_z = -mu cos(delta) - sin(theta) sin(delta) cos(psi), delta the deviation towards -h.
-//! D depends on h_z alone, with 1 - h_z = 2 sin^2((theta_d - theta)/2) + 2 sin(theta) sin(theta_d) sin^2(psi/2) free of
-//! cancellation. tan(psi/4) = r sinh(v) puts the pole of D at v = i pi/2.
+//! D depends on h_z alone, with 1 - h_z = 2 sin^2((theta_d - theta)/2) + 2 sin(theta) sin(theta_d)
+//! sin^2(psi/2) free of cancellation. tan(psi/4) = r sinh(v) puts the pole of D at v = i pi/2.
 
 use super::interface::Facet;
 use crate::integrate::PanelRule;
@@ -70,7 +70,8 @@ impl<'a> Ring<'a> {
         ops::asinh(tan / self.r)
     }
 
-    /// Mirrored light: [kept, lost] of G1(v) D over the ring, each divided by mu. `double` = cos, sin of 2 theta_d.
+    /// Mirrored light: [kept, lost] of G1(v) D over the ring, each divided by mu. `double` = cos,
+    /// sin of 2 theta_d.
     pub fn mirrored(&self, double: [f64; 2], rule: &PanelRule) -> [f64; 2] {
         let height = Height { middle: self.view.mu * double[0], swing: self.view.sine * double[1] };
         self.split(height, rule)
@@ -83,7 +84,8 @@ impl<'a> Ring<'a> {
         self.split(height, rule)
     }
 
-    /// Over the part of the ring where the height is positive: G2 D/mu and (G1 - G2) D/mu; over the rest G1 D/mu is lost.
+    /// Over the part of the ring where the height is positive: G2 D/mu and (G1 - G2) D/mu; over the
+    /// rest G1 D/mu is lost.
     fn split(&self, height: Height, rule: &PanelRule) -> [f64; 2] {
         let end = self.end;
         if height.swing >= 0.0 {
@@ -133,7 +135,8 @@ impl<'a> Ring<'a> {
         rule.panels(&cuts, &|v| self.along(v, |_| masking))
     }
 
-    /// Scale in v on which the shadowing varies at an end where the light is near its horizon; 1 elsewhere.
+    /// Scale in v on which the shadowing varies at an end where the light is near its horizon; 1
+    /// elsewhere.
     fn scale(&self, height: Height, v: f64) -> f64 {
         let view = self.view;
         let tau = self.r * ops::sinh(v);
@@ -142,7 +145,8 @@ impl<'a> Ring<'a> {
         let mu_l = height.at(half).abs().min(1.0);
         let s_l = ggx::stretched_length(view.alpha, mu_l);
         let layer = (view.mu * s_l / view.s_v).min(view.alpha) + mu_l;
-        // d height / d psi = -swing sin(psi), sin(psi) = 2 sin(psi/2) cos(psi/2); d psi = 4 d tau/(1 + tau^2)
+        // d height / d psi = -swing sin(psi), sin(psi) = 2 sin(psi/2) cos(psi/2); d psi = 4 d
+        // tau/(1 + tau^2)
         let sin_psi = 2.0 * (half * (1.0 - half).max(0.0)).sqrt();
         let slope = height.swing.abs() * sin_psi * 4.0 * (self.r * self.r + tau * tau).sqrt() / length2;
         (layer / slope).clamp(1e-12, 1.0)

@@ -1,10 +1,11 @@
-//! The sweep over the angle theta_d between view and facets:
-//! R = int F cos(theta_d) sin(theta_d) (ring of mirrored light) dtheta_d, T the same with 1 - F and refracted light, and the loss
-//! what both leave out (by the weak white furnace all of G1 D cos/mu adds up to 1).
+//! The sweep over the angle theta_d between view and facets: R = int F cos(theta_d) sin(theta_d)
+//! (ring of mirrored light) dtheta_d, T the same with 1 - F and refracted light, and the loss what
+//! both leave out (by the weak white furnace all of G1 D cos/mu adds up to 1).
 //!
-//! tan((theta_d - theta)/2) = (alpha/2) sinh(u) makes the peak at the macro normal one unit wide. The sweep is cut where a ring
-//! turns from whole to truncated and at the critical angle; at each of these it behaves as a square root, which panels that
-//! shrink geometrically down to a millionth resolve to 1e-9.
+//! tan((theta_d - theta)/2) = (alpha/2) sinh(u) makes the peak at the macro normal one unit wide.
+//! The sweep is cut where a ring turns from whole to truncated and at the critical angle; at each
+//! of these it behaves as a square root, which panels that shrink geometrically down to a millionth
+//! resolve to 1e-9.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 

@@ -1,4 +1,5 @@
-//! Monte Carlo for the anisotropic and the glass lobe: visible normals, textbook Fresnel and refraction as vectors.
+//! Monte Carlo for the anisotropic and the glass lobe: visible normals, textbook Fresnel and
+//! refraction as vectors.
 
 use super::{Points, Run, Sampled, Weights, check_samples, column, replicas};
 use crate::integrate::IntegrateError;
@@ -9,7 +10,8 @@ use crate::optics::ggx::{self, Vec3};
 use lobefit_math::ops;
 use lobefit_math::sobol::DIMENSIONS;
 
-/// `ggx-reflection-aniso` by Monte Carlo: E and loss; without phi, the third coordinate draws the view's azimuth.
+/// `ggx-reflection-aniso` by Monte Carlo: E and loss; without phi, the third coordinate draws the
+/// view's azimuth.
 pub fn aniso(
     smith: Smith,
     alpha: [f64; 2],

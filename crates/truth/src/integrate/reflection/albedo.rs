@@ -24,11 +24,13 @@ pub(super) fn kept<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
 
 /// 1 - E, computed directly.
 ///
-/// By the weak white furnace (Heitz 2014, sec. 5.1) int G1(v)/(4 mu) K dmu_l = 1 over mu_l in [-mu, 1], so the loss is the
-/// light shadowed above the horizon, (G1(v) - G2)/(4 mu) K, and all that leaves below it, G1(v)/(4 mu) K.
+/// By the weak white furnace (Heitz 2014, sec. 5.1) int G1(v)/(4 mu) K dmu_l = 1 over mu_l in [-mu,
+/// 1], so the loss is the light shadowed above the horizon, (G1(v) - G2)/(4 mu) K, and all that
+/// leaves below it, G1(v)/(4 mu) K.
 pub(super) fn lost<D: Distribution>(view: &View<D>, rule: &PanelRule) -> f64 {
     let above = rule.panels(&view.cuts(), &|u| shadowed_integrand(view, u, rule));
-    // A peak with a power for a tail is smooth below the horizon, over the cosine itself; another is resolved as it is above.
+    // A peak with a power for a tail is smooth below the horizon, over the cosine itself; another
+    // is resolved as it is above.
     let below = if D::REACH.is_finite() {
         rule.panels(&view.cuts_below(), &|u| {
             let at = view.lights_above(u, -1.0);
@@ -49,8 +51,8 @@ pub struct Work {
     pub evaluations: usize,
 }
 
-/// E(alpha, mu) with its cost, on the graded panels or on one panel over the whole range: for studies of what accuracy
-/// costs. alpha > 0, mu in [0, 1].
+/// E(alpha, mu) with its cost, on the graded panels or on one panel over the whole range: for
+/// studies of what accuracy costs. alpha > 0, mu in [0, 1].
 pub fn albedo_work(smith: Smith, alpha: f64, mu: f64, rule: &PanelRule, graded: bool) -> Work {
     let view = View::new(smith, Ggx(alpha), mu);
     let mut cuts = view.cuts();

@@ -19,8 +19,9 @@ pub struct Average {
     pub loss_error: f64,
 }
 
-/// Nodes per panel of the coarse and the fine rule over mu. E behaves as mu ln(mu) at mu = 0, which the grading of the panels
-/// resolves down to a thousandth of alpha; what is left there is below 1e-13.
+/// Nodes per panel of the coarse and the fine rule over mu. E behaves as mu ln(mu) at mu = 0, which
+/// the grading of the panels resolves down to a thousandth of alpha; what is left there is below
+/// 1e-13.
 const NODES: [usize; 2] = [8, 16];
 
 /// Integrates `ggx-average` at alpha in {0} or [1e-7, 1].

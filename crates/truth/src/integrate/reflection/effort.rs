@@ -1,4 +1,5 @@
-//! How much work a value takes: rules for the outer and the inner integral, and a count of what they evaluate.
+//! How much work a value takes: rules for the outer and the inner integral, and a count of what
+//! they evaluate.
 
 use std::sync::LazyLock;
 
@@ -13,7 +14,8 @@ const INNER_BLOCKS: usize = 32;
 static INNER: LazyLock<Vec<PanelRule>> =
     LazyLock::new(|| (1..=INNER_BLOCKS).map(|blocks| PanelRule::new(blocks * LANES)).collect());
 
-/// A pair of rules: nodes per panel of the polar integral, and digits asked of the azimuth integral.
+/// A pair of rules: nodes per panel of the polar integral, and digits asked of the azimuth
+/// integral.
 #[derive(Clone, Debug)]
 pub struct Effort {
     /// Rule of each panel over the polar angle.
@@ -40,9 +42,9 @@ impl Effort {
         &LADDER
     }
 
-    /// Azimuth rule for an interval of `length` in the variable whose singularities are +-i pi/2 from its start: n nodes
-    /// leave rho^-2n, and 2n ln(rho)/ln(10) = digits is met by n = digits (9 + 2.2 length)/15 (fitted to
-    /// rho(2) = 3.85, rho(5) = 2.29, rho(10) = 1.78).
+    /// Azimuth rule for an interval of `length` in the variable whose singularities are +-i pi/2
+    /// from its start: n nodes leave rho^-2n, and 2n ln(rho)/ln(10) = digits is met by n = digits
+    /// (9 + 2.2 length)/15 (fitted to rho(2) = 3.85, rho(5) = 2.29, rho(10) = 1.78).
     pub(super) fn inner(&self, length: f64) -> &'static PanelRule {
         let nodes = self.digits * (9.0 + 2.2 * length) / 15.0;
         let blocks = (nodes / LANES as f64).ceil().clamp(1.0, INNER_BLOCKS as f64);
@@ -50,8 +52,9 @@ impl Effort {
     }
 }
 
-/// The azimuth rule of twice the nodes of an outer rule: of a distribution whose tail is exp(-sinh^2 v) in the variable of the azimuth, an
-/// entire function on an interval that is never longer than [`GAUSSIAN_END`](super::schlick::GAUSSIAN_END).
+/// The azimuth rule of twice the nodes of an outer rule: of a distribution whose tail is
+/// exp(-sinh^2 v) in the variable of the azimuth, an entire function on an interval that is never
+/// longer than [`GAUSSIAN_END`](super::schlick::GAUSSIAN_END).
 pub(super) fn across(outer: &PanelRule) -> &'static PanelRule {
     let blocks = (2 * outer.nodes() / LANES).min(INNER_BLOCKS);
     &INNER[blocks - 1]

@@ -1,11 +1,13 @@
 //! The reflection integral about a fixed view, over the polar angle of the light.
 //!
-//! With theta and theta_l the polar angles of view and light, put D = theta - theta_l and S = theta + theta_l. For a light
-//! at azimuth psi from the plane of incidence (psi = 0 on the mirror's side) the squared length of v + l is
-//! q(psi) = 4 cos^2(S/2) + 4 sin(theta) sin(theta_l) sin^2(psi/2).
+//! With theta and theta_l the polar angles of view and light, put D = theta - theta_l and S =
+//! theta + theta_l. For a light at azimuth psi from the plane of incidence (psi = 0 on the mirror's
+//! side) the squared length of v + l is q(psi) = 4 cos^2(S/2) + 4 sin(theta) sin(theta_l)
+//! sin^2(psi/2).
 //!
-//! The outer variable u, tan(-D/2) = a sinh(u), makes the peak at the mirror direction one unit wide for every alpha: at psi = 0 the
-//! tangent of the half vector's angle is a |sinh(u)|. The azimuth is integrated in closed form where there is one (`Ring` else).
+//! The outer variable u, tan(-D/2) = a sinh(u), makes the peak at the mirror direction one unit
+//! wide for every alpha: at psi = 0 the tangent of the half vector's angle is a |sinh(u)|. The
+//! azimuth is integrated in closed form where there is one (`Ring` else).
 
 use super::effort::across;
 use super::schlick::Ring;
@@ -42,22 +44,26 @@ pub(super) struct Lights {
     pub jacobian: F8,
 }
 
-/// Longest panel in u of a distribution whose tail is a power: the integrand is singular at u = +-i pi/2, so n Gauss nodes on a panel of
-/// length 2 leave (pi/2 + sqrt(pi^2/4 + 1))^-2n = 3.4^-2n: 1e-17 for n = 16.
+/// Longest panel in u of a distribution whose tail is a power: the integrand is singular at u = +-i
+/// pi/2, so n Gauss nodes on a panel of length 2 leave (pi/2 + sqrt(pi^2/4 + 1))^-2n = 3.4^-2n:
+/// 1e-17 for n = 16.
 pub(super) const LONGEST: f64 = 2.0;
 
-/// Longest panel in u of one whose tail is exp(-sinh^2 u): an entire function, which falls by e^-10 over such a panel at u = 2.
+/// Longest panel in u of one whose tail is exp(-sinh^2 u): an entire function, which falls by e^-10
+/// over such a panel at u = 2.
 const LONGEST_OF_GAUSSIAN: f64 = 0.75;
 
-/// Smallest panel at the horizon of a view at mu = 0, in units of alpha: what is left on it is below the rounding, and the cosines of
-/// lights on it are still told from 0.
+/// Smallest panel at the horizon of a view at mu = 0, in units of alpha: what is left on it is
+/// below the rounding, and the cosines of lights on it are still told from 0.
 const FINEST: f64 = 1e-11;
 
-/// Cosines below this are 0: panels graded down to them would be many, and E differs from its limit by less.
+/// Cosines below this are 0: panels graded down to them would be many, and E differs from its limit
+/// by less.
 const GRAZING: f64 = 1e-100;
 
 impl<D: Distribution> View<D> {
-    /// A view with alpha > 0 and mu in [0, 1]. A cosine below [`GRAZING`] is taken for 0, the limit that it cannot be told from.
+    /// A view with alpha > 0 and mu in [0, 1]. A cosine below [`GRAZING`] is taken for 0, the limit
+    /// that it cannot be told from.
     pub fn new(smith: Smith, lobe: D, mu: f64) -> View<D> {
         let mu = if mu < GRAZING { 0.0 } else { mu };
         let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
@@ -67,8 +73,8 @@ impl<D: Distribution> View<D> {
     /// Cuts of the outer variable from theta_l = 0 to the horizon.
     pub fn cuts(&self) -> Vec<f64> {
         let (a, mu) = (self.lobe.alpha(), self.mu);
-        // At the horizon s_l has branch points at mu_l = +-i a, the correlated G2 a pole near mu_l = -mu, and v.h, which
-        // Schlick's weight sees, a branch point near mu_l = -mu.
+        // At the horizon s_l has branch points at mu_l = +-i a, the correlated G2 a pole near
+        // mu_l = -mu, and v.h, which Schlick's weight sees, a branch point near mu_l = -mu.
         self.cuts_down_to(if mu > 0.0 { a.min(mu) } else { a })
     }
 
@@ -91,7 +97,8 @@ impl<D: Distribution> View<D> {
         cuts
     }
 
-    /// Cuts of the outer variable from the horizon to mu_l = -mu, where the half vector vanishes; of a distribution with a finite reach.
+    /// Cuts of the outer variable from the horizon to mu_l = -mu, where the half vector vanishes;
+    /// of a distribution with a finite reach.
     pub fn cuts_below(&self) -> Vec<f64> {
         let a = self.lobe.alpha();
         let m = self.mu / (1.0 + self.sine);
@@ -111,7 +118,8 @@ impl<D: Distribution> View<D> {
         self.lights_above(u, 0.0)
     }
 
-    /// The lights at eight values of the outer variable, no lower than a cosine; the areas of those below the horizon are meaningless.
+    /// The lights at eight values of the outer variable, no lower than a cosine; the areas of those
+    /// below the horizon are meaningless.
     #[inline(always)]
     pub fn lights_above(&self, u: &F8, lowest: f64) -> Lights {
         let a = self.lobe.alpha();
@@ -125,7 +133,8 @@ impl<D: Distribution> View<D> {
             let sin_d = -m * cos_d;
             let sin_s = self.sine * cos_d - self.mu * sin_d;
             let cos_s = self.mu * cos_d + self.sine * sin_d;
-            // cos(theta + 2 atan(m)): at grazing both terms are small, so their difference is good to eps times them.
+            // cos(theta + 2 atan(m)): at grazing both terms are small, so their difference is good
+            // to eps times them.
             let mu_l = ((self.mu * (1.0 - m) * (1.0 + m) - 2.0 * m * self.sine) / length2).max(lowest);
             let sin_l = sin_s * cos_d - cos_s * sin_d;
             out.sin_d[i] = sin_d;
@@ -141,8 +150,8 @@ impl<D: Distribution> View<D> {
         out
     }
 
-    /// The lights at eight cosines in [-mu, 0], below the horizon. The outer variable is the cosine itself: K has its
-    /// peak above the horizon and is smooth here.
+    /// The lights at eight cosines in [-mu, 0], below the horizon. The outer variable is the cosine
+    /// itself: K has its peak above the horizon and is smooth here.
     #[inline(always)]
     pub fn lights_below(&self, cosine: &F8) -> Lights {
         let (sin_v, cos_v) = (((1.0 - self.mu) * 0.5).sqrt(), ((1.0 + self.mu) * 0.5).sqrt());

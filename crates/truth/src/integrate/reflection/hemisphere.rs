@@ -1,8 +1,9 @@
-//! A rule over the directions of light above the surface that knows where a reflection lobe has its peak: for integrals of whole BRDFs,
-//! given as functions of two directions.
+//! A rule over the directions of light above the surface that knows where a reflection lobe has its
+//! peak: for integrals of whole BRDFs, given as functions of two directions.
 //!
-//! Polar angle and azimuth of the light are those of `geometry` and `schlick`: the peak about the mirror direction is one unit wide for every
-//! alpha, and panels are graded to the horizon on the scale of alpha and of the view's cosine.
+//! Polar angle and azimuth of the light are those of `geometry` and `schlick`: the peak about the
+//! mirror direction is one unit wide for every alpha, and panels are graded to the horizon on the
+//! scale of alpha and of the view's cosine.
 
 use super::effort::Effort;
 use super::geometry::View;
@@ -17,7 +18,8 @@ use lobefit_math::ops;
 pub struct Ring {
     /// Their cosine to the normal.
     pub cosine: f64,
-    /// Directions with the solid angle that each stands for, that of its mirror image in the plane of incidence included.
+    /// Directions with the solid angle that each stands for, that of its mirror image in the plane
+    /// of incidence included.
     pub lights: Vec<(Vec3, f64)>,
 }
 
@@ -31,7 +33,8 @@ pub struct Hemisphere {
 }
 
 impl Hemisphere {
-    /// Rings for a lobe of alpha in [1e-7, 1] seen at mu in [0, 1], for functions that are even in the y of the light.
+    /// Rings for a lobe of alpha in [1e-7, 1] seen at mu in [0, 1], for functions that are even in
+    /// the y of the light.
     pub fn new(alpha: f64, mu: f64, effort: &Effort) -> Hemisphere {
         let view = View::new(Smith::Correlated, Ggx(alpha), mu);
         let mut rings = Vec::new();
@@ -76,7 +79,8 @@ struct Polar {
 }
 
 impl Polar {
-    /// tan(psi/4) = r sinh(v), psi the azimuth from the mirror's side, 0 to pi: r puts the pole of D at v = i pi/2.
+    /// tan(psi/4) = r sinh(v), psi the azimuth from the mirror's side, 0 to pi: r puts the pole of
+    /// D at v = i pi/2.
     fn ring(&self, sine_v: f64, weight: f64, effort: &Effort) -> Ring {
         let square = self.near * self.peak;
         let swing = sine_v * self.sine;

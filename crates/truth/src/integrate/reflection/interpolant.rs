@@ -1,7 +1,8 @@
 //! E and B at millions of points, from patches of polynomials.
 //!
-//! Over x = ln(alpha) and y = ln(mu/(1.6 - mu)) both are analytic: the layer mu ~ alpha has its branch points at mu = +-i alpha, pi/2 from
-//! the real axis in either variable, and 1.6 spreads the end at mu = 1, beyond which the square root of the sine lies.
+//! Over x = ln(alpha) and y = ln(mu/(1.6 - mu)) both are analytic: the layer mu ~ alpha has its
+//! branch points at mu = +-i alpha, pi/2 from the real axis in either variable, and 1.6 spreads the
+//! end at mu = 1, beyond which the square root of the sine lies.
 
 use std::sync::OnceLock;
 
@@ -14,7 +15,8 @@ use crate::optics::Smith;
 use crate::optics::distribution::Distribution;
 use lobefit_math::ops;
 
-/// Largest difference from the integral at the points of a tile that are checked: half of [`Interpolant::ERROR`].
+/// Largest difference from the integral at the points of a tile that are checked: half of
+/// [`Interpolant::ERROR`].
 const CHECKED: f64 = 1e-9;
 
 /// Tiles along x and along y, none longer than a patch may be.
@@ -22,8 +24,8 @@ const TILES: [usize; 2] = [8, 9];
 
 /// E, and B where that is asked for, for alpha and mu in [[`Interpolant::SMALLEST`], 1].
 ///
-/// The domain is cut into tiles once for all. A tile is made when a point of it is first asked for, and stays: its polynomials do not
-/// depend on who asks, and when.
+/// The domain is cut into tiles once for all. A tile is made when a point of it is first asked for,
+/// and stays: its polynomials do not depend on who asks, and when.
 pub struct Interpolant<D> {
     lobe: fn(f64) -> D,
     smith: Smith,
@@ -77,7 +79,8 @@ impl<D: Distribution> Interpolant<D> {
 
     fn made(&self, tile: [usize; 2]) -> Option<&Patches> {
         let make = || {
-            // Both errors below 1e-11, so that the values are smooth: a jump between rules looks like a patch that is too long.
+            // Both errors below 1e-11, so that the values are smooth: a jump between rules looks
+            // like a patch that is too long.
             let effort = Effort::new(16, 12.0);
             let at = |place: [f64; 2]| {
                 let [alpha, mu] = physical(place);

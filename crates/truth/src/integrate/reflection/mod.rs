@@ -1,12 +1,15 @@
-//! `ggx-reflection`: the directional albedo of the GGX reflection lobe, its split over f0 by Schlick's Fresnel, and its
-//! loss; `ggx-average`: their cosine-weighted averages.
+//! `ggx-reflection`: the directional albedo of the GGX reflection lobe, its split over f0 by
+//! Schlick's Fresnel, and its loss; `ggx-average`: their cosine-weighted averages.
 //!
 //! Ends of the domain, as limits of the integrals:
-//! - alpha = 0 is the mirror: E = 1, loss = 0, B = (1 - mu)^5, A = 1 - B, E_avg = 1 (taken before mu -> 0);
-//! - mu = 0, alpha > 0: the integrals themselves, which are finite; correlated E = 1 and loss = 0, separable E below 1;
+//! - alpha = 0 is the mirror: E = 1, loss = 0, B = (1 - mu)^5, A = 1 - B, E_avg = 1 (taken before
+//!   mu -> 0);
+//! - mu = 0, alpha > 0: the integrals themselves, which are finite; correlated E = 1 and loss = 0,
+//!   separable E below 1;
 //! - mu = 1: the integrals themselves; at alpha = 1, E = 1 - ln 2 (either form).
 //!
-//! Derivations stand in `geometry` (the azimuth in closed form) and `albedo` (the loss by the weak white furnace).
+//! Derivations stand in `geometry` (the azimuth in closed form) and `albedo` (the loss by the weak
+//! white furnace).
 
 mod albedo;
 mod average;
@@ -27,14 +30,16 @@ use crate::optics::Smith;
 use crate::optics::distribution::{Distribution, Ggx};
 use geometry::View;
 
-/// Smallest alpha above 0 that is integrated; below it the lobe is a mirror to 1e-8 in E wherever mu > 1e-3. The promise of 1e-10
-/// is tested from 1e-4, and E + loss = 1 down to here.
+/// Smallest alpha above 0 that is integrated; below it the lobe is a mirror to 1e-8 in E wherever
+/// mu > 1e-3. The promise of 1e-10 is tested from 1e-4, and E + loss = 1 down to here.
 pub const SMALLEST_ALPHA: f64 = 1e-7;
 
-/// Smallest cosine at which the loss is held to its relative promise; below it, `error` alone bounds the loss.
+/// Smallest cosine at which the loss is held to its relative promise; below it, `error` alone
+/// bounds the loss.
 pub const SMALLEST_MU: f64 = 1e-4;
 
-/// Smallest loss of a distribution with a Gaussian tail that is held to its relative promise: it falls to 0 faster than any power.
+/// Smallest loss of a distribution with a Gaussian tail that is held to its relative promise: it
+/// falls to 0 faster than any power.
 pub const SMALLEST_LOSS: f64 = 1e-12;
 
 /// The tolerance of a value when none is asked for: the promise for alpha, mu in [1e-4, 1].
@@ -60,10 +65,11 @@ pub struct Reflection {
     pub loss_error: f64,
 }
 
-/// Integrates `ggx-reflection` at alpha in {0} or [1e-7, 1], mu in [0, 1], to an absolute `tolerance`, and for mu >= 1e-4
-/// the loss to 1e-6 relative.
+/// Integrates `ggx-reflection` at alpha in {0} or [1e-7, 1], mu in [0, 1], to an absolute
+/// `tolerance`, and for mu >= 1e-4 the loss to 1e-6 relative.
 ///
-/// Errors: an input outside its domain; a tolerance that the largest rule (64 nodes a panel) does not reach.
+/// Errors: an input outside its domain; a tolerance that the largest rule (64 nodes a panel) does
+/// not reach.
 pub fn reflection(smith: Smith, alpha: f64, mu: f64, tolerance: f64) -> Result<Reflection, IntegrateError> {
     reflection_of(QUANTITY, smith, Ggx(alpha), mu, tolerance)
 }
@@ -101,8 +107,8 @@ pub fn reflection_of<D: Distribution>(
     })
 }
 
-/// The split albedo (E, B) by one rule, without an error bound: for fields of many points whose rule was checked.
-/// alpha in {0} or [1e-7, 1], mu in [0, 1]; B costs some fifty times E.
+/// The split albedo (E, B) by one rule, without an error bound: for fields of many points whose
+/// rule was checked. alpha in {0} or [1e-7, 1], mu in [0, 1]; B costs some fifty times E.
 pub fn split(smith: Smith, alpha: f64, mu: f64, effort: &Effort) -> (f64, f64) {
     split_of(smith, Ggx(alpha), mu, effort)
 }
@@ -140,7 +146,8 @@ fn of_pair<D: Distribution>(
     fine: &Effort,
 ) -> Result<Reflection, IntegrateError> {
     let (alpha, mu) = (view.lobe.alpha(), view.mu);
-    // An integrand with a Gaussian tail has no nearest singularity, and twice the nodes need not square the error.
+    // An integrand with a Gaussian tail has no nearest singularity, and twice the nodes need not
+    // square the error.
     let estimate = if D::REACH.is_finite() { Estimate::from_slow_pair } else { Estimate::from_pair };
     let pair = |f: &dyn Fn(&Effort) -> f64, scale: f64| estimate(f(coarse), f(fine), scale);
     let e = pair(&|effort| albedo::kept(view, &effort.outer), 1.0);
@@ -148,7 +155,8 @@ fn of_pair<D: Distribution>(
     let fine_loss = albedo::lost(view, &fine.outer);
     let scale = if fine_loss > 0.0 { fine_loss } else { 1.0 };
     let loss = estimate(albedo::lost(view, &coarse.outer), fine_loss, scale);
-    // Nodes carry eps of absolute rounding in a variable where the horizon's layer is as wide as the smaller of alpha and mu.
+    // Nodes carry eps of absolute rounding in a variable where the horizon's layer is as wide as
+    // the smaller of alpha and mu.
     let rounding = 4.0 * f64::EPSILON / if mu > 0.0 { mu.min(alpha) } else { alpha };
     let value = Reflection {
         e: e.value,

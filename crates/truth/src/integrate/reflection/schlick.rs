@@ -1,4 +1,5 @@
-//! The reflection integral weighted with a function of v.h, over polar angle and azimuth: B for Schlick's (1 - v.h)^5.
+//! The reflection integral weighted with a function of v.h, over polar angle and azimuth: B for
+//! Schlick's (1 - v.h)^5.
 
 use multiversion::multiversion;
 
@@ -12,8 +13,9 @@ use lobefit_math::ops;
 use super::effort::Effort;
 use super::geometry::{Lights, View};
 
-/// B of a view, compiled for the instructions that the processor has. Every form does the same operations in the same order
-/// (nothing is contracted), so all give the bits that [`reflected`] gives.
+/// B of a view, compiled for the instructions that the processor has. Every form does the same
+/// operations in the same order (nothing is contracted), so all give the bits that [`reflected`]
+/// gives.
 #[multiversion(targets(
     "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
@@ -22,8 +24,8 @@ pub(super) fn bias<D: Distribution>(view: &View<D>, effort: &Effort) -> f64 {
     effort.outer.panels(&view.cuts_for_weight(), &|u| integrand(view, u, effort, &fresnel::schlick_weight))
 }
 
-/// The albedo of the GGX lobe with reflectance `fresnel`(1 - v.h) by one rule, without an error bound; alpha > 0, mu in [0, 1]. `fresnel` is
-/// smooth over [0, 1].
+/// The albedo of the GGX lobe with reflectance `fresnel`(1 - v.h) by one rule, without an error
+/// bound; alpha > 0, mu in [0, 1]. `fresnel` is smooth over [0, 1].
 pub fn reflected(
     smith: Smith,
     alpha: f64,
@@ -49,16 +51,16 @@ fn integrand<D: Distribution>(view: &View<D>, u: &F8, effort: &Effort, fresnel: 
     out
 }
 
-/// One polar angle of the light, over its azimuth psi. With t = `swing` sin^2(psi/2), |v + l|^2/4 = cos^2(S/2) + t and
-/// 1 - (v.h)^2 = sin^2(S/2) - t.
+/// One polar angle of the light, over its azimuth psi. With t = `swing` sin^2(psi/2), |v + l|^2/4 =
+/// cos^2(S/2) + t and 1 - (v.h)^2 = sin^2(S/2) - t.
 pub(super) struct Ring<D> {
     lobe: D,
     polar: Polar,
     swing: f64,
 }
 
-/// Where the azimuth integral of a distribution with tail exp(-sinh^2 v) ends at the latest. On a ring of any r that reaches so far, t is there
-/// 68 times the fall at least.
+/// Where the azimuth integral of a distribution with tail exp(-sinh^2 v) ends at the latest. On a
+/// ring of any r that reaches so far, t is there 68 times the fall at least.
 pub(super) const GAUSSIAN_END: f64 = 3.5;
 
 impl<D: Distribution> Ring<D> {
@@ -67,11 +69,13 @@ impl<D: Distribution> Ring<D> {
         Ring { lobe: view.lobe, polar: at.polar(i), swing: view.sine * at.sin_l[i] }
     }
 
-    /// int_0^2pi (D pi/a^2) F(1 - v.h) dpsi / pi, by tan(psi/4) = r sinh(v): r makes the scale on which D falls off one unit of v for every
-    /// alpha, for GGX by its pole at v = i pi/2. `rule` has the rule of an interval [0, end].
+    /// int_0^2pi (D pi/a^2) F(1 - v.h) dpsi / pi, by tan(psi/4) = r sinh(v): r makes the scale on
+    /// which D falls off one unit of v for every alpha, for GGX by its pole at v = i pi/2. `rule`
+    /// has the rule of an interval [0, end].
     #[inline(always)]
     pub fn integral<'r>(&self, rule: &impl Fn(f64) -> &'r PanelRule, fresnel: &impl Fn(f64) -> f64) -> f64 {
-        // D falls off at sin(psi/2) = kappa; 2 r/(1 - r^2) = kappa. Without swing the ring is even: r = 1.
+        // D falls off at sin(psi/2) = kappa; 2 r/(1 - r^2) = kappa. Without swing the ring is even:
+        // r = 1.
         let square = self.lobe.fall(&self.polar);
         let r = square.sqrt() / (self.swing.sqrt() + (self.swing + square).sqrt());
         let r = r.min(1.0);

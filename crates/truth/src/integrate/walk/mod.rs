@@ -1,13 +1,16 @@
-//! The second opinion on what single scattering leaves out: a random walk on the Smith microsurface (Heitz, Hanika, d'Eon and
-//! Dachsbacher, "Multiple-Scattering Microfacet BSDFs with the Smith Model", 2016), GGX, height-correlated, reflection only. It shares
-//! with the quadrature the definitions of Lambda and of visible normals, and nothing else.
+//! The second opinion on what single scattering leaves out: a random walk on the Smith microsurface
+//! (Heitz, Hanika, d'Eon and Dachsbacher, "Multiple-Scattering Microfacet BSDFs with the Smith
+//! Model", 2016), GGX, height-correlated, reflection only. It shares with the quadrature the
+//! definitions of Lambda and of visible normals, and nothing else.
 //!
-//! A ray is followed from facet to facet until it leaves (`path`). Every bounce scores the energy that would leave after it, so that each
-//! has a value and an error; what leaves after the first is E of single scattering with correlated shadowing. A base below the facets is
-//! not simulated: of a dielectric this is the reflected part, all that is refracted counts as absorbed.
+//! A ray is followed from facet to facet until it leaves (`path`). Every bounce scores the energy
+//! that would leave after it, so that each has a value and an error; what leaves after the first is
+//! E of single scattering with correlated shadowing. A base below the facets is not simulated: of a
+//! dielectric this is the reflected part, all that is refracted counts as absorbed.
 //!
-//! Paths are drawn in replicas, whose spread gives the standard errors: scrambled Sobol points decide the first facet, a PCG stream per
-//! replica all that follows. Replicas run in parallel and are summed in order, so that the result does not depend on the threads.
+//! Paths are drawn in replicas, whose spread gives the standard errors: scrambled Sobol points
+//! decide the first facet, a PCG stream per replica all that follows. Replicas run in parallel and
+//! are summed in order, so that the result does not depend on the threads.
 
 mod path;
 
@@ -52,18 +55,20 @@ pub struct Walked {
     pub multiple: [Sampled; CHANNELS],
     /// What leaves after 1, 2, ... bounces, the last entry after that many or more.
     pub bounces: [[Sampled; CHANNELS]; BOUNCES],
-    /// What leaves after one bounce by the cosine at which it leaves, in equal bins from grazing to normal: energy per bin.
+    /// What leaves after one bounce by the cosine at which it leaves, in equal bins from grazing to
+    /// normal: energy per bin.
     pub single_lights: [[Sampled; CHANNELS]; BINS],
     /// `multiple` in the same bins.
     pub lights: [[Sampled; CHANNELS]; BINS],
 }
 
-/// Walks from views whose cosine is in `mu`, a range in (0, 1] that is drawn in proportion to the cosine (a range of one value is that
-/// view, [0, 1] the average over the hemisphere), on a surface of alpha in [1e-7, 1], with the reflectance by channel of a facet under
-/// the cosine v.m.
+/// Walks from views whose cosine is in `mu`, a range in (0, 1] that is drawn in proportion to the
+/// cosine (a range of one value is that view, [0, 1] the average over the hemisphere), on a surface
+/// of alpha in [1e-7, 1], with the reflectance by channel of a facet under the cosine v.m.
 ///
 /// # Errors
-/// An input outside its domain; too few or too many paths; a reflectance outside [0, 1] at one of 65 cosines.
+/// An input outside its domain; too few or too many paths; a reflectance outside [0, 1] at one of
+/// 65 cosines.
 pub fn walk(
     alpha: f64,
     mu: [f64; 2],
@@ -97,7 +102,8 @@ fn walked(tallies: &[Tally], paths: u64) -> Walked {
         std::array::from_fn(|channel| {
             let values: Vec<f64> = tallies.iter().map(|tally| f(tally, channel)).collect();
             let unfinished: Vec<f64> = tallies.iter().map(|tally| tally.unfinished[channel]).collect();
-            // rare events that no path met, as in `monte_carlo`, and energy still inside when a path was given up
+            // rare events that no path met, as in `monte_carlo`, and energy still inside when a
+            // path was given up
             let (spread, unseen) = (sum::standard_error(&values), 1.0 / paths as f64);
             let cut = sum::mean(&unfinished);
             let standard_error = (spread * spread + unseen * unseen + cut * cut).sqrt();

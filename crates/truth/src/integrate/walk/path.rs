@@ -1,9 +1,11 @@
 //! One path over the microsurface.
 //!
-//! Heights enter through c in [0, 1] alone, the part of the surface that lies below (the cumulative distribution of heights), so the walk
-//! needs no distribution of heights: a ray going up from c reaches c' > c unblocked with probability (c/c')^Lambda, and leaves at c' = 1;
-//! one going down reaches c' < c with probability (c'/c)^(1 + Lambda), Lambda that of the opposite direction, as
-//! Lambda(-w) = -1 - Lambda(w) (Heitz et al. 2016, with C1(h) = c). The first facet is met from c = 1.
+//! Heights enter through c in [0, 1] alone, the part of the surface that lies below (the cumulative
+//! distribution of heights), so the walk needs no distribution of heights: a ray going up from c
+//! reaches c' > c unblocked with probability (c/c')^Lambda, and leaves at c' = 1; one going down
+//! reaches c' < c with probability (c'/c)^(1 + Lambda), Lambda that of the opposite direction, as
+//! Lambda(-w) = -1 - Lambda(w) (Heitz et al. 2016, with C1(h) = c). The first facet is met from
+//! c = 1.
 
 use rand::RngExt;
 use rand_pcg::Pcg64;
@@ -13,8 +15,8 @@ use crate::optics::ggx::{self, Vec3};
 use lobefit_math::ops;
 use lobefit_math::sobol::DIMENSIONS;
 
-/// Bounces after which a path is given up. At alpha = 1 and no absorption less than 1e-6 of the energy is left after 40; what is left
-/// here is counted into the standard error.
+/// Bounces after which a path is given up. At alpha = 1 and no absorption less than 1e-6 of the
+/// energy is left after 40; what is left here is counted into the standard error.
 const MOST_BOUNCES: usize = 400;
 
 /// What paths brought.

@@ -26,7 +26,8 @@ enum Form {
     Table(Blend),
 }
 
-/// Widths whose square lies between this and its inverse are integrated by a rule: closed forms cancel at alpha = 1.
+/// Widths whose square lies between this and its inverse are integrated by a rule: closed forms
+/// cancel at alpha = 1.
 const NEAR_ONE: f64 = 0.5;
 
 /// Newton's steps or, where one leaves the interval, halvings: far more than are taken.
@@ -48,8 +49,9 @@ impl Lobe {
         lobe
     }
 
-    /// The share of energy inside a cone, by the tangent t >= 0 of its angle; an infinite tangent is the horizon, where it is 1.
-    /// Absolute error below 1e-14, of a table's lobe as it is interpolated.
+    /// The share of energy inside a cone, by the tangent t >= 0 of its angle; an infinite tangent
+    /// is the horizon, where it is 1. Absolute error below 1e-14, of a table's lobe as it is
+    /// interpolated.
     pub fn encircled(&self, t: f64) -> f64 {
         self.within(half_tangent2(t)) / self.whole
     }
@@ -61,7 +63,8 @@ impl Lobe {
         self.density(u) * 2.0 * u * (1.0 - u) / (1.0 + u) / self.whole
     }
 
-    /// The u = tan^2(theta/2) of the cone that holds a share `energy` in [0, 1]; to 1e-12 of itself.
+    /// The u = tan^2(theta/2) of the cone that holds a share `energy` in [0, 1]; to 1e-12 of
+    /// itself.
     pub fn quantile(&self, energy: f64) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         // what `half` holds: the other two are near it where they are narrow
@@ -125,7 +128,8 @@ impl Lobe {
         }
     }
 
-    /// int_0^c dx/(1 - k x^2)^2 = c/(2 (1 - k c^2)) + artanh(sqrt(k) c)/(2 sqrt(k)), k = 1 - A: the energy of `ndf` beyond u.
+    /// int_0^c dx/(1 - k x^2)^2 = c/(2 (1 - k c^2)) + artanh(sqrt(k) c)/(2 sqrt(k)), k = 1 - A: the
+    /// energy of `ndf` beyond u.
     fn beyond(&self, u: f64) -> f64 {
         let (k, c, across) = (1.0 - self.a2, (1.0 - u) / (1.0 + u), self.across(u));
         let y = k.abs().sqrt() * c;

@@ -1,14 +1,16 @@
 //! Lobes about an axis as cubemaps are prefiltered with them, by the share of energy inside a cone.
 //!
-//! theta is the angle from the axis, u = tan^2(theta/2), c = cos(theta) = (1 - u)/(1 + u), A = alpha^2; a lobe covers the hemisphere
-//! u <= 1 and holds energy 1 there. With dc = -2/(1 + u)^2 du the unnormalised densities over u are
+//! theta is the angle from the axis, u = tan^2(theta/2), c = cos(theta) = (1 - u)/(1 + u), A =
+//! alpha^2; a lobe covers the hemisphere u <= 1 and holds energy 1 there. With dc = -2/(1 + u)^2 du
+//! the unnormalised densities over u are
 //!
 //!   `ndf`          D(theta):                    2/((1 + u) (1 - (1-A) c^2))^2,
 //!   `half`         D(theta/2):                  2/(A + u)^2,
 //!   `half-cosine`  D(theta/2) cos(theta):       (1 - u)/((A + u)^2 (1 + u)),
 //!
-//! and all three have elementary integrals. The last is what engines bake (view, normal and mirror direction taken for one, samples
-//! weighted by their cosine: Karis 2013). A renderer that bakes another lobe gives it as a table ([`tabulated`](tabulated())).
+//! and all three have elementary integrals. The last is what engines bake (view, normal and mirror
+//! direction taken for one, samples weighted by their cosine: Karis 2013). A renderer that bakes
+//! another lobe gives it as a table ([`tabulated`](tabulated())).
 
 mod lobe;
 mod tabulated;
@@ -54,7 +56,8 @@ impl Kernel {
         }
     }
 
-    /// The word used in options, headers and results, which no other kernel has: of a table its name with a hash of what it holds.
+    /// The word used in options, headers and results, which no other kernel has: of a table its
+    /// name with a hash of what it holds.
     pub fn word(&self) -> &str {
         match self {
             Kernel::Ndf => Kernel::WORDS[0],
@@ -74,12 +77,14 @@ impl Kernel {
         }
     }
 
-    /// The power of the tangent with which the energy outside a wide cone falls: the density at the horizon is 0 or not.
+    /// The power of the tangent with which the energy outside a wide cone falls: the density at the
+    /// horizon is 0 or not.
     pub fn decay(&self) -> f64 {
         if *self == Kernel::HalfCosine { 2.0 } else { 1.0 }
     }
 
-    /// Whether its energy is an analytic function of the angle, on which rules of few nodes are exact.
+    /// Whether its energy is an analytic function of the angle, on which rules of few nodes are
+    /// exact.
     pub fn is_analytic(&self) -> bool {
         !matches!(self, Kernel::Tabulated(_))
     }
@@ -97,7 +102,8 @@ impl Kernel {
         }
     }
 
-    /// The lobe of a width alpha in (0, 2]: above 1 it is wider than any that a shader has, and rises towards the horizon.
+    /// The lobe of a width alpha in (0, 2]: above 1 it is wider than any that a shader has, and
+    /// rises towards the horizon.
     pub fn lobe(&self, alpha: f64) -> Lobe {
         Lobe::new(self, alpha)
     }

@@ -1,13 +1,17 @@
-//! A lobe that a renderer measured or computed itself, as a table of its radiance over the angle at some widths.
+//! A lobe that a renderer measured or computed itself, as a table of its radiance over the angle at
+//! some widths.
 //!
-//! With x(u; A) = u (1 + A)/(A + u), the energy that the lobe `half` of the width holds inside u = tan^2(theta/2), every lobe of a table is
-//! held as a density q over x, which for lobes akin to GGX's varies slowly over all widths:
+//! With x(u; A) = u (1 + A)/(A + u), the energy that the lobe `half` of the width holds inside u =
+//! tan^2(theta/2), every lobe of a table is held as a density q over x, which for lobes akin to
+//! GGX's varies slowly over all widths:
 //!
 //!   q = f(theta) dOmega/dx,   dOmega/du = 4 pi/(1 + u)^2,   dx/du = A (1 + A)/(A + u)^2.
 //!
-//! q is interpolated between angles by cubics that neither overshoot nor fall below 0 (Fritsch and Carlson 1980, slopes by Fritsch and
-//! Butland 1984), so that the energy, its integral, is exact in the table and rises; between widths linearly in ln alpha. A table of `half`
-//! itself is exact at any width. Below the narrowest width and above the widest the shape over x is that of the nearest.
+//! q is interpolated between angles by cubics that neither overshoot nor fall below 0 (Fritsch and
+//! Carlson 1980, slopes by Fritsch and Butland 1984), so that the energy, its integral, is exact in
+//! the table and rises; between widths linearly in ln alpha. A table of `half` itself is exact at
+//! any width. Below the narrowest width and above the widest the shape over x is that of the
+//! nearest.
 
 use std::cmp::Ordering;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -43,7 +47,8 @@ impl TableError {
 pub struct TableLobe {
     /// Its width: what `parallax-alpha` calls alpha of the level that is prefiltered with it.
     pub alpha: f64,
-    /// Angles from the axis, radians, rising from 0 to at most pi/2; beyond the last there is nothing.
+    /// Angles from the axis, radians, rising from 0 to at most pi/2; beyond the last there is
+    /// nothing.
     pub theta: Vec<f64>,
     /// Radiance weight per solid angle at every angle, at least 0, in any unit.
     pub density: Vec<f64>,
@@ -91,7 +96,8 @@ const JUMP: f64 = 1e-3;
 /// Hexadecimal digits of a table's hash in its word.
 const DIGITS: usize = 12;
 
-/// The kernel of a table of lobes of rising widths up to 1. Kernels of equal tables are equal; clones of a kernel share its table.
+/// The kernel of a table of lobes of rising widths up to 1. Kernels of equal tables are equal;
+/// clones of a kernel share its table.
 ///
 /// # Errors
 /// Widths or angles that do not rise, a density that is negative, a lobe without energy.
@@ -367,8 +373,8 @@ fn check_lobe(lobe: &TableLobe) -> Result<(), (&'static str, String)> {
     Ok(())
 }
 
-/// Slopes at nodes that keep a cubic between neighbours' values: 0 at an extreme, else a weighted harmonic mean of the chords'; one-sided
-/// at the ends, held to three times the chord.
+/// Slopes at nodes that keep a cubic between neighbours' values: 0 at an extreme, else a weighted
+/// harmonic mean of the chords'; one-sided at the ends, held to three times the chord.
 fn slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     let steps: Vec<f64> = x.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let chords: Vec<f64> = y.windows(2).zip(&steps).map(|(pair, h)| (pair[1] - pair[0]) / h).collect();
@@ -386,7 +392,8 @@ fn slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     std::iter::once(first).chain((1..=last).map(inner)).chain(std::iter::once(final_slope)).collect()
 }
 
-/// The slope of the parabola through three nodes at the first, with the sign of its chord and at most three times as steep.
+/// The slope of the parabola through three nodes at the first, with the sign of its chord and at
+/// most three times as steep.
 fn end([h, k]: [f64; 2], [chord, next]: [f64; 2]) -> f64 {
     let slope = ((2.0 * h + k) * chord - h * next) / (h + k);
     if slope * chord <= 0.0 {

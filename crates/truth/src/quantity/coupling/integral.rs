@@ -1,12 +1,15 @@
-//! `diffuse-coupling`: what a specular lobe over a white diffuse base leaves for it, 1 less the albedo of the specular lobe.
+//! `diffuse-coupling`: what a specular lobe over a white diffuse base leaves for it, 1 less the
+//! albedo of the specular lobe.
 //!
-//! With the split albedo E = A + B, L = 1 - E, g = 1 - f0 and a1 = A/E (Schlick's Fresnel with F90 = 1):
+//! With the split albedo E = A + B, L = 1 - E, g = 1 - f0 and a1 = A/E (Schlick's Fresnel with
+//! F90 = 1):
 //! - `single`, the bare lobe f0 A + B: the factor is L + g A;
 //! - `normalised`, divided by E (Pesce 2019): g a1;
 //! - `compensated`, times 1 + f0 (1/E - 1) (Turquin 2019; Fdez-Aguera 2019): g (a1 + L (1 - g a1)).
 //!
-//! Every term is positive, so nothing cancels but what A lost to B. Ends: at f0 = 1 only `single` leaves light, L; at alpha = 0 all three
-//! are g (1 - (1 - mu)^5); at mu = 0 what is lost is 0 for correlated shadowing.
+//! Every term is positive, so nothing cancels but what A lost to B. Ends: at f0 = 1 only `single`
+//! leaves light, L; at alpha = 0 all three are g (1 - (1 - mu)^5); at mu = 0 what is lost is 0 for
+//! correlated shadowing.
 
 use serde::{Deserialize, Serialize};
 
@@ -54,11 +57,13 @@ impl Specular {
 /// The tolerance of a value when none is asked for: the promise for alpha, mu in [1e-4, 1].
 pub const TOLERANCE: f64 = 1e-9;
 
-/// Largest growth of the error of E, A and L on the way to a factor: a1 has (error of A + a1 error of E)/E, and E is nowhere below
-/// 0.3 (1 - ln 2 at alpha = mu = 1, either form of shadowing); the loss adds its own.
+/// Largest growth of the error of E, A and L on the way to a factor: a1 has (error of A + a1 error
+/// of E)/E, and E is nowhere below 0.3 (1 - ln 2 at alpha = mu = 1, either form of shadowing); the
+/// loss adds its own.
 const GROWTH: f64 = 8.0;
 
-/// Integrates `diffuse-coupling` at alpha in {0} or [1e-7, 1], mu and f0 in [0, 1], to an absolute `tolerance`.
+/// Integrates `diffuse-coupling` at alpha in {0} or [1e-7, 1], mu and f0 in [0, 1], to an absolute
+/// `tolerance`.
 ///
 /// Errors: as of [`reflection`]; f0 outside [0, 1].
 pub fn coupling(

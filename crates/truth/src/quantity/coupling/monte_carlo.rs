@@ -5,7 +5,8 @@ use crate::integrate::monte_carlo::{Run, Sampled, reflection};
 use crate::integrate::{Estimate, IntegrateError};
 use crate::optics::Smith;
 
-/// Estimates `diffuse-coupling` at alpha in [1e-7, 1], mu in (0, 1]. The errors of E, A and the loss add up: the spread is an upper bound.
+/// Estimates `diffuse-coupling` at alpha in [1e-7, 1], mu in (0, 1]. The errors of E, A and the
+/// loss add up: the spread is an upper bound.
 pub fn coupling(
     smith: Smith,
     alpha: f64,

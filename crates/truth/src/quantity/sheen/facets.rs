@@ -1,23 +1,28 @@
 //! The sheen integral over the microfacets that mirror the view into the light.
 //!
-//! With p = 1/alpha, facets at polar angle theta_h and azimuth phi from the view, y = v.h and mu_l = 2 y cos(theta_h) - mu, the light's
-//! solid angle is 4 y times the facet's and
+//! With p = 1/alpha, facets at polar angle theta_h and azimuth phi from the view, y = v.h and
+//! mu_l = 2 y cos(theta_h) - mu, the light's solid angle is 4 y times the facet's and
 //!
 //!   E = (2 + p)/(2 pi) int sin^(p + 1)(theta_h) 2 R(theta_h) dtheta_h,   R = int_0^phi_m y mu_l/(mu^2 + 2 kappa y cos(theta_h)) dphi,
 //!
-//! kappa = 1 - mu. R does not depend on alpha, and its integrand is rational in cos(phi): with a = 2 cos(theta_h), P = mu^2 + kappa a mu
-//! cos(theta_h), Q = kappa a sin(theta) sin(theta_h) and T = tan(phi_m/2) it is, by division of polynomials in y,
+//! kappa = 1 - mu. R does not depend on alpha, and its integrand is rational in cos(phi): with a =
+//! 2 cos(theta_h), P = mu^2 + kappa a mu cos(theta_h), Q = kappa a sin(theta) sin(theta_h) and T =
+//! tan(phi_m/2) it is, by division of polynomials in y,
 //!
 //!   R = [mu cos(theta_h) phi_m + sin(theta) sin(theta_h) sin(phi_m) - mu/(kappa a) (phi_m - mu^2 J)]/kappa,
 //!   J = int_0^phi_m dphi/(P + Q cos(phi)) = 2/(P + Q) T f(T^2 (P - Q)/(P + Q)),   f(u) = atan(sqrt(u))/sqrt(u).
 //!
-//! The horizon mu_l = 0 ends the azimuth at cos(phi_m) = -cot(theta) cot(2 theta_h). With eps = pi/2 - theta and tau = tan(eps/2) there are
-//! three ranges, each in a variable in which its integrand is analytic to a distance of pi/2:
-//! - `High`: tan(pi/2 - theta_h) = tau cosh(w), from the last facet that mirrors above the horizon (w = 0, phi_m = 0) to pi/4;
-//! - `Low`: tan(theta_h) = tau cosh(w), from pi/4 to the facet whose ring just touches the horizon (w = 0, phi_m = pi);
+//! The horizon mu_l = 0 ends the azimuth at cos(phi_m) = -cot(theta) cot(2 theta_h). With eps =
+//! pi/2 - theta and tau = tan(eps/2) there are three ranges, each in a variable in which its
+//! integrand is analytic to a distance of pi/2:
+//! - `High`: tan(pi/2 - theta_h) = tau cosh(w), from the last facet that mirrors above the horizon
+//!   (w = 0, phi_m = 0) to pi/4;
+//! - `Low`: tan(theta_h) = tau cosh(w), from pi/4 to the facet whose ring just touches the horizon
+//!   (w = 0, phi_m = pi);
 //! - `Full`: tan(theta_h) = tau e^-z, rings that are lit all around.
 //!
-//! The sine's power spans many orders: each range is cut where it has fallen by given factors, and left where it has fallen by e^-45.
+//! The sine's power spans many orders: each range is cut where it has fallen by given factors, and
+//! left where it has fallen by e^-45.
 
 use super::lobe::{self, exponent};
 use crate::integrate::PanelRule;
@@ -26,19 +31,23 @@ use lobefit_math::ops;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Cosines below this are it: E differs from its limit by 1e-14 of itself at most, for every alpha of the domain.
+/// Cosines below this are it: E differs from its limit by 1e-14 of itself at most, for every alpha
+/// of the domain.
 const GRAZING: f64 = 1e-18;
 
 /// Longest panel: n nodes leave 3.4^-2n beside singularities at a distance of pi/2.
 const LONGEST: f64 = 2.0;
 
-/// Falls of the sine's power, as exponents of 1/e, at which a range is cut; beyond the last it is left out.
+/// Falls of the sine's power, as exponents of 1/e, at which a range is cut; beyond the last it is
+/// left out.
 const FALLS: [f64; 4] = [5.0, 14.0, 27.0, 45.0];
 
-/// Below this kappa the closed form of R cancels (by 1/kappa^2), and its integrand has no pole near.
+/// Below this kappa the closed form of R cancels (by 1/kappa^2), and its integrand has no pole
+/// near.
 const CLOSED_KAPPA: f64 = 0.1;
 
-/// Below this phi_m the closed form cancels (R falls with its cube), and the pole is at five times it or farther.
+/// Below this phi_m the closed form cancels (R falls with its cube), and the pole is at five times
+/// it or farther.
 const CLOSED_AZIMUTH: f64 = 0.5;
 
 /// Terms of f's series; |u| is below [`SERIES_BELOW`], so that the rest is below 1e-17.
@@ -57,7 +66,8 @@ pub(super) struct View {
     rest: f64,
 }
 
-/// A ring of facets: cos and sin of theta_h, the azimuth that it ends at and the tangent of half of that.
+/// A ring of facets: cos and sin of theta_h, the azimuth that it ends at and the tangent of half of
+/// that.
 #[derive(Clone, Copy, Debug)]
 struct Ring {
     cosine: f64,
@@ -194,8 +204,8 @@ impl View {
         (first - mu / (kappa * a) * (ring.azimuth - mu * mu * j)) / kappa
     }
 
-    /// J. Where P < Q, f is atanh(r T)/(r T) with r^2 = (Q - P)/(P + Q), and 1 - r^2 T^2 = mu (1 + T^2)/(P + Q), for at the horizon
-    /// P + Q cos(phi_m) = mu.
+    /// J. Where P < Q, f is atanh(r T)/(r T) with r^2 = (Q - P)/(P + Q), and 1 - r^2 T^2 = mu (1 +
+    /// T^2)/(P + Q), for at the horizon P + Q cos(phi_m) = mu.
     fn inverse_integral(&self, p: f64, q: f64, tangent: f64) -> f64 {
         let (sum, t2) = (p + q, tangent * tangent);
         let u = t2 * (p - q) / sum;
@@ -210,8 +220,9 @@ impl View {
         2.0 * tangent * f / sum
     }
 
-    /// R by a rule over the azimuth, free of cancellation: mu_l = 2 a sin(theta) sin(theta_h) sin((phi_m + phi)/2) sin((phi_m - phi)/2),
-    /// and cos(theta + 2 theta_h) more where the ring is lit all around.
+    /// R by a rule over the azimuth, free of cancellation: mu_l = 2 a sin(theta) sin(theta_h)
+    /// sin((phi_m + phi)/2) sin((phi_m - phi)/2), and cos(theta + 2 theta_h) more where the ring is
+    /// lit all around.
     fn ring_summed(&self, ring: &Ring) -> f64 {
         static RULE: LazyLock<Gauss> = LazyLock::new(|| Gauss::new(20));
         let (fixed, swing) = (self.mu * ring.cosine, self.sine * ring.sine);
@@ -231,7 +242,8 @@ impl View {
     }
 }
 
-/// Cuts of [0, end] at the `falls` that lie in it, none longer than [`LONGEST`]; the range ends at the last fall or at `end`.
+/// Cuts of [0, end] at the `falls` that lie in it, none longer than [`LONGEST`]; the range ends at
+/// the last fall or at `end`.
 fn cuts(falls: &[f64; 4], end: f64) -> Vec<f64> {
     let mut cuts = vec![0.0];
     for &fall in falls.iter().take_while(|fall| **fall < end).chain([&falls[3].min(end)]) {

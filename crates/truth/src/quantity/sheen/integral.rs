@@ -1,10 +1,12 @@
 //! `sheen-charlie`: the directional albedo of the sheen lobe of [`lobe`](super::lobe).
 //!
 //! Ends of the domain, as limits of the integral:
-//! - mu = 0: E = (2 + p)/(2 sqrt(pi)) Gamma((p + 3)/2)/Gamma((p + 4)/2), p = 1/alpha, about sqrt(p/(2 pi)): above 1 for alpha below 0.2
-//!   and without bound as alpha -> 0. The lobe is not energy conserving there, and E is not clamped;
+//! - mu = 0: E = (2 + p)/(2 sqrt(pi)) Gamma((p + 3)/2)/Gamma((p + 4)/2), p = 1/alpha, about
+//!   sqrt(p/(2 pi)): above 1 for alpha below 0.2 and without bound as alpha -> 0. The lobe is not
+//!   energy conserving there, and E is not clamped;
 //! - mu = 1: E = 2^-(p/2 + 1)/(p/2 + 2);
-//! - alpha -> 0 at fixed mu > 0: E -> 0, faster than any power; it is refused at alpha = 0, where E has no value at mu = 0.
+//! - alpha -> 0 at fixed mu > 0: E -> 0, faster than any power; it is refused at alpha = 0, where E
+//!   has no value at mu = 0.
 //!
 //! The derivation stands in `facets`.
 
@@ -23,11 +25,14 @@ pub const TOLERANCE: f64 = 1e-10;
 /// `sheen-charlie` at a point.
 pub type Sheen = Estimate;
 
-/// Integrates `sheen-charlie` at alpha in [1e-6, 1], mu in [0, 1], to an absolute `tolerance`. E may exceed 1.
+/// Integrates `sheen-charlie` at alpha in [1e-6, 1], mu in [0, 1], to an absolute `tolerance`. E
+/// may exceed 1.
 ///
-/// The bound is a relative one too (1e-12 of E or better) until E leaves the range of numbers below 1e-300.
+/// The bound is a relative one too (1e-12 of E or better) until E leaves the range of numbers below
+/// 1e-300.
 ///
-/// Errors: an input outside its domain; a tolerance that the largest rule (64 nodes a panel) does not reach.
+/// Errors: an input outside its domain; a tolerance that the largest rule (64 nodes a panel) does
+/// not reach.
 pub fn sheen(alpha: f64, mu: f64, tolerance: f64) -> Result<Sheen, IntegrateError> {
     check(alpha, mu)?;
     let view = View::new(alpha, mu);
@@ -48,8 +53,8 @@ pub fn sheen(alpha: f64, mu: f64, tolerance: f64) -> Result<Sheen, IntegrateErro
     Err(IntegrateError::Tolerance { quantity: "sheen-charlie", place: place(alpha, mu), reached, tolerance })
 }
 
-/// E by the rule of 16 nodes a panel, without an error bound: for fields of many points. Inputs as for [`sheen`]; within 1e-11 of E
-/// relative (tested).
+/// E by the rule of 16 nodes a panel, without an error bound: for fields of many points. Inputs as
+/// for [`sheen`]; within 1e-11 of E relative (tested).
 pub fn albedo(alpha: f64, mu: f64) -> f64 {
     View::new(alpha, mu).albedo(&ladder()[1])
 }
@@ -68,7 +73,8 @@ pub(super) fn check(alpha: f64, mu: f64) -> Result<(), IntegrateError> {
     Ok(())
 }
 
-/// The finer of two values. Its rounding is relative, and that of the factor e^-x which sets its size is x eps more.
+/// The finer of two values. Its rounding is relative, and that of the factor e^-x which sets its
+/// size is x eps more.
 fn bounded(coarse: f64, fine: f64, exponent: f64) -> Estimate {
     if fine < f64::MIN_POSITIVE {
         return Estimate { value: fine, error: 2.0 * f64::MIN_POSITIVE };
@@ -87,7 +93,8 @@ fn place(alpha: f64, mu: f64) -> String {
     format!("alpha = {alpha:?}, mu = {mu:?}")
 }
 
-/// (2 + p) times the mass of sin^(p + 1) over [0, pi/2], p = 1/alpha: the mean of the rest of the integrand times this is E.
+/// (2 + p) times the mass of sin^(p + 1) over [0, pi/2], p = 1/alpha: the mean of the rest of the
+/// integrand times this is E.
 pub(super) fn mass(alpha: f64) -> f64 {
     use lobefit_math::ops;
     let p = exponent(alpha);

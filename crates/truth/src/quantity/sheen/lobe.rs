@@ -1,5 +1,6 @@
-//! The sheen lobe of Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF" (2017), called Charlie, with the visibility of
-//! Neubelt and Pettineo (2013) that real-time renderers pair it with.
+//! The sheen lobe of Estevez and Kulla, "Production Friendly Microfacet Sheen BRDF" (2017), called
+//! Charlie, with the visibility of Neubelt and Pettineo (2013) that real-time renderers pair it
+//! with.
 
 use crate::optics::ggx::Vec3;
 use lobefit_math::ops;
@@ -10,8 +11,9 @@ pub fn exponent(alpha: f64) -> f64 {
     1.0 / alpha
 }
 
-/// D = (2 + 1/alpha) sin^(1/alpha)(theta_h) / (2 pi) (Estevez and Kulla 2017, eq. 2) of a unit normal, alpha > 0. It is 0 at the
-/// pole and largest at grazing; int D cos = 1 over the hemisphere.
+/// D = (2 + 1/alpha) sin^(1/alpha)(theta_h) / (2 pi) (Estevez and Kulla 2017, eq. 2) of a unit
+/// normal, alpha > 0. It is 0 at the pole and largest at grazing; int D cos = 1 over the
+/// hemisphere.
 #[inline(always)]
 pub fn distribution(alpha: f64, normal: Vec3) -> f64 {
     let p = exponent(alpha);
@@ -19,7 +21,8 @@ pub fn distribution(alpha: f64, normal: Vec3) -> f64 {
     (2.0 + p) * ops::pow(sine2, 0.5 * p) / (2.0 * std::f64::consts::PI)
 }
 
-/// 4 mu_l V = mu_l / (mu_l + mu_v - mu_l mu_v) (Neubelt and Pettineo 2013), in [0, 1]; both cosines in [0, 1], not both 0.
+/// 4 mu_l V = mu_l / (mu_l + mu_v - mu_l mu_v) (Neubelt and Pettineo 2013), in [0, 1]; both cosines
+/// in [0, 1], not both 0.
 #[inline(always)]
 pub fn lit(mu_v: f64, mu_l: f64) -> f64 {
     mu_l / (mu_v + mu_l * (1.0 - mu_v))

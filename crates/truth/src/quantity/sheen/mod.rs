@@ -16,7 +16,8 @@ pub use integral::{SMALLEST_ALPHA, Sheen, TOLERANCE, albedo, sheen};
 /// Largest error of the rule of sixteen nodes: 1e-11 of E, which is 399 at most.
 const RULE_ERROR: f64 = 1e-8;
 
-/// `sheen-charlie`: the directional albedo of Charlie's distribution with Neubelt's visibility, which has no Smith form.
+/// `sheen-charlie`: the directional albedo of Charlie's distribution with Neubelt's visibility,
+/// which has no Smith form.
 #[derive(Clone, Copy, Debug)]
 pub struct SheenCharlie;
 

@@ -1,4 +1,5 @@
-//! Monte Carlo for the sheen lobe: facets drawn in proportion to sin^(1/alpha), the view mirrored about each as a vector.
+//! Monte Carlo for the sheen lobe: facets drawn in proportion to sin^(1/alpha), the view mirrored
+//! about each as a vector.
 
 use super::integral::{check, mass};
 use super::lobe::{exponent, lit};
@@ -21,8 +22,8 @@ pub fn sheen(alpha: f64, mu: f64, run: Run) -> Result<Sampled, IntegrateError> {
     Ok(Sampled { value: scale * unit.value, standard_error: scale * unit.standard_error })
 }
 
-/// A facet's normal with density proportional to sin^(1/alpha): its cosine is t/sqrt(nu + t^2) of a Student t with nu = 2 + 1/alpha
-/// degrees of freedom, drawn by Bailey's polar method (1994).
+/// A facet's normal with density proportional to sin^(1/alpha): its cosine is t/sqrt(nu + t^2) of a
+/// Student t with nu = 2 + 1/alpha degrees of freedom, drawn by Bailey's polar method (1994).
 fn normal(alpha: f64, x: [f64; 3]) -> Vec3 {
     let nu = 2.0 + exponent(alpha);
     let radius2 = ops::expm1(-2.0 / nu * ops::log(1.0 - x[0]));

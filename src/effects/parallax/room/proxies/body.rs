@@ -4,12 +4,12 @@ use super::super::lookup::{Meeting, Proxy};
 use super::super::shape::{Convex, Plane};
 use lobefit_math::vector::{Vec3, dot, plus, scaled};
 
-/// Distance of a plane that a shading point is on or outside of, over the probe's distance to it: far above the rounding of f32
-/// coordinates (6e-8 of a room), far below what is seen.
+/// Distance of a plane that a shading point is on or outside of, over the probe's distance to it:
+/// far above the rounding of f32 coordinates (6e-8 of a room), far below what is seen.
 pub const NEAREST: f64 = 1e-4;
 
-/// A convex body with a probe inside. As a proxy it is met on its planes: continuous, with a kink in the looked-up direction and a jump
-/// in the normal at its edges.
+/// A convex body with a probe inside. As a proxy it is met on its planes: continuous, with a kink
+/// in the looked-up direction and a jump in the normal at its edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     planes: Vec<Plane>,
@@ -29,7 +29,8 @@ pub struct Facing {
 }
 
 impl Body {
-    /// The body of planes about a probe; `None` where the probe is not inside all of them, by a finite distance.
+    /// The body of planes about a probe; `None` where the probe is not inside all of them, by a
+    /// finite distance.
     pub fn new(shape: &Convex, probe: Vec3) -> Option<Body> {
         let heights: Vec<f64> = shape.planes.iter().map(|plane| plane.depth(probe)).collect();
         let inside = heights.iter().all(|h| *h > 0.0 && h.is_finite());

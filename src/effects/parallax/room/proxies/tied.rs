@@ -5,13 +5,16 @@ use super::body::Body;
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
 
-/// The power of a p-norm, clamp(`over`/(alpha^`power` s), [`Tie::LEAST`], [`Tie::MOST`]), s the spread of the planes ahead.
+/// The power of a p-norm, clamp(`over`/(alpha^`power` s), [`Tie::LEAST`], [`Tie::MOST`]), s the
+/// spread of the planes ahead.
 ///
-/// Planes i and j blend where |ln(t_i/t_j)| is up to some 1/p. Turning the ray by an angle e changes ln t_i by n_i.e/(n_i.R): a lobe that is
-/// alpha wide reaches over alpha |v_i - v_j| of it, v_i = n_i/max(n_i.R, [`Tie::GRAZING`]), which is much where a plane is met at a grazing angle, little at
-/// an obtuse edge. A power by alpha alone leaves a seam at the first and bends the middle of walls at the second. s is twice the
-/// standard deviation of the v_i with weights (t/t_i)^4, t the nearest plane's distance: |v_i - v_j| at an edge, less the farther from one,
-/// where the power does not matter, and as smooth as the distances.
+/// Planes i and j blend where |ln(t_i/t_j)| is up to some 1/p. Turning the ray by an angle e
+/// changes ln t_i by n_i.e/(n_i.R): a lobe that is alpha wide reaches over alpha |v_i - v_j| of it,
+/// v_i = n_i/max(n_i.R, [`Tie::GRAZING`]), which is much where a plane is met at a grazing angle,
+/// little at an obtuse edge. A power by alpha alone leaves a seam at the first and bends the middle
+/// of walls at the second. s is twice the standard deviation of the v_i with weights (t/t_i)^4, t
+/// the nearest plane's distance: |v_i - v_j| at an edge, less the farther from one, where the power
+/// does not matter, and as smooth as the distances.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Tie {
     /// Numerator.
@@ -24,8 +27,10 @@ impl Tie {
     /// The least power keeps the normal continuous where a plane comes ahead.
     pub const LEAST: f64 = 2.0;
 
-    /// Least cosine in the spread: without one a wall that a ray runs along, and hardly meets, would blend all others. Of the values 0.001, 0.1, 0.2, 0.3 and
-    /// 0.5 this is the largest that leaves no more creases in the study's rooms than the first does, nearly; it was compared there.
+    /// Least cosine in the spread: without one a wall that a ray runs along, and hardly meets,
+    /// would blend all others. Of the values 0.001, 0.1, 0.2, 0.3 and 0.5 this is the largest that
+    /// leaves no more creases in the study's rooms than the first does, nearly; it was compared
+    /// there.
     pub const GRAZING: f64 = 0.1;
 
     /// Above this nothing changes that is seen.
@@ -67,9 +72,10 @@ pub struct Tied {
 }
 
 impl Tied {
-    /// That of emitted lookups, chosen in the practice room: the power of alpha between that of the smallest error of one fetch (1.5) and that
-    /// of the lobe's own width (1), the numerator the largest, which bends least, that leaves creases of its pictures on edges about 1.3 times those
-    /// elsewhere at most.
+    /// That of emitted lookups, chosen in the practice room: the power of alpha between that of the
+    /// smallest error of one fetch (1.5) and that of the lobe's own width (1), the numerator the
+    /// largest, which bends least, that leaves creases of its pictures on edges about 1.3 times
+    /// those elsewhere at most.
     pub const FITTED: Tie = Tie { over: 1.2, power: 1.25 };
 
     /// s of the planes ahead, `steepest` the largest of 1 over their distances along the ray.
@@ -99,13 +105,15 @@ impl Proxy for Tied {
 
 /// Where a ray meets the planes blended by a power p.
 ///
-/// The ray meets them at t = (sum t_i^-p)^(-1/p), t_i the distances along the ray of the planes ahead: a smooth body about the
-/// shading point inside the planes, which it nears as p grows. With x = t R the body is g(x) = (sum (n_i.x/h_i)^p)^(1/p) = 1, h_i the
-/// planes' distances from the shading point, and its normal the gradient, along sum (t/t_i)^(p-1) n_i/h_i. Where a plane comes
-/// ahead its term starts as the p-th power of the cosine, in the normal as the (p-1)-th: of a whole p the distance has p - 1 continuous
-/// derivatives, the normal p - 2.
+/// The ray meets them at t = (sum t_i^-p)^(-1/p), t_i the distances along the ray of the planes
+/// ahead: a smooth body about the shading point inside the planes, which it nears as p grows. With
+/// x = t R the body is g(x) = (sum (n_i.x/h_i)^p)^(1/p) = 1, h_i the planes' distances from the
+/// shading point, and its normal the gradient, along sum (t/t_i)^(p-1) n_i/h_i. Where a plane comes
+/// ahead its term starts as the p-th power of the cosine, in the normal as the (p-1)-th: of a whole
+/// p the distance has p - 1 continuous derivatives, the normal p - 2.
 ///
-/// All terms are scaled by the nearest plane's, so that no power overflows: a term is at most 1, p may be any finite number above 1.
+/// All terms are scaled by the nearest plane's, so that no power overflows: a term is at most 1, p
+/// may be any finite number above 1.
 pub fn blended(body: &Body, from: Vec3, towards: Vec3, power: f64) -> Option<Meeting> {
     let ahead = || body.ahead(from, towards);
     // inverse distances: none is divided by a cosine that may be 0

@@ -65,9 +65,9 @@ pub(super) struct View {
     wide: [f64; 2],
 }
 
-/// 1 - E of the cosine-weighted lobe over u = tan^2(theta/2) in [0, 1]: 1 + a ln(A (1 + u)/(A + u))
-/// + b u/(A + u) by its closed form; near A = 1, where that cancels, mixed with ((1 - u)/(1 +
-/// u))^2, its limit.
+/// 1 - E of the cosine-weighted lobe over u = tan^2(theta/2) in [0, 1], by its closed form
+/// `1 + a ln(A (1 + u)/(A + u)) + b u/(A + u)`; near A = 1, where that cancels, blended with its
+/// limit, `((1 - u)/(1 + u))^2`.
 struct Outside {
     a2: f64,
     a: f64,

@@ -3,7 +3,8 @@
 use super::barycentric::Nodes;
 use lobefit_math::ops;
 
-/// The cosine's variable: ln((mu + low)/(1.6 - mu)), dense at grazing angles down to `low`; E has a singularity not far beyond mu = 1.
+/// The cosine's variable: ln((mu + low)/(1.6 - mu)), dense at grazing angles down to `low`; E has a
+/// singularity not far beyond mu = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Cosine {
     low: f64,
@@ -27,8 +28,8 @@ impl Cosine {
     }
 }
 
-/// The anisotropy's variable, tanh(0.8 ln(aspect)), aspect = sqrt(alpha_y/alpha_x): odd under the swap of the axes; the mean over
-/// the azimuth is a function of its square.
+/// The anisotropy's variable, tanh(0.8 ln(aspect)), aspect = sqrt(alpha_y/alpha_x): odd under the
+/// swap of the axes; the mean over the azimuth is a function of its square.
 pub(super) fn lean(aspect: f64) -> f64 {
     ops::tanh(0.8 * ops::log(aspect))
 }
@@ -38,8 +39,8 @@ pub(super) fn aspect(lean: f64) -> f64 {
     ops::exp(0.5 * (ops::log1p(lean) - ops::log1p(-lean)) / 0.8)
 }
 
-/// Nodes over a range of a variable: `at_six` for 10^-6 on a range as long as `usual`, more in proportion to range and digits
-/// (measured, 4 to 7 digits).
+/// Nodes over a range of a variable: `at_six` for 10^-6 on a range as long as `usual`, more in
+/// proportion to range and digits (measured, 4 to 7 digits).
 fn count([low, high]: [f64; 2], usual: f64, at_six: f64, digits: f64) -> usize {
     if low == high {
         return 1;
@@ -59,8 +60,8 @@ pub(super) fn leans(range: [f64; 2], digits: f64) -> Nodes {
     Nodes::chebyshev(range[0], range[1], count(range, 0.526, 8.0, digits))
 }
 
-/// Nodes over the square of [`lean`] from 0 to that of `most`, 0 left out: the positive half of Chebyshev nodes over [-most, most].
-/// One node where the range is a point.
+/// Nodes over the square of [`lean`] from 0 to that of `most`, 0 left out: the positive half of
+/// Chebyshev nodes over [-most, most]. One node where the range is a point.
 pub(super) fn leans_without_zero(most: f64, digits: f64) -> Nodes {
     if most == 0.0 {
         return Nodes::new(vec![SMALLEST_LEAN * SMALLEST_LEAN]);
@@ -71,7 +72,8 @@ pub(super) fn leans_without_zero(most: f64, digits: f64) -> Nodes {
     Nodes::new((0..n).map(square).collect())
 }
 
-/// Stands for 0 where the isotropic lobe alone is asked for: coefficients odd in the variable are divided by it.
+/// Stands for 0 where the isotropic lobe alone is asked for: coefficients odd in the variable are
+/// divided by it.
 const SMALLEST_LEAN: f64 = 1e-3;
 
 /// Nodes over the variable of a cosine; the sources' columns 1/64..63/64 set the scale.

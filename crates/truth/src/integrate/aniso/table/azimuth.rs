@@ -1,5 +1,5 @@
-//! The view's azimuth: E is even about both axes, so it is a series in cos(2 k b), and tan(phi) = sqrt(alpha_x/alpha_y) tan(b)
-//! spreads the dip at the short axis so that the series falls fast.
+//! The view's azimuth: E is even about both axes, so it is a series in cos(2 k b), and tan(phi) =
+//! sqrt(alpha_x/alpha_y) tan(b) spreads the dip at the short axis so that the series falls fast.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -69,8 +69,9 @@ fn ordered(alpha: [f64; 2], direction: [f64; 2]) -> ([f64; 2], [f64; 2]) {
 
 /// E averaged over the azimuth.
 ///
-/// The mean over phi of cos(2 k b) is p^k, p = (root - 1)/(root + 1), root = sqrt(alpha_x/alpha_y) (the Fourier series of
-/// d phi/d b, a Poisson kernel): so the nodes need to resolve E alone, not d phi/d b.
+/// The mean over phi of cos(2 k b) is p^k, p = (root - 1)/(root + 1), root = sqrt(alpha_x/alpha_y)
+/// (the Fourier series of d phi/d b, a Poisson kernel): so the nodes need to resolve E alone, not d
+/// phi/d b.
 pub(super) fn mean(path: Path, smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> Work {
     let (alpha, _) = ordered(alpha, [1.0, 0.0]);
     let count = rules::azimuths(alpha, digits);

@@ -1,8 +1,10 @@
-//! E at any azimuth of the view, from an interpolant over mu, alpha, aspect and azimuth: for millions of points.
+//! E at any azimuth of the view, from an interpolant over mu, alpha, aspect and azimuth: for
+//! millions of points.
 //!
-//! Over the azimuth E is a series in cos(2 k b), tan(phi) = sqrt(alpha_x/alpha_y) tan(b). The swap of the axes turns b into
-//! pi/2 - b and changes the sign of the anisotropy's variable, so a coefficient is even or odd in it as k is: the odd ones are
-//! divided by it, and all are interpolated in its square, over nodes that leave out 0.
+//! Over the azimuth E is a series in cos(2 k b), tan(phi) = sqrt(alpha_x/alpha_y) tan(b). The swap
+//! of the axes turns b into pi/2 - b and changes the sign of the anisotropy's variable, so a
+//! coefficient is even or odd in it as k is: the odd ones are divided by it, and all are
+//! interpolated in its square, over nodes that leave out 0.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -19,8 +21,8 @@ use crate::integrate::{IntegrateError, aniso};
 use crate::optics::Smith;
 use lobefit_math::ops;
 
-/// Digits beyond those asked for, tried in turn until the checked points keep the tolerance. Without the mean over the azimuth, the
-/// interpolants err more than a table's.
+/// Digits beyond those asked for, tried in turn until the checked points keep the tolerance.
+/// Without the mean over the azimuth, the interpolants err more than a table's.
 const LADDER: [f64; 3] = [0.4, 0.8, 1.4];
 
 /// Digits of the direct integration beyond the interpolant's.
@@ -59,11 +61,12 @@ pub struct Pinned<'a> {
 }
 
 impl Azimuthal {
-    /// The interpolant for alpha = sqrt(alpha_x alpha_y) and aspect = sqrt(alpha_y/alpha_x) in ranges, low end first; aspects and
-    /// their inverses are both in it. alpha_x, alpha_y in [1e-4, 4], aspect in [0.1, 10], mu in [1e-4, 1].
+    /// The interpolant for alpha = sqrt(alpha_x alpha_y) and aspect = sqrt(alpha_y/alpha_x) in
+    /// ranges, low end first; aspects and their inverses are both in it. alpha_x, alpha_y in [1e-4,
+    /// 4], aspect in [0.1, 10], mu in [1e-4, 1].
     ///
-    /// Errors: a range outside its domain; one of the points integrated directly, with more nodes, misses the `tolerance`, which
-    /// lies in [1e-10, 1e-2]; it is made for 1e-5 and reaches 1e-6.
+    /// Errors: a range outside its domain; one of the points integrated directly, with more nodes,
+    /// misses the `tolerance`, which lies in [1e-10, 1e-2]; it is made for 1e-5 and reaches 1e-6.
     pub fn new(
         smith: Smith,
         alpha_range: [f64; 2],
@@ -125,12 +128,14 @@ impl Azimuthal {
         Azimuthal { cosine, mus, alphas, squares, coefficients, harmonics, ranges, evaluations, worst }
     }
 
-    /// Worst difference from direct integration at the points checked: [`POINTS`] seeded random ones of the ranges, and the corners.
+    /// Worst difference from direct integration at the points checked: [`POINTS`] seeded random
+    /// ones of the ranges, and the corners.
     pub fn worst(&self) -> f64 {
         self.worst
     }
 
-    /// Integrand evaluations that the interpolant took, those of a first try that missed the tolerance and the checks included.
+    /// Integrand evaluations that the interpolant took, those of a first try that missed the
+    /// tolerance and the checks included.
     pub fn evaluations(&self) -> u64 {
         self.evaluations
     }
@@ -217,8 +222,9 @@ fn within(x: f64, [low, high]: [f64; 2]) -> bool {
     (low..=high).contains(&x)
 }
 
-/// Refuses ranges outside the kernel's domain; else the aspects and their inverses. The ends given lie in that range as they are: the
-/// inverse of an inverse need not be the number it was made from.
+/// Refuses ranges outside the kernel's domain; else the aspects and their inverses. The ends given
+/// lie in that range as they are: the inverse of an inverse need not be the number it was made
+/// from.
 fn check(alpha: [f64; 2], aspect: [f64; 2], mu: [f64; 2]) -> Result<[f64; 2], IntegrateError> {
     for (input, range, whole, says) in [
         ("alpha", alpha, aniso::ALPHA, "is not in [1e-4, 4] or not a range"),

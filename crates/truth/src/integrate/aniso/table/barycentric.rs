@@ -2,7 +2,8 @@
 
 use lobefit_math::ops;
 
-/// Nodes of a polynomial interpolant with the factors of the barycentric formula (Berrut and Trefethen 2004, eq. 4.2).
+/// Nodes of a polynomial interpolant with the factors of the barycentric formula (Berrut and
+/// Trefethen 2004, eq. 4.2).
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Nodes {
     at: Vec<f64>,
@@ -12,7 +13,8 @@ pub(super) struct Nodes {
 impl Nodes {
     /// Interpolation in distinct nodes.
     pub fn new(at: Vec<f64>) -> Nodes {
-        // Differences are scaled to the capacity of the interval, a quarter of its length, against under- and overflow.
+        // Differences are scaled to the capacity of the interval, a quarter of its length, against
+        // under- and overflow.
         let low = at.iter().fold(f64::INFINITY, |a, b| a.min(*b));
         let high = at.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));
         let scale = if high > low { 4.0 / (high - low) } else { 1.0 };
@@ -24,7 +26,8 @@ impl Nodes {
         Nodes { at, factors }
     }
 
-    /// The `n` extrema of a Chebyshev polynomial on [low, high], both ends included; one node in the middle for n = 1.
+    /// The `n` extrema of a Chebyshev polynomial on [low, high], both ends included; one node in
+    /// the middle for n = 1.
     pub fn chebyshev(low: f64, high: f64, n: usize) -> Nodes {
         if n < 2 || low == high {
             return Nodes::new(vec![0.5 * (low + high)]);

@@ -33,7 +33,8 @@ pub struct Checked {
     pub evaluations: u64,
 }
 
-/// Recomputes a random sample of texels and the hard ones: first, second, middle and last of every axis.
+/// Recomputes a random sample of texels and the hard ones: first, second, middle and last of every
+/// axis.
 pub(super) fn check(path: Path, smith: Smith, grid: &Grid, digits: f64, e: &[f64]) -> Checked {
     let texels = texels(grid.size());
     let [columns, rows, _] = grid.size();

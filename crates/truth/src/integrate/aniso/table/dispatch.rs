@@ -1,5 +1,5 @@
-//! The kernel for the instructions that the processor has. Every path does the same operations in the same order (nothing is
-//! contracted), so all give the same bits.
+//! The kernel for the instructions that the processor has. Every path does the same operations in
+//! the same order (nothing is contracted), so all give the same bits.
 
 use multiversion::multiversion;
 

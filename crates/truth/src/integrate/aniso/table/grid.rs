@@ -18,8 +18,8 @@ pub enum Columns<'a> {
 
 /// A table's texels: columns over mu, rows over alpha, slices over aspect.
 ///
-/// alpha_x = max(floor, alpha/aspect) and alpha_y = max(floor, alpha aspect), both in [1e-4, 4]; aspect in [0.1, 10]; mu in
-/// [1e-4, 1].
+/// alpha_x = max(floor, alpha/aspect) and alpha_y = max(floor, alpha aspect), both in [1e-4, 4];
+/// aspect in [0.1, 10]; mu in [1e-4, 1].
 #[derive(Clone, Copy)]
 pub struct Grid<'a> {
     /// Cosines of the view.

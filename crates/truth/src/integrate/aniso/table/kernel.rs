@@ -40,7 +40,8 @@ impl Shadowing {
     }
 }
 
-/// Middle direction and tangent of a quarter of the length of every panel, in the azimuth variable beta.
+/// Middle direction and tangent of a quarter of the length of every panel, in the azimuth variable
+/// beta.
 struct Panels {
     root: f64,
     middle: [[f64; 2]; PANELS],
@@ -85,7 +86,8 @@ impl Panels {
     }
 }
 
-/// Eight rays of facets h ~ (g z n, 1 - g^2 z^2/4), n the ray's azimuth, g its effective alpha: tan(t/2) = g z/2.
+/// Eight rays of facets h ~ (g z n, 1 - g^2 z^2/4), n the ray's azimuth, g its effective alpha:
+/// tan(t/2) = g z/2.
 struct Rays {
     weight: F8,
     /// g^2/4
@@ -98,8 +100,8 @@ struct Rays {
     end: F8,
 }
 
-/// z = sinh(9 w) for x = sinh(w), by two triplings, and dz/dx: a polynomial, and for every alpha the peak is about one unit wide in
-/// 9 w, with the poles of D at +-i pi/2.
+/// z = sinh(9 w) for x = sinh(w), by two triplings, and dz/dx: a polynomial, and for every alpha
+/// the peak is about one unit wide in 9 w, with the poles of D at +-i pi/2.
 #[inline(always)]
 fn stretch(x: f64) -> (f64, f64) {
     let x4 = 4.0 * x * x;
@@ -148,8 +150,9 @@ impl Rays {
         Rays { weight, quarter, lean, along, end: ninth(&grown) }
     }
 
-    /// int z/(cos^2 + sin^2/g^2)^2 (v.h) mu_l/(near mu_l + far s_l) dz along each ray, in homogeneous coordinates: lengths grow by
-    /// 1 + g^2 z^2/4 for the facet and by its square for the light.
+    /// int z/(cos^2 + sin^2/g^2)^2 (v.h) mu_l/(near mu_l + far s_l) dz along each ray, in
+    /// homogeneous coordinates: lengths grow by 1 + g^2 z^2/4 for the facet and by its square for
+    /// the light.
     #[inline(always)]
     fn integrate(&self, view: &View, shadowing: &Shadowing, nodes: &[RayNode]) -> F8 {
         let mu = view.mu;
@@ -181,7 +184,8 @@ impl Rays {
     }
 }
 
-/// tan(t/2) where the light reaches the horizon, mu cos(2t) + lean sin(2t) = 0: without cancellation for either sign.
+/// tan(t/2) where the light reaches the horizon, mu cos(2t) + lean sin(2t) = 0: without
+/// cancellation for either sign.
 #[inline(always)]
 fn horizon(mu: f64, lean: f64) -> f64 {
     let q = (mu * mu + lean * lean).sqrt();

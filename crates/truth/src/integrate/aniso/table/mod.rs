@@ -1,5 +1,6 @@
-//! Tables of the anisotropic reflection lobe: E (F = 1) averaged over the view's azimuth at every texel of a grid, from far fewer
-//! integrals than texels, and proved by integrating a sample of texels directly.
+//! Tables of the anisotropic reflection lobe: E (F = 1) averaged over the view's azimuth at every
+//! texel of a grid, from far fewer integrals than texels, and proved by integrating a sample of
+//! texels directly.
 
 mod axes;
 mod azimuth;
@@ -26,8 +27,8 @@ pub use grid::{ASPECT, Columns, Grid, MU};
 /// Digits of a node's integral beyond the tolerance.
 const NODE_DIGITS: f64 = 0.5;
 
-/// Digits beyond those asked for, tried in turn until the checked texels keep the tolerance. The last two are for grids at grazing mu
-/// whose alpha is about 1.
+/// Digits beyond those asked for, tried in turn until the checked texels keep the tolerance. The
+/// last two are for grids at grazing mu whose alpha is about 1.
 const LADDER: [f64; 5] = [0.0, 0.6, 1.2, 1.8, 2.4];
 
 /// A table's texels.
@@ -35,17 +36,19 @@ const LADDER: [f64; 5] = [0.0, 0.6, 1.2, 1.8, 2.4];
 pub struct Tabulated {
     /// E of every texel, columns fastest, then rows, then slices.
     pub e: Vec<f64>,
-    /// Integrand evaluations of the nodes' integrals; a first try that missed the tolerance counts with its check. Those of the last
-    /// check are its own.
+    /// Integrand evaluations of the nodes' integrals; a first try that missed the tolerance counts
+    /// with its check. Those of the last check are its own.
     pub evaluations: u64,
     /// What recomputing texels showed.
     pub checked: Checked,
 }
 
-/// E averaged over the azimuth at every texel of a grid, to an absolute `tolerance` in [1e-10, 1e-2].
+/// E averaged over the azimuth at every texel of a grid, to an absolute `tolerance` in [1e-10,
+/// 1e-2].
 ///
-/// Errors: a grid outside its domain; a checked texel that misses the tolerance even with more nodes. The node counts are fitted down
-/// to 1e-7, which grids with mu and alpha below 1e-2 may miss; below it most do.
+/// Errors: a grid outside its domain; a checked texel that misses the tolerance even with more
+/// nodes. The node counts are fitted down to 1e-7, which grids with mu and alpha below 1e-2 may
+/// miss; below it most do.
 pub fn tabulate(smith: Smith, grid: &Grid, tolerance: f64) -> Result<Tabulated, IntegrateError> {
     tabulate_on(Path::Best, smith, grid, tolerance)
 }
@@ -107,15 +110,18 @@ fn texels(path: Path, smith: Smith, grid: &Grid, digits: f64) -> (Vec<f64>, u64)
     (e, work.iter().map(|w| w.evaluations).sum())
 }
 
-/// E averaged over the azimuth at one point, by the rules that a table takes. alpha_x and alpha_y in [1e-4, 4], mu in [1e-4, 1].
+/// E averaged over the azimuth at one point, by the rules that a table takes. alpha_x and alpha_y
+/// in [1e-4, 4], mu in [1e-4, 1].
 ///
-/// `tolerance`, in [1e-10, 1e-2], sets the node counts and is kept in most places, without a bound: [`super::aniso`] has one.
+/// `tolerance`, in [1e-10, 1e-2], sets the node counts and is kept in most places, without a bound:
+/// [`super::aniso`] has one.
 pub fn mean(smith: Smith, alpha: [f64; 2], mu: f64, tolerance: f64) -> Result<Work, IntegrateError> {
     let digits = domain(alpha, mu, tolerance)?;
     Ok(azimuth::mean(Path::Best, smith, alpha, mu, digits))
 }
 
-/// E at an azimuth of the view (phi, radians, from the alpha_x axis), by the same rules: see [`mean`].
+/// E at an azimuth of the view (phi, radians, from the alpha_x axis), by the same rules: see
+/// [`mean`].
 pub fn at(smith: Smith, alpha: [f64; 2], mu: f64, phi: f64, tolerance: f64) -> Result<Work, IntegrateError> {
     let digits = domain(alpha, mu, tolerance)?;
     super::check(alpha, mu, Some(phi))?;

@@ -1,7 +1,9 @@
-//! The node integrals of a table: rows and columns in groups, each pair of groups a tensor of nodes.
+//! The node integrals of a table: rows and columns in groups, each pair of groups a tensor of
+//! nodes.
 //!
-//! A row or a column that lies far from its neighbour in value (alpha = 1e-4 beside 1/64) is a group of its own, exact in that
-//! variable. Rows and columns may come in any order. A row that the floor raises is too, and exact in every slice: it is not smooth in the anisotropy.
+//! A row or a column that lies far from its neighbour in value (alpha = 1e-4 beside 1/64) is a
+//! group of its own, exact in that variable. Rows and columns may come in any order. A row that the
+//! floor raises is too, and exact in every slice: it is not smooth in the anisotropy.
 
 use super::axes::{self, Cosine};
 use super::barycentric::Nodes;
@@ -18,7 +20,8 @@ pub(super) struct Rows {
     pub alphas: Vec<[f64; 2]>,
     /// Nodes over alpha, and over the anisotropy.
     pub size: [usize; 2],
-    /// Weights of the nodes over alpha for each row, and of those over the anisotropy for each slice.
+    /// Weights of the nodes over alpha for each row, and of those over the anisotropy for each
+    /// slice.
     pub to_rows: Vec<Vec<f64>>,
     pub to_slices: Vec<Vec<f64>>,
 }

@@ -1,5 +1,5 @@
-//! Nodes of the rays and how many a tolerance takes: fixed along every ray and in every panel of azimuths, so that eight rays run
-//! side by side.
+//! Nodes of the rays and how many a tolerance takes: fixed along every ray and in every panel of
+//! azimuths, so that eight rays run side by side.
 
 use std::sync::OnceLock;
 
@@ -8,14 +8,16 @@ use lobefit_math::gauss::Gauss;
 use lobefit_math::lanes::{F8, LANES};
 use lobefit_math::ops;
 
-/// Panels of azimuths about the macro normal: the four quadrants between the ellipse's axes, the second and the fourth cut where
-/// the rays are perpendicular to the view, the first and the fourth where they meet the horizon with the light along the short axis.
+/// Panels of azimuths about the macro normal: the four quadrants between the ellipse's axes, the
+/// second and the fourth cut where the rays are perpendicular to the view, the first and the fourth
+/// where they meet the horizon with the light along the short axis.
 pub(super) const PANELS: usize = 8;
 
 /// Most nodes along a ray or in a panel.
 const MOST: usize = 96;
 
-/// Share of the quadratic clustering of nodes at the horizon (measured: best of 0.3, 0.5, 0.7, 0.85 and 1 for both Smith forms).
+/// Share of the quadratic clustering of nodes at the horizon (measured: best of 0.3, 0.5, 0.7, 0.85
+/// and 1 for both Smith forms).
 const HORIZON: f64 = 0.85;
 
 /// Share of the clustering of nodes at both ends of a panel (measured: best of 0.5, 0.8 and 1).
@@ -52,8 +54,9 @@ impl StarRule {
     /// The rule for a view, so that E is good to 10^-digits.
     pub fn new(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> StarRule {
         let mean = (alpha[0] * alpha[1]).sqrt();
-        // Where the lobe is narrow, D alone matters, which does not depend on psi; where it is wide the shadowing varies with
-        // the azimuth itself, tan = (alpha_y/alpha_x) tan(psi), and the variable between the two is best (measured).
+        // Where the lobe is narrow, D alone matters, which does not depend on psi; where it is wide
+        // the shadowing varies with the azimuth itself, tan = (alpha_y/alpha_x) tan(psi), and the
+        // variable between the two is best (measured).
         let root = ops::pow(alpha[0] / alpha[1], 0.5 * mean.min(1.0));
         StarRule {
             ray: ray_nodes(radial(smith, alpha, mu, digits), layer(smith, alpha, mu, digits)),
@@ -68,20 +71,23 @@ impl StarRule {
     }
 }
 
-/// Digits above three, squared: how the harder cases grow with the digits (measured, 4 to 8 digits).
+/// Digits above three, squared: how the harder cases grow with the digits (measured, 4 to 8
+/// digits).
 fn growth(digits: f64) -> f64 {
     let above = (digits - 3.0).max(0.0);
     above * above
 }
 
-/// Nodes along a ray, fitted to measured errors for alpha 1e-3..1, aspect sqrt(0.1)..1: the ray is longer, in units of the peak, for
-/// small alpha; alpha_x above 1 bends the shadowing; the correlated form has a layer of width mu at the horizon.
+/// Nodes along a ray, fitted to measured errors for alpha 1e-3..1, aspect sqrt(0.1)..1: the ray is
+/// longer, in units of the peak, for small alpha; alpha_x above 1 bends the shadowing; the
+/// correlated form has a layer of width mu at the horizon.
 fn radial(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     let mean = (alpha[0] * alpha[1]).sqrt();
     let length = ops::asinh(1.0 / mean);
     let widest = alpha[0].max(alpha[1]);
     let bend = if widest > 1.0 { (1.5 + growth(digits)) * ops::log(widest) } else { 0.0 };
-    // A clustering for a thin layer leaves fewer nodes to the peak, which is far off in units of a small alpha.
+    // A clustering for a thin layer leaves fewer nodes to the peak, which is far off in units of a
+    // small alpha.
     let width = layer(smith, alpha, mu, digits) as f64;
     let layer = match smith {
         Smith::Correlated => {
@@ -94,9 +100,9 @@ fn radial(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     (nodes.ceil() as usize).clamp(4, MOST)
 }
 
-/// Width of the layer at the horizon as a logarithm, rounded, where it takes nodes of its own: the correlated form has a pole at
-/// mu_l = -mu s_l/s_v, either one turns on the scale alpha. Of a narrow lobe little lies there, and a tolerance needs only so much
-/// of it (measured).
+/// Width of the layer at the horizon as a logarithm, rounded, where it takes nodes of its own: the
+/// correlated form has a pole at mu_l = -mu s_l/s_v, either one turns on the scale alpha. Of a
+/// narrow lobe little lies there, and a tolerance needs only so much of it (measured).
 fn layer(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     let decades = 0.5 * ops::log(alpha[0] * alpha[1]) / std::f64::consts::LN_10;
     let width = match smith {
@@ -128,8 +134,8 @@ fn per_panel(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> usize {
     (nodes.ceil() as usize).clamp(4, MOST)
 }
 
-/// Azimuths of the view in one quadrant, for the mean: E's coefficients in cos(2 k b) fall as exp(-2 k strip) and their weights
-/// in the mean likewise.
+/// Azimuths of the view in one quadrant, for the mean: E's coefficients in cos(2 k b) fall as
+/// exp(-2 k strip) and their weights in the mean likewise.
 pub(super) fn azimuths(alpha: [f64; 2], digits: f64) -> usize {
     folds(alpha, digits, 4.0)
 }
@@ -139,7 +145,8 @@ pub(super) fn harmonics(alpha: [f64; 2], digits: f64) -> usize {
     folds(alpha, digits, 2.0)
 }
 
-/// n so that 0.4 exp(-speed strip n) is 10^-digits, strip = atanh(sqrt(min/max)); the factor 0.4 is measured.
+/// n so that 0.4 exp(-speed strip n) is 10^-digits, strip = atanh(sqrt(min/max)); the factor 0.4 is
+/// measured.
 fn folds(alpha: [f64; 2], digits: f64, speed: f64) -> usize {
     let narrow = (alpha[0] / alpha[1]).min(alpha[1] / alpha[0]).sqrt();
     if narrow >= 1.0 {
@@ -150,8 +157,9 @@ fn folds(alpha: [f64; 2], digits: f64, speed: f64) -> usize {
     ((needed / (speed * strip)).ceil() as usize).max(2)
 }
 
-/// Gauss nodes in y in [0, 1], clustered at the horizon, where the shadowing varies fast: 1 - (1-c) y - c y^2 in units of the end,
-/// or for a thin layer there, of width exp(-layer), 1 - (exp(layer y) - 1)/(exp(layer) - 1).
+/// Gauss nodes in y in [0, 1], clustered at the horizon, where the shadowing varies fast: 1 - (1-c)
+/// y - c y^2 in units of the end, or for a thin layer there, of width exp(-layer), 1 - (exp(layer
+/// y) - 1)/(exp(layer) - 1).
 fn ray_nodes(n: usize, layer: usize) -> &'static [RayNode] {
     static NODES: [[OnceLock<Vec<RayNode>>; MOST + 1]; THINNEST + 1] =
         [const { [const { OnceLock::new() }; MOST + 1] }; THINNEST + 1];

@@ -19,8 +19,8 @@ fn along(values: &[f64], n: usize, inner: usize, matrix: &[Vec<f64>]) -> Vec<f64
     out
 }
 
-/// Writes the texels of one group of rows and one of columns into `e`. `values`: nodes of mu fastest, then of alpha, then of the
-/// anisotropy.
+/// Writes the texels of one group of rows and one of columns into `e`. `values`: nodes of mu
+/// fastest, then of alpha, then of the anisotropy.
 pub(super) fn fill(grid: &Grid, rows: &Rows, cosines: &Cosines, values: &[f64], e: &mut [f64]) {
     let nodes = cosines.mu.len();
     let values = match grid.columns {

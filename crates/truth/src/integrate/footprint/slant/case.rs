@@ -23,7 +23,8 @@ const NARROWEST: f64 = 1e-2;
 pub struct Off {
     /// Total variation, in [0, 1].
     pub tv: f64,
-    /// Root mean square difference of the energies per area, over the root mean square of the target's.
+    /// Root mean square difference of the energies per area, over the root mean square of the
+    /// target's.
     pub l2: f64,
     /// Largest difference of the energies per area, over the target's largest.
     pub max: f64,
@@ -47,8 +48,8 @@ pub struct Case {
     whitened: Vec<f64>,
 }
 
-/// The normal equations of the squared distance over the logarithms of the widths and weights and the tilts over alpha of fetches, in the order
-/// tilts, widths, weights.
+/// The normal equations of the squared distance over the logarithms of the widths and weights and
+/// the tilts over alpha of fetches, in the order tilts, widths, weights.
 pub type Squares = Normal;
 
 impl Case {
@@ -81,19 +82,22 @@ impl Case {
         Ok(Case { slant, kernel, alpha, stretch, wall, target, whitened })
     }
 
-    /// The footprint of one fetch about the probe's ray to the place looked at, of a width in (0, 1].
+    /// The footprint of one fetch about the probe's ray to the place looked at, of a width in (0,
+    /// 1].
     pub fn straight(&self, alpha: f64) -> Footprint {
         let probe = self.slant.probe_place();
         self.wall.footprint(&self.kernel.lobe(alpha), probe, normalise(scaled(probe, -1.0)))
     }
 
-    /// The footprint of one fetch of a rule, its weight apart; `None` where its ray misses the wall.
+    /// The footprint of one fetch of a rule, its weight apart; `None` where its ray misses the
+    /// wall.
     pub fn tapped(&self, tap: &RuleTap) -> Option<Footprint> {
         let (axis, alpha) = self.fetch(tap)?;
         Some(self.wall.footprint(&self.kernel.lobe(alpha), self.slant.probe_place(), axis))
     }
 
-    /// The footprint of the fetches of a rule, normalised; those whose rays miss the wall are dropped. `None` where all do.
+    /// The footprint of the fetches of a rule, normalised; those whose rays miss the wall are
+    /// dropped. `None` where all do.
     pub fn fetched(&self, taps: &[RuleTap]) -> Option<Footprint> {
         let mut sum = Footprint { values: vec![0.0; self.target.values.len()] };
         for tap in taps {
@@ -104,7 +108,8 @@ impl Case {
         self.normalised(sum)
     }
 
-    /// Energy per wall area of the lobe at some (x, y), x away from the shading point; its footprint's integral is 1.
+    /// Energy per wall area of the lobe at some (x, y), x away from the shading point; its
+    /// footprint's integral is 1.
     pub fn target_at(&self, places: &[[f64; 2]]) -> Vec<f64> {
         let (from, axis, lobe) = (self.slant.place(), self.slant.ray(), self.kernel.lobe(self.alpha));
         let whole = self.wall.whole(&self.wall.footprint(&lobe, from, axis));
@@ -145,8 +150,8 @@ impl Case {
         }
     }
 
-    /// The normal equations at tilts over alpha, logarithms of widths and logarithms of weights; `None` where a ray misses the wall or a
-    /// number is none.
+    /// The normal equations at tilts over alpha, logarithms of widths and logarithms of weights;
+    /// `None` where a ray misses the wall or a number is none.
     pub fn squares(&self, taps: &[[f64; 3]]) -> Option<Squares> {
         let whole: f64 = taps.iter().map(|[_, _, weight]| lobefit_math::ops::exp(*weight)).sum();
         let rule: Vec<RuleTap> = taps.iter().map(|tap| self.rule_tap(*tap, whole)).collect();
@@ -175,7 +180,8 @@ impl Case {
         Normal::of(&residuals, &columns)
     }
 
-    /// A fetch from its tilt over alpha and the logarithms of its width and weight, whose weights sum to `whole`.
+    /// A fetch from its tilt over alpha and the logarithms of its width and weight, whose weights
+    /// sum to `whole`.
     pub fn rule_tap(&self, [tilt, width, weight]: [f64; 3], whole: f64) -> RuleTap {
         use lobefit_math::ops::exp;
         RuleTap { tilt: tilt * self.alpha, width: exp(width), weight: exp(weight) / whole }

@@ -24,7 +24,8 @@ pub struct Slant {
     pub shading: Stand,
     /// The probe.
     pub probe: Stand,
-    /// Between the planes of both slants, in radians, in [-pi, pi]; at 0 both stand on the same side.
+    /// Between the planes of both slants, in radians, in [-pi, pi]; at 0 both stand on the same
+    /// side.
     pub azimuth: f64,
 }
 
@@ -35,7 +36,8 @@ pub const LARGEST_SLANT: f64 = 86.0 * PI / 180.0;
 const DISTANCES: [f64; 2] = [1e-3, 1e3];
 
 impl Slant {
-    /// Both in distance 1 of the place, the probe in front of it, the shading point at a slant in radians.
+    /// Both in distance 1 of the place, the probe in front of it, the shading point at a slant in
+    /// radians.
     pub fn in_front(slant: f64) -> Slant {
         let (shading, probe) = (Stand { distance: 1.0, slant }, Stand { distance: 1.0, slant: 0.0 });
         Slant { shading, probe, azimuth: 0.0 }

@@ -1,4 +1,5 @@
-//! The normal equations of a sum of squares: of many walls' residuals there is no room for the Jacobian.
+//! The normal equations of a sum of squares: of many walls' residuals there is no room for the
+//! Jacobian.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -34,7 +35,8 @@ impl Normal {
         (parts && self.value.is_finite()).then_some(self)
     }
 
-    /// Adds `weight` times a sum of squares of other parameters, whose derivatives by these are `by`.
+    /// Adds `weight` times a sum of squares of other parameters, whose derivatives by these are
+    /// `by`.
     pub fn add(&mut self, weight: f64, other: &Normal, by: &DMatrix<f64>) {
         self.value += weight * other.value;
         self.gradient += by.tr_mul(&other.gradient) * weight;

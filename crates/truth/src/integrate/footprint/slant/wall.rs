@@ -20,14 +20,17 @@ impl Resolution {
     /// For searches.
     pub const COARSE: Resolution = Resolution { step: 0.16, angles: 48 };
 
-    /// For figures: the total variation is then known to 1e-3, the H^-1 norm to 2e-3 of itself (tests).
+    /// For figures: the total variation is then known to 1e-3, the H^-1 norm to 2e-3 of itself
+    /// (tests).
     pub const FINE: Resolution = Resolution { step: 0.06, angles: 128 };
 }
 
-/// Rows of ln R start at this share of the footprint's narrow axis, inside which there is 1e-5 of the energy.
+/// Rows of ln R start at this share of the footprint's narrow axis, inside which there is 1e-5 of
+/// the energy.
 const INNERMOST: f64 = 3e-3;
 
-/// And end at so many of the larger distance, beyond which there is at most the share of the horizon's energy that 1/300 of the height sees.
+/// And end at so many of the larger distance, beyond which there is at most the share of the
+/// horizon's energy that 1/300 of the height sees.
 const OUTERMOST: f64 = 300.0;
 
 /// The wall's places.
@@ -54,7 +57,8 @@ pub struct Footprint {
     pub values: Vec<f64>,
 }
 
-/// Energy per area that a lobe about an axis from a place before the wall leaves at (x, y): K cos(psi)/dist^2, cos(psi) = height/dist.
+/// Energy per area that a lobe about an axis from a place before the wall leaves at (x, y): K
+/// cos(psi)/dist^2, cos(psi) = height/dist.
 pub(super) fn per_area(lobe: &Lobe, from: Vec3, axis: Vec3, [x, y]: [f64; 2]) -> f64 {
     let v = [x - from[0], y - from[1], -from[2]];
     let square = dot(v, v);
@@ -125,7 +129,8 @@ impl Wall {
         f.values.iter().zip(&g.values).map(|(a, b)| (a - b).abs()).sum::<f64>() * self.cell()
     }
 
-    /// Root mean square difference, largest difference, root mean square of `f` and largest `f`, all per wall area.
+    /// Root mean square difference, largest difference, root mean square of `f` and largest `f`,
+    /// all per wall area.
     pub fn per_area(&self, f: &Footprint, g: &Footprint) -> [f64; 4] {
         let mut out = [0.0_f64; 4];
         let rows = f.values.chunks(self.columns).zip(g.values.chunks(self.columns));
@@ -142,8 +147,8 @@ impl Wall {
         [(out[0] * self.cell()).sqrt(), out[1], (out[2] * self.cell()).sqrt(), out[3]]
     }
 
-    /// Numbers whose squares sum to 2 pi times the square of the H^-1 norm of a footprint, int (encircled energy)^2 d ln R of a round one; linear
-    /// in it.
+    /// Numbers whose squares sum to 2 pi times the square of the H^-1 norm of a footprint, int
+    /// (encircled energy)^2 d ln R of a round one; linear in it.
     pub fn whitened(&self, footprint: &Footprint) -> Vec<f64> {
         let (step, modes) = (self.resolution.step, self.waves.len());
         let mut out = Vec::with_capacity(self.radii.len() * modes);

@@ -46,7 +46,8 @@ const SATURATED: f64 = 0.99;
 const ALPHAS: [f64; 2] = [0.01, 0.98];
 const DISTANCES: [f64; 2] = [0.1, 10.0];
 
-/// Nodes of [0, 1] with their weights: panels that double from 1/1024 on resolve lobes as narrow as 1e-3, 12 nodes each.
+/// Nodes of [0, 1] with their weights: panels that double from 1/1024 on resolve lobes as narrow as
+/// 1e-3, 12 nodes each.
 static WINDOW: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
     let rule = Gauss::new(12);
     let ends = (0..=10).map(|i| if i == 0 { 0.0 } else { 1.0 / f64::from(1_u32 << (10 - i)) });
@@ -69,7 +70,8 @@ pub fn ordinate(lobe: &Lobe, ordinate: Ordinate, t: f64) -> f64 {
     }
 }
 
-/// The best fetch in distance 1 for a lobe of width alpha in [0.01, 0.98] from a distance in [0.1, 10], with an offset and without.
+/// The best fetch in distance 1 for a lobe of width alpha in [0.01, 0.98] from a distance in [0.1,
+/// 10], with an offset and without.
 ///
 /// # Errors
 /// An input outside of its domain; a solver that fails.

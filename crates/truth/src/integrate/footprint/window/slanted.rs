@@ -20,7 +20,8 @@ pub struct SlantedFit {
     pub error: f64,
     /// The same of the lobe's own width, with its own best scale.
     pub same: f64,
-    /// Where the target falls to half of its peak: across the tilt; along it, towards the shading point and away from it.
+    /// Where the target falls to half of its peak: across the tilt; along it, towards the shading
+    /// point and away from it.
     pub half: [f64; 3],
 }
 
@@ -83,8 +84,8 @@ impl CostFunction for Square<'_> {
     }
 }
 
-/// The values of a lobe of width alpha in [0.02, 0.5] from distance 1 at a slant in [0, 1.4] radians, against a fetch at right angles from distance 1,
-/// over the square window.
+/// The values of a lobe of width alpha in [0.02, 0.5] from distance 1 at a slant in [0, 1.4]
+/// radians, against a fetch at right angles from distance 1, over the square window.
 ///
 /// # Errors
 /// An input outside of its domain; a solver that fails.

@@ -1,4 +1,5 @@
-//! The check that is part of every table: a fixed random sample of texels and those on the hard places, integrated directly.
+//! The check that is part of every table: a fixed random sample of texels and those on the hard
+//! places, integrated directly.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -11,7 +12,8 @@ use crate::integrate::{IntegrateError, Path};
 /// Random texels.
 const RANDOM: usize = 1000;
 
-/// Compares texels of a table with their direct integrals; returns besides the number of evaluations.
+/// Compares texels of a table with their direct integrals; returns besides the number of
+/// evaluations.
 pub(super) fn check(
     path: Path,
     grid: &GlassGrid,
@@ -63,7 +65,8 @@ fn random(grid: &GlassGrid) -> Vec<[usize; 3]> {
     (0..RANDOM).map(|_| [below(grid.columns), below(grid.alphas.len()), below(grid.iors.len())]).collect()
 }
 
-/// The texels next to theta = acos(1/n), theta = theta_c and theta = |pi/2 - 2 theta_c|, and the corners, at a few rows of every slice.
+/// The texels next to theta = acos(1/n), theta = theta_c and theta = |pi/2 - 2 theta_c|, and the
+/// corners, at a few rows of every slice.
 fn hard(grid: &GlassGrid) -> Vec<[usize; 3]> {
     let rows = grid.alphas.len();
     let mut texels = Vec::new();

@@ -4,7 +4,8 @@ use super::rules::MOST;
 use crate::integrate::IntegrateError;
 use lobefit_math::lanes::LANES;
 
-/// Shortest panels that an effort may ask for, a twelfth of those of the finest check: so the number of panels stays bounded.
+/// Shortest panels that an effort may ask for, a twelfth of those of the finest check: so the
+/// number of panels stays bounded.
 const SHORTEST: f64 = 0.1;
 
 /// Numbers of nodes of a kernel: at least one of each, at most 96 on a panel or a ring.
@@ -14,7 +15,8 @@ pub struct Effort {
     pub longest: f64,
     /// Nodes of a panel of the transmission's sweep.
     pub panel: usize,
-    /// Nodes of the transmission's azimuth at reach v = 0, and their increase with v (see `lobe::Azimuth`).
+    /// Nodes of the transmission's azimuth at reach v = 0, and their increase with v (see
+    /// `lobe::Azimuth`).
     pub azimuth: [f64; 2],
     /// Nodes of a panel of rings, a multiple of eight.
     pub ring_panel: usize,
@@ -24,9 +26,10 @@ pub struct Effort {
     pub near: usize,
 }
 
-/// By tolerance, measured against the truth of `ggx-glass` at 2 250 points for both shadowing forms (nodes of the sources' grid, hard ones
-/// over-represented, and random points of the whole domain) and against the finest tier on a grid of the domain with its corners.
-/// Worst errors of R and T: 3e-5, 4e-6, 3e-7, 7e-8, 8e-10.
+/// By tolerance, measured against the truth of `ggx-glass` at 2 250 points for both shadowing forms
+/// (nodes of the sources' grid, hard ones over-represented, and random points of the whole domain)
+/// and against the finest tier on a grid of the domain with its corners. Worst errors of R and T:
+/// 3e-5, 4e-6, 3e-7, 7e-8, 8e-10.
 const TIERS: [(f64, Effort); 5] = [
     (1e-4, Effort { longest: 4.0, panel: 13, azimuth: [5.0, 1.3], ring_panel: 16, ring: 20, near: 16 }),
     (1e-5, Effort { longest: 4.0, panel: 16, azimuth: [6.0, 1.4], ring_panel: 24, ring: 26, near: 16 }),
@@ -46,7 +49,8 @@ impl Effort {
         })
     }
 
-    /// Refuses what the loops could not run as it stands: eight rings make a block, and rules have at most [`MOST`] nodes.
+    /// Refuses what the loops could not run as it stands: eight rings make a block, and rules have
+    /// at most [`MOST`] nodes.
     pub(super) fn check(&self) -> Result<(), IntegrateError> {
         let Effort { longest, panel, azimuth, ring_panel, ring, near } = self;
         let refuse = |option, value: String, must| Err(IntegrateError::Option { option, value, must });

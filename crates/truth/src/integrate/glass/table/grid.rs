@@ -1,8 +1,9 @@
 //! A table of E = R + T: from far fewer integrals than texels.
 //!
-//! At a fixed column and index of refraction E is analytic in ln(alpha), with its nearest singularities at imaginary part pi/2 (alpha^2
-//! negative), so Chebyshev nodes in ln(alpha) converge geometrically. In mu and the index it is not smooth (critical angles), so
-//! there every texel's own value is integrated.
+//! At a fixed column and index of refraction E is analytic in ln(alpha), with its nearest
+//! singularities at imaginary part pi/2 (alpha^2 negative), so Chebyshev nodes in ln(alpha)
+//! converge geometrically. In mu and the index it is not smooth (critical angles), so there every
+//! texel's own value is integrated.
 
 use std::collections::BTreeMap;
 
@@ -24,8 +25,9 @@ pub struct GlassGrid<'a> {
     pub columns: usize,
     /// Index of refraction of every slice, in [1, 3].
     pub iors: &'a [f64],
-    /// mu, in [`MU`](super::MU), of a column at an alpha and an index of refraction. A table is five times as fast where mu does not depend on alpha,
-    /// and faster again where it is the same for all indices.
+    /// mu, in [`MU`](super::MU), of a column at an alpha and an index of refraction. A table is
+    /// five times as fast where mu does not depend on alpha, and faster again where it is the same
+    /// for all indices.
     pub mu: &'a (dyn Fn(usize, f64, f64) -> f64 + Sync),
     /// Largest absolute error of E at a texel.
     pub tolerance: f64,
@@ -53,12 +55,14 @@ pub struct Checked {
     pub worst: f64,
 }
 
-/// Computes and checks a table. Equal columns, rows and slices are computed once. A column of which mu moves with alpha is integrated at
-/// every row, because it crosses the critical angles, where E is not smooth in mu. The result does not depend on the number of threads.
+/// Computes and checks a table. Equal columns, rows and slices are computed once. A column of which
+/// mu moves with alpha is integrated at every row, because it crosses the critical angles, where E
+/// is not smooth in mu. The result does not depend on the number of threads.
 ///
 /// # Errors
-/// [`IntegrateError::Domain`] for an input outside its range, [`IntegrateError::Option`] for a tolerance outside [1e-8, 1e-2],
-/// [`IntegrateError::Tolerance`] if the check finds a texel that misses the tolerance.
+/// [`IntegrateError::Domain`] for an input outside its range, [`IntegrateError::Option`] for a
+/// tolerance outside [1e-8, 1e-2], [`IntegrateError::Tolerance`] if the check finds a texel that
+/// misses the tolerance.
 pub fn tabulate(grid: &GlassGrid) -> Result<Tabulated, IntegrateError> {
     tabulate_on(Path::Best, grid)
 }
@@ -121,7 +125,8 @@ fn integrate(
     Ok((values, nodes.iter().map(|(_, evaluations)| evaluations).sum()))
 }
 
-/// E of one column at one alpha for every index of refraction; indices that share mu share their rings.
+/// E of one column at one alpha for every index of refraction; indices that share mu share their
+/// rings.
 fn column_node(
     grid: &GlassGrid,
     kernel: &Kernel,

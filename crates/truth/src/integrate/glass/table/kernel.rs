@@ -10,11 +10,12 @@ use crate::integrate::{IntegrateError, Path};
 use crate::optics::Smith;
 use crate::optics::ggx;
 
-/// Range of a cosine. The lower end leaves room below 1e-3, where lookups are judged, for the texel that a lookup at that edge
-/// blends with.
+/// Range of a cosine. The lower end leaves room below 1e-3, where lookups are judged, for the texel
+/// that a lookup at that edge blends with.
 pub const MU: [f64; 2] = [2e-4, 1.0];
 
-/// Below this ior - 1 the limit stands: E has slopes up to 1e5 there (at grazing, where a refraction by less than mu matters).
+/// Below this ior - 1 the limit stands: E has slopes up to 1e5 there (at grazing, where a
+/// refraction by less than mu matters).
 const STRAIGHT: f64 = 1e-14;
 
 /// Reflected and transmitted energy, from outside and from inside.
@@ -45,7 +46,8 @@ pub struct Kernel {
 }
 
 impl Kernel {
-    /// A kernel of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in [`MU`] and ior in [1, 3].
+    /// A kernel of which E is within `tolerance` in [1e-8, 1e-2] for alpha in [4e-4, 1], mu in
+    /// [`MU`] and ior in [1, 3].
     pub fn new(smith: Smith, tolerance: f64) -> Result<Kernel, IntegrateError> {
         let (effort, rules) = (Effort::of(tolerance)?, Rules::new());
         let series = rules.series(effort.ring_panel);
@@ -79,8 +81,8 @@ impl Kernel {
         Ok(Kernel { effort, series, ..self })
     }
 
-    /// R and T from both sides for every index of refraction into `out`, of the same length; returns the number of integrand
-    /// evaluations.
+    /// R and T from both sides for every index of refraction into `out`, of the same length;
+    /// returns the number of integrand evaluations.
     pub fn energies(
         &self,
         alpha: f64,

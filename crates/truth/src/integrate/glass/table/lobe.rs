@@ -1,4 +1,5 @@
-//! What a kernel needs of the lobe seen from one direction, and the azimuth map that its two inner integrals share.
+//! What a kernel needs of the lobe seen from one direction, and the azimuth map that its two inner
+//! integrals share.
 
 use crate::optics::Smith;
 use crate::optics::ggx;
@@ -13,7 +14,8 @@ pub(super) struct Lobe {
     pub rest: f64,
     pub mu: f64,
     pub sine: f64,
-    /// G2/mu = factor mu_l/(own mu_l + other s_l), s_l = [`ggx::stretched_length`]: both Smith forms.
+    /// G2/mu = factor mu_l/(own mu_l + other s_l), s_l = [`ggx::stretched_length`]: both Smith
+    /// forms.
     pub own: f64,
     pub other: f64,
     pub factor: f64,
@@ -38,7 +40,8 @@ impl Lobe {
         }
     }
 
-    /// tan(w/2) of a facet angle as the sweep's variable u: tan(w/2) = (alpha/2) sinh(u) makes the peak one unit wide.
+    /// tan(w/2) of a facet angle as the sweep's variable u: tan(w/2) = (alpha/2) sinh(u) makes the
+    /// peak one unit wide.
     pub fn u(&self, tangent: f64) -> f64 {
         let x = (2.0 / self.alpha) * tangent.abs();
         let u = lanes::ln(&[x + (x * x + 1.0).sqrt(); LANES])[0];
@@ -74,9 +77,10 @@ impl Angles {
     }
 }
 
-/// The azimuth as tan(phi/4) = `scale` S(`top` t), t in [0, 1], S(x) = C(C(x)) with C(x) = 3 x + 4 x^3. As sinh(3 v) = C(sinh v), S(sinh v)
-/// = sinh(9 v): close to the map tan(phi/4) = r sinh(v) that moves a peak of half width r one unit away from the axis, but without
-/// an exponential for every node.
+/// The azimuth as tan(phi/4) = `scale` S(`top` t), t in [0, 1], S(x) = C(C(x)) with C(x) = 3 x + 4
+/// x^3. As sinh(3 v) = C(sinh v), S(sinh v) = sinh(9 v): close to the map tan(phi/4) = r sinh(v)
+/// that moves a peak of half width r one unit away from the axis, but without an exponential for
+/// every node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Azimuth {
     pub scale: F8,
@@ -86,7 +90,8 @@ pub(super) struct Azimuth {
 }
 
 impl Azimuth {
-    /// From sin^2(phi/2) at the end of the range and of the peak (its analytic continuation, as a positive number).
+    /// From sin^2(phi/2) at the end of the range and of the peak (its analytic continuation, as a
+    /// positive number).
     #[inline(always)]
     pub fn new(end: &F8, peak: &F8) -> Azimuth {
         let (mut last, mut ratio) = ([0.0; LANES], [0.0; LANES]);

@@ -1,6 +1,7 @@
 //! The same loops compiled for several instruction sets, and the choice among them at run time.
 //!
-//! The loops are plain arithmetic on `[f64; 8]`: no fused operations, no reassociation, so every path gives the same bits.
+//! The loops are plain arithmetic on `[f64; 8]`: no fused operations, no reassociation, so every
+//! path gives the same bits.
 
 use multiversion::multiversion;
 

@@ -1,8 +1,10 @@
-//! Reflection from the rings: R = int F W = int W - int (1 - F) W, the second over theta_d below the critical angle.
+//! Reflection from the rings: R = int F W = int W - int (1 - F) W, the second over theta_d below
+//! the critical angle.
 //!
-//! The rings are sampled on panels of u that end where they turn from whole to truncated (theta_d = pi/4 - theta/2) and where they
-//! vanish (pi/4 + theta/2), graded towards both. From inside 1 - F is a square root at the critical angle: panels at it are integrated
-//! on nodes of their own, with W interpolated from its Legendre series on the panel.
+//! The rings are sampled on panels of u that end where they turn from whole to truncated (theta_d =
+//! pi/4 - theta/2) and where they vanish (pi/4 + theta/2), graded towards both. From inside 1 - F
+//! is a square root at the critical angle: panels at it are integrated on nodes of their own, with
+//! W interpolated from its Legendre series on the panel.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -14,8 +16,8 @@ use crate::integrate::Path;
 use lobefit_math::lanes::{self, F8, LANES};
 use lobefit_math::ops;
 
-/// A critical angle beyond a panel's end by less than this part of its length is near. The square root then has its Bernstein
-/// ellipse at 1.4 + sqrt(1.4^2 - 1) = 2.4 or closer.
+/// A critical angle beyond a panel's end by less than this part of its length is near. The square
+/// root then has its Bernstein ellipse at 1.4 + sqrt(1.4^2 - 1) = 2.4 or closer.
 const NEAR: f64 = 0.2;
 
 /// A panel of rings.
@@ -137,7 +139,8 @@ fn cosines(lobe: &Lobe, u: &F8) -> F8 {
     out
 }
 
-/// 1 - F at cosines `c`: 2 eta c c_t (1/(eta c + c_t)^2 + 1/(c + eta c_t)^2), free of cancellation; 0 at total reflection.
+/// 1 - F at cosines `c`: 2 eta c c_t (1/(eta c + c_t)^2 + 1/(c + eta c_t)^2), free of cancellation;
+/// 0 at total reflection.
 #[inline(always)]
 fn transmittance(seen: Seen, c: &F8) -> F8 {
     let mut out = [0.0; LANES];
@@ -165,8 +168,8 @@ pub(super) fn passed(seen: Seen, cosine: &[F8], share: &[F8]) -> f64 {
     lanes::sum(&sum)
 }
 
-/// Weighted sum of (1 - F) W at nodes of a panel (a multiple of eight, at most [`MOST`]), given by u, by the series' variable z in
-/// [-1, 1], and by weight.
+/// Weighted sum of (1 - F) W at nodes of a panel (a multiple of eight, at most [`MOST`]), given by
+/// u, by the series' variable z in [-1, 1], and by weight.
 #[inline(always)]
 pub(super) fn near(lobe: &Lobe, seen: Seen, series: &[f64], [u, z, weight]: [&[f64]; 3]) -> f64 {
     let mut rings = [0.0; MOST];

@@ -1,5 +1,6 @@
-//! The rings of facets at one angle theta_d to the view: W = 2 int G2 D dpsi over the part of the ring that mirrors light upwards,
-//! eight rings at a time. They depend on the lobe and the view alone, so that one set serves every index of refraction and both sides.
+//! The rings of facets at one angle theta_d to the view: W = 2 int G2 D dpsi over the part of the
+//! ring that mirrors light upwards, eight rings at a time. They depend on the lobe and the view
+//! alone, so that one set serves every index of refraction and both sides.
 //!
 //! Heights as in `ring`: with S = sin^2(psi/2), 1 - h_z = 2 sin^2(w/2) + 2 s sin(theta_d) S and
 //! l_z = cos(2 theta_d - theta) - 2 s sin(2 theta_d) S.
@@ -17,7 +18,8 @@ struct Rings {
     weight: F8,
 }
 
-/// cos(theta_d) sin(theta_d) W/mu du-density at every u into `values`; returns the number of evaluations. `u` is a whole number of blocks.
+/// cos(theta_d) sin(theta_d) W/mu du-density at every u into `values`; returns the number of
+/// evaluations. `u` is a whole number of blocks.
 #[inline(always)]
 pub(super) fn rings(lobe: &Lobe, rules: &Rules, nodes: usize, u: &[f64], values: &mut Vec<f64>) -> u64 {
     values.clear();

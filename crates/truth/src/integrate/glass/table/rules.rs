@@ -5,8 +5,9 @@ use lobefit_math::gauss::Gauss;
 /// Most nodes of a rule.
 pub(super) const MOST: usize = 96;
 
-/// How fast nodes gather at the two ends of a piece: the variable is u = beta(z) with beta' ~ z^(p-1) (1-z)^(q-1), so that an
-/// integrand in powers of (distance to the end)^(1/p) is analytic in z; beta is about linear away from the ends.
+/// How fast nodes gather at the two ends of a piece: the variable is u = beta(z) with beta' ~
+/// z^(p-1) (1-z)^(q-1), so that an integrand in powers of (distance to the end)^(1/p) is analytic
+/// in z; beta is about linear away from the ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Grade {
     /// p = q = 1.
@@ -41,7 +42,8 @@ impl Grade {
         [1.0 - high, low_slope * high_slope]
     }
 
-    /// 2 z - 1 at beta(z) = t in [0, 1], for the grades of which the inverse is elementary; the others are not asked for.
+    /// 2 z - 1 at beta(z) = t in [0, 1], for the grades of which the inverse is elementary; the
+    /// others are not asked for.
     pub fn inverse(self, t: f64) -> f64 {
         let z = match self {
             Grade::Low => root(t),
@@ -72,8 +74,9 @@ impl Grade {
 /// Where y^2 turns into y: see [`soft`].
 const BEND: f64 = 0.25;
 
-/// y^2 (1 + b)/(y + b) and its slope on [0, 1]: y^2 near 0 but about linear beyond b, so that the nodes' density at the other end falls
-/// by 1/6 only, not to the half. The pole at -b costs nothing: its Bernstein ellipse is 1 + 2 b + 2 sqrt(b + b^2) = 2.6.
+/// y^2 (1 + b)/(y + b) and its slope on [0, 1]: y^2 near 0 but about linear beyond b, so that the
+/// nodes' density at the other end falls by 1/6 only, not to the half. The pole at -b costs
+/// nothing: its Bernstein ellipse is 1 + 2 b + 2 sqrt(b + b^2) = 2.6.
 fn soft(y: f64) -> [f64; 2] {
     let over = 1.0 / (y + BEND);
     [y * y * (1.0 + BEND) * over, (1.0 + BEND) * y * over * (2.0 - y * over)]
@@ -126,8 +129,9 @@ impl Rules {
         &self.rules[n.clamp(1, MOST) - 1][grade as usize]
     }
 
-    /// The matrix from values at the `n` plain nodes to the coefficients of the Legendre series through them, a row a node: exact, because
-    /// the rule is exact for products of the polynomials.
+    /// The matrix from values at the `n` plain nodes to the coefficients of the Legendre series
+    /// through them, a row a node: exact, because the rule is exact for products of the
+    /// polynomials.
     pub fn series(&self, n: usize) -> Vec<Vec<f64>> {
         let gauss = &self.gauss[n.clamp(1, MOST) - 1];
         let row = |(x, w): (&f64, &f64)| {
@@ -160,7 +164,8 @@ mod tests {
     use super::*;
     use lobefit_math::ops;
 
-    /// Polynomials, and powers of the distance to an end that is graded for them: geometric convergence, as the maps' pole at -b allows.
+    /// Polynomials, and powers of the distance to an end that is graded for them: geometric
+    /// convergence, as the maps' pole at -b allows.
     #[test]
     fn every_rule_integrates_what_it_is_for() {
         let rules = Rules::new();

@@ -1,8 +1,9 @@
 //! Where the transmission sweep begins, turns and ends, as values of u, and its pieces.
 //!
-//! Each place is given by the half vector H = -+(eta v + l) of its light l: tan(w/2) = sin w/(1 + cos w) with (sin w, cos w) ~ H, so
-//! no angle is ever computed. With the thinner medium's kappa = min(eta, 1/eta), the azimuth is whole while the polar angle
-//! of the light stays below acos(kappa) - theta, and truncated beyond.
+//! Each place is given by the half vector H = -+(eta v + l) of its light l: tan(w/2) = sin w/(1 +
+//! cos w) with (sin w, cos w) ~ H, so no angle is ever computed. With the thinner medium's kappa =
+//! min(eta, 1/eta), the azimuth is whole while the polar angle of the light stays below
+//! acos(kappa) - theta, and truncated beyond.
 
 use super::effort::Effort;
 use super::lobe::Lobe;
@@ -62,11 +63,13 @@ pub(super) fn stretches(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
     if seen.contrast > 0.0 { outside(lobe, seen) } else { inside(lobe, seen) }
 }
 
-/// From the thinner side: from w = -pi/2 (the facet's own horizon) to light straight down, or to grazing incidence (theta beyond acos(kappa)).
+/// From the thinner side: from w = -pi/2 (the facet's own horizon) to light straight down, or to
+/// grazing incidence (theta beyond acos(kappa)).
 fn outside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
     let (mu, s, eta) = (lobe.mu, lobe.sine, seen.eta);
-    // The light ends at mu_t = eta mu there. The correlated G2 has its pole at mu_t = -mu; the separable one its branch points at
-    // mu_t^2 = -alpha^2/(1 - alpha^2), which the same map resolves.
+    // The light ends at mu_t = eta mu there. The correlated G2 has its pole at mu_t = -mu; the
+    // separable one its branch points at mu_t^2 = -alpha^2/(1 - alpha^2), which the same map
+    // resolves.
     let pole = lobe.u(half_tangent(-(1.0 - eta) * s, -(1.0 + eta) * mu));
     let first =
         Stretch { from: lobe.u(-1.0), to: 0.0, grade: Grade::Plain, before: Some(pole), beyond: None };
@@ -83,7 +86,8 @@ fn outside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
     ]
 }
 
-/// From the denser side: from light straight down, or the facet's horizon, to grazing light or to total reflection.
+/// From the denser side: from light straight down, or the facet's horizon, to grazing light or to
+/// total reflection.
 fn inside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
     let (mu, s, eta) = (lobe.mu, lobe.sine, seen.eta);
     let critical = seen.critical(lobe);
@@ -105,11 +109,13 @@ fn inside(lobe: &Lobe, seen: Seen) -> [Option<Stretch>; 2] {
     ]
 }
 
-/// Below this 1 - eta^2 the cosine of refraction, sqrt(1 - eta^2 + eta^2 c_i^2), has a layer at grazing incidence that takes more nodes.
+/// Below this 1 - eta^2 the cosine of refraction, sqrt(1 - eta^2 + eta^2 c_i^2), has a layer at
+/// grazing incidence that takes more nodes.
 const THIN: f64 = 0.02;
 const LAYER: usize = 6;
 
-/// A branch point nearer than this part of a piece's length comes with others on its second sheet: the same.
+/// A branch point nearer than this part of a piece's length comes with others on its second sheet:
+/// the same.
 const CLOSE: f64 = 0.1;
 
 /// A branch point farther from a piece than this part of its length does not matter.
@@ -155,7 +161,8 @@ pub(super) fn append(sweep: &mut Sweep, stretch: &Stretch, seen: Seen, effort: &
     sweep.over.resize(sweep.u.len(), 1.0 / seen.contrast.abs());
 }
 
-/// A piece with a branch point outside it: about the fourth root of the distance to it is the variable.
+/// A piece with a branch point outside it: about the fourth root of the distance to it is the
+/// variable.
 fn mapped(sweep: &mut Sweep, branch: f64, [from, to]: [f64; 2], rule: &Rule) {
     let (near, far, sign) = if branch > from { (to, from, -1.0) } else { (from, to, 1.0) };
     let length = (far - branch).abs();

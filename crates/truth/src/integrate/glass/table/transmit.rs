@@ -1,19 +1,23 @@
 //! The transmission kernel: the sweep over transmitted directions, eight nodes at a time.
 //!
-//! In light space (n1 = eta on the side of the view, 1 on the far side; x = -v.l; phi the azimuth from forward refraction) the half
-//! vector H = -+(eta v + l) gives Fresnel rationally, 1 - F = 2 eta P (1 + 1/x^2)/(1 - eta^2)^2 with P = |eta - x| |1 - eta x| =
+//! In light space (n1 = eta on the side of the view, 1 on the far side; x = -v.l; phi the azimuth
+//! from forward refraction) the half vector H = -+(eta v + l) gives Fresnel rationally, 1 - F = 2
+//! eta P (1 + 1/x^2)/(1 - eta^2)^2 with P = |eta - x| |1 - eta x| =
 //! |H|^2 (v.h) |l.h|, and with it
 //!   T = int dmu_t (G2/mu) (a^2/pi) (2 eta/(1 - eta^2)^2) 2 int_0^end P^2 (1 + 1/x^2)/den^2 dphi,  den = H_x^2 + H_y^2 + a^2 H_z^2.
-//! mu_t is a function of the angle w of the facet in the plane of incidence, dtheta_t = -+ (h/c_t) dw with h = |H| at phi = 0 =
+//! mu_t is a function of the angle w of the facet in the plane of incidence, dtheta_t = -+ (h/c_t)
+//! dw with h = |H| at phi = 0 =
 //! |1 - eta^2|/(c_t + eta c_i), c_i and c_t the facet's cosines. Divided by h, with S = sin^2(phi/2) and c = 2 s s_t/h,
 //!   v.h -> c_i -+ c S,  l.h -> c_t +- eta c S,  den -> sin^2 w + a^2 cos^2 w + 2 (eta/h) c S,  x = cos(deviation) - 2 s s_t S,
-//! (upper signs from the thinner side), none of which cancels as eta -> 1. The azimuth ends where the first factor that falls does.
+//! (upper signs from the thinner side), none of which cancels as eta -> 1. The azimuth ends where
+//! the first factor that falls does.
 
 use super::lobe::{Angles, Azimuth, Lobe};
 use super::rules::{Grade, Rules};
 use lobefit_math::lanes::{F8, LANES};
 
-/// Nodes of the sweep of one lobe, for any number of interfaces: node, weight, and the interface's eta, 1 - eta^2 and 1/|1 - eta^2|.
+/// Nodes of the sweep of one lobe, for any number of interfaces: node, weight, and the interface's
+/// eta, 1 - eta^2 and 1/|1 - eta^2|.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
     pub u: Vec<f64>,
@@ -51,8 +55,8 @@ struct Nodes {
     weight: F8,
 }
 
-/// Weighted integrands of every node of the sweep into `values`; returns the number of evaluations. `inner` = nodes of the azimuth at
-/// v = 0 and their increase with v.
+/// Weighted integrands of every node of the sweep into `values`; returns the number of evaluations.
+/// `inner` = nodes of the azimuth at v = 0 and their increase with v.
 #[inline(always)]
 pub(super) fn transmit(
     lobe: &Lobe,
@@ -87,7 +91,8 @@ pub(super) fn transmit(
     evaluations
 }
 
-/// Adds the azimuth node t: with q = tan(phi/4), S = 4 q^2/(1 + q^2)^2, and every factor of the integrand multiplied by (1 + q^2)^2.
+/// Adds the azimuth node t: with q = tan(phi/4), S = 4 q^2/(1 + q^2)^2, and every factor of the
+/// integrand multiplied by (1 + q^2)^2.
 #[inline(always)]
 fn add(nodes: &Nodes, t: f64, w: f64, sum: &mut F8) {
     let Nodes { low, swing, azimuth, .. } = nodes;
