@@ -37,7 +37,7 @@ impl Quantity for Minnaert {
     fn brdf(&self, _: &Variant, x: &[f64]) -> Result<Brdf<'_>, IntegrateError> {
         let (alpha, width) = (x[0], 1.0);
         let weighted = Box::new(move |view: [f64; 3], light: [f64; 3]| {
-            (view[2] * light[2]).powf(alpha) * light[2] / std::f64::consts::PI
+            lobefit_math::ops::pow(view[2] * light[2], alpha) * light[2] / std::f64::consts::PI
         });
         Ok(Brdf { weighted, width })
     }
