@@ -72,7 +72,7 @@ impl SafeRange {
             RangeProof::Proven => SafeProof::Proven(safe),
             RangeProof::Violated { at, value } => SafeProof::Unproven(format!("it is {value:.2e} at {at}")),
             RangeProof::Open { at } => {
-                SafeProof::Unproven(format!("it cannot be told from negative at {at}"))
+                SafeProof::Unproven(format!("it is not proven to be positive at {at}"))
             }
         })
     }

@@ -4,8 +4,10 @@ use super::Note;
 use crate::scene::Scene;
 
 /// Of the tables in the path tracer's layout.
-pub(super) const NOTE_PATH_TRACER: Note =
-    (&["path_tracer_"], &["(`path_tracer_*` have a form and a map of their own, which their heads tell.)"]);
+pub(super) const NOTE_PATH_TRACER: Note = (
+    &["path_tracer_"],
+    &["(`path_tracer_*` have a form and a map of their own, which their comments state.)"],
+);
 
 /// Of f0.
 pub(super) const NOTE_F0: Note = (&["f0"], &["f0 is the reflectance at normal incidence."]);

@@ -15,7 +15,7 @@ pub struct Timings {
     pub device: String,
     /// Error against seconds at single points.
     pub points: Vec<TimedPoint>,
-    /// Whole tables against the sources' estimator; none where the scene calls for no such table.
+    /// Whole tables against the path tracer's estimator; none where the scene calls for no such table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tables: Option<TimedTables>,
     /// Time per evaluation of each approximation.
@@ -84,7 +84,7 @@ pub struct TimedApproximation {
     pub table: bool,
 }
 
-/// The three tables of the sources: reflection over mu, roughness and anisotropy; rough glass from
+/// The three tables of the path tracer: reflection over mu, roughness and anisotropy; rough glass from
 /// either side over mu, alpha and the index of refraction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TimedTables {
@@ -126,14 +126,14 @@ impl TimedTableRun {
     }
 }
 
-/// Random visible normals, as the sources draw them.
+/// Random visible normals, as the path tracer draws them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TimedEstimator {
     /// Samples a second on all threads: reflection, glass.
     pub samples_per_second: [f64; 2],
     /// Root mean square of a sample's standard deviation over the texels tried: reflection, glass.
     pub deviation: [f64; 2],
-    /// Samples a texel in the sources.
+    /// Samples a texel in the path tracer.
     pub samples_per_texel: f64,
     /// Seconds for all texels at that number, extrapolated from the rate.
     pub seconds: f64,

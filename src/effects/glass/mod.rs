@@ -141,7 +141,7 @@ impl Sliced for Glass {
     }
 }
 
-/// E from outside and E from inside at every point, within [`JUDGED`], and the evaluations that
+/// E from outside and E from inside at every point, within `JUDGED`, and the evaluations that
 /// they took.
 pub fn truths(smith: Smith, points: &Points) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
     energies(smith, points.all.iter().map(|p| [p.alpha, p.mu, p.ior].map(f64::from)), JUDGED)

@@ -17,9 +17,9 @@ pub fn axes() -> [Axis; 3] {
 }
 
 /// What the axes do not tell of the nodes.
-pub const NOTE: &str = "texels are exact at the nodes clamped as the sources clamp them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]";
+pub const NOTE: &str = "texels are exact at the nodes clamped as the path tracer clamps them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]";
 
-/// mu, alpha and ior of the nodes, clamped as the sources clamp them.
+/// mu, alpha and ior of the nodes, clamped as the path tracer clamps them.
 pub fn grid() -> [Vec<f64>; 3] {
     let at = |i: usize, n: usize| i as f64 / (n - 1) as f64;
     let mu = (0..SIZE[0]).map(|x| (at(x, SIZE[0]) * at(x, SIZE[0])).clamp(0.01, 0.9999)).collect();

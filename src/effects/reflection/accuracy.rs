@@ -39,7 +39,7 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// The setting of the sources at this point: 500 000 dispatches of 20 samples, each mean added to
+/// The setting of the path tracer at this point: 500 000 dispatches of 20 samples, each mean added to
 /// an f32.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sources {
@@ -51,7 +51,7 @@ pub struct Sources {
     pub bias: f64,
 }
 
-/// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the sources'
+/// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the path tracer's
 /// running sum is at its worst.
 pub const POINTS: [(&str, f64, f64); 2] = [("easy", 0.5, 0.7), ("hard", 0.016, 0.11)];
 
@@ -65,7 +65,7 @@ pub const SAMPLERS: [(&str, Points, Draw); 3] = [
 /// Largest power of two of samples drawn.
 const LOG2_SAMPLES: u32 = 17;
 
-/// Dispatches of the sources' accumulation, and samples of each.
+/// Dispatches of the path tracer's accumulation, and samples of each.
 const DISPATCHES: u32 = 500_000;
 const PER_DISPATCH: u32 = 20;
 

@@ -36,7 +36,7 @@ pub struct Study {
     pub mu: f64,
     /// One per integrator.
     pub series: Vec<StudySeries>,
-    /// The setting of the sources.
+    /// The setting of the path tracer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marked: Option<Marked>,
 }

@@ -1,4 +1,4 @@
-//! Whole tables: error against seconds, ours and the sources'.
+//! Whole tables: error against seconds, ours and the path tracer's.
 
 use super::{figures, study, words};
 use crate::report::numbers::{grouped, significant};
@@ -46,7 +46,7 @@ pub(super) fn section(tables: &TimedTables) -> Result<Section, ReportError> {
             .into(),
         blocks: vec![
             Block::Table(words::table(&COLUMNS, rows, &caption)),
-            figures(&[chart(tables)], "Error against seconds for all three tables, both logarithmic; the sources' estimator is \
+            figures(&[chart(tables)], "Error against seconds for all three tables, both logarithmic; the path tracer's estimator is \
                                        extrapolated from its rate.")?,
         ],
     })
@@ -86,7 +86,7 @@ fn chart(tables: &TimedTables) -> Curves {
         (seconds, e.deviation[0].max(e.deviation[1]) / samples.sqrt())
     };
     series.push(Series {
-        name: "the sources' estimator: standard deviation".into(),
+        name: "the path tracer's estimator: standard deviation".into(),
         points: [0.1, 1.0, 10.0, 1e3, 1e5, e.seconds].into_iter().map(error).collect(),
         style: Style::Marked(series.len()),
         end: None,

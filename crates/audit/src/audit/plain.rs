@@ -24,7 +24,7 @@ const PLACES: usize = 16;
 pub struct Plain {
     /// That reading.
     pub convention: Convention,
-    /// What the best reading has that nobody takes without being told, in words.
+    /// What the best reading has that no reader assumes unless the file says so, in words.
     pub untold: Vec<String>,
     /// Options that say it.
     pub options: String,

@@ -20,8 +20,8 @@ pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
     }
     match &done.plain {
         Some(plain) if plain.max > limit => format!(
-            "audit failed: read plainly the largest error {places} is {:.3e}, the limit {limit:e}; it is {:.3e} only with {}, which nobody takes without \
-             being told: make it again, or if it is meant so give {}",
+            "audit failed: read plainly the largest error {places} is {:.3e}, the limit {limit:e}; it is {:.3e} only with {}, which no reader assumes unless \
+             the file says so: make it again, or if it is meant so give {}",
             plain.max,
             done.worst(),
             plain.untold.join(", and "),

@@ -51,7 +51,7 @@ pub struct AuditFindings {
 /// A table as somebody reads it who is told nothing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AuditPlain {
-    /// What the best reading has that nobody takes without being told.
+    /// What the best reading has that no reader assumes unless the file says so.
     pub untold: Vec<String>,
     /// Largest error under the plain reading; none where the truth cannot be had.
     pub max: Option<f64>,

@@ -160,11 +160,11 @@ fn a_limit_holds_for_the_table_as_it_will_be_read() {
     ] {
         let shipped = table([32, 32], &[("R", value)]);
         let found = reflection_of(&shipped);
-        let plain = found.plain.as_ref().expect("nobody reads it so without being told");
+        let plain = found.plain.as_ref().expect("no reader assumes it");
         assert!(found.worst() < 1e-6 && plain.max > least, "{} {}", found.worst(), plain.max);
         assert_eq!(plain.options, option);
         assert!(!found.passes(Some(0.5 * least)) && found.passes(Some(1.0)), "the plain reading is judged");
-        assert!(found.verdict.contains("without being told"), "{}", found.verdict);
+        assert!(found.verdict.contains("unless the file says so"), "{}", found.verdict);
         let meant = run(&shipped, "ggx-reflection", &fixed);
         assert!(meant.plain.is_none() && meant.passes(Some(1e-6)), "{:?}", meant.plain);
     }

@@ -163,7 +163,7 @@ fn study(study: &Study) -> report::Study {
             })
             .collect(),
         marked: Some(Marked {
-            name: "the sources: 10 million samples, f32 running sum".into(),
+            name: "the path tracer: 10 million samples, f32 running sum".into(),
             evaluations: sources.samples as u64,
             noise: sources.noise,
             bias: sources.bias,

@@ -192,7 +192,7 @@ fn untold(audit: &Audit) -> Option<String> {
         (Source::Table, _) => " at its texels".into(),
     };
     Some(format!(
-        "Nobody takes {} without being told: read plainly ({other}), it is off by at most {}{scope}.",
+        "No reader assumes {} unless the file says so: read plainly ({other}), it is off by at most {}{scope}.",
         plain.untold.join(", or "),
         number(plain.max),
     ))

@@ -50,12 +50,12 @@ fn count([low, high]: [f64; 2], usual: f64, at_six: f64, digits: f64) -> usize {
     (nodes.round() as usize).max(3)
 }
 
-/// Nodes over ln(alpha); the sources' rows 1/64..1 set the scale.
+/// Nodes over ln(alpha); the path tracer's rows 1/64..1 set the scale.
 pub(super) fn alphas(range: [f64; 2], digits: f64) -> Nodes {
     Nodes::chebyshev(range[0], range[1], count(range, 4.16, 22.0, digits))
 }
 
-/// Nodes over the square of [`lean`]; the sources' slices sqrt(0.1)..1 set the scale.
+/// Nodes over the square of [`lean`]; the path tracer's slices sqrt(0.1)..1 set the scale.
 pub(super) fn leans(range: [f64; 2], digits: f64) -> Nodes {
     Nodes::chebyshev(range[0], range[1], count(range, 0.526, 8.0, digits))
 }
@@ -76,7 +76,7 @@ pub(super) fn leans_without_zero(most: f64, digits: f64) -> Nodes {
 /// divided by it.
 const SMALLEST_LEAN: f64 = 1e-3;
 
-/// Nodes over the variable of a cosine; the sources' columns 1/64..63/64 set the scale.
+/// Nodes over the variable of a cosine; the path tracer's columns 1/64..63/64 set the scale.
 pub(super) fn cosines(cosine: Cosine, [low, high]: [f64; 2], digits: f64) -> Nodes {
     let range = [cosine.of(low), cosine.of(high)];
     Nodes::chebyshev(range[0], range[1], count(range, 3.7, 22.0, digits))

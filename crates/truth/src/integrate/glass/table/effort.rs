@@ -27,7 +27,7 @@ pub struct Effort {
 }
 
 /// By tolerance, measured against the truth of `ggx-glass` at 2 250 points for both shadowing forms
-/// (nodes of the sources' grid, hard ones over-represented, and random points of the whole domain)
+/// (nodes of the path tracer's grid, hard ones over-represented, and random points of the whole domain)
 /// and against the finest tier on a grid of the domain with its corners. Worst errors of R and T:
 /// 3e-5, 4e-6, 3e-7, 7e-8, 8e-10.
 const TIERS: [(f64, Effort); 5] = [

@@ -52,7 +52,7 @@ impl Interpolation {
 
 /// Chebyshev nodes over a range of ln(alpha): with the singularities at distance pi/2 from the real
 /// axis, n nodes on a range of half length h leave an error of about exp(-n asinh(pi/(2 h))); the
-/// factor is measured on the sources' grid.
+/// factor is measured on the path tracer's grid.
 fn nodes_for(range: f64, tolerance: f64) -> usize {
     let rate = ops::asinh(std::f64::consts::PI / range);
     ((ops::log(1.5 / tolerance) / rate).ceil() as usize).max(2)
