@@ -65,8 +65,8 @@ pub(crate) fn lerp(range: [f64; 2], t: f64) -> f64 {
 /// Smallest alpha of the layer mu ~ alpha: below it nothing is left of it.
 const SMALLEST: f64 = 1e-7;
 
-/// mu at a part `t` of its range in the homogeneous coordinate u = sqrt(mu (1 + alpha)/(mu +
-/// alpha)), in which the layer mu ~ alpha is as wide as the rest.
+/// mu at a part `t` of its range in the homogeneous coordinate u = sqrt(mu
+/// (1 + alpha)/(mu + alpha)), in which the layer mu ~ alpha is as wide as the rest.
 pub(crate) fn layer_mu(mu: [f64; 2], alpha: f64, t: f64) -> f64 {
     let alpha = alpha.max(SMALLEST);
     let u = lerp(mu.map(|mu| (mu * (1.0 + alpha) / (mu + alpha)).sqrt()), t);

@@ -18,8 +18,9 @@ pub struct Wanted<'a> {
     pub own: &'a [Entry],
     /// The user's hypotheses: file name and WGSL source.
     pub user: &'a [(String, String)],
-    /// Published formulas, for comparison. A formula that takes roughness means alpha =
-    /// roughness^2: under another map it is left out, since it would be judged on a misreading.
+    /// Published formulas, for comparison. A formula that takes roughness means
+    /// alpha = roughness^2: under another map it is left out, since it would be judged on a
+    /// misreading.
     pub published: Vec<&'a Entry>,
     /// Errors to minimise, one fit each.
     pub norms: &'a [Norm],

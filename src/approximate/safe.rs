@@ -148,7 +148,7 @@ impl SafeRange {
         let column = |name: &String| {
             let of: fn(&SafeRange, [f32; 3]) -> f32 = match name.as_str() {
                 "roughness" => |_, [roughness, ..]| roughness,
-                "alpha" => |safe_range, [roughness, ..]| safe_range.alpha_map.alpha_f32(roughness),
+                "alpha" => |of, [roughness, ..]| of.alpha_map.alpha_f32(roughness),
                 "mu" => |_, [_, mu, _]| mu,
                 "f0" => |_, [.., f0]| f0,
                 _ => {

@@ -49,13 +49,13 @@ pub enum Warp {
     /// lies at mu = sqrt(2 (ior - 1)) and would else wander across the columns from slice to slice.
     #[serde(rename = "homogeneous-ior")]
     HomogeneousIor,
-    /// [`Warp::Homogeneous`] in the alpha towards the view, alpha_v = sqrt(alpha_x^2 cos^2 phi +
-    /// alpha_y^2 sin^2 phi), with alpha_x = alpha/aspect, alpha_y = alpha aspect and aspect^2 = 1 -
-    /// 0.9 anisotropy: the width in Smith's Lambda of the view.
+    /// [`Warp::Homogeneous`] in the alpha towards the view, alpha_v = sqrt(alpha_x^2 cos^2
+    /// phi + alpha_y^2 sin^2 phi), with alpha_x = alpha/aspect, alpha_y = alpha aspect and
+    /// aspect^2 = 1 - 0.9 anisotropy: the width in Smith's Lambda of the view.
     #[serde(rename = "homogeneous-azimuth")]
     HomogeneousAzimuth,
-    /// u = anisotropy^2, scaled: the path tracer's axis, whose slice z of n has the aspect sqrt(1 -
-    /// 0.9 sqrt(z/n)).
+    /// u = anisotropy^2, scaled: the path tracer's axis, whose slice z of n has the aspect
+    /// sqrt(1 - 0.9 sqrt(z/n)).
     #[serde(rename = "square")]
     Square,
     /// The axis of ior: with r = sqrt(ior - min), R = sqrt(max - min) and c = 0.001 + 0.55
@@ -238,8 +238,8 @@ impl Axis {
     }
 
     /// Scale and offset, in f32, that a shader applies to the warp's value to get the texture
-    /// coordinate (on a linear axis, to the physical value itself). With end points registered, u =
-    /// 0 is the first texel's centre.
+    /// coordinate (on a linear axis, to the physical value itself). With end points registered,
+    /// u = 0 is the first texel's centre.
     pub fn affine(&self) -> (f32, f32) {
         let n = self.size as f64;
         let (scale, offset) = match self.registration {

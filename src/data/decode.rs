@@ -21,9 +21,9 @@ pub enum Decode {
     Loss,
     /// `A`, `B`: scale and bias of Schlick's F0; E = A + B.
     SplitSum,
-    /// `c0`, `c1`, `c2`, `c3`: with q = 1 - 0.9 anisotropy and (alpha_v/alpha)^2 = cos2_phi/q +
-    /// (1 - cos2_phi) q, the alpha towards the view, t = log((alpha_v/alpha)^2)/-log(q) in [-1, 1]
-    /// and E = 1 - (c0 + t (c1 + t (c2 + t c3))).
+    /// `c0`, `c1`, `c2`, `c3`: with q = 1 - 0.9 anisotropy and
+    /// (alpha_v/alpha)^2 = cos2_phi/q + (1 - cos2_phi) q, the alpha towards the view,
+    /// t = log((alpha_v/alpha)^2)/-log(q) in [-1, 1] and E = 1 - (c0 + t (c1 + t (c2 + t c3))).
     AzimuthCubic,
     /// `loss`, `bias`: E = 1 - loss, B = E (bias + (1 - mu)^5).
     LossBias,

@@ -262,8 +262,8 @@ impl Job {
         Ok(Region { roughness: self.range("roughness")?, mu: self.range("mu")?, alpha_map })
     }
 
-    /// The materials that set the strictest limit, with the field of each: `gold
-    /// (materials[0].wants.tables[0].max_error)`.
+    /// The materials that set the strictest limit, with the field of each:
+    /// `gold (materials[0].wants.tables[0].max_error)`.
     pub fn limited_by(&self) -> String {
         let strictest = self.promises.iter().filter(|p| Some(p.max_error) == self.goals.max_error);
         strictest.map(Promise::wanted_by).collect::<Vec<_>>().join(", ")

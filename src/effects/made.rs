@@ -93,7 +93,7 @@ impl Made {
         self.dropped.extend(dropped);
     }
 
-    /// Notes the promises that no emitted fit safe_range.
+    /// Notes the promises that no emitted fit keeps.
     pub fn promised(&mut self, promises: &[Promise], fits: &[Fit], what: &str, used_as: Use) {
         self.broken.extend(promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as)));
     }

@@ -43,8 +43,8 @@ fn share(lamp: &Lamp, normal: Vec3) -> f64 {
 
 /// The same of sky and ground, whose light knows the height h alone: 1/pi int L(h) w(h) dh, w the
 /// integral of max(n.l, 0) over the ring of lights at h. Panels end where the light or the ring
-/// changes its law; there both go with half powers of the distance, which the substitution h =
-/// low + (high - low) t^2 (3 - 2t) makes smooth.
+/// changes its law; there both go with half powers of the distance, which the substitution
+/// h = low + (high - low) t^2 (3 - 2t) makes smooth.
 fn sky(environment: &Environment, normal: Vec3) -> [f64; 3] {
     let rim = ((1.0 - normal[1]) * (1.0 + normal[1])).max(0.0).sqrt();
     let mut cuts = vec![-1.0, -environment.haze, 0.0, environment.haze, -rim, rim, 1.0];
@@ -66,8 +66,8 @@ fn sky(environment: &Environment, normal: Vec3) -> [f64; 3] {
     light
 }
 
-/// Integral over the azimuth of max(a + b cos(azimuth), 0), a = h n_y, b = sqrt(1 - h^2) sqrt(1 -
-/// n_y^2): the cosine to a normal of height `up` of the lights at a height.
+/// Integral over the azimuth of max(a + b cos(azimuth), 0), a = h n_y, b = sqrt(1 - h^2)
+/// sqrt(1 - n_y^2): the cosine to a normal of height `up` of the lights at a height.
 fn ring(height: f64, up: f64) -> f64 {
     let a = height * up;
     let b = ((1.0 - height) * (1.0 + height) * (1.0 - up) * (1.0 + up)).max(0.0).sqrt();

@@ -69,9 +69,9 @@ pub struct Material {
     pub ior: Option<[f64; 2]>,
     /// Roughness range in [0, 1], lo <= hi.
     pub roughness: [f64; 2],
-    /// Range of the anisotropy in [0, 1], lo <= hi: aspect = sqrt(1 - 0.9 anisotropy), alpha_x =
-    /// alpha / aspect, alpha_y = alpha aspect (Burley 2012, "Physically Based Shading at Disney").
-    /// 0 to 0: isotropic.
+    /// Range of the anisotropy in [0, 1], lo <= hi: aspect = sqrt(1 - 0.9 anisotropy),
+    /// alpha_x = alpha / aspect, alpha_y = alpha aspect (Burley 2012, "Physically Based Shading at
+    /// Disney"). 0 to 0: isotropic.
     // Absent at its default: the hash of an isotropic scene is that of the versions before it.
     #[serde(skip_serializing_if = "isotropic")]
     pub anisotropy: [f64; 2],

@@ -44,7 +44,7 @@ intervals! {
     /// Cosine of the view angle.
     Cosine = super::limits::MU_MIN, 1.0, false, "[0.0001, 1]";
     /// Texels of an axis.
-    AxisSize = super::limits::AXIS_MIN as f64, super::limits::AXIS_MAX as f64, false, "[2, 1024]";
+    AxisSize = super::limits::AXIS_MIN as f64, super::limits::AXIS_MAX as f64, false, "[2, 1024] ([4, 256] with a third axis)";
     /// Operations of a fit.
     Ops = 1.0, super::limits::FIT_OPS as f64, false, "[1, 1000]";
     /// Ratio of the distances of shading point and probe from what they see.

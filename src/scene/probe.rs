@@ -89,8 +89,8 @@ struct ProbeFile {
     name: Text<Name>,
     /// The lobe that its levels are prefiltered with: `ndf` D(theta), `half` D(theta/2),
     /// `half-cosine` D(theta/2) cos(theta), which is what engines bake and the default; or the path
-    /// of a .json file, relative to the scene, with a table of another lobe (`lobefit schema
-    /// --kernel`).
+    /// of a .json file, relative to the scene, with a table of another lobe
+    /// (`lobefit schema --kernel`).
     #[serde(default)]
     kernel: Maybe<KernelWord>,
     /// Roughness of what looks it up: a number, or the range [lo, hi]; default [0.1, 1]. Where

@@ -88,9 +88,9 @@ pub(super) struct OpenTable {
 struct TableFile {
     /// Coordinates of the texels. Over mu and roughness: `homogeneous` (the default of isotropic
     /// materials), `plain`, `plain-squared`. With a third axis, of anisotropic materials and of
-    /// glass: `optimised` (their default), `path-tracer`, which takes separable Smith and alpha =
-    /// roughness whatever the scene says, has its own size and takes no `max_error`, and `azimuth`,
-    /// which is for anisotropic materials.
+    /// glass: `optimised` (their default), `path-tracer`, which takes separable Smith and
+    /// alpha = roughness whatever the scene says, has its own size and takes no `max_error`, and
+    /// `azimuth`, which is for anisotropic materials.
     layout: Maybe<Word<Layout>>,
     /// Texels along mu, roughness and the third axis where there is one: 2 to 1024 along two, 4 to
     /// 256 along three, of these at most 4194304 together, and in the optimised layout 16384

@@ -60,7 +60,7 @@ struct WantsFile {
     /// Formulas for the shader to evaluate.
     #[serde(default)]
     fit: Maybe<FitWant>,
-    /// What scenes of versions before 0.2 have.
+    /// Refused: a table is an entry of the list `tables`.
     #[serde(default)]
     #[schemars(skip)]
     table: Maybe<Renamed>,

@@ -66,7 +66,7 @@ fn a_sheen_is_fitted_certified_and_emitted_in_every_language() {
     assert!(page.contains("charlie_e_threejs") && page.contains("charlie_e_gauss"), "beside the published");
 }
 
-/// The certificate bounds the error at points of a lattice, and a best_published has its own.
+/// The certificate bounds the error at points of a lattice, and a published formula has its own.
 #[test]
 fn certificates_of_the_sheen_hold() {
     let baked = &*SATIN_BAKED;

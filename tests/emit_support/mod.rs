@@ -157,10 +157,11 @@ impl Looked {
     }
 }
 
-/// The tables of the bake.
+/// The tables of the bake over mu and roughness alone; `sliced.rs` has the others.
 pub fn baked_tables() -> Vec<Looked> {
-    let tables = baked().0.tables.iter().map(|b| Looked {
-        table: b.table().expect("a table").clone(),
+    let all = baked().0.tables.iter().map(|b| (b, b.table().expect("a table")));
+    let tables = all.filter(|(_, table)| table.axes.len() == 2).map(|(b, table)| Looked {
+        table: table.clone(),
         decode: b.decode,
         region: b.region.flat(),
         certified: [b.errors.lookup.max, b.errors.lookup_8_bit.max],

@@ -14,7 +14,7 @@ fn domain() -> Domain {
         .unwrap()
 }
 
-/// Every hypothesis's operations, by the project's model. PublishedFormulas as published: A and B both computed where E is
+/// Every hypothesis's operations, by the project's model. Published formulas as published: A and B both computed where E is
 /// their sum; roughness and alpha given.
 const COSTS: [(&str, u32); 105] = [
     ("ggx_norm_r8", 8),
@@ -229,7 +229,7 @@ const PUBLISHED: [(&str, f64, f64); 12] = [
 ];
 
 #[test]
-fn published_rivals_have_the_errors_that_were_measured_of_them() {
+fn published_formulas_have_the_errors_that_were_measured_of_them() {
     for (name, max, rms) in PUBLISHED {
         let hypothesis = hypothesis(&format!("published/{name}"));
         let measured = |edges| {

@@ -90,9 +90,10 @@ fn axes_of_tables_with_slices_hold_at_the_limit_only() {
     for n in ["4", "256"] {
         read(&size(n)).unwrap();
     }
-    for n in ["3", "257"] {
+    let long = "[2, 1024] ([4, 256] with a third axis)";
+    for (n, range) in [("0", long), ("3", "[4, 256]"), ("257", "[4, 256]"), ("9223372036854775808", long)] {
         let error = read(&size(n)).unwrap_err();
-        let expected = format!("materials[0].wants.tables[0].size[1]: {n} is outside [4, 256]");
+        let expected = format!("materials[0].wants.tables[0].size[1]: {n} is outside {range}");
         assert!(error.ends_with(&expected), "{error}");
     }
 }

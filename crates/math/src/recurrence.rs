@@ -1,8 +1,8 @@
 //! A low-discrepancy sequence in any number of dimensions, without tables or seeds.
 
-/// The additive recurrence x_i = frac(1/2 + (i + 1) a) with a_k = g^-(k+1), g the root of g^(d+1) =
-/// g + 1 (Roberts 2018): the golden ratio in one dimension. Every stretch of indices is spread
-/// evenly.
+/// The additive recurrence x_i = frac(1/2 + (i + 1) a) with a_k = g^-(k+1), g the root of
+/// g^(d+1) = g + 1 (Roberts 2018): the golden ratio in one dimension. Every stretch of indices is
+/// spread evenly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recurrence {
     strides: Vec<f64>,

@@ -1,11 +1,11 @@
 //! The azimuth of the view in four channels.
 //!
 //! The lobe as seen from azimuth phi has the width alpha_v = sqrt(alpha_x^2 cos^2 phi + alpha_y^2
-//! sin^2 phi) towards the view, the one in Smith's Lambda. With alpha_x = alpha/aspect, alpha_y =
-//! alpha aspect, its logarithm runs between -ln(1/aspect) and ln(1/aspect) about ln(alpha), so t =
-//! ln(alpha_v/alpha)/ln(1/aspect) lies in [-1, 1]. At a column of the layout that follows the layer
-//! mu ~ alpha_v, the loss is a cubic of t within 3e-3 (at alpha = 1 and a ratio of 10; 7e-4 for
-//! alpha up to 0.2), where a cubic of cos(2 phi) leaves 0.04.
+//! sin^2 phi) towards the view, the one in Smith's Lambda. With alpha_x = alpha/aspect,
+//! alpha_y = alpha aspect, its logarithm runs between -ln(1/aspect) and ln(1/aspect) about
+//! ln(alpha), so t = ln(alpha_v/alpha)/ln(1/aspect) lies in [-1, 1]. At a column of the layout that
+//! follows the layer mu ~ alpha_v, the loss is a cubic of t within 3e-3 (at alpha = 1 and a ratio
+//! of 10; 7e-4 for alpha up to 0.2), where a cubic of cos(2 phi) leaves 0.04.
 
 use lobefit_math::{chebyshev, ops};
 

@@ -34,8 +34,8 @@ pub struct Study {
 pub struct Series {
     /// Its name.
     pub name: &'static str,
-    /// (integrand evaluations, error): for the random ones the standard error, else |value -
-    /// truth|.
+    /// (integrand evaluations, error): for the random ones the standard error,
+    /// else |value - truth|.
     pub points: Vec<(f64, f64)>,
 }
 

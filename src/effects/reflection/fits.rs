@@ -1,5 +1,5 @@
-//! The fits of this effect: normalisations with their saturating forms, averages, and blends f0 A +
-//! B.
+//! The fits of this effect: normalisations with their saturating forms, averages, and blends f0
+//! A + B.
 
 use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 use super::{PUBLISHED, PUBLISHED_BLENDS};

@@ -3,8 +3,8 @@
 //! The homogeneous layout. Near the smooth, grazing corner the albedo E of a lobe depends on
 //! mu/alpha alone, so the columns run along u = sqrt(mu (1 + alpha)/(mu + alpha)), which resolves
 //! that layer at every roughness. Schlick's bias B does not suit that coordinate: for a smooth lobe
-//! it falls with (1-mu)^5, all of it inside the last texel. So the table holds, beside the loss 1 -
-//! E, the part of B/E that Schlick's weight at the macro normal does not explain,
+//! it falls with (1-mu)^5, all of it inside the last texel. So the table holds, beside the loss
+//! 1 - E, the part of B/E that Schlick's weight at the macro normal does not explain,
 //!
 //!   bias = B/E - (1 - mu)^5,   E = 1 - loss,   B = E (bias + (1 - mu)^5),
 //!

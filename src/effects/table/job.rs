@@ -50,8 +50,8 @@ pub struct TableJob {
     /// Limit on the lookup error: the strictest of the materials'. Always given where the size is
     /// not; `None` in the path tracer's layout.
     pub max_error: Option<f64>,
-    /// The materials that set `max_error`, with the field of each: `gold
-    /// (materials[0].wants.tables[1].max_error)`.
+    /// The materials that set `max_error`, with the field of each:
+    /// `gold (materials[0].wants.tables[1].max_error)`.
     pub limited_by: String,
     /// The materials whose limits cannot be judged, since their roughness lies below all rows; none
     /// where all can.
@@ -74,8 +74,8 @@ pub fn wanted(material: &Material, axes: usize) -> impl Iterator<Item = (usize, 
     material.wants.tables.iter().enumerate().filter(move |(_, want)| want.layout.axes() == axes)
 }
 
-/// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout alpha =
-/// roughness, which is rough wherever another map is: its alpha is the largest.
+/// The Smith form of a layout, and its roughness to alpha. In the path tracer's layout
+/// alpha = roughness, which is rough wherever another map is: its alpha is the largest.
 fn conventions(scene: &Scene, layout: Layout) -> (Smith, AlphaMap) {
     match layout {
         Layout::PathTracer => (Smith::Separable, AlphaMap::Roughness),
@@ -250,8 +250,8 @@ fn because(lobe: &str, scene: &Scene, material: &Material) -> Option<String> {
     Some(format!("{name}: {kind} with {lobe} (roughness {roughness}; {input} {range}) wants {forms}"))
 }
 
-/// A material's roughness and what rows hold of it: `0.3, widened to 0.295 to 0.305`, `0.01 to 1,
-/// in rows from 0.02 on, to which a lookup below clamps`.
+/// A material's roughness and what rows hold of it: `0.3, widened to 0.295 to 0.305`,
+/// `0.01 to 1, in rows from 0.02 on, to which a lookup below clamps`.
 fn rows_text(range: [f64; 2], map: AlphaMap) -> String {
     let span = rows(range, map);
     let (own, rows) = (range_text(range), span.widened());
@@ -285,8 +285,19 @@ fn forms(wants: &[&TableWant]) -> String {
 
 /// What a plan says of the tables of jobs.
 pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSummary> {
-    let known = jobs.iter().filter_map(|job| Some((job, TableJob::of(scene, job).ok()?)));
-    let (jobs, tables): (Vec<&Job>, Vec<TableJob>) = known.unzip();
+    let (mut known, mut tables, mut defects) = (Vec::new(), Vec::new(), Vec::new());
+    for job in jobs {
+        match TableJob::of(scene, job) {
+            Ok(table) => {
+                known.push(job);
+                tables.push(table);
+            }
+            // The bake ends with this error.
+            Err(error) => defects
+                .push(JobSummary { approximation: error.to_string(), ..JobSummary::fits(job, "", 0.0) }),
+        }
+    }
+    let jobs = known;
     let of_job = |i: usize| {
         let (ranges, job, seconds) = (&jobs[i].ranges, &tables[i], family.seconds(i, &tables));
         let named = job.names.iter().zip(family.sides());
@@ -300,7 +311,7 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
             seconds,
         })
     };
-    (0..jobs.len()).flat_map(of_job).collect()
+    (0..jobs.len()).flat_map(of_job).chain(defects).collect()
 }
 
 /// `table 32x32 f16, homogeneous layout, for albedo`.

@@ -126,7 +126,7 @@ impl ValueTable {
             (name, column.into_iter().map(|x| x.clamp(low, high)).collect::<Vec<f64>>())
         };
         let points = points::Points::new([inside("alpha", alpha), inside("mu", mu)]);
-        let tolerance = self.quantity.tolerance(&variant);
+        let tolerance = self.quantity.tolerance_of_many(&variant);
         let truth = self.quantity.truth(&variant, &points, &[self.column], tolerance)?;
         counter.add(points.len());
         let (error, [values]) = (truth.error.max(tolerance), truth.arrays());

@@ -111,7 +111,7 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         Ok(Value::Object(entry))
     };
     let fits: Vec<Value> = searched.points.iter().map(entry).collect::<Result<_, serde_json::Error>>()?;
-    let rival = |r: &super::CatalogueFit| json!({"name": r.name, "ops": r.ops, "max": r.max, "rms": r.rms, "published": r.published});
+    let other = |r: &super::CatalogueFit| json!({"name": r.name, "ops": r.ops, "max": r.max, "rms": r.rms, "published": r.published});
     let tried = |t: &Tried| {
         let (gain, ops, used) = (t.trial.gain, t.trial.ops, t.trial.admitted);
         json!({"what": t.words, "part": t.part, "gain": gain, "ops": ops, "used": used})
@@ -125,7 +125,7 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         "anchor": searched.anchor,
         "tried": searched.tried.iter().map(tried).collect::<Vec<_>>(),
         "fits": fits,
-        "others": searched.catalogue.iter().map(rival).collect::<Vec<_>>(),
+        "others": searched.catalogue.iter().map(other).collect::<Vec<_>>(),
         "reports": [{"file": format!("{name}.html")}, {"file": format!("{name}.json")}],
     });
     let mut bytes = serde_json::to_vec_pretty(&document)?;

@@ -28,19 +28,31 @@ fn not_a_want() -> Vec<Case> {
         case(wants("{\"fit\":{},\"fit\":{}}"), "duplicate field `fit`"),
         case(
             table("\"size\":32"),
-            "wants.tables[0].size: invalid type: integer `32`, expected a list of at most 3",
+            "wants.tables[0].size: invalid type: integer `32`, expected a list of at most 3 entries",
         ),
         case(
             table("\"size\":[32]"),
             "wants.tables[0].size: 1 number where the homogeneous layout has 2 axes",
         ),
-        case(table("\"size\":[0,32]"), "wants.tables[0].size[0]: 0 is outside [2, 1024]"),
-        case(table("\"size\":[32,1]"), "wants.tables[0].size[1]: 1 is outside [2, 1024]"),
-        case(table("\"size\":[32,1025]"), "wants.tables[0].size[1]: 1025 is outside [2, 1024]"),
-        case(table("\"size\":[-1,32]"), "wants.tables[0].size[0]: -1 is outside [2, 1024]"),
+        case(
+            table("\"size\":[0,32]"),
+            "wants.tables[0].size[0]: 0 is outside [2, 1024] ([4, 256] with a third axis)",
+        ),
+        case(
+            table("\"size\":[32,1]"),
+            "wants.tables[0].size[1]: 1 is outside [2, 1024] ([4, 256] with a third axis)",
+        ),
+        case(
+            table("\"size\":[32,1025]"),
+            "wants.tables[0].size[1]: 1025 is outside [2, 1024] ([4, 256] with a third axis)",
+        ),
+        case(
+            table("\"size\":[-1,32]"),
+            "wants.tables[0].size[0]: -1 is outside [2, 1024] ([4, 256] with a third axis)",
+        ),
         case(
             table("\"size\":[9223372036854775808,32]"),
-            "wants.tables[0].size[0]: 9223372036854775808 is outside [2, 1024]",
+            "wants.tables[0].size[0]: 9223372036854775808 is outside [2, 1024] ([4, 256] with a third axis)",
         ),
         case(table("\"size\":[1e3,32]"), "wants.tables[0].size[0]: invalid type: floating point"),
         case(

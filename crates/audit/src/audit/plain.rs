@@ -93,8 +93,8 @@ fn list(axes: &[AxisReading], word: impl Fn(&AxisReading) -> String) -> String {
 }
 
 /// The coordinate that a reader takes an axis for. Roughness and alpha are both passed as they are;
-/// their powers come of squaring once too often. An argument that is named for gloss is one, 1 -
-/// roughness.
+/// their powers come of squaring once too often. An argument that is named for gloss is one,
+/// 1 - roughness.
 fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
     let gloss = source == Source::Function && is_gloss(name);
     if axis.scale.input() == Input::Alpha {

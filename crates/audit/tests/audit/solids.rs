@@ -106,7 +106,7 @@ fn a_stale_part_of_glass_from_inside_is_found() {
 }
 
 /// The sources' table of these sizes over mu, alpha and the square root of the anisotropy, nodes i/n.
-fn of_the_sources(size: [usize; 3]) -> Vec<f64> {
+fn of_the_path_tracer(size: [usize; 3]) -> Vec<f64> {
     let at = |i: usize, n: usize| i as f64 / n as f64;
     let mu: Vec<f64> = (0..size[0]).map(|i| at(i, size[0]).clamp(1e-4, 0.9999)).collect();
     let alphas: Vec<f64> = (0..size[1]).map(|i| at(i, size[1]).clamp(1e-4, 1.0)).collect();
@@ -123,9 +123,9 @@ const SOURCES: [(Scale, Registration, bool); 3] = [
 ];
 
 #[test]
-fn the_anisotropic_table_of_the_sources_is_read_as_it_is() {
+fn the_anisotropic_table_of_the_path_tracer_is_read_as_it_is() {
     let found = run(
-        &shipped("reflect", &[16, 16, 8], of_the_sources([16, 16, 8])),
+        &shipped("reflect", &[16, 16, 8], of_the_path_tracer([16, 16, 8])),
         "ggx-reflection-aniso",
         &Fixed::default(),
     );
@@ -139,7 +139,7 @@ fn the_anisotropic_table_of_the_sources_is_read_as_it_is() {
 #[test]
 fn unequal_sizes_and_other_orders_of_axes_are_read() {
     let size = [20, 12, 8];
-    let e = of_the_sources(size);
+    let e = of_the_path_tracer(size);
     for (order, smith) in
         [([0, 1, 2], None), ([1, 2, 0], Some(Smith::Separable)), ([2, 1, 0], Some(Smith::Separable))]
     {

@@ -1,9 +1,9 @@
 //! A dense dual simplex for programs of few variables and many rows, which are priced by a
 //! callback: the rows are never stored.
 //!
-//! minimise c x subject to a_i x <= b_i. A vertex is the solution of k active rows; y >= 0 with c +
-//! sum y_i a_i = 0 proves that no x that keeps the active rows has a smaller c x. The most violated
-//! row enters, the active row whose y reaches 0 first leaves.
+//! minimise c x subject to a_i x <= b_i. A vertex is the solution of k active rows; y >= 0 with
+//! c + sum y_i a_i = 0 proves that no x that keeps the active rows has a smaller c x. The most
+//! violated row enters, the active row whose y reaches 0 first leaves.
 
 /// Rows of a program.
 pub(super) trait Rows {
@@ -117,8 +117,8 @@ impl Combined {
         all
     }
 
-    /// For every x within reach that keeps the rows, c x is at least this: c x >= (c + sum y a) x -
-    /// sum y b.
+    /// For every x within reach that keeps the rows, c x is at least this: c x >= (c + sum y a)
+    /// x - sum y b.
     fn least<R: Rows>(&self, rows: &R) -> f64 {
         let left = self.left.iter().zip(&self.left_error).enumerate();
         let lost: f64 = left.map(|(j, (v, error))| (v.abs() + error) * rows.reach(j)).sum();

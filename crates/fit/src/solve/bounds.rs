@@ -156,8 +156,8 @@ impl<'a> Bounds<'a> {
         self.objective.samples
     }
 
-    /// Each row's point, other point, sign, value, and whether it is an equation: sign (f(point) -
-    /// f(other) - value) >= 0.
+    /// Each row's point, other point, sign, value, and whether it is an equation: sign
+    /// (f(point) - f(other) - value) >= 0.
     pub fn asked(&self) -> impl Iterator<Item = (usize, Option<usize>, f64, f64, bool)> {
         self.rows.iter().map(|row| (row.at, row.other, row.sign, row.value, row.equal))
     }

@@ -1,5 +1,5 @@
-//! Levenberg-Marquardt as an argmin solver, for whatever has a value and beside it a model |R d +
-//! q|^2 of its squares.
+//! Levenberg-Marquardt as an argmin solver, for whatever has a value and beside it a model |R
+//! d + q|^2 of its squares.
 //!
 //! For norms of p > 2 it was preferred to L-BFGS: the weighted problem has the same cost per
 //! iteration and converges quadratically, where L-BFGS takes hundreds of evaluations on rational

@@ -5,9 +5,9 @@ use super::rank::inside;
 use lobefit_shade::Tape;
 use lobefit_shade::tape::{BinaryOp, Op, UnaryOp};
 
-/// `count` starting points. The first is `declared`; the others fill the box of half widths `spread
-/// max(|declared|, 1)` around it, by the additive recurrence of the generalised golden ratio g, the
-/// root of g^(n+1) = g + 1 (Roberts 2018), which needs no table and no seed.
+/// `count` starting points. The first is `declared`; the others fill the box of half widths
+/// `spread max(|declared|, 1)` around it, by the additive recurrence of the generalised golden
+/// ratio g, the root of g^(n+1) = g + 1 (Roberts 2018), which needs no table and no seed.
 pub(super) fn starts(declared: &[f64], count: usize, spread: f64) -> Vec<Vec<f64>> {
     let n = declared.len();
     let mut golden = 1.5_f64;

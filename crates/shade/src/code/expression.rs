@@ -360,8 +360,8 @@ fn operator(op: Binary) -> (&'static str, Level) {
     }
 }
 
-/// The lines that raise x to a power by repeated squaring, each squaring declared as `declare x2 =
-/// ...;`, and the value.
+/// The lines that raise x to a power by repeated squaring, each squaring declared as
+/// `declare x2 = ...;`, and the value.
 pub(super) fn power_body(n: u32, declare: &str) -> (Vec<String>, String) {
     let name = |step: u32| if step == 1 { "x".to_string() } else { format!("x{step}") };
     let steps = power_steps(n);

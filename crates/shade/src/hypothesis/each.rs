@@ -1,5 +1,5 @@
-//! Loops over the vectors of an array: `for (var i = 0; i < N; i++) { let element = list[i]; ...
-//! }`, N being the array's length.
+//! Loops over the vectors of an array:
+//! `for (var i = 0; i < N; i++) { let element = list[i]; ... }`, N being the array's length.
 
 use naga::{BinaryOperator, Block, Expression, Handle, Literal, LocalVariable, Span, Statement as Naga};
 

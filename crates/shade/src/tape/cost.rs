@@ -10,10 +10,10 @@ const SPECIAL: u32 = 4;
 
 impl Tape {
     /// Weighted operations with parameters and literals constant: add, mul, fma, min, max, compare,
-    /// select, floor, logic 1; rcp, sqrt, inverseSqrt, exp2, log2, sin, cos 4; a division is rcp +
-    /// mul (the rcp of a divisor is counted once, 1/x has no mul); exp and log 5; pow 9; sign 2;
-    /// negate, not, abs, saturate 0. Constant sub-expressions cost nothing, common ones count once;
-    /// a mul all of whose users are additions or subtractions fuses into them, one into each.
+    /// select, floor, logic 1; rcp, sqrt, inverseSqrt, exp2, log2, sin, cos 4; a division is
+    /// rcp + mul (the rcp of a divisor is counted once, 1/x has no mul); exp and log 5; pow 9; sign
+    /// 2; negate, not, abs, saturate 0. Constant sub-expressions cost nothing, common ones count
+    /// once; a mul all of whose users are additions or subtractions fuses into them, one into each.
     pub fn cost_ops(&self) -> u32 {
         let constant = self.constants();
         let fused = self.fused(&constant);

@@ -6,8 +6,8 @@ use super::{ErrorMap, FlipError, light, resolution};
 use lobefit::report::{Image, luminance};
 use lobefit_math::ops;
 
-/// Narkowicz's fit of the ACES film curve with the exposure of 0.6 that goes before it, (k0 x^2 +
-/// k1 x + k2)/(k3 x^2 + k4 x + k5): the tone mapper of the paper.
+/// Narkowicz's fit of the ACES film curve with the exposure of 0.6 that goes before it, (k0
+/// x^2 + k1 x + k2)/(k3 x^2 + k4 x + k5): the tone mapper of the paper.
 const ACES: [f64; 6] = [0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.0, 0.6 * 0.6 * 2.43, 0.6 * 0.59, 0.14];
 
 /// Shown value that is bright: the brightest pixel has it at the first exposure, the median at the

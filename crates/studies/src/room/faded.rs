@@ -8,8 +8,8 @@ use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, length, minus, plus, scaled};
 use lobefit_truth::optics::footprint::slant_ratio;
 
-/// The power of the cosines in the ratio of the shading point's view of a wall to the probe's, rho
-/// = (d_s/d_p) (cos psi_p/cos psi_s)^(share/2).
+/// The power of the cosines in the ratio of the shading point's view of a wall to the probe's,
+/// rho = (d_s/d_p) (cos psi_p/cos psi_s)^(share/2).
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[serde(rename_all = "lowercase", tag = "slant")]
 pub enum Slant {

@@ -1,6 +1,6 @@
 //! The Beckmann distribution (Beckmann and Spizzichino 1963; Walter et al. 2007, eqs. 25 to 29),
-//! isotropic: slopes of facets are normal with variance alpha^2/2 along either axis. With c =
-//! mu/(alpha sin theta) (Heitz 2014, eq. 68)
+//! isotropic: slopes of facets are normal with variance alpha^2/2 along either axis. With
+//! c = mu/(alpha sin theta) (Heitz 2014, eq. 68)
 //!
 //!   Lambda = (exp(-c^2)/(c sqrt(pi)) - erfc(c))/2,   s = mu (1 + 2 Lambda) = mu erf(c) + alpha sin(theta) exp(-c^2)/sqrt(pi),
 //!   s - mu = alpha sin(theta) ierfc(c),              ierfc(c) = exp(-c^2)/sqrt(pi) - c erfc(c), the integral of erfc beyond c.
@@ -40,9 +40,9 @@ impl Beckmann {
     }
 }
 
-/// exp(-c^2)/sqrt(pi) - c erfc(c) for c >= 0. With erfc(c) = exp(-c^2)/sqrt(pi)/K(c), K = c +
-/// (1/2)/(c + (2/2)/(c + (3/2)/(c + ...))) (Abramowitz & Stegun, 7.1.14), it is exp(-c^2)/sqrt(pi)
-/// (K - c)/K, without cancellation.
+/// exp(-c^2)/sqrt(pi) - c erfc(c) for c >= 0. With erfc(c) = exp(-c^2)/sqrt(pi)/K(c),
+/// K = c + (1/2)/(c + (2/2)/(c + (3/2)/(c + ...))) (Abramowitz & Stegun, 7.1.14), it is
+/// exp(-c^2)/sqrt(pi) (K - c)/K, without cancellation.
 fn ierfc(c: f64) -> f64 {
     let gauss = INVERSE_ROOT_PI * ops::exp(-c * c);
     if c < FRACTION_FROM {

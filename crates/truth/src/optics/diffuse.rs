@@ -13,17 +13,17 @@ fn half_power(mu: f64) -> f64 {
     1.0 - schlick_weight(1.0 - 0.5 * mu)
 }
 
-/// Ashikhmin and Shirley 2000, the diffuse term: (28/23)(1 - f0)(1 - (1 - mu_l/2)^5)(1 - (1 -
-/// mu_v/2)^5), reciprocal. 28/23 makes the base with f0 = 0 white on average: 2 int (1 - (1 -
-/// mu/2)^5) mu dmu = 23/28.
+/// Ashikhmin and Shirley 2000, the diffuse term:
+/// (28/23)(1 - f0)(1 - (1 - mu_l/2)^5)(1 - (1 - mu_v/2)^5), reciprocal. 28/23 makes the base with
+/// f0 = 0 white on average: 2 int (1 - (1 - mu/2)^5) mu dmu = 23/28.
 #[inline(always)]
 pub fn ashikhmin_shirley(f0: f64, mu_l: f64, mu_v: f64) -> f64 {
     28.0 / 23.0 * (1.0 - f0) * (half_power(mu_l) * half_power(mu_v))
 }
 
-/// The product (21/20)(1 - F(l))(1 - F(v))/(1 - f0), reciprocal: with Schlick's Fresnel 1 - F =
-/// (1 - f0)(1 - (1 - mu)^5), whose average is 20/21 of 1 - f0, so that it keeps 1 - F(v) of a white
-/// base. 0 at f0 = 1.
+/// The product (21/20)(1 - F(l))(1 - F(v))/(1 - f0), reciprocal: with Schlick's Fresnel
+/// 1 - F = (1 - f0)(1 - (1 - mu)^5), whose average is 20/21 of 1 - f0, so that it keeps 1 - F(v) of
+/// a white base. 0 at f0 = 1.
 #[inline(always)]
 pub fn fresnel_product(f0: f64, mu_l: f64, mu_v: f64) -> f64 {
     let passed = |mu: f64| 1.0 - schlick_weight(1.0 - mu);
@@ -44,9 +44,9 @@ pub fn pesce(f0: f64, f: f64, roughness: f64) -> f64 {
 }
 
 /// The base of the Enterprise PBR Shading Model (Dassault Systemes), reciprocal: left(l)
-/// left(v)/(1 - average) with a fit of what its lobe leaves, left(mu) = 1 - mix(F(mu), F_avg, 1 -
-/// (1 - alpha)^5), Schlick's F, F_avg = 0.04762 + 0.95238 f0 and average = f0 - (0.33263 alpha +
-/// 0.072359)(1 - f0) f0. Written with 1 - f0 cancelled, so that f0 = 1 has its limit 0.
+/// left(v)/(1 - average) with a fit of what its lobe leaves, left(mu) = 1 - mix(F(mu), F_avg,
+/// 1 - (1 - alpha)^5), Schlick's F, F_avg = 0.04762 + 0.95238 f0 and average = f0 - (0.33263
+/// alpha + 0.072359)(1 - f0) f0. Written with 1 - f0 cancelled, so that f0 = 1 has its limit 0.
 #[inline(always)]
 pub fn dassault(f0: f64, alpha: f64, mu_l: f64, mu_v: f64) -> f64 {
     let smooth = schlick_weight(1.0 - alpha);

@@ -96,8 +96,8 @@ impl Distribution for Ggx {
 
     const REACH: f64 = f64::INFINITY;
 
-    /// With q = |v + l|^2, D = (alpha^2/pi) (q/(q - k))^2, k = (1 - alpha^2)(mu + mu_l)^2: q - k =
-    /// 4 (cos^2(S/2) P + t).
+    /// With q = |v + l|^2, D = (alpha^2/pi) (q/(q - k))^2, k = (1 - alpha^2)(mu + mu_l)^2:
+    /// q - k = 4 (cos^2(S/2) P + t).
     #[inline(always)]
     fn density_of_half(self, polar: &Polar, t: f64) -> f64 {
         let near = polar.cos_s * polar.cos_s;
@@ -111,8 +111,8 @@ impl Distribution for Ggx {
     }
 
     /// With q - k at psi = 0 as 4 cos^2(S/2) P, P = sin^2(D/2) + a^2 cos^2(D/2), and at psi = pi as
-    /// 4 cos^2(D/2) Q, Q = sin^2(S/2) + a^2 cos^2(S/2), the integral is 2 a^2 [1 + 2 (1-a^2) C /
-    /// sqrt(PQ) + (1-a^2)^2 C (cos^2(S/2) P + cos^2(D/2) Q) / (2 (PQ)^(3/2))], C = cos(D/2)
+    /// 4 cos^2(D/2) Q, Q = sin^2(S/2) + a^2 cos^2(S/2), the integral is 2 a^2 [1 + 2 (1-a^2)
+    /// C / sqrt(PQ) + (1-a^2)^2 C (cos^2(S/2) P + cos^2(D/2) Q) / (2 (PQ)^(3/2))], C = cos(D/2)
     /// cos(S/2). For a <= 1 every term is positive.
     #[inline(always)]
     fn azimuth_integral(self, polar: &Polar) -> Option<f64> {

@@ -34,8 +34,8 @@ pub struct Stretch {
     /// The derivative of ln(d_s/d_p) by the tangent of a tilt along `major`, >= 0. The other factor
     /// of `area` is constant over a plane, so that ln `area` grows 3/2 as fast.
     pub growth: f64,
-    /// -(n.e)/(n.w_s) of e = `major`: a ray tilted by the tangent t meets the plane where t `slope`
-    /// < 1.
+    /// -(n.e)/(n.w_s) of e = `major`: a ray tilted by the tangent t meets the plane where t
+    /// `slope` < 1.
     pub slope: f64,
 }
 

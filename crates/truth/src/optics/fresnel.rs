@@ -27,8 +27,8 @@ pub fn schlick(f0: f64, one_minus_cosine: f64) -> f64 {
     f0 + (1.0 - f0) * schlick_weight(one_minus_cosine)
 }
 
-/// 2 int_0^1 F(c) c dc of Schlick's Fresnel, (1 + 20 f0)/21: the weight's own average is 2 (1/6 -
-/// 1/7) = 1/21.
+/// 2 int_0^1 F(c) c dc of Schlick's Fresnel, (1 + 20 f0)/21: the weight's own average is 2
+/// (1/6 - 1/7) = 1/21.
 pub fn schlick_average(f0: f64) -> f64 {
     (1.0 + 20.0 * f0) / 21.0
 }
@@ -36,10 +36,10 @@ pub fn schlick_average(f0: f64) -> f64 {
 /// Squared amplitudes (s, p) of an interface of relative index `eta` = n_view/n_far at incidence of
 /// cosine c and squared sine s2, c_t the cosine of refraction and `contrast` = 1 - eta^2.
 ///
-/// The textbook amplitudes have numerators that cancel as eta -> 1; both are rewritten with c_t -
-/// eta c = contrast/(c_t + eta c): r_s = (eta c - c_t)/(eta c + c_t) = -contrast/(eta c + c_t)^2,
-/// r_p = (c - eta c_t)/(c + eta c_t), c^2 - eta^2 c_t^2 = (1 - eta^2)(c^2 (1 + eta^2) - eta^2) =
-/// contrast (c^2 - eta^2 s^2).
+/// The textbook amplitudes have numerators that cancel as eta -> 1; both are rewritten with
+/// c_t - eta c = contrast/(c_t + eta c): r_s = (eta c - c_t)/(eta c + c_t) = -contrast/(eta
+/// c + c_t)^2, r_p = (c - eta c_t)/(c + eta c_t), c^2 - eta^2 c_t^2 = (1 - eta^2)(c^2
+/// (1 + eta^2) - eta^2) = contrast (c^2 - eta^2 s^2).
 #[inline(always)]
 pub fn unpolarised(eta: f64, contrast: f64, c: f64, s2: f64, c_t: f64) -> f64 {
     let (sum_s, sum_p) = (eta * c + c_t, c + eta * c_t);

@@ -5,7 +5,7 @@ use lobefit_math::ops;
 use rayon::prelude::*;
 
 use super::reflection::TRUTH_ERROR;
-use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, each, given};
+use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, check_unit, each, given};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, reflection};
 use crate::points::{Points, hull};
@@ -69,9 +69,11 @@ impl Quantity for GgxAverage {
             return each(self, variant, points, outputs, tolerance);
         }
         let (smith, [alpha]) = (variant.smith(self.name())?, given(self, points)?);
+        check_unit(self, "alpha", alpha, self.smallest_alpha())?;
         let [low, high] = hull(alpha.iter().map(|a| ops::log(a.max(SMALLEST))));
         let value = |x: &f64| {
-            reflection::average(smith, ops::exp(*x).min(1.0), reflection::TOLERANCE).map(|v| v.e_avg)
+            reflection::average(smith, ops::exp(*x).clamp(SMALLEST, 1.0), reflection::TOLERANCE)
+                .map(|v| v.e_avg)
         };
         let count = NODES * ((high - low) / SPAN).ceil().max(1.0) as usize;
         let nodes = chebyshev::nodes(low, high, count);

@@ -89,6 +89,18 @@ pub trait Quantity: Sync {
     /// An input outside of its domain, a variant that leaves a choice open, a tolerance that the
     /// largest rule does not reach.
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {
+        for (input, value) in self.inputs().iter().zip(x) {
+            let [low, high] = input.domain;
+            if !((low..=high).contains(value) || (input.optional && value.is_nan())) {
+                let domain = "is outside the quantity's domain";
+                return Err(IntegrateError::Domain {
+                    quantity: self.name(),
+                    input: input.name,
+                    value: *value,
+                    domain,
+                });
+            }
+        }
         let mu = self.inputs().iter().position(|input| input.name == MU.name);
         let mu = mu.ok_or(IntegrateError::NoInput { quantity: self.name(), input: MU.name })?;
         let e = brdf::albedo(self.name(), &self.brdf(variant, x)?, x[mu], tolerance)?;
@@ -210,6 +222,27 @@ fn given<'a, const N: usize, Q: Quantity + ?Sized>(
     let columns = inputs(quantity, points)?;
     Ok(std::array::from_fn(|k| columns.get(k).copied().flatten().unwrap_or(&[])))
 }
+
+/// Refuses values that are neither 0 nor in [smallest, 1], but for what a rounding to f32 does to
+/// the ends.
+fn check_unit<Q: Quantity + ?Sized>(
+    quantity: &Q,
+    input: &'static str,
+    values: &[f64],
+    smallest: f64,
+) -> Result<(), IntegrateError> {
+    let domain = (smallest * (1.0 - ROUNDED))..=(1.0 + ROUNDED);
+    match values.iter().find(|x| **x != 0.0 && !domain.contains(*x)) {
+        None => Ok(()),
+        Some(&value) => {
+            let (quantity, domain) = (quantity.name(), "is neither 0 nor in the quantity's domain");
+            Err(IntegrateError::Domain { quantity, input, value, domain })
+        }
+    }
+}
+
+/// Relative rounding of an input in f32.
+const ROUNDED: f64 = 1e-6;
 
 /// The places of outputs among those of a quantity.
 fn places<Q: Quantity + ?Sized>(quantity: &Q, outputs: &[&str]) -> Result<Vec<usize>, IntegrateError> {

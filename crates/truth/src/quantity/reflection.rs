@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Choice, Input, MU, Quantity, Truth, Variant, each, given, places};
+use super::{ALPHA, Choice, Input, MU, Quantity, Truth, Variant, check_unit, each, given, places};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::reflection::{Effort, Interpolant, albedo_of, split_of};
 use crate::integrate::{Estimate, IntegrateError, reflection};
@@ -148,6 +148,8 @@ impl<D: Distribution> Quantity for Reflection<D> {
         }
         places(self, outputs)?;
         let [alpha, mu] = given(self, points)?;
+        check_unit(self, "alpha", alpha, self.smallest_alpha())?;
+        check_unit(self, "mu", mu, 0.0)?;
         let inputs: Vec<(f64, f64)> = alpha.iter().copied().zip(mu.iter().copied()).collect();
         let split = outputs.iter().any(|output| *output != "E");
         let fast = Fast::new(self, variant.smith(self.name)?, split, &inputs);

@@ -211,8 +211,8 @@ impl Surface {
     }
 
     /// 1 less the albedo of the specular lobe as it is drawn. With k = E less the albedo of the
-    /// bare lobe (g A with Schlick's Fresnel): single loss + k; normalised k/E; compensated k +
-    /// loss (1 - f0 (1 - k/E)); Kulla-Conty k + loss (1 - series).
+    /// bare lobe (g A with Schlick's Fresnel): single loss + k; normalised k/E; compensated
+    /// k + loss (1 - f0 (1 - k/E)); Kulla-Conty k + loss (1 - series).
     fn left(&self, at: &Column) -> [f64; 3] {
         self.channels(|i| {
             let kept = match self.material.fresnel {

@@ -74,8 +74,8 @@ impl Lobe {
     }
 }
 
-/// What the diffuse base is multiplied with. F is Fresnel's reflectance of the material, mu_v =
-/// n.v.
+/// What the diffuse base is multiplied with. F is Fresnel's reflectance of the material,
+/// mu_v = n.v.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Coupling {
     /// 1.

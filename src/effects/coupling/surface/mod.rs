@@ -3,10 +3,10 @@
 //!
 //! [`Surface`] evaluates a [`Material`]: a GGX lobe with one of five ways to treat the light that
 //! single scattering loses ([`Lobe`]), over a diffuse base with one of the published ways to take
-//! what the lobe leaves ([`Coupling`]). The formulas themselves are in `optics::{fresnel,
-//! multiscatter, diffuse}`, the albedos that they need are integrated once per alpha ([`Albedos`]).
-//! [`measure`] sends light through the result, [`table`] does so for every lobe over every
-//! coupling.
+//! what the lobe leaves ([`Coupling`]). The formulas themselves are in
+//! `optics::{fresnel, multiscatter, diffuse}`, the albedos that they need are integrated once per
+//! alpha ([`Albedos`]). [`measure`] sends light through the result, [`table`] does so for every
+//! lobe over every coupling.
 
 mod albedos;
 mod cost;

@@ -38,8 +38,8 @@ pub enum Shading {
 pub struct LobeFit {
     /// Share of the normal mixed into the mirror ray: `min(1, lean[0] alpha^lean[1] mu^lean[2])`.
     pub lean: [f64; 3],
-    /// Ratio of its footprint to that of the round lobe: `mu^(narrow[0] - narrow[1] alpha) (1 -
-    /// narrow[2] alpha)`, at least 0.05.
+    /// Ratio of its footprint to that of the round lobe:
+    /// `mu^(narrow[0] - narrow[1] alpha) (1 - narrow[2] alpha)`, at least 0.05.
     pub narrow: [f64; 3],
     /// Width across over width along the plane of incidence: `mu^(squash[0] - squash[1] alpha)`, at
     /// most 1.

@@ -6,10 +6,10 @@ use crate::effects::parallax::LobeFit;
 use crate::effects::parallax::lookups::{LEAST_COSINE, NARROWEST};
 
 /// `ray`, the axis, and `width` by the constants of [`LobeFit`]. The powers of |mu| share its
-/// logarithm; alpha is at least 1e-8 in its own, where the share of the normal is below 1e-10. (1 -
-/// share) (2 mu n - v) + share n is a sum of n and v; its length is at least the root of 1/2, as n
-/// and the mirror ray are at most at right angles: below the surface (mu < 0) the mirror ray goes
-/// straight on, -v.
+/// logarithm; alpha is at least 1e-8 in its own, where the share of the normal is below 1e-10.
+/// (1 - share) (2 mu n - v) + share n is a sum of n and v; its length is at least the root of 1/2,
+/// as n and the mirror ray are at most at right angles: below the surface (mu < 0) the mirror ray
+/// goes straight on, -v.
 pub(super) const AXIS: &str = "
 let mu = dot(normal, view);
 let log_mu = log2(min(max(abs(mu), LEAST_COSINE), 1.0));

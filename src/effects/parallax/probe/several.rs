@@ -18,8 +18,8 @@ let SECOND = vec3f(mixed, upright + ray.y * ray.y * turned, -ray.y);
 /// [`lobefit_truth::optics::footprint::Stretch`] has it. M^T M over the root of its determinant,
 /// `shrunk` (d_s/d_p)^2, is the form [[mean + skew, form_12], [form_12, mean - skew]]; `shrunk` is
 /// (n.w_p)/(n.w_s), but where a grazing cosine counts as 0.02. With the growth over the lobe's
-/// width added, its larger eigenvalue is `large` and the difference of both 2 `off`, so that z^2 =
-/// 1 - small/large, `spread` squared, is 2 off/large without a difference.
+/// width added, its larger eigenvalue is `large` and the difference of both 2 `off`, so that
+/// z^2 = 1 - small/large, `spread` squared, is 2 off/large without a difference.
 const STRETCH: &str = "
 let slope_1 = -dot(met.xyz, first) / here;
 let slope_2 = -dot(met.xyz, second) / here;

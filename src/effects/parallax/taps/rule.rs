@@ -9,14 +9,14 @@
 //!
 //! The three, with Y = y (b0 + b1 z)/z in [0, 1.5] and A = (c0 + c1 z)/(1 + c2 alpha), are at -A
 //! (sqrt(1 + Y^2) - Y), y (d0 + d1 z) and A (sqrt(1 + Y^2) + Y), the outer ones of widths e0 + e1
-//! z + alpha (e2 + e3 z) with y (n0 + n1 z) and y (f0 + f1 z) as above, the inner one 1 + z (g0 +
-//! g1 z + g2 alpha), of weights G (sqrt(1 + W^2) +- W) and 1, W = y (w0 + w1 z)/z in [-1.5, 1.5],
-//! G = z^2 (h0 z + h1 alpha), over their sum. Where the footprint is round and grows nowhere, z =
-//! y = 0, all of it is the one fetch of the lobe; where it does not grow, near and far mirror each
-//! other, so that nothing jumps where the growth changes its sign. Where it grows, several fetches
-//! are left at kappa = 1, and z = 0 with growth is a place where they may jump: the growth's own
-//! part of the length, alpha^2 g g^T, then just makes up for kappa, the long axis turns by 90
-//! degrees there, and with it what it grows by along itself.
+//! z + alpha (e2 + e3 z) with y (n0 + n1 z) and y (f0 + f1 z) as above, the inner one 1 + z
+//! (g0 + g1 z + g2 alpha), of weights G (sqrt(1 + W^2) +- W) and 1, W = y (w0 + w1 z)/z in [-1.5,
+//! 1.5], G = z^2 (h0 z + h1 alpha), over their sum. Where the footprint is round and grows nowhere,
+//! z = y = 0, all of it is the one fetch of the lobe; where it does not grow, near and far mirror
+//! each other, so that nothing jumps where the growth changes its sign. Where it grows, several
+//! fetches are left at kappa = 1, and z = 0 with growth is a place where they may jump: the
+//! growth's own part of the length, alpha^2 g g^T, then just makes up for kappa, the long axis
+//! turns by 90 degrees there, and with it what it grows by along itself.
 //!
 //! Last, a tilt of tangent t = c alpha becomes t/(1 + max(t s, 0)), s = [`Stretch::slope`]: no ray
 //! is tilted past the plane of the wall. The constants are fitted lobe by lobe ([`Constants`]).

@@ -17,9 +17,10 @@ pub struct Eye {
 
 /// The law of a bake. The texel of a direction w shows the place q where the ray from the probe
 /// along w leaves the proxy, whatever the law; seen from elsewhere, the lobe is as much wider or
-/// narrower as leaves its footprint on the wall as large as that of the probe's lobe: by rho =
-/// (d_p/d_v) sqrt(cos psi_v/cos psi_p) and the flow of the cosine-weighted lobe ([`width`]). Flows
-/// compose, so that a lookup needs not know the law: that of an ordinary bake is right for all.
+/// narrower as leaves its footprint on the wall as large as that of the probe's lobe: by
+/// rho = (d_p/d_v) sqrt(cos psi_v/cos psi_p) and the flow of the cosine-weighted lobe ([`width`]).
+/// Flows compose, so that a lookup needs not know the law: that of an ordinary bake is right for
+/// all.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 #[serde(rename_all = "lowercase", tag = "law")]
 pub enum Viewpoint {

@@ -38,8 +38,8 @@ pub(super) fn strips(furnace: &Furnace, compared: &[Compared]) -> Result<Vec<Fur
     Ok(strips)
 }
 
-/// Whether the page shows the spheres: all under the first lobe, those of one dielectric and of f0
-/// = 1 under the others.
+/// Whether the page shows the spheres: all under the first lobe, those of one dielectric and of
+/// f0 = 1 under the others.
 fn shown(lobe: Lobe, f0: f64, first: Lobe, furnace: &Furnace) -> bool {
     lobe == first || f0 == furnace.shown_f0 || f0 == 1.0
 }

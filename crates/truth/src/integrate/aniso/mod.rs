@@ -2,7 +2,7 @@
 //! azimuth of the view or averaged over it.
 //!
 //! In slope space the facets that reflect above the horizon form a disc of radius 1/mu about the
-//! point where the view's own slope lies; it contains the macro normal, so it is rays-shaped about
+//! point where the view's own slope lies; it contains the macro normal, so it is star-shaped about
 //! it, and its edge is a closed form that does not depend on alpha. The integral runs along rays
 //! from the macro normal (`ray`) and over their azimuth (`rays`).
 

@@ -32,8 +32,8 @@ impl<'a> Ray<'a> {
         Ray { view, azimuth, g, cosine }
     }
 
-    /// E and loss of the ray, each times g^2: int sin(t) (v.h) G/mu / (cos^2 t + sin^2 t/g^2)^2 dt
-    /// / g^2.
+    /// E and loss of the ray, each times g^2: int sin(t) (v.h) G/mu / (cos^2 t + sin^2 t/g^2)^2
+    /// dt / g^2.
     pub fn integrate(&self, rule: &PanelRule) -> [f64; 2] {
         let lean = self.view.sine * self.cosine;
         let q = (self.view.mu * self.view.mu + lean * lean).sqrt();
@@ -119,8 +119,8 @@ impl<'a> Ray<'a> {
         self.along(v, |_, _| masking)
     }
 
-    /// The integrand in v, with a geometry factor of the light's cosine and alpha_x^2 l_x^2 +
-    /// alpha_y^2 l_y^2.
+    /// The integrand in v, with a geometry factor of the light's cosine and alpha_x^2
+    /// l_x^2 + alpha_y^2 l_y^2.
     #[inline(always)]
     fn along(&self, v: &F8, geometry: impl Fn(f64, f64) -> f64) -> F8 {
         let view = self.view;

@@ -7,9 +7,9 @@
 //! depend alone (`sweep`), and the azimuth psi about the view, in which the heights of facet,
 //! mirrored and refracted direction are all linear in cos(psi) (`ring`).
 //!
-//! Ends of the domain: alpha = 0 is the smooth interface, R = F(mu), T = 1 - F(mu). ior = 1 has R =
-//! 0 and T = G2/G1 of the straight-through direction: (1 + L)/(1 + 2 L) for the correlated form and
-//! 1/(1 + L) for the separable one, not 1.
+//! Ends of the domain: alpha = 0 is the smooth interface, R = F(mu), T = 1 - F(mu). ior = 1 has
+//! R = 0 and T = G2/G1 of the straight-through direction: (1 + L)/(1 + 2 L) for the correlated form
+//! and 1/(1 + L) for the separable one, not 1.
 
 mod interface;
 mod ring;
@@ -54,8 +54,8 @@ pub struct Glass {
 
 const QUANTITY: &str = "ggx-glass";
 
-/// Integrates `ggx-glass` at alpha in {0} or [1e-4, 1], mu in [1e-6, 1] and ior =
-/// n_inside/n_outside in [1, 4]; `side` is where the ray comes from.
+/// Integrates `ggx-glass` at alpha in {0} or [1e-4, 1], mu in [1e-6, 1] and
+/// ior = n_inside/n_outside in [1, 4]; `side` is where the ray comes from.
 pub fn glass(
     smith: Smith,
     alpha: f64,

@@ -1,8 +1,8 @@
 //! The reflection integral about a fixed view, over the polar angle of the light.
 //!
-//! With theta and theta_l the polar angles of view and light, put D = theta - theta_l and S =
-//! theta + theta_l. For a light at azimuth psi from the plane of incidence (psi = 0 on the mirror's
-//! side) the squared length of v + l is q(psi) = 4 cos^2(S/2) + 4 sin(theta) sin(theta_l)
+//! With theta and theta_l the polar angles of view and light, put D = theta - theta_l and
+//! S = theta + theta_l. For a light at azimuth psi from the plane of incidence (psi = 0 on the
+//! mirror's side) the squared length of v + l is q(psi) = 4 cos^2(S/2) + 4 sin(theta) sin(theta_l)
 //! sin^2(psi/2).
 //!
 //! The outer variable u, tan(-D/2) = a sinh(u), makes the peak at the mirror direction one unit

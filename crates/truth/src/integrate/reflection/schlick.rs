@@ -51,8 +51,8 @@ fn integrand<D: Distribution>(view: &View<D>, u: &F8, effort: &Effort, fresnel: 
     out
 }
 
-/// One polar angle of the light, over its azimuth psi. With t = `swing` sin^2(psi/2), |v + l|^2/4 =
-/// cos^2(S/2) + t and 1 - (v.h)^2 = sin^2(S/2) - t.
+/// One polar angle of the light, over its azimuth psi. With t = `swing`
+/// sin^2(psi/2), |v + l|^2/4 = cos^2(S/2) + t and 1 - (v.h)^2 = sin^2(S/2) - t.
 pub(super) struct Ring<D> {
     lobe: D,
     polar: Polar,

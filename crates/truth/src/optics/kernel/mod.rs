@@ -1,8 +1,8 @@
 //! Lobes about an axis as cubemaps are prefiltered with them, by the share of energy inside a cone.
 //!
-//! theta is the angle from the axis, u = tan^2(theta/2), c = cos(theta) = (1 - u)/(1 + u), A =
-//! alpha^2; a lobe covers the hemisphere u <= 1 and holds energy 1 there. With dc = -2/(1 + u)^2 du
-//! the unnormalised densities over u are
+//! theta is the angle from the axis, u = tan^2(theta/2), c = cos(theta) = (1 - u)/(1 + u),
+//! A = alpha^2; a lobe covers the hemisphere u <= 1 and holds energy 1 there. With
+//! dc = -2/(1 + u)^2 du the unnormalised densities over u are
 //!
 //!   `ndf`          D(theta):                    2/((1 + u) (1 - (1-A) c^2))^2,
 //!   `half`         D(theta/2):                  2/(A + u)^2,

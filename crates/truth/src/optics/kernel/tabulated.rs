@@ -1,8 +1,8 @@
 //! A lobe that a renderer measured or computed itself, as a table of its radiance over the angle at
 //! some widths.
 //!
-//! With x(u; A) = u (1 + A)/(A + u), the energy that the lobe `half` of the width holds inside u =
-//! tan^2(theta/2), every lobe of a table is held as a density q over x, which for lobes akin to
+//! With x(u; A) = u (1 + A)/(A + u), the energy that the lobe `half` of the width holds inside
+//! u = tan^2(theta/2), every lobe of a table is held as a density q over x, which for lobes akin to
 //! GGX's varies slowly over all widths:
 //!
 //!   q = f(theta) dOmega/dx,   dOmega/du = 4 pi/(1 + u)^2,   dx/du = A (1 + A)/(A + u)^2.

@@ -5,15 +5,15 @@
 //!
 //!   E = (2 + p)/(2 pi) int sin^(p + 1)(theta_h) 2 R(theta_h) dtheta_h,   R = int_0^phi_m y mu_l/(mu^2 + 2 kappa y cos(theta_h)) dphi,
 //!
-//! kappa = 1 - mu. R does not depend on alpha, and its integrand is rational in cos(phi): with a =
-//! 2 cos(theta_h), P = mu^2 + kappa a mu cos(theta_h), Q = kappa a sin(theta) sin(theta_h) and T =
-//! tan(phi_m/2) it is, by division of polynomials in y,
+//! kappa = 1 - mu. R does not depend on alpha, and its integrand is rational in cos(phi): with
+//! a = 2 cos(theta_h), P = mu^2 + kappa a mu cos(theta_h), Q = kappa a sin(theta) sin(theta_h) and
+//! T = tan(phi_m/2) it is, by division of polynomials in y,
 //!
 //!   R = [mu cos(theta_h) phi_m + sin(theta) sin(theta_h) sin(phi_m) - mu/(kappa a) (phi_m - mu^2 J)]/kappa,
 //!   J = int_0^phi_m dphi/(P + Q cos(phi)) = 2/(P + Q) T f(T^2 (P - Q)/(P + Q)),   f(u) = atan(sqrt(u))/sqrt(u).
 //!
-//! The horizon mu_l = 0 ends the azimuth at cos(phi_m) = -cot(theta) cot(2 theta_h). With eps =
-//! pi/2 - theta and tau = tan(eps/2) there are three ranges, each in a variable in which its
+//! The horizon mu_l = 0 ends the azimuth at cos(phi_m) = -cot(theta) cot(2 theta_h). With
+//! eps = pi/2 - theta and tau = tan(eps/2) there are three ranges, each in a variable in which its
 //! integrand is analytic to a distance of pi/2:
 //! - `High`: tan(pi/2 - theta_h) = tau cosh(w), from the last facet that mirrors above the horizon
 //!   (w = 0, phi_m = 0) to pi/4;
@@ -204,8 +204,8 @@ impl View {
         (first - mu / (kappa * a) * (ring.azimuth - mu * mu * j)) / kappa
     }
 
-    /// J. Where P < Q, f is atanh(r T)/(r T) with r^2 = (Q - P)/(P + Q), and 1 - r^2 T^2 = mu (1 +
-    /// T^2)/(P + Q), for at the horizon P + Q cos(phi_m) = mu.
+    /// J. Where P < Q, f is atanh(r T)/(r T) with r^2 = (Q - P)/(P + Q), and 1 - r^2 T^2 = mu
+    /// (1 + T^2)/(P + Q), for at the horizon P + Q cos(phi_m) = mu.
     fn inverse_integral(&self, p: f64, q: f64, tangent: f64) -> f64 {
         let (sum, t2) = (p + q, tangent * tangent);
         let u = t2 * (p - q) / sum;

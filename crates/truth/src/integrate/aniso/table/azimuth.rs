@@ -1,10 +1,11 @@
-//! The view's azimuth: E is even about both axes, so it is a series in cos(2 k b), and tan(phi) =
-//! sqrt(alpha_x/alpha_y) tan(b) spreads the dip at the short axis so that the series falls fast.
+//! The view's azimuth: E is even about both axes, so it is a series in cos(2 k b), and
+//! tan(phi) = sqrt(alpha_x/alpha_y) tan(b) spreads the dip at the short axis so that the series
+//! falls fast.
 
 use std::f64::consts::FRAC_PI_2;
 
 use super::dispatch;
-use super::rules::{self, StarRule};
+use super::rules::{self, RaysRule};
 use crate::integrate::Path;
 use crate::integrate::aniso::view::View;
 use crate::optics::Smith;
@@ -41,7 +42,7 @@ pub(super) fn values(
     digits: f64,
     count: usize,
 ) -> (Vec<f64>, u64) {
-    let rule = StarRule::new(smith, alpha, mu, digits);
+    let rule = RaysRule::new(smith, alpha, mu, digits);
     let root = (alpha[0] / alpha[1]).sqrt();
     let rays = |i| {
         let azimuth = direction(root, node(i, count));
@@ -54,12 +55,12 @@ pub(super) fn values(
 pub(super) fn at(path: Path, smith: Smith, alpha: [f64; 2], mu: f64, phi: f64, digits: f64) -> Work {
     let (sin_phi, cos_phi) = ops::sincos(phi);
     let (alpha, [x, y]) = ordered(alpha, [cos_phi.abs(), sin_phi.abs()]);
-    let rule = StarRule::new(smith, alpha, mu, digits);
+    let rule = RaysRule::new(smith, alpha, mu, digits);
     let value = dispatch::rays(path, &View::towards(smith, alpha, mu, [x, y]), &rule);
     Work { value, evaluations: rule.evaluations() }
 }
 
-/// The axes swapped, where need be, so that the second is the short one, as the rays takes it.
+/// The axes swapped, where need be, so that the second is the short one, as the integral takes it.
 fn ordered(alpha: [f64; 2], direction: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     if alpha[0] < alpha[1] {
         return ([alpha[1], alpha[0]], [direction[1], direction[0]]);

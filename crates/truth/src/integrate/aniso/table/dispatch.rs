@@ -4,12 +4,12 @@
 use multiversion::multiversion;
 
 use super::kernel;
-use super::rules::StarRule;
+use super::rules::RaysRule;
 use crate::integrate::Path;
 use crate::integrate::aniso::view::View;
 
 /// E at one azimuth.
-pub(super) fn rays(path: Path, view: &View, rule: &StarRule) -> f64 {
+pub(super) fn rays(path: Path, view: &View, rule: &RaysRule) -> f64 {
     match path {
         Path::Best => best(view, rule),
         Path::Avx2 => avx2(view, rule),
@@ -21,16 +21,16 @@ pub(super) fn rays(path: Path, view: &View, rule: &StarRule) -> f64 {
     "x86_64+avx+avx2+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt",
     "x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"
 ))]
-fn best(view: &View, rule: &StarRule) -> f64 {
+fn best(view: &View, rule: &RaysRule) -> f64 {
     kernel::rays(view, rule)
 }
 
 #[multiversion(targets("x86_64+avx+avx2+bmi1+bmi2+f16c+fma+lzcnt+movbe+popcnt"))]
-fn avx2(view: &View, rule: &StarRule) -> f64 {
+fn avx2(view: &View, rule: &RaysRule) -> f64 {
     kernel::rays(view, rule)
 }
 
-fn baseline(view: &View, rule: &StarRule) -> f64 {
+fn baseline(view: &View, rule: &RaysRule) -> f64 {
     kernel::rays(view, rule)
 }
 

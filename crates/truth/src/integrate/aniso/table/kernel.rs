@@ -1,15 +1,15 @@
-//! E at one azimuth of the view, by the rays of rays about the macro normal, eight rays at a time.
+//! E at one azimuth of the view, by all rays about the macro normal, eight rays at a time.
 
 use std::f64::consts::PI;
 
-use super::rules::{Block, PANELS, RayNode, StarRule};
+use super::rules::{Block, PANELS, RayNode, RaysRule};
 use crate::integrate::aniso::view::View;
 use crate::optics::Smith;
 use lobefit_math::lanes::{self, F8, LANES};
 
 /// E by one rule. The view's azimuth lies in the first quadrant, and alpha_y is not above alpha_x.
 #[inline(always)]
-pub(super) fn rays(view: &View, rule: &StarRule) -> f64 {
+pub(super) fn rays(view: &View, rule: &RaysRule) -> f64 {
     let shadowing = Shadowing::new(view);
     let panels = Panels::new(view, rule.root);
     let mut total = [0.0; LANES];

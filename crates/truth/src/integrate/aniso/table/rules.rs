@@ -1,4 +1,4 @@
-//! Nodes of the rays and how many a tolerance takes: fixed along every ray and in every panel of
+//! Nodes along rays and azimuths and how many a tolerance takes: fixed along every ray and in every panel of
 //! azimuths, so that eight rays run side by side.
 
 use std::sync::OnceLock;
@@ -41,31 +41,31 @@ pub(super) struct Block {
     pub weight: F8,
 }
 
-/// The nodes of a rays.
+/// The nodes of one integral over rays.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StarRule {
+pub(super) struct RaysRule {
     pub ray: &'static [RayNode],
     pub blocks: &'static [Block],
     /// The azimuth variable beta: tan(psi) = root tan(beta), psi that of the stretched slopes.
     pub root: f64,
 }
 
-impl StarRule {
+impl RaysRule {
     /// The rule for a view, so that E is good to 10^-digits.
-    pub fn new(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> StarRule {
+    pub fn new(smith: Smith, alpha: [f64; 2], mu: f64, digits: f64) -> RaysRule {
         let mean = (alpha[0] * alpha[1]).sqrt();
         // Where the lobe is narrow, D alone matters, which does not depend on psi; where it is wide
         // the shadowing varies with the azimuth itself, tan = (alpha_y/alpha_x) tan(psi), and the
         // variable between the two is best (measured).
         let root = ops::pow(alpha[0] / alpha[1], 0.5 * mean.min(1.0));
-        StarRule {
+        RaysRule {
             ray: ray_nodes(radial(smith, alpha, mu, digits), layer(smith, alpha, mu, digits)),
             blocks: blocks(per_panel(smith, alpha, mu, digits)),
             root,
         }
     }
 
-    /// Integrand evaluations of one rays, padding included.
+    /// Integrand evaluations of one such integral, padding included.
     pub fn evaluations(&self) -> u64 {
         (self.blocks.len() * LANES * self.ray.len()) as u64
     }

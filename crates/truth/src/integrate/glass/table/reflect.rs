@@ -1,10 +1,10 @@
 //! Reflection from the rings: R = int F W = int W - int (1 - F) W, the second over theta_d below
 //! the critical angle.
 //!
-//! The rings are sampled on panels of u that end where they turn from whole to truncated (theta_d =
-//! pi/4 - theta/2) and where they vanish (pi/4 + theta/2), graded towards both. From inside 1 - F
-//! is a square root at the critical angle: panels at it are integrated on nodes of their own, with
-//! W interpolated from its Legendre series on the panel.
+//! The rings are sampled on panels of u that end where they turn from whole to truncated
+//! (theta_d = pi/4 - theta/2) and where they vanish (pi/4 + theta/2), graded towards both. From
+//! inside 1 - F is a square root at the critical angle: panels at it are integrated on nodes of
+//! their own, with W interpolated from its Legendre series on the panel.
 
 use std::f64::consts::FRAC_PI_4;
 

@@ -1,8 +1,8 @@
 //! Where the transmission sweep begins, turns and ends, as values of u, and its pieces.
 //!
-//! Each place is given by the half vector H = -+(eta v + l) of its light l: tan(w/2) = sin w/(1 +
-//! cos w) with (sin w, cos w) ~ H, so no angle is ever computed. With the thinner medium's kappa =
-//! min(eta, 1/eta), the azimuth is whole while the polar angle of the light stays below
+//! Each place is given by the half vector H = -+(eta v + l) of its light l: tan(w/2) = sin
+//! w/(1 + cos w) with (sin w, cos w) ~ H, so no angle is ever computed. With the thinner medium's
+//! kappa = min(eta, 1/eta), the azimuth is whole while the polar angle of the light stays below
 //! acos(kappa) - theta, and truncated beyond.
 
 use super::effort::Effort;
