@@ -10,7 +10,7 @@
 //! `ggx_norm_*` is N with E N = 1: multiply the specular lobe by it.
 //! `*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel.
 //! `*_lookup` is E from a table; `*_compensate_*` take it.
-//! (`path_tracer_*` have a form and a map of their own, which their heads tell.)
+//! (`path_tracer_*` have a form and a map of their own, which their comments state.)
 //! anisotropy a in [0, 1] makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the
 //! squared cosine of the view's azimuth from the alpha_x axis.
 //! ior is the index of refraction, inside over outside, for rays from either side.
@@ -1183,7 +1183,7 @@ pub fn ggx_aniso_correlated_64x64x32_lookup(
 /// error (trilinear lookup of the quantised texels): max 0.03164, rms 0.004874, mean 0.001027
 ///   worst at alpha = 0.330783, anisotropy = 1, mu = 1, roughness = 0.330783; measured at 184320 points in f16 texels, f32 lookup
 ///   domain: alpha [0.1414, 1], anisotropy [0, 1], mu [0.001, 1], roughness [0.1414, 1]
-/// texels are exact at the nodes clamped as the sources clamp them: mu to [0.0001, 0.9999], alpha, alpha_x and alpha_y to 0.0001 or more
+/// texels are exact at the nodes clamped as the path tracer clamps them: mu to [0.0001, 0.9999], alpha, alpha_x and alpha_y to 0.0001 or more
 pub fn path_tracer_reflection_separable_64x64x32_uvw(roughness: f32, mu: f32, anisotropy: f32) -> [f32; 3] {
     let u = mu * 1.0 + 0.0078125;
     let v = roughness * 1.0 + 0.0078125;
@@ -1388,7 +1388,7 @@ pub fn ggx_glass_inside_correlated_128x128x32_lookup(
 /// error (trilinear lookup of the quantised texels): max 0.1617, rms 0.001306, mean -0.00006701
 ///   worst at alpha = 0.1414, ior = 1.0094469, mu = 0.011138282, roughness = 0.1414; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.1414, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
-/// texels are exact at the nodes clamped as the sources clamp them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
+/// texels are exact at the nodes clamped as the path tracer clamps them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
 pub fn path_tracer_glass_outside_separable_128x128x32_uvw(roughness: f32, mu: f32, ior: f32) -> [f32; 3] {
     let u = mu.sqrt() * 0.9921875 + 0.00390625;
     let v = roughness * 0.9921875 + 0.00390625;
@@ -1429,7 +1429,7 @@ pub fn path_tracer_glass_outside_separable_128x128x32_lookup(texels: &[f32], rou
 /// error (trilinear lookup of the quantised texels): max 0.13, rms 0.002059, mean 0.000193
 ///   worst at alpha = 0.1414, ior = 1.0069817, mu = 0.049682073, roughness = 0.1414; measured at 77872 points in f16 texels, f32 lookup
 ///   domain: alpha [0.1414, 1], ior [1, 2], mu [0.001, 1], roughness [0.1414, 1]
-/// texels are exact at the nodes clamped as the sources clamp them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
+/// texels are exact at the nodes clamped as the path tracer clamps them: mu to [0.01, 0.9999], alpha to [0.01, 1], ior to [1.0001, 2]
 pub fn path_tracer_glass_inside_separable_128x128x32_uvw(roughness: f32, mu: f32, ior: f32) -> [f32; 3] {
     let u = mu.sqrt() * 0.9921875 + 0.00390625;
     let v = roughness * 0.9921875 + 0.00390625;
