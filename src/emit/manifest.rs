@@ -1,5 +1,4 @@
-//! `manifest.json`: what a bake made, for scripts. Keys are in alphabetical order; no dates, hosts
-//! or absolute paths.
+//! `manifest.json`: what a bake made, for scripts. Keys in alphabetical order; no dates or hosts.
 
 use std::collections::BTreeMap;
 
@@ -211,8 +210,7 @@ pub struct FitEntry {
     /// What multiplies the specular lobe above a base; none of other quantities.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub specular: Option<String>,
-    /// Largest error over all f0 in [0, 1], whatever the certificate's are; none of formulas that
-    /// do not depend on it.
+    /// Largest error over all f0 in [0, 1]; none of formulas that do not depend on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub any_f0: Option<AnyF0Entry>,
     /// The lobe that a chain is prefiltered with; none of other quantities.
@@ -474,8 +472,7 @@ impl FitEntry {
 }
 
 impl FitEntry {
-    /// The entry of a factor under a lobe of this kind, with its error over all f0 and where it is
-    /// proven to have no pole and no value below 0.
+    /// The entry of a factor under a lobe, with its error over all f0 and where it is proven safe.
     pub fn under(
         self,
         specular: &str,

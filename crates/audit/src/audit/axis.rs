@@ -258,8 +258,8 @@ impl Registration {
         }
     }
 
-    /// The registration that a reader takes who is told nothing: centres, or end points where the
-    /// texels lie about those.
+    /// The registration that a reader assumes without documentation: centres, or end points where
+    /// the texels lie about end points.
     pub fn plain(self) -> Registration {
         match self {
             Registration::Endpoint | Registration::EndHigh | Registration::EndLow => Registration::Endpoint,

@@ -160,8 +160,8 @@ impl Column {
         self.albedo(self.value(base))
     }
 
-    /// Whether it is of one f0: B is near to all of those, so that they are told only from clear
-    /// figures.
+    /// Whether it is of one f0: B is near to all of these columns, so that only clear figures
+    /// distinguish them.
     pub fn is_fixed(self) -> bool {
         matches!(self, Column::At(_))
     }
