@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::BakeError;
 use crate::approximate::Region;
-use crate::data::{AlphaMap, Norm};
-use crate::scene::smallest_rough;
+use crate::data::AlphaMap;
+use crate::scene::{Goals, smallest_rough};
 
 /// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no
 /// second dimension to fit, so it is widened about itself to this width; the figure is a choice,
@@ -17,17 +17,6 @@ pub const JUDGED_MU: [f64; 2] = [1e-3, 1.0];
 
 /// Range by input.
 pub type Ranges = BTreeMap<&'static str, [f64; 2]>;
-
-/// How good and how cheap a fit or a table must be.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Goals {
-    /// Most operations of an emitted fit; `None`: any.
-    pub max_ops: Option<u32>,
-    /// Largest error of the use; `None`: any.
-    pub max_error: Option<f64>,
-    /// Errors to minimise, each once, in the order max, rms; empty for a table.
-    pub norms: Vec<Norm>,
-}
 
 /// The range of an input that a material spans, and how narrow the range of its job may be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,28 +150,6 @@ pub fn range_text([lo, hi]: [f64; 2]) -> String {
 /// The smallest range that holds both.
 pub fn hull(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0].min(b[0]), a[1].max(b[1])]
-}
-
-impl Goals {
-    /// A limit on the error alone, as of a table.
-    pub fn error(max_error: Option<f64>) -> Goals {
-        Goals { max_error, ..Goals::default() }
-    }
-
-    fn join(&mut self, other: &Goals) {
-        self.max_ops = self.max_ops.zip(other.max_ops).map(|(a, b)| a.max(b));
-        self.max_error = [self.max_error, other.max_error].into_iter().flatten().reduce(f64::min);
-        self.norms.extend(&other.norms);
-        self.norms.sort();
-        self.norms.dedup();
-    }
-
-    /// `up to 20 operations, max and rms`.
-    pub fn text(&self) -> String {
-        let ops = self.max_ops.map_or_else(|| "any number of".into(), |n| format!("up to {n}"));
-        let norms: Vec<&str> = self.norms.iter().map(|n| n.name()).collect();
-        format!("{ops} operations, {}", norms.join(" and "))
-    }
 }
 
 impl Demand {

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::context::Context;
-use super::demand::{Demand, Goals, Job, Span};
+use super::demand::{Demand, Job, Span};
 use super::grid::Grid;
 use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
@@ -13,7 +13,7 @@ use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Dropped, Entry, Fit, FitSet, Region, Wanted};
 use crate::data::Use;
 use crate::report::{ApproximationFinding, Findings};
-use crate::scene::Scene;
+use crate::scene::{Goals, Scene};
 use lobefit_truth::quantity::{Quantity, Variant};
 
 /// What is fitted and how its page shows it.

@@ -4,27 +4,24 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::goals::{Goals, Norms};
 use super::material::rough_part;
 use super::number::{ErrorLimit, In, Numbers, Ops, Span, Unit, Whole};
-use super::value::{List, Maybe, Word, from_file};
-use super::wants::norms;
-use crate::data::{AlphaMap, Norm};
+use super::value::{Maybe, Word, from_file};
+use crate::data::AlphaMap;
 use lobefit_truth::quantity::Specular;
 
 /// A diffuse base: Lambert's lobe under the specular one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Base {
-    /// Albedo per colour channel, in [0, 1]. It scales the base's share of the light, and the error
-    /// of that with it: the coupling factor does not depend on it.
+    /// Albedo per colour channel, in [0, 1]. It scales the base's share of the light and the error
+    /// of the share: the factor does not depend on the albedo.
     pub albedo: [f64; 3],
     /// What multiplies the specular lobe above it: the factor is what that leaves.
     pub specular: Specular,
-    /// Most operations of a fit; `None`: any.
-    pub max_ops: Option<u32>,
-    /// Error of the coupling factor that at least one emitted fit must meet.
-    pub max_error: Option<f64>,
-    /// Errors to minimise, each once, in the order max, rms.
-    pub norms: Vec<Norm>,
+    /// What the fits of the factor must keep.
+    #[serde(flatten)]
+    pub goals: Goals,
 }
 
 impl Base {
@@ -59,7 +56,7 @@ struct BaseFile {
     /// Errors to minimise, one fit each; default both.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
-    norms: Maybe<List<Word<Norm>, 2>>,
+    norms: Norms,
 }
 
 impl TryFrom<BaseFile> for Base {
@@ -69,9 +66,7 @@ impl TryFrom<BaseFile> for Base {
         Ok(Base {
             albedo: file.albedo.0.map_or([1.0; 3], |Numbers([r, g, b])| [r.0, g.0, b.0]),
             specular: file.specular.0.map_or_else(Specular::default, |w| w.0),
-            max_ops: file.max_ops.0.map(|w| w.0),
-            max_error: file.max_error.0.map(|e| e.0),
-            norms: norms(file.norms.0)?,
+            goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
         })
     }
 }
@@ -83,12 +78,9 @@ from_file!(Base, BaseFile);
 pub struct Sheen {
     /// Roughness range in [0, 1], lo <= hi; the scene's map makes alpha of it.
     pub roughness: [f64; 2],
-    /// Most operations of a fit; `None`: any.
-    pub max_ops: Option<u32>,
-    /// Error of E that at least one emitted fit must meet.
-    pub max_error: Option<f64>,
-    /// Errors to minimise, each once, in the order max, rms.
-    pub norms: Vec<Norm>,
+    /// What the fits of E must keep.
+    #[serde(flatten)]
+    pub goals: Goals,
 }
 
 impl Sheen {
@@ -117,7 +109,7 @@ struct SheenFile {
     /// Errors to minimise, one fit each; default both.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
-    norms: Maybe<List<Word<Norm>, 2>>,
+    norms: Norms,
 }
 
 impl TryFrom<SheenFile> for Sheen {
@@ -126,9 +118,7 @@ impl TryFrom<SheenFile> for Sheen {
     fn try_from(file: SheenFile) -> Result<Self, String> {
         Ok(Sheen {
             roughness: file.roughness.0,
-            max_ops: file.max_ops.0.map(|w| w.0),
-            max_error: file.max_error.0.map(|e| e.0),
-            norms: norms(file.norms.0)?,
+            goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
         })
     }
 }

@@ -7,6 +7,7 @@
 mod error;
 pub mod escape;
 mod file;
+mod goals;
 mod kernel;
 mod layers;
 pub mod limits;
@@ -21,6 +22,7 @@ mod wants;
 
 pub use error::{Position, SceneError};
 pub use file::{Scene, schema};
+pub use goals::Goals;
 pub use kernel::{kernel, kernel_schema};
 pub use layers::*;
 pub use material::{Kind, Lobe, Material, smallest_rough};

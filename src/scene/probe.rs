@@ -3,14 +3,14 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::goals::{Goals, Norms};
 use super::kernel::KernelWord;
 use super::limits;
 use super::material::rough_part;
 use super::name::Name;
 use super::number::{ErrorLimit, In, Levels, Ops, Planes, Ratio, Span, TapCount, Unit, Whole};
 use super::value::{List, Maybe, Text, Word, about, from_file};
-use super::wants::norms;
-use crate::data::{AlphaMap, MipChain, MipMap, Norm, ProbeLookup, SurfaceLobe};
+use crate::data::{AlphaMap, MipChain, MipMap, ProbeLookup, SurfaceLobe};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Roughness where the scene gives none: below it a fetch is as sharp as the texels.
@@ -38,12 +38,10 @@ pub struct Probe {
     pub rho: [f64; 2],
     /// Its chain of levels; `None`: fetches are by alpha.
     pub mips: Option<MipChain>,
-    /// Most operations of a fit; `None`: any.
-    pub max_ops: Option<u32>,
-    /// Total variation that at least one emitted fit must keep wherever a fetch is not saturated.
-    pub max_error: Option<f64>,
-    /// Errors to minimise, each once, in the order max, rms.
-    pub norms: Vec<Norm>,
+    /// What its fits must keep; the limit is of the total variation wherever a fetch is not
+    /// saturated.
+    #[serde(flatten)]
+    pub goals: Goals,
     /// Functions that look it up through a proxy, each once.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lookups: Vec<ProbeLookup>,
@@ -119,7 +117,7 @@ struct ProbeFile {
     /// Errors to minimise, one fit each; default both.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
-    norms: Maybe<List<Word<Norm>, 2>>,
+    norms: Norms,
     /// Functions that look it up, each with its proxy of the room and its number of fetches;
     /// default none. They take the width from the fit of the least largest relative error and
     /// return directions with widths, or with levels where `mips` is given.
@@ -259,9 +257,7 @@ impl TryFrom<ProbeFile> for Probe {
             roughness: file.roughness.0.map_or(ROUGHNESS, |s| s.0),
             rho: file.rho.0.map_or(RHO, |s| s.0),
             mips: file.mips.0,
-            max_ops: file.max_ops.0.map(|w| w.0),
-            max_error: file.max_error.0.map(|e| e.0),
-            norms: norms(file.norms.0)?,
+            goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
             lookups: lookups(file.lookups.0)?,
         })
     }

@@ -1,27 +1,23 @@
 //! What a material wants of its specular lobe: tables and fits.
 
-use std::collections::BTreeSet;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::goals::{Goals, Norms};
 use super::limits;
 use super::material::Lobe;
 use super::name::HypothesisPath;
 use super::number::{ErrorLimit, In, Ops, Whole};
 use super::table::{OpenTable, TableWant};
-use super::value::{List, Maybe, Text, Word, about, from_file};
+use super::value::{List, Maybe, Text, about, from_file};
 pub use crate::data::Norm;
 
 /// Wanted fits.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FitWant {
-    /// Most operations of a fit; `None`: any.
-    pub max_ops: Option<u32>,
-    /// Furnace error that at least one emitted normalisation must meet.
-    pub max_error: Option<f64>,
-    /// Errors to minimise, each once, in the order max, rms.
-    pub norms: Vec<Norm>,
+    /// What the normalisations must keep; the limit is of the furnace error.
+    #[serde(flatten)]
+    pub goals: Goals,
     /// Also fit the average albedo E_avg(alpha).
     pub average: bool,
     /// Also fit f0 A + B.
@@ -88,7 +84,7 @@ struct FitFile {
     max_error: Maybe<In<ErrorLimit>>,
     /// Errors to minimise, one fit each; default both.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
-    norms: Maybe<List<Word<Norm>, 2>>,
+    norms: Norms,
     /// Also fit the average albedo E_avg(alpha); default false.
     average: Maybe<bool>,
     /// Also fit f0 A + B, the albedo for any f0, as one formula of f0; default false.
@@ -98,27 +94,12 @@ struct FitFile {
     hypotheses: Maybe<List<Text<HypothesisPath>, { limits::HYPOTHESES }>>,
 }
 
-/// The errors to minimise: both where none are given, each once, in the order max, rms.
-pub(super) fn norms(given: Option<List<Word<Norm>, 2>>) -> Result<Vec<Norm>, String> {
-    let given = given.map_or_else(|| vec![Norm::Max, Norm::Rms], |l| l.0.iter().map(|w| w.0).collect());
-    let norms: BTreeSet<Norm> = given.iter().copied().collect();
-    if norms.is_empty() {
-        return Err(about("norms", "the list is empty; leave the field out for both"));
-    }
-    if norms.len() != given.len() {
-        return Err(about("norms[1]", format!("`{}` is there twice", given[0].name())));
-    }
-    Ok(norms.into_iter().collect())
-}
-
 impl TryFrom<FitFile> for FitWant {
     type Error = String;
 
     fn try_from(file: FitFile) -> Result<Self, String> {
         Ok(FitWant {
-            max_ops: file.max_ops.0.map(|w| w.0),
-            max_error: file.max_error.0.map(|e| e.0),
-            norms: norms(file.norms.0)?,
+            goals: Goals::read(file.max_ops, file.max_error, file.norms)?,
             average: file.average.0.unwrap_or(false),
             blend: file.blend.0.unwrap_or(false),
             hypotheses: file.hypotheses.0.map_or_else(Vec::new, |l| l.0.into_iter().map(|t| t.0).collect()),

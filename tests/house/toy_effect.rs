@@ -4,11 +4,11 @@
 use lobefit::approximate::Entry;
 use lobefit::data::{Layout, Norm, TexelFormat};
 use lobefit::effects::context::Context;
-use lobefit::effects::demand::{Demand, Goals, Job};
+use lobefit::effects::demand::{Demand, Job};
 use lobefit::effects::table::ValueTable;
 use lobefit::effects::value::ValueFits;
 use lobefit::effects::{BakeError, Called, Effect, JobSummary, Made};
-use lobefit::scene::Scene;
+use lobefit::scene::{Goals, Scene};
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::brdf::Brdf;
 use lobefit_truth::quantity::{Choice, Input, Quantity, Variant};

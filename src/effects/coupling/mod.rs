@@ -22,7 +22,7 @@ mod table;
 use std::collections::BTreeMap;
 
 use super::context::Context;
-use super::demand::{Demand, Goals, Job, Span, hull};
+use super::demand::{Demand, Job, Span, hull};
 use super::effect::Note;
 use super::who::{about, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
@@ -148,7 +148,7 @@ fn demand(scene: &Scene, (of, material): (usize, &Material), roughness: [f64; 2]
         // f0 may be one value: a factor is close to a multiple of 1 - f0, and one f0 leaves two
         // axes to fit over.
         spans: BTreeMap::from([("f0", Span::new(f0)), ("mu", Span::new(scene.mu)), ("roughness", roughness)]),
-        goals: Goals { max_ops: base.max_ops, max_error: base.max_error, norms: base.norms.clone() },
+        goals: base.goals.clone(),
     })
 }
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{HYPOTHESES, PUBLISHED};
 use crate::data::{MipChain, ProbeLookup};
 use crate::effects::JobSummary;
-use crate::effects::demand::{Demand, Goals, Job, Span};
+use crate::effects::demand::{Demand, Job, Span};
 use crate::scene::{Probe, Scene};
 use lobefit_truth::integrate::footprint;
 use lobefit_truth::optics::kernel::Kernel;
@@ -60,7 +60,7 @@ fn demand(scene: &Scene, (of, probe): (usize, &Probe), rank: usize, range: [f64;
         field: format!("probes[{of}]"),
         because: format!("{name}: probe prefiltered with the {kernel} lobe ({ranges})"),
         spans: BTreeMap::from([("rho", rho), ("roughness", roughness)]),
-        goals: Goals { max_ops: probe.max_ops, max_error: probe.max_error, norms: probe.norms.clone() },
+        goals: probe.goals.clone(),
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::table::Dfg;
 use super::{AVERAGES, BLENDS, NORMALISATIONS, PUBLISHED, SEEDS};
 use crate::effects::JobSummary;
-use crate::effects::demand::{Demand, Goals, Job, Span};
+use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
 use crate::effects::who::{about, is_rough, named, reasons, rough, stay_smooth, verb};
 use crate::scene::{Layout, Lobe, Material, Scene, Serves};
@@ -67,7 +67,7 @@ pub(super) fn demands(scene: &Scene) -> Vec<Demand> {
             field: format!("materials[{of}].wants.fit"),
             because: because.clone(),
             spans: BTreeMap::from([("mu", Span::new(scene.mu)), ("roughness", roughness)]),
-            goals: Goals { max_ops: want.max_ops, max_error: want.max_error, norms: want.norms.clone() },
+            goals: want.goals.clone(),
         });
         tables.chain(fit).collect::<Vec<Demand>>()
     };

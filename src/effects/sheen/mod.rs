@@ -3,7 +3,7 @@
 mod catalogue;
 
 use super::context::Context;
-use super::demand::{Demand, Goals, Job};
+use super::demand::{Demand, Job};
 use super::effect::Note;
 use super::value::ValueFits;
 use super::who::{about, reasons, stay_smooth};
@@ -42,9 +42,7 @@ impl Effect for Sheen {
         let demand = |(of, material): (usize, &Material)| {
             let sheen = material.sheen.as_ref()?;
             let range = sheen.rough_range(scene.alpha)?;
-            let goals =
-                Goals { max_ops: sheen.max_ops, max_error: sheen.max_error, norms: sheen.norms.clone() };
-            Some(FITS.demand(scene, of, range, goals))
+            Some(FITS.demand(scene, of, range, sheen.goals.clone()))
         };
         scene.materials.iter().enumerate().filter_map(demand).collect()
     }

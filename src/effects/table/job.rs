@@ -5,11 +5,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{Family, SliceAxis, Sliced, Slices};
 use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
-use crate::effects::demand::{Demand, Goals, JUDGED_MU, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
+use crate::effects::demand::{Demand, JUDGED_MU, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
 use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
-use crate::scene::{Lobe, Material, Scene, TableWant};
+use crate::scene::{Goals, Lobe, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
 
 /// Narrowest range of anisotropy or index of refraction of a job: one value would leave no axis to
