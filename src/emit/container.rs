@@ -1,7 +1,10 @@
 //! A table in any of the file formats. All hold the same quantised texels.
 
 use super::exr::ExrError;
-use super::{dds, exr, npy, raw, sidecar};
+use super::sidecar::Sidecar;
+use super::texels::Packed;
+use super::texture::TextureError;
+use super::{dds, exr, ktx2, npy, raw};
 use crate::data::{Certificate, Container, Decode, Table, TableError};
 
 /// A table with what its files say of it.
@@ -21,7 +24,7 @@ pub struct Described<'a> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
     /// What follows the table's name and a dot.
-    pub extension: &'static str,
+    pub extension: String,
     /// Its contents.
     pub bytes: Vec<u8>,
 }
@@ -36,35 +39,45 @@ pub enum ContainerError {
     /// The EXR encoder.
     #[error(transparent)]
     Exr(#[from] ExrError),
-    /// What DDS has no place for.
+    /// What a texture has no place for.
     #[error(transparent)]
-    Dds(#[from] dds::DdsError),
+    Texture(#[from] TextureError),
     /// The sidecar.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
 }
 
+/// How a container holds the texels of a table one after another; none of EXR, whose texels are
+/// blocks of its own.
+///
+/// # Errors
+/// What the container cannot hold.
+pub fn packed(container: Container, table: &Table) -> Result<Option<Packed>, TextureError> {
+    match container {
+        Container::Exr => Ok(None),
+        Container::Dds => dds::packed(table).map(Some),
+        Container::Ktx2 => ktx2::packed(table).map(Some),
+        Container::Npy => Ok(Some(npy::packed(table))),
+        Container::Raw => Ok(Some(raw::packed(table))),
+    }
+}
+
 /// The files of a table in a container: the table, and a JSON file beside it where the container
 /// has no room for the header.
 ///
-/// Errors: a table that contradicts itself or holds a value that is not finite in its format; what
-/// the container cannot hold.
+/// # Errors
+/// A table that contradicts itself or holds a value that is not finite in its format; what the
+/// container cannot hold.
 pub fn encode(container: Container, described: &Described) -> Result<Vec<File>, ContainerError> {
     let table = described.table;
     // A finite value may be beyond the range of its format.
     table.quantised().validate()?;
-    let (bytes, beside) = match container {
-        Container::Exr => {
-            let header = [("lobefit".to_string(), described.header.join("\n"))];
-            (exr::encode(table, &header)?, None)
-        }
-        Container::Dds => (dds::encode(table)?, Some("dds.json")),
-        Container::Npy => (npy::encode(table), Some("npy.json")),
-        Container::Raw => (raw::encode(table), Some("raw.json")),
+    let extension = container.name();
+    let Some(packed) = packed(container, table)? else {
+        let header = [("lobefit".to_string(), described.header.join("\n"))];
+        return Ok(vec![File { extension: extension.into(), bytes: exr::encode(table, &header)? }]);
     };
-    let mut files = vec![File { extension: container.name(), bytes }];
-    if let Some(extension) = beside {
-        files.push(File { extension, bytes: sidecar::encode(container, described)? });
-    }
-    Ok(files)
+    let beside = Sidecar::new(container, described, &packed).bytes()?;
+    let file = File { extension: extension.into(), bytes: packed.file(table) };
+    Ok(vec![file, File { extension: format!("{extension}.json"), bytes: beside }])
 }

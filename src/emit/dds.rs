@@ -3,33 +3,12 @@
 //!
 //! Layout and values: Microsoft, "Programming guide for DDS", "DDS_HEADER", "DDS_HEADER_DXT10".
 
-use super::texels::interleaved;
-use crate::data::{Table, TexelFormat};
+use super::texels::Packed;
+use super::texture::{Field, Texel, Texture, TextureError};
+use crate::data::{Container, Table};
 
-/// A table that a DDS file cannot hold.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum DdsError {
-    /// Not one to four channels.
-    #[error("table {table}: {channels} channels; a DDS texel has one to four: ask for exr, npy or raw")]
-    Channels {
-        /// Table's name.
-        table: String,
-        /// Its channels.
-        channels: usize,
-    },
-    /// A size that does not fit the header's 32 bits.
-    #[error("table {table}: size {size:?} exceeds what a DDS header can state: ask for exr, npy or raw")]
-    Size {
-        /// Table's name.
-        table: String,
-        /// Columns, rows, slices.
-        size: [usize; 3],
-    },
-}
-
-/// Bytes before the first texel: magic number, header and its extension.
-pub const OFFSET: usize = 4 + 124 + 20;
+/// Magic number.
+const MAGIC: &[u8; 4] = b"DDS ";
 
 /// DDSD_CAPS, _HEIGHT, _WIDTH, _PITCH, _PIXELFORMAT, _MIPMAPCOUNT: the fields of the header that
 /// hold.
@@ -51,49 +30,48 @@ const FOURCC: [u8; 4] = *b"DX10";
 /// D3D10_RESOURCE_DIMENSION_TEXTURE2D and _TEXTURE3D.
 const DIMENSIONS: [u32; 2] = [3, 4];
 
-/// Channels of a stored texel: three become four, the fourth 0, since DXGI has no format of three
-/// halves and graphics interfaces need not filter its format of three singles.
-pub fn stored_channels(table: &Table) -> usize {
-    match table.channels.len() {
-        3 => 4,
-        n => n,
+/// DXGI_FORMAT by name and number.
+pub fn format(texel: Texel) -> (&'static str, u32) {
+    match texel {
+        Texel::R16 => ("R16_FLOAT", 54),
+        Texel::Rg16 => ("R16G16_FLOAT", 34),
+        Texel::Rgba16 => ("R16G16B16A16_FLOAT", 10),
+        Texel::R32 => ("R32_FLOAT", 41),
+        Texel::Rg32 => ("R32G32_FLOAT", 16),
+        Texel::Rgba32 => ("R32G32B32A32_FLOAT", 2),
     }
 }
 
-/// The DXGI_FORMAT of a table by name and number; none for more channels than four.
-pub fn format(table: &Table) -> Option<(&'static str, u32)> {
-    match (table.format, stored_channels(table)) {
-        (TexelFormat::F16, 1) => Some(("R16_FLOAT", 54)),
-        (TexelFormat::F16, 2) => Some(("R16G16_FLOAT", 34)),
-        (TexelFormat::F16, 4) => Some(("R16G16B16A16_FLOAT", 10)),
-        (TexelFormat::F32, 1) => Some(("R32_FLOAT", 41)),
-        (TexelFormat::F32, 2) => Some(("R32G32_FLOAT", 16)),
-        (TexelFormat::F32, 4) => Some(("R32G32B32A32_FLOAT", 2)),
-        _ => None,
-    }
-}
-
-/// The bytes of a validated table, columns (x) fastest, then rows, then slices.
-///
-/// Errors: more channels than four, an axis longer than 2^32 - 1 or a row of as many bytes.
-pub fn encode(table: &Table) -> Result<Vec<u8>, DdsError> {
-    let channels = stored_channels(table);
-    let none = || DdsError::Channels { table: table.name.clone(), channels: table.channels.len() };
-    let (_, format) = format(table).ok_or_else(none)?;
-    let size = table.size();
-    let number = |n: usize| u32::try_from(n).map_err(|_| DdsError::Size { table: table.name.clone(), size });
-    let [width, height, depth] = [number(size[0])?, number(size[1])?, number(size[2])?];
-    let pitch = number(size[0].saturating_mul(channels * table.format.bytes() as usize))?;
-    let solid = table.axes.len() == 3;
+/// Header and extension, after the magic number.
+fn header(texture: &Texture) -> Vec<Field> {
+    let Texture { size: [width, height, depth], solid, texel, pitch } = *texture;
     let (flags, caps2) = if solid { (FLAGS | FLAG_DEPTH, CAPS_VOLUME) } else { (FLAGS, 0) };
-    let mut words = vec![124, flags, height, width, pitch, if solid { depth } else { 0 }, 1];
-    words.extend([0; 11]);
-    words.extend([32, PIXEL_FOURCC, u32::from_le_bytes(FOURCC), 0, 0, 0, 0, 0]);
-    words.extend([CAPS, caps2, 0, 0, 0]);
-    // Format, dimension, no cube, one texture, meaning of alpha not stated.
-    words.extend([format, DIMENSIONS[usize::from(solid)], 0, 1, 0]);
-    let mut bytes = b"DDS ".to_vec();
-    bytes.extend(words.into_iter().flat_map(u32::to_le_bytes));
-    bytes.extend(interleaved(table, table.format, channels));
-    Ok(bytes)
+    let mut fields = vec![
+        ("dwSize", 124),
+        ("dwFlags", flags),
+        ("dwHeight", height),
+        ("dwWidth", width),
+        ("dwPitchOrLinearSize", pitch),
+        ("dwDepth", if solid { depth } else { 0 }),
+        ("dwMipMapCount", 1),
+    ];
+    fields.extend([("dwReserved1", 0); 11]);
+    fields.extend([("ddspf.dwSize", 32), ("ddspf.dwFlags", PIXEL_FOURCC)]);
+    fields.push(("ddspf.dwFourCC", u32::from_le_bytes(FOURCC)));
+    fields.extend(["RGBBitCount", "RBitMask", "GBitMask", "BBitMask", "ABitMask"].map(|name| (name, 0)));
+    fields.extend([("dwCaps", CAPS), ("dwCaps2", caps2)]);
+    fields.extend(["dwCaps3", "dwCaps4", "dwReserved2"].map(|name| (name, 0)));
+    fields.extend([("dxgiFormat", format(texel).1), ("resourceDimension", DIMENSIONS[usize::from(solid)])]);
+    // No cube, one texture, meaning of alpha not stated.
+    fields.extend([("miscFlag", 0), ("arraySize", 1), ("miscFlags2", 0)]);
+    fields
+}
+
+/// How a file holds a validated table.
+///
+/// # Errors
+/// More channels than four, an axis longer than 2^32 - 1 or a row of as many bytes.
+pub fn packed(table: &Table) -> Result<Packed, TextureError> {
+    let texture = Texture::new(table, Container::Dds)?;
+    Ok(texture.packed(MAGIC, header(&texture), &[]))
 }

@@ -1,7 +1,7 @@
 //! NumPy arrays, format version 1.0 (numpy.lib.format): a magic number, a Python dictionary padded
 //! to 64 bytes, the texels.
 
-use super::texels::interleaved;
+use super::texels::Packed;
 use crate::data::{Table, TexelFormat};
 
 /// Magic number, and the version 1.0.
@@ -10,12 +10,16 @@ const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
 /// The data begin at a multiple of this.
 const ALIGNMENT: usize = 64;
 
-/// The bytes of a validated table: an array of `<f2` or `<f4` in C order, of shape (slices, rows,
-/// columns), or (rows, columns) for two axes; with a last axis of channels if there are several.
-pub fn encode(table: &Table) -> Vec<u8> {
-    let mut bytes = header(table);
-    bytes.extend(interleaved(table, table.format, table.channels.len()));
-    bytes
+/// How a file holds a validated table: an array of `<f2` or `<f4` in C order, of shape (slices,
+/// rows, columns), or (rows, columns) for two axes; with a last axis of channels if there are
+/// several.
+pub fn packed(table: &Table) -> Packed {
+    Packed {
+        header: header(table),
+        fields: (0, Vec::new()),
+        stored: table.format,
+        channels: table.channels.len(),
+    }
 }
 
 /// Everything before the texels.
@@ -40,9 +44,4 @@ fn header(table: &Table) -> Vec<u8> {
     bytes.extend((dictionary.len() as u16).to_le_bytes());
     bytes.extend(dictionary.bytes());
     bytes
-}
-
-/// Bytes before the first texel.
-pub fn offset(table: &Table) -> usize {
-    header(table).len()
 }

@@ -1,13 +1,16 @@
-//! What a file without room for a header holds, as a JSON file beside it.
+//! What a file without room for a header holds, as a JSON file beside it: written by a bake, read
+//! back by an audit.
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::container::Described;
 use super::manifest::AxisEntry;
-use super::{dds, npy};
-use crate::data::{Certificate, Container, Smith};
+use super::texels::Packed;
+use super::texture::Texel;
+use super::{dds, ktx2};
+use crate::data::{Certificate, Container, Smith, TexelFormat};
 
 /// Version of the sidecar's form.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -15,67 +18,93 @@ pub const SCHEMA_VERSION: u32 = 1;
 /// How the texels lie in the file.
 const ORDER: &str = "x (columns) fastest, then y (rows), then z (slices); the channels of a texel together";
 
-#[derive(Serialize)]
-struct Sidecar<'a> {
-    schema_version: u32,
-    name: &'a str,
-    quantity: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    smith: Option<&'static str>,
-    alpha_map: &'static str,
-    container: &'static str,
+/// The document.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sidecar {
+    /// Version of this form: 1.
+    pub schema_version: u32,
+    /// Table's name.
+    pub name: String,
+    /// Its quantity.
+    pub quantity: String,
+    /// Shadowing form, of a quantity that has it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub smith: Option<String>,
+    /// Roughness to alpha.
+    pub alpha_map: String,
+    /// Format of the file.
+    pub container: Container,
     /// Type of a stored number.
-    stored: &'static str,
-    /// The DXGI_FORMAT of a DDS file.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    dxgi_format: Option<&'static str>,
-    byte_order: &'static str,
-    order: &'static str,
+    pub stored: TexelFormat,
+    /// DXGI_FORMAT of a DDS file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dxgi_format: Option<String>,
+    /// VkFormat of a KTX 2 file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vk_format: Option<String>,
+    /// Of a stored number.
+    pub byte_order: String,
+    /// How the texels lie in the file, in words.
+    pub order: String,
     /// Bytes before the first texel.
-    offset: usize,
+    pub offset: usize,
     /// Columns, rows, slices.
-    size: [usize; 3],
-    channels: Vec<&'a str>,
+    pub size: [usize; 3],
+    /// Channels by name.
+    pub channels: Vec<String>,
     /// Zeros after the channels of each texel.
-    padding_channels: usize,
+    pub padding_channels: usize,
     /// What texels were rounded to.
-    format: &'static str,
-    decode: BTreeMap<&'static str, &'static str>,
-    axes: Vec<AxisEntry>,
-    certificate: &'a Certificate,
-    header: &'a [String],
+    pub format: TexelFormat,
+    /// What the channels mean, by column.
+    pub decode: BTreeMap<String, String>,
+    /// Axes in the order x, y, z.
+    pub axes: Vec<AxisEntry>,
+    /// Error of the lookup.
+    pub certificate: Certificate,
+    /// The lines that every emitted file bears.
+    pub header: Vec<String>,
 }
 
-/// The JSON bytes for a file of this container: keys in a fixed order, a line feed at the end.
-pub fn encode(container: Container, described: &Described) -> Result<Vec<u8>, serde_json::Error> {
-    let Described { table, decode, certificate, header } = *described;
-    let is_dds = container == Container::Dds;
-    let sidecar = Sidecar {
-        schema_version: SCHEMA_VERSION,
-        name: &table.name,
-        quantity: &table.quantity,
-        smith: table.smith.map(Smith::name),
-        alpha_map: table.alpha_map.name(),
-        container: container.name(),
-        stored: if container == Container::Raw { "f32" } else { table.format.name() },
-        dxgi_format: dds::format(table).filter(|_| is_dds).map(|(name, _)| name),
-        byte_order: "little-endian",
-        order: ORDER,
-        offset: match container {
-            Container::Dds => dds::OFFSET,
-            Container::Npy => npy::offset(table),
-            _ => 0,
-        },
-        size: table.size(),
-        channels: table.channels.iter().map(|c| c.name.as_str()).collect(),
-        padding_channels: if is_dds { dds::stored_channels(table) - table.channels.len() } else { 0 },
-        format: table.format.name(),
-        decode: decode.formulas().iter().copied().collect(),
-        axes: table.axes.iter().map(AxisEntry::new).collect(),
-        certificate,
-        header,
-    };
-    let mut bytes = serde_json::to_vec_pretty(&sidecar)?;
-    bytes.push(b'\n');
-    Ok(bytes)
+impl Sidecar {
+    /// That of a file of this container.
+    pub fn new(container: Container, described: &Described, packed: &Packed) -> Sidecar {
+        let Described { table, decode, certificate, header } = *described;
+        let format = |of: Container, name: fn(Texel) -> (&'static str, u32)| {
+            Texel::of(table).filter(|_| container == of).map(|texel| name(texel).0.to_string())
+        };
+        let formulas = decode.formulas().iter();
+        Sidecar {
+            schema_version: SCHEMA_VERSION,
+            name: table.name.clone(),
+            quantity: table.quantity.clone(),
+            smith: table.smith.map(|smith| Smith::name(smith).into()),
+            alpha_map: table.alpha_map.name().into(),
+            container,
+            stored: packed.stored,
+            dxgi_format: format(Container::Dds, dds::format),
+            vk_format: format(Container::Ktx2, ktx2::format),
+            byte_order: "little-endian".into(),
+            order: ORDER.into(),
+            offset: packed.header.len(),
+            size: table.size(),
+            channels: table.channels.iter().map(|c| c.name.clone()).collect(),
+            padding_channels: packed.channels - table.channels.len(),
+            format: table.format,
+            decode: formulas.map(|(name, formula)| (name.to_string(), formula.to_string())).collect(),
+            axes: table.axes.iter().map(AxisEntry::new).collect(),
+            certificate: certificate.clone(),
+            header: header.to_vec(),
+        }
+    }
+
+    /// The JSON bytes: keys in a fixed order, a line feed at the end.
+    ///
+    /// # Errors
+    /// A number that is not finite.
+    pub fn bytes(&self) -> Result<Vec<u8>, serde_json::Error> {
+        let mut bytes = serde_json::to_vec_pretty(self)?;
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
 }

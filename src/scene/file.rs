@@ -71,7 +71,7 @@ struct SceneFile {
     /// File formats in which every table is written; default EXR alone.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
-    formats: Maybe<List<Word<Container>, 4>>,
+    formats: Maybe<List<Word<Container>, { Container::ALL.len() }>>,
     /// The materials.
     materials: List<Material, { limits::MATERIALS }>,
     /// Probes that capture the scene's light; default none.
@@ -84,7 +84,7 @@ fn exr_alone(formats: &[Container]) -> bool {
 }
 
 /// The formats in their order; a list that is empty or names one twice is refused.
-fn formats(given: Option<List<Word<Container>, 4>>) -> Result<Vec<Container>, String> {
+fn formats(given: Option<List<Word<Container>, { Container::ALL.len() }>>) -> Result<Vec<Container>, String> {
     let Some(List(words)) = given else { return Ok(vec![Container::default()]) };
     if words.is_empty() {
         return Err("the list is empty; leave the field out for EXR".into());

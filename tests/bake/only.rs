@@ -15,7 +15,7 @@ use tempfile::TempDir;
 #[path = "../../build/sources.rs"]
 mod sources;
 
-const FORMATS: &str = r#""formats":["exr","dds","npy","raw"],"#;
+const FORMATS: &str = r#""formats":["exr","dds","ktx2","npy","raw"],"#;
 
 /// The full bake of the small scene, in memory.
 fn full() -> &'static Files {
@@ -80,7 +80,8 @@ fn containers_come_with_their_sidecars_and_go_with_a_bake_without_them() {
     let mut tables = Vec::new();
     for table in told["tables"].as_array().expect("tables[]") {
         let name = table["name"].as_str().expect("a name");
-        let extensions = ["exr", "dds", "dds.json", "npy", "npy.json", "raw", "raw.json"];
+        let extensions =
+            ["exr", "dds", "dds.json", "ktx2", "ktx2.json", "npy", "npy.json", "raw", "raw.json"];
         let expected = extensions.map(|extension| format!("tables/{name}.{extension}"));
         assert_eq!(table["files"], serde_json::json!(expected));
         assert_eq!(table["file"], serde_json::json!(expected[0]));

@@ -113,10 +113,13 @@ fn not_glass_nor_anisotropic() -> Vec<Case> {
         case(top("\"formats\":\"dds\""), "formats: invalid type: string \"dds\""),
         case(top("\"formats\":[\"dds\",\"dds\"]"), "scene.json: formats: `dds` is there twice"),
         case(
-            top("\"formats\":[\"ktx2\"]"),
-            "formats[0]: unknown variant `ktx2`, expected one of `exr`, `dds`, `npy`, `raw`",
+            top("\"formats\":[\"tga\"]"),
+            "formats[0]: unknown variant `tga`, expected one of `exr`, `dds`, `ktx2`, `npy`, `raw`",
         ),
-        case(top("\"formats\":[\"exr\",\"dds\",\"npy\",\"raw\",\"exr\"]"), "formats: more than 4 entries"),
+        case(
+            top("\"formats\":[\"exr\",\"dds\",\"ktx2\",\"npy\",\"raw\",\"exr\"]"),
+            "formats: more than 5 entries",
+        ),
     ]
 }
 
