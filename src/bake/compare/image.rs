@@ -1,13 +1,12 @@
 //! Tables: texel against texel.
 
 use super::{Difference, Kind};
-use crate::bake::{Baked, BakedTable};
+use crate::bake::BakedTable;
 use crate::data::{Channel, TexelFormat};
 use crate::emit::exr::{self, Decoded};
 
-/// How two images differ: the texel that is furthest off, and whether the texels found still keep
-/// the stated error.
-pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {
+/// How two EXR files differ; `table` is that of the recipe.
+pub fn different(table: &BakedTable, file: &str, expected: &[u8], found: &[u8]) -> Difference {
     let (expected, found) = match (exr::decode(expected), exr::decode(found)) {
         (Ok(expected), Ok(found)) => (expected, found),
         (_, Err(error)) | (Err(error), _) => {
@@ -18,14 +17,22 @@ pub fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Di
         let (want, have) = (words(&expected), words(&found));
         return Difference::plain(file, Kind::Different, &format!("{have} where the recipe gives {want}"));
     }
-    let named = |name: &str| file == format!("tables/{name}.exr");
-    let table = baked.tables.iter().find(|t| named(&t.approximation.name));
-    let texels_of = table.and_then(BakedTable::table);
-    let format = texels_of.map_or(TexelFormat::F32, |t| t.format);
+    judged(table, table.table().map_or(TexelFormat::F32, |t| t.format), file, &expected, &found)
+}
+
+/// How the texels of two images of one shape, stored in `format`, differ: the texel that is
+/// furthest off, and whether those found still keep the stated error.
+pub fn judged(
+    table: &BakedTable,
+    format: TexelFormat,
+    file: &str,
+    expected: &Decoded,
+    found: &Decoded,
+) -> Difference {
     // Slices lie one below the other.
-    let rows = texels_of.filter(|t| t.axes.len() == 3).map(|t| t.axes[1].size);
-    let mut difference = texels(file, &expected, &found, format, rows);
-    if let Some(table) = table.filter(|_| difference.max_abs != Some(0.0)) {
+    let rows = table.table().filter(|t| t.axes.len() == 3).map(|t| t.axes[1].size);
+    let mut difference = texels(file, expected, found, format, rows);
+    if difference.max_abs != Some(0.0) {
         // So the order of texels is the table's.
         let again = |channels: &[Channel]| table.measured_again(channels).map_err(|e| e.to_string());
         judge(table.errors.lookup.max, &found.channels, &mut difference, again);

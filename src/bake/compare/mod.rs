@@ -1,14 +1,17 @@
 //! Do the files of a folder follow from their recipe? Bytes first, else values, else promises.
 
 mod image;
+mod packed;
 mod text;
 
 use std::fmt;
 
 use serde::Serialize;
 
-use super::Baked;
+use super::{Baked, BakedTable};
+use crate::data::Container;
 use crate::effects::context::Progress;
+use crate::emit::container::packed;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Files};
 
@@ -112,9 +115,14 @@ pub fn compare(
 }
 
 fn different(baked: &Baked, file: &str, expected: &[u8], found: &[u8]) -> Difference {
-    if file.ends_with(".exr") {
-        image::different(baked, file, expected, found)
-    } else {
-        text::different(file, expected, found)
+    let named = |name: &str, c: Container| file == format!("tables/{name}.{}", c.name());
+    let container = |t: &BakedTable| Container::ALL.into_iter().find(|c| named(&t.approximation.name, *c));
+    let table = baked.tables.iter().find_map(|t| Some((t, container(t)?, t.table()?)));
+    let Some((baked, container, table)) = table else { return text::different(file, expected, found) };
+    match packed(container, table) {
+        Ok(Some(packed)) => packed::different(baked, (table, &packed), file, expected, found),
+        Ok(None) => image::different(baked, file, expected, found),
+        // No recipe gives such a file.
+        Err(error) => Difference::plain(file, Kind::Different, &error.to_string()),
     }
 }
