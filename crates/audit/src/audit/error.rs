@@ -123,7 +123,7 @@ pub enum AuditError {
     },
     /// What a file says of itself cannot be followed: the table is to be read as any other.
     #[error(
-        "{what}: its attribute `lobefit` is not followed: {reason}; take the attribute away, or say how the table is read by options"
+        "{what}: what it says of itself is not followed: {reason}; take the statement away, or say how the table is read by options"
     )]
     Statement {
         /// File and array.

@@ -3,6 +3,7 @@
 mod judged;
 mod origin;
 mod refusal;
+mod sidecar;
 mod stated;
 mod words;
 
@@ -38,7 +39,7 @@ F0, ...;
 `1-` before a word for an axis that falls. --registration takes centre, endpoint, left, right, one-high, one-low, end-high, end-low.
 
 Exit code 1: with --limit, over it, not all judged, or no convention fits; without it, no convention fits that options (--axes, --registration,
---smith, --side, --meaning) leave open, or the file is not what its own attribute `lobefit` says. Else it only tells, and the exit code is 0.
+--smith, --side, --meaning) leave open, or the file is not what its own attribute `lobefit`, or its sidecar NAME.json, says. Else it only tells, and the exit code is 0.
 
 --limit is judged at the texels of a table, not at lookups between them, which the verdict tells of; at evenly spaced arguments of a function;
 and of a file with that attribute at lookups, at texels and between them: where it claims something, and it passes no --limit if its axes cover
@@ -307,10 +308,19 @@ fn shader(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
 
 /// The table that is meant, and what the file is.
 fn table(options: &Options, bytes: &[u8]) -> Result<Read, CliError> {
-    let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints(options))?;
-    let table = chosen(options, &tables)?;
-    let audited = AuditedTable { what: named(options, &table.name), ..AuditedTable::from(table) };
-    Ok(Read { audited, inverse: None, holds: table.what.clone(), note: table.note.clone() })
+    let beside = sidecar::beside(options, bytes.len());
+    let hints = beside.iter().fold(hints(options), |hints, beside| beside.hints(hints));
+    let tables = foreign::read_table(bytes, &options.file.display().to_string(), &hints)?;
+    let mut table = chosen(options, &tables)?.clone();
+    let mut what = named(options, &table.name);
+    if let Some(beside) = &beside {
+        match beside.named(&table) {
+            Ok(said) => (table, what) = (said, format!("{what} with its sidecar {}", beside.name())),
+            Err(reason) => sidecar::refused(options, beside.name(), &reason),
+        }
+    }
+    let audited = AuditedTable { what, ..AuditedTable::from(&table) };
+    Ok(Read { audited, inverse: None, holds: table.what, note: table.note })
 }
 
 /// Inputs of the quantity.

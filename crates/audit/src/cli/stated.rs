@@ -31,7 +31,7 @@ pub(super) fn stated(
             if !options.quiet {
                 let what = super::file_name(options);
                 say(&format!(
-                    "{what}: its attribute `lobefit` is not followed ({reason}); it is read as any table"
+                    "{what}: what it says of itself is not followed ({reason}); it is read as any table"
                 ));
             }
             Ok(None)

@@ -5,5 +5,6 @@ mod common;
 
 mod declared;
 mod functions;
+mod sidecars;
 mod solids;
 mod tables;

@@ -213,5 +213,8 @@ fn a_table_that_fits_nothing_is_told_of_and_only_a_limit_fails_it() {
     let limited = ["audit", "t.h", "--as", "ggx-reflection", "--limit", "10"];
     assert_eq!(lobefit(folder.path(), &limited, b"").status.code(), Some(1));
     let help = String::from_utf8(lobefit(folder.path(), &["audit", "--help"], b"").stdout).unwrap();
-    assert!(help.contains("the file is not what its own attribute `lobefit` says"), "{help}");
+    assert!(
+        help.contains("the file is not what its own attribute `lobefit`, or its sidecar NAME.json, says"),
+        "{help}"
+    );
 }

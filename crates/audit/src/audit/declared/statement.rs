@@ -1,5 +1,5 @@
-//! What a file that this tool wrote says of itself, in its attribute `lobefit`: the header that
-//! every emitted table bears.
+//! What a file that this tool wrote says of itself, in its attribute `lobefit` or in its sidecar:
+//! the header that every emitted table bears.
 
 use super::formula::Formula;
 use crate::audit::Registration;

@@ -17,7 +17,7 @@ pub(super) fn paragraph(found: &Declared) -> String {
     let axes: Vec<String> = axes.collect();
     let lobe = if found.lobe.is_empty() { String::new() } else { format!(", of {}", found.lobe) };
     let mut out = vec![format!(
-        "{} says what it is (its attribute `lobefit`): {}{lobe}, with {}.",
+        "{} says what it is: {}{lobe}, with {}.",
         found.what,
         found.quantity,
         axes.join("; and ")

@@ -1,0 +1,133 @@
+//! The sidecar of a file that this tool wrote: `NAME.npy.json` beside `NAME.npy` says what the file
+//! has no room for.
+
+use std::io::ErrorKind;
+
+use super::{Options, file_name};
+use crate::foreign::{ForeignChannel, ForeignTable, Hints, RawFormat, Step};
+use lobefit::cli::output::say;
+use lobefit::data::{Container, TexelFormat};
+use lobefit::emit::sidecar::{SCHEMA_VERSION, Sidecar};
+use lobefit::store::{self, StoreError};
+
+/// Largest sidecar, bytes: those of a bake have some 4 kB.
+const BYTES: u64 = 1 << 20;
+
+/// A sidecar with its name.
+pub(super) struct Beside {
+    name: String,
+    said: Sidecar,
+}
+
+/// The sidecar beside the file, if there is one that can be followed; why another is not, is said.
+pub(super) fn beside(options: &Options, length: usize) -> Option<Beside> {
+    let extension = options.file.extension()?.to_string_lossy().to_ascii_lowercase();
+    let container = Container::ALL.into_iter().find(|c| *c != Container::Exr && c.name() == extension)?;
+    let mut path = options.file.clone().into_os_string();
+    path.push(".json");
+    let name = format!("{}.json", file_name(options));
+    let read = match store::read(path.as_ref(), BYTES) {
+        Ok(bytes) => serde_json::from_slice::<Sidecar>(&bytes).map_err(|e| e.to_string()),
+        Err(StoreError::Io { source, .. }) if source.kind() == ErrorKind::NotFound => return None,
+        Err(error) => Err(error.to_string()),
+    };
+    match read.and_then(|said| checked(said, container, length)) {
+        Ok(said) => Some(Beside { name, said }),
+        Err(reason) => {
+            refused(options, &name, &reason);
+            None
+        }
+    }
+}
+
+/// Says why a sidecar is not followed.
+pub(super) fn refused(options: &Options, name: &str, reason: &str) {
+    if !options.quiet {
+        let file = file_name(options);
+        say(&format!("{name}: not followed ({}); {file} is read without it", reason.escape_debug()));
+    }
+}
+
+/// A sidecar that is of such a file, of that length.
+fn checked(said: Sidecar, container: Container, length: usize) -> Result<Sidecar, String> {
+    let Sidecar { schema_version, size, channels, padding_channels, stored, offset, axes, .. } = &said;
+    if *schema_version != SCHEMA_VERSION {
+        return Err(format!("it is of version {schema_version}, {SCHEMA_VERSION} is read"));
+    }
+    if said.container != container {
+        return Err(format!("it is that of a file of {}", said.container.name()));
+    }
+    let none = axes.is_empty() || channels.is_empty();
+    if none || size.get(axes.len()..).is_none_or(|rest| rest.iter().any(|n| *n != 1)) {
+        return Err(format!("it names {} axes and {} channels", axes.len(), channels.len()));
+    }
+    let numbers = channels.len().checked_add(*padding_channels);
+    let sizes = size.iter().copied().chain([stored.bytes() as usize]);
+    let texels = numbers.and_then(|n| sizes.fold(Some(n), |product, side| product?.checked_mul(side)));
+    match texels.and_then(|bytes| bytes.checked_add(*offset)) {
+        Some(bytes) if bytes == length => Ok(said),
+        _ => Err(format!("it does not speak of the {length} bytes that the file has")),
+    }
+}
+
+impl Beside {
+    /// The sidecar's name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What a file without a header is read by; an option has the last word.
+    pub fn hints(&self, given: Hints) -> Hints {
+        if self.said.container != Container::Raw {
+            return given;
+        }
+        let format = match self.said.stored {
+            TexelFormat::F16 => RawFormat::F16,
+            TexelFormat::F32 => RawFormat::F32,
+        };
+        Hints {
+            size: given.size.or(Some(self.size())),
+            channels: given.channels.or(Some(self.said.channels.len())),
+            format: given.format.or(Some(format)),
+            ..given
+        }
+    }
+
+    fn size(&self) -> Vec<usize> {
+        self.said.size[..self.said.axes.len()].to_vec()
+    }
+
+    /// The table as its sidecar has it: channels by their names, those of padding left out.
+    ///
+    /// # Errors
+    /// Another size than the file's own header states, in words.
+    pub fn named(&self, table: &ForeignTable) -> Result<ForeignTable, String> {
+        let (own, stored) = (table.channels.len(), self.said.channels.len() + self.said.padding_channels);
+        let size = self.size();
+        let texels: usize = size.iter().product();
+        // An array's last index may be x or the channel; its length alone does not tell.
+        let regrouped = self.said.container == Container::Npy && own * table.texels() == texels * stored;
+        if (table.size != size || own != stored) && !regrouped {
+            return Err(format!(
+                "it speaks of {size:?} texels of {stored} channels, the file holds {:?} of {own}",
+                table.size
+            ));
+        }
+        let value = |i: usize| table.channels[i % own].values[i / own];
+        let named = |(c, name): (usize, &String)| ForeignChannel {
+            name: name.clone(),
+            values: (0..texels).map(|t| value(t * stored + c)).collect(),
+        };
+        let step = match self.said.format {
+            TexelFormat::F16 => Step::Half,
+            TexelFormat::F32 => Step::None,
+        };
+        Ok(ForeignTable {
+            channels: self.said.channels.iter().enumerate().map(named).collect(),
+            size,
+            step,
+            note: self.said.header.join("\n"),
+            ..table.clone()
+        })
+    }
+}

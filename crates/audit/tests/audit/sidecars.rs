@@ -1,0 +1,106 @@
+//! Files of our own that say what they are by the sidecar beside them.
+
+use crate::common;
+
+use std::path::Path;
+
+use common::{lobefit, stderr};
+use lobefit::bake::{Selection, Silent, bake};
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use lobefit::store::Files;
+
+/// Tables of two and three axes, of one, two and four channels, in f16 and f32.
+const SCENE: &str = r#"{"schema_version":1,"formats":["dds","ktx2","npy","raw"],"materials":[
+{"name":"plain","kind":"metal","f0":1,"roughness":[0.3,1],"wants":{"tables":[{"size":[16,12],"layout":"plain","serves":"split-sum"}]}},
+{"name":"frosted","kind":"glass","ior":[1.4,1.6],"roughness":[0.5,0.6],"wants":{"tables":[{"size":[8,6,4],"format":"f32"}]}},
+{"name":"brushed","kind":"metal","f0":1,"anisotropy":[0.4,0.6],"roughness":[0.5,0.6],"wants":{"tables":[
+ {"layout":"azimuth","size":[8,6,4]}]}}]}"#;
+
+const TABLES: [(&str, &str); 4] = [
+    ("ggx-dfg-correlated-16x12-plain-split-sum", "ggx-reflection"),
+    ("ggx-glass-inside-correlated-8x6x4-f32", "ggx-glass"),
+    ("ggx-glass-outside-correlated-8x6x4-f32", "ggx-glass"),
+    ("ggx-aniso-azimuth-correlated-8x6x4", "ggx-reflection-aniso"),
+];
+
+fn baked() -> Files {
+    let scene = Scene::from_json(SCENE.as_bytes(), "test.json").expect("a scene");
+    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake").files
+}
+
+fn audit(folder: &Path, file: &str, quantity: &str, more: &[&str]) -> (Option<i32>, String, String) {
+    let output = lobefit(folder, &[&["audit", file, "--as", quantity], more].concat(), b"");
+    (output.status.code(), String::from_utf8(output.stdout.clone()).unwrap(), stderr(&output))
+}
+
+#[test]
+fn a_file_with_its_sidecar_is_what_it_says_in_every_container() {
+    let (files, folder) = (baked(), tempfile::tempdir().unwrap());
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    for (path, bytes) in files.iter().filter(|(path, _)| path.starts_with("tables/")) {
+        write(&path["tables/".len()..], bytes);
+    }
+    for (name, quantity) in TABLES {
+        for extension in ["dds", "ktx2", "npy", "raw"] {
+            let file = format!("{name}.{extension}");
+            let (code, out, err) = audit(folder.path(), &file, quantity, &[]);
+            assert!(code == Some(0) && err.is_empty(), "{file}: {out}{err}");
+            let start = format!("{file} with its sidecar {file}.json says what it is: {quantity}");
+            assert!(out.starts_with(&start) && out.contains("and is so"), "{out}");
+        }
+    }
+    // Another certificate, and another name of a channel.
+    let (name, quantity) = TABLES[0];
+    let file = format!("{name}.ktx2.json");
+    let text = String::from_utf8(files[&format!("tables/{file}")].clone()).unwrap();
+    let claim = text.lines().find(|l| l.contains("error (")).unwrap();
+    let lie =
+        format!("{}max 1e-7,{}", claim.split("max ").next().unwrap(), claim.split_once(", rms").unwrap().1);
+    write(&file, text.replace(claim, &lie).as_bytes());
+    let (code, out, err) = audit(folder.path(), &format!("{name}.ktx2"), quantity, &[]);
+    assert!(code == Some(1) && out.contains("it is not so"), "{out}{err}");
+}
+
+#[test]
+fn a_sidecar_that_is_not_that_of_the_file_is_named_and_left_aside() {
+    let (files, folder) = (baked(), tempfile::tempdir().unwrap());
+    let name = TABLES[0].0;
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    for extension in ["dds", "npy", "raw"] {
+        write(&format!("t.{extension}"), &files[&format!("tables/{name}.{extension}")]);
+    }
+    let text = |extension: &str| {
+        String::from_utf8(files[&format!("tables/{name}.{extension}.json")].clone()).unwrap()
+    };
+    let sizes = |a: &str, b: &str| {
+        text("dds").replacen(&format!("{a},\n    {b},\n"), &format!("{b},\n    {a},\n"), 1)
+    };
+    for (extension, sidecar, words) in [
+        ("npy", "[".repeat(2000), "recursion limit"),
+        ("npy", "{}".into(), "missing field"),
+        ("npy", text("dds"), "it is that of a file of dds"),
+        ("npy", text("npy").replace("\"schema_version\": 1", "\"schema_version\": 9"), "of version 9"),
+        ("npy", text("npy").replace("\"A\"", "\"A\",\"C\""), "it does not speak of the"),
+        ("npy", text("npy").replace("16,", "18446744073709551615,"), "it does not speak of the"),
+        ("dds", sizes("16", "12"), "it speaks of [12, 16] texels of 2 channels"),
+    ] {
+        let file = format!("t.{extension}");
+        assert!(sidecar != text(extension), "{words}: nothing was changed");
+        write(&format!("{file}.json"), sidecar.as_bytes());
+        let (code, out, err) = audit(folder.path(), &file, "ggx-reflection", &[]);
+        assert!(code.is_some_and(|c| c < 2), "{out}{err}");
+        assert!(
+            err.contains(&format!("{file}.json: not followed (")) && err.contains(words),
+            "`{words}` in {err}"
+        );
+        assert!(!out.contains("says what it is"), "{out}");
+    }
+    // Nothing says how a raw file without one is laid out.
+    let (code, _, err) = audit(folder.path(), "t.raw", "ggx-reflection", &[]);
+    assert!(code == Some(2) && err.contains("state the size"), "{err}");
+    // A sidecar beyond the limit is none.
+    write("t.raw.json", &vec![b' '; (1 << 20) + 1]);
+    let (code, _, err) = audit(folder.path(), "t.raw", "ggx-reflection", &[]);
+    assert!(code == Some(2) && err.contains("larger than 1048576 bytes"), "{err}");
+}
