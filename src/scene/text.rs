@@ -1,4 +1,5 @@
-//! The look at a scene's bytes before JSON sees them: length, encoding, nesting, length of strings.
+//! The look at a scene's bytes before JSON sees them: length, encoding, nesting, comments, length of
+//! strings.
 
 use super::error::{Position, SceneError};
 use super::limits;
@@ -32,7 +33,8 @@ fn encoding(bytes: &[u8]) -> Result<(), &'static str> {
     }
 }
 
-/// Follows brackets and strings only, so that hostile nesting never reaches a recursive parser.
+/// Follows brackets and strings only, so that hostile nesting never reaches a recursive parser; a
+/// comment between them is named.
 fn nesting(bytes: &[u8]) -> Result<(), (usize, String)> {
     let (mut depth, mut i) = (0, 0);
     while i < bytes.len() {
@@ -43,11 +45,23 @@ fn nesting(bytes: &[u8]) -> Result<(), (usize, String)> {
             b'{' | b'[' => depth += 1,
             b'}' | b']' => depth = depth.saturating_sub(1),
             b'"' => i = string_end(bytes, i)?,
+            b'#' => return Err((i, comment("#"))),
+            b'/' if bytes.get(i + 1) == Some(&b'/') => return Err((i, comment("//"))),
+            b'/' if bytes.get(i + 1) == Some(&b'*') => return Err((i, comment("/*"))),
             _ => {}
         }
         i += 1;
     }
     Ok(())
+}
+
+/// What to do about a comment. A scene is hashed, and its JSON is read by scripts and checked by
+/// `lobefit schema`: it has one grammar, which every reader knows.
+fn comment(mark: &str) -> String {
+    format!(
+        "`{mark}` begins a comment; a scene is strict JSON, without comments: delete it, or keep the commented file beside the scene and \
+         give what is left without comments on standard input (`-`)"
+    )
 }
 
 /// Index of the closing quote of the string that opens at `start` (the end of the file where there

@@ -27,7 +27,14 @@ fn not_json() -> Vec<Case> {
         case(top("\"name\":\"n\","), "trailing comma"),
         case("{'schema_version':1}", "scene.json:1:2: object keys must be strings in double quotes"),
         case(material("3:4"), "materials[0]: object keys must be strings in double quotes"),
-        case("// a comment\n{}", "scene.json:1:1: expected value"),
+        case(
+            "// a comment\n{}",
+            "scene.json:1:1: `//` begins a comment; a scene is strict JSON, without comments: delete it",
+        ),
+        case(top("\"name\":\"n\"") + "\n  /* note */", "scene.json:2:3: `/*` begins a comment"),
+        case("# note\n{}", "scene.json:1:1: `#` begins a comment"),
+        // In a string they are text.
+        case(top("\"name\":\"# // /*\",\"x\":1"), "unknown field `x`"),
         case("[".repeat(65), "scene.json:1:65: nested deeper than 64 levels"),
         case("[".repeat(100_000), "nested deeper than 64 levels"),
         case(top(&format!("\"x\":{}", "{\"a\":".repeat(100))), "nested deeper than 64 levels"),
