@@ -83,8 +83,8 @@ pub(super) struct Options {
     /// CSV file to write; without it, standard output
     #[arg(long, value_name = "OUT.csv")]
     pub out: Option<PathBuf>,
-    /// Lobe of every point of parallax-alpha, in place of a column `kernel`: its word, or a .json
-    /// file with its table
+    /// Lobe of every point of a quantity with a kernel, in place of a column `kernel`: its word, or
+    /// a .json file with its table
     #[arg(long, value_name = "WORD|FILE")]
     pub kernel: Option<String>,
     /// Shadowing form: correlated or separable
@@ -133,8 +133,10 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 /// Gives every point the kernel of a word.
 fn fix_kernel(points: &mut Points, word: &str, quantity: &dyn Quantity) -> Result<(), CliError> {
     if !quantity.has(Choice::Kernel) {
-        let name = quantity.name();
-        return Err(CliError::Usage(format!("--kernel: {name} has no kernel; parallax-alpha has")));
+        let having: Vec<&str> =
+            QUANTITIES.iter().filter(|q| q.has(Choice::Kernel)).map(|q| q.name()).collect();
+        let (name, having) = (quantity.name(), having.join(", "));
+        return Err(CliError::Usage(format!("--kernel: {name} has no kernel; {having} has")));
     }
     if points.variants().any(|variant| variant.kernel.is_some()) {
         let message = "--kernel: the points have a column `kernel` too; give one of them";

@@ -57,7 +57,7 @@ enum Verb {
     #[command(after_help = eval::after_help())]
     Eval(eval::Options),
     /// Fit a formula of your own to a quantity, or search for formulas (--search)
-    #[command(after_help = fit::EXAMPLES)]
+    #[command(after_help = fit::after_help())]
     Fit(Box<fit::Options>),
     /// Measure a table or shader function that somebody ships against the truth
     #[command(disable_help_flag = true)]

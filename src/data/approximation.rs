@@ -1,9 +1,9 @@
 //! The one idea of the house: every stand-in for a truth is the same kind of thing.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::{Certificate, Smith, Table};
+use lobefit_truth::quantity::Use;
 
 /// Run-time cost by the project's operation model.
 ///
@@ -18,49 +18,6 @@ pub struct Cost {
     pub fetches: u32,
     /// Bytes of texels to keep resident.
     pub bytes: u64,
-}
-
-/// What an approximation is used as; the error metric follows from it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Use {
-    /// As the value itself: error |f - truth|.
-    Value,
-    /// As N with E N = 1: the furnace error |E N - 1|.
-    Normalisation,
-    /// As f0 A + B for every f0 in [0, 1]: error max(|error of E|, |error of B|).
-    F0Blend,
-    /// As a diffuse coupling factor.
-    Coupling,
-    /// As an adjusted roughness.
-    Parallax,
-}
-
-impl Use {
-    /// All of them.
-    pub const ALL: [Use; 5] = [Use::Value, Use::Normalisation, Use::F0Blend, Use::Coupling, Use::Parallax];
-
-    /// The word used in the manifest.
-    pub fn name(self) -> &'static str {
-        match self {
-            Use::Value => "value",
-            Use::Normalisation => "normalisation",
-            Use::F0Blend => "f0-blend",
-            Use::Coupling => "coupling",
-            Use::Parallax => "parallax",
-        }
-    }
-
-    /// What its error is.
-    pub fn metric(self) -> &'static str {
-        match self {
-            Use::Value => "absolute error",
-            Use::Normalisation => "furnace error |E N - 1|",
-            Use::F0Blend => "error of f0 A + B, for the worst f0",
-            Use::Coupling => "error of the coupling factor",
-            Use::Parallax => "relative error of the adjusted alpha",
-        }
-    }
 }
 
 /// Where the numbers of an approximation come from.

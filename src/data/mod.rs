@@ -15,7 +15,7 @@ mod shader;
 mod table;
 
 pub use alpha_map::AlphaMap;
-pub use approximation::{Approximation, Cost, Form, Formula, Source, Use};
+pub use approximation::{Approximation, Cost, Form, Formula, Source};
 pub use axis::{Axis, Registration, Surface, Warp};
 pub use certificate::{Certificate, Place, nine_digits, shortest};
 pub use container::Container;
@@ -23,6 +23,7 @@ pub use decode::{Decode, Values};
 pub use layout::{Layout, Serves};
 pub use lobefit_fit::Norm;
 pub use lobefit_truth::optics::Smith;
+pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use mips::{LOG_SCALE, MipChain, MipMap};
 pub use shader::{ARGUMENTS, TableCode, lookup_ops};

@@ -48,8 +48,8 @@ fn lines(fit: &Fit) -> Vec<String> {
         (Some(_), _) => {
             "furnace error |E N - 1| at f0 = 1; no larger, relative to 1 + f0 (1/E - 1), at any other f0"
         }
-        (None, Use::Normalisation) => "furnace error |E N - 1|",
-        (None, Use::F0Blend) => "of f0 A + B, at the worst f0",
+        (None, Use::NORMALISATION) => "furnace error |E N - 1|",
+        (None, Use::F0_BLEND) => "of f0 A + B, at the worst f0",
         (None, _) => "absolute",
     };
     let constants = match fit.norm() {

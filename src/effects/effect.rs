@@ -8,6 +8,7 @@ use super::demand::{Demand, Job};
 use super::{BakeError, Called, JobSummary, Made};
 use crate::approximate::Entry;
 use crate::approximate::target::Target;
+use crate::report::TimedLookup;
 use crate::scene::Scene;
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
@@ -15,6 +16,9 @@ use lobefit_shade::Hypothesis;
 /// Lines for the head of the include files, and the texts in the emitted code of which any calls
 /// for them.
 pub type Note = (&'static [&'static str], &'static [&'static str]);
+
+/// Measures the seconds of one execution.
+pub type Clock<'a> = &'a dyn Fn(&mut dyn FnMut()) -> f64;
 
 /// Seconds of a page and its pictures on one core, where an effect does not say otherwise.
 const REPORT_S: f64 = 0.7;
@@ -80,6 +84,11 @@ pub trait Effect: Sync {
     /// What the head of the include files says of its functions.
     fn notes(&self) -> &'static [Note] {
         &[]
+    }
+
+    /// Times of what its functions do beside the tables and the fits of a bake.
+    fn timed(&self, _scene: &Scene, _seconds: Clock) -> Vec<TimedLookup> {
+        Vec::new()
     }
 
     /// Makes its jobs: fits and tables with their entries, code, and page.

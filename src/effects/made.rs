@@ -151,7 +151,7 @@ fn unkept(promise: &Promise, fits: &[Fit], what: &str, used_as: Use) -> Option<S
     let best = affordable.min_by(|a, b| a.certificate.max_abs.total_cmp(&b.certificate.max_abs));
     let wanted = promise.text();
     let (name, error) = match used_as {
-        Use::Normalisation => ("normalisation", "furnace error"),
+        Use::NORMALISATION => ("normalisation", "furnace error"),
         _ => ("fit", "error"),
     };
     match best {

@@ -82,7 +82,7 @@ impl ValueFits<'_> {
         context.progress.stage(&format!("report of {}", called.effect));
         let metric = format!("error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
-        made.promised(&job.promises, &fits, self.of, Use::Value);
+        made.promised(&job.promises, &fits, self.of, Use::VALUE);
         made.code(|language| code::functions(language, &fits))?;
         if let Some(table) = &self.table {
             let (tables, broken) = table.bake(job, context)?;
@@ -102,7 +102,7 @@ impl ValueFits<'_> {
             spec: TargetSpec {
                 quantity: self.quantity,
                 column: Some(self.column.into()),
-                used_as: Some(Use::Value),
+                used_as: Some(Use::VALUE),
                 variant: Variant::default(),
                 alpha_map,
                 domain: BTreeMap::from([("roughness".to_string(), roughness), ("mu".to_string(), mu)]),
@@ -134,7 +134,7 @@ impl ValueFits<'_> {
         };
         let tables = made.tables.iter().map(|table| &table.approximation);
         let all = fits.iter().map(|fit| &fit.approximation);
-        let shown = selected(fits, self.column, Use::Value, context);
+        let shown = selected(fits, self.column, Use::VALUE, context);
         Ok(Findings {
             effects: vec![made.part.finding.clone()],
             left_out: page::left_out(dropped),

@@ -3,6 +3,7 @@
 
 use lobefit_shade::Source;
 use lobefit_shade::code::{CodeError, Language};
+use lobefit_truth::quantity::{self, Fresnel};
 
 /// A lobe that is compensated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -27,11 +28,10 @@ const TEXT: &str = include_str!("compensation.wgsl");
 impl Compensation {
     /// The compensation that a quantity's albedo is made for.
     pub fn of_quantity(quantity: &str) -> Option<Compensation> {
-        match quantity {
-            "ggx-reflection" | "ggx-reflection-aniso" => Some(Compensation::Reflection),
-            "ggx-glass" => Some(Compensation::Glass),
-            _ => None,
-        }
+        Some(match quantity::find(quantity)?.fresnel()? {
+            Fresnel::One => Compensation::Reflection,
+            Fresnel::Dielectric => Compensation::Glass,
+        })
     }
 
     /// Its functions in a language: one of the factor, one of colours. In C they need

@@ -2,6 +2,7 @@
 //! before them.
 
 use crate::data::{Axis, Certificate, Place, Table};
+use lobefit_truth::quantity::{self, Fresnel, Quantity};
 
 /// What made a file: enough to make it again, and nothing that changes from run to run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,9 +59,10 @@ const AXES: [&str; 3] = ["columns (x)", "rows (y, first row at the top)", "slice
 
 /// The Fresnel term in a quantity's albedo.
 fn fresnel(quantity: &str) -> &'static str {
-    match quantity {
-        "ggx-glass" => ", exact dielectric Fresnel",
-        _ => ", F = 1",
+    match quantity::find(quantity).and_then(Quantity::fresnel) {
+        Some(Fresnel::One) => ", F = 1",
+        Some(Fresnel::Dielectric) => ", exact dielectric Fresnel",
+        None => "",
     }
 }
 

@@ -165,14 +165,14 @@ fn chosen(axis: &Span) -> Vec<f64> {
 /// What the curves show.
 fn value(target: &Target) -> String {
     match target.used_as {
-        Use::Normalisation => format!("N = 1/{}", target.column),
-        Use::F0Blend => "f0 A + B".into(),
+        Use::NORMALISATION => format!("N = 1/{}", target.column),
+        Use::F0_BLEND => "f0 A + B".into(),
         _ => target.column.into(),
     }
 }
 
 fn error_name(used_as: Use) -> String {
-    if used_as == Use::Normalisation { "furnace error E N - 1".into() } else { "error".into() }
+    if used_as == Use::NORMALISATION { "furnace error E N - 1".into() } else { "error".into() }
 }
 
 /// The places where the error is larger than all around, the worst first. The certificate's worst

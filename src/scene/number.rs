@@ -48,7 +48,7 @@ intervals! {
     /// Operations of a fit.
     Ops = 1.0, super::limits::FIT_OPS as f64, false, "[1, 1000]";
     /// Ratio of the distances of shading point and probe from what they see.
-    Ratio = lobefit_truth::integrate::footprint::RHO[0], lobefit_truth::integrate::footprint::RHO[1], false, "[0.000001, 1000]";
+    Ratio = lobefit_truth::quantity::footprint::RHO[0], lobefit_truth::quantity::footprint::RHO[1], false, "[0.000001, 1000]";
     /// Levels of a prefiltered chain.
     Levels = super::limits::LEVELS_MIN as f64, super::limits::LEVELS_MAX as f64, false, "[2, 16]";
     /// Planes of a proxy: 4 bound a body.

@@ -1,7 +1,6 @@
 //! What accuracy costs in seconds, measured on this machine. Not reproducible, and so no part of a
 //! bake.
 
-mod lookups;
 pub mod record;
 mod tables;
 
@@ -11,9 +10,11 @@ use std::time::Instant;
 
 use crate::approximate::{Fit, FitStageError, Region, certification};
 use crate::bake::{BakeError, Baked};
-use crate::data::{AlphaMap, Approximation, Smith, Source};
+use crate::data::{Approximation, Smith, Source};
+use crate::effects::demand::hull;
 use crate::effects::reflection::{POINTS, SAMPLERS};
 use crate::effects::table::Lookup;
+use crate::effects::{Effect, catalogue};
 use crate::report::{Origin, TimedApproximation, TimedPoint, TimedSeries, Timings};
 use crate::scene::Scene;
 use lobefit_truth::integrate::monte_carlo::{self, Run};
@@ -43,11 +44,12 @@ pub fn timings(scene: &Scene, baked: &Baked, origin: Origin, device: String) -> 
     // One thread: a time per evaluation is that of one core.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.map_err(|e| BakeError::Internal(format!("cannot start a thread: {e}")))?;
-    let evaluations = pool.install(|| evaluations(scene.alpha, baked))?;
+    let evaluations = pool.install(|| evaluations(scene, baked))?;
     let sliced = baked.tables.iter().any(|table| table.region.slices.is_some());
     // The whole machine: tables are made on all threads.
     let tables = if sliced { Some(tables::tables()?) } else { None };
-    let lookups = pool.install(|| lookups::lookups(scene));
+    let timed = |effect: &&dyn Effect| effect.timed(scene, &|work| seconds(work));
+    let lookups = pool.install(|| catalogue().iter().flat_map(timed).collect());
     Ok(Timings { origin, device, points, tables, evaluations, lookups })
 }
 
@@ -111,7 +113,7 @@ fn quadrature(smith: Smith, alpha: f64, mu: f64, truth: f64) -> [TimedSeries; 2]
     ]
 }
 
-fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {
+fn evaluations(scene: &Scene, baked: &Baked) -> Result<Vec<TimedApproximation>, BakeError> {
     let mut timed = Vec::new();
     for baked in &baked.tables {
         let Some(table) = baked.table() else { continue };
@@ -124,8 +126,9 @@ fn evaluations(alpha_map: AlphaMap, baked: &Baked) -> Result<Vec<TimedApproximat
         });
         timed.push(entry(&baked.approximation, true, time / points.len() as f64));
     }
-    let Some(first) = baked.fits.first() else { return Ok(timed) };
-    let points = certification(&region(alpha_map, &first.approximation), LOG2_POINTS);
+    let ranges = baked.fits.iter().filter_map(|fit| fit.approximation.certificate.domain.get("roughness"));
+    let Some(roughness) = ranges.copied().reduce(hull) else { return Ok(timed) };
+    let points = certification(&Region { roughness, mu: scene.mu, alpha_map: scene.alpha }, LOG2_POINTS);
     for fit in baked.fits.iter().filter(|f| f.wraps.is_none()) {
         timed.push(entry(&fit.approximation, false, fit_seconds(fit, &points)? / points.len() as f64));
     }
@@ -158,12 +161,6 @@ fn columns(fit: &Fit, points: &Points) -> Result<Vec<Vec<f32>>, ShadeError> {
         })
     };
     fit.hypothesis.inputs().iter().map(column).collect()
-}
-
-/// The region that a fit was certified in.
-fn region(alpha_map: AlphaMap, approximation: &Approximation) -> Region {
-    let range = |name: &str| approximation.certificate.domain.get(name).copied().unwrap_or([1.0, 1.0]);
-    Region { roughness: range("roughness"), mu: range("mu"), alpha_map }
 }
 
 fn entry(approximation: &Approximation, table: bool, seconds: f64) -> TimedApproximation {

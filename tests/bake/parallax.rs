@@ -3,13 +3,13 @@
 use std::sync::LazyLock;
 
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::Use;
 use lobefit::effects::parallax::lobes;
 use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_math::ops;
-use lobefit_truth::integrate::footprint::{adjusted, measures};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::PARALLAX;
+use lobefit_truth::quantity::footprint::{adjusted, measures};
 use serde_json::{Value, json};
 
 fn scene(probes: &str) -> Scene {
@@ -83,7 +83,7 @@ fn a_probe_is_fitted_certified_and_emitted_in_every_language() {
 #[test]
 fn certificates_of_widths_hold() {
     for fit in &ROOM.fits {
-        assert_eq!(fit.approximation.used_as, Use::Parallax);
+        assert_eq!(fit.approximation.used_as, PARALLAX);
         let mut worst = 0.0_f64;
         for i in 0..=12 {
             for j in 0..=14 {

@@ -159,7 +159,7 @@ const BLEND: &str =
 fn blends_are_fitted_for_every_f0() {
     let baked = baked(BLEND);
     let blends: Vec<&Fit> =
-        baked.fits.iter().filter(|f| f.approximation.used_as == Use::F0Blend && f.emitted).collect();
+        baked.fits.iter().filter(|f| f.approximation.used_as == Use::F0_BLEND && f.emitted).collect();
     assert!(blends.len() >= 3, "{}", blends.len());
     for fit in &blends {
         let coefficients = fit.coefficients();
@@ -186,7 +186,7 @@ fn blends_are_fitted_for_every_f0() {
         }
     }
     let best = blends.iter().map(|f| f.approximation.certificate.max_abs).fold(f64::INFINITY, f64::min);
-    let published = baked.fits.iter().filter(|f| f.approximation.used_as == Use::F0Blend && !f.emitted);
+    let published = baked.fits.iter().filter(|f| f.approximation.used_as == Use::F0_BLEND && !f.emitted);
     let best_published = published.map(|f| f.approximation.certificate.max_abs).fold(f64::INFINITY, f64::min);
     assert!(best < 0.02 && 2.0 * best < best_published, "{best} of ours, {best_published} of others");
     let manifest = manifest(&baked);

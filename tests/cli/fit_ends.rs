@@ -282,7 +282,7 @@ fn refusals_say_what_to_give_instead() {
         (
             mine,
             &["--to", "diffuse-coupling", "--use", "normalisation"],
-            "give another quantity or leave --use out",
+            "give --to ggx-reflection:E or --to ggx-reflection-aniso:E or",
         ),
         (mine, &["--to", "diffuse-coupling"], "--fix specular=single"),
         (mine, &["--to", "ggx-glass"], "--fix side=outside"),

@@ -10,8 +10,8 @@ use lobefit_math::ops::{log, sincos};
 use lobefit_math::vector::{dot, length, normalise};
 use lobefit_studies::room::proxies::{Body, Tied};
 use lobefit_studies::room::{Lookup, Plane, Proxy, Seen, room_b};
-use lobefit_truth::integrate::footprint::slant::{Case, Resolution, Slant, Stand};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::slant::{Case, Resolution, Slant, Stand};
 
 const RULES: [fn() -> TapRule; 3] = [TapRule::one, TapRule::two, TapRule::three];
 

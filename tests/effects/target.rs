@@ -8,7 +8,7 @@ use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{self, Quantity, Variant};
+use lobefit_truth::quantity::{self, COUPLING, Quantity, Variant};
 
 fn spec(quantity: &str) -> TargetSpec {
     TargetSpec {
@@ -81,7 +81,7 @@ fn scale_and_target_are_those_of_the_use() {
     };
     let places: Vec<Vec<f64>> = [[0.1, 0.02], [0.4, 0.3], [1.0, 0.9]].map(|p| p.to_vec()).to_vec();
     for (used_as, arguments) in
-        [(Use::Value, "alpha mu"), (Use::Normalisation, "alpha mu"), (Use::F0Blend, "alpha mu f0")]
+        [(Use::VALUE, "alpha mu"), (Use::NORMALISATION, "alpha mu"), (Use::F0_BLEND, "alpha mu f0")]
     {
         let spec = TargetSpec { used_as: Some(used_as), ..spec("ggx-reflection") };
         let target = Target::new(&spec, &formula(arguments)).expect("a target");
@@ -89,14 +89,14 @@ fn scale_and_target_are_those_of_the_use() {
         for i in 0..sampled.points.len() {
             let (e, a, b) = truth(&sampled, i);
             let (scale, wanted) = match used_as {
-                Use::Normalisation => (e, 1.0),
-                Use::F0Blend => (1.0, at(&sampled, i, "f0") * a + b),
+                Use::NORMALISATION => (e, 1.0),
+                Use::F0_BLEND => (1.0, at(&sampled, i, "f0") * a + b),
                 _ => (1.0, e),
             };
             assert!((sampled.scale[i] - scale).abs() < 2e-7, "{used_as:?} {i}: {}", sampled.scale[i]);
             assert!((sampled.target[i] - wanted).abs() < 2e-7, "{used_as:?} {i}: {}", sampled.target[i]);
         }
-        assert_eq!(sampled.points.len(), if used_as == Use::F0Blend { 6 } else { 3 });
+        assert_eq!(sampled.points.len(), if used_as == Use::F0_BLEND { 6 } else { 3 });
     }
 }
 
@@ -153,8 +153,8 @@ fn bad_targets_are_refused_with_the_setting() {
         ),
         (TargetSpec { domain: range("mu", [0.0, 1.5]), ..spec("ggx-reflection") }, "mu", "[0, 1]"),
         (TargetSpec { domain: range("ior", [1.0, 1.5]), ..spec("ggx-reflection") }, "mu", "no such input"),
-        (TargetSpec { used_as: Some(Use::F0Blend), ..spec("ggx-reflection") }, "mu", "argument f0"),
-        (TargetSpec { used_as: Some(Use::Coupling), ..spec("ggx-reflection") }, "mu", "diffuse-coupling"),
+        (TargetSpec { used_as: Some(Use::F0_BLEND), ..spec("ggx-reflection") }, "mu", "argument f0"),
+        (TargetSpec { used_as: Some(COUPLING), ..spec("ggx-reflection") }, "mu", "diffuse-coupling"),
         (spec("ggx-glass"), "mu", "outside, inside"),
         (spec("ggx-average"), "mu", "`mu`"),
     ];

@@ -10,7 +10,7 @@ use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
 use lobefit_shade::{Hypothesis, Precision};
 use lobefit_truth::quantity::coupling::{Specular, TOLERANCE, coupling};
-use lobefit_truth::quantity::{self, Variant};
+use lobefit_truth::quantity::{self, COUPLING, Variant};
 
 fn spec(quantity: &str, specular: Option<Specular>) -> TargetSpec {
     TargetSpec {
@@ -31,7 +31,7 @@ fn a_coupling_target_is_the_factor_of_the_integral() {
     let f0 = [0.0, 0.04, 0.5, 1.0];
     for specular in Specular::ALL {
         let target = Target::new(&spec("diffuse-coupling", Some(specular)), &formula).expect("a target");
-        assert_eq!(target.used_as, Use::Coupling);
+        assert_eq!(target.used_as, COUPLING);
         let sampled = target.at(&places.map(|p| p.to_vec()), &f0).expect("a truth");
         assert_eq!(sampled.target.len(), places.len() * f0.len());
         let at = |i: usize, name: &str| sampled.points.column(name).expect("a column")[i];
@@ -59,7 +59,7 @@ fn a_p_norm_with_a_weight_of_f0_is_taken_over_all_f0() {
     let p = 4.0;
     let job = Job {
         hypothesis: hypothesis.clone(),
-        spec: TargetSpec { used_as: Some(Use::F0Blend), ..spec.clone() },
+        spec: TargetSpec { used_as: Some(Use::F0_BLEND), ..spec.clone() },
         goals: vec![Goal::Power(p)],
         weight: Some("f0 * f0".into()),
         demands: Vec::new(),

@@ -9,12 +9,13 @@ use emit_support::languages::compile;
 use emit_support::programs::{compile_library, run};
 use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::{Smith, Use};
+use lobefit::data::Smith;
 use lobefit::plan::{Plan, plan};
 use lobefit::scene::Scene;
 use lobefit_shade::code::Language;
 use lobefit_truth::integrate::Estimate;
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
+use lobefit_truth::quantity::COUPLING;
 use lobefit_truth::quantity::coupling::{Specular, Split, factor};
 use serde_json::{Value, json};
 
@@ -48,7 +49,7 @@ fn all() -> &'static Baked {
 
 /// Its factors.
 fn factors() -> impl Iterator<Item = &'static Fit> {
-    all().fits.iter().filter(|f| f.emitted && f.approximation.used_as == Use::Coupling)
+    all().fits.iter().filter(|f| f.emitted && f.approximation.used_as == COUPLING)
 }
 
 /// f0 of the certificate.
@@ -304,7 +305,7 @@ fn ours_beat_the_bars() {
     ] {
         assert!(best(s, ops) < bar, "{} {ops}: {}", s.name(), best(s, ops));
     }
-    let of_others = |f: &&Fit| !f.emitted && f.approximation.used_as == Use::Coupling;
+    let of_others = |f: &&Fit| !f.emitted && f.approximation.used_as == COUPLING;
     assert!(all().fits.iter().filter(of_others).count() >= 8);
 }
 

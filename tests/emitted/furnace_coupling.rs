@@ -27,7 +27,7 @@ use lobefit::data::{Smith, Use};
 use lobefit::emit::lookup::Readable;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
-use lobefit_truth::quantity::Specular;
+use lobefit_truth::quantity::{COUPLING, Specular};
 use serde_json::Value;
 use textbook::{Facets, Hemisphere, Vector, direction, schlick};
 
@@ -429,7 +429,7 @@ fn the_emitted_material_integrates_to_white() {
 /// The best factor under a lobe: the one that materials are emitted with.
 fn best(specular: Specular) -> &'static Fit {
     let start = format!("coupling_{}_", specular.name());
-    let of = of_use(Use::Coupling).into_iter().filter(|f| f.approximation.name.starts_with(&start));
+    let of = of_use(COUPLING).into_iter().filter(|f| f.approximation.name.starts_with(&start));
     of.min_by(|a, b| a.approximation.certificate.max_abs.total_cmp(&b.approximation.certificate.max_abs))
         .expect("a factor")
 }

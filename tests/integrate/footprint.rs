@@ -2,8 +2,8 @@
 //! the properties that hold whatever the numbers are.
 
 use lobefit_math::ops::{atan, cos, exp, exp2, log, sin, tan};
-use lobefit_truth::integrate::footprint::{Adjusted, TOLERANCE, adjusted, best, measures};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::{Adjusted, TOLERANCE, adjusted, best, measures};
 
 /// Simpson's rule, halved until it is exact: nothing of the library's rules.
 fn simpson(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> f64 {

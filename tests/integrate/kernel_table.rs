@@ -3,10 +3,8 @@
 use std::f64::consts::PI;
 
 use lobefit_math::ops::{atan, cos, exp, log, pow, tan};
-use lobefit_truth::integrate::footprint::{
-    TOLERANCE, adjusted, best, measures, quick_error, usual_tolerance,
-};
 use lobefit_truth::optics::kernel::{Kernel, TableLobe, tabulated};
+use lobefit_truth::quantity::footprint::{TOLERANCE, adjusted, best, measures, quick_error, usual_tolerance};
 
 /// A lobe that is none of GGX's, and vanishes at the horizon but at alpha 1: cos^n(theta), n = 1/(2 A) - 1/2. Its energy is 1 - cos^(n+1).
 fn power(alpha: f64) -> f64 {

@@ -7,12 +7,12 @@ use lobefit::effects::parallax::taps::best::{Found, best_taps};
 use lobefit::effects::parallax::taps::least::least;
 use lobefit_math::ops::{cos, sin, sincos};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::measures;
-use lobefit_truth::integrate::footprint::slant::{
-    Case, Nearest, Normal, Resolution, Slant, Stand, best_width,
-};
 use lobefit_truth::optics::footprint::RuleTap;
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::measures;
+use lobefit_truth::quantity::footprint::slant::{
+    Case, Nearest, Normal, Resolution, Slant, Stand, best_width,
+};
 use nalgebra::{DMatrix, DVector};
 
 fn degrees(x: f64) -> f64 {

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use lobefit_truth::integrate::footprint::window::{Ordinate, fits, ordinate, slanted};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::window::{Ordinate, fits, ordinate, slanted};
 
 #[test]
 fn offsets_are_those_of_the_study() {

@@ -86,7 +86,7 @@ fn approximation(name: &str, ops: u32, certificate: Certificate) -> Approximatio
         name: name.into(),
         quantity: "ggx-reflection".into(),
         column: "E".into(),
-        used_as: Use::Normalisation,
+        used_as: Use::NORMALISATION,
         smith: Some(Smith::Correlated),
         source: "fitted".into(),
         published: false,
@@ -269,7 +269,7 @@ pub fn findings() -> Findings {
     approximations.push(ApproximationFinding {
         quantity,
         column: "E_avg".into(),
-        used_as: Use::Value,
+        used_as: Use::VALUE,
         ..average
     });
     let (x, y) = grid();

@@ -42,7 +42,7 @@ fn reading_a_scene_integrates_nothing() {
         let path = entry.expect("an entry").path();
         let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path:?}: {e}"));
         // A word of scenes, and the ends of a domain.
-        let text = text.replace("lobefit_truth::integrate::footprint::RHO[", "");
+        let text = text.replace("lobefit_truth::quantity::footprint::RHO[", "");
         let found = text.lines().find(|line| line.contains("lobefit_truth::integrate"));
         assert_eq!(found, None, "{path:?}");
     }

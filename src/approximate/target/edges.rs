@@ -43,7 +43,7 @@ impl Target {
                 let at = if input == "alpha" { self.alpha_inverse(at) } else { at };
                 target.axes[k].range = [at, at];
             }
-            Axis::F0 => target.f0 = Some(Span { name: "f0".into(), range: [at, at] }),
+            Axis::F0 => target.f0 = Some(Span::new("f0", [at, at])),
         }
         let (places, f0) = target.lattice(NODES);
         let ideal = match value {

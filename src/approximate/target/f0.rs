@@ -64,7 +64,7 @@ mod tests {
 
     #[test]
     fn means_over_the_values_are_those_of_powers() {
-        let span = Span { name: "f0".into(), range: [0.25, 0.75] };
+        let span = Span::new("f0", [0.25, 0.75]);
         for (choice, degree) in [(Choice::Even, 5), (Choice::MeasuredMean, 3)] {
             let values = values(&span, false, choice);
             for k in 0..=degree {

@@ -1,13 +1,12 @@
 //! What a formula of the user's is fitted to: a quantity's column in a use, over a domain, as
 //! samples to fit on and other points to certify at.
 //!
-//! | use | residual | inputs beside those of the quantity |
-//! |---|---|---|
-//! | `value` | f - truth | |
-//! | `normalisation` | truth f - 1, the furnace error | |
-//! | `f0-blend` | f - (f0 A + B) of `ggx-reflection`, where f0 A + B = mix(B, E, f0) | `f0` |
-//! | `coupling` | f - factor of `diffuse-coupling` | |
-//! | `parallax` | f / alpha_adjusted - 1 of `parallax-alpha`, where no fetch is saturated | |
+//! The quantity says which uses its columns have, what their errors are ([`Residual`]), how values
+//! over f0 are made of a lobe's E and B ([`OverF0`]) and which points are left out ([`Excuse`]).
+//!
+//! [`Residual`]: lobefit_truth::quantity::Residual
+//! [`OverF0`]: lobefit_truth::quantity::OverF0
+//! [`Excuse`]: lobefit_truth::quantity::Excuse
 //!
 //! Where formula and truth are affine in f0, the error is too: it is largest at an end of the range
 //! of f0, and its mean square is that over the two Gauss nodes, so that four values of f0 stand for

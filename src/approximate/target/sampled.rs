@@ -3,13 +3,11 @@
 use super::f0::{self, Choice};
 use super::points;
 use super::{Target, TargetError};
-use crate::data::{AlphaMap, Use};
+use crate::data::AlphaMap;
 use lobefit_fit::{FitError, Samples};
 use lobefit_shade::ShadeError;
-use lobefit_truth::integrate::Estimate;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::Truth;
-use lobefit_truth::quantity::coupling::{Split, factor};
+use lobefit_truth::quantity::{Parts, Truth};
 
 /// Points with the residual `scale f - target` of the use.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,17 +130,13 @@ impl Target {
         Ok(self.used(points, &truth, &f0))
     }
 
-    /// The points with their truth; without those where a fetch is saturated, of which no formula
-    /// is to blame.
+    /// The points with their truth; without those that no formula can be blamed for.
     fn open(&self, points: Points) -> Result<(Points, Truth), TargetError> {
         let truth = self.truth(&points)?;
-        let [_, saturated] = &truth.columns[..] else { return Ok((points, truth)) };
-        if self.is_split() {
-            return Ok((points, truth));
-        }
-        let open: Vec<bool> = saturated.iter().map(|mark| *mark == 0.0).collect();
+        let Some(excuse) = self.excuse() else { return Ok((points, truth)) };
+        let open: Vec<bool> = truth.columns[1].iter().map(|excused| *excused == 0.0).collect();
         if !open.contains(&true) {
-            return Err(self.all_saturated());
+            return Err(self.all_excused(excuse));
         }
         let pairs = truth.columns[0].iter().zip(&open);
         let left = pairs.filter(|(_, open)| **open).map(|(value, _)| *value).collect();
@@ -157,13 +151,9 @@ impl Target {
                 Some(x) => points.clone().with("f0", vec![x; points.len()]),
                 None => points.clone(),
             };
-            let values = self.values(truth, value.unwrap_or(1.0));
-            let ones = vec![1.0; values.len()];
-            let (scale, target) = match self.used_as {
-                Use::Normalisation => (values, ones),
-                Use::Parallax => (values.into_iter().map(|width| 1.0 / width).collect(), ones),
-                _ => (ones, values),
-            };
+            let residual = self.used_as.residual();
+            let scaled = self.values(truth, value).into_iter().map(|value| residual.scaled(value));
+            let (scale, target) = scaled.map(|[scale, target]| (scale, target)).unzip();
             Sampled { points, scale, target, integrals: 0 }
         };
         let mut all = of(&f0[0]);
@@ -172,19 +162,11 @@ impl Target {
     }
 
     /// The values that the use is about.
-    fn values(&self, truth: &Truth, f0: f64) -> Vec<f64> {
-        let [e, b] = &truth.columns[..] else { return truth.columns[0].clone() };
-        if !self.is_split() {
-            return e.clone();
-        }
-        let with = |value| Estimate { value, error: 0.0 };
-        let value = |(e, b): (&f64, &f64)| match self.variant.specular {
-            None => f0 * e + (1.0 - f0) * b,
-            Some(specular) => {
-                factor(&Split { e: with(*e), a: with(e - b), loss: with(1.0 - e) }, f0, specular).value
-            }
-        };
-        e.iter().zip(b).map(value).collect()
+    fn values(&self, truth: &Truth, f0: Option<f64>) -> Vec<f64> {
+        let first = &truth.columns[0];
+        let (Some(over), Some(f0)) = (self.over_f0, f0) else { return first.clone() };
+        let pairs = first.iter().zip(&truth.columns[1]);
+        pairs.map(|(e, b)| over.form.value(Parts::new(*e, *b), f0)).collect()
     }
 }
 

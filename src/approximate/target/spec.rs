@@ -7,8 +7,7 @@ use super::affine::affine_in;
 use crate::data::{AlphaMap, Use, nine_digits};
 use lobefit_math::ops;
 use lobefit_shade::{Domain, Hypothesis, ShadeError};
-use lobefit_truth::quantity::Specular;
-use lobefit_truth::quantity::{Choice, Quantity, Variant};
+use lobefit_truth::quantity::{Choice, Excuse, F0Form, Input, OverF0, Quantity, Variant};
 
 /// What to approximate, and where.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,14 +16,13 @@ pub struct TargetSpec {
     pub quantity: &'static dyn Quantity,
     /// Its column; none: its first.
     pub column: Option<String>,
-    /// Use; none: `coupling` for `diffuse-coupling`, `f0-blend` for a formula of f0 and
-    /// `ggx-reflection`, else `value`.
+    /// Use; none: the first of the quantity's that has the formula's arguments.
     pub used_as: Option<Use>,
     /// Variant of the quantity; what the quantity does not have is ignored.
     pub variant: Variant,
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
-    /// Ranges by input; the others have those of [`Span::usual`].
+    /// Ranges by input; the others have the usual ones of [`Input`].
     pub domain: BTreeMap<String, [f64; 2]>,
 }
 
@@ -35,19 +33,8 @@ pub struct Span {
     pub name: String,
     /// Its range.
     pub range: [f64; 2],
-}
-
-/// Where the value of a quantity's input comes from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Given {
-    /// An axis.
-    Axis(usize),
-    /// alpha, from the axis of roughness.
-    Alpha,
-    /// An optional input that is left out.
-    Absent,
-    /// f0.
-    F0,
+    /// Whether points are even in its logarithm.
+    pub is_ratio: bool,
 }
 
 /// A quantity's column in a use over a domain, for the inputs of a formula.
@@ -67,39 +54,30 @@ pub struct Target {
     pub axes: Vec<Span>,
     /// The range of f0, where it is an input.
     pub f0: Option<Span>,
+    /// What every value is made of, where f0 is an input.
+    pub over_f0: Option<OverF0>,
     /// Whether the error is affine in f0.
     pub affine: bool,
-    pub(super) given: Vec<Given>,
+    /// Whether alpha is an input, made from roughness.
+    alpha: bool,
 }
 
 /// The name of the input that alpha is made from.
 pub(super) const ROUGHNESS: &str = "roughness";
 
-/// A ratio of distances.
-const RHO: &str = "rho";
+/// Its range where none is asked for: that of published comparisons.
+const USUAL_ROUGHNESS: [f64; 2] = [0.02, 1.0];
 
 impl Span {
-    /// The range of an input where none is asked for, inside the range of the quantity's own: that
-    /// of the published comparisons, roughness 0.02 to 1 and mu 0.01 to 1; widths of an anisotropic
-    /// lobe from 0.02, ior to 2, an azimuth over its quarter, ratios of distances 1/16 to 8.
-    pub fn usual(name: &str, defined: [f64; 2]) -> Span {
-        let wanted = match name {
-            ROUGHNESS => [0.02, 1.0],
-            "mu" => [0.01, 1.0],
-            "alpha_x" | "alpha_y" => [0.02, 1.0],
-            "ior" => [1.0, 2.0],
-            "phi" => [0.0, std::f64::consts::FRAC_PI_2],
-            RHO => [1.0 / 16.0, 8.0],
-            _ => [0.0, 1.0],
-        };
-        let range = [wanted[0].max(defined[0]), wanted[1].min(defined[1])];
-        Span { name: name.into(), range }
+    /// A range of an input.
+    pub fn new(name: &str, range: [f64; 2]) -> Span {
+        Span { name: name.into(), range, is_ratio: false }
     }
 
     /// The ends in the coordinate that points are even in: the logarithm of a ratio, any other
     /// value itself.
     pub(super) fn coordinates(&self) -> [f64; 2] {
-        if self.name == RHO { self.range.map(ops::log) } else { self.range }
+        if self.is_ratio { self.range.map(ops::log) } else { self.range }
     }
 
     /// The value of a coordinate; the ends are exact.
@@ -108,7 +86,7 @@ impl Span {
         match coordinate {
             x if x == low => self.range[0],
             x if x == high => self.range[1],
-            x if self.name == RHO => ops::exp(x),
+            x if self.is_ratio => ops::exp(x),
             x => x,
         }
     }
@@ -142,57 +120,59 @@ impl Target {
             alpha_map: spec.alpha_map,
             axes: Vec::new(),
             f0: None,
+            over_f0: None,
             affine: false,
-            given: Vec::new(),
+            alpha: false,
+        };
+        target.over_f0 = match used_as.blends() {
+            true => Some(OverF0 { lobe: spec.quantity, form: F0Form::Albedo }),
+            false => spec.quantity.over_f0(&target.variant),
         };
         for input in spec.quantity.inputs() {
             let wanted = spec.domain.contains_key(input.name) || takes(formula, input.name);
-            let given = if input.optional && !wanted {
-                Given::Absent
-            } else {
-                target.number(spec, input.name, input.domain)?
-            };
-            target.given.push(given);
+            if wanted || !input.optional {
+                target.number(spec, input)?;
+            }
         }
-        if used_as == Use::F0Blend {
-            target.f0 = Some(range(spec, "f0", [0.0, 1.0])?);
+        if used_as.blends() {
+            target.f0 = Some(range(spec, &Input::new("f0", [0.0, 1.0]))?);
         }
-        let straight = target.variant.specular != Some(Specular::Compensated);
+        let straight = target.over_f0.is_none_or(|over| over.form.is_affine());
         target.affine = straight && affine_in(formula.tape(), "f0");
         target.refuse_unknown(spec, formula)?;
         Ok(target)
     }
 
-    fn number(&mut self, spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Given, TargetError> {
-        match input {
-            "f0" => {
-                self.f0 = Some(range(spec, "f0", defined)?);
-                Ok(Given::F0)
-            }
+    /// Takes an input of the quantity for one of the formula's.
+    fn number(&mut self, spec: &TargetSpec, input: &Input) -> Result<(), TargetError> {
+        match input.name {
+            "f0" if self.over_f0.is_some() => self.f0 = Some(range(spec, input)?),
             "alpha" => {
                 let span = match spec.domain.get("alpha") {
                     Some(alpha) => {
-                        range(spec, "alpha", defined)?;
-                        Span { name: ROUGHNESS.into(), range: alpha.map(|a| spec.alpha_map.roughness(a)) }
+                        range(spec, input)?;
+                        Span::new(ROUGHNESS, alpha.map(|a| spec.alpha_map.roughness(a)))
                     }
-                    None => range(spec, ROUGHNESS, defined.map(|a| spec.alpha_map.roughness(a)))?,
+                    None => {
+                        let [least, most] = input.domain.map(|a| spec.alpha_map.roughness(a));
+                        let usual = [USUAL_ROUGHNESS[0].max(least), USUAL_ROUGHNESS[1].min(most)];
+                        range(spec, &Input::new(ROUGHNESS, [least, most]).usually(usual))?
+                    }
                 };
                 no_gap(spec, &span)?;
                 self.axes.push(span);
-                Ok(Given::Alpha)
+                self.alpha = true;
             }
-            _ => {
-                self.axes.push(range(spec, input, defined)?);
-                Ok(Given::Axis(self.axes.len() - 1))
-            }
+            _ => self.axes.push(range(spec, input)?),
         }
+        Ok(())
     }
 
-    /// The error of a domain where every fetch is saturated.
-    pub(super) fn all_saturated(&self) -> TargetError {
-        let [low, high] = self.axes.iter().find(|axis| axis.name == RHO).map_or([1.0; 2], |axis| axis.range);
-        let reason = "every fetch is saturated there: the widest lobe is too narrow; begin at a smaller ratio, or at a smaller alpha";
-        TargetError::Range { input: RHO.into(), low, high, reason: reason.into() }
+    /// The error of a domain without a point that a formula can be blamed for.
+    pub(super) fn all_excused(&self, excuse: &Excuse) -> TargetError {
+        let axis = self.axes.iter().find(|axis| axis.name == excuse.input);
+        let [low, high] = axis.map_or([1.0; 2], |axis| axis.range);
+        TargetError::Range { input: excuse.input.into(), low, high, reason: excuse.reason.into() }
     }
 
     /// Every range and word asked for is of an input, and every argument of the formula is one.
@@ -224,12 +204,12 @@ impl Target {
 
     /// The same target where f0 is an input of one value.
     pub fn at_f0(&self, f0: f64) -> Target {
-        Target { f0: Some(Span { name: "f0".into(), range: [f0, f0] }), ..self.clone() }
+        Target { f0: Some(Span::new("f0", [f0, f0])), ..self.clone() }
     }
 
     /// Whether alpha is an input, made from roughness.
     pub fn has_alpha(&self) -> bool {
-        self.given.contains(&Given::Alpha)
+        self.alpha
     }
 
     /// Names of all inputs that a formula may have: the axes, alpha, f0.
@@ -305,55 +285,39 @@ fn column(spec: &TargetSpec) -> Result<&'static str, TargetError> {
     })
 }
 
+/// The use asked for, or the first that has the formula's arguments.
 fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use, TargetError> {
-    let name = spec.quantity.name();
-    let usual = match name {
-        "diffuse-coupling" => Use::Coupling,
-        "parallax-alpha" if column == "alpha_adjusted" => Use::Parallax,
-        "ggx-reflection" if column == "E" && takes(formula, "f0") => Use::F0Blend,
-        _ => Use::Value,
+    let (quantity, uses) = (spec.quantity, spec.quantity.uses(column));
+    let has_f0 = quantity.inputs().iter().any(|input| input.name == "f0");
+    let blends = takes(formula, "f0") && !has_f0;
+    let Some(used_as) = spec.used_as else {
+        let suits = uses.iter().find(|used_as| used_as.blends() == blends);
+        return Ok(*suits.unwrap_or(&Use::VALUE));
     };
-    let used_as = spec.used_as.unwrap_or(usual);
-    let refuse = |reason: &str| Err(TargetError::Use { used_as: used_as.name(), reason: reason.into() });
-    match used_as {
-        Use::F0Blend if name != "ggx-reflection" || column != "E" => {
-            refuse("f0 A + B is a blend of ggx-reflection's E and B; give --to ggx-reflection")
-        }
-        Use::F0Blend if !takes(formula, "f0") => {
-            refuse("the formula has no argument f0; it should be f0 A + B, as mix(B, E, f0)")
-        }
-        Use::Coupling if name != "diffuse-coupling" => {
-            refuse("a coupling factor is a value of diffuse-coupling; give --to diffuse-coupling")
-        }
-        Use::Normalisation if !ALBEDOS.contains(&column) => {
-            let albedos = spec.quantity.outputs().iter().copied().filter(|c| ALBEDOS.contains(c));
-            let albedos: Vec<String> = albedos.map(|c| format!("--to {name}:{c}")).collect();
-            let remedy = match albedos.as_slice() {
-                [] => "give another quantity or leave --use out".into(),
-                some => format!("give {} or leave --use out", some.join(" or ")),
-            };
-            refuse(&format!(
-                "a normalisation N makes E N = 1 of an albedo E, all that leaves a surface, which {name}:{column} is not; {remedy}"
-            ))
-        }
-        Use::Parallax if name != "parallax-alpha" || column != "alpha_adjusted" => {
-            refuse("the width of a fetch is a value of parallax-alpha; give --to parallax-alpha")
-        }
-        _ => Ok(used_as),
+    let refuse = |reason: String| Err(TargetError::Use { used_as: used_as.name(), reason });
+    if !uses.contains(&used_as) {
+        let suits: Vec<String> = used_as.suits(quantity).iter().map(|to| format!("--to {to}")).collect();
+        let (name, meaning) = (quantity.name(), used_as.meaning());
+        let suits = suits.join(" or ");
+        return refuse(format!(
+            "it is {meaning}, and not of {name}:{column}; give {suits} or leave --use out"
+        ));
     }
+    if used_as.blends() && !blends {
+        return refuse(format!("it is {}, and the formula has no argument f0", used_as.meaning()));
+    }
+    Ok(used_as)
 }
-
-/// The columns that are all the energy that leaves a surface in a white furnace: what a
-/// normalisation may divide by.
-const ALBEDOS: [&str; 2] = ["E", "E_avg"];
 
 fn takes(formula: &Hypothesis, input: &str) -> bool {
     formula.inputs().iter().any(|i| i == input)
 }
 
 /// The range asked for, or the usual one.
-fn range(spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Span, TargetError> {
-    let Some(&[low, high]) = spec.domain.get(input) else { return Ok(Span::usual(input, defined)) };
+fn range(spec: &TargetSpec, input: &Input) -> Result<Span, TargetError> {
+    let &Input { name: input, domain: defined, usual, is_ratio, .. } = input;
+    let span = |range| Span { name: input.into(), range, is_ratio };
+    let Some(&[low, high]) = spec.domain.get(input) else { return Ok(span(usual)) };
     let refuse = |reason: String| Err(TargetError::Range { input: input.into(), low, high, reason });
     if !(low.is_finite() && high.is_finite() && low <= high) {
         return refuse("a range goes from its smaller end to its larger one, both finite".into());
@@ -372,7 +336,7 @@ fn range(spec: &TargetSpec, input: &str, defined: [f64; 2]) -> Result<Span, Targ
             spec.quantity.name()
         ));
     }
-    Ok(Span { name: input.into(), range: [low, high] })
+    Ok(span([low, high]))
 }
 
 /// Refuses a range that holds widths between a mirror's 0 and the smallest that have a truth.

@@ -1,12 +1,10 @@
 //! The truth at points: a quantity's column, or the E and B that a use is made of.
 
 use super::points::{Effort, MANY};
-use super::spec::Given;
 use super::{Target, TargetError};
-use crate::data::Use;
 use lobefit_truth::optics::kernel::Kernel;
 use lobefit_truth::points::Points;
-use lobefit_truth::quantity::{GGX_REFLECTION, Quantity, Truth};
+use lobefit_truth::quantity::{Excuse, Quantity, Truth};
 
 /// An f32 next to an end of a range may lie outside of it by this part.
 const ROUNDING: f64 = 1e-6;
@@ -23,25 +21,23 @@ const DEAR: Effort = Effort { lattice: 1500, log2: 11 };
 /// Places of the quantity where many values of f0 stand for each.
 const SPLIT_CURVED: Effort = Effort { lattice: 48 * 48, log2: 15 };
 
-/// The output of a quantity whose values no formula is to blame for where it is 1.
-const SATURATED: &str = "saturated";
-
 impl Target {
-    /// The quantity that is integrated, and its outputs: E and B of `ggx-reflection` where f0 is an
-    /// input, of which every use makes its values; else the column, with the mark of values that
-    /// are left out.
+    /// The quantity that is integrated, and its outputs: E and B where f0 is an input, of which
+    /// the values are made; else the column, and where points are left out, the output that says
+    /// so.
     fn asked(&self) -> (&'static dyn Quantity, Vec<&'static str>) {
-        if self.is_split() {
-            return (&GGX_REFLECTION, vec!["E", "B"]);
+        match self.over_f0 {
+            Some(over) => (over.lobe, vec!["E", "B"]),
+            None => (
+                self.quantity,
+                [Some(self.column), self.excuse().map(|e| e.output)].into_iter().flatten().collect(),
+            ),
         }
-        let outputs = self.quantity.outputs();
-        let marked = self.column == outputs[0] && outputs.contains(&SATURATED);
-        (self.quantity, [self.column].into_iter().chain(marked.then_some(SATURATED)).collect())
     }
 
-    /// Whether every value is made of E and B.
-    pub(super) fn is_split(&self) -> bool {
-        self.used_as == Use::F0Blend || self.given.contains(&Given::F0)
+    /// Which points are left out.
+    pub(super) fn excuse(&self) -> Option<&'static Excuse> {
+        self.quantity.excused(self.column).filter(|_| self.over_f0.is_none())
     }
 
     pub(super) fn effort(&self) -> Effort {
@@ -67,7 +63,7 @@ impl Target {
         self.asked().0.tolerance_of_many(&self.variant)
     }
 
-    /// The truth at points; the second column marks values that are left out, or holds B.
+    /// The truth at points: the columns of [`Target::asked`].
     pub(super) fn truth(&self, points: &Points) -> Result<Truth, TargetError> {
         let (quantity, outputs) = self.asked();
         let inside = |input: &str, column: &[f64]| rounded(quantity, input, column);

@@ -6,13 +6,14 @@ mod search;
 use super::CliError;
 use super::output::{Outcome, print, say};
 use super::progress::Spinner;
+use crate::data::Use;
 use crate::fitting::{self, Fitting, Job};
 use crate::scene::escape::visible;
 use crate::store::Folder;
 
 pub(super) use options::Options;
 
-pub(super) const EXAMPLES: &str = "\
+const EXAMPLES: &str = "\
 Examples:
   lobefit fit mine.wgsl --to ggx-reflection:E --use normalisation
   lobefit fit mine.wgsl --to ggx-reflection:E --norm rms --weight mu --domain roughness=0.1..1
@@ -30,8 +31,6 @@ search starts; its arguments are inputs by name:
   fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + c * alpha * alpha * mu; }
 
 Inputs: roughness and the alpha that follows from it, mu, ior, alpha_x, alpha_y, phi, f0, as the quantity has them.
-Uses: value (the column itself); normalisation (N with E N = 1, error |E N - 1|); f0-blend (f0 A + B, argument f0); coupling (the
-factor of diffuse-coupling).
 Parameters that coincide or do not matter are an error (exit code 2, with the rank), or told of with --allow-undetermined.
 Where the formula has a divisor, the fit is proven to keep its sign over the whole domain; without the proof the exit code is 1.
 
@@ -39,11 +38,18 @@ With --search no formula is given: forms of the inputs (quotients of sums of pow
 cost up to --max-ops, by the operation model of the reports (add, mul, fma 1; rcp, sqrt, exp2 4; a division is rcp + mul).
 Square roots and exponentials, as factors of terms and of whole forms, are first tried in narrow searches; those that take away 3 %
 of the error or more are used (of the factors the best two), and what each gained is printed. --helpers says otherwise.
-Formulas of f0 (f0-blend, coupling) are made of two forms, which share what they can.
+Formulas of f0 are made of two forms, which share what they can.
 Where the truth has one value at alpha = 0, as a mirror's albedo, the forms have it exactly; --exact INPUT=0 says otherwise.
 
 With --out, writes NAME.html (page), NAME.json and NAME.{wgsl,rs,hlsl,glsl,metal,h} into the folder, NAME being the function's
 name. A search that does not converge, a missing proof or an error above --limit: exit code 1, nothing written.";
+
+/// What the help says after the options.
+pub(super) fn after_help() -> String {
+    let use_of = |used_as: Use| format!("  {:<14} {}\n", used_as.name(), used_as.meaning());
+    let uses: String = Use::all().into_iter().map(use_of).collect();
+    format!("{EXAMPLES}\n\nUses:\n{uses}")
+}
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if options.search {

@@ -47,8 +47,8 @@ pub(in crate::cli) struct Options {
     /// Quantity and column that the formula approximates; without a column, the quantity's first
     #[arg(long, value_name = "QUANTITY[:COLUMN]", value_parser = to)]
     pub to: To,
-    /// What it is used as: value, normalisation, f0-blend, coupling; without it, coupling for
-    /// diffuse-coupling, f0-blend for a formula of f0 and ggx-reflection, else value
+    /// What it is used as, one of the uses below; without it, the quantity's own use, f0-blend for
+    /// a formula of f0 and an albedo, else value
     #[arg(long = "use", value_name = "USE", value_parser = used_as)]
     pub used_as: Option<Use>,
     /// What the constants minimise: max, rms, p=P (the p-norm, 2 <= P <= 1000); several make
@@ -364,10 +364,10 @@ fn to(text: &str) -> Result<To, String> {
 }
 
 fn used_as(text: &str) -> Result<Use, String> {
-    Use::ALL
-        .into_iter()
-        .find(|u| u.name() == text)
-        .ok_or_else(|| format!("the uses are {}", Use::ALL.map(Use::name).join(", ")))
+    Use::of(text).ok_or_else(|| {
+        let names: Vec<&str> = Use::all().into_iter().map(Use::name).collect();
+        format!("the uses are {}", names.join(", "))
+    })
 }
 
 fn goal(text: &str) -> Result<Goal, String> {

@@ -2,12 +2,12 @@
 
 use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_all, page, specular};
 use crate::approximate::{Dropped, Fit, FitSet};
-use crate::data::Use;
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::page::smallest_error;
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::manifest::{AnyF0Entry, FitEntry};
+use lobefit_truth::quantity::COUPLING;
 
 /// What was made for the bases under one kind of lobe.
 pub(super) struct Lobe {
@@ -28,7 +28,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     let mut made = Made::new(called, worst, metric);
     for (job, lobe) in called.work.iter().zip(&lobes) {
         let what = format!("coupling under a {} lobe", lobe.spec.specular.name());
-        made.promised(&job.promises, &lobe.fits, &what, Use::Coupling);
+        made.promised(&job.promises, &lobe.fits, &what, COUPLING);
     }
     context.progress.stage("report of diffuse-coupling");
     let findings = findings::findings(&made.part.finding, &lobes, context)?;

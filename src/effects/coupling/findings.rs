@@ -3,7 +3,6 @@
 use super::bake::Lobe;
 use super::grid::Factors;
 use crate::approximate::Fit;
-use crate::data::Use;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::coupling::results::{
@@ -14,7 +13,7 @@ use crate::effects::grid::{Grid, chosen, grazing};
 use crate::effects::page::{self, left_out};
 use crate::effects::selection::{Selected, selected};
 use crate::report::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow};
-use lobefit_truth::quantity::Specular;
+use lobefit_truth::quantity::{COUPLING, Specular};
 
 /// Cosines of spheres.
 const RADII: usize = 40;
@@ -74,7 +73,7 @@ fn of_lobe(lobe: &Lobe, context: &Context) -> Result<CouplingLobe, BakeError> {
     let (spec, region) = (&lobe.spec, &lobe.spec.region);
     let map = Factors::new(spec.smith, Grid::map(region), context)?;
     let lines = Factors::new(spec.smith, Grid::curves(region, &CURVES), context)?;
-    let shown = selected(&lobe.fits, "factor", Use::Coupling, context);
+    let shown = selected(&lobe.fits, "factor", COUPLING, context);
     let any = |(fit, any): (&Fit, &crate::effects::coupling::AnyF0)| AnyF0Finding {
         name: fit.approximation.name.clone(),
         max: any.max,

@@ -28,15 +28,14 @@ use super::who::{about, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
 use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Region, SafeRange, Wanted};
-use crate::data::{Norm, Smith, Use};
+use crate::data::{Norm, Smith};
 use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, anywhere};
 pub use catalogue::hypotheses;
 use catalogue::{entries, published, sources};
 use lobefit_fit::FitError;
 use lobefit_shade::Hypothesis;
-use lobefit_truth::quantity::Specular;
-use lobefit_truth::quantity::{self, Variant};
+use lobefit_truth::quantity::{self, COUPLING, Specular, Variant};
 pub use published::{OWN_SPECULAR, OwnSpecular, PUBLISHED, light_ops};
 
 /// The effect.
@@ -89,7 +88,7 @@ impl Effect for DiffuseCoupling {
     }
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let kinds = target.variant.specular.into_iter().filter(|_| target.used_as == Use::Coupling);
+        let kinds = target.variant.specular.into_iter().filter(|_| target.used_as == COUPLING);
         kinds.flat_map(|s| hypotheses(s).iter().chain(published(s))).collect()
     }
 
@@ -191,7 +190,7 @@ impl CouplingSpec {
         TargetSpec {
             quantity: &quantity::DiffuseCoupling,
             column: Some("factor".into()),
-            used_as: Some(Use::Coupling),
+            used_as: Some(COUPLING),
             variant: Variant { specular: Some(self.specular), ..self.smith.into() },
             alpha_map,
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),

@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 use super::bake::Lobe;
 use crate::approximate::{self, FitStageError, Region, certification};
 use crate::data::{
-    Approximation, Certificate, Cost, Decode, Form, Layout, Serves, Source, Table, TexelFormat, Use,
-    lookup_ops,
+    Approximation, Certificate, Cost, Decode, Form, Layout, Serves, Source, Table, TexelFormat, lookup_ops,
 };
 use crate::effects::Albedo;
 use crate::effects::BakeError;
@@ -21,6 +20,7 @@ use crate::report::ApproximationFinding;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::Estimate;
 use lobefit_truth::points;
+use lobefit_truth::quantity::COUPLING;
 use lobefit_truth::quantity::coupling::{Split, factor};
 
 /// Texels along mu and along roughness, and what two channels of f16 take.
@@ -61,7 +61,7 @@ pub fn of_published(
         name: table.name.clone(),
         quantity: "diffuse-coupling".into(),
         column: "factor".into(),
-        used_as: Use::Coupling,
+        used_as: COUPLING,
         smith: Some(*smith),
         source: Source::Published(
             "1 - E from table: the exact factor of (A, B) at texel centres, f16".into(),

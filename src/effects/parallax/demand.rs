@@ -7,8 +7,8 @@ use crate::data::{MipChain, ProbeLookup};
 use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
 use crate::scene::{Probe, Scene};
-use lobefit_truth::integrate::footprint;
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint;
 
 /// Narrowest range of ratios of a job: its ends are this factor apart, a choice as the narrowest
 /// range of roughness is.

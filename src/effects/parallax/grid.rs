@@ -8,8 +8,8 @@ use lobefit_fit::FitError;
 use lobefit_math::ops;
 use lobefit_shade::{Hypothesis, ShadeError};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::{self, Measures, measures};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::{self, Measures, measures};
 
 /// One pair of a roughness and a ratio of distances.
 #[derive(Clone, Copy, Debug, PartialEq)]

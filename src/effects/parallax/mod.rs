@@ -13,22 +13,24 @@ mod results;
 pub mod room;
 mod source;
 pub mod taps;
+mod timed;
 mod variation;
 
 use super::context::Context;
 use super::demand::{Demand, Job};
-use super::effect::Note;
+use super::effect::{Clock, Note};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Wanted};
-use crate::data::{AlphaMap, Norm, Use};
+use crate::data::{AlphaMap, Norm};
+use crate::report::TimedLookup;
 use crate::scene::Scene;
 pub use catalogue::{HYPOTHESES, PUBLISHED, catalogue_sources};
 pub use chain::{Gives, LevelError, LevelFunction, bias, of_chain};
 pub use demand::{Lobe, lobes};
 pub use grid::{Cell, Grid, Spread};
 use lobefit_truth::optics::kernel::Kernel;
-use lobefit_truth::quantity::{ParallaxAlpha, Variant};
+use lobefit_truth::quantity::{PARALLAX, ParallaxAlpha, Variant};
 pub use lookups::{Corrected, LobeFit, Ratio, Shading, ShadingLobe, Uncorrected, Width};
 pub use taps::{RuleTap, Stretch, TapRule, width};
 pub use variation::{Variation, variations};
@@ -91,6 +93,10 @@ impl Effect for Parallax {
         ]
     }
 
+    fn timed(&self, scene: &Scene, seconds: Clock) -> Vec<TimedLookup> {
+        timed::lookups(scene, seconds)
+    }
+
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         bake::bake(called, context)
     }
@@ -125,7 +131,7 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         spec: TargetSpec {
             quantity: &ParallaxAlpha,
             column: Some("alpha_adjusted".into()),
-            used_as: Some(Use::Parallax),
+            used_as: Some(PARALLAX),
             variant: Variant { kernel: Some(spec.kernel.clone()), ..Variant::default() },
             alpha_map: spec.alpha_map,
             domain: domain.into_iter().map(|(name, range)| (name.to_string(), range)).collect(),

@@ -69,19 +69,19 @@ impl FitSpec {
             user: &self.hypotheses,
             published: SEEDS.iter().chain(&PUBLISHED).collect(),
             with_f0: Some(saturating),
-            ..self.of(&GGX_REFLECTION, "E", Use::Normalisation)
+            ..self.of(&GGX_REFLECTION, "E", Use::NORMALISATION)
         }
     }
 
     fn averages(&self) -> Wanted<'_> {
-        let mut wanted = Wanted { own: &AVERAGES, ..self.of(&GgxAverage, "E_avg", Use::Value) };
+        let mut wanted = Wanted { own: &AVERAGES, ..self.of(&GgxAverage, "E_avg", Use::VALUE) };
         wanted.spec.domain.remove("mu");
         wanted
     }
 
     fn blends(&self) -> Wanted<'_> {
         let published = PUBLISHED_BLENDS.iter().collect();
-        Wanted { own: &BLENDS, published, ..self.of(&GGX_REFLECTION, "E", Use::F0Blend) }
+        Wanted { own: &BLENDS, published, ..self.of(&GGX_REFLECTION, "E", Use::F0_BLEND) }
     }
 
     /// No formula for a column of a quantity in a use, over the region.

@@ -50,11 +50,11 @@ impl Effect for Reflection {
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
         let prefix = match (target.quantity.name(), target.column, target.used_as) {
-            ("ggx-reflection", "E", Use::Normalisation) => "ggx_norm_",
-            ("ggx-reflection", _, Use::F0Blend) => "ggx_blend_",
-            ("ggx-reflection", "E", Use::Value) => "ggx_e_",
-            ("ggx-reflection", "B", Use::Value) => "ggx_b_",
-            ("ggx-average", "E_avg", Use::Value) => "ggx_eavg_",
+            ("ggx-reflection", "E", Use::NORMALISATION) => "ggx_norm_",
+            ("ggx-reflection", _, Use::F0_BLEND) => "ggx_blend_",
+            ("ggx-reflection", "E", Use::VALUE) => "ggx_e_",
+            ("ggx-reflection", "B", Use::VALUE) => "ggx_b_",
+            ("ggx-average", "E_avg", Use::VALUE) => "ggx_eavg_",
             _ => return Vec::new(),
         };
         catalogue::entries().filter(|entry| entry.name().starts_with(prefix)).collect()

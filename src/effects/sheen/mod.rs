@@ -63,7 +63,7 @@ impl Effect for Sheen {
     }
 
     fn formulas_for(&self, target: &Target) -> Vec<&'static Entry> {
-        let suits = target.quantity.name() == SheenCharlie.name() && target.used_as == Use::Value;
+        let suits = target.quantity.name() == SheenCharlie.name() && target.used_as == Use::VALUE;
         PUBLISHED.iter().filter(|_| suits).collect()
     }
 

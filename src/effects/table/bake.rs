@@ -203,7 +203,7 @@ pub(super) fn finish(
         precision: format!("{} texels, f32 lookup", table.format.name()),
         points: errors.points as u64,
     };
-    let (column, used_as) = if decode.has_bias() { ("E, A, B", Use::F0Blend) } else { ("E", Use::Value) };
+    let (column, used_as) = if decode.has_bias() { ("E, A, B", Use::F0_BLEND) } else { ("E", Use::VALUE) };
     let ops = lookup_ops(&table.axes, decode);
     let approximation = Approximation {
         name: table.name.clone(),

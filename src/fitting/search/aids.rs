@@ -167,7 +167,7 @@ pub(super) fn aided(
 /// of cloth on mu/roughness: one reciprocal makes both degree 0.
 pub(super) fn usual(target: &Target) -> &'static [AidKind] {
     match target.used_as {
-        Use::Value => &[AidKind::Complement, AidKind::Reciprocal],
+        Use::VALUE => &[AidKind::Complement, AidKind::Reciprocal],
         _ => &[AidKind::Reciprocal],
     }
 }

@@ -102,9 +102,9 @@ impl Searched {
 /// A target that cannot be searched; no form within the budget.
 pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, FittingError> {
     let target = space::target(&job.spec)?;
-    let Frontier { found, anchor, tried } = match &target.f0 {
-        Some(f0) => pair::run(&target, f0, job, progress)?,
-        None => alone(&target, job, progress)?,
+    let Frontier { found, anchor, tried } = match (&target.f0, target.over_f0) {
+        (Some(f0), Some(over)) => pair::run(&target, (f0, over), job, progress)?,
+        _ => alone(&target, job, progress)?,
     };
     let measured = target.measured()?;
     let mut points: Vec<Point> = Vec::new();

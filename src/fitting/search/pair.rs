@@ -2,12 +2,12 @@
 //! white lobe, B that of a lobe without reflectance at normal incidence, and the share B/E, which
 //! is smoother than B:
 //!
-//! | target | formula |
+//! | value | formula |
 //! |---|---|
-//! | `f0-blend` | E (share + f0 (1 - share)), or B + f0 (E - B) |
-//! | `coupling`, single | 1 less the first of these |
-//! | `coupling`, normalised | (1 - f0) (1 - share): one function |
-//! | `coupling`, compensated | g (a + loss (1 - g a)), g = 1 - f0, a = 1 - share, loss = 1 - E |
+//! | [`F0Form::Albedo`] | E (share + f0 (1 - share)), or B + f0 (E - B) |
+//! | [`F0Form::Rest`] | 1 less the first of these |
+//! | [`F0Form::Share`] | (1 - f0) (1 - share): one function |
+//! | [`F0Form::Recycled`] | g (a + loss (1 - g a)), g = 1 - f0, a = 1 - share, loss = 1 - E |
 //!
 //! Errors of E and B are averaged by f0, so that those of a blend are as large as the larger of
 //! theirs.
@@ -22,8 +22,7 @@ use lobefit_fit::FitError;
 use lobefit_fit::search::{
     Anchor, Found, Pair, PairSamples, Pairing, Progress, SearchSamples, Second, Space, search, search_pair,
 };
-use lobefit_truth::quantity::GGX_REFLECTION;
-use lobefit_truth::quantity::Specular;
+use lobefit_truth::quantity::{F0Form, OverF0};
 
 /// Values of f0 where an error that is not affine in it is searched.
 const CURVED: usize = 5;
@@ -40,36 +39,37 @@ struct Split {
 /// The frontier of formulas of f0, and where they are exact.
 pub(super) fn run(
     target: &Target,
-    f0: &Span,
+    (f0, over): (&Span, OverF0),
     job: &SearchJob,
     progress: &dyn Fn(&Progress),
 ) -> Result<Frontier, FittingError> {
-    refuse(target, f0, job)?;
-    let split = Split::of(target, job)?;
+    refuse(target, (f0, over.form), job)?;
+    let split = Split::of(target, over, job)?;
     let at_mirror = split.anchor.as_ref().map(|anchor| space::words(target, Some(anchor)));
     let mut asked = Asked { target, job, split: &split, progress, tried: Vec::new() };
-    let (found, anchor) = match target.variant.specular {
-        None => {
-            let found = asked.blends(f0)?;
+    let (found, anchor) = match over.form {
+        F0Form::Albedo => {
+            let bias = ("bias", split.bias.clone(), vec![1.0; split.bias.len()], OF_BIAS);
+            let ways = vec![(Pairing::Mix, bias), (Pairing::Blend, split.share_of_albedo())];
+            let found = asked.blends(f0, ways)?;
             (found, at_mirror.map_or(String::new(), |words| format!("{words} for f0 = 1")))
         }
-        Some(Specular::Single) => (asked.blends(f0)?, String::new()),
-        Some(Specular::Normalised) => (asked.faded()?, "0 at f0 = 1".into()),
-        Some(Specular::Compensated) => (asked.recycled(f0)?, "0 at f0 = 1".into()),
+        F0Form::Rest => (asked.blends(f0, vec![(Pairing::Rest, split.share_of_albedo())])?, String::new()),
+        F0Form::Share => (asked.faded()?, "0 at f0 = 1".into()),
+        F0Form::Recycled => (asked.recycled(f0)?, "0 at f0 = 1".into()),
     };
     Ok(Frontier { found, anchor, tried: asked.tried })
 }
 
 /// What cannot be asked of formulas of f0.
-fn refuse(target: &Target, f0: &Span, job: &SearchJob) -> Result<(), TargetError> {
+fn refuse(target: &Target, (f0, form): (&Span, F0Form), job: &SearchJob) -> Result<(), TargetError> {
     if let Some(demand) = job.demands.first() {
         let reason = "forms of f0 are searched as two functions, and keep to no constraint but those that the truth itself has; search \
                       without it, then fit a formula of the frontier with it"
             .into();
         return Err(TargetError::Edge { setting: "exact", input: demand.words(), reason });
     }
-    let single = target.variant.specular == Some(Specular::Normalised);
-    if let Some(kind) = job.aids.of_whole().filter(|_| !single) {
+    if let Some(kind) = job.aids.of_whole().filter(|_| form != F0Form::Share) {
         let reason = format!("{} is for formulas of one form, and these are made of two", kind.name());
         return Err(TargetError::Edge { setting: "helpers", input: kind.name().into(), reason });
     }
@@ -84,11 +84,11 @@ fn refuse(target: &Target, f0: &Span, job: &SearchJob) -> Result<(), TargetError
 }
 
 impl Split {
-    fn of(target: &Target, job: &SearchJob) -> Result<Split, FittingError> {
+    fn of(target: &Target, over: OverF0, job: &SearchJob) -> Result<Split, FittingError> {
         let mut domain = job.spec.domain.clone();
         domain.remove("f0");
         let spec = |used_as: Use| TargetSpec {
-            quantity: &GGX_REFLECTION,
+            quantity: over.lobe,
             column: None,
             used_as: Some(used_as),
             variant: target.variant.clone(),
@@ -96,11 +96,11 @@ impl Split {
             domain: domain.clone(),
         };
         // For f0 = 0, which is B, then for f0 = 1, which is E.
-        let both = space::target(&spec(Use::F0Blend))?;
+        let both = space::target(&spec(Use::F0_BLEND))?;
         let SearchSamples { mut axes, target: mut bias, .. } = space::samples(&both)?;
         let albedo = bias.split_off(bias.len() / 2);
         axes.iter_mut().for_each(|column| column.truncate(albedo.len()));
-        let anchor = space::anchor(&space::target(&spec(Use::Value))?, &[])?;
+        let anchor = space::anchor(&space::target(&spec(Use::VALUE))?, &[])?;
         Ok(Split { axes, albedo, bias, anchor })
     }
 
@@ -108,10 +108,21 @@ impl Split {
         self.bias.iter().zip(&self.albedo).map(|(b, e)| b / e).collect()
     }
 
+    fn share_of_albedo(&self) -> Way {
+        ("share", self.share(), self.albedo.clone(), OF_SHARE)
+    }
+
     fn samples(&self, first: Vec<f64>, at: Vec<f64>) -> PairSamples {
         PairSamples { axes: self.axes.clone(), first, at }
     }
 }
+
+/// The second function of a blend: its name, its values, the factors of its errors, and what the
+/// blend is.
+type Way = (&'static str, Vec<f64>, Vec<f64>, &'static str);
+
+const OF_SHARE: &str = "E = A + B and the share B/E are two forms, and f0 blends between E and B.";
+const OF_BIAS: &str = "E = A + B and B are two forms, and f0 blends between them.";
 
 /// Operations that one of two functions may have, of those of the formula: most of the others are
 /// left to the second, whose division may be the same.
@@ -163,27 +174,17 @@ impl Asked<'_> {
         })
     }
 
-    /// f0 A + B, or 1 less it.
-    fn blends(&mut self, f0: &Span) -> Result<Vec<Found>, FittingError> {
+    /// f0 A + B, or 1 less it, by E and each of these.
+    fn blends(&mut self, f0: &Span, ways: Vec<(Pairing, Way)>) -> Result<Vec<Found>, FittingError> {
         let split = self.split;
-        let ones = vec![1.0; split.albedo.len()];
         let albedo = self.space(Part {
             name: "albedo",
             tenths: 6,
             usual: &[AidKind::Reciprocal],
             anchor: split.anchor.clone(),
             truth: split.albedo.clone(),
-            scale: ones.clone(),
+            scale: vec![1.0; split.albedo.len()],
         })?;
-        let of_share = "E = A + B and the share B/E are two forms, and f0 blends between E and B.";
-        let of_bias = "E = A + B and B are two forms, and f0 blends between them.";
-        let share = ("share", split.share(), split.albedo.clone(), of_share);
-        let ways = match self.target.used_as {
-            Use::F0Blend => {
-                vec![(Pairing::Mix, ("bias", split.bias.clone(), ones, of_bias)), (Pairing::Blend, share)]
-            }
-            _ => vec![(Pairing::Rest, share)],
-        };
         let mut seconds = Vec::new();
         for (pairing, (name, truth, scale, words)) in ways {
             let usual = &[AidKind::Complement];

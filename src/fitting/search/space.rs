@@ -9,7 +9,7 @@ use lobefit_fit::search::{Anchor, SearchAxis, SearchSamples, Space};
 use lobefit_shade::Hypothesis;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::kernel::Kernel;
-use lobefit_truth::quantity::{Choice, Specular, Variant};
+use lobefit_truth::quantity::{Specular, Variant};
 
 /// Highest powers of roughness (alpha^4) and of the other inputs in a term.
 const DEGREES: [u8; 2] = [8, 5];
@@ -26,7 +26,7 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
         }
         arguments.push(input.name);
     }
-    if spec.used_as == Some(Use::F0Blend) {
+    if spec.used_as.is_some_and(Use::blends) {
         arguments.push("f0");
     }
     let declared: Vec<String> = arguments.iter().map(|name| format!("{name}: f32")).collect();
@@ -140,20 +140,18 @@ pub(super) fn place(axes: &[SearchAxis], name: &str) -> Option<u8> {
     axes.iter().position(|a| a.arguments[0].0 == name).map(|k| k as u8)
 }
 
-/// The power of roughness that is of one order with mu where a lobe changes: alpha of a GGX lobe,
-/// whose quantities have a Smith form or a kernel, and roughness itself of any other.
+/// The power of roughness that is of one order with mu where a lobe changes.
 pub(super) fn order(target: &Target) -> u8 {
-    let ggx = [Choice::Smith, Choice::Kernel].iter().any(|choice| target.quantity.has(*choice));
-    if ggx { target.alpha_map.power() as u8 } else { 1 }
+    if target.quantity.changes_at_alpha() { target.alpha_map.power() as u8 } else { 1 }
 }
 
 /// What a formula is, in a sentence.
 pub(super) fn title(target: &Target) -> String {
     let what = match target.used_as {
-        Use::Normalisation => {
+        Use::NORMALISATION => {
             format!("Normalisation of {}: N with {} N = 1", target.quantity.name(), target.column)
         }
-        Use::F0Blend => format!("f0 A + B of {}", target.quantity.name()),
+        Use::F0_BLEND => format!("f0 A + B of {}", target.quantity.name()),
         _ => format!("{} of {}", target.column, target.quantity.name()),
     };
     let words: Vec<String> = target.words().iter().map(|(k, v)| format!(", {k} {v}")).collect();

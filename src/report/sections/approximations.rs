@@ -101,7 +101,7 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
          formula of ours beats in both{}{}{}.{}",
         if has(|a| a.table) { "; tables (squares) also fetch, which operations do not count" } else { "" },
         if has(|a| a.published) { "; published ones are grey" } else { "" },
-        if used_as == Use::Normalisation {
+        if used_as == Use::NORMALISATION {
             ", judged as the factor N that should make E\u{a0}N\u{a0}=\u{a0}1"
         } else {
             ""

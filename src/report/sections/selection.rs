@@ -51,6 +51,6 @@ fn reasons(fits: &[FitFinding]) -> Vec<String> {
 /// Formulas that would have a place in the furnace and none there.
 pub(super) fn without_sphere(findings: &Findings) -> usize {
     let rows = findings.furnace.iter().flat_map(|f| &f.rows).map(|r| &r.name).collect::<Vec<_>>();
-    let normalises = |a: &&ApproximationFinding| a.used_as == Use::Normalisation && !rows.contains(&&a.name);
+    let normalises = |a: &&ApproximationFinding| a.used_as == Use::NORMALISATION && !rows.contains(&&a.name);
     findings.approximations.iter().filter(normalises).count()
 }

@@ -13,6 +13,7 @@ use lobefit::data::Use;
 use lobefit::effects::Albedo;
 use lobefit::effects::table::{self, Lookup};
 use lobefit_shade::code::Language;
+use lobefit_truth::quantity::COUPLING;
 
 /// Classes of functions, and the most units in the last place that may lie between the CPU and any device that keeps to WGSL:
 /// the largest bound of [`emit_support::accuracy`] over the functions and points, which the test computes and compares. What is
@@ -31,9 +32,9 @@ const CLASSES: [(&str, f64); 4] = [
 /// Index of a fit's class.
 fn class(fit: &Fit) -> usize {
     match (fit.approximation.used_as, divides(fit.hypothesis.tape())) {
-        (Use::Normalisation, false) => 0,
-        (Use::Normalisation, true) => 1,
-        (Use::Coupling, _) => 3,
+        (Use::NORMALISATION, false) => 0,
+        (Use::NORMALISATION, true) => 1,
+        (COUPLING, _) => 3,
         _ => 2,
     }
 }

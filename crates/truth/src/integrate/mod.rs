@@ -4,7 +4,6 @@ pub mod aniso;
 pub mod brdf;
 mod error;
 mod estimate;
-pub mod footprint;
 pub mod glass;
 pub mod monte_carlo;
 mod patches;

@@ -1,6 +1,6 @@
 //! `ggx-reflection-aniso`: E and loss of the anisotropic GGX lobe.
 
-use super::{Choice, Input, MU, Quantity, Variant};
+use super::{Choice, Fresnel, Input, MU, Quantity, Variant};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, aniso};
 
@@ -13,7 +13,15 @@ pub struct GgxReflectionAniso;
 const WIDTHS: [f64; 2] = [0.0, aniso::ALPHA[1]];
 
 /// Azimuth of the view from the alpha_x axis, radians.
-const PHI: Input = Input { name: "phi", domain: [f64::MIN, f64::MAX], optional: true };
+const PHI: Input = Input {
+    optional: true,
+    ..Input::new("phi", [f64::MIN, f64::MAX]).usually([0.0, std::f64::consts::FRAC_PI_2])
+};
+
+/// A width; fits begin where lobes are as wide as in published comparisons.
+const fn width(name: &'static str) -> Input {
+    Input::new(name, WIDTHS).usually([0.02, 1.0])
+}
 
 /// An optional input.
 fn given(x: f64) -> Option<f64> {
@@ -26,7 +34,7 @@ impl Quantity for GgxReflectionAniso {
     }
 
     fn inputs(&self) -> &'static [Input] {
-        const { &[Input::new("alpha_x", WIDTHS), Input::new("alpha_y", WIDTHS), MU, PHI] }
+        const { &[width("alpha_x"), width("alpha_y"), MU, PHI] }
     }
 
     fn outputs(&self) -> &'static [&'static str] {
@@ -43,6 +51,10 @@ impl Quantity for GgxReflectionAniso {
 
     fn smallest_alpha(&self) -> f64 {
         aniso::ALPHA[0]
+    }
+
+    fn fresnel(&self) -> Option<Fresnel> {
+        Some(Fresnel::One)
     }
 
     fn remark(&self) -> &'static str {

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, each, given, places};
+use super::{ALPHA, Choice, Fresnel, Input, Quantity, Truth, Variant, each, given, places};
 use crate::integrate::glass::Side;
 use crate::integrate::glass::table::{self, Energies, Kernel};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
@@ -87,8 +87,8 @@ impl Quantity for GgxGlass {
         const {
             &[
                 ALPHA,
-                Input::new("mu", [glass::SMALLEST_MU, 1.0]),
-                Input::new("ior", [1.0, glass::LARGEST_IOR]),
+                Input::new("mu", [glass::SMALLEST_MU, 1.0]).usually([0.01, 1.0]),
+                Input::new("ior", [1.0, glass::LARGEST_IOR]).usually([1.0, 2.0]),
             ]
         }
     }
@@ -107,6 +107,10 @@ impl Quantity for GgxGlass {
 
     fn smallest_alpha(&self) -> f64 {
         glass::ALPHA[0]
+    }
+
+    fn fresnel(&self) -> Option<Fresnel> {
+        Some(Fresnel::Dielectric)
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

@@ -8,18 +8,22 @@ mod aniso;
 mod average;
 pub mod coupling;
 mod glass;
+mod over_f0;
 mod parallax;
 mod reflection;
 pub mod sheen;
+mod used;
 mod variant;
 
 pub use aniso::GgxReflectionAniso;
 pub use average::GgxAverage;
-pub use coupling::{DiffuseCoupling, Specular};
+pub use coupling::{COUPLING, DiffuseCoupling, Specular};
 pub use glass::GgxGlass;
-pub use parallax::ParallaxAlpha;
+pub use over_f0::{F0Form, OverF0, Parts};
+pub use parallax::{PARALLAX, ParallaxAlpha, footprint};
 pub use reflection::{BECKMANN_REFLECTION, GGX_REFLECTION, Reflection, TRUTH_ERROR};
 pub use sheen::SheenCharlie;
+pub use used::{Residual, Use};
 pub use variant::{Choice, Variant};
 
 use rayon::prelude::*;
@@ -36,23 +40,33 @@ pub struct Input {
     pub name: &'static str,
     /// Smallest and largest value.
     pub domain: [f64; 2],
+    /// The range of a fit that asks for none.
+    pub usual: [f64; 2],
+    /// Whether it is a ratio: points are even in its logarithm.
+    pub is_ratio: bool,
     /// Whether it may be absent. [`Quantity::at`] then takes a NaN in its place, and the truth is
     /// the mean over the input.
     pub optional: bool,
 }
 
 impl Input {
-    /// An input that must be given.
+    /// An input that must be given; its usual range is what [0, 1] has of the domain.
     pub const fn new(name: &'static str, domain: [f64; 2]) -> Input {
-        Input { name, domain, optional: false }
+        let usual = [domain[0].max(0.0), domain[1].min(1.0)];
+        Input { name, domain, usual, is_ratio: false, optional: false }
+    }
+
+    /// The same with another usual range.
+    pub const fn usually(self, usual: [f64; 2]) -> Input {
+        Input { usual, ..self }
     }
 }
 
 /// The GGX width alpha in [0, 1]; 0 is a mirror.
 pub(crate) const ALPHA: Input = Input::new("alpha", [0.0, 1.0]);
 
-/// Cosine of the angle between view and normal.
-pub(crate) const MU: Input = Input::new("mu", [0.0, 1.0]);
+/// Cosine of the angle between view and normal. Its usual range is that of published comparisons.
+pub(crate) const MU: Input = Input::new("mu", [0.0, 1.0]).usually([0.01, 1.0]);
 
 /// A function with a truth.
 pub trait Quantity: Sync {
@@ -74,6 +88,34 @@ pub trait Quantity: Sync {
     /// The smallest alpha above 0 at which there is a truth. At 0 itself, a mirror, there may be
     /// one all the same.
     fn smallest_alpha(&self) -> f64;
+
+    /// What formulas of an output are used as. The first use that has the formula's arguments is
+    /// meant where none is asked for. An output `E` or `E_avg` is all the energy that leaves a
+    /// surface.
+    fn uses(&self, column: &str) -> &'static [Use] {
+        if ["E", "E_avg"].contains(&column) { &[Use::VALUE, Use::NORMALISATION] } else { &[Use::VALUE] }
+    }
+
+    /// How its values over an input f0 are made of a lobe's E and B, of a quantity with that input.
+    fn over_f0(&self, _: &Variant) -> Option<OverF0> {
+        None
+    }
+
+    /// Where no formula can be blamed for the error of an output.
+    fn excused(&self, _column: &str) -> Option<&'static Excuse> {
+        None
+    }
+
+    /// The Fresnel term of the lobe whose directional albedo is its output E, if any.
+    fn fresnel(&self) -> Option<Fresnel> {
+        None
+    }
+
+    /// Whether its values change most where mu is about alpha, as those of a microfacet lobe do;
+    /// else where mu is about the roughness.
+    fn changes_at_alpha(&self) -> bool {
+        true
+    }
 
     /// A remark for who lists the quantities; empty where inputs and outputs say all.
     fn remark(&self) -> &'static str {
@@ -163,6 +205,26 @@ pub trait Quantity: Sync {
     fn has(&self, choice: Choice) -> bool {
         self.choices().contains(&choice)
     }
+}
+
+/// Points that fits leave out.
+#[derive(Debug)]
+pub struct Excuse {
+    /// The output that is 1 there, else 0.
+    pub output: &'static str,
+    /// The input whose range decides how many points are left.
+    pub input: &'static str,
+    /// What is wrong where no point is left, and what helps.
+    pub reason: &'static str,
+}
+
+/// The Fresnel term in an albedo.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fresnel {
+    /// F = 1.
+    One,
+    /// The exact term of a dielectric.
+    Dielectric,
 }
 
 /// Outputs at points.

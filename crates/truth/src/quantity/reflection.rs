@@ -2,7 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Choice, Input, MU, Quantity, Truth, Variant, check_unit, each, given, places};
+use super::{
+    ALPHA, Choice, Fresnel, Input, MU, Quantity, Truth, Use, Variant, check_unit, each, given, places,
+};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::reflection::{Effort, Interpolant, albedo_of, split_of};
 use crate::integrate::{Estimate, IntegrateError, reflection};
@@ -128,6 +130,14 @@ impl<D: Distribution> Quantity for Reflection<D> {
 
     fn smallest_alpha(&self) -> f64 {
         reflection::SMALLEST_ALPHA
+    }
+
+    fn uses(&self, column: &str) -> &'static [Use] {
+        if column == "E" { &[Use::VALUE, Use::NORMALISATION, Use::F0_BLEND] } else { &[Use::VALUE] }
+    }
+
+    fn fresnel(&self) -> Option<Fresnel> {
+        Some(Fresnel::One)
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

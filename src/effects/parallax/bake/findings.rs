@@ -13,7 +13,7 @@ use crate::effects::parallax::results::{
 use crate::effects::parallax::{Cell, LevelFunction, Spread, Variation};
 use crate::report::{ApproximationFinding, EffectFinding, Field, Ruler};
 use lobefit_shade::code::{self, Language};
-use lobefit_truth::integrate::footprint::Measures;
+use lobefit_truth::quantity::footprint::Measures;
 
 /// Published formulas that have maps and curves.
 const SHOWN: [&str; 2] = ["parallax_frostbite", "parallax_scaled"];

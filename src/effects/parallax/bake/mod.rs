@@ -12,7 +12,7 @@ use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Made};
 use crate::scene::Scene;
-use lobefit_truth::integrate::footprint;
+use lobefit_truth::quantity::footprint;
 
 /// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among
 /// them.

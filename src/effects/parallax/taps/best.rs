@@ -3,8 +3,8 @@
 use super::least::least;
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::{Case, Normal, Off};
 use lobefit_truth::optics::footprint::RuleTap;
+use lobefit_truth::quantity::footprint::slant::{Case, Normal, Off};
 
 /// Fetches that come nearest, and what they are off by.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,8 +7,8 @@ use super::least::least;
 use super::rule::TapRule;
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::Normal;
 use lobefit_truth::optics::footprint::Stretch;
+use lobefit_truth::quantity::footprint::slant::Normal;
 
 /// The formula of an expected total variation and how far off it is.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]

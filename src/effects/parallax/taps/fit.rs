@@ -10,9 +10,9 @@ use super::rule::TapRule;
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::{Case, Normal, Resolution, Slant, Stand};
 use lobefit_truth::optics::footprint::RuleTap;
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::slant::{Case, Normal, Resolution, Slant, Stand};
 
 /// A lobe on a wall with how hard it is for one fetch.
 #[derive(Clone, Debug)]

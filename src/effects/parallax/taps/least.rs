@@ -2,7 +2,7 @@
 
 use lobefit_fit::{Halt, Limits, Squares, Triangle};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::Normal;
+use lobefit_truth::quantity::footprint::slant::Normal;
 
 /// Where a search ends.
 #[derive(Clone, Debug, PartialEq)]

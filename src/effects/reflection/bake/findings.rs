@@ -29,8 +29,8 @@ pub fn findings(
     context: &Context,
 ) -> Result<Findings, BakeError> {
     let (smith, tables, effect) = (context.scene.smith, &made.tables[..], &made.part.finding);
-    let shown = selected(fits, "E", Use::Normalisation, context);
-    let blends = selected(fits, "E", Use::F0Blend, context);
+    let shown = selected(fits, "E", Use::NORMALISATION, context);
+    let blends = selected(fits, "E", Use::F0_BLEND, context);
     let mut found = Findings::new(context.origin());
     if let Some(region) = &region {
         let map = Exact::map(smith, region, false, context)?;
@@ -133,7 +133,7 @@ pub fn measured(tables: &[BakedTable], fits: &[Fit]) -> (Option<f64>, &'static s
     let of_tables = tables.iter().map(|t| t.errors.lookup.max).reduce(f64::max);
     let of_fits = fits
         .iter()
-        .filter(|f| f.emitted && f.approximation.used_as == Use::Normalisation)
+        .filter(|f| f.emitted && f.approximation.used_as == Use::NORMALISATION)
         .map(|f| f.approximation.certificate.max_abs)
         .reduce(f64::min);
     match (of_tables, of_fits) {

@@ -26,7 +26,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     let (measured, metric) = findings::measured(&tables, &fits);
     let mut made = Made::new(called, measured, metric);
     if let Some(job) = fit {
-        made.promised(&job.promises, &fits, "fit", Use::Normalisation);
+        made.promised(&job.promises, &fits, "fit", Use::NORMALISATION);
     }
     made.broken.extend(broken);
     made.code(|language| functions(language, &fits))?;

@@ -7,13 +7,12 @@ use crate::study::{Size, StudyError};
 use crate::surface::{Base, Coupling, Factor, Lobe, Material};
 use lobefit::approximate::target::TargetSpec;
 use lobefit::approximate::{Counter, Entry, Fit, Region};
-use lobefit::data::{AlphaMap, Norm, Smith, Use};
+use lobefit::data::{AlphaMap, Norm, Smith};
 use lobefit::effects::coupling::{CouplingSpec, OWN_SPECULAR, OwnSpecular, fit_all, hypotheses};
 use lobefit::fitting::{Job, fit};
 use lobefit_fit::Goal;
 use lobefit_shade::{Hypothesis, Precision};
-use lobefit_truth::quantity::Specular;
-use lobefit_truth::quantity::{DiffuseCoupling, Variant};
+use lobefit_truth::quantity::{COUPLING, DiffuseCoupling, Specular, Variant};
 
 /// Places in the list of the reference, and of the reference that is reciprocal.
 pub(super) const REFERENCE: usize = 0;
@@ -213,7 +212,7 @@ fn fitted(
         spec: TargetSpec {
             quantity: &DiffuseCoupling,
             column: Some("factor".into()),
-            used_as: Some(Use::Coupling),
+            used_as: Some(COUPLING),
             variant: Variant { specular: Some(specular), ..Smith::Correlated.into() },
             alpha_map: AlphaMap::RoughnessSquared,
             domain: BTreeMap::from([("f0".to_string(), F0), ("mu".to_string(), MU)]),

@@ -9,8 +9,8 @@ use crate::report::{SeedCell, SeedFindings, SeedFit, SeedSlant};
 use crate::study::{Size, StudyError};
 use lobefit::bake::Progress;
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::window::{Ordinate, WindowFit, fits, ordinate, profile, slanted};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::window::{Ordinate, WindowFit, fits, ordinate, profile, slanted};
 
 /// What this part covers.
 #[derive(Clone, Debug, Serialize)]

@@ -17,8 +17,8 @@ use lobefit::effects::parallax::taps::fit::{Situation, fit, situations};
 use lobefit::effects::parallax::{RuleTap, TapRule};
 use lobefit::report::{Field, Ruler};
 use lobefit_truth::integrate::IntegrateError;
-use lobefit_truth::integrate::footprint::slant::{Case, Nearest, Resolution, Slant, best_width};
 use lobefit_truth::optics::kernel::Kernel;
+use lobefit_truth::quantity::footprint::slant::{Case, Nearest, Resolution, Slant, best_width};
 
 /// What this part covers.
 #[derive(Clone, Debug, Serialize)]

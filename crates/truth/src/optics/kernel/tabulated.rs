@@ -45,7 +45,7 @@ impl TableError {
 /// A lobe at one width, as a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableLobe {
-    /// Its width: what `parallax-alpha` calls alpha of the level that is prefiltered with it.
+    /// Its width: alpha of the level that is prefiltered with it.
     pub alpha: f64,
     /// Angles from the axis, radians, rising from 0 to at most pi/2; beyond the last there is
     /// nothing.

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use crate::integrate::reflection::{Reflection, reflection};
 use crate::integrate::{Estimate, IntegrateError};
 use crate::optics::Smith;
+use crate::quantity::{F0Form, Parts};
 
 /// What multiplies the specular lobe.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -41,6 +42,15 @@ impl Specular {
             Specular::Single => "single",
             Specular::Normalised => "normalised",
             Specular::Compensated => "compensated",
+        }
+    }
+
+    /// What the factor is made of.
+    pub fn form(self) -> F0Form {
+        match self {
+            Specular::Single => F0Form::Rest,
+            Specular::Normalised => F0Form::Share,
+            Specular::Compensated => F0Form::Recycled,
         }
     }
 
@@ -102,16 +112,15 @@ impl Split {
 pub fn factor(split: &Split, f0: f64, specular: Specular) -> Estimate {
     let Split { e, a, loss } = split;
     let g = 1.0 - f0;
-    let a1 = Estimate { value: a.value / e.value, error: (a.error + a.value / e.value * e.error) / e.value };
-    match specular {
-        Specular::Single => Estimate { value: loss.value + g * a.value, error: loss.error + g * a.error },
-        Specular::Normalised => Estimate { value: g * a1.value, error: g * a1.error },
-        Specular::Compensated => {
-            let kept = 1.0 - g * a1.value;
-            let value = g * (a1.value + loss.value * kept);
-            Estimate { value, error: g * (a1.error * (1.0 - g * loss.value) + kept * loss.error) }
-        }
-    }
+    let share = a.value / e.value;
+    let share_error = (a.error + share * e.error) / e.value;
+    let error = match specular {
+        Specular::Single => loss.error + g * a.error,
+        Specular::Normalised => g * share_error,
+        Specular::Compensated => g * (share_error * (1.0 - g * loss.value) + (1.0 - g * share) * loss.error),
+    };
+    let parts = Parts { e: e.value, a: a.value, b: e.value - a.value, loss: loss.value };
+    Estimate { value: specular.form().value(parts, f0), error }
 }
 
 /// Refuses f0 outside [0, 1].

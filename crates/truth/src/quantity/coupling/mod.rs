@@ -3,10 +3,19 @@
 mod integral;
 pub mod monte_carlo;
 
-use super::{ALPHA, Choice, Input, MU, Quantity, Variant};
+use super::{ALPHA, Choice, GGX_REFLECTION, Input, MU, OverF0, Quantity, Residual, Use, Variant};
 use crate::integrate::monte_carlo::{Run, Sampled};
 use crate::integrate::{IntegrateError, reflection};
 pub use integral::{Specular, Split, TOLERANCE, coupling, factor};
+
+/// The use of its factor.
+pub const COUPLING: Use = Use {
+    name: "coupling",
+    meaning: "the factor of diffuse-coupling",
+    metric: "error of the coupling factor",
+    residual: Residual::Difference,
+    blends: false,
+};
 
 /// `diffuse-coupling`: 1 less the albedo of the specular lobe.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +44,14 @@ impl Quantity for DiffuseCoupling {
 
     fn smallest_alpha(&self) -> f64 {
         reflection::SMALLEST_ALPHA
+    }
+
+    fn uses(&self, _: &str) -> &'static [Use] {
+        &[COUPLING, Use::VALUE]
+    }
+
+    fn over_f0(&self, variant: &Variant) -> Option<OverF0> {
+        Some(OverF0 { lobe: &GGX_REFLECTION, form: variant.specular?.form() })
     }
 
     fn at(&self, variant: &Variant, x: &[f64], tolerance: f64) -> Result<Vec<f64>, IntegrateError> {

@@ -46,6 +46,10 @@ impl Quantity for SheenCharlie {
         SMALLEST_ALPHA
     }
 
+    fn changes_at_alpha(&self) -> bool {
+        false
+    }
+
     fn remark(&self) -> &'static str {
         "E exceeds 1 at grazing where alpha is below 0.2"
     }

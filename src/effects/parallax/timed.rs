@@ -2,11 +2,11 @@
 
 use std::hint::black_box;
 
-use super::seconds;
+use super::room::proxies::{Body, Tied};
+use super::room::{Convex, Lookup, Plane, Proxy, Seen};
+use super::{Corrected, LobeFit, Ratio, Shading, TapRule, Width, lobes};
 use crate::data::{ProbeLookup, SurfaceLobe};
-use crate::effects::parallax::room::proxies::{Body, Tied};
-use crate::effects::parallax::room::{Convex, Lookup, Plane, Proxy, Seen};
-use crate::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width, lobes};
+use crate::effects::effect::Clock;
 use crate::report::TimedLookup;
 use crate::scene::Scene;
 use lobefit_math::sobol::Sobol;
@@ -16,20 +16,20 @@ use lobefit_math::vector::{Vec3, dot, normalise, scaled};
 const PIXELS: u32 = 1 << 12;
 
 /// Every lookup that a probe of the scene wants, once.
-pub(super) fn lookups(scene: &Scene) -> Vec<TimedLookup> {
+pub(super) fn lookups(scene: &Scene, seconds: Clock) -> Vec<TimedLookup> {
     let mut wanted: Vec<ProbeLookup> =
         lobes(scene).iter().flat_map(|lobe| &lobe.lookups).map(|(lookup, _)| *lookup).collect();
     wanted.sort();
     wanted.dedup();
-    wanted.into_iter().filter_map(timed).collect()
+    wanted.into_iter().filter_map(|lookup| timed(lookup, seconds)).collect()
 }
 
-fn timed(lookup: ProbeLookup) -> Option<TimedLookup> {
+fn timed(lookup: ProbeLookup, seconds: Clock) -> Option<TimedLookup> {
     let body = Body::new(&shape(lookup.planes), [0.1, -0.2, 0.05])?;
     let time = if lookup.smooth {
-        per_pixel(Tied { body, tie: Tied::FITTED }, lookup)
+        per_pixel(Tied { body, tie: Tied::FITTED }, lookup, seconds)
     } else {
-        per_pixel(body, lookup)
+        per_pixel(body, lookup, seconds)
     };
     Some(TimedLookup { lookup: lookup.text(), fetches: lookup.taps, nanoseconds: time * 1e9 })
 }
@@ -45,7 +45,7 @@ fn shape(planes: Option<u32>) -> Convex {
     Convex { planes: (0..planes).map(normal).collect() }
 }
 
-fn per_pixel<P: Proxy>(proxy: P, wanted: ProbeLookup) -> f64 {
+fn per_pixel<P: Proxy>(proxy: P, wanted: ProbeLookup, seconds: Clock) -> f64 {
     let rule = match wanted.taps {
         2 => TapRule::two(),
         3 => TapRule::three(),
@@ -58,7 +58,7 @@ fn per_pixel<P: Proxy>(proxy: P, wanted: ProbeLookup) -> f64 {
     let (probe, ratio, width) = ([0.1, -0.2, 0.05], Ratio::Area, Width::Rational);
     let lookup = Corrected { proxy, probe, shading, rule, ratio, width };
     let points = pixels();
-    let time = seconds(|| {
+    let time = seconds(&mut || {
         for seen in &points {
             black_box(lookup.taps(black_box(seen)));
         }

@@ -21,7 +21,7 @@ pub mod window;
 pub use best::{Adjusted, adjusted, best};
 pub use measures::{Measures, measures};
 
-use super::IntegrateError;
+use crate::integrate::IntegrateError;
 use crate::optics::kernel::Kernel;
 use lobefit_math::ops;
 

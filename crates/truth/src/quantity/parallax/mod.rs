@@ -1,10 +1,34 @@
 //! `parallax-alpha`: the width to fetch a prefiltered chain with.
 
+pub mod footprint;
+
 use rayon::prelude::*;
 
-use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, each, given, places};
-use crate::integrate::{IntegrateError, footprint};
+use super::{ALPHA, Choice, Excuse, Input, Quantity, Residual, Truth, Use, Variant, each, given, places};
+use crate::integrate::IntegrateError;
 use crate::points::Points;
+
+/// The width of the fetch: the first output.
+const WIDTH: &str = "alpha_adjusted";
+
+/// The use of the width.
+pub const PARALLAX: Use = Use {
+    name: "parallax",
+    meaning: "the width of a fetch by parallax-alpha, error relative",
+    metric: "relative error of the adjusted alpha",
+    residual: Residual::Quotient,
+    blends: false,
+};
+
+/// Whether a wider lobe than the widest would be better: the third output.
+const SATURATED: &str = "saturated";
+
+/// Saturated fetches.
+static EXCUSE: Excuse = Excuse {
+    output: SATURATED,
+    input: "rho",
+    reason: "every fetch is saturated there: the widest lobe is too narrow; begin at a smaller ratio, or at a smaller alpha",
+};
 
 /// `parallax-alpha`: the width of a fetch, seen from a probe, that covers a wall as a lobe does
 /// from a shading point. It is a minimum and not an integral: there is no second opinion by Monte
@@ -19,11 +43,14 @@ impl Quantity for ParallaxAlpha {
 
     /// rho is the distance of the shading point to the wall over the distance of the probe.
     fn inputs(&self) -> &'static [Input] {
-        const { &[ALPHA, Input::new("rho", footprint::RHO)] }
+        const {
+            let rho = Input::new("rho", footprint::RHO).usually([1.0 / 16.0, 8.0]);
+            &[ALPHA, Input { is_ratio: true, ..rho }]
+        }
     }
 
     fn outputs(&self) -> &'static [&'static str] {
-        &["alpha_adjusted", "tv", "saturated", "error"]
+        &[WIDTH, "tv", SATURATED, "error"]
     }
 
     fn choices(&self) -> &'static [Choice] {
@@ -36,6 +63,14 @@ impl Quantity for ParallaxAlpha {
 
     fn smallest_alpha(&self) -> f64 {
         footprint::SMALLEST_ALPHA
+    }
+
+    fn uses(&self, column: &str) -> &'static [Use] {
+        if column == WIDTH { &[PARALLAX, Use::VALUE] } else { &[Use::VALUE] }
+    }
+
+    fn excused(&self, column: &str) -> Option<&'static Excuse> {
+        (column == WIDTH).then_some(&EXCUSE)
     }
 
     fn remark(&self) -> &'static str {
@@ -63,7 +98,7 @@ impl Quantity for ParallaxAlpha {
         let one = |(alpha, rho): (&f64, &f64)| footprint::best(kernel, *alpha, *rho);
         let rows: Vec<(f64, bool)> = alpha.par_iter().zip(rho).map(one).collect::<Result<_, _>>()?;
         let of = |output: &str, (width, saturated): &(f64, bool)| {
-            if output == "saturated" { f64::from(u8::from(*saturated)) } else { *width }
+            if output == SATURATED { f64::from(u8::from(*saturated)) } else { *width }
         };
         Ok(Truth { error: quick, ..Truth::of(outputs, &rows, of) })
     }
