@@ -8,8 +8,8 @@ use lobefit::effects::parallax::taps::horizon::fade;
 use lobefit::effects::parallax::{Corrected, Ratio, RuleTap, Shading, Stretch, TapRule, Width, width};
 use lobefit_math::ops::{log, sincos};
 use lobefit_math::vector::{dot, length, normalise};
-use lobefit_studies::room::proxies::{Body, Tied};
-use lobefit_studies::room::{Lookup, Plane, Proxy, Seen, room_b};
+use lobefit_studies::study::parallax::room::proxies::{Body, Tied};
+use lobefit_studies::study::parallax::room::{Lookup, Plane, Proxy, Seen, room_b};
 use lobefit_truth::optics::kernel::Kernel;
 use lobefit_truth::quantity::footprint::slant::{Case, Resolution, Slant, Stand};
 
@@ -321,7 +321,7 @@ fn a_lookup_drops_what_leaves_below_the_surface() {
     }
     // a probe that stands at the shading point needs one fetch: nothing is stretched
     let plane = Plane::through([0.0, 0.0, 2.0], [0.0, 0.0, 1.0]);
-    let shape = lobefit_studies::room::Convex { planes: vec![plane] };
+    let shape = lobefit_studies::study::parallax::room::Convex { planes: vec![plane] };
     let body = Body::new(&shape, [0.0; 3]).expect("a probe inside");
     let seen =
         Seen { place: [0.0; 3], normal: [0.0, 0.0, 1.0], view: normalise([0.6, 0.0, 0.8]), alpha: 0.2 };

@@ -5,7 +5,7 @@ use lobefit::report::Image;
 use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
 use lobefit_shade::code::Language;
 use lobefit_studies::flip;
-use lobefit_studies::room::{Exact, Fan, Fetch, Tap, octagon};
+use lobefit_studies::study::parallax::room::{Exact, Fan, Fetch, Tap, octagon};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// The floor of a room as fetches from its probe show it, in light that a screen has: by the emitted function, and by the study's lookup.

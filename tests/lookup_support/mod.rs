@@ -19,8 +19,8 @@ use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents};
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
-use lobefit_studies::room::proxies::{Body, NEAREST, Tied};
-use lobefit_studies::room::{Meeting, Proxy, Room, Seen, octagon, room_b};
+use lobefit_studies::study::parallax::room::proxies::{Body, NEAREST, Tied};
+use lobefit_studies::study::parallax::room::{Meeting, Proxy, Room, Seen, octagon, room_b};
 use lobefit_truth::optics::kernel::Kernel;
 use serde_json::Value;
 

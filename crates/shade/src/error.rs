@@ -193,6 +193,14 @@ pub enum ShadeError {
         /// What to change to keep this arithmetic.
         remedy: &'static str,
     },
+    /// Syntax that the reader of hypotheses does not let through.
+    #[error("{function}: {what}, a defect of this program")]
+    Defect {
+        /// Function's name.
+        function: String,
+        /// What was found.
+        what: &'static str,
+    },
     /// The reader of WGSL could not be started.
     #[error("the WGSL front end could not be started: {message}")]
     Thread {

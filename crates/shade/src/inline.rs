@@ -85,9 +85,15 @@ impl Inliner<'_> {
         let stem = |name: &str| name == variable.name || name.starts_with(&format!("{}_", variable.name));
         let known = out
             .iter()
-            .filter_map(named)
-            .find(|(index, known)| stem(&self.variables[*index].name) && known.same(&value));
-        if let Some((index, _)) = known {
+            .enumerate()
+            .filter_map(|(i, statement)| Some((named(statement)?, &out[i + 1..])))
+            .find(|((index, known), later)| {
+                let stands = |v| !value.reads(v) || !later.iter().any(|statement| assigns(statement, v));
+                stem(&self.variables[*index].name)
+                    && known.same(&value)
+                    && (0..self.variables.len()).all(stands)
+            });
+        if let Some(((index, _), _)) = known {
             return of(index);
         }
         let taken = |name: &str| self.variables.iter().any(|v| v.name == name);
@@ -97,10 +103,20 @@ impl Inliner<'_> {
             name = format!("{}_{number}", variable.name);
             number += 1;
         }
-        self.variables.push(Variable { name, kind: variable.kind });
+        self.variables.push(Variable { name, kind: variable.kind.clone() });
         let index = self.variables.len() - 1;
         out.push(Statement::Let(index, value));
         of(index)
+    }
+}
+
+/// Whether a statement gives a variable another value.
+fn assigns(statement: &Statement, variable: usize) -> bool {
+    match statement {
+        Statement::Assign(assigned, _) => *assigned == variable,
+        Statement::If(_, accept, reject) => accept.iter().chain(reject).any(|s| assigns(s, variable)),
+        Statement::Each(_, _, body) => body.iter().any(|s| assigns(s, variable)),
+        Statement::Let(..) | Statement::Var(..) | Statement::Return(_) => false,
     }
 }
 

@@ -24,8 +24,8 @@ pub use certify::{Measured, Precision, measure, measure_first, measure_in, round
 pub use domain::{Domain, DomainAxis};
 pub use error::{Place, ShadeError, value_words};
 pub use hypothesis::{
-    Binary, Builtin, Expr, ExprKind, Formula, Function, Hypothesis, Kind, Limits, Parameter, Statement,
-    Unary, Variable, power_steps,
+    Binary, Builtin, Expr, ExprKind, Fetches, Formula, Function, Hypothesis, Kind, Limits, Parameter,
+    Statement, Unary, Variable, power_steps,
 };
 pub use range::{RangeProof, prove_range};
 pub use regular::prove_regular;

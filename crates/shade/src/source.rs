@@ -2,7 +2,7 @@
 //! same syntax.
 
 use crate::code::{CodeError, Language};
-use crate::hypothesis::{Formula, Function};
+use crate::hypothesis::{Formula, Function, Kind};
 use crate::inline::inlined;
 use crate::tape::Tape;
 use crate::trim::trimmed;
@@ -123,6 +123,17 @@ impl Source {
     /// taken.
     pub fn print(&self, language: Language, name: &str, header: &[String]) -> Result<String, CodeError> {
         crate::code::print_function(language, &self.formula, self.index(name)?, header)
+    }
+
+    /// The structure that a function returns, with its documentation; nothing of another function.
+    ///
+    /// # Errors
+    /// There is no function of this name.
+    pub fn print_structure(&self, language: Language, name: &str) -> Result<Option<String>, ShadeError> {
+        Ok(match &self.function(name)?.result {
+            Kind::Fetches(fetches) => Some(language.fetches(fetches)),
+            _ => None,
+        })
     }
 
     /// A function with its own documentation.

@@ -38,6 +38,26 @@ fn calls_are_written_out_and_unread_arguments_are_gone() {
     }
 }
 
+/// A value of a variable is not that of the same variable after it was assigned to.
+#[test]
+fn a_name_is_not_used_again_after_its_variable_has_changed() {
+    let text = "
+fn raised(x: f32) -> f32 { let y = 0.5 * x; return y + 1.0; }
+fn twice(x: f32) -> f32 {
+    var v = x;
+    let a = raised(v);
+    if a > 0.0 { v = v + 2.0; }
+    let b = raised(v);
+    return a * b;
+}
+";
+    let source = Source::parse("twice.wgsl", text).expect("it parses");
+    for source in [source.clone(), source.inlined(|_| true)] {
+        let value: f32 = source.tape("twice", 0).expect("a value").at(&[4.0], &[]);
+        assert_eq!(value, 3.0 * 4.0);
+    }
+}
+
 #[test]
 fn languages_without_vectors_have_their_components() {
     let source = source();

@@ -7,34 +7,40 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde::Serialize;
 
-use crate::study::{self, Size, Stale, Study};
+use crate::study::{self, STUDIES, Size, Stale, Study};
 use lobefit::cli::CliError;
 use lobefit::cli::options::ThreadsOption;
 use lobefit::cli::output::{self, Outcome, print, print_json};
 use lobefit::cli::progress::Spinner;
 use lobefit::store::{self, Folder};
 
-const EXAMPLES: &str = "\
-Examples:
-  lobefit report --study coupling       diffuse couplings in a furnace and under a sky: minutes
-  lobefit report --study parallax       lookups of a probe's cubemap in rooms: minutes
-  lobefit report --study coupling --reduced --out /tmp/study
-  lobefit report --check .              are the studies in a folder of this version?
-
+const REMARKS: &str = "\
 Writes reports/studies/NAME/index.html and results.json in the output folder and nothing else; with --reduced, in
 reports/studies/NAME-reduced. A bake leaves them alone. --check runs no study: it compares their recipes, and exits with 1 where one
 is of other code or other parameters than this version's, as `lobefit check` does.";
+
+/// What the help says after the options: every study, and what is written where.
+fn after_help() -> String {
+    let example =
+        |study: &&dyn Study| format!("  lobefit report --study {:<14} {}\n", study.name(), study.about());
+    let examples: String = STUDIES.iter().map(example).collect();
+    let name = STUDIES[0].name();
+    format!(
+        "Examples:\n{examples}  lobefit report --study {name} --reduced --out /tmp/study\n  \
+         lobefit report --check .              are the studies in a folder of this version?\n\n{REMARKS}"
+    )
+}
 
 /// Largest file of a study that is read, bytes.
 const FILE_BYTES: u64 = 1 << 30;
 
 /// Make the page of a long study, which no bake waits for
 #[derive(Parser)]
-#[command(name = "lobefit report", bin_name = "lobefit report", version, after_help = EXAMPLES)]
+#[command(name = "lobefit report", bin_name = "lobefit report", version, after_help = after_help())]
 struct Options {
-    /// The study: coupling, parallax
+    /// The study, one of those below
     #[arg(long, value_name = "NAME", value_parser = study, required_unless_present = "check")]
-    study: Option<Study>,
+    study: Option<&'static dyn Study>,
     /// Fewer and smaller pictures, in seconds
     #[arg(long)]
     reduced: bool,
@@ -71,7 +77,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
 }
 
 /// Runs a study and writes it.
-fn make(options: &Options, study: Study) -> Result<Outcome, CliError> {
+fn make(options: &Options, study: &dyn Study) -> Result<Outcome, CliError> {
     let size = if options.reduced { Size::Reduced } else { Size::Full };
     // Before the work: an output that cannot be written is known now, not after it.
     let mut folder = Folder::open(&options.out)?;
@@ -100,7 +106,7 @@ struct Verdict {
 /// Compares the recipes of the studies in a folder.
 fn check(options: &Options, root: &Path) -> Result<Outcome, CliError> {
     let mut differences = Vec::new();
-    for study in Study::ALL {
+    for study in STUDIES {
         for size in [Size::Full, Size::Reduced] {
             let names = study.files(size);
             let found = store::read_set(root, names.iter().map(String::as_str), FILE_BYTES)?;
@@ -119,9 +125,9 @@ fn check(options: &Options, root: &Path) -> Result<Outcome, CliError> {
 }
 
 /// The study of a name.
-fn study(text: &str) -> Result<Study, String> {
-    Study::from_name(text).ok_or_else(|| {
-        let names: Vec<&str> = Study::ALL.into_iter().map(Study::name).collect();
+fn study(text: &str) -> Result<&'static dyn Study, String> {
+    study::from_name(text).ok_or_else(|| {
+        let names: Vec<&str> = STUDIES.into_iter().map(Study::name).collect();
         format!("no such study; the studies are {}", names.join(", "))
     })
 }

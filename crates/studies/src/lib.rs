@@ -3,12 +3,9 @@
 //!
 //! | module | purpose |
 //! |---|---|
-//! | [`room`] | rooms of known light, cubemaps captured in them, lookups integrated in them |
-//! | [`surface`] | Fresnel, colour and bases of whole materials, and their random walks |
 //! | [`render`] | spheres in the light of an environment |
 //! | [`flip`] | how different two pictures look |
-//! | [`study`] | the studies themselves: what each covers and computes |
-//! | [`report`] | their results and their pages |
+//! | [`study`] | the studies themselves, a folder each: what it covers and computes, its results and its page |
 //! | [`run`] | the verb |
 //!
 //! The program `lobefit` runs the binary of this package for its verb `report`, and `lobefit check`
@@ -17,9 +14,6 @@
 mod cli;
 pub mod flip;
 pub mod render;
-pub mod report;
-pub mod room;
 pub mod study;
-pub mod surface;
 
 pub use cli::run;

@@ -1,7 +1,7 @@
 //! C99, and C++ that includes it.
 
 use super::c_table;
-use super::family::Family;
+use super::family::{Family, Lacks};
 use super::names::plain;
 use super::printer::Facts;
 use super::words::Words;
@@ -19,7 +19,7 @@ pub(super) const C: Family = Family {
     list: "const lobefit_float4 *",
     has_vectors: false,
     strict: true,
-    integer_sign: false,
+    extremes: ["fminf", "fmaxf"],
     rounds_fma: true,
     call,
     lookup: c_table::lookup,
@@ -41,8 +41,8 @@ const FACTS: Facts = Facts {
 };
 
 /// C's own functions, with the arguments and the order of operations of the dialect.
-fn call(builtin: Builtin) -> Option<&'static str> {
-    let name = match builtin {
+fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
+    Ok(match builtin {
         Builtin::Abs => "fabsf",
         Builtin::Min => "fminf",
         Builtin::Max => "fmaxf",
@@ -56,17 +56,16 @@ fn call(builtin: Builtin) -> Option<&'static str> {
         Builtin::Floor => "floorf",
         Builtin::Sin => "sinf",
         Builtin::Cos => "cosf",
-        Builtin::Clamp
-        | Builtin::Saturate
-        | Builtin::Mix
-        | Builtin::InverseSqrt
-        | Builtin::Sign
-        | Builtin::Step
-        | Builtin::SmoothStep
-        | Builtin::Dot
-        | Builtin::Select => return None,
-    };
-    Some(name)
+        Builtin::Clamp => return Err(Lacks::Clamp),
+        Builtin::Saturate => return Err(Lacks::Saturate),
+        Builtin::Mix => return Err(Lacks::Helper("mix")),
+        Builtin::InverseSqrt => return Err(Lacks::InverseSqrt("sqrtf")),
+        Builtin::Sign => return Err(Lacks::Helper("sign")),
+        Builtin::Step => return Err(Lacks::Helper("step")),
+        Builtin::SmoothStep => return Err(Lacks::Helper("smoothstep")),
+        Builtin::Dot => return Err(Lacks::Dot),
+        Builtin::Select => return Err(Lacks::Select),
+    })
 }
 
 /// The words of C99 and of C++20, the macros of `<math.h>` and of common platforms; the functions

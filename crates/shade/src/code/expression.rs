@@ -231,9 +231,9 @@ impl Writer<'_> {
                 self.line(&format!("{} = ", self.names[*variable]), e, ";", depth, out);
             }
             Statement::Return(Expr { kind: ExprKind::Compose(parts), .. })
-                if matches!(self.function.result, Kind::Taps(_)) =>
+                if matches!(self.function.result, Kind::Fetches(_)) =>
             {
-                self.give_taps(parts, depth, out);
+                self.give_fetches(parts, depth, out);
             }
             Statement::Each(element, list, body) => self.each(*element, *list, body, depth, out),
             Statement::Return(e) if tail && self.printer.tail() => self.line("", e, "", depth, out),
@@ -250,21 +250,21 @@ impl Writer<'_> {
         }
     }
 
-    fn give_taps(&self, parts: &[Expr], depth: usize, out: &mut String) {
+    fn give_fetches(&self, parts: &[Expr], depth: usize, out: &mut String) {
         let parts: Vec<String> = parts.iter().map(|e| self.expression(e, false).text).collect();
         let (fetches, weights) = parts.split_at(parts.len() / 2);
-        let kind = self.printer.kind(self.function.result);
-        for line in self.printer.give_taps(&kind, &self.free("taps"), [fetches, weights]) {
+        let kind = self.printer.kind(self.function.result.clone());
+        for line in self.printer.give_fetches(&kind, &self.free("taps"), [fetches, weights]) {
             out.push_str(&lines(&line, depth));
         }
     }
 
     /// A loop over the vectors of an array.
     fn each(&self, element: usize, list: usize, body: &[Statement], depth: usize, out: &mut String) {
-        let Kind::List(n) = self.function.variables[list].kind else { return };
+        let Kind::List(n) = &self.function.variables[list].kind else { return };
         let (element, list) = (&self.names[element], &self.names[list]);
         let copy = self.printer.copied(list).map(|[name, _]| name);
-        let opened = self.printer.each(element, copy.as_ref().unwrap_or(list), n);
+        let opened = self.printer.each(element, copy.as_ref().unwrap_or(list), *n);
         for (i, line) in opened.iter().enumerate() {
             out.push_str(&lines(line, depth + usize::from(i > 0)));
         }
@@ -305,7 +305,7 @@ impl Writer<'_> {
     }
 
     fn declaration(&self, variable: usize, value: &Expr, mutable: bool, depth: usize, out: &mut String) {
-        let kind = self.function.variables[variable].kind;
+        let kind = self.function.variables[variable].kind.clone();
         let typed = kind == Kind::Number && (mutable || !self.anchored(value));
         let start = self.printer.declare(&self.names[variable], kind, mutable, typed);
         self.line(&start, value, ";", depth, out);

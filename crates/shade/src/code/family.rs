@@ -3,9 +3,9 @@
 
 use super::expression::{Level, Text, Writer, decimal};
 use super::helpers::power;
-use super::printer::{Facts, Printer, TAPS, taps};
+use super::printer::{Facts, Printer, fields};
 use super::table::TableLookup;
-use crate::{Builtin, Expr, ExprKind, Kind};
+use crate::{Builtin, Expr, ExprKind, Fetches, Kind};
 
 /// How a language of the family writes what the others write in another way.
 pub(super) struct Family {
@@ -27,16 +27,37 @@ pub(super) struct Family {
     pub has_vectors: bool,
     /// Whether compilers ask for arguments that are not used.
     pub strict: bool,
-    /// Whether `sign` returns an integer.
-    pub integer_sign: bool,
+    /// The functions of the smaller and of the larger of two numbers.
+    pub extremes: [&'static str; 2],
     /// Whether `fma` rounds once.
     pub rounds_fma: bool,
-    /// The language's own function for a built-in; none where it has none.
-    pub call: fn(Builtin) -> Option<&'static str>,
+    /// The language's own function for a built-in, or what is written where it has none.
+    pub call: fn(Builtin) -> Result<&'static str, Lacks>,
     /// The lookup of a table.
     pub lookup: fn(&TableLookup) -> String,
     /// What functions of vectors share.
     pub shared: fn(&str) -> String,
+}
+
+/// What is written for a built-in that a language does not have as WGSL has it.
+#[derive(Clone, Copy)]
+pub(super) enum Lacks {
+    /// min(max(x, lo), hi).
+    Clamp,
+    /// A clamp to [0, 1].
+    Saturate,
+    /// The sum of the products of the components.
+    Dot,
+    /// x * y + z.
+    Fma,
+    /// 1 over the language's square root.
+    InverseSqrt(&'static str),
+    /// The language's `sign`, which returns an integer.
+    FloatOfSign,
+    /// `?:`.
+    Select,
+    /// A function of ours.
+    Helper(&'static str),
 }
 
 impl Family {
@@ -46,17 +67,14 @@ impl Family {
 
     /// min(max(x, lo), hi)
     fn between(&self, x: &str, bounds: [String; 2]) -> Text {
-        let [min, max] = [Builtin::Min, Builtin::Max].map(|b| (self.call)(b).unwrap_or_default());
-        let [lo, hi] = bounds;
+        let ([min, max], [lo, hi]) = (self.extremes, bounds);
         Text::atom(format!("{min}({max}({x}, {lo}), {hi})"))
     }
 
     fn clamp(&self, writer: &Writer, operands: &[Expr]) -> Text {
         let [x, lo, hi] = [0, 1, 2].map(|i| writer.expression(&operands[i], false).text);
         match (self.call)(Builtin::Clamp) {
-            Some(name) if ordered(&operands[1], &operands[2]) => {
-                Text::atom(format!("{name}({x}, {lo}, {hi})"))
-            }
+            Ok(name) if ordered(&operands[1], &operands[2]) => Text::atom(format!("{name}({x}, {lo}, {hi})")),
             _ => self.between(&x, [lo, hi]),
         }
     }
@@ -65,8 +83,8 @@ impl Family {
     fn saturate(&self, writer: &Writer, x: &Expr) -> Text {
         let (x, [zero, one]) = (writer.expression(x, false).text, [0.0, 1.0].map(|x| self.spelled(x)));
         match (self.call)(Builtin::Clamp) {
-            Some(name) => Text::atom(format!("{name}({x}, {zero}, {one})")),
-            None => self.between(&x, [zero, one]),
+            Ok(name) => Text::atom(format!("{name}({x}, {zero}, {one})")),
+            Err(_) => self.between(&x, [zero, one]),
         }
     }
 
@@ -78,24 +96,23 @@ impl Family {
     }
 
     /// What a language without the function writes for it.
-    fn instead(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
+    fn instead(&self, writer: &Writer, lacks: Lacks, operands: &[Expr], typed: bool) -> Text {
         let text = |i: usize, level| writer.expression(&operands[i], false).within(level);
-        match builtin {
-            Builtin::Select => self.select(writer, operands),
-            Builtin::Saturate => self.saturate(writer, &operands[0]),
-            Builtin::Dot => writer.dot(&operands[0], &operands[1], typed),
-            Builtin::Fma => {
+        match lacks {
+            Lacks::Clamp => self.clamp(writer, operands),
+            Lacks::Select => self.select(writer, operands),
+            Lacks::Saturate => self.saturate(writer, &operands[0]),
+            Lacks::Dot => writer.dot(&operands[0], &operands[1], typed),
+            Lacks::Helper(base) => Text::atom(format!("{}({})", writer.helper(base), writer.list(operands))),
+            Lacks::Fma => {
                 let [x, y, z] = [text(0, Level::Product), text(1, Level::Sign), text(2, Level::Product)];
                 Text { text: format!("{x} * {y} + {z}"), level: Level::Sum }
             }
-            Builtin::InverseSqrt => {
-                let root = (self.call)(Builtin::Sqrt).unwrap_or_default();
+            Lacks::InverseSqrt(root) => {
                 let text = format!("{} / {root}({})", self.spelled(1.0), text(0, Level::Choice));
                 Text { text, level: Level::Product }
             }
-            Builtin::Sign => Text::atom(format!("float(sign({}))", text(0, Level::Choice))),
-            // every other function has a name or a helper in every language
-            _ => Text::atom(format!("{builtin:?}({})", writer.list(operands))),
+            Lacks::FloatOfSign => Text::atom(format!("float(sign({}))", text(0, Level::Choice))),
         }
     }
 }
@@ -125,7 +142,7 @@ impl Printer for Family {
             Kind::Truth => self.truth[0].into(),
             Kind::Vector(n) => format!("{}{n}", self.vector),
             Kind::List(n) => format!("{}[{n}]", self.list),
-            Kind::Taps(n) => format!("parallax_taps_{n}"),
+            Kind::Fetches(fetches) => fetches.name,
         }
     }
 
@@ -172,22 +189,19 @@ impl Printer for Family {
 
     fn builtin(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text {
         if let Some(base) = self.lacking(builtin, operands) {
-            return Text::atom(format!("{}({})", writer.helper(base), writer.list(operands)));
+            return self.instead(writer, Lacks::Helper(base), operands, typed);
         }
         match (builtin, (self.call)(builtin)) {
             (Builtin::Clamp, _) => self.clamp(writer, operands),
-            (_, Some(name)) => Text::atom(format!("{name}({})", writer.list(operands))),
-            (_, None) => self.instead(writer, builtin, operands, typed),
+            (_, Ok(name)) => Text::atom(format!("{name}({})", writer.list(operands))),
+            (_, Err(lacks)) => self.instead(writer, lacks, operands, typed),
         }
     }
 
     fn lacking(&self, builtin: Builtin, operands: &[Expr]) -> Option<&'static str> {
-        let lacks = (self.call)(builtin).is_none();
-        match builtin {
-            Builtin::Mix if lacks => Some("mix"),
-            Builtin::Step if lacks => Some("step"),
-            Builtin::SmoothStep if lacks || !ordered(&operands[0], &operands[1]) => Some("smoothstep"),
-            Builtin::Sign if lacks && !self.integer_sign => Some("sign"),
+        match (self.call)(builtin) {
+            Err(Lacks::Helper(base)) => Some(base),
+            _ if builtin == Builtin::SmoothStep && !ordered(&operands[0], &operands[1]) => Some("smoothstep"),
             _ => None,
         }
     }
@@ -220,17 +234,16 @@ impl Printer for Family {
         vec![format!("for (int i = 0; i < {n}; ++i) {{"), format!("{declared}{list}[i];")]
     }
 
-    fn taps(&self, n: u8) -> String {
-        let fields = taps(n, |kind, name| format!("{} {name};", self.kind(kind)));
-        let name = self.kind(Kind::Taps(n));
+    fn fetches(&self, Fetches { name, count, .. }: &Fetches) -> String {
+        let fields = fields(*count, |kind, name| format!("{} {name};", self.kind(kind)));
         if self.has_vectors {
-            format!("{TAPS}struct {name} {{\n{fields}}};\n")
+            format!("struct {name} {{\n{fields}}};\n")
         } else {
-            format!("{TAPS}typedef struct {name} {{\n{fields}}} {name};\n")
+            format!("typedef struct {name} {{\n{fields}}} {name};\n")
         }
     }
 
-    fn give_taps(&self, kind: &str, name: &str, [fetches, weights]: [&[String]; 2]) -> Vec<String> {
+    fn give_fetches(&self, kind: &str, name: &str, [fetches, weights]: [&[String]; 2]) -> Vec<String> {
         let field = |field: &'static str, list: &[String]| -> Vec<String> {
             list.iter().enumerate().map(|(i, value)| format!("{name}.{field}_{i} = {value};")).collect()
         };

@@ -74,9 +74,10 @@ impl Printing<'_> {
         };
         let name = &self.names.functions[index];
         out.push_str(&printer.attributes(function, &names, name));
-        let argument = |i: usize| printer.argument(&names[i], &printer.kind(function.variables[i].kind));
+        let argument =
+            |i: usize| printer.argument(&names[i], &printer.kind(function.variables[i].kind.clone()));
         let arguments: Vec<String> = (0..function.arguments).map(argument).collect();
-        let [start, end] = printer.signature(name, &printer.kind(function.result), public);
+        let [start, end] = printer.signature(name, &printer.kind(function.result.clone()), public);
         out.push_str(&within(&start, &arguments, &end));
         for (base, name) in &inner {
             let text = printer.helper(base, name);

@@ -1,6 +1,6 @@
 //! GLSL 3.30, GLSL ES 3.00 and later.
 
-use super::family::Family;
+use super::family::{Family, Lacks};
 use super::names::plain;
 use super::printer::Facts;
 use super::table::Textures;
@@ -19,7 +19,7 @@ pub(super) const GLSL: Family = Family {
     list: "vec4",
     has_vectors: true,
     strict: false,
-    integer_sign: false,
+    extremes: ["min", "max"],
     // `x * y + z`, as older versions have no `fma`, may round once or twice
     rounds_fma: false,
     call,
@@ -49,8 +49,8 @@ const FACTS: Facts = Facts {
 };
 
 /// GLSL's own functions, with the arguments and the order of operations of the dialect.
-fn call(builtin: Builtin) -> Option<&'static str> {
-    let name = match builtin {
+fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
+    Ok(match builtin {
         Builtin::Mix => "mix",
         Builtin::InverseSqrt => "inversesqrt",
         Builtin::Sign => "sign",
@@ -70,9 +70,10 @@ fn call(builtin: Builtin) -> Option<&'static str> {
         Builtin::Sin => "sin",
         Builtin::Cos => "cos",
         Builtin::Dot => "dot",
-        Builtin::Saturate | Builtin::Fma | Builtin::Select => return None,
-    };
-    Some(name)
+        Builtin::Saturate => return Err(Lacks::Saturate),
+        Builtin::Fma => return Err(Lacks::Fma),
+        Builtin::Select => return Err(Lacks::Select),
+    })
 }
 
 /// The OpenGL Shading Language 4.60, sections 3.6 and 8, and the GLSL ES 3.20 specification.

@@ -1,6 +1,6 @@
 //! HLSL, shader model 5 and later.
 
-use super::family::Family;
+use super::family::{Family, Lacks};
 use super::names::plain;
 use super::printer::Facts;
 use super::table::Textures;
@@ -18,7 +18,7 @@ pub(super) const HLSL: Family = Family {
     list: "float4",
     has_vectors: true,
     strict: false,
-    integer_sign: true,
+    extremes: ["min", "max"],
     // `mad` may round once or twice
     rounds_fma: false,
     call,
@@ -44,8 +44,8 @@ const FACTS: Facts = Facts {
 };
 
 /// HLSL's own functions, with the arguments and the order of operations of the dialect.
-fn call(builtin: Builtin) -> Option<&'static str> {
-    let name = match builtin {
+fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
+    Ok(match builtin {
         Builtin::Saturate => "saturate",
         Builtin::Fma => "mad",
         Builtin::InverseSqrt => "rsqrt",
@@ -65,10 +65,11 @@ fn call(builtin: Builtin) -> Option<&'static str> {
         Builtin::Sin => "sin",
         Builtin::Cos => "cos",
         Builtin::Dot => "dot",
-        // Its `lerp` is x + t (y - x), which is another number; its `sign` returns an integer.
-        Builtin::Mix | Builtin::Sign | Builtin::Select => return None,
-    };
-    Some(name)
+        // Its `lerp` is x + t (y - x), which is another number.
+        Builtin::Mix => return Err(Lacks::Helper("mix")),
+        Builtin::Sign => return Err(Lacks::FloatOfSign),
+        Builtin::Select => return Err(Lacks::Select),
+    })
 }
 
 /// HLSL reference, "Keywords", "Reserved Words" and "Intrinsic Functions".

@@ -3,7 +3,8 @@
 use super::function::within;
 use super::printer::{Facts, Printer};
 use super::{c, glsl, hlsl, msl, rust, wgsl};
-use crate::Kind;
+use crate::comment::comment;
+use crate::{Fetches, Kind};
 
 /// A language of the emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -93,9 +94,9 @@ impl Language {
         self.printer().kind(kind)
     }
 
-    /// The structure of so many weighted fetches, which functions that return one need before them.
-    pub fn taps(self, n: u8) -> String {
-        self.printer().taps(n)
+    /// The structure of weighted fetches, with its documentation.
+    pub(crate) fn fetches(self, fetches: &Fetches) -> String {
+        format!("{}{}", comment("///", &fetches.doc), self.printer().fetches(fetches))
     }
 
     /// An argument with its type.

@@ -1,6 +1,6 @@
 //! The Metal Shading Language.
 
-use super::family::Family;
+use super::family::{Family, Lacks};
 use super::names::plain;
 use super::printer::Facts;
 use super::table::Textures;
@@ -18,7 +18,7 @@ pub(super) const MSL: Family = Family {
     list: "constant float4 *",
     has_vectors: true,
     strict: false,
-    integer_sign: false,
+    extremes: ["min", "max"],
     rounds_fma: true,
     call,
     lookup: |table| TEXTURES.lookup(&MSL, table),
@@ -46,8 +46,8 @@ const FACTS: Facts = Facts {
 };
 
 /// MSL's own functions, with the arguments and the order of operations of the dialect.
-fn call(builtin: Builtin) -> Option<&'static str> {
-    let name = match builtin {
+fn call(builtin: Builtin) -> Result<&'static str, Lacks> {
+    Ok(match builtin {
         Builtin::Saturate => "saturate",
         Builtin::Fma => "fma",
         Builtin::InverseSqrt => "rsqrt",
@@ -69,9 +69,9 @@ fn call(builtin: Builtin) -> Option<&'static str> {
         Builtin::Cos => "cos",
         Builtin::Dot => "dot",
         // Its `mix` is x + t (y - x), which is another number.
-        Builtin::Mix | Builtin::Select => return None,
-    };
-    Some(name)
+        Builtin::Mix => return Err(Lacks::Helper("mix")),
+        Builtin::Select => return Err(Lacks::Select),
+    })
 }
 
 /// The words of C++14, and those of the Metal Shading Language Specification, sections 1.4, 2, 4

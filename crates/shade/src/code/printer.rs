@@ -4,7 +4,7 @@
 use super::expression::{Text, Writer};
 use super::table::TableLookup;
 use super::words::Words;
-use crate::{Builtin, Expr, Function, Kind};
+use crate::{Builtin, Expr, Fetches, Function, Kind};
 
 /// What a language is called, and what its files begin with.
 pub(super) struct Facts {
@@ -105,12 +105,12 @@ pub(super) trait Printer: Sync {
         None
     }
 
-    /// The structure of so many weighted fetches.
-    fn taps(&self, n: u8) -> String;
+    /// The structure of weighted fetches, without its documentation.
+    fn fetches(&self, fetches: &Fetches) -> String;
 
     /// The statements that return such a structure, with a name that is free: what to fetch, then
     /// the weights.
-    fn give_taps(&self, kind: &str, name: &str, lists: [&[String]; 2]) -> Vec<String>;
+    fn give_fetches(&self, kind: &str, name: &str, lists: [&[String]; 2]) -> Vec<String>;
 
     /// A built-in function.
     fn builtin(&self, writer: &Writer, builtin: Builtin, operands: &[Expr], typed: bool) -> Text;
@@ -142,11 +142,8 @@ pub(super) trait Printer: Sync {
     }
 }
 
-/// Documentation of the structure of weighted fetches.
-pub(super) const TAPS: &str = "/// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.\n";
-
-/// The lines of the fields of such a structure.
-pub(super) fn taps(n: u8, field: impl Fn(Kind, &str) -> String) -> String {
+/// The lines of the fields of a structure of so many fetches.
+pub(super) fn fields(n: u8, field: impl Fn(Kind, &str) -> String) -> String {
     let fetches = (0..n).map(|i| field(Kind::Vector(4), &format!("fetch_{i}")));
     let weights = (0..n).map(|i| field(Kind::Number, &format!("weight_{i}")));
     fetches.chain(weights).map(|field| format!("    {field}\n")).collect()

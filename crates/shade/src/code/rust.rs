@@ -3,11 +3,11 @@
 use super::expression::{Level, Text, Writer};
 use super::helpers::power;
 use super::names::ascii;
-use super::printer::{Facts, Printer, TAPS};
+use super::printer::{Facts, Printer};
 use super::rust_table;
 use super::table::TableLookup;
 use super::words::Words;
-use crate::{Builtin, Expr, ExprKind, Function, Kind, Statement};
+use crate::{Builtin, Expr, ExprKind, Fetches, Function, Kind, Statement};
 
 /// What Rust does its own way: operations that are neither operators nor methods become functions
 /// inside the function that uses them.
@@ -50,7 +50,7 @@ impl Printer for Rust {
             Kind::Truth => "bool".into(),
             Kind::Vector(n) => format!("[f32; {n}]"),
             Kind::List(n) => format!("&[[f32; 4]; {n}]"),
-            Kind::Taps(n) => format!("ParallaxTaps{n}"),
+            Kind::Fetches(fetches) => camel(&fetches.name),
         }
     }
 
@@ -114,15 +114,15 @@ impl Printer for Rust {
         vec![format!("for {element} in {list} {{")]
     }
 
-    fn taps(&self, n: u8) -> String {
+    fn fetches(&self, Fetches { name, count: n, .. }: &Fetches) -> String {
         format!(
-            "{TAPS}#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {} {{\n    /// What to fetch.\n    \
+            "#[derive(Clone, Copy, Debug, PartialEq)]\npub struct {} {{\n    /// What to fetch.\n    \
              pub fetches: [[f32; 4]; {n}],\n    /// Their shares, which sum to 1.\n    pub weights: [f32; {n}],\n}}\n",
-            self.kind(Kind::Taps(n))
+            camel(name)
         )
     }
 
-    fn give_taps(&self, kind: &str, _: &str, [fetches, weights]: [&[String]; 2]) -> Vec<String> {
+    fn give_fetches(&self, kind: &str, _: &str, [fetches, weights]: [&[String]; 2]) -> Vec<String> {
         let [fetches, weights] = [fetches, weights].map(|list| list.join(", "));
         vec![format!("{kind} {{ fetches: [{fetches}], weights: [{weights}] }}")]
     }
@@ -205,6 +205,12 @@ impl Printer for Rust {
         };
         format!("    fn {name}({arguments}) -> f32 {{\n        {body}\n    }}\n")
     }
+}
+
+/// The name of a type: `RoomLight2` of `room_light_2`.
+fn camel(name: &str) -> String {
+    let word = |word: &str| format!("{}{}", word[..1].to_uppercase(), &word[1..]);
+    name.split('_').filter(|part| !part.is_empty()).map(word).collect()
 }
 
 fn has_var(statement: &Statement) -> bool {

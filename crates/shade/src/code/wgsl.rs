@@ -2,10 +2,10 @@
 
 use super::expression::{Text, Writer, decimal};
 use super::helpers::power;
-use super::printer::{Facts, Printer, TAPS, taps};
+use super::printer::{Facts, Printer, fields};
 use super::table::{TableLookup, Textures};
 use super::words::Words;
-use crate::{Builtin, Expr, Kind};
+use crate::{Builtin, Expr, Fetches, Kind};
 
 /// What WGSL does its own way.
 pub(super) struct Wgsl;
@@ -55,7 +55,7 @@ impl Printer for Wgsl {
             Kind::Truth => "bool".into(),
             Kind::Vector(n) => format!("vec{n}<f32>"),
             Kind::List(n) => format!("array<vec4<f32>, {n}>"),
-            Kind::Taps(n) => format!("parallax_taps_{n}"),
+            Kind::Fetches(fetches) => fetches.name,
         }
     }
 
@@ -114,12 +114,12 @@ impl Printer for Wgsl {
         vec![format!("for (var i = 0; i < {n}; i++) {{"), format!("let {element} = {list}[i];")]
     }
 
-    fn taps(&self, n: u8) -> String {
-        let fields = taps(n, |kind, name| format!("{name}: {},", self.kind(kind)));
-        format!("{TAPS}struct {} {{\n{fields}}}\n", self.kind(Kind::Taps(n)))
+    fn fetches(&self, fetches: &Fetches) -> String {
+        let fields = fields(fetches.count, |kind, name| format!("{name}: {},", self.kind(kind)));
+        format!("struct {} {{\n{fields}}}\n", fetches.name)
     }
 
-    fn give_taps(&self, kind: &str, _: &str, lists: [&[String]; 2]) -> Vec<String> {
+    fn give_fetches(&self, kind: &str, _: &str, lists: [&[String]; 2]) -> Vec<String> {
         vec![format!("return {kind}({});", lists.concat().join(", "))]
     }
 

@@ -23,8 +23,8 @@ impl Lowering<'_> {
         let statements = self.block(inner)?;
         let (element, list) =
             std::mem::replace(&mut self.element, outer).ok_or_else(|| self.no_loop(span))?;
-        match (self.variables[list].kind, count) {
-            (Kind::List(n), Some(count)) if i32::from(n) == count => {
+        match (&self.variables[list].kind, count) {
+            (Kind::List(n), Some(count)) if i32::from(*n) == count => {
                 Ok(Statement::Each(element, list, statements))
             }
             _ => Err(self.no_loop(span)),

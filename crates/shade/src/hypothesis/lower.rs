@@ -4,7 +4,7 @@ use naga::{Handle, Literal, Module, Scalar, Span, TypeInner};
 
 use super::branch::lower_function;
 use super::size::{Limits, refuse};
-use super::syntax::{Expr, ExprKind, Formula, Function, Kind, Parameter, Statement};
+use super::syntax::{Expr, ExprKind, Fetches, Formula, Function, Kind, Parameter, Statement};
 use crate::{Place, ShadeError};
 
 /// What a source lowers to.
@@ -59,18 +59,29 @@ impl Context<'_> {
             {
                 Ok(Kind::List(n.get() as u8))
             }
-            TypeInner::Struct { ref members, .. } if self.vectors => self.taps(members, span),
+            TypeInner::Struct { ref members, .. } if self.vectors => self.fetches(ty, members, span),
             _ if self.vectors => Err(self.refuse(span, "only f32, its vectors and bool are allowed")),
             _ => Err(self.refuse(span, "only f32 and bool are allowed in a hypothesis")),
         }
     }
 
     /// The kind of a structure: vectors of 4, then as many numbers.
-    fn taps(&self, members: &[naga::StructMember], span: Span) -> Result<Kind, ShadeError> {
+    fn fetches(
+        &self,
+        ty: Handle<naga::Type>,
+        members: &[naga::StructMember],
+        span: Span,
+    ) -> Result<Kind, ShadeError> {
         let n = members.len() / 2;
         let kinds: Result<Vec<Kind>, ShadeError> = members.iter().map(|m| self.kind(m.ty, span)).collect();
-        if kinds? == [vec![Kind::Vector(4); n], vec![Kind::Number; n]].concat() && n < 256 {
-            return Ok(Kind::Taps(n as u8));
+        let name = self.module.types[ty].name.clone();
+        if let Some(name) = name
+            && kinds? == [vec![Kind::Vector(4); n], vec![Kind::Number; n]].concat()
+            && n < 256
+        {
+            let doc = self.module.doc_comments.as_ref().and_then(|comments| comments.types.get(&ty));
+            let doc = doc.into_iter().flatten().flat_map(|text| text.lines()).map(plain).collect();
+            return Ok(Kind::Fetches(Fetches { name, doc, count: n as u8 }));
         }
         Err(self.refuse(span, "a structure must have vectors of 4, then as many numbers"))
     }
@@ -103,7 +114,7 @@ impl Context<'_> {
                 let zero = Expr { kind: ExprKind::Number(0.0), span: bytes(span) };
                 ExprKind::Compose(vec![zero; usize::from(n)])
             }
-            Kind::List(_) | Kind::Taps(_) => {
+            Kind::List(_) | Kind::Fetches(_) => {
                 return Err(self.refuse(span, "an array or a structure has to be written out"));
             }
         })

@@ -22,7 +22,7 @@ pub(crate) use lower::{lower_functions, visit};
 pub use size::Limits;
 pub(crate) use specialise::specialise;
 pub use syntax::{
-    Binary, Builtin, Expr, ExprKind, Formula, Function, Kind, Parameter, Statement, Unary, Variable,
+    Binary, Builtin, Expr, ExprKind, Fetches, Formula, Function, Kind, Parameter, Statement, Unary, Variable,
     power_steps,
 };
 

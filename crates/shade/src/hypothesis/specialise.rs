@@ -79,7 +79,7 @@ fn folded(expr: Expr, name: &str) -> Result<Expr, ShadeError> {
     if operands.is_empty() || vector || !operands.iter().all(literal) {
         return Ok(expr);
     }
-    let kind = fold(&expr);
+    let kind = fold(&expr, name)?;
     if let ExprKind::Number(value) = kind {
         finite(value, &format!("{name}: constant sub-expression"), 0)?;
     }

@@ -2,7 +2,7 @@
 //! evaluator and the printers both read this, so that what is fitted is what is printed.
 
 /// The kind of a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// f32.
     Number,
@@ -12,9 +12,19 @@ pub enum Kind {
     Vector(u8),
     /// An array of so many vectors of 4 f32, as an argument.
     List(u8),
-    /// A structure of so many weighted fetches, as a result: vectors of 4 f32, then as many
-    /// weights.
-    Taps(u8),
+    /// A structure of weighted fetches, as a result.
+    Fetches(Fetches),
+}
+
+/// A structure of weighted fetches: vectors of 4 f32, then as many weights.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fetches {
+    /// Its name in the source.
+    pub name: String,
+    /// Its documentation, without the marks of comments.
+    pub doc: Vec<String>,
+    /// How many fetches it has.
+    pub count: u8,
 }
 
 /// A free parameter: an `override` declaration.
@@ -39,7 +49,7 @@ impl Variable {
     /// Names of its components; its own name if it is no vector.
     pub fn components(&self) -> Vec<String> {
         match self.kind {
-            Kind::Number | Kind::Truth | Kind::Taps(_) => vec![self.name.clone()],
+            Kind::Number | Kind::Truth | Kind::Fetches(_) => vec![self.name.clone()],
             Kind::Vector(n) => {
                 (0..usize::from(n)).map(|i| format!("{}.{}", self.name, &"xyzw"[i..=i])).collect()
             }
@@ -273,11 +283,11 @@ impl Expr {
                 }
             }
             ExprKind::Binary(..) => Kind::Truth,
-            ExprKind::Variable(index) => variables[*index].kind,
+            ExprKind::Variable(index) => variables[*index].kind.clone(),
             ExprKind::Builtin(Builtin::Dot, _) => Kind::Number,
             ExprKind::Builtin(_, operands) => operands.first().map_or(Kind::Number, of),
             ExprKind::Compose(components) => Kind::Vector(components.len() as u8),
-            ExprKind::Call(index, _) => functions[*index].result,
+            ExprKind::Call(index, _) => functions[*index].result.clone(),
         }
     }
 

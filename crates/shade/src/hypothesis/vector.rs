@@ -45,7 +45,7 @@ impl Lowering<'_> {
     pub(super) fn vector(&self, expression: &Expression, span: Span) -> Result<ExprKind, ShadeError> {
         match expression {
             Expression::Compose { ty, components } => {
-                if let Ok(Kind::Taps(_)) = self.context.kind(*ty, span) {
+                if let Ok(Kind::Fetches(_)) = self.context.kind(*ty, span) {
                     let parts = components.iter().map(|&handle| self.operand(handle));
                     return Ok(ExprKind::Compose(parts.collect::<Result<_, _>>()?));
                 }

@@ -22,6 +22,9 @@ struct Builder<'a> {
     span: (u32, u32),
     /// Most operations.
     limit: usize,
+    /// What syntax was not as the reader of hypotheses leaves it, if anything: the tape is then
+    /// refused.
+    defect: Option<&'static str>,
 }
 
 /// What has happened when a block has run: the variables, and whether and what it has returned.
@@ -75,6 +78,7 @@ impl Tape {
 
 /// Functions called on inputs.
 struct Inputs<'a> {
+    formula: &'a Formula,
     builder: Builder<'a>,
     names: Vec<String>,
     nodes: Vec<Node>,
@@ -82,13 +86,13 @@ struct Inputs<'a> {
 
 impl<'a> Inputs<'a> {
     fn of(formula: &'a Formula, limit: usize) -> Inputs<'a> {
-        Inputs { builder: Builder::new(Some(formula), limit), names: Vec::new(), nodes: Vec::new() }
+        let builder = Builder::new(Some(formula), limit);
+        Inputs { formula, builder, names: Vec::new(), nodes: Vec::new() }
     }
 
     /// Value of a function of the inputs that its arguments name.
     fn call(&mut self, index: usize) -> Value {
-        let Some(formula) = self.builder.formula else { return vec![0] };
-        let function = &formula.functions[index];
+        let function = &self.formula.functions[index];
         let arguments = function.variables[..function.arguments].iter();
         let arguments =
             arguments.map(|v| v.components().iter().map(|name| self.input(name)).collect()).collect();
@@ -106,7 +110,9 @@ impl<'a> Inputs<'a> {
     }
 
     fn tape(self, results: &[Node], index: usize, [file, source]: [&str; 2]) -> Result<Tape, ShadeError> {
-        let Inputs { builder, names, .. } = self;
+        let Inputs { formula, builder, names, .. } = self;
+        let function = &formula.functions[index].name;
+        builder.whole(function)?;
         let found = builder.ops.len();
         if found > builder.limit {
             let (what, limit) = ("operations", builder.limit);
@@ -117,17 +123,21 @@ impl<'a> Inputs<'a> {
         Ok(Tape {
             ops,
             places: spans.into_iter().map(place).collect(),
-            function: builder.formula.map_or_else(String::new, |f| f.functions[index].name.clone()),
+            function: function.clone(),
             inputs: names,
-            parameters: builder.formula.map_or(0, |f| f.parameters.len()),
+            parameters: formula.parameters.len(),
         })
     }
 }
 
-/// The f32 value of an expression whose operands are literals.
-pub fn fold(expr: &Expr) -> ExprKind {
+/// The f32 value of an expression of a function whose operands are literals.
+///
+/// # Errors
+/// An expression with other operands, a defect.
+pub fn fold(expr: &Expr, function: &str) -> Result<ExprKind, ShadeError> {
     let mut builder = Builder::new(None, Limits::OPERATIONS);
     let result = builder.expression(expr, &[]);
+    builder.whole(function)?;
     let (ops, spans) = reachable(&builder.ops, &builder.spans, &result);
     let places = spans.iter().map(|_| Place::of("", "", 0, 0)).collect();
     let tape = Tape { ops, places, function: String::new(), inputs: Vec::new(), parameters: 0 };
@@ -140,7 +150,7 @@ pub fn fold(expr: &Expr) -> ExprKind {
         ExprKind::Builtin(Builtin::Select, operands) => matches!(operands[0].kind, ExprKind::Truth(_)),
         _ => false,
     };
-    if truth { ExprKind::Truth(value == 1.0) } else { ExprKind::Number(value) }
+    Ok(if truth { ExprKind::Truth(value == 1.0) } else { ExprKind::Number(value) })
 }
 
 impl<'a> Builder<'a> {
@@ -153,7 +163,19 @@ impl<'a> Builder<'a> {
             calls: HashMap::new(),
             span: (0, 0),
             limit,
+            defect: None,
         }
+    }
+
+    /// Refuses what is built of syntax that is not as it should be.
+    fn whole(&self, function: &str) -> Result<(), ShadeError> {
+        self.defect.map_or(Ok(()), |what| Err(ShadeError::Defect { function: function.into(), what }))
+    }
+
+    /// A node in place of what is not there: nothing is made of it, since the tape is refused.
+    fn missing(&mut self, what: &'static str) -> Node {
+        self.defect.get_or_insert(what);
+        0
     }
 
     /// The node of an operation, new or known. Beyond the limit on operations nothing new is made:
@@ -204,7 +226,7 @@ impl<'a> Builder<'a> {
         if let Some(value) = self.calls.get(&key) {
             return value.clone();
         }
-        let Some(formula) = self.formula else { return vec![0] };
+        let Some(formula) = self.formula else { return vec![self.missing("a call outside of a formula")] };
         let callee = &formula.functions[function];
         let mut variables = vec![None; callee.variables.len()];
         for (variable, argument) in variables.iter_mut().zip(&key.1) {
@@ -212,8 +234,7 @@ impl<'a> Builder<'a> {
         }
         let end = self.block(&callee.body, State { variables, returned: Returned::Never });
         let (Returned::Always(value) | Returned::Where(_, value)) = end.returned else {
-            // The validator has refused functions with a path that returns nothing.
-            return vec![0];
+            return vec![self.missing("a path without a return")];
         };
         self.calls.insert(key, value.clone());
         value
@@ -242,7 +263,10 @@ impl<'a> Builder<'a> {
                     state.returned = self.then(state.returned, merged.returned);
                 }
                 Statement::Each(element, list, body) => {
-                    let rows = state.variables[*list].clone().unwrap_or_default();
+                    let Some(rows) = state.variables[*list].clone() else {
+                        self.missing("a loop over an array without a value");
+                        continue;
+                    };
                     for row in rows.chunks(4) {
                         state.variables[*element] = Some(row.to_vec());
                         state = self.block(body, state);
@@ -321,8 +345,11 @@ impl<'a> Builder<'a> {
             ExprKind::Number(x) => self.number(*x),
             ExprKind::Truth(x) => self.number(f32::from(u8::from(*x))),
             ExprKind::Parameter(index) => self.push(Op::Parameter(*index as u16)),
-            // A variable is set before it is read: `declare` gives each a value.
-            ExprKind::Variable(index) => return variables[*index].clone().unwrap_or_else(|| vec![0]),
+            ExprKind::Variable(index) => {
+                let value = variables.get(*index).cloned().flatten();
+                return value
+                    .unwrap_or_else(|| vec![self.missing("a variable that is read before it is set")]);
+            }
             ExprKind::Compose(_) => return operands.concat(),
             ExprKind::Component(_, i) => operands[0][usize::from(*i)],
             ExprKind::Call(function, _) => return self.call(*function, operands),
@@ -346,8 +373,7 @@ impl<'a> Builder<'a> {
             ExprKind::Binary(op, ..) => self.operator(*op, operands[0], operands[1]),
             ExprKind::Power(_, n) => self.power(operands[0], *n),
             ExprKind::Builtin(builtin, _) => self.builtin(*builtin, operands),
-            // the others are not arithmetic
-            _ => operands[0],
+            _ => self.missing("an operation that is no arithmetic"),
         }
     }
 
@@ -357,7 +383,7 @@ impl<'a> Builder<'a> {
             let product = self.binary(BinaryOp::Multiply, x, y);
             sum = Some(sum.map_or(product, |sum| self.binary(BinaryOp::Add, sum, product)));
         }
-        sum.unwrap_or(0)
+        sum.unwrap_or_else(|| self.missing("a product of vectors without components"))
     }
 
     fn operator(&mut self, op: Binary, a: Node, b: Node) -> Node {

@@ -2,56 +2,72 @@
 //! waits for. [`run`] makes the files of one in memory: the same parameters give the same bytes for
 //! any number of threads.
 
-mod coupling;
-mod parallax;
+pub mod coupling;
+pub mod parallax;
 
 use serde::Serialize;
 use serde_json::Value;
 
 use crate::flip::FlipError;
-use crate::report;
-use crate::room::cubemap::CubemapError;
-use crate::surface::SurfaceError;
+use coupling::surface::SurfaceError;
 use lobefit::approximate::FitStageError;
 use lobefit::bake::{Progress, TOOL};
 use lobefit::cli::{CliError, PackageError};
-use lobefit::effects::parallax::catalogue_sources;
 use lobefit::fitting::FittingError;
-use lobefit::report::{Origin, ReportError, document, html};
+use lobefit::report::{Origin, Page, ReportError, html};
 use lobefit::store::Files;
 use lobefit_fit::FitError;
 use lobefit_shade::ShadeError;
 use lobefit_truth::integrate::IntegrateError;
+use parallax::room::cubemap::CubemapError;
 
-/// A study.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Study {
-    /// Diffuse bases under specular lobes: furnace, lit spheres, ranking.
-    Coupling,
-    /// Lookups of a probe's cubemap in rooms.
-    Parallax,
+/// A long experiment: a value of the list [`STUDIES`], with a folder that holds everything of it.
+pub trait Study: Sync {
+    /// The word for it on the command line, and its folder.
+    fn name(&self) -> &'static str;
+
+    /// What it shows, for the help.
+    fn about(&self) -> &'static str;
+
+    /// Everything that it covers at a size.
+    ///
+    /// # Errors
+    /// As [`run`].
+    fn parameters(&self, size: Size) -> Result<Value, StudyError>;
+
+    /// The formulas that it compares, beside the code of this package.
+    fn formulas(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    /// Its page and its results, which name their origin.
+    ///
+    /// # Errors
+    /// As [`run`].
+    fn made(
+        &self,
+        size: Size,
+        origin: Origin,
+        progress: &dyn Progress,
+    ) -> Result<(Page, Vec<u8>), StudyError>;
 }
 
-impl Study {
-    /// All of them.
-    pub const ALL: [Study; 2] = [Study::Coupling, Study::Parallax];
+/// Every study of this version.
+pub static STUDIES: [&dyn Study; 2] = [&coupling::DiffuseCouplings, &parallax::ProbeLookups];
 
-    /// The word for it on the command line, and its folder.
-    pub fn name(self) -> &'static str {
-        match self {
-            Study::Coupling => "coupling",
-            Study::Parallax => "parallax",
-        }
-    }
+/// The study of a name.
+pub fn from_name(name: &str) -> Option<&'static dyn Study> {
+    STUDIES.into_iter().find(|study| study.name() == name)
+}
 
-    /// The study of a name.
-    pub fn from_name(name: &str) -> Option<Study> {
-        Study::ALL.into_iter().find(|study| study.name() == name)
-    }
+/// What the lead of a page of a reduced study begins with.
+const REDUCED: &str = "REDUCED SIZE, for tests: few points, small pictures, few roughnesses. What it says of better and worse is not the \
+     study's. ";
 
+impl dyn Study + '_ {
     /// The files that it writes, relative to the folder of a bake: page and results. The reduced
     /// study has a folder of its own, beside that of the full one, which it so leaves alone.
-    pub fn files(self, size: Size) -> [String; 2] {
+    pub fn files(&self, size: Size) -> [String; 2] {
         let reduced = if size == Size::Reduced { "-reduced" } else { "" };
         ["index.html", "results.json"].map(|file| format!("reports/studies/{}{reduced}/{file}", self.name()))
     }
@@ -62,27 +78,17 @@ impl Study {
     ///
     /// # Errors
     /// As [`run`].
-    pub fn recipe(self, size: Size) -> Result<String, StudyError> {
+    pub fn recipe(&self, size: Size) -> Result<String, StudyError> {
         let mut hasher = blake3::Hasher::new();
         hasher.update(TOOL.as_bytes());
         hasher.update(env!("LOBEFIT_STUDIES").as_bytes());
         hasher.update(self.parameters(size)?.to_string().as_bytes());
-        if self == Study::Parallax {
-            catalogue_sources().into_iter().fold(&mut hasher, |h, source| h.update(source.as_bytes()));
-        }
+        self.formulas().into_iter().fold(&mut hasher, |h, source| h.update(source.as_bytes()));
         Ok(hasher.finalize().to_hex().to_string())
     }
 
-    /// Everything that it covers at a size.
-    fn parameters(self, size: Size) -> Result<Value, StudyError> {
-        match self {
-            Study::Coupling => coupling::parameters(size),
-            Study::Parallax => parallax::parameters(size),
-        }
-    }
-
     /// What made a study: enough to make it again.
-    fn origin(self, size: Size) -> Result<Origin, StudyError> {
+    fn origin(&self, size: Size) -> Result<Origin, StudyError> {
         let reduced = if size == Size::Reduced { " --reduced" } else { "" };
         Ok(Origin {
             scene: String::new(),
@@ -90,6 +96,12 @@ impl Study {
             tool: env!("CARGO_PKG_VERSION").into(),
             command: format!("lobefit report --study {}{reduced}", self.name()),
         })
+    }
+}
+
+impl std::fmt::Debug for dyn Study + '_ {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -168,17 +180,8 @@ impl From<ShadeError> for StudyError {
 ///
 /// # Errors
 /// A defect of this program: the parameters are its own.
-pub fn run(study: Study, size: Size, progress: &dyn Progress) -> Result<Files, StudyError> {
-    let (page, results) = match study {
-        Study::Coupling => {
-            let found = coupling::results(size, progress)?;
-            (report::coupling::page(&found)?, document("results.json", &found)?)
-        }
-        Study::Parallax => {
-            let found = parallax::results(size, progress)?;
-            (report::parallax::page(&found)?, document("results.json", &found)?)
-        }
-    };
+pub fn run(study: &dyn Study, size: Size, progress: &dyn Progress) -> Result<Files, StudyError> {
+    let (page, results) = study.made(size, study.origin(size)?, progress)?;
     Ok(study.files(size).into_iter().zip([html(&page).into_bytes(), results]).collect())
 }
 
@@ -196,7 +199,7 @@ pub struct Stale {
 ///
 /// # Errors
 /// As [`run`].
-pub fn stale(study: Study, size: Size, found: &Files) -> Result<Option<Stale>, StudyError> {
+pub fn stale(study: &dyn Study, size: Size, found: &Files) -> Result<Option<Stale>, StudyError> {
     let names = study.files(size);
     let again = format!("make it again with {}", study.origin(size)?.command);
     let Some(present) = names.iter().find(|name| found.contains_key(*name)) else { return Ok(None) };

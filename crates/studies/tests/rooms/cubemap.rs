@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use lobefit::data::{MipChain, MipMap};
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
-use lobefit_studies::room::cubemap::{
+use lobefit_studies::study::parallax::room::cubemap::{
     Bake, Chain, CubemapError, Edges, Format, Integrated, Level, Source, Viewpoint, direction, face_of,
     solid_angle,
 };
-use lobefit_studies::room::{Fetch, Patches, Rays, Room, Tap, octagon, room_a, room_b};
+use lobefit_studies::study::parallax::room::{Fetch, Patches, Rays, Room, Tap, octagon, room_a, room_b};
 use lobefit_truth::optics::kernel::Kernel;
 
 fn bake(size: usize, levels: u32, source: Source) -> Bake {

@@ -1,7 +1,9 @@
 //! Lobes integrated by the edges of patches.
 
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, scaled};
-use lobefit_studies::room::{Fan, Fetch, Fineness, Patches, Room, Tap, octagon, practice, room_a, room_b};
+use lobefit_studies::study::parallax::room::{
+    Fan, Fetch, Fineness, Patches, Room, Tap, octagon, practice, room_a, room_b,
+};
 use lobefit_truth::optics::kernel::Kernel;
 
 fn rooms() -> [Room; 4] {

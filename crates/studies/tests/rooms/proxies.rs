@@ -3,8 +3,10 @@
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
-use lobefit_studies::room::proxies::{Body, Faded, Law, NEAREST, Pushed, Rounded, Smooth, Tied};
-use lobefit_studies::room::{Convex, Meeting, Plane, Proxy, Room, octagon, room_a, room_b};
+use lobefit_studies::study::parallax::room::proxies::{
+    Body, Faded, Law, NEAREST, Pushed, Rounded, Smooth, Tied,
+};
+use lobefit_studies::study::parallax::room::{Convex, Meeting, Plane, Proxy, Room, octagon, room_a, room_b};
 
 const POINTS: u32 = 3000;
 

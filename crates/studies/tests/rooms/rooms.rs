@@ -2,8 +2,8 @@
 
 use lobefit::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents, turned};
-use lobefit_studies::room::proxies::{Body, Smooth};
-use lobefit_studies::room::{
+use lobefit_studies::study::parallax::room::proxies::{Body, Smooth};
+use lobefit_studies::study::parallax::room::{
     Exact, Fan, Fetch, GgxRays, Lookup, Outlook, Rays, Room, Seen, Tap, octagon, practice, room_a, room_b,
 };
 use lobefit_truth::optics::kernel::Kernel;

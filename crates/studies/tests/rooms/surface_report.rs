@@ -1,9 +1,9 @@
 //! The sections of whole materials.
 
 use lobefit::report::{Block, Origin, Page, Section, TextTable, html};
-use lobefit_studies::report::surfaces::sections as surface_sections;
-use lobefit_studies::surface::table::Grid;
-use lobefit_studies::surface::{Coupling, SurfaceRows, Wanted};
+use lobefit_studies::study::coupling::page::surfaces::sections as surface_sections;
+use lobefit_studies::study::coupling::surface::table::Grid;
+use lobefit_studies::study::coupling::surface::{Coupling, SurfaceRows, Wanted};
 use lobefit_truth::integrate::walk::Walks;
 
 fn rows() -> SurfaceRows {

@@ -6,14 +6,14 @@ use lobefit::data::Smith;
 use lobefit::effects::coupling::PUBLISHED;
 use lobefit_math::gauss::Gauss;
 use lobefit_shade::Hypothesis;
-use lobefit_studies::surface::absorbing::{ALBEDOS, absorbing_table};
-use lobefit_studies::surface::colour::{
+use lobefit_studies::study::coupling::surface::absorbing::{ALBEDOS, absorbing_table};
+use lobefit_studies::study::coupling::surface::colour::{
     ColourRow, DIELECTRIC, METALS, WALK_EXACT, WALK_SCHLICK, colour_table,
 };
-use lobefit_studies::surface::interface::schlick_table;
-use lobefit_studies::surface::random_walk::{bounce_table, view_table};
-use lobefit_studies::surface::table::{Grid, ReciprocityRow, reciprocity_table, rows_with};
-use lobefit_studies::surface::{
+use lobefit_studies::study::coupling::surface::interface::schlick_table;
+use lobefit_studies::study::coupling::surface::random_walk::{bounce_table, view_table};
+use lobefit_studies::study::coupling::surface::table::{Grid, ReciprocityRow, reciprocity_table, rows_with};
+use lobefit_studies::study::coupling::surface::{
     Albedos, Coupling, Factor, FactorAt, Lobe, Material, Surface, SurfaceRows, Wanted, cost, fingerprint,
     formula,
 };

@@ -2,9 +2,11 @@
 
 use lobefit::effects::parallax::{Corrected, Ratio, Shading, TapRule, Width, width};
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
-use lobefit_studies::room::cubemap::{Integrated, Viewpoint, direction, to_edge};
-use lobefit_studies::room::proxies::Body;
-use lobefit_studies::room::{Faded, Fetch, Lookup, Patches, Room, Seen, Slant, Tap, octagon, room_a, room_b};
+use lobefit_studies::study::parallax::room::cubemap::{Integrated, Viewpoint, direction, to_edge};
+use lobefit_studies::study::parallax::room::proxies::Body;
+use lobefit_studies::study::parallax::room::{
+    Faded, Fetch, Lookup, Patches, Room, Seen, Slant, Tap, octagon, room_a, room_b,
+};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Directions all around, none of them along an edge.

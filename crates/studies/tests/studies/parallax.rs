@@ -7,9 +7,12 @@ use std::path::Path;
 use common::{lobefit, names, stderr};
 use lobefit::effects::parallax::LobeFit;
 use lobefit_math::ops::log;
-use lobefit_studies::room::proxies::Tied;
+use lobefit_studies::study::parallax::ProbeLookups;
+use lobefit_studies::study::parallax::room::proxies::Tied;
 use lobefit_studies::study::{Size, Study};
 use serde_json::Value;
+
+const STUDY: &dyn Study = &ProbeLookups;
 
 fn run(folder: &Path, options: &[&str]) -> String {
     let output = lobefit(folder, &[&["report", "--study", "parallax", "--reduced"], options].concat(), b"");
@@ -24,15 +27,15 @@ fn the_reduced_study_is_the_same_for_any_threads() {
     assert!(said.contains("2 files written, 0 unchanged"), "{said}");
     let printed = run(three.path(), &["--threads", "3", "--json"]);
     assert_eq!(names(one.path()), ["reports"]);
-    for file in Study::Parallax.files(Size::Reduced) {
+    for file in STUDY.files(Size::Reduced) {
         let bytes = |folder: &Path| std::fs::read(folder.join(&file)).expect("a file");
         assert_eq!(bytes(one.path()), bytes(three.path()), "{file}");
     }
-    let [page, results] = Study::Parallax.files(Size::Reduced);
+    let [page, results] = STUDY.files(Size::Reduced);
     let text = std::fs::read_to_string(one.path().join(&results)).expect("results");
     let results: Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(serde_json::from_str::<Value>(&printed).expect("JSON"), results);
-    let reduced = Study::Parallax.recipe(Size::Reduced).expect("a recipe");
+    let reduced = STUDY.recipe(Size::Reduced).expect("a recipe");
     assert_eq!(results["origin"]["recipe"], reduced);
     let page = std::fs::read_to_string(one.path().join(page)).expect("a page");
     assert!(page.contains(&reduced));

@@ -10,10 +10,13 @@ use lobefit::cli::CliError;
 use lobefit::data::Smith;
 use lobefit::store;
 use lobefit_math::ops;
-use lobefit_studies::study::{Size, Study, StudyError, stale};
+use lobefit_studies::study::coupling::DiffuseCouplings;
+use lobefit_studies::study::{STUDIES, Size, Study, StudyError, stale};
 use lobefit_truth::integrate::reflection::reflection;
 use lobefit_truth::quantity::coupling::{Specular, Split, factor};
 use serde_json::Value;
+
+const STUDY: &dyn Study = &DiffuseCouplings;
 
 const RESULTS: &str = "reports/studies/coupling-reduced/results.json";
 
@@ -47,13 +50,13 @@ fn the_reduced_study_is_the_same_for_any_threads_and_says_what_is_true() {
     assert!(said.contains("2 files written, 0 unchanged"), "{said}");
     let printed = run(three.path(), &["--threads", "3", "--json"]);
     assert_eq!(names(one.path()), ["reports"]);
-    for file in Study::Coupling.files(Size::Reduced) {
+    for file in STUDY.files(Size::Reduced) {
         let bytes = |folder: &Path| std::fs::read(folder.join(&file)).expect("a file");
         assert_eq!(bytes(one.path()), bytes(three.path()), "{file}");
     }
     let results = results(&one.path().join(RESULTS));
     assert_eq!(serde_json::from_str::<Value>(&printed).expect("JSON"), results);
-    assert_eq!(results["origin"]["recipe"], Study::Coupling.recipe(Size::Reduced).expect("a recipe"));
+    assert_eq!(results["origin"]["recipe"], STUDY.recipe(Size::Reduced).expect("a recipe"));
     furnace_is_the_truth(&results);
     ranking_is_sane(&results);
     page_is_true(one.path(), &results);
@@ -141,8 +144,8 @@ fn checked(folder: &Path) {
         (output.status.code(), String::from_utf8(output.stdout).expect("text"))
     };
     assert_eq!(check(), (Some(0), String::new()));
-    let recipe = Study::Coupling.recipe(Size::Reduced).expect("a recipe");
-    for file in Study::Coupling.files(Size::Reduced) {
+    let recipe = STUDY.recipe(Size::Reduced).expect("a recipe");
+    for file in STUDY.files(Size::Reduced) {
         let text = std::fs::read_to_string(folder.join(&file)).expect("text");
         std::fs::write(folder.join(&file), text.replace(&recipe, "of other code")).expect("written");
         let (code, said) = check();
@@ -163,7 +166,7 @@ fn checked(folder: &Path) {
 #[test]
 fn the_committed_studies_are_of_this_version() {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
-    for study in Study::ALL {
+    for study in STUDIES {
         let files = study.files(Size::Full);
         let found = store::read_set(root, files.iter().map(String::as_str), 1 << 24).expect("readable");
         assert_eq!(found.len(), files.len(), "{files:?}");

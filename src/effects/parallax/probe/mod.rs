@@ -214,12 +214,12 @@ impl Wanted {
 
     /// Its text with what it shares, in a language.
     fn print(&self, language: Language) -> Result<Vec<String>, CodeError> {
-        let (source, taps) = (self.source()?, self.lookup.taps);
+        let source = self.source()?;
         let fetched = if self.level.is_some() { "level" } else { "width" };
         let fetch = format!(
             "One fetch of the lookups below, along a ray, of a lobe of width alpha: direction and {fetched}."
         );
-        let structure = (taps > 1).then(|| language.taps(taps as u8));
+        let structure = source.print_structure(language, &self.name)?;
         let functions = [
             (meet::name(self.lookup), meet::header(self.lookup)),
             (self.fetch.clone(), vec![fetch]),

@@ -89,12 +89,19 @@ pub(super) fn lookup(wanted: &Wanted) -> String {
     single::function(&wanted.name, single::points(wanted), false, wanted, [&result, &body])
 }
 
+/// Documentation of the structure.
+const STRUCTURE: &str = "/// Fetches from a probe: directions (xyz), with widths or levels (w); weights are their shares, which sum to 1.\n";
+
 /// The structure of so many fetches.
 pub(super) fn structure(taps: u32) -> String {
     let fields = |name: &str, kind: &str| -> String {
         (0..taps).map(|i| format!("    {name}_{i}: {kind},\n")).collect()
     };
-    format!("struct parallax_taps_{taps} {{\n{}{}}}\n", fields("fetch", "vec4f"), fields("weight", "f32"))
+    format!(
+        "{STRUCTURE}struct parallax_taps_{taps} {{\n{}{}}}\n",
+        fields("fetch", "vec4f"),
+        fields("weight", "f32")
+    )
 }
 
 /// The half-axes of the lobe.

@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+use crate::study::coupling::surface::{Base, Coupling, Factor, Lobe, Material};
 use crate::study::{Size, StudyError};
-use crate::surface::{Base, Coupling, Factor, Lobe, Material};
 use lobefit::approximate::target::TargetSpec;
 use lobefit::approximate::{Counter, Entry, Fit, Region};
 use lobefit::data::{AlphaMap, Norm, Smith};

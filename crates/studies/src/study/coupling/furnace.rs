@@ -8,10 +8,10 @@ use rayon::prelude::*;
 use super::Compared;
 use super::candidates::Candidate;
 use super::parameters::Furnace;
-use crate::report::{FurnaceStrip, FurnaceStripRow};
 use crate::study::StudyError;
-use crate::surface::measure::{Rules, TOLERANCE};
-use crate::surface::{Albedos, Lobe, Surface};
+use crate::study::coupling::findings::{FurnaceStrip, FurnaceStripRow};
+use crate::study::coupling::surface::measure::{Rules, TOLERANCE};
+use crate::study::coupling::surface::{Albedos, Lobe, Surface};
 use lobefit::data::{AlphaMap, Smith};
 
 /// Spheres of every lobe and reflectance; white bases.

@@ -2,23 +2,49 @@
 //! environment.
 
 mod candidates;
+mod findings;
 mod furnace;
 mod lit;
+pub mod page;
 mod parameters;
 mod ranking;
+pub mod surface;
 
 use serde_json::Value;
 
 use super::{Size, Study, StudyError};
-use crate::report::{CouplingStudy, Meaning};
-use crate::surface::{Coupling, Lobe, SurfaceRows, Wanted};
+use crate::study::coupling::findings::{CouplingStudy, Meaning};
+use crate::study::coupling::surface::{Coupling, Lobe, SurfaceRows, Wanted};
 use candidates::Candidate;
 use lobefit::bake::Progress;
+use lobefit::report::{Origin, Page, document};
 use parameters::Parameters;
 
-/// Everything that it covers.
-pub(super) fn parameters(size: Size) -> Result<Value, StudyError> {
-    Ok(serde_json::to_value(Parameters::of(size)?)?)
+/// The study.
+pub struct DiffuseCouplings;
+
+impl Study for DiffuseCouplings {
+    fn name(&self) -> &'static str {
+        "coupling"
+    }
+
+    fn about(&self) -> &'static str {
+        "diffuse couplings in a furnace and under a sky: minutes"
+    }
+
+    fn parameters(&self, size: Size) -> Result<Value, StudyError> {
+        Ok(serde_json::to_value(Parameters::of(size)?)?)
+    }
+
+    fn made(
+        &self,
+        size: Size,
+        origin: Origin,
+        progress: &dyn Progress,
+    ) -> Result<(Page, Vec<u8>), StudyError> {
+        let found = results(size, origin, progress)?;
+        Ok((page::page(&found)?, document("results.json", &found)?))
+    }
 }
 
 /// A specular lobe with the couplings under it.
@@ -28,7 +54,7 @@ struct Compared {
 }
 
 /// Runs it.
-pub(super) fn results(size: Size, progress: &dyn Progress) -> Result<CouplingStudy, StudyError> {
+fn results(size: Size, origin: Origin, progress: &dyn Progress) -> Result<CouplingStudy, StudyError> {
     let parameters = Parameters::of(size)?;
     let mut compared = Vec::new();
     for under in &parameters.lobes {
@@ -45,7 +71,6 @@ pub(super) fn results(size: Size, progress: &dyn Progress) -> Result<CouplingStu
     let rankings = ranking::rankings(&compared, &furnace, &lit, &parameters.lit)?;
     let meanings = meanings(&compared, &surfaces);
     let parameters = serde_json::to_value(&parameters)?;
-    let origin = Study::Coupling.origin(size)?;
     let reduced = size == Size::Reduced;
     Ok(CouplingStudy { origin, reduced, parameters, furnace, lit, rankings, meanings, surfaces })
 }

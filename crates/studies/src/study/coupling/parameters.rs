@@ -6,9 +6,9 @@ use super::candidates::{Planned, STARTS};
 use super::wanted;
 use crate::flip::PIXELS_PER_DEGREE;
 use crate::render::{Environment, Settings};
+use crate::study::coupling::surface::table::Grid;
+use crate::study::coupling::surface::{Fingerprint, Fixed, Lobe, fingerprint};
 use crate::study::{Size, StudyError};
-use crate::surface::table::Grid;
-use crate::surface::{Fingerprint, Fixed, Lobe, fingerprint};
 use lobefit::effects::coupling::OWN_SPECULAR;
 
 /// Everything that the recipe covers beside the tool's version.

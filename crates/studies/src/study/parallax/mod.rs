@@ -4,9 +4,12 @@
 
 mod chain;
 mod creases;
+mod findings;
 mod measures;
+mod page;
 mod parameters;
 mod proxies;
+pub mod room;
 mod rooms;
 mod seed;
 mod slant;
@@ -14,24 +17,51 @@ mod slant;
 use serde_json::Value;
 
 use super::{Size, Study, StudyError};
-use crate::report::ParallaxStudy;
+use crate::study::parallax::findings::ParallaxStudy;
 use lobefit::bake::Progress;
+use lobefit::effects::parallax::catalogue_sources;
+use lobefit::report::{Origin, Page, document};
 use parameters::Parameters;
 
-/// Everything that it covers.
-pub(super) fn parameters(size: Size) -> Result<Value, StudyError> {
-    Ok(serde_json::to_value(Parameters::of(size))?)
+/// The study.
+pub struct ProbeLookups;
+
+impl Study for ProbeLookups {
+    fn name(&self) -> &'static str {
+        "parallax"
+    }
+
+    fn about(&self) -> &'static str {
+        "lookups of a probe's cubemap in rooms: minutes"
+    }
+
+    fn parameters(&self, size: Size) -> Result<Value, StudyError> {
+        Ok(serde_json::to_value(Parameters::of(size))?)
+    }
+
+    fn formulas(&self) -> Vec<&'static str> {
+        catalogue_sources()
+    }
+
+    fn made(
+        &self,
+        size: Size,
+        origin: Origin,
+        progress: &dyn Progress,
+    ) -> Result<(Page, Vec<u8>), StudyError> {
+        let found = results(size, origin, progress)?;
+        Ok((page::page(&found)?, document("results.json", &found)?))
+    }
 }
 
 /// Runs it.
-pub(super) fn results(size: Size, progress: &dyn Progress) -> Result<ParallaxStudy, StudyError> {
+fn results(size: Size, origin: Origin, progress: &dyn Progress) -> Result<ParallaxStudy, StudyError> {
     let parameters = Parameters::of(size);
     let seed = seed::findings(&parameters.seed, progress)?;
     let slant = slant::findings(&parameters.slant, progress)?;
     let rooms = rooms::findings(&parameters.rooms, progress)?;
     let proxies = proxies::findings(&parameters.proxies, progress)?;
     let chain = chain::findings(&parameters.chain, progress)?;
-    let origin = Study::Parallax.origin(size)?;
     let reduced = size == Size::Reduced;
     let parameters = serde_json::to_value(&parameters)?;
     Ok(ParallaxStudy { origin, reduced, parameters, seed, slant, rooms, proxies, chain })

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::report::{SeedCell, SeedFindings, SeedFit, SeedSlant};
+use crate::study::parallax::findings::{SeedCell, SeedFindings, SeedFit, SeedSlant};
 use crate::study::{Size, StudyError};
 use lobefit::bake::Progress;
 use lobefit_truth::integrate::IntegrateError;

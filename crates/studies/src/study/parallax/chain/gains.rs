@@ -3,10 +3,10 @@
 use super::super::measures::{gain, relative};
 use super::super::rooms::methods::{FROSTBITE, methods};
 use super::measure::{Case, shaded};
-use crate::report::ChainGain;
-use crate::room::cubemap::Chain;
-use crate::room::{Fetch, Lookup};
 use crate::study::StudyError;
+use crate::study::parallax::findings::ChainGain;
+use crate::study::parallax::room::cubemap::Chain;
+use crate::study::parallax::room::{Fetch, Lookup};
 use lobefit::effects::parallax::Shading;
 
 /// What every lookup of a round lobe about the mirror ray is off by in a room.

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use super::super::measures::relative;
 use super::super::rooms::points::{self, points};
-use crate::room::cubemap::to_edge;
-use crate::room::{Convex, Faded, Fetch, Fineness, Lookup, Patches, Room, Seen, Slant};
+use crate::study::parallax::room::cubemap::to_edge;
+use crate::study::parallax::room::{Convex, Faded, Fetch, Fineness, Lookup, Patches, Room, Seen, Slant};
 use lobefit::effects::parallax::{Shading, Width};
 use lobefit_math::vector::{plus, scaled};
 use lobefit_truth::optics::kernel::Kernel;

@@ -10,8 +10,8 @@ mod viewpoints;
 use serde::Serialize;
 
 use super::rooms::points;
-use crate::report::ChainFindings;
-use crate::room::{Room, octagon, practice, room_a, room_b};
+use crate::study::parallax::findings::ChainFindings;
+use crate::study::parallax::room::{Room, octagon, practice, room_a, room_b};
 use crate::study::{Size, StudyError};
 use lobefit::bake::Progress;
 use lobefit::data::{MipChain, MipMap};

@@ -7,10 +7,10 @@ use super::super::creases::{Creases, creases, detail};
 use super::measure::Case;
 use super::viewpoints::Policy;
 use crate::flip;
-use crate::report::{SeamPicture, SeamRow};
-use crate::room::cubemap::Integrated;
-use crate::room::{Fetch, Fineness, Patches, Room, Seen};
 use crate::study::StudyError;
+use crate::study::parallax::findings::{SeamPicture, SeamRow};
+use crate::study::parallax::room::cubemap::Integrated;
+use crate::study::parallax::room::{Fetch, Fineness, Patches, Room, Seen};
 use lobefit::report::Image;
 use lobefit_math::vector::{Vec3, cross, dot, minus, normalise, plus, scaled};
 

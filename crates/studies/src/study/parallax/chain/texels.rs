@@ -3,10 +3,10 @@
 use super::super::measures::{off, relative};
 use super::measure::{Case, KERNEL, Row, shaded};
 use super::{Engine, Parameters};
-use crate::report::{ChainParts, ChainSize};
-use crate::room::cubemap::{Bake, Chain, Edges, Format, Source, Viewpoint};
-use crate::room::{Fetch, Patches, Room, Slant, Tap};
 use crate::study::StudyError;
+use crate::study::parallax::findings::{ChainParts, ChainSize};
+use crate::study::parallax::room::cubemap::{Bake, Chain, Edges, Format, Source, Viewpoint};
+use crate::study::parallax::room::{Fetch, Patches, Room, Slant, Tap};
 use lobefit::data::MipChain;
 use lobefit::effects::parallax::Width;
 use lobefit_math::vector::{plus, scaled};

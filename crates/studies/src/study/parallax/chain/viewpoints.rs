@@ -4,10 +4,10 @@ use super::super::measures::{gain, geometric_mean, relative, relative_where};
 use super::super::rooms::methods::{Method, Taken, smooth};
 use super::measure::{Case, shaded};
 use super::{Parameters, texels};
-use crate::report::{BakePolicy, SlideLaw};
-use crate::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
-use crate::room::{Fetch, Lookup, Slant};
 use crate::study::StudyError;
+use crate::study::parallax::findings::{BakePolicy, SlideLaw};
+use crate::study::parallax::room::cubemap::{Bake, Chain, Integrated, Viewpoint};
+use crate::study::parallax::room::{Fetch, Lookup, Slant};
 use lobefit::effects::parallax::Width;
 use lobefit_math::ops;
 

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use super::errors::looked_up;
-use crate::report::ProxyCrossing;
-use crate::room::proxies::Body;
-use crate::room::{Meeting, Proxy, Room};
+use crate::study::parallax::findings::ProxyCrossing;
+use crate::study::parallax::room::proxies::Body;
+use crate::study::parallax::room::{Meeting, Proxy, Room};
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, length, minus, normalise, plus, scaled, tangents};
 

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::super::measures::{relative, relative_where};
 use super::super::rooms::points::{self, Point};
-use crate::room::proxies::Body;
-use crate::room::{Fetch, Meeting, Patches, Proxy, Room, Tap};
+use crate::study::parallax::room::proxies::Body;
+use crate::study::parallax::room::{Fetch, Meeting, Patches, Proxy, Room, Tap};
 use lobefit_math::vector::{Vec3, length, minus, plus, scaled};
 use lobefit_truth::optics::footprint::{area_ratio, width};
 

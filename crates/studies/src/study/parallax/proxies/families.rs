@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use crate::room::proxies::{Body, Faded, Law, Pushed, Rounded, Smooth, Tie, Tied};
-use crate::room::{Proxy, Room};
+use crate::study::parallax::room::proxies::{Body, Faded, Law, Pushed, Rounded, Smooth, Tie, Tied};
+use crate::study::parallax::room::{Proxy, Room};
 
 /// Powers of alpha that the law of the smooth proxy may fall with.
 const SMOOTH_POWERS: [f64; 3] = [1.0, 1.5, 2.0];

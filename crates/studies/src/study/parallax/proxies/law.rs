@@ -1,7 +1,7 @@
 //! Laws fitted to what the error is over the parameter.
 
 use super::families::Family;
-use crate::room::proxies::Law;
+use crate::study::parallax::room::proxies::Law;
 use lobefit_math::ops;
 
 /// The logarithm of the error over the parameter, tabulated at a family's values for widths.

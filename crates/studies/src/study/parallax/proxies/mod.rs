@@ -9,9 +9,9 @@ mod law;
 use serde::Serialize;
 
 use super::rooms::points;
-use crate::report::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
-use crate::room::proxies::{Body, Law, Smooth, Tied};
-use crate::room::{Patches, Proxy, Room, octagon, practice, room_a, room_b};
+use crate::study::parallax::findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
+use crate::study::parallax::room::proxies::{Body, Law, Smooth, Tied};
+use crate::study::parallax::room::{Patches, Proxy, Room, octagon, practice, room_a, room_b};
 use crate::study::{Size, StudyError};
 use errors::{Off, Sample};
 use families::Family;

@@ -1,8 +1,8 @@
 //! What a lookup takes, by its emitted function.
 
-use crate::report::LookupCost;
-use crate::room::proxies::Tied;
 use crate::study::StudyError;
+use crate::study::parallax::findings::LookupCost;
+use crate::study::parallax::room::proxies::Tied;
 use lobefit::data::{AlphaMap, ProbeLookup, SurfaceLobe};
 use lobefit::effects::parallax::probe::{Called, Wanted};
 use lobefit::effects::parallax::{HYPOTHESES, TapRule};

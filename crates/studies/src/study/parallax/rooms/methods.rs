@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::room::proxies::{Body, Smooth, Tied};
-use crate::room::{Lookup, Proxy, Room};
 use crate::study::StudyError;
+use crate::study::parallax::room::proxies::{Body, Smooth, Tied};
+use crate::study::parallax::room::{Lookup, Proxy, Room};
 use lobefit::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
 
 /// What a method takes the room for.

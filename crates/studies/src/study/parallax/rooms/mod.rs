@@ -10,9 +10,9 @@ mod view;
 
 use serde::Serialize;
 
-use crate::report::RoomsFindings;
-use crate::room::proxies::{Tie, Tied};
-use crate::room::{Room, octagon, room_a, room_b};
+use crate::study::parallax::findings::RoomsFindings;
+use crate::study::parallax::room::proxies::{Tie, Tied};
+use crate::study::parallax::room::{Room, octagon, room_a, room_b};
 use crate::study::{Size, StudyError};
 use lobefit::bake::Progress;
 use lobefit::effects::parallax::TapRule;

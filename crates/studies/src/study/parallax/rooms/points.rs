@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use crate::report::RoomGeometry;
-use crate::room::{Convex, Room};
 use crate::study::Size;
+use crate::study::parallax::findings::RoomGeometry;
+use crate::study::parallax::room::{Convex, Room};
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, length, minus, plus, scaled, tangents, turned};

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::room::Room;
+use crate::study::parallax::room::Room;
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, cross, minus, normalise, plus, scaled};
 

@@ -1,0 +1,55 @@
+//! The page of the study of diffuse couplings: what can be seen of an error, beside how large it
+//! is, and what is measured of whole materials.
+
+mod furnace;
+mod lit;
+mod metals;
+mod ranking;
+pub mod surfaces;
+mod walks;
+
+use crate::study::coupling::findings::CouplingStudy;
+use lobefit::report::words;
+use lobefit::report::{Block, Page, ReportError, Section, check};
+
+const LEAD: &str = "A diffuse base under a GGX lobe: what the published ways to couple the two lose or gain in a furnace, and what an eye \
+     sees of that under a sky, a sun and a bright cloud. Figures in full digits: results.json, in this folder.";
+
+/// The page: the ranking, what the names mean, the pictures, the furnace.
+///
+/// # Errors
+/// Data that cannot be shown, by section and field.
+pub fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
+    let mut sections = vec![ranking::section(study)?, names(study)?];
+    sections.push(lit::section(study)?);
+    sections.push(furnace::section(study)?);
+    sections.extend(surfaces::sections(&study.surfaces)?);
+    Ok(Page {
+        title: "lobefit study: coupling".into(),
+        origin: study.origin.clone(),
+        lead: format!("{}{LEAD}", if study.reduced { crate::study::REDUCED } else { "" }),
+        sections,
+    })
+}
+
+/// What the names of lobes and couplings mean.
+fn names(study: &CouplingStudy) -> Result<Section, ReportError> {
+    check::filled("study", "meanings", study.meanings.len())?;
+    let table = |lobe: bool, columns: [(&str, bool); 2], caption: &str| {
+        let meanings = study.meanings.iter().filter(|m| m.lobe == lobe);
+        let rows = meanings.map(|m| vec![m.name.clone(), m.meaning.clone()]).collect();
+        Block::Table(words::table(&columns, rows, caption))
+    };
+    Ok(Section {
+        id: "names".into(),
+        title: "What is compared".into(),
+        lead: "A specular lobe over a diffuse base of albedo ρ: f(l, v) = lobe + ρ/π factor. l and v are the directions of light and view, n the \
+               normal, h the half vector, F Fresnel’s reflectance (Schlick’s), f0 that at normal incidence; E is the albedo of the single lobe \
+               with F = 1, “avg” the average over the hemisphere weighted with the cosine."
+            .into(),
+        blocks: vec![
+            table(true, [("lobe", false), ("what it is", false)], "Specular lobes."),
+            table(false, [("coupling", false), ("factor of the base", false)], "Couplings of the base."),
+        ],
+    })
+}

@@ -1,0 +1,113 @@
+//! Errors at points at random.
+
+use crate::study::parallax::findings::{RandomReference, RandomRoom, RandomRow, RoomsFindings};
+use lobefit::report::numbers::{place, significant};
+use lobefit::report::{Block, Curves, ReportError, Section, Series, Spread, Style, TextTable, check};
+use lobefit::report::{figures, words};
+
+pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
+    check::filled("random", "rooms", rooms.random.len())?;
+    let references = rooms.random.iter().map(|room| room.references.len()).min().unwrap_or_default();
+    let mut blocks: Vec<Block> = (0..references).map(|i| Block::Table(gains(rooms, i))).collect();
+    blocks.push(charts(rooms)?);
+    for room in &rooms.random {
+        for reference in &room.references {
+            blocks.push(Block::Table(table(room, reference)));
+        }
+    }
+    Ok(Section {
+        id: "random".into(),
+        title: "Points at random".into(),
+        lead: "Relative L2 of linear radiance over the points, every fetch and reference integrated without texels. “Round lobe”: the lobe that \
+               the chain is prefiltered with, traced from the point itself; no surface is there. “GGX”: what a GGX surface with \
+               height-correlated Smith and no Fresnel reflects over its own albedo, n·v even from 0.05 to 1. Where there is no \
+               surface, methods that differ in what they take its lobe for are the same but for its width. Roughness is √α."
+            .into(),
+        blocks,
+    })
+}
+
+/// Gains of every method in every room, against one of the references.
+fn gains(rooms: &RoomsFindings, reference: usize) -> TextTable {
+    let name = rooms.random.first().and_then(|room| room.references.get(reference));
+    let against = name.map_or("", |reference| reference.name.as_str());
+    let mut columns = vec![(format!("gain against {against}"), false), ("fetches".to_string(), true)];
+    for room in &rooms.random {
+        columns.extend([(format!("{}: L2", titled(&room.room)), true), ("displayed".into(), true)]);
+    }
+    let references: Vec<&RandomReference> =
+        rooms.random.iter().filter_map(|room| room.references.get(reference)).collect();
+    let names = references.first().map_or(&[][..], |reference| &reference.rows[..]);
+    let row = |(i, first): (usize, &RandomRow)| {
+        let mut cells = vec![first.name.clone(), first.fetches.to_string()];
+        for row in references.iter().filter_map(|reference| reference.rows.get(i)) {
+            cells.extend([row.gain_l2, row.gain_mae].map(|gain| format!("{gain:.2}")));
+        }
+        cells
+    };
+    let caption = "Gain over Frostbite’s listing: its error over the method’s, the geometric mean over the roughnesses; above 1 is better. L2: of \
+                   linear radiance. Displayed: mean absolute error of x/(1 + x).";
+    let mut table = words::table(&[], names.iter().enumerate().map(row).collect(), caption);
+    table.columns = columns;
+    table
+}
+
+fn charts(rooms: &RoomsFindings) -> Result<Block, ReportError> {
+    let charts: Vec<Curves> = rooms
+        .random
+        .iter()
+        .flat_map(|room| room.references.iter().map(|reference| chart(room, reference, &rooms.chosen)))
+        .collect();
+    figures(
+        &charts,
+        "Relative L2 over roughness of some of the methods, and the noise of the reference itself.",
+    )
+}
+
+fn chart(room: &RandomRoom, reference: &RandomReference, chosen: &[String]) -> Curves {
+    let line = |name: &str, values: &[f64], style| Series {
+        name: name.into(),
+        points: room.roughness.iter().copied().zip(values.iter().copied()).collect(),
+        style,
+        end: None,
+    };
+    let rows = reference.rows.iter().filter(|row| chosen.contains(&row.name));
+    let mut series: Vec<Series> =
+        rows.enumerate().map(|(i, row)| line(&row.name, &row.l2, Style::Marked(i))).collect();
+    series.push(line("noise of the reference", &reference.noise, Style::Truth));
+    Curves {
+        title: format!("{}, {}", titled(&room.room), reference.name),
+        x: ("roughness".into(), Spread::Linear),
+        y: ("relative L2".into(), Spread::Log),
+        series,
+        annotations: Vec::new(),
+        guides: Vec::new(),
+        y_limits: Some((0.002, 1.0)),
+        size: (380.0, 280.0),
+    }
+}
+
+/// `room A`, `octagon`.
+fn titled(room: &str) -> String {
+    if room.chars().count() == 1 { format!("room {room}") } else { room.into() }
+}
+
+fn table(room: &RandomRoom, reference: &RandomReference) -> TextTable {
+    let mut columns =
+        vec![(format!("{}, {}: relative L2 at roughness", titled(&room.room), reference.name), false)];
+    columns.extend(room.roughness.iter().map(|&r| (place(r), true)));
+    columns.push(("least gain".into(), true));
+    let rows = reference.rows.iter().map(|row| {
+        let values = row.l2.iter().map(|&x| significant(x, 3));
+        let least = std::iter::once(format!("{:.2}", row.least_l2));
+        std::iter::once(row.name.clone()).chain(values).chain(least).collect()
+    });
+    let noise: Vec<String> = reference.noise.iter().map(|&x| significant(x, 2)).collect();
+    let caption = format!(
+        "Noise of the reference, from its two halves: {}. Least gain: over Frostbite, at the roughness where it is smallest.",
+        noise.join(", ")
+    );
+    let mut table = words::table(&[], rows.collect(), &caption);
+    table.columns = columns;
+    table
+}
