@@ -50,9 +50,9 @@ fn run(path: Path, smith: Smith, tolerance: f64) -> Result<TimedTableRun, Integr
         smith,
         reflection_seconds,
         glass_seconds,
-        evaluations: reflection.evaluations + reflection.checked.evaluations + glass.evaluations,
-        worst: reflection.checked.worst.max(glass.checked.worst),
-        checked: (reflection.checked.texels + glass.checked.texels) as u64,
+        evaluations: reflection.evaluations + glass.evaluations,
+        worst: reflection.worst.max(glass.checked.worst),
+        checked: (reflection.checked + glass.checked.texels) as u64,
     })
 }
 

@@ -16,7 +16,7 @@ use furnace_support::tables::{of_azimuth, of_glass, of_mean};
 use furnace_support::textbook::{Facets, Hemisphere, direction, fresnel, schlick};
 use furnace_support::{Emitted, F0, Returned, include, returned};
 use lobefit::data::{AlphaMap, Decode, Smith, Table};
-use lobefit::effects::anisotropy::{Lines, at_azimuths, means};
+use lobefit::effects::anisotropy;
 use lobefit::effects::glass::truths;
 use lobefit::effects::table::{self, Point, Points, Region, SliceAxis, Slices, aspect, measure};
 use lobefit::emit::compensation::Compensation;
@@ -98,11 +98,10 @@ fn certificate(table: &Table, decode: Decode, judged: &Points, truth: &[f64]) ->
 /// The certificate of a table of the anisotropic lobe.
 fn of_metal(table: &Table, decode: Decode) -> f64 {
     let azimuth = decode == Decode::AzimuthCubic;
-    let judge = Lines::new(&region(SliceAxis::Anisotropy, [0.1, 0.77]), azimuth).expect("a range");
-    let smith = table.smith.expect("a form");
-    let (truth, _) = if azimuth { at_azimuths(smith, &judge) } else { means(smith, &judge) }
-        .expect("the truths of a judge");
-    certificate(table, decode, &judge.points, &truth)
+    let points = anisotropy::judged(&region(SliceAxis::Anisotropy, [0.1, 0.77]), azimuth).expect("a range");
+    let (truth, _) =
+        anisotropy::truths(table.smith.expect("a form"), &points).expect("the truths of a judge");
+    certificate(table, decode, &points, &truth)
 }
 
 /// How far the energy of a white surface may lie from 1, f32 included.

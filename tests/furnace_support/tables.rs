@@ -5,9 +5,9 @@ use lobefit::effects::anisotropy::{Azimuth, aniso_axes, azimuth_axes};
 use lobefit::effects::glass::glass_axes;
 use lobefit::effects::table::aspect;
 use lobefit_math::ops;
-use lobefit_truth::integrate::aniso::table::{self as aniso, Columns, Grid};
 use lobefit_truth::integrate::glass::table::{self as glass, GlassGrid};
-use rayon::prelude::*;
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{GgxReflectionAniso, Quantity};
 
 const ROUGHNESS: [f64; 2] = [0.02, 1.0];
 
@@ -56,14 +56,29 @@ fn losses(e: &[f64]) -> Vec<f64> {
     e.iter().map(|e| 1.0 - e).collect()
 }
 
+/// E at views (alpha, aspect, mu and azimuth), or in the mean over the azimuth.
+fn metal(smith: Smith, views: &[(f64, f64, f64, f64)], azimuth: bool) -> Vec<f64> {
+    let column = |of: fn(&(f64, f64, f64, f64)) -> f64| views.iter().map(of).collect::<Vec<f64>>();
+    let inputs =
+        [("alpha_x", column(|v| v.0 / v.1)), ("alpha_y", column(|v| v.0 * v.1)), ("mu", column(|v| v.2))];
+    let phi = azimuth.then(|| ("phi", column(|v| v.3)));
+    let points = Points::new(inputs.into_iter().chain(phi));
+    let truth = GgxReflectionAniso.truth(&smith.into(), &points, &["E"], TOLERANCE).expect("E");
+    let [e] = truth.arrays();
+    e
+}
+
 /// The azimuth mean of the anisotropic lobe.
 pub fn of_mean(smith: Smith) -> Table {
     let axes = aniso_axes([32, 32, 16], ROUGHNESS, [0.0, 1.0]);
-    let (alphas, aspects) = (alphas(&axes[1]), nodes(&axes[2]).into_iter().map(aspect).collect::<Vec<_>>());
-    let mu = |column: usize, row: usize, _: f64| cosine(&axes[0], column, Surface::<f64>::rough(alphas[row]));
-    let columns = Columns::Varying { count: axes[0].size, mu: &mu };
-    let grid = Grid { columns, alphas: &alphas, aspects: &aspects, floor: 0.0 };
-    let e = aniso::tabulate(smith, &grid, TOLERANCE).expect("a table").e;
+    let mut views = Vec::new();
+    for aspect in nodes(&axes[2]).into_iter().map(aspect) {
+        for alpha in alphas(&axes[1]) {
+            let surface = Surface::<f64>::rough(alpha);
+            views.extend((0..axes[0].size).map(|x| (alpha, aspect, cosine(&axes[0], x, surface), 0.0)));
+        }
+    }
+    let e = metal(smith, &views, false);
     let name = format!("furnace-mean-{}", smith.name());
     halves(name, "ggx-reflection-aniso", smith, axes, vec![("loss", losses(&e))])
 }
@@ -71,24 +86,22 @@ pub fn of_mean(smith: Smith) -> Table {
 /// The anisotropic lobe with the azimuth of the view, four channels.
 pub fn of_azimuth(smith: Smith) -> Table {
     let axes = azimuth_axes([32, 16, 16], ROUGHNESS, [0.0, 1.0]);
-    let (alphas, anisotropies) = (alphas(&axes[1]), nodes(&axes[2]));
-    let [columns, rows, slices] = [0, 1, 2].map(|k| axes[k].size);
-    let cubics: Vec<[f64; 4]> = (0..columns * rows * slices)
-        .into_par_iter()
-        .map(|i| {
-            let (column, alpha, anisotropy) =
-                (i % columns, alphas[i / columns % rows], anisotropies[i / columns / rows]);
+    let mut views = Vec::new();
+    for anisotropy in nodes(&axes[2]) {
+        for alpha in alphas(&axes[1]) {
             let lobe = Azimuth { alpha, aspect: aspect(anisotropy) };
-            let loss = |t: f64| {
-                let phi = lobe.phi(t);
-                let cosine_phi = ops::cos(phi);
-                let surface = Surface { alpha, ior: 1.0, anisotropy, cos2_phi: cosine_phi * cosine_phi };
-                let mu = cosine(&axes[0], column, surface);
-                1.0 - aniso::at(smith, lobe.alphas(), mu, phi, TOLERANCE).expect("E").value
-            };
-            Azimuth::cubic(&Azimuth::samples().into_iter().map(loss).collect::<Vec<_>>())
-        })
-        .collect();
+            for column in 0..axes[0].size {
+                views.extend(Azimuth::samples().into_iter().map(|t| {
+                    let phi = lobe.phi(t);
+                    let cosine_phi = ops::cos(phi);
+                    let surface = Surface { alpha, ior: 1.0, anisotropy, cos2_phi: cosine_phi * cosine_phi };
+                    (alpha, lobe.aspect, cosine(&axes[0], column, surface), phi)
+                }));
+            }
+        }
+    }
+    let cubics = losses(&metal(smith, &views, true));
+    let cubics: Vec<[f64; 4]> = cubics.chunks(Azimuth::samples().len()).map(Azimuth::cubic).collect();
     let channel = |k: usize| cubics.iter().map(|cubic| cubic[k]).collect();
     let channels = [("c0", 0), ("c1", 1), ("c2", 2), ("c3", 3)].map(|(name, k)| (name, channel(k)));
     halves(format!("furnace-azimuth-{}", smith.name()), "ggx-reflection-aniso", smith, axes, channels.into())

@@ -1,6 +1,6 @@
 //! The integrals against oracles.
 
-mod aniso_table;
+mod aniso_many;
 mod coupling;
 mod error_bound;
 mod footprint;

@@ -29,9 +29,9 @@ use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::monte_carlo;
 use path_tracer::NOTE as PATH_TRACER_NOTE;
-pub use points::Lines;
+pub use points::judged;
 pub use table::{aniso_axes, azimuth_axes, path_tracer};
-pub use truth::{AzimuthMap, at_azimuths, azimuth_map, means, means_on};
+pub use truth::truths;
 
 /// The quantity of this effect.
 pub const QUANTITY: &str = "ggx-reflection-aniso";
@@ -100,10 +100,10 @@ impl Family for Anisotropy {
         azimuth: bool,
         counter: &Counter,
     ) -> Result<Judge, BuildError> {
-        let lines = Lines::new(region, azimuth)?;
-        let (e, made) = if azimuth { at_azimuths(smith, &lines)? } else { means(smith, &lines)? };
+        let points = judged(region, azimuth)?;
+        let (e, made) = truths(smith, &points)?;
         counter.add(e.len());
-        Ok(Judge { points: lines.points, truths: vec![Albedo { e, b: Vec::new() }], made })
+        Ok(Judge { points, truths: vec![Albedo { e, b: Vec::new() }], made })
     }
 }
 
@@ -158,13 +158,8 @@ impl Sliced for Anisotropy {
         &[0.0, 0.5, 1.0]
     }
 
-    fn on_grid(
-        &self,
-        smith: Smith,
-        points: &Points,
-        columns: usize,
-    ) -> Result<Vec<Vec<f64>>, IntegrateError> {
-        Ok(vec![means_on(smith, points, columns)?])
+    fn on_grid(&self, smith: Smith, points: &Points) -> Result<Vec<Vec<f64>>, IntegrateError> {
+        Ok(vec![truths(smith, points)?.0])
     }
 
     fn title(&self, slice: f64, _: Option<Side>) -> String {

@@ -1,86 +1,52 @@
 //! Points at which the lookups of this effect are measured: every combination of scrambled
-//! roughnesses and anisotropies, each roughness with cosines of its own, since the truth is
-//! cheapest on such a grid.
+//! roughnesses and anisotropies, each roughness with cosines of its own, since neighbours of the
+//! truth share their work.
 
-use crate::effects::table::{BuildError, Point, Points, Region, SliceAxis, aspect};
+use crate::effects::table::{BuildError, Point, Points, Region, SliceAxis};
 use lobefit_math::sobol::Sobol;
 
 /// Roughnesses, anisotropies, and cosines of each kind: uniform, and in the layer mu ~ alpha.
 const COUNT: [usize; 3] = [96, 24, 40];
 
-/// The points with the grid that they lie on.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Lines {
-    /// The points: columns fastest, then rows, then slices.
-    pub points: Points,
-    /// Roughness and alpha of each row.
-    pub(super) rows: Vec<Point>,
-    /// Anisotropy of each slice.
-    pub(super) slices: Vec<f32>,
-    /// Cosines of each row: the uniform ones, then those in the layer.
-    pub(super) cosines: Vec<Vec<f32>>,
-    /// Range of the anisotropy.
-    range: [f64; 2],
-}
-
-impl Lines {
-    /// The points of a region with slices; both ends of every range are among them. With `azimuth`
-    /// each has an azimuth of its own, scrambled over [0, pi/2] with its ends; else all have 0,
-    /// which nothing reads.
-    pub fn new(region: &Region, azimuth: bool) -> Result<Lines, BuildError> {
-        let range = region.slices()?.range;
-        let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
-        let rows: Vec<Point> = spread(COUNT[0], region.roughness, |i| base.coordinate(i, 0))
-            .map(|roughness| {
-                let roughness = roughness as f32;
-                Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), ..Point::default() }
-            })
-            .collect();
-        let slices: Vec<f32> = spread(COUNT[1], range, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
-        let cosines: Vec<Vec<f32>> =
-            rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
-        // in an order of their own: in that of the cosines, which count along a row too, each
-        // azimuth goes with a mu
-        let azimuths = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
-        let mut all = Vec::with_capacity(rows.len() * slices.len() * 2 * COUNT[2]);
-        for &anisotropy in &slices {
-            for (row, cosines) in rows.iter().zip(&cosines) {
-                for &mu in cosines {
-                    let phi = std::f64::consts::FRAC_PI_2 * azimuths.coordinate(all.len() as u32, 0);
-                    let cosine = lobefit_math::ops::cos(phi);
-                    let cos2_phi = match all.len() % 16 {
-                        _ if !azimuth => 1.0,
-                        0 => 0.0,
-                        8 => 1.0,
-                        _ => (cosine * cosine) as f32,
-                    };
-                    all.push(Point { mu, anisotropy, cos2_phi, ..*row });
-                }
+/// The points of a region with slices: columns fastest, then rows, then slices. Both ends of every
+/// range are among them. With `azimuth` each has an azimuth of its own, scrambled over [0, pi/2]
+/// with its ends; else all have 0, which nothing reads.
+///
+/// # Errors
+/// A region without slices: a defect of the effect.
+pub fn judged(region: &Region, azimuth: bool) -> Result<Points, BuildError> {
+    let range = region.slices()?.range;
+    let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
+    let rows: Vec<Point> = spread(COUNT[0], region.roughness, |i| base.coordinate(i, 0))
+        .map(|roughness| {
+            let roughness = roughness as f32;
+            Point { roughness, alpha: region.alpha_map.alpha_f32(roughness), ..Point::default() }
+        })
+        .collect();
+    let slices: Vec<f32> = spread(COUNT[1], range, |i| base.coordinate(i, 1)).map(|a| a as f32).collect();
+    let cosines: Vec<Vec<f32>> =
+        rows.iter().enumerate().map(|(row, p)| cosines(region, row as u32, f64::from(p.alpha))).collect();
+    // in an order of their own: in that of the cosines, which count along a row too, each
+    // azimuth goes with a mu
+    let azimuths = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
+    let mut all = Vec::with_capacity(rows.len() * slices.len() * 2 * COUNT[2]);
+    for &anisotropy in &slices {
+        for (row, cosines) in rows.iter().zip(&cosines) {
+            for &mu in cosines {
+                let phi = std::f64::consts::FRAC_PI_2 * azimuths.coordinate(all.len() as u32, 0);
+                let cosine = lobefit_math::ops::cos(phi);
+                let cos2_phi = match all.len() % 16 {
+                    _ if !azimuth => 1.0,
+                    0 => 0.0,
+                    8 => 1.0,
+                    _ => (cosine * cosine) as f32,
+                };
+                all.push(Point { mu, anisotropy, cos2_phi, ..*row });
             }
         }
-        let uniform = (0..all.len()).map(|i| i % (2 * COUNT[2]) < COUNT[2]).collect();
-        let points = Points::of(all, uniform, SliceAxis::Anisotropy, azimuth);
-        Ok(Lines { points, rows, slices, cosines, range })
     }
-
-    /// Cosines of each row.
-    pub(super) fn columns(&self) -> usize {
-        2 * COUNT[2]
-    }
-
-    pub(super) fn alpha(&self) -> [f64; 2] {
-        let alpha = self.rows.iter().map(|p| f64::from(p.alpha));
-        [alpha.clone().fold(f64::INFINITY, f64::min), alpha.fold(0.0, f64::max)]
-    }
-
-    pub(super) fn aspect(&self) -> [f64; 2] {
-        [self.range[1], self.range[0]].map(|a| aspect(f64::from(a as f32)))
-    }
-
-    pub(super) fn mu(&self) -> [f64; 2] {
-        let mu = self.cosines.iter().flatten().map(|m| f64::from(*m));
-        [mu.clone().fold(f64::INFINITY, f64::min), mu.fold(0.0, f64::max)]
-    }
+    let uniform = (0..all.len()).map(|i| i % (2 * COUNT[2]) < COUNT[2]).collect();
+    Ok(Points::of(all, uniform, SliceAxis::Anisotropy, azimuth))
 }
 
 /// `n` scrambled values of a range, its ends first.

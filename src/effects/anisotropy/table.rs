@@ -2,12 +2,13 @@
 
 use rayon::prelude::*;
 
+use super::QUANTITY;
 use super::azimuth::Azimuth;
 use super::path_tracer::{FLOOR, axes, grid};
-use super::{QUANTITY, truth};
+use super::truth::{View, energies};
 use crate::data::{Axis, Channel, Layout, Smith, Surface, Table, Warp};
 use crate::effects::table::{BuildError, Made, Node, ROUNDS, Spec, TexelPlan, alpha_nodes, aspect, check};
-use lobefit_truth::integrate::aniso::table::{Columns, Grid, Tabulated, mean, tabulate, tabulate_on};
+use lobefit_truth::integrate::aniso::fast::{Many, Place, many, one};
 use lobefit_truth::integrate::{IntegrateError, Path};
 
 /// Largest error of a texel of the path tracer's layout.
@@ -16,6 +17,9 @@ const SAMPLED: f64 = 1e-6;
 /// Largest error of the integrals that the targets of our layout are interpolated from, a hundredth
 /// of what the lookup leaves. The targets' own error is measured.
 const TARGETS: f64 = 1e-5;
+
+/// Largest error of E at the samples of a cubic of the azimuth.
+const AZIMUTH: f64 = 1e-5;
 
 /// Targets drawn for their check.
 const CHECKED: usize = 1 << 13;
@@ -60,21 +64,22 @@ pub fn build(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
 }
 
 /// Every texel of the path tracer's layout, within `tolerance`.
-pub fn path_tracer(path: Path, smith: Smith, tolerance: f64) -> Result<Tabulated, IntegrateError> {
-    let [mu, alphas, aspects] = grid();
-    let grid = Grid { columns: Columns::Fixed(&mu), alphas: &alphas, aspects: &aspects, floor: FLOOR };
-    tabulate_on(path, smith, &grid, tolerance)
+pub fn path_tracer(path: Path, smith: Smith, tolerance: f64) -> Result<Many, IntegrateError> {
+    let [mus, alphas, aspects] = grid();
+    let mut places = Vec::with_capacity(mus.len() * alphas.len() * aspects.len());
+    for aspect in &aspects {
+        for alpha in &alphas {
+            let alpha = [(alpha / aspect).max(FLOOR), (alpha * aspect).max(FLOOR)];
+            places.extend(mus.iter().map(|mu| Place { alpha, mu: *mu, phi: None }));
+        }
+    }
+    many(path, smith, &places, tolerance)
 }
 
 fn sampled(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let texels = path_tracer(Path::Best, spec.smith, SAMPLED)?;
-    let made = made(&texels);
+    let made = Made { evaluations: texels.evaluations, integration: texels.worst };
     Ok((spec.tables(QUANTITY, &axes(), vec![vec![Channel::new("E", texels.e)]])?, made))
-}
-
-fn made(table: &Tabulated) -> Made {
-    let evaluations = table.evaluations + table.checked.evaluations;
-    Made { evaluations, integration: table.checked.worst }
 }
 
 fn optimised(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
@@ -82,46 +87,30 @@ fn optimised(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let axes = aniso_axes(spec.sizes()?, region.roughness, region.slices()?.range);
     let nodes = alpha_nodes(region.roughness.map(|r| region.alpha_map.alpha(r)));
     let plan = TexelPlan::new(axes.clone(), region.alpha_map, SAMPLES, nodes, region.mu[0]);
-    // Columns fastest, then slices, then nodes of alpha.
-    let points = plan.points();
-    let columns =
-        points.iter().take_while(|p| (p.alpha, p.slice) == (points[0].alpha, points[0].slice)).count();
-    let per_node = points.iter().take_while(|p| p.alpha == points[0].alpha).count();
-    let alphas: Vec<f64> = points.iter().step_by(per_node).map(|p| p.alpha).collect();
-    let aspects: Vec<f64> = points[..per_node].iter().step_by(columns).map(|p| aspect(p.slice)).collect();
-    let mu = |column: usize, row: usize, _: f64| points[row * per_node + column].mu;
-    let grid = Grid {
-        columns: Columns::Varying { count: columns, mu: &mu },
-        alphas: &alphas,
-        aspects: &aspects,
-        floor: 0.0,
-    };
-    let table = tabulate(*smith, &grid, TARGETS)?;
-    let loss = |i: usize, _: &Node| {
-        let (column, slice, node) = (i % columns, i / columns % aspects.len(), i / per_node);
-        1.0 - table.e[(slice * alphas.len() + node) * columns + column]
-    };
-    let losses: Vec<f64> = points.iter().enumerate().map(|(i, p)| loss(i, p)).collect();
-    let wanted = plan.targets(&losses);
+    let views: Vec<View> = plan.points().iter().map(view).collect();
+    let (e, made) = energies(*smith, &views, false, TARGETS)?;
+    let wanted = plan.targets(&e.iter().map(|e| 1.0 - e).collect::<Vec<f64>>());
     let checked = check(QUANTITY, &plan, CHECKED, [&wanted], |nodes| direct(*smith, nodes))?;
     let texels = plan.optimised(&wanted, ROUNDS).0;
-    let made = Made {
-        evaluations: made(&table).evaluations + checked.evaluations,
-        integration: checked.worst + DIRECT,
-    };
+    let made =
+        Made { evaluations: made.evaluations + checked.evaluations, integration: checked.worst + DIRECT };
     Ok((spec.tables(QUANTITY, &axes, vec![vec![Channel::new("loss", texels)]])?, made))
+}
+
+fn view(node: &Node) -> View {
+    View { alpha: node.alpha, aspect: aspect(node.slice), mu: node.mu, phi: 0.0 }
 }
 
 /// Losses, within [`DIRECT`], and the evaluations that they took.
 fn direct(smith: Smith, nodes: &[Node]) -> Result<(Vec<[f64; 1]>, u64), IntegrateError> {
     let loss = |node: &Node| {
-        let aspect = aspect(node.slice);
-        let work = mean(smith, [node.alpha / aspect, node.alpha * aspect], node.mu, DIRECT)?;
-        Ok(([1.0 - work.value], work.evaluations))
+        let View { alpha, aspect, mu, .. } = view(node);
+        let place = Place { alpha: [alpha / aspect, alpha * aspect], mu, phi: None };
+        one(Path::Best, smith, &place, DIRECT)
     };
-    let all: Vec<([f64; 1], u64)> = nodes.par_iter().map(loss).collect::<Result<_, IntegrateError>>()?;
-    let evaluations = all.iter().map(|(_, n)| n).sum();
-    Ok((all.into_iter().map(|(losses, _)| losses).collect(), evaluations))
+    let all: Vec<_> = nodes.par_iter().map(loss).collect::<Result<_, IntegrateError>>()?;
+    let evaluations = all.iter().map(|work| work.evaluations).sum();
+    Ok((all.into_iter().map(|work| [1.0 - work.value]).collect(), evaluations))
 }
 
 /// The cubic of the azimuth at every texel, from exact values.
@@ -132,29 +121,25 @@ fn with_azimuth(spec: &Spec) -> Result<(Vec<Table>, Made), BuildError> {
     let rows: Vec<f64> = (0..size[1]).map(|i| region.alpha_map.alpha(axes[1].node(i, surface))).collect();
     let aspects: Vec<f64> = (0..size[2]).map(|i| aspect(axes[2].node(i, surface))).collect();
     // Below the region's mu a lookup at its edge still blends with a texel.
-    let mu = [0.25 * region.mu[0], 1.0];
-    let ends = [aspects[aspects.len() - 1], aspects[0]];
-    let truth = truth::azimuthal(*smith, [rows[0], rows[rows.len() - 1]], ends, mu)?;
-    let mut channels = [0, 1, 2, 3].map(|k| Channel::new(&format!("c{k}"), Vec::new()));
+    let lowest = 0.25 * region.mu[0];
+    let mut views = Vec::new();
     for &aspect in &aspects {
         for &alpha in &rows {
-            let (pinned, lobe) = (truth.pinned(alpha, aspect), Azimuth { alpha, aspect });
+            let lobe = Azimuth { alpha, aspect };
             for column in 0..size[0] {
-                let losses: Vec<f64> = Azimuth::samples()
-                    .into_iter()
-                    .map(|t| {
-                        let mu = node(&axes[0], column, lobe.alpha(t)).clamp(mu[0], mu[1]);
-                        1.0 - pinned.at(mu, lobe.phi(t))
-                    })
-                    .collect();
-                for (channel, coefficient) in channels.iter_mut().zip(Azimuth::cubic(&losses)) {
-                    channel.texels.push(coefficient);
-                }
+                views.extend(Azimuth::samples().into_iter().map(|t| {
+                    let mu = node(&axes[0], column, lobe.alpha(t)).clamp(lowest, 1.0);
+                    View { alpha, aspect, mu, phi: lobe.phi(t) }
+                }));
             }
         }
     }
-    let made = Made { evaluations: truth.evaluations(), integration: truth.worst() };
-    Ok((spec.tables(QUANTITY, &axes, vec![channels.to_vec()])?, made))
+    let (e, made) = energies(*smith, &views, true, AZIMUTH)?;
+    let losses: Vec<f64> = e.into_iter().map(|e| 1.0 - e).collect();
+    let cubics: Vec<[f64; 4]> = losses.chunks(Azimuth::samples().len()).map(Azimuth::cubic).collect();
+    let channel = |k: usize| Channel::new(&format!("c{k}"), cubics.iter().map(|cubic| cubic[k]).collect());
+    let channels = (0..4).map(channel).collect();
+    Ok((spec.tables(QUANTITY, &axes, vec![channels])?, made))
 }
 
 /// mu of a column where the alpha towards the view is `towards`.

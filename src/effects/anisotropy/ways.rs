@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Anisotropy, azimuth_map};
+use super::{Anisotropy, truth};
 use crate::approximate::Counter;
 use crate::data::{Layout, Smith};
 use crate::effects::BakeError;
@@ -39,7 +39,8 @@ fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFind
     let roughness = ROUGHNESS.clamp(region.roughness[0], region.roughness[1]);
     let anisotropy = span[1];
     let rulers = rulers(&region);
-    let map = azimuth_map(smith, &region, roughness, anisotropy, [&rulers[0].values, &rulers[1].values])?;
+    let map = truth::map(&region, roughness, anisotropy, [&rulers[0].values, &rulers[1].values]);
+    let (e, _) = truth::truths(smith, &map)?;
     let (mut fields, mut ways) = (Vec::new(), Vec::new());
     for baked in own {
         let Some(table) = baked.table() else { continue };
@@ -49,7 +50,7 @@ fn finding(smith: Smith, region: Region, own: &[&BakedTable]) -> Result<WaysFind
         };
         let errors = measure(table, baked.decode, &judge.points, judge.truth(0), 0.0)?;
         let lookup = Lookup::new(table, baked.decode)?;
-        let values = map.points.all.iter().zip(&map.truth);
+        let values = map.all.iter().zip(&e);
         fields.push(Field {
             name: name.into(),
             unit: String::new(),

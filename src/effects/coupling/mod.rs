@@ -42,8 +42,8 @@ pub use published::{OWN_SPECULAR, OwnSpecular, PUBLISHED, light_ops};
 pub struct DiffuseCoupling;
 
 /// Seconds of the truths of the fits and of their pictures on one core, and of one of the fits.
-const TRUTH_S: f64 = 3.3;
-const FIT_S: f64 = 0.2;
+const TRUTH_S: f64 = 0.9;
+const FIT_S: f64 = 0.1;
 
 impl Effect for DiffuseCoupling {
     fn name(&self) -> &'static str {

@@ -121,7 +121,7 @@ impl Sliced for Glass {
         &[1.1, 1.5, 2.0]
     }
 
-    fn on_grid(&self, smith: Smith, points: &Points, _: usize) -> Result<Vec<Vec<f64>>, IntegrateError> {
+    fn on_grid(&self, smith: Smith, points: &Points) -> Result<Vec<Vec<f64>>, IntegrateError> {
         Ok(truths(smith, points)?.0.to_vec())
     }
 

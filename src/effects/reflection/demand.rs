@@ -34,8 +34,8 @@ const EVALUATION_S: f64 = 30e-9;
 const OPTIMISE_S: f64 = 0.05;
 
 /// Seconds of the truth of the fits of f0 A + B, and of one of them.
-const BLEND_TRUTH_S: f64 = 3.3;
-const BLEND_FIT_S: f64 = 0.2;
+const BLEND_TRUTH_S: f64 = 0.9;
+const BLEND_FIT_S: f64 = 0.1;
 /// Name of the job of fits: one for the whole scene, because a fit over the hull of the ranges
 /// holds in each of them.
 const FITS: &str = "normalisation";

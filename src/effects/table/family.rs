@@ -88,12 +88,11 @@ pub trait Sliced: Family {
     /// Slices that pictures are drawn at, as far as they lie in the range.
     fn shown(&self) -> &'static [f64];
 
-    /// Truths of each side at a grid of one slice, `columns` roughnesses by cosines.
+    /// Truths of each side at a grid of one slice.
     ///
     /// # Errors
     /// A truth that cannot be integrated.
-    fn on_grid(&self, smith: Smith, points: &Points, columns: usize)
-    -> Result<Vec<Vec<f64>>, IntegrateError>;
+    fn on_grid(&self, smith: Smith, points: &Points) -> Result<Vec<Vec<f64>>, IntegrateError>;
 
     /// Title of a furnace test at a slice: `Glass, index of refraction 1.5, from inside`.
     fn title(&self, slice: f64, side: Option<Side>) -> String;

@@ -26,7 +26,7 @@ impl Grid {
     ) -> Result<Vec<Grid>, BakeError> {
         let grid = |slice: &f64| {
             let points = Points::grid(region, &over.roughness.values, &over.mu.values, *slice);
-            let truths = family.on_grid(smith, &points, over.roughness.values.len())?;
+            let truths = family.on_grid(smith, &points)?;
             Ok(Grid { slice: *slice, over: over.clone(), points, truths })
         };
         slices.iter().map(grid).collect()

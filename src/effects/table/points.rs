@@ -26,7 +26,7 @@ pub struct Points {
     /// The slice input, where there is one.
     slice: Option<SliceAxis>,
     /// Whether the azimuth is an input.
-    azimuth: bool,
+    pub azimuth: bool,
 }
 
 /// Groups walked along each edge of roughness and mu.

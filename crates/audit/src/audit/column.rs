@@ -1,7 +1,7 @@
 //! What a channel may hold: a column of a quantity, or what people store instead of one.
 
-use super::truth::is_albedo;
-use lobefit_truth::quantity;
+use super::truth::spec;
+use lobefit_truth::quantity::Quantity;
 
 /// What a channel holds. Two base values tell them all: E and B for reflection, R and T for glass,
 /// E_avg and E(mu = 1) for averages.
@@ -71,15 +71,8 @@ pub const AVERAGE: [Column; 5] =
 
 impl Column {
     /// What channels of a table of a quantity may hold; nothing for a quantity that is not audited.
-    pub fn of(quantity: &str) -> &'static [Column] {
-        match quantity {
-            "ggx-reflection" | "beckmann-reflection" => &REFLECTION,
-            "ggx-glass" => &GLASS,
-            "ggx-average" => &AVERAGE,
-            "ggx-reflection-aniso" => &ALBEDO,
-            other if quantity::find(other).is_some_and(is_albedo) => &ALBEDO,
-            _ => &[],
-        }
+    pub fn of(quantity: &dyn Quantity) -> &'static [Column] {
+        spec(quantity).map_or(&[], |spec| spec.columns)
     }
 
     /// The word in options, verdicts and files.

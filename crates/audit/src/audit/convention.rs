@@ -57,7 +57,7 @@ impl Fixed {
     }
 
     /// Refuses what cannot be meant for a table of this many axes and channels.
-    pub(super) fn check(&self, truth: &dyn Truth, axes: usize, channels: usize) -> Result<(), AuditError> {
+    pub(super) fn check(&self, truth: &Truth, axes: usize, channels: usize) -> Result<(), AuditError> {
         let refuse =
             |option, value: String, reason: String| Err(AuditError::Option { option, value, reason });
         if let Some(given) = &self.axes {
@@ -127,7 +127,7 @@ impl Fixed {
     }
 
     /// The lobes to be tried, by their place.
-    pub(super) fn lobes(&self, truth: &dyn Truth) -> Vec<usize> {
+    pub(super) fn lobes(&self, truth: &Truth) -> Vec<usize> {
         let fits = |l: &Lobe| {
             self.smith.is_none_or(|s| l.smith.is_none_or(|own| own == s))
                 && self.side.is_none_or(|s| l.side.is_none_or(|own| own == s))

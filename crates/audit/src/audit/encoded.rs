@@ -15,7 +15,7 @@ const AXES: usize = 2;
 /// What is said of a table that fits nothing, but does when its values are decoded from sRGB; none
 /// if it does not.
 pub(super) fn srgb(
-    truth: &dyn Truth,
+    truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     fixed: &Fixed,

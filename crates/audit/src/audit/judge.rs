@@ -24,7 +24,7 @@ pub(super) struct Judgement {
 
 /// The exact truth under a reading.
 pub(super) fn judge(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     axes: &[AxisReading],
     lobe: usize,
@@ -34,7 +34,7 @@ pub(super) fn judge(
 
 /// The quick truth under a reading.
 pub(super) fn quickly(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     axes: &[AxisReading],
     lobe: usize,
@@ -46,7 +46,7 @@ pub(super) fn quickly(
 type Truths<'a> = dyn Fn(&[&[f64]]) -> Result<Values, AuditError> + 'a;
 
 fn judged_by(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     axes: &[AxisReading],
     values: &Truths,
@@ -71,7 +71,7 @@ fn judged_by(
 
 /// A reading with its exact figures.
 fn refit(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     fixed: &Fixed,
     axes: Vec<AxisReading>,
@@ -84,7 +84,7 @@ fn refit(
 
 /// Candidates judged again on another sample; the best `most` of them.
 pub(super) fn rejudge(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     fixed: &Fixed,
     list: Vec<Candidate>,
@@ -99,7 +99,7 @@ pub(super) fn rejudge(
 
 /// Candidates on another sample by the quick truth; the best `most` of them.
 pub(super) fn requick(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     fixed: &Fixed,
     list: Vec<Candidate>,
@@ -117,7 +117,7 @@ pub(super) fn requick(
 /// The candidate with the clamps that fit best: of all its axes together (a corner shows only
 /// that), then of each.
 pub(super) fn with_floors(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     fixed: &Fixed,
     candidate: &Candidate,

@@ -41,7 +41,7 @@ pub(super) struct Points {
 
 impl Points {
     /// Evenly spaced coordinates over the part of the domain where the truth can be had.
-    pub(super) fn new(truth: &dyn Truth, convention: &Convention, lobe: usize) -> Result<Points, AuditError> {
+    pub(super) fn new(truth: &Truth, convention: &Convention, lobe: usize) -> Result<Points, AuditError> {
         let n = PLACES[convention.axes.len() - 1];
         let coordinate = |k: usize| (k as f64 + 0.5) / n as f64;
         let (mut coordinates, mut inputs) = (Vec::new(), Vec::new());

@@ -102,8 +102,8 @@ pub fn inputs_of(quantity: &dyn Quantity) -> usize {
 
 /// Names of the quantities that can be audited.
 fn audited() -> String {
-    let names = QUANTITIES.iter().map(|quantity| quantity.name());
-    names.filter(|name| !Column::of(name).is_empty()).collect::<Vec<_>>().join(", ")
+    let audited = QUANTITIES.iter().filter(|quantity| truth::spec(**quantity).is_some());
+    audited.map(|quantity| quantity.name()).collect::<Vec<_>>().join(", ")
 }
 
 /// Conventions of which clamps are tried.
@@ -122,8 +122,7 @@ pub fn audit(
     let table = audited.checked()?;
     let live = table.live(fixed.meanings.as_ref().map(Vec::len))?;
     progress("truth");
-    let truth = truth_of(&table, quantity, fixed)?;
-    let truth = truth.as_ref();
+    let truth = &truth_of(&table, quantity, fixed)?;
     check_axes(&table, truth)?;
     fixed.check(truth, table.size.len(), live.len())?;
     let role = |name: &String| arguments::role(name).filter(|role| truth.inputs().contains(role));
@@ -153,32 +152,18 @@ fn truth_of<'a>(
     table: &AuditedTable,
     quantity: &'a dyn Quantity,
     fixed: &Fixed,
-) -> Result<Box<dyn Truth + 'a>, AuditError> {
+) -> Result<Truth<'a>, AuditError> {
     let smiths: Vec<Smith> = fixed.smith.map_or(vec![Smith::Correlated, Smith::Separable], |s| vec![s]);
-    Ok(match quantity.name() {
-        "ggx-reflection" => Box::new(truth::ggx(&smiths)?),
-        "beckmann-reflection" => Box::new(truth::beckmann(&smiths)?),
-        "ggx-average" => Box::new(truth::average(&smiths)?),
-        "ggx-reflection-aniso" => Box::new(truth::aniso(&smiths)?),
-        "ggx-glass" => {
-            let sides = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
-            let lobe = |smith: &Smith| {
-                sides.iter().map(|side| Lobe { smith: Some(*smith), side: Some(*side) }).collect::<Vec<_>>()
-            };
-            Box::new(truth::glass(smiths.iter().flat_map(lobe).collect())?)
-        }
-        _ if truth::is_albedo(quantity) => Box::new(truth::albedo(quantity)?),
-        other => {
-            return Err(AuditError::Option {
-                option: "--as",
-                value: other.into(),
-                reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
-            });
-        }
-    })
+    let sides: Vec<Side> = fixed.side.map_or(vec![Side::Outside, Side::Inside], |s| vec![s]);
+    let spec = truth::spec(quantity).ok_or_else(|| AuditError::Option {
+        option: "--as",
+        value: quantity.name().into(),
+        reason: format!("{}: nothing of it can be audited; {} can", table.what, audited()),
+    })?;
+    Truth::new(spec, &smiths, &sides)
 }
 
-fn check_axes(table: &AuditedTable, truth: &dyn Truth) -> Result<(), AuditError> {
+fn check_axes(table: &AuditedTable, truth: &Truth) -> Result<(), AuditError> {
     let (axes, inputs) = (table.size.len(), truth.inputs().len());
     if axes == inputs {
         return Ok(());
@@ -202,7 +187,7 @@ fn check_axes(table: &AuditedTable, truth: &dyn Truth) -> Result<(), AuditError>
 /// The conventions with that first which tells the two parts of a table apart, if it is of two;
 /// `found` and what the sieve let through.
 fn of_two_lobes(
-    truth: &dyn Truth,
+    truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     fixed: &Fixed,
@@ -229,7 +214,7 @@ fn of_two_lobes(
 /// The conventions that fit best, no two of them alike but for clamps, and what the sieve let
 /// through.
 fn candidates(
-    truth: &dyn Truth,
+    truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     fixed: &Fixed,
@@ -278,7 +263,7 @@ fn whole(size: &[usize]) -> usize {
 }
 
 fn finish(
-    truth: &dyn Truth,
+    truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     fixed: &Fixed,
@@ -390,7 +375,7 @@ fn unjudged(name: &str) -> ChannelAudit {
     }
 }
 
-fn tried(c: &Candidate, truth: &dyn Truth, live: &[usize], channels: usize) -> Tried {
+fn tried(c: &Candidate, truth: &Truth, live: &[usize], channels: usize) -> Tried {
     let mut misfits = vec![None; channels];
     for (place, misfit) in live.iter().zip(&c.fitted.misfits) {
         misfits[*place] = *misfit;

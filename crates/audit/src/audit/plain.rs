@@ -36,7 +36,7 @@ pub struct Plain {
 
 /// The plain reading of a table; none if the best one is plain, or what is not is said by the user.
 pub(super) fn plain(
-    truth: &dyn Truth,
+    truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     fixed: &Fixed,
@@ -106,7 +106,7 @@ fn scaled(name: &str, source: Source, axis: &mut AxisReading) {
 
 /// Largest error of any judged channel under a reading, and how many texels were judged.
 fn worst(
-    truth: &dyn Truth,
+    truth: &Truth,
     table: &AuditedTable,
     live: &[usize],
     lobe: usize,

@@ -105,7 +105,7 @@ pub(super) fn steps(dims: &[usize], assigned: &[usize]) -> Vec<usize> {
 }
 
 /// Which texels of a sample lie where the truth can be had.
-pub(super) fn judged(truth: &dyn Truth, sample: &Sample, axes: &[AxisReading]) -> Vec<bool> {
+pub(super) fn judged(truth: &Truth, sample: &Sample, axes: &[AxisReading]) -> Vec<bool> {
     let along: Vec<Vec<bool>> = axes
         .iter()
         .enumerate()
@@ -227,7 +227,7 @@ pub(super) struct Candidate {
 
 impl Candidate {
     /// For readers; `channels` of the table, of which `live` vary.
-    pub(super) fn convention(&self, truth: &dyn Truth, live: &[usize], channels: usize) -> Convention {
+    pub(super) fn convention(&self, truth: &Truth, live: &[usize], channels: usize) -> Convention {
         let mut columns = vec![None; channels];
         for (place, column) in live.iter().zip(&self.fitted.columns) {
             columns[*place] = *column;

@@ -21,11 +21,7 @@ const COORDINATES: usize = 6;
 const COORDINATES_OF_ALL: usize = 120;
 
 /// The most promising conventions, the best first.
-pub(super) fn screen(
-    truth: &dyn Truth,
-    sample: &Sample,
-    fixed: &Fixed,
-) -> Result<Vec<Candidate>, AuditError> {
+pub(super) fn screen(truth: &Truth, sample: &Sample, fixed: &Fixed) -> Result<Vec<Candidate>, AuditError> {
     let axes = sample.size.len();
     let (mut found, mut rough) = (Vec::new(), Vec::new());
     for assigned in permutations(axes) {
@@ -49,7 +45,7 @@ pub(super) fn screen(
 /// The best choices of coordinates with every registration: `rough` has those of each order of axes
 /// and lobe, the best first.
 fn sited(
-    truth: &dyn Truth,
+    truth: &Truth,
     sample: &Sample,
     fixed: &Fixed,
     rough: Vec<Vec<Candidate>>,
@@ -93,7 +89,7 @@ fn permutations(n: usize) -> Vec<Vec<usize>> {
 }
 
 struct Task<'a> {
-    truth: &'a dyn Truth,
+    truth: &'a Truth<'a>,
     sample: &'a Sample,
     fixed: &'a Fixed,
     /// Axis along which each input of the truth runs.

@@ -44,7 +44,7 @@ pub struct TwoLobes {
 /// with its parts; none if it is not so. `tried` are readings, and `best` is the root mean square
 /// of the best with one lobe.
 pub(super) fn found(
-    truth: &dyn Truth,
+    truth: &Truth,
     [some, all]: [&Sample; 2],
     fixed: &Fixed,
     tried: &[Candidate],
@@ -89,7 +89,7 @@ pub(super) fn found(
     Ok(Some((Candidate { lobe: both[1 - smaller], ..candidate.clone() }, two_lobes)))
 }
 
-fn same_side(truth: &dyn Truth, a: usize, b: usize) -> bool {
+fn same_side(truth: &Truth, a: usize, b: usize) -> bool {
     truth.lobes()[a].side == truth.lobes()[b].side
 }
 

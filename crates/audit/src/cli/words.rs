@@ -25,7 +25,7 @@ pub(super) fn wanted(text: &str) -> Result<(&'static dyn Quantity, Option<Column
 }
 
 pub(super) fn column(quantity: &dyn Quantity, name: &str) -> Result<Column, String> {
-    let columns = Column::of(quantity.name());
+    let columns = Column::of(quantity);
     let alias = match name {
         "loss" => "1-E",
         "N" => "1/E",

@@ -5,7 +5,8 @@ use lobefit_audit::audit::{
     Audit, AuditedChannel, AuditedTable, Column, Defect, Fit, Fixed, Registration, Scale, Source, audit,
 };
 use lobefit_audit::foreign::Step;
-use lobefit_truth::integrate::aniso::table::{Columns, Grid, tabulate};
+use lobefit_truth::integrate::Path;
+use lobefit_truth::integrate::aniso::fast::{Place, many};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::glass::table::{Energies, Kernel};
 use lobefit_truth::quantity;
@@ -108,11 +109,14 @@ fn a_stale_part_of_glass_from_inside_is_found() {
 /// The sources' table of these sizes over mu, alpha and the square root of the anisotropy, nodes i/n.
 fn of_the_path_tracer(size: [usize; 3]) -> Vec<f64> {
     let at = |i: usize, n: usize| i as f64 / n as f64;
-    let mu: Vec<f64> = (0..size[0]).map(|i| at(i, size[0]).clamp(1e-4, 0.9999)).collect();
-    let alphas: Vec<f64> = (0..size[1]).map(|i| at(i, size[1]).clamp(1e-4, 1.0)).collect();
-    let aspects: Vec<f64> = (0..size[2]).map(|i| (1.0 - 0.9 * at(i, size[2]).sqrt()).sqrt()).collect();
-    let grid = Grid { columns: Columns::Fixed(&mu), alphas: &alphas, aspects: &aspects, floor: 1e-4 };
-    tabulate(Smith::Separable, &grid, 1e-7).unwrap().e
+    let place = |i: usize| {
+        let mu = at(i % size[0], size[0]).clamp(1e-4, 0.9999);
+        let alpha = at(i / size[0] % size[1], size[1]).clamp(1e-4, 1.0);
+        let aspect = (1.0 - 0.9 * at(i / size[0] / size[1], size[2]).sqrt()).sqrt();
+        Place { alpha: [(alpha / aspect).max(1e-4), (alpha * aspect).max(1e-4)], mu, phi: None }
+    };
+    let places: Vec<Place> = (0..size.iter().product()).map(place).collect();
+    many(Path::Best, Smith::Separable, &places, 1e-7).unwrap().e
 }
 
 /// Their coordinates.

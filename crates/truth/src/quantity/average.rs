@@ -5,10 +5,10 @@ use lobefit_math::ops;
 use rayon::prelude::*;
 
 use super::reflection::TRUTH_ERROR;
-use super::{ALPHA, Choice, Input, Quantity, Truth, Variant, check_unit, each, given};
+use super::{ALPHA, Asked, Choice, Input, Quantity, Truth, Variant, check_unit};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::{IntegrateError, reflection};
-use crate::points::{Points, hull};
+use crate::points::hull;
 
 /// Nodes of the interpolant of E_avg over a [`SPAN`] of ln(alpha), in which it is analytic: within
 /// 1e-9 (`crates/truth/tests/many.rs`).
@@ -58,17 +58,12 @@ impl Quantity for GgxAverage {
     }
 
     /// E_avg from an interpolant over ln(alpha).
-    fn truth(
-        &self,
-        variant: &Variant,
-        points: &Points,
-        outputs: &[&str],
-        tolerance: f64,
-    ) -> Result<Truth, IntegrateError> {
-        if tolerance < INTERPOLANT_ERROR || outputs != ["E_avg"] || points.len() <= NODES {
-            return each(self, variant, points, outputs, tolerance);
+    fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
+        let few = asked.points.len() <= NODES;
+        if few || asked.tolerance < INTERPOLANT_ERROR || asked.outputs != ["E_avg"] {
+            return Ok(None);
         }
-        let (smith, [alpha]) = (variant.smith(self.name())?, given(self, points)?);
+        let (smith, [alpha]) = (asked.variant.smith(self.name())?, asked.columns(self)?);
         check_unit(self, "alpha", alpha, self.smallest_alpha())?;
         let [low, high] = hull(alpha.iter().map(|a| ops::log(a.max(SMALLEST))));
         let value = |x: &f64| {
@@ -81,7 +76,8 @@ impl Quantity for GgxAverage {
         let known = Chebyshev::new(low, high, values);
         let at = |alpha: &f64| known.at(ops::log(alpha.max(SMALLEST)).clamp(low, high));
         let column = alpha.par_iter().map(at).collect();
-        Ok(Truth { columns: vec![column], error: INTERPOLANT_ERROR, evaluations: count as u64 })
+        let (columns, evaluations) = (vec![column], count as u64);
+        Ok(Some(Truth { columns, error: INTERPOLANT_ERROR, evaluations }))
     }
 
     fn tolerance_of_many(&self, _: &Variant) -> f64 {

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Choice, Fresnel, Input, Quantity, Truth, Variant, each, given, places};
+use super::{ALPHA, Asked, Choice, Fresnel, Input, Quantity, Truth, Variant};
 use crate::integrate::glass::Side;
 use crate::integrate::glass::table::{self, Energies, Kernel};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
@@ -28,7 +28,8 @@ impl GgxGlass {
         points: &Points,
         tolerance: f64,
     ) -> Result<[Truth; 2], IntegrateError> {
-        let [alpha, mu, ior] = given(self, points)?;
+        let asked = Asked { variant: &Variant::from(smith), points, outputs: &[], tolerance };
+        let [alpha, mu, ior] = asked.columns(self)?;
         let kernel = Kernel::new(smith, tolerance)?;
         let inputs: Vec<[f64; 3]> = (0..points.len()).map(|i| [alpha[i], mu[i], ior[i]]).collect();
         let chunk = |chunk: &[[f64; 3]]| {
@@ -119,22 +120,16 @@ impl Quantity for GgxGlass {
         Ok(vec![v.r, v.t, v.e, v.loss, v.error])
     }
 
-    fn truth(
-        &self,
-        variant: &Variant,
-        points: &Points,
-        outputs: &[&str],
-        tolerance: f64,
-    ) -> Result<Truth, IntegrateError> {
-        let exact = outputs.iter().any(|output| ["loss", "error"].contains(output));
-        if exact || tolerance < 2.0 * FINEST || points.len() < CHUNK {
-            return each(self, variant, points, outputs, tolerance);
+    fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
+        let Asked { variant, points, tolerance, .. } = *asked;
+        if asked.wants(&["loss", "error"]) || tolerance < 2.0 * FINEST || points.len() < CHUNK {
+            return Ok(None);
         }
-        let (places, side) = (places(self, outputs)?, variant.side(self.name())?);
+        let (places, side) = (asked.places(self)?, variant.side(self.name())?);
         let [outside, inside] = self.both_sides(variant.smith(self.name())?, points, 0.5 * tolerance)?;
         let all = if side == Side::Outside { outside } else { inside };
         let columns = places.iter().map(|place| all.columns[*place].clone()).collect();
-        Ok(Truth { columns, error: tolerance, ..all })
+        Ok(Some(Truth { columns, error: tolerance, ..all }))
     }
 
     fn second_opinion(&self, variant: &Variant, x: &[f64], run: Run) -> Result<Vec<Sampled>, IntegrateError> {

@@ -161,8 +161,8 @@ pub trait Quantity: Sync {
     }
 
     /// Some outputs at many points, by the fastest way that keeps an absolute `tolerance`:
-    /// interpolants and rules that neighbours share where the quantity has them, else
-    /// [`Quantity::at`] of every point.
+    /// [`Quantity::many`] where the quantity has it, as interpolants and rules that neighbours
+    /// share; else [`Quantity::at`] of every point.
     ///
     /// # Errors
     /// As [`Quantity::at`]; an output that there is not, a column of inputs that the points do not
@@ -174,7 +174,21 @@ pub trait Quantity: Sync {
         outputs: &[&str],
         tolerance: f64,
     ) -> Result<Truth, IntegrateError> {
-        each(self, variant, points, outputs, tolerance)
+        let asked = Asked { variant, points, outputs, tolerance };
+        let places = asked.places(self)?;
+        match self.many(&asked)? {
+            Some(truth) => Ok(truth),
+            None => asked.each(self, &places),
+        }
+    }
+
+    /// [`Quantity::truth`] by a way of its own; `None` where it has none for what is asked.
+    ///
+    /// # Errors
+    /// As [`Quantity::truth`].
+    fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
+        let _ = asked;
+        Ok(None)
     }
 
     /// The tolerance of [`Quantity::truth`] that its fast ways keep: what to ask for where the
@@ -261,28 +275,70 @@ impl Truth {
     }
 }
 
-/// Columns of the inputs of a quantity, in its order; `None` of an optional input that the points
-/// do not have.
-fn inputs<'a, Q: Quantity + ?Sized>(
-    quantity: &Q,
-    points: &'a Points,
-) -> Result<Vec<Option<&'a [f64]>>, IntegrateError> {
-    let column = |input: &Input| match points.column(input.name) {
-        None if !input.optional => {
-            Err(IntegrateError::NoInput { quantity: quantity.name(), input: input.name })
-        }
-        column => Ok(column),
-    };
-    quantity.inputs().iter().map(column).collect()
+/// What is asked of a quantity at many points.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'a> {
+    /// The variant.
+    pub variant: &'a Variant,
+    /// The points.
+    pub points: &'a Points,
+    /// Names of outputs.
+    pub outputs: &'a [&'a str],
+    /// Largest error.
+    pub tolerance: f64,
 }
 
-/// The columns of a quantity whose inputs are all called for.
-fn given<'a, const N: usize, Q: Quantity + ?Sized>(
-    quantity: &Q,
-    points: &'a Points,
-) -> Result<[&'a [f64]; N], IntegrateError> {
-    let columns = inputs(quantity, points)?;
-    Ok(std::array::from_fn(|k| columns.get(k).copied().flatten().unwrap_or(&[])))
+impl<'a> Asked<'a> {
+    /// Whether one of some outputs is asked for.
+    fn wants(&self, outputs: &[&str]) -> bool {
+        self.outputs.iter().any(|output| outputs.contains(output))
+    }
+
+    /// Columns of the inputs of a quantity, in its order; `None` of an optional input that the
+    /// points do not have.
+    fn inputs<Q: Quantity + ?Sized>(&self, quantity: &Q) -> Result<Vec<Option<&'a [f64]>>, IntegrateError> {
+        let column = |input: &Input| match self.points.column(input.name) {
+            None if !input.optional => {
+                Err(IntegrateError::NoInput { quantity: quantity.name(), input: input.name })
+            }
+            column => Ok(column),
+        };
+        quantity.inputs().iter().map(column).collect()
+    }
+
+    /// The columns of a quantity of whose inputs none is optional.
+    fn columns<const N: usize, Q: Quantity + ?Sized>(
+        &self,
+        quantity: &Q,
+    ) -> Result<[&'a [f64]; N], IntegrateError> {
+        let columns = self.inputs(quantity)?;
+        Ok(std::array::from_fn(|k| columns.get(k).copied().flatten().unwrap_or(&[])))
+    }
+
+    /// The places of the outputs among those of a quantity.
+    fn places<Q: Quantity + ?Sized>(&self, quantity: &Q) -> Result<Vec<usize>, IntegrateError> {
+        let place = |output: &&str| {
+            let found = quantity.outputs().iter().position(|o| o == output);
+            let output = String::from(*output);
+            found.ok_or_else(|| IntegrateError::NoOutput { quantity: quantity.name(), output })
+        };
+        self.outputs.iter().map(place).collect()
+    }
+
+    /// [`Quantity::at`] of every point.
+    fn each<Q: Quantity + ?Sized>(&self, quantity: &Q, places: &[usize]) -> Result<Truth, IntegrateError> {
+        let inputs = self.inputs(quantity)?;
+        let at = |i: usize| {
+            let x: Vec<f64> =
+                inputs.iter().map(|column| column.map_or(f64::NAN, |column| column[i])).collect();
+            quantity.at(self.variant, &x, self.tolerance)
+        };
+        let count = self.points.len();
+        let rows: Vec<Vec<f64>> = (0..count).into_par_iter().map(at).collect::<Result<_, _>>()?;
+        let error = rows.iter().filter_map(|row| row.last().copied()).fold(0.0, f64::max);
+        let columns = places.iter().map(|place| rows.iter().map(|row| row[*place]).collect()).collect();
+        Ok(Truth { columns, error, evaluations: count as u64 })
+    }
 }
 
 /// Refuses values that are neither 0 nor in [smallest, 1], but for what a rounding to f32 does to
@@ -305,35 +361,6 @@ fn check_unit<Q: Quantity + ?Sized>(
 
 /// Relative rounding of an input in f32.
 const ROUNDED: f64 = 1e-6;
-
-/// The places of outputs among those of a quantity.
-fn places<Q: Quantity + ?Sized>(quantity: &Q, outputs: &[&str]) -> Result<Vec<usize>, IntegrateError> {
-    let place = |output: &&str| {
-        let found = quantity.outputs().iter().position(|o| o == output);
-        let no = || IntegrateError::NoOutput { quantity: quantity.name(), output: String::from(*output) };
-        found.ok_or_else(no)
-    };
-    outputs.iter().map(place).collect()
-}
-
-/// [`Quantity::at`] of every point.
-fn each<Q: Quantity + ?Sized>(
-    quantity: &Q,
-    variant: &Variant,
-    points: &Points,
-    outputs: &[&str],
-    tolerance: f64,
-) -> Result<Truth, IntegrateError> {
-    let (inputs, places) = (inputs(quantity, points)?, places(quantity, outputs)?);
-    let at = |i: usize| {
-        let x: Vec<f64> = inputs.iter().map(|column| column.map_or(f64::NAN, |column| column[i])).collect();
-        quantity.at(variant, &x, tolerance)
-    };
-    let rows: Vec<Vec<f64>> = (0..points.len()).into_par_iter().map(at).collect::<Result<_, _>>()?;
-    let error = rows.iter().filter_map(|row| row.last().copied()).fold(0.0, f64::max);
-    let columns = places.iter().map(|place| rows.iter().map(|row| row[*place]).collect()).collect();
-    Ok(Truth { columns, error, evaluations: points.len() as u64 })
-}
 
 impl std::fmt::Debug for dyn Quantity {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

@@ -2,16 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::{
-    ALPHA, Choice, Fresnel, Input, MU, Quantity, Truth, Use, Variant, check_unit, each, given, places,
-};
+use super::{ALPHA, Asked, Choice, Fresnel, Input, MU, Quantity, Truth, Use, Variant, check_unit};
 use crate::integrate::monte_carlo::{self, Run, Sampled};
 use crate::integrate::reflection::{Effort, Interpolant, albedo_of, split_of};
 use crate::integrate::{Estimate, IntegrateError, reflection};
 use crate::optics::Smith;
 use crate::optics::beckmann::Beckmann;
 use crate::optics::distribution::{Distribution, Ggx};
-use crate::points::Points;
 
 /// The directional albedo E = A + B for F = 1 of a lobe with a distribution of normals, its parts
 /// for f0 A + B, and 1 - E.
@@ -146,18 +143,12 @@ impl<D: Distribution> Quantity for Reflection<D> {
         Ok(vec![v.e, v.a, v.b, v.loss, v.error])
     }
 
-    fn truth(
-        &self,
-        variant: &Variant,
-        points: &Points,
-        outputs: &[&str],
-        tolerance: f64,
-    ) -> Result<Truth, IntegrateError> {
-        if tolerance < TRUTH_ERROR || outputs.contains(&"loss") || outputs.contains(&"error") {
-            return each(self, variant, points, outputs, tolerance);
+    fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
+        let Asked { variant, outputs, tolerance, .. } = *asked;
+        if tolerance < TRUTH_ERROR || asked.wants(&["loss", "error"]) {
+            return Ok(None);
         }
-        places(self, outputs)?;
-        let [alpha, mu] = given(self, points)?;
+        let [alpha, mu] = asked.columns(self)?;
         check_unit(self, "alpha", alpha, self.smallest_alpha())?;
         check_unit(self, "mu", mu, 0.0)?;
         let inputs: Vec<(f64, f64)> = alpha.iter().copied().zip(mu.iter().copied()).collect();
@@ -173,7 +164,7 @@ impl<D: Distribution> Quantity for Reflection<D> {
             "B" => *b,
             _ => e - b,
         };
-        Ok(Truth { error: TRUTH_ERROR, ..Truth::of(outputs, &rows, of) })
+        Ok(Some(Truth { error: TRUTH_ERROR, ..Truth::of(outputs, &rows, of) }))
     }
 
     fn tolerance_of_many(&self, _: &Variant) -> f64 {

@@ -31,7 +31,7 @@ pub(super) struct Domain {
 impl Domain {
     /// Errors: an input of which the statement gives no range, or one that is empty or a single
     /// value where the truth is had.
-    pub fn new(truth: &dyn Truth, said: &Statement) -> Result<Domain, String> {
+    pub fn new(truth: &Truth, said: &Statement) -> Result<Domain, String> {
         let count = PLACES[truth.inputs().len().clamp(2, 4) - 2];
         let mut out = Domain { places: Vec::new(), beyond: Vec::new(), cut: Vec::new() };
         for input in truth.inputs() {

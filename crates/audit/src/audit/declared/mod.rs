@@ -14,7 +14,7 @@ use super::axis::Registration;
 use super::column::Column;
 use super::lookup::fetch;
 use super::table::AuditedTable;
-use super::truth::{Truth, Values, azimuth};
+use super::truth::{Truth, Values, with_azimuth};
 use super::{AuditError, FITS};
 use domain::Domain;
 use formula::Formula;
@@ -25,9 +25,6 @@ use statement::{Axis, Statement};
 /// How much larger than claimed an error may be: it is looked for at other places than the file's
 /// maker did.
 const SLACK: f64 = 1.2;
-
-/// The quantity of which tables may depend on the azimuth of the view.
-const AZIMUTHAL: &str = "ggx-reflection-aniso";
 
 /// Error of a column as the statement says that it is looked up.
 #[derive(Clone, Debug, PartialEq)]
@@ -139,12 +136,12 @@ pub fn declared(
     let said = Statement::parse(statement).map_err(odd)?;
     let audited = agreed(table, quantity, &said)?;
     let fixed = super::Fixed { side: said.side, ..super::Fixed::default() };
-    let truth: Box<dyn Truth> = match said.azimuth {
-        true if quantity.name() == AZIMUTHAL => Box::new(azimuth(&[Smith::Correlated, Smith::Separable])),
-        true => return Err(odd(format!("{} does not depend on the azimuth of the view", quantity.name()))),
-        false => super::truth_of(&audited, quantity, &fixed)?,
+    let no_azimuth = || odd(format!("{} does not depend on the azimuth of the view", quantity.name()));
+    let truth = &if said.azimuth {
+        Truth::new(with_azimuth(quantity).ok_or_else(no_azimuth)?, &Smith::ALL, &[])?
+    } else {
+        super::truth_of(&audited, quantity, &fixed)?
     };
-    let truth = truth.as_ref();
     let Domain { places, beyond, cut } = Domain::new(truth, &said).map_err(odd)?;
     let lobe =
         |smith: Option<Smith>| truth.lobes().iter().position(|l| l.smith.is_none() || l.smith == smith);
@@ -209,7 +206,7 @@ impl Look<'_> {
     /// The columns under these registrations.
     fn errors(
         &self,
-        truth: &dyn Truth,
+        truth: &Truth,
         base: &Values,
         registrations: &[Registration],
     ) -> Result<Vec<Held>, String> {
@@ -250,7 +247,7 @@ impl Look<'_> {
     }
 
     /// The columns that are asked for, with their places in `decode`.
-    fn columns(&self, truth: &dyn Truth) -> Result<Vec<(Column, usize)>, String> {
+    fn columns(&self, truth: &Truth) -> Result<Vec<(Column, usize)>, String> {
         let column = |name: &str| truth.columns().iter().copied().find(|c| c.name() == name);
         let all = self.said.decode.iter().enumerate().filter_map(|(k, (name, _))| Some((column(name)?, k)));
         let found: Vec<(Column, usize)> = all.filter(|(c, _)| self.wanted.is_none_or(|w| w == *c)).collect();
@@ -348,7 +345,7 @@ const OTHER_ALONE: f64 = 0.05;
 /// Of a table of two lobes, how many points are as good as claimed under the other one, in words.
 fn parts(
     look: &Look,
-    truth: &dyn Truth,
+    truth: &Truth,
     bases: [&Values; 2],
     registrations: &[Registration],
     limit: f64,
@@ -372,7 +369,7 @@ fn parts(
 /// as it claims.
 fn instead(
     look: &Look,
-    truth: &dyn Truth,
+    truth: &Truth,
     own: usize,
     base: &Values,
     limit: f64,

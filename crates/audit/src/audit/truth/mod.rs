@@ -1,26 +1,24 @@
 //! The truth of a quantity over whole tensors of inputs, fast enough to try thousands of
 //! conventions.
 
-mod albedo;
-mod aniso;
-mod average;
-mod azimuth;
-mod glass;
-mod plane;
-mod solid;
+mod knots;
+mod spec;
 
-pub(super) use albedo::{albedo, is_albedo};
-pub(super) use aniso::aniso;
-pub(super) use average::average;
-pub(super) use azimuth::azimuth;
-pub(super) use glass::glass;
-pub(super) use plane::{beckmann, ggx};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rayon::prelude::*;
 
 use super::AuditError;
 use super::axis::Input;
 use super::column::Column;
+use knots::along;
 use lobefit::data::Smith;
+use lobefit::effects::table::aspect;
+use lobefit_math::ops;
 use lobefit_truth::integrate::glass::Side;
+use lobefit_truth::points::Points;
+use lobefit_truth::quantity::{Choice, GGX_REFLECTION, Quantity, Variant};
+pub(super) use spec::{Spec, spec, with_azimuth};
 
 /// Which lobe a truth is of.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,56 +42,251 @@ impl Lobe {
         });
         [smith, side].into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
-}
 
-/// What is integrated once for all audits of a process.
-type Once<T> = std::sync::OnceLock<T>;
-
-/// What `made` makes, unless it was made before. It is not made under a lock: a thread that waits
-/// for others in it may be given another audit.
-fn once<T>(
-    kept: &'static Once<T>,
-    made: impl FnOnce() -> Result<T, AuditError>,
-) -> Result<&'static T, AuditError> {
-    if let Some(kept) = kept.get() {
-        return Ok(kept);
+    /// The lobes of a quantity among these.
+    fn of(quantity: &dyn Quantity, smiths: &[Smith], sides: &[Side]) -> Vec<Lobe> {
+        let smiths = choices(quantity, Choice::Smith, smiths);
+        let sides = choices(quantity, Choice::Side, sides);
+        let with = |smith: &Option<Smith>| {
+            let smith = *smith;
+            sides.iter().map(move |side| Lobe { smith, side: *side }).collect::<Vec<_>>()
+        };
+        smiths.iter().flat_map(with).collect()
     }
-    let made = made()?;
-    Ok(kept.get_or_init(|| made))
 }
 
-/// Place of a shadowing form among what is kept of each.
-fn place_of(smith: Smith) -> usize {
-    usize::from(smith == Smith::Separable)
+/// The choices, or `None` of a quantity that does not have it.
+fn choices<T: Copy>(quantity: &dyn Quantity, choice: Choice, all: &[T]) -> Vec<Option<T>> {
+    if quantity.has(choice) { all.iter().copied().map(Some).collect() } else { vec![None] }
 }
 
 /// Two base values (see [`Column`]) at every combination of the inputs given, the first input
 /// fastest.
 pub(super) type Values = Vec<[f64; 2]>;
 
+/// Values at knots by quantity and lobe, integrated once for all audits of a process.
+static KNOWN: Mutex<Vec<((&str, Lobe), Arc<Values>)>> = Mutex::new(Vec::new());
+
 /// A quantity's truth.
-pub(super) trait Truth: Sync {
+pub(super) struct Truth<'a> {
+    spec: Spec<'a>,
+    lobes: Vec<Lobe>,
+    /// Values at the knots, for each lobe; nothing of a quantity without knots.
+    values: Vec<Arc<Values>>,
+}
+
+impl<'a> Truth<'a> {
+    /// The truth of the lobes of these forms and sides.
+    pub(super) fn new(spec: Spec<'a>, smiths: &[Smith], sides: &[Side]) -> Result<Truth<'a>, AuditError> {
+        let lobes = Lobe::of(spec.quantity, smiths, sides);
+        let mut truth = Truth { spec, lobes, values: Vec::new() };
+        if !spec.knots.is_empty() {
+            truth.values =
+                (0..truth.lobes.len()).map(|lobe| truth.at_knots(lobe)).collect::<Result<_, _>>()?;
+        }
+        Ok(truth)
+    }
+
+    /// The values of a lobe at the knots. They are not made under the lock: a thread that waits for
+    /// others in it may be given another audit.
+    fn at_knots(&self, lobe: usize) -> Result<Arc<Values>, AuditError> {
+        let key = (self.quantity(), self.lobes[lobe]);
+        let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known().iter().find(|(known, _)| *known == key).map(|(_, values)| values.clone());
+        if let Some(values) = found {
+            return Ok(values);
+        }
+        let knots: Vec<Vec<f64>> = self.spec.knots.iter().map(|knots| knots.inputs()).collect();
+        let at: Vec<&[f64]> = knots.iter().map(Vec::as_slice).collect();
+        let values = Arc::new(self.integrated(lobe, self.product(&at), self.spec.tolerances[0])?);
+        known().push((key, values.clone()));
+        Ok(values)
+    }
+
     /// Name of the quantity.
-    fn quantity(&self) -> &'static str;
+    pub(super) fn quantity(&self) -> &'static str {
+        self.spec.quantity.name()
+    }
+
     /// Its inputs; tensors are given in this order.
-    fn inputs(&self) -> &'static [Input];
+    pub(super) fn inputs(&self) -> &'static [Input] {
+        self.spec.inputs
+    }
+
     /// The lobes to be tried.
-    fn lobes(&self) -> &[Lobe];
+    pub(super) fn lobes(&self) -> &[Lobe] {
+        &self.lobes
+    }
+
     /// What its channels may hold.
-    fn columns(&self) -> &'static [Column];
+    pub(super) fn columns(&self) -> &'static [Column] {
+        self.spec.columns
+    }
+
     /// Range of an input in which the truth can be had; texels outside are not judged.
-    fn range(&self, input: Input) -> [f64; 2];
+    pub(super) fn range(&self, input: Input) -> [f64; 2] {
+        self.spec.range(input)
+    }
+
     /// Whether a texel with this value of an input is judged.
-    fn judges(&self, input: Input, x: f64) -> bool {
+    pub(super) fn judges(&self, input: Input, x: f64) -> bool {
         let [low, high] = self.range(input);
-        (low..=high).contains(&x)
+        let narrow = input == Input::Alpha && self.spec.mirror_only && x > 0.0 && x < self.spec.narrowest;
+        (low..=high).contains(&x) && !narrow
     }
-    /// Values within about 1e-3, for trying many conventions; inputs are moved into the range.
-    fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
-        self.exact(lobe, at)
-    }
-    /// Values within [`Truth::bound`]; inputs lie in the range.
-    fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError>;
+
     /// Largest error of an exact value.
-    fn bound(&self) -> f64;
+    pub(super) fn bound(&self) -> f64 {
+        self.spec.bound
+    }
+
+    /// Values within about 1e-3, for trying many conventions; inputs are moved into the range.
+    pub(super) fn quick(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        let Some(values) = self.values.get(lobe) else { return self.exact(lobe, at) };
+        let knots = self.spec.knots;
+        let mut values: Values = values.to_vec();
+        for (k, (knots_of, at)) in knots.iter().zip(at).enumerate().rev() {
+            let step = knots[..k].iter().map(|faster| faster.count).product();
+            values = along(knots_of, at, step, &values);
+        }
+        Ok(values)
+    }
+
+    /// Values within [`Truth::bound`]; inputs lie in the range.
+    pub(super) fn exact(&self, lobe: usize, at: &[&[f64]]) -> Result<Values, AuditError> {
+        let [_, tolerance] = self.spec.tolerances;
+        let points = self.product(at);
+        if !self.spec.interpolated {
+            return self.integrated(lobe, points, tolerance);
+        }
+        let mut values = self.quick(lobe, at)?;
+        let inside = |i: usize| {
+            let mut inputs = points.columns().zip(self.spec.knots);
+            inputs.all(|((_, x), knots)| (knots.range[0]..=knots.range[1]).contains(&x[i]))
+        };
+        let outside: Vec<bool> = (0..points.len()).map(|i| !inside(i)).collect();
+        let integrated = self.integrated(lobe, points.marked(&outside), tolerance)?;
+        let places = (0..values.len()).filter(|i| outside[*i]);
+        places.zip(integrated).for_each(|(i, value)| values[i] = value);
+        Ok(values)
+    }
+
+    /// Every combination of inputs, by the audit's names.
+    fn product(&self, at: &[&[f64]]) -> Points {
+        let named: Vec<(&str, &[f64])> =
+            self.inputs().iter().zip(at).map(|(input, at)| (input.name(), *at)).collect();
+        Points::product(&named)
+    }
+
+    /// Base values at points whose columns bear the audit's names.
+    fn integrated(&self, lobe: usize, points: Points, tolerance: f64) -> Result<Values, AuditError> {
+        let Spec { quantity, outputs, .. } = self.spec;
+        let Lobe { smith, side } = self.lobes[lobe];
+        let variant = Variant { smith, side, ..Variant::default() };
+        let points = self.inside(points);
+        let mut columns = quantity.truth(&variant, &points, outputs, tolerance)?.columns;
+        if self.spec.normal {
+            let ones = vec![1.0; points.len()];
+            columns.extend(GGX_REFLECTION.truth(&variant, &points.with("mu", ones), &["E"], 1e-7)?.columns);
+        }
+        let second = |i: usize| columns.get(1).map_or(0.0, |column| column[i]);
+        Ok((0..columns[0].len()).map(|i| [columns[0][i], second(i)]).collect())
+    }
+
+    /// Points with the columns of the quantity, moved into its domain.
+    fn inside(&self, points: Points) -> Points {
+        let named = |name: &str| points.column(name).map(<[f64]>::to_vec);
+        let widths = |power: f64| -> Option<Vec<f64>> {
+            let (alphas, anisotropies) = (points.column("alpha")?, points.column("anisotropy")?);
+            let width = |(alpha, a): (&f64, &f64)| {
+                (alpha.max(self.spec.narrowest) * ops::pow(aspect(*a), power)).max(self.spec.narrowest)
+            };
+            Some(alphas.par_iter().zip(anisotropies).map(width).collect())
+        };
+        let phi = |square: &f64| ops::atan2((1.0 - square).sqrt(), square.sqrt());
+        let of = |name: &str| match name {
+            "alpha_x" => widths(-1.0),
+            "alpha_y" => widths(1.0),
+            "phi" => named(Input::Azimuth.name()).map(|squares| squares.iter().map(phi).collect()),
+            name => named(name),
+        };
+        let narrow = |x: f64| if x < self.spec.narrowest { 0.0 } else { x };
+        let column = |input: &lobefit_truth::quantity::Input| {
+            let [low, high] = input.domain;
+            let column = of(input.name)?;
+            let moved = |x: f64| if input.name == "alpha" { narrow(x) } else { x }.clamp(low, high);
+            Some((input.name, column.into_iter().map(moved).collect::<Vec<f64>>()))
+        };
+        Points::new(self.spec.quantity.inputs().iter().filter_map(column))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lobefit_truth::quantity::{BECKMANN_REFLECTION, GgxAverage, GgxGlass, SheenCharlie};
+
+    const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];
+
+    fn truth(quantity: &dyn Quantity) -> Truth<'_> {
+        Truth::new(spec(quantity).expect("it is audited"), &SMITHS, &Side::ALL).expect("a truth")
+    }
+
+    /// Largest differences of exact and of quick values from those of every point alone.
+    fn off(truth: &Truth, at: &[&[f64]]) -> [f64; 2] {
+        let mut worst = [0.0_f64; 2];
+        for (lobe, Lobe { smith, side }) in truth.lobes().iter().enumerate() {
+            let variant = Variant { smith: *smith, side: *side, ..Variant::default() };
+            let found = [truth.exact(lobe, at).unwrap(), truth.quick(lobe, at).unwrap()];
+            let points = truth.inside(truth.product(at));
+            let one = |i: usize| {
+                let x: Vec<f64> = points.columns().map(|(_, column)| column[i]).collect();
+                let all = truth.spec.quantity.at(&variant, &x, 1e-8).unwrap();
+                let place = |output: &&str| {
+                    truth.spec.quantity.outputs().iter().position(|o| o == output).expect("an output")
+                };
+                let wanted: Vec<f64> = truth.spec.outputs.iter().map(|output| all[place(output)]).collect();
+                let gap = |value: [f64; 2]| {
+                    wanted.iter().zip(value).map(|(w, v)| (w - v).abs()).fold(0.0, f64::max)
+                };
+                [0, 1].map(|k| gap(found[k][i]))
+            };
+            let all: Vec<[f64; 2]> = (0..points.len()).into_par_iter().map(one).collect();
+            for gaps in all {
+                worst = [0, 1].map(|k| worst[k].max(gaps[k]));
+            }
+        }
+        println!("{}: {worst:?}", truth.quantity());
+        worst
+    }
+
+    fn spread(n: usize, step: f64) -> Vec<f64> {
+        (0..n).map(|i| ops::exp(-13.7 * ((0.11 + step * i as f64) % 1.0))).collect()
+    }
+
+    #[test]
+    fn interpolants_keep_their_bounds() {
+        let (alphas, mus) = ([spread(25, 0.618), vec![0.0, 1e-9, 1.0]].concat(), spread(24, 0.414));
+        let mus = [mus, vec![0.0, 3e-7, 1.0]].concat();
+        for quantity in [&GGX_REFLECTION as &dyn Quantity, &BECKMANN_REFLECTION] {
+            let truth = truth(quantity);
+            assert!(off(&truth, &[&alphas, &mus])[0] < truth.bound(), "{quantity:?}");
+        }
+        let average = truth(&GgxAverage);
+        assert!(off(&average, &[&[0.0, 1e-6, 3.3e-5, 0.0017, 0.081, 0.44, 0.97, 1.0]])[0] < average.bound());
+        let normal = average.exact(0, &[&[1.0]]).unwrap()[0];
+        let e = GGX_REFLECTION.at(&Smith::Correlated.into(), &[1.0, 1.0], 1e-9).unwrap()[0];
+        assert!((normal[1] - e).abs() < average.bound());
+    }
+
+    #[test]
+    fn exact_values_are_the_quantity_and_quick_values_are_near() {
+        let glass = truth(&GgxGlass);
+        let [exact, quick] = off(&glass, &[&[1.2, 1.5], &[0.0, 5e-4, 0.09, 0.7], &[0.2, 0.83]]);
+        assert!(exact < 2.0 * glass.bound() && quick < 0.03, "{exact:e} {quick:e}");
+        let sheen = truth(&SheenCharlie);
+        let [exact, quick] =
+            off(&sheen, &[&[1.3e-4, 0.004, 0.07, 0.31, 0.98], &[0.0, 0.0007, 0.033, 0.41, 0.97]]);
+        assert!(exact <= sheen.bound() && quick < 0.03, "{exact:e} {quick:e}");
+    }
 }

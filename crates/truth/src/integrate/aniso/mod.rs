@@ -7,9 +7,9 @@
 //! from the macro normal (`ray`) and over their azimuth (`rays`).
 
 mod average;
+pub mod fast;
 mod ray;
 mod rays;
-pub mod table;
 mod view;
 
 use super::{Estimate, IntegrateError, PanelRule};

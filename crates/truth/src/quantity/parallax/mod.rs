@@ -4,9 +4,8 @@ pub mod footprint;
 
 use rayon::prelude::*;
 
-use super::{ALPHA, Choice, Excuse, Input, Quantity, Residual, Truth, Use, Variant, each, given, places};
+use super::{ALPHA, Asked, Choice, Excuse, Input, Quantity, Residual, Truth, Use, Variant};
 use crate::integrate::IntegrateError;
-use crate::points::Points;
 
 /// The width of the fetch: the first output.
 const WIDTH: &str = "alpha_adjusted";
@@ -82,25 +81,18 @@ impl Quantity for ParallaxAlpha {
         Ok(vec![v.alpha, v.tv, f64::from(u8::from(v.saturated)), v.error])
     }
 
-    fn truth(
-        &self,
-        variant: &Variant,
-        points: &Points,
-        outputs: &[&str],
-        tolerance: f64,
-    ) -> Result<Truth, IntegrateError> {
-        let (kernel, quick) = (variant.kernel(), self.tolerance_of_many(variant));
-        if tolerance < quick || outputs.iter().any(|output| ["tv", "error"].contains(output)) {
-            return each(self, variant, points, outputs, tolerance);
+    fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
+        let (kernel, quick) = (asked.variant.kernel(), self.tolerance_of_many(asked.variant));
+        if asked.tolerance < quick || asked.wants(&["tv", "error"]) {
+            return Ok(None);
         }
-        places(self, outputs)?;
-        let [alpha, rho] = given(self, points)?;
+        let [alpha, rho] = asked.columns(self)?;
         let one = |(alpha, rho): (&f64, &f64)| footprint::best(kernel, *alpha, *rho);
         let rows: Vec<(f64, bool)> = alpha.par_iter().zip(rho).map(one).collect::<Result<_, _>>()?;
         let of = |output: &str, (width, saturated): &(f64, bool)| {
             if output == SATURATED { f64::from(u8::from(*saturated)) } else { *width }
         };
-        Ok(Truth { error: quick, ..Truth::of(outputs, &rows, of) })
+        Ok(Some(Truth { error: quick, ..Truth::of(asked.outputs, &rows, of) }))
     }
 
     fn tolerance_of_many(&self, variant: &Variant) -> f64 {

@@ -7,10 +7,9 @@ pub mod monte_carlo;
 
 use rayon::prelude::*;
 
-use super::{Choice, Input, MU, Quantity, Truth, Variant, each, given};
+use super::{Asked, Choice, Input, MU, Quantity, Truth, Variant};
 use crate::integrate::IntegrateError;
 use crate::integrate::monte_carlo::{Run, Sampled};
-use crate::points::Points;
 pub use integral::{SMALLEST_ALPHA, Sheen, TOLERANCE, albedo, sheen};
 
 /// Largest error of the rule of sixteen nodes: 1e-11 of E, which is 399 at most.
@@ -59,23 +58,17 @@ impl Quantity for SheenCharlie {
         Ok(vec![v.value, v.error])
     }
 
-    fn truth(
-        &self,
-        variant: &Variant,
-        points: &Points,
-        outputs: &[&str],
-        tolerance: f64,
-    ) -> Result<Truth, IntegrateError> {
-        if tolerance < RULE_ERROR || outputs != ["E"] {
-            return each(self, variant, points, outputs, tolerance);
+    fn many(&self, asked: &Asked) -> Result<Option<Truth>, IntegrateError> {
+        if asked.tolerance < RULE_ERROR || asked.outputs != ["E"] {
+            return Ok(None);
         }
-        let [alpha, mu] = given(self, points)?;
+        let [alpha, mu] = asked.columns(self)?;
         let one = |(alpha, mu): (&f64, &f64)| {
             integral::check(*alpha, *mu)?;
             Ok([albedo(*alpha, *mu)])
         };
         let rows: Vec<[f64; 1]> = alpha.par_iter().zip(mu).map(one).collect::<Result<_, IntegrateError>>()?;
-        Ok(Truth::of_rows(&rows, RULE_ERROR, rows.len() as u64))
+        Ok(Some(Truth::of_rows(&rows, RULE_ERROR, rows.len() as u64)))
     }
 
     fn tolerance_of_many(&self, _: &Variant) -> f64 {

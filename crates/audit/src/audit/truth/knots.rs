@@ -1,0 +1,107 @@
+//! Interpolation between knots along one input.
+
+use rayon::prelude::*;
+
+use super::Values;
+use lobefit_math::chebyshev;
+
+/// Least values that one task makes.
+const TASK: usize = 4096;
+
+/// Knots of one input, in a coordinate in which the truth bends evenly or is analytic.
+#[derive(Clone, Copy)]
+pub(in crate::audit) struct Knots {
+    /// The coordinate of an input.
+    pub coordinate: fn(f64) -> f64,
+    /// The input at a coordinate.
+    pub input: fn(f64) -> f64,
+    /// Range of the input.
+    pub range: [f64; 2],
+    /// How many, at least 2.
+    pub count: usize,
+    /// Whether they are evenly spaced with cubics between them; else they are Chebyshev nodes of
+    /// one polynomial.
+    pub cubic: bool,
+}
+
+impl Knots {
+    /// The coordinates of the knots.
+    fn coordinates(&self) -> Vec<f64> {
+        let [low, high] = self.range.map(self.coordinate);
+        if !self.cubic {
+            return chebyshev::nodes(low, high, self.count);
+        }
+        let last = (self.count - 1) as f64;
+        (0..self.count).map(|i| low + (high - low) * i as f64 / last).collect()
+    }
+
+    /// The inputs at the knots.
+    pub(super) fn inputs(&self) -> Vec<f64> {
+        let [low, high] = self.range;
+        self.coordinates().into_iter().map(|u| (self.input)(u).clamp(low, high)).collect()
+    }
+
+    /// The first of the knots that an input's value is made of, and their weights: of a cubic
+    /// Lagrange's, near an end the cubic of the last four.
+    fn place(&self, coordinates: &[f64], x: f64) -> (usize, Vec<f64>) {
+        let [low, high] = self.range.map(self.coordinate);
+        let u = (self.coordinate)(x.clamp(self.range[0], self.range[1]));
+        if !self.cubic {
+            return (0, chebyshev::weights(coordinates, u));
+        }
+        let p = (u - low) / (high - low) * (self.count - 1) as f64;
+        let taken = self.count.min(4);
+        let first = (p.floor() as usize).saturating_sub(1).min(self.count - taken);
+        let weight = |i: usize| {
+            let others = (0..taken).filter(|j| *j != i);
+            others.map(|j| (p - (first + j) as f64) / (i as f64 - j as f64)).product()
+        };
+        (first, (0..taken).map(weight).collect())
+    }
+}
+
+/// Values with one axis, of knots `step` apart, taken at inputs instead of knots.
+pub(super) fn along(knots: &Knots, at: &[f64], step: usize, values: &[[f64; 2]]) -> Values {
+    let coordinates = knots.coordinates();
+    let places: Vec<(usize, Vec<f64>)> = at.iter().map(|x| knots.place(&coordinates, *x)).collect();
+    let block = knots.count * step;
+    let mut out = vec![[0.0; 2]; values.len() / block * at.len() * step];
+    let fill = |(i, out): (usize, &mut [[f64; 2]])| {
+        let (first, weights) = &places[i % places.len()];
+        let from = &values[i / places.len() * block + first * step..];
+        for (line, weight) in from.chunks(step).zip(weights) {
+            for (sum, value) in out.iter_mut().zip(line) {
+                sum[0] += weight * value[0];
+                sum[1] += weight * value[1];
+            }
+        }
+    };
+    out.par_chunks_mut(step).with_min_len(TASK / step + 1).enumerate().for_each(fill);
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cubics_are_followed_where_there_are_knots_for_them() {
+        let knots =
+            |count, cubic| Knots { coordinate: f64::sqrt, input: |u| u * u, range: [0.0, 1.0], count, cubic };
+        let knots = [knots(3, true), knots(4, false), knots(5, true)];
+        let f = |x: f64, y: f64, z: f64| [1.0 + x * y.sqrt() * y, z * z.sqrt() - x.sqrt()];
+        let mut values = Vec::new();
+        for z in knots[2].inputs() {
+            for y in knots[1].inputs() {
+                values.extend(knots[0].inputs().iter().map(|x| f(*x, y, z)));
+            }
+        }
+        let (x, y, z) = ([0.0, 0.3, 1.0], [0.2, 0.9], [0.7]);
+        let slow = along(&knots[2], &z, 12, &values);
+        let got = along(&knots[0], &x, 1, &along(&knots[1], &y, 3, &slow));
+        for (i, value) in got.iter().enumerate() {
+            let wanted = f(x[i % 3], y[i / 3], z[0]);
+            assert!((value[0] - wanted[0]).abs() + (value[1] - wanted[1]).abs() < 1e-14, "{i}");
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! What an audit knows of each quantity: where its truth is had, how it is interpolated, and what
+//! channels may hold.
+
+use super::knots::Knots;
+use crate::audit::axis::Input;
+use crate::audit::column::{self, Column};
+use lobefit_math::ops;
+use lobefit_truth::quantity::Quantity;
+
+/// How the truth of a quantity is had.
+#[derive(Clone, Copy)]
+pub(in crate::audit) struct Spec<'a> {
+    /// The quantity.
+    pub quantity: &'a dyn Quantity,
+    /// Inputs of tables, in the order of tensors.
+    pub inputs: &'static [Input],
+    /// Knots along each input; nothing where every value is integrated.
+    pub knots: &'static [Knots],
+    /// What channels may hold.
+    pub columns: &'static [Column],
+    /// Outputs that are the base values.
+    pub outputs: &'static [&'static str],
+    /// Whether E at normal incidence is the second base value.
+    pub normal: bool,
+    /// Ranges in which the truth is had, of inputs whose range is not [0, 1].
+    pub ranges: &'static [(Input, [f64; 2])],
+    /// Alpha below it is taken for 0; alpha_x and alpha_y are raised to it.
+    pub narrowest: f64,
+    /// Whether an alpha between 0 and `narrowest` is not judged.
+    pub mirror_only: bool,
+    /// Tolerances at the knots and of exact values.
+    pub tolerances: [f64; 2],
+    /// Whether what the knots interpolate is exact.
+    pub interpolated: bool,
+    /// Largest error of an exact value.
+    pub bound: f64,
+}
+
+impl Spec<'_> {
+    /// The range of an input.
+    pub(super) fn range(&self, input: Input) -> [f64; 2] {
+        self.ranges.iter().find(|(own, _)| *own == input).map_or([0.0, 1.0], |(_, range)| *range)
+    }
+}
+
+/// Even in the root of an input, cubics between them.
+const fn root(range: [f64; 2], count: usize) -> Knots {
+    Knots { coordinate: f64::sqrt, input: |u| u * u, range, count, cubic: true }
+}
+
+/// Chebyshev nodes in the logarithm of alpha or mu, in which E and B are analytic with
+/// singularities no nearer than i pi/2 (alpha^2 or mu^2 negative). Over [1e-5, 1]^2 of GGX 64 nodes
+/// leave 2e-8, a factor of 9 less for every 8 more; what lies below is integrated.
+const ANALYTIC: Knots =
+    Knots { coordinate: ops::log, input: ops::exp, range: [1e-5, 1.0], count: 64, cubic: false };
+
+/// Least alpha of sheen that is judged: below it E at grazing view may have no bound.
+const SHEEN_ALPHA: f64 = 1e-4;
+
+/// Least mu of the anisotropic lobe, and what alpha, alpha_x and alpha_y are raised to, as tables
+/// do.
+const ANISO_FLOOR: f64 = 1e-4;
+
+/// Least alpha of glass beside 0: narrower lobes are not judged.
+const GLASS_ALPHA: f64 = 4e-4;
+
+/// Largest index of refraction that is judged.
+const MOST_IOR: f64 = 3.0;
+
+/// What is known of a quantity; `None` of a quantity that is not audited.
+pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
+    let lobe = Spec {
+        quantity,
+        inputs: &[Input::Alpha, Input::Mu],
+        knots: &[ANALYTIC, ANALYTIC],
+        columns: &column::REFLECTION,
+        outputs: &["E", "B"],
+        normal: false,
+        ranges: &[],
+        narrowest: quantity.smallest_alpha(),
+        mirror_only: false,
+        tolerances: [5e-8; 2],
+        interpolated: true,
+        bound: 2e-8,
+    };
+    Some(match quantity.name() {
+        "ggx-reflection" => lobe,
+        // Its tail bends more.
+        "beckmann-reflection" => Spec { tolerances: [1e-7; 2], bound: 1e-5, ..lobe },
+        "ggx-average" => Spec {
+            inputs: &[Input::Alpha],
+            knots: &[ANALYTIC],
+            columns: &column::AVERAGE,
+            outputs: &["E_avg"],
+            normal: true,
+            tolerances: [1e-8; 2],
+            bound: 1e-7,
+            ..lobe
+        },
+        "ggx-reflection-aniso" => Spec {
+            inputs: &[Input::Mu, Input::Alpha, Input::Anisotropy],
+            knots: const {
+                &[
+                    root([ANISO_FLOOR, 1.0], 64),
+                    root([ANISO_FLOOR, 1.0], 48),
+                    Knots { coordinate: |x| x, input: |u| u, range: [0.0, 1.0], count: 17, cubic: true },
+                ]
+            },
+            columns: &column::ALBEDO,
+            outputs: &["E"],
+            ranges: &[(Input::Mu, [ANISO_FLOOR, 1.0])],
+            narrowest: ANISO_FLOOR,
+            tolerances: [1e-4, 1e-6],
+            interpolated: false,
+            bound: 1e-6,
+            ..lobe
+        },
+        "ggx-glass" => Spec {
+            inputs: &[Input::Ior, Input::Alpha, Input::Mu],
+            knots: const { &[root([1.0, MOST_IOR], 20), root([GLASS_ALPHA, 1.0], 20), root([1e-3, 1.0], 40)] },
+            columns: &column::GLASS,
+            outputs: &["R", "T"],
+            ranges: &[(Input::Ior, [1.0, MOST_IOR]), (Input::Mu, [2e-4, 1.0])],
+            narrowest: GLASS_ALPHA,
+            mirror_only: true,
+            tolerances: [2e-3, 2e-6],
+            interpolated: false,
+            bound: 1e-6,
+            ..lobe
+        },
+        _ if is_albedo(quantity) => Spec {
+            knots: const {
+                &[
+                    Knots {
+                        coordinate: ops::log,
+                        input: ops::exp,
+                        range: [SHEEN_ALPHA, 1.0],
+                        count: 96,
+                        cubic: true,
+                    },
+                    root([0.0, 1.0], 128),
+                ]
+            },
+            columns: &column::ALBEDO,
+            outputs: &["E"],
+            ranges: &[(Input::Alpha, [SHEEN_ALPHA, 1.0])],
+            tolerances: [quantity.tolerance_of_many(&Default::default()); 2],
+            interpolated: false,
+            bound: quantity.tolerance_of_many(&Default::default()),
+            ..lobe
+        },
+        _ => return None,
+    })
+}
+
+/// The same of a quantity whose tables may depend on the azimuth of the view, over that too; `None`
+/// of every other. No convention is tried with it. Least alpha and mu: below them the interpolant
+/// over all of its four inputs needs more nodes than it has.
+pub(in crate::audit) fn with_azimuth(quantity: &dyn Quantity) -> Option<Spec<'_>> {
+    let mean = spec(quantity).filter(|spec| spec.inputs.contains(&Input::Anisotropy))?;
+    Some(Spec {
+        inputs: &[Input::Mu, Input::Alpha, Input::Anisotropy, Input::Azimuth],
+        knots: &[],
+        ranges: &[(Input::Mu, [1e-3, 1.0]), (Input::Alpha, [1e-3, 1.0])],
+        tolerances: [1e-5; 2],
+        bound: 1e-5,
+        ..mean
+    })
+}
+
+/// Whether a quantity is E of alpha and mu, and has no variants.
+fn is_albedo(quantity: &dyn Quantity) -> bool {
+    let inputs = quantity.inputs().iter().map(|input| input.name);
+    inputs.eq(["alpha", "mu"]) && quantity.outputs() == ["E", "error"] && quantity.choices().is_empty()
+}
