@@ -28,10 +28,10 @@ const AUTO_TEXELS: f64 = 1_280.0;
 /// Points of a certificate of a fit: 2^20 uniform, half as many in the layer, and the edges.
 const CERTIFIED: f64 = 1.6e6;
 /// Seconds of one evaluation of one formula in its certificate.
-const EVALUATION_S: f64 = 30e-9;
+const EVALUATION_S: f64 = 22e-9;
 /// Seconds of one optimisation with its restarts: a round figure between the forms of one parameter
 /// and of twenty.
-const OPTIMISE_S: f64 = 0.05;
+const OPTIMISE_S: f64 = 0.04;
 
 /// Seconds of the truth of the fits of f0 A + B, and of one of them.
 const BLEND_TRUTH_S: f64 = 0.9;

@@ -123,7 +123,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
             ranges: &[(Input::Ior, [1.0, MOST_IOR]), (Input::Mu, [2e-4, 1.0])],
             narrowest: GLASS_ALPHA,
             mirror_only: true,
-            tolerances: [2e-3, 2e-6],
+            tolerances: [5e-3, 2e-6],
             interpolated: false,
             bound: 1e-6,
             ..lobe
