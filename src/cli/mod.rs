@@ -10,6 +10,7 @@ mod eval;
 mod external;
 mod fit;
 pub mod input;
+mod manual;
 pub mod options;
 pub mod output;
 mod plan;
@@ -20,7 +21,7 @@ mod schema;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 pub use error::{CliError, PackageError};
 
@@ -71,6 +72,12 @@ enum Verb {
     /// Print the JSON Schema of the scene
     #[command(after_help = schema::EXAMPLES)]
     Schema(schema::Options),
+    /// Print the completions of a shell
+    #[command(after_help = manual::COMPLETIONS)]
+    Completions(manual::CompletionOptions),
+    /// Write the manual pages of the program and of its verbs
+    #[command(after_help = manual::MAN)]
+    Man(manual::ManOptions),
 }
 
 /// Runs the program on its arguments (the first is its own name).
@@ -90,6 +97,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Cost(options) => cost::run(&options, &arguments[2..]),
         Verb::Report(external) => external::run("lobefit-studies", &external.words),
         Verb::Schema(options) => schema::run(&options),
+        Verb::Completions(options) => manual::completions(&options, Cli::command()),
+        Verb::Man(options) => manual::man(&options, Cli::command()),
     };
     output::finish(done)
 }

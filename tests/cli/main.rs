@@ -12,6 +12,7 @@ mod fit;
 mod fit_ends;
 mod hypotheses;
 mod kernels;
+mod manual;
 mod records;
 mod search;
 mod usage;

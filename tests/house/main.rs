@@ -1,5 +1,6 @@
 //! The sources and the README themselves.
 
+mod actions;
 mod cycles;
 mod floors;
 mod from_outside;

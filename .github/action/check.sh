@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Runs `lobefit check` and shows what it finds where GitHub shows results: an annotation for each file, and a summary with the errors
+# that the manifest states. Its exit code is that of `lobefit check`.
+#
+# Usage: check.sh PROGRAM, with SCENE, AGAINST and VALUES as action.yml describes them, and GITHUB_STEP_SUMMARY.
+set -uo pipefail
+program=$1
+against=${AGAINST:-.}
+options=(--against "$against" --json)
+if [ -n "${VALUES:-}" ]; then options+=(--values "$VALUES"); fi
+if [ -n "${SCENE:-}" ]; then options+=(-- "$SCENE"); fi
+
+messages=$(mktemp)
+trap 'rm -f "$messages"' EXIT
+verdict=$("$program" check "${options[@]}" 2>"$messages")
+code=$?
+cat "$messages" >&2
+
+# As the runner's commands escape what they are given.
+# shellcheck disable=SC2016
+escape='def text: gsub("%"; "%25") | gsub("\r"; "%0D") | gsub("\n"; "%0A");
+  def property: text | gsub(":"; "%3A") | gsub(","; "%2C");'
+
+if [ "$code" -gt 1 ]; then
+  jq -Rrs "$escape"' "::error title=lobefit check::" + (rtrimstr("\n") | text)' <"$messages"
+  exit "$code"
+fi
+
+folder=${against%/}/
+folder=${folder#./}
+jq -r --arg folder "$folder" "$escape"' .differences[]
+  | "::error file=" + ($folder + .file | property) + ",title=lobefit check::" + (.detail | text)' <<<"$verdict"
+
+summary=${GITHUB_STEP_SUMMARY:-/dev/stdout}
+# A cell of a table: no line ends, no bars.
+cell='def cell: tostring | gsub("[\r\n|]"; " "); def row: "| " + (map(cell) | join(" | ")) + " |";
+  def digits: if . == 0 then 0 else (log10 | floor) as $e | pow(10; 2 - $e) as $s | (. * $s | round) / $s end;'
+{
+  echo "## lobefit check: $against"
+  echo
+  jq -r "$cell"' if .same then "Every file follows from its recipe." else
+    "| file | what differs |", "|---|---|", (.differences[] | ["`" + .file + "`", .detail] | row) end' <<<"$verdict"
+  echo
+  if [ -f "$against/manifest.json" ]; then
+    jq -r "$cell"' "| table | quantity | largest error | RMS | bytes |", "|---|---|--:|--:|--:|",
+      (.tables[] | [.name, .quantity, .error.lookup.max, (.error.lookup.rms | digits), .bytes] | row),
+      "", "| function | quantity | use | largest error | RMS | operations |", "|---|---|---|--:|--:|--:|",
+      (.fits[] | [.function, .quantity, .use, .certificate.max_abs, (.certificate.rms | digits), .cost.ops] | row)' \
+      "$against/manifest.json"
+  fi
+} >>"$summary"
+exit "$code"

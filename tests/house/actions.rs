@@ -1,0 +1,199 @@
+//! The action and its workflows: the YAML is well formed, what one file names is in another, and the script does on a desk what it
+//! does on a runner.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use yaml_rust2::{Yaml, YamlLoader};
+
+fn root(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(file)
+}
+
+fn text(file: &str) -> String {
+    std::fs::read_to_string(root(file)).unwrap_or_else(|e| panic!("{file}: {e}"))
+}
+
+fn yaml(what: &str, text: &str) -> Yaml {
+    let mut documents = YamlLoader::load_from_str(text).unwrap_or_else(|e| panic!("{what}: {e}"));
+    assert_eq!(documents.len(), 1, "{what}");
+    documents.remove(0)
+}
+
+fn keys(map: &Yaml) -> BTreeSet<&str> {
+    map.as_hash().expect("a map").keys().map(|key| key.as_str().expect("a word")).collect()
+}
+
+fn set<const N: usize>(words: [&'static str; N]) -> BTreeSet<&'static str> {
+    words.into()
+}
+
+/// The names after a context in the expressions of a text: `scene` of `${{ inputs.scene }}`.
+fn named<'a>(text: &'a str, context: &str) -> BTreeSet<&'a str> {
+    let expressions = text.split("${{ ").skip(1).filter_map(|rest| rest.split(" }}").next());
+    expressions.filter_map(|e| e.strip_prefix(context)).collect()
+}
+
+/// A step runs a command in bash, or uses an action, and gives the runner nothing that it does not know.
+fn step(what: &str, step: &Yaml, shell: bool) {
+    let known = set(["name", "uses", "with", "run", "shell", "env"]);
+    assert!(keys(step).is_subset(&known), "{what}: {step:?}");
+    assert!(step["uses"].is_badvalue() != step["run"].is_badvalue(), "{what}: {step:?}");
+    assert!(
+        !shell || step["run"].is_badvalue() || step["shell"].as_str() == Some("bash"),
+        "{what}: {step:?}"
+    );
+    for word in step["run"].as_str().unwrap_or_default().split(['"', ' ', '\n']) {
+        let Some(at) = word.find(".github/action/") else { continue };
+        let script = root(&word[at..]);
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            let mode =
+                std::fs::metadata(&script).unwrap_or_else(|e| panic!("{word}: {e}")).permissions().mode();
+            assert!(mode & 0o111 != 0, "{word} cannot be run");
+        }
+        assert!(script.is_file(), "{what} runs {word}");
+    }
+}
+
+#[test]
+fn the_action_is_well_formed() {
+    let text = text("action.yml");
+    let action = yaml("action.yml", &text);
+    assert_eq!(keys(&action), set(["name", "description", "inputs", "runs"]));
+    assert_eq!(action["runs"]["using"].as_str(), Some("composite"));
+    for step_of in action["runs"]["steps"].as_vec().expect("steps") {
+        step("action.yml", step_of, true);
+    }
+    let inputs = keys(&action["inputs"]);
+    assert_eq!(inputs, named(&text, "inputs."), "every input is used, and no other");
+    for name in inputs {
+        let input = &action["inputs"][name];
+        assert_eq!(keys(input), set(["description", "default"]), "{name}");
+        assert!(input["default"].as_str().is_some(), "{name}: a default that YAML takes for no text");
+    }
+    // What the script reads is what the step gives it.
+    let script = self::text(".github/action/check.sh");
+    for name in keys(&action["runs"]["steps"][1]["env"]) {
+        assert!(script.contains(&format!("${{{name}:-")), "check.sh reads {name}");
+    }
+}
+
+#[test]
+fn the_release_workflow_is_well_formed() {
+    let text = text(".github/workflows/release.yml");
+    let workflow = yaml("release.yml", &text);
+    assert_eq!(keys(&workflow), set(["name", "on", "permissions", "jobs"]));
+    let jobs = keys(&workflow["jobs"]);
+    for name in &jobs {
+        let job = &workflow["jobs"][*name];
+        assert!(keys(job).is_subset(&set(["needs", "runs-on", "strategy", "steps"])), "{name}");
+        assert!(job["needs"].as_str().is_none_or(|needed| jobs.contains(needed)), "{name}");
+        for step_of in job["steps"].as_vec().expect("steps") {
+            step("release.yml", step_of, false);
+        }
+    }
+    let systems = workflow["jobs"]["build"]["strategy"]["matrix"]["include"].as_vec().expect("systems");
+    for system in systems {
+        assert_eq!(keys(system), named(&text, "matrix."));
+        // The action looks for each archive under the name that the release gives it.
+        let target = system["target"].as_str().expect("a target");
+        assert!(self::text(".github/action/install.sh").contains(target), "{target}");
+    }
+    for manifest in ["Cargo.toml", "crates/audit/Cargo.toml", "crates/studies/Cargo.toml"] {
+        let named = "/releases/download/v{ version }/lobefit-{ target }.tgz";
+        assert!(self::text(manifest).contains(named), "{manifest}");
+    }
+}
+
+/// The documented workflows, each of six lines at most.
+#[test]
+fn the_documented_workflows_are_well_formed() {
+    let page = text("docs/ci.md");
+    let blocks: Vec<&str> =
+        page.split("```yaml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert_eq!(blocks.len(), 2);
+    assert!(blocks.iter().all(|block| block.lines().count() <= 6), "six lines");
+    let (github, gitlab) = (yaml("GitHub", blocks[0]), yaml("GitLab", blocks[1]));
+    let steps = github["jobs"]["lobefit"]["steps"].as_vec().expect("steps");
+    for step_of in steps {
+        step("docs/ci.md", step_of, false);
+    }
+    let inputs = yaml("action.yml", &text("action.yml"))["inputs"].clone();
+    assert!(keys(&steps[1]["with"]).is_subset(&keys(&inputs)));
+    for input in keys(&inputs) {
+        assert!(page.contains(&format!("| `{input}` |")), "the page tells of {input}");
+    }
+    assert!(
+        gitlab["lobefit"]["script"]
+            .as_vec()
+            .is_some_and(|script| script.iter().all(|line| line.as_str().is_some()))
+    );
+}
+
+/// A scene whose bake takes little.
+const SCENE: &str = r#"{"schema_version":1,"materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.4,1],
+    "wants":{"tables":[{"size":[32,32],"layout":"plain"}]}}]}"#;
+
+/// Runs the action's script in a folder as a runner does: exit code, annotations and summary.
+#[cfg(unix)]
+fn script(folder: &Path, environment: &[(&str, &str)]) -> Option<(i32, String, String)> {
+    if Command::new("jq").arg("--version").output().is_err() {
+        assert!(std::env::var_os("LOBEFIT_REQUIRE_TOOLS").is_none(), "jq is called for");
+        eprintln!("skipped: no jq");
+        return None;
+    }
+    let summary = folder.join("summary.md");
+    let _ = std::fs::remove_file(&summary);
+    let output = Command::new(root(".github/action/check.sh"))
+        .arg(env!("CARGO_BIN_EXE_lobefit"))
+        .current_dir(folder)
+        .env_remove("SCENE")
+        .envs(environment.iter().copied())
+        .env("GITHUB_STEP_SUMMARY", &summary)
+        .output()
+        .expect("the script runs");
+    let annotations = String::from_utf8(output.stdout).expect("text");
+    Some((
+        output.status.code().expect("a code"),
+        annotations,
+        std::fs::read_to_string(summary).unwrap_or_default(),
+    ))
+}
+
+#[cfg(unix)]
+#[test]
+fn the_script_annotates_files_and_writes_the_summary() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("a scene.json"), SCENE).expect("written");
+    let bake = Command::new(env!("CARGO_BIN_EXE_lobefit"))
+        .args(["bake", "a scene.json", "--out", "assets", "--quiet"])
+        .current_dir(folder.path())
+        .status();
+    assert!(bake.expect("the binary runs").success());
+    let environment = [("SCENE", "a scene.json"), ("AGAINST", "./assets/"), ("VALUES", "")];
+    let Some((code, annotations, summary)) = script(folder.path(), &environment) else { return };
+    assert_eq!((code, annotations.as_str()), (0, ""), "{summary}");
+    assert!(summary.contains("Every file follows from its recipe."), "{summary}");
+    assert!(summary.contains("| ggx-dfg-correlated-32x32-plain | ggx-reflection | 0.0"), "{summary}");
+
+    let page = folder.path().join("assets/reports/index.html");
+    std::fs::remove_file(&page).expect("removed");
+    std::fs::write(folder.path().join("assets/fits/50%, a|b:c"), "x").expect("written");
+    let (code, annotations, summary) = script(folder.path(), &environment).expect("run before");
+    assert_eq!(code, 1);
+    for line in [
+        "::error file=assets/reports/index.html,title=lobefit check::missing: the recipe makes it",
+        "::error file=assets/fits/50%25%2C a|b%3Ac,title=lobefit check::extra: the recipe does not make it",
+    ] {
+        assert!(annotations.lines().any(|found| found == line), "`{line}` in\n{annotations}");
+    }
+    assert!(summary.contains("| `reports/index.html` | missing: the recipe makes it |"), "{summary}");
+    assert!(summary.contains("| `fits/50%, a b:c` | extra"), "{summary}");
+
+    let (code, annotations, _) = script(folder.path(), &[("SCENE", "none.json")]).expect("run before");
+    assert_eq!(code, 2);
+    assert!(annotations.starts_with("::error title=lobefit check::error: none.json"), "{annotations}");
+}
