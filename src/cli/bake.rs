@@ -4,12 +4,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::columns::{self, Side::Left, Side::Right};
 use super::options::{SceneOption, ThreadsOption, effect};
 use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, previous, recipe, sign};
-use crate::emit::header::{operations, place, short};
+use crate::emit::header::{place, short};
 use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
 use crate::store::{Folder, MANIFEST, Written};
@@ -92,21 +93,35 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection,
     Ok(Selection { only: options.only.clone(), kept })
 }
 
-/// What was made, a line each.
+/// What was made: the tables, the functions, and what was left out.
 fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
-    let mut lines = Vec::new();
-    for a in baked.tables.iter().map(|t| &t.approximation) {
-        let at = place(&a.certificate.at);
-        lines.push(format!(
-            "{}: lookup error {} at {at}; {} bytes",
-            a.name, a.certificate.max_abs, a.cost.bytes
-        ));
-    }
+    let made = baked.tables.iter().map(|t| &t.approximation);
+    let tables: Vec<[String; 4]> = made
+        .map(|a| {
+            let (c, at) = (&a.certificate, place(&a.certificate.at));
+            [a.name.clone(), c.max_abs.to_string(), a.cost.bytes.to_string(), at]
+        })
+        .collect();
+    let header = [("table", Left), ("lookup error", Right), ("bytes", Right), ("worst at", Left)];
+    let mut lines = columns::lines(header, &tables);
     let emitted = baked.fits.iter().filter(|f| f.emitted && f.wraps.is_none());
-    for a in emitted.map(|f| &f.approximation) {
-        let (c, ops) = (&a.certificate, a.cost.ops);
-        lines.push(format!("{}: {}, max error {}, rms {}", a.name, operations(ops), c.max_abs, short(c.rms)));
+    let functions: Vec<[String; 4]> = emitted
+        .map(|f| &f.approximation)
+        .map(|a| {
+            [
+                a.name.clone(),
+                a.cost.ops.to_string(),
+                a.certificate.max_abs.to_string(),
+                short(a.certificate.rms),
+            ]
+        })
+        .collect();
+    let header = [("function", Left), ("operations", Right), ("max error", Right), ("rms", Right)];
+    let functions = columns::lines(header, &functions);
+    if !lines.is_empty() && !functions.is_empty() {
+        lines.push(String::new());
     }
+    lines.extend(functions);
     for d in &baked.dropped {
         // A hypothesis that is too dear is so in any norm.
         let norm = if d.norm == "any" { String::new() } else { format!(" ({})", d.norm) };

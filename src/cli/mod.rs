@@ -4,6 +4,7 @@
 
 mod bake;
 mod check;
+mod columns;
 pub mod cost;
 mod error;
 mod eval;

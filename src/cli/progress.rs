@@ -1,21 +1,26 @@
-//! What a long verb is doing, on a terminal.
+//! What a long verb is doing: a bar on a terminal, lines in a log.
 
 use std::io::IsTerminal;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::output::say;
 use crate::bake::Progress;
 use crate::plan::Plan;
 
-/// A bar on standard error with the stage's name; nothing where standard error is no terminal, or
-/// quiet is asked for.
-pub struct Bar(ProgressBar);
+/// A bar on standard error with the stage's name; a line for each stage where standard error is no
+/// terminal; nothing where quiet is asked for.
+pub struct Bar {
+    bar: ProgressBar,
+    lines: bool,
+}
 
 impl Bar {
     /// Starts the bar of a plan's stages and `more` of the verb's own.
     pub fn new(quiet: bool, plan: &Plan, more: usize) -> Bar {
-        let shown = !quiet && std::io::stderr().is_terminal();
+        let terminal = std::io::stderr().is_terminal();
+        let shown = !quiet && terminal;
         let target = if shown { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some((stages(plan) + more) as u64), target);
         if let Ok(style) = ProgressStyle::with_template("{spinner} [{bar:24}] {pos}/{len} {msg} [{elapsed}]")
@@ -25,7 +30,7 @@ impl Bar {
         if shown {
             bar.enable_steady_tick(Duration::from_millis(100));
         }
-        Bar(bar)
+        Bar { bar, lines: !quiet && !terminal }
     }
 }
 
@@ -37,10 +42,13 @@ fn stages(plan: &Plan) -> usize {
 impl Progress for Bar {
     fn stage(&self, name: &str) {
         // The stage that begins is not done yet.
-        if !self.0.message().is_empty() {
-            self.0.inc(1);
+        if !self.bar.message().is_empty() {
+            self.bar.inc(1);
         }
-        self.0.set_message(name.to_string());
+        self.bar.set_message(name.to_string());
+        if self.lines {
+            say(&format!("[{}/{}] {name}", self.bar.position() + 1, self.bar.length().unwrap_or_default()));
+        }
     }
 }
 
@@ -78,6 +86,6 @@ impl Drop for Spinner {
 
 impl Drop for Bar {
     fn drop(&mut self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }

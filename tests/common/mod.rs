@@ -46,7 +46,9 @@ pub fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Standard error as text.
+/// Standard error as text, without the lines that name stages: `[3/14] fits of sheen`.
 pub fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
+    let text = String::from_utf8_lossy(&output.stderr);
+    let stage = |line: &&str| line.starts_with('[') && line.contains('/') && line.contains("] ");
+    text.split_inclusive('\n').filter(|line| !stage(line)).collect()
 }

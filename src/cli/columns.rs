@@ -1,0 +1,44 @@
+//! Results as columns on a terminal: a header, then rows, each column as wide as its widest cell.
+
+/// Which side of its column a cell stands on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// Words.
+    Left,
+    /// Numbers.
+    Right,
+}
+
+/// The lines of a table; none without rows.
+pub(super) fn lines<const N: usize>(header: [(&str, Side); N], rows: &[[String; N]]) -> Vec<String> {
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let width = |k: usize| {
+        let cells = rows.iter().map(|row| row[k].chars().count());
+        cells.chain([header[k].0.chars().count()]).max().unwrap_or_default()
+    };
+    let widths: [usize; N] = std::array::from_fn(width);
+    let line = |cells: [&str; N]| {
+        let padded = (0..N).map(|k| match header[k].1 {
+            Side::Left => format!("{:<1$}", cells[k], widths[k]),
+            Side::Right => format!("{:>1$}", cells[k], widths[k]),
+        });
+        padded.collect::<Vec<_>>().join("  ").trim_end().to_string()
+    };
+    let body = rows.iter().map(|row| line(row.each_ref().map(String::as_str)));
+    std::iter::once(line(header.map(|(name, _)| name))).chain(body).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_as_wide_as_their_widest_cell() {
+        let rows = [["a name".to_string(), "1".into()], ["\u{b5}".into(), "12345678".into()]];
+        let found = lines([("what", Side::Left), ("bytes", Side::Right)], &rows);
+        assert_eq!(found, ["what       bytes", "a name         1", "\u{b5}       12345678"]);
+        assert!(lines::<1>([("what", Side::Left)], &[]).is_empty());
+    }
+}
