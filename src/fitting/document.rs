@@ -180,7 +180,7 @@ fn page(job: &Job, fitting: &Fitting) -> Result<FitPage, FittingError> {
 
 /// What a target is, as names and values.
 pub(super) fn of_target(target: &Target) -> Vec<(String, String)> {
-    let used_as = format!("{}, judged by the {}", target.used_as.name(), target.used_as.metric());
+    let used_as = format!("{}, judged by the {}", target.used_as.name, target.used_as.metric);
     let smith = target.variant.smith.map_or_else(String::new, |smith| format!("smith: {}; ", smith.name()));
     let conventions = format!("{smith}alpha = {}", target.alpha_map.name());
     let mut rows = vec![

@@ -61,7 +61,7 @@ fn lines(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<String> {
         "{} {} as {}{}, alpha = {}; {}",
         a.quantity,
         a.column,
-        a.used_as.name(),
+        a.used_as.name,
         words::smith(target),
         target.alpha_map.name(),
         header::operations(a.cost.ops)
@@ -73,7 +73,7 @@ fn lines(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<String> {
     if !demands.is_empty() {
         lines.push(format!("constraints: {}", demands.join("; ")));
     }
-    lines.extend(header::certificate_lines(a.used_as.metric(), &a.certificate));
+    lines.extend(header::certificate_lines(a.used_as.metric, &a.certificate));
     lines.extend(fit.certificates.iter().skip(1).filter_map(|(_, c)| Some(short(c.as_ref().ok()?))));
     lines
 }

@@ -32,7 +32,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
         a.name,
         a.quantity,
         a.column,
-        a.used_as.name(),
+        a.used_as.name,
         smith,
         target.alpha_map.name(),
         words.concat()
@@ -64,8 +64,7 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
     line(format!("  domain       {}", domain.join(", ")));
     line(format!(
         "  error        {}; {} points, none inside the domain fitted on",
-        a.used_as.metric(),
-        a.certificate.points
+        a.used_as.metric, a.certificate.points
     ));
     for (precision, certificate) in &fit.certificates {
         match certificate {

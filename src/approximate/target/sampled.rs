@@ -151,7 +151,7 @@ impl Target {
                 Some(x) => points.clone().with("f0", vec![x; points.len()]),
                 None => points.clone(),
             };
-            let residual = self.used_as.residual();
+            let residual = self.used_as.residual;
             let scaled = self.values(truth, value).into_iter().map(|value| residual.scaled(value));
             let (scale, target) = scaled.map(|[scale, target]| (scale, target)).unzip();
             Sampled { points, scale, target, integrals: 0 }

@@ -124,7 +124,7 @@ impl Target {
             affine: false,
             alpha: false,
         };
-        target.over_f0 = match used_as.blends() {
+        target.over_f0 = match used_as.blends {
             true => Some(OverF0 { lobe: spec.quantity, form: F0Form::Albedo }),
             false => spec.quantity.over_f0(&target.variant),
         };
@@ -134,7 +134,7 @@ impl Target {
                 target.number(spec, input)?;
             }
         }
-        if used_as.blends() {
+        if used_as.blends {
             target.f0 = Some(range(spec, &Input::new("f0", [0.0, 1.0]))?);
         }
         let straight = target.over_f0.is_none_or(|over| over.form.is_affine());
@@ -291,20 +291,20 @@ fn used_as(spec: &TargetSpec, column: &str, formula: &Hypothesis) -> Result<Use,
     let has_f0 = quantity.inputs().iter().any(|input| input.name == "f0");
     let blends = takes(formula, "f0") && !has_f0;
     let Some(used_as) = spec.used_as else {
-        let suits = uses.iter().find(|used_as| used_as.blends() == blends);
+        let suits = uses.iter().find(|used_as| used_as.blends == blends);
         return Ok(*suits.unwrap_or(&Use::VALUE));
     };
-    let refuse = |reason: String| Err(TargetError::Use { used_as: used_as.name(), reason });
+    let refuse = |reason: String| Err(TargetError::Use { used_as: used_as.name, reason });
     if !uses.contains(&used_as) {
         let suits: Vec<String> = used_as.suits(quantity).iter().map(|to| format!("--to {to}")).collect();
-        let (name, meaning) = (quantity.name(), used_as.meaning());
+        let (name, meaning) = (quantity.name(), used_as.meaning);
         let suits = suits.join(" or ");
         return refuse(format!(
             "it is {meaning}, and not of {name}:{column}; give {suits} or leave --use out"
         ));
     }
-    if used_as.blends() && !blends {
-        return refuse(format!("it is {}, and the formula has no argument f0", used_as.meaning()));
+    if used_as.blends && !blends {
+        return refuse(format!("it is {}, and the formula has no argument f0", used_as.meaning));
     }
     Ok(used_as)
 }

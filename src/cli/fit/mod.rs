@@ -46,7 +46,7 @@ name. A search that does not converge, a missing proof or an error above --limit
 
 /// What the help says after the options.
 pub(super) fn after_help() -> String {
-    let use_of = |used_as: Use| format!("  {:<14} {}\n", used_as.name(), used_as.meaning());
+    let use_of = |used_as: Use| format!("  {:<14} {}\n", used_as.name, used_as.meaning);
     let uses: String = Use::all().into_iter().map(use_of).collect();
     format!("{EXAMPLES}\n\nUses:\n{uses}")
 }

@@ -235,7 +235,7 @@ impl Options {
         }
         let column = self.to.column.as_ref().map_or(String::new(), |c| format!(":{c}"));
         push("--to ", format!("{}{column}", self.to.quantity.name()));
-        self.used_as.iter().for_each(|u| push("--use ", u.name().into()));
+        self.used_as.iter().for_each(|u| push("--use ", u.name.into()));
         if self.norm != [Goal::Max] {
             self.norm.iter().for_each(|goal| push("--norm ", goal_name(*goal)));
         }
@@ -365,7 +365,7 @@ fn to(text: &str) -> Result<To, String> {
 
 fn used_as(text: &str) -> Result<Use, String> {
     Use::of(text).ok_or_else(|| {
-        let names: Vec<&str> = Use::all().into_iter().map(Use::name).collect();
+        let names: Vec<&str> = Use::all().iter().map(|used_as| used_as.name).collect();
         format!("the uses are {}", names.join(", "))
     })
 }

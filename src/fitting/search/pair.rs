@@ -78,7 +78,7 @@ fn refuse(target: &Target, (f0, form): (&Span, F0Form), job: &SearchJob) -> Resu
             "a search goes over formulas for a range of f0; for f0 = {} alone, fit a formula of your own without f0",
             f0.range[0]
         );
-        return Err(TargetError::Use { used_as: target.used_as.name(), reason });
+        return Err(TargetError::Use { used_as: target.used_as.name, reason });
     }
     Ok(())
 }

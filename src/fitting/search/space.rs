@@ -26,7 +26,7 @@ pub(super) fn target(spec: &TargetSpec) -> Result<Target, FittingError> {
         }
         arguments.push(input.name);
     }
-    if spec.used_as.is_some_and(Use::blends) {
+    if spec.used_as.is_some_and(|used_as| used_as.blends) {
         arguments.push("f0");
     }
     let declared: Vec<String> = arguments.iter().map(|name| format!("{name}: f32")).collect();
@@ -41,7 +41,7 @@ pub(super) fn name(target: &Target) -> String {
     // function.
     let words = [side.map(Side::name), specular.map(Specular::name), kernel.as_ref().map(Kernel::name)];
     let words = words.into_iter().flatten().map(String::from);
-    let parts = [target.quantity.name(), target.column, target.used_as.name()].map(String::from);
+    let parts = [target.quantity.name(), target.column, target.used_as.name].map(String::from);
     let parts = parts.into_iter().chain(words);
     parts.collect::<Vec<_>>().join("_").replace('-', "_").to_lowercase()
 }

@@ -22,7 +22,7 @@ pub fn summary(searched: &Searched) -> String {
         "{} {} as {}{}, alpha = {}: {} forms on the frontier{}\n  {:>5}  {:>10}  {:>10}  worst at\n",
         target.quantity.name(),
         target.column,
-        target.used_as.name(),
+        target.used_as.name,
         words::smith(target),
         target.alpha_map.name(),
         searched.points.len(),

@@ -84,9 +84,9 @@ fn chart(group: &[&ApproximationFinding]) -> Result<Option<Block>, ReportError> 
     }
     let has = |kind: fn(&ApproximationFinding) -> bool| group.iter().any(|a| kind(a));
     let first = group[0];
-    let (used_as, metric) = (first.used_as, first.used_as.metric());
+    let (used_as, metric) = (first.used_as, first.used_as.metric);
     let smith = first.smith.map_or_else(String::new, |smith| format!(", {} Smith", smith.name()));
-    let title = format!("{} as {}{smith}", first.quantity, used_as.name());
+    let title = format!("{} as {}{smith}", first.quantity, used_as.name);
     let scatter = Scatter {
         title,
         x: ("operations (square-root scale; fetches not counted)".into(), Spread::Root),
@@ -145,7 +145,7 @@ fn row(a: &ApproximationFinding) -> Vec<String> {
         words::place(&a.certificate.at),
         a.cost.fetches.to_string(),
         crate::report::numbers::grouped(a.cost.bytes),
-        a.used_as.name().into(),
+        a.used_as.name.into(),
         if a.norm.is_empty() { "–".into() } else { a.norm.clone() },
         a.source.clone(),
     ]

@@ -239,7 +239,7 @@ fn facts(s: &Shown) -> Vec<(String, String)> {
                 words::place(&c.at),
                 words::mean(c.rms),
                 words::mean(c.mean),
-                a.used_as.metric(),
+                a.used_as.metric,
             ),
         ),
         (

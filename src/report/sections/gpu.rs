@@ -135,9 +135,9 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
     for (_, dot) in dots.iter_mut().enumerate().filter(|(i, d)| !d.published && !best.contains(i)) {
         dot.name.clear();
     }
-    let metric = first.used_as.metric();
+    let metric = first.used_as.metric;
     let scatter = Scatter {
-        title: format!("{} as {}", first.quantity, first.used_as.name()),
+        title: format!("{} as {}", first.quantity, first.used_as.name),
         x: ("picoseconds per evaluation (square-root scale)".into(), Spread::Root),
         y: (format!("largest {metric}"), Spread::Log),
         size: (760.0, if dots.len() > 8 { 460.0 } else { 300.0 }),

@@ -99,7 +99,7 @@ fn certificates(findings: &FitPage, fit: &FitCard) -> TextTable {
     let caption = format!(
         "Judged by the {}. Maxima are rounded up; RMS and mean are over points uniform in the inputs. Inputs are rounded to \
          the arithmetic that is measured.",
-        findings.used_as.metric()
+        findings.used_as.metric
     );
     words::table(&columns, fit.certificates.iter().map(row).collect(), &caption)
 }
@@ -139,7 +139,7 @@ fn checked(fit: &FitCard, slice: &FitSlice) -> Result<(), ReportError> {
 /// Curves beside the map; beside the curves of the error where there is no map.
 fn of_slice(findings: &FitPage, fit: &FitCard, slice: &FitSlice) -> Result<Block, ReportError> {
     let curves = crate::report::Figure::svg(&curves(fit, slice))?;
-    let metric = findings.used_as.metric();
+    let metric = findings.used_as.metric;
     match &slice.error {
         Some(field) => {
             let map = crate::report::Figure::svg(&map(&words::labelled(field), slice))?;

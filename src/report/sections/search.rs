@@ -38,7 +38,7 @@ fn tried(findings: &SearchPage) -> Vec<Block> {
 }
 
 fn frontier(findings: &SearchPage) -> Result<Section, ReportError> {
-    let metric = findings.used_as.metric();
+    let metric = findings.used_as.metric;
     let mut blocks = Vec::new();
     if words::worth_a_chart(&findings.dots) && findings.dots.iter().all(|d| d.y > 0.0) {
         let scatter = Scatter {

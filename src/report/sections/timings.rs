@@ -140,9 +140,9 @@ fn time_against_error(group: &[&TimedApproximation]) -> Result<Option<Block>, Re
     };
     dots.iter_mut().enumerate().for_each(unnamed);
     let (first, many) = (group[0], dots.len() > 8);
-    let metric = first.used_as.metric();
+    let metric = first.used_as.metric;
     let scatter = Scatter {
-        title: format!("{} as {}", first.quantity, first.used_as.name()),
+        title: format!("{} as {}", first.quantity, first.used_as.name),
         x: ("nanoseconds per evaluation (square-root scale)".into(), Spread::Root),
         y: (format!("largest {metric}"), Spread::Log),
         dots,

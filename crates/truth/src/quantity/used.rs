@@ -8,11 +8,17 @@ use super::{QUANTITIES, Quantity};
 /// What a formula of an output of a quantity is used as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Use {
-    pub(super) name: &'static str,
-    pub(super) meaning: &'static str,
-    pub(super) metric: &'static str,
-    pub(super) residual: Residual,
-    pub(super) blends: bool,
+    /// The word in options and in the manifest.
+    pub name: &'static str,
+    /// What the formula is then, in words.
+    pub meaning: &'static str,
+    /// What its error is.
+    pub metric: &'static str,
+    /// The error in numbers.
+    pub residual: Residual,
+    /// Whether the formula has an argument f0 that the quantity does not have, and blends between
+    /// the outputs B and E.
+    pub blends: bool,
 }
 
 /// The error of a formula f whose truth is t.
@@ -78,32 +84,6 @@ impl Use {
     /// The use of a name.
     pub fn of(name: &str) -> Option<Use> {
         Use::all().into_iter().find(|one| one.name == name)
-    }
-
-    /// The word in options and in the manifest.
-    pub fn name(self) -> &'static str {
-        self.name
-    }
-
-    /// What the formula is then, in words.
-    pub fn meaning(self) -> &'static str {
-        self.meaning
-    }
-
-    /// What its error is.
-    pub fn metric(self) -> &'static str {
-        self.metric
-    }
-
-    /// The error in numbers.
-    pub fn residual(self) -> Residual {
-        self.residual
-    }
-
-    /// Whether the formula has an argument f0 that the quantity does not have, and blends between
-    /// its outputs B and E.
-    pub fn blends(self) -> bool {
-        self.blends
     }
 
     /// Quantities with the column that has this use, as `ggx-reflection:E`; those of one quantity
