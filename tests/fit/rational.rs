@@ -210,7 +210,7 @@ fn bad_problems_are_named() {
     ));
     assert!(matches!(
         refused(&|p| p.denominator[4 * 9..4 * 10].fill(0.0)),
-        FitError::NoDenominator { sample: 9 }
+        FitError::NoDenominator { sample: Some(9) }
     ));
     // A denominator x - 1/2 times whatever has both signs.
     let error = refused(&|p| {

@@ -96,12 +96,10 @@ pub enum FitError {
         by: f64,
     },
     /// A rational form has no coefficients with a positive denominator at every sample.
-    #[error(
-        "no coefficients make the denominator positive at every sample; sample {sample} is one of those in the way"
-    )]
+    #[error("no coefficients make the denominator positive at every sample{}", in_the_way(*.sample))]
     NoDenominator {
-        /// Index of a sample.
-        sample: usize,
+        /// Index of a sample in the way, where one is known.
+        sample: Option<usize>,
     },
     /// Constraints contradict one another.
     #[error(
@@ -125,4 +123,9 @@ pub enum FitError {
         /// What it says.
         message: String,
     },
+}
+
+/// A sample that no denominator is positive at, as the end of a sentence.
+pub(crate) fn in_the_way(sample: Option<usize>) -> String {
+    sample.map_or_else(String::new, |sample| format!("; sample {sample} is one of those in the way"))
 }

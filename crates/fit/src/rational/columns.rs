@@ -75,7 +75,7 @@ impl Columns {
         let largest = |columns: &[Vec<f64>], i: usize| columns.iter().fold(0.0_f64, |t, c| t.max(c[i].abs()));
         self.size = (0..self.samples).map(|i| largest(&self.divisor, i)).collect();
         if let Some(sample) = self.size.iter().position(|s| *s == 0.0) {
-            return Err(FitError::NoDenominator { sample });
+            return Err(FitError::NoDenominator { sample: Some(sample) });
         }
         for j in 0..self.residual.len() {
             let part = |column: &[f64]| {

@@ -4,6 +4,7 @@ use super::columns::{Columns, NOISE};
 use super::level::{Id, Level};
 use super::simplex::Failure;
 use super::{Optimum, Row};
+use crate::error::in_the_way;
 use crate::{FitError, Termination};
 
 /// Programs of one descent.
@@ -122,7 +123,7 @@ impl<'a> Descent<'a> {
         self.programs += 1;
         let mut vertex = match solved {
             // No denominators of mean 1, whatever their signs.
-            Err(Failure::Infeasible) => return Err(FitError::NoDenominator { sample: 0 }),
+            Err(Failure::Infeasible) => return Err(FitError::NoDenominator { sample: None }),
             solved => solved.map_err(|failure| self.refused(failure))?,
         };
         if vertex.x.last().is_none_or(|z| *z >= 0.0) {
@@ -130,13 +131,12 @@ impl<'a> Descent<'a> {
                 Id::Above(sample) if *y > 0.0 => Some(*sample),
                 _ => None,
             });
-            let sample = sample.unwrap_or(0);
             if vertex.proven(&program) > 0.0 {
                 return Err(FitError::NoDenominator { sample });
             }
             let message = format!(
-                "every choice of the coefficients has a denominator that is 0, to rounding, or less at some sample; sample {sample} is \
-                 one of those in the way"
+                "every choice of the coefficients has a denominator that is 0, to rounding, or less at some sample{}",
+                in_the_way(sample)
             );
             return Err(FitError::Solver { message });
         }
