@@ -26,5 +26,5 @@ pub use lobefit_truth::optics::Smith;
 pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use mips::{LOG_SCALE, MipChain, MipMap};
-pub use shader::{ARGUMENTS, TableCode, lookup_ops};
+pub use shader::{ARGUMENTS, Coordinate, Decoder, TableCode, lookup_ops};
 pub use table::{AXES, Channel, Table, TableError, TexelFormat};

@@ -3,18 +3,18 @@
 
 use std::sync::LazyLock;
 
-use super::{Axis, Decode, Surface, Values, Warp};
+use super::{Axis, Decode, Surface, Values};
 use lobefit_shade::code::{LETTERS, decimal};
 use lobefit_shade::{ShadeError, Source, Tape};
 
 /// The text of both files.
 const TEXT: &str = concat!(include_str!("warps.wgsl"), "\n", include_str!("decodings.wgsl"));
 
-/// Their functions. They are part of the program, and so is whether they parse.
-static LIBRARY: LazyLock<Source> = LazyLock::new(|| whole(Source::parse("warps.wgsl", TEXT)));
+/// Their functions.
+static LIBRARY: LazyLock<Result<Source, ShadeError>> = LazyLock::new(|| Source::parse("warps.wgsl", TEXT));
 
-fn whole<T>(made: Result<T, ShadeError>) -> T {
-    made.unwrap_or_else(|error| panic!("a defect of this program: {error}"))
+fn library() -> Result<&'static Source, ShadeError> {
+    LIBRARY.as_ref().map_err(Clone::clone)
 }
 
 /// What the functions' arguments are called, in the order in which they are given.
@@ -34,6 +34,7 @@ const INPUTS: [&str; 12] = [
 ];
 
 /// A function of the library, and where its inputs stand in [`INPUTS`].
+#[derive(Clone, Debug)]
 struct Evaluated {
     tape: Tape,
     inputs: Vec<usize>,
@@ -41,7 +42,7 @@ struct Evaluated {
 
 impl Evaluated {
     fn of(function: &str, component: usize) -> Result<Evaluated, ShadeError> {
-        let tape = LIBRARY.tape(function, component)?;
+        let tape = library()?.tape(function, component)?;
         let place = |name: &String| {
             let name = if name == "texel" { "texel.x" } else { name };
             INPUTS.iter().position(|input| *input == name)
@@ -64,35 +65,70 @@ impl Evaluated {
     }
 }
 
-/// The warps in the order of [`Warp::ALL`].
-static WARPS: LazyLock<Vec<Evaluated>> =
-    LazyLock::new(|| Warp::ALL.iter().map(|warp| whole(Evaluated::of(warp.function(), 0))).collect());
+/// Values of an input to texture coordinates, in a shader's arithmetic.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    warp: Evaluated,
+    least: f32,
+    whole: f32,
+    affine: (f32, f32),
+}
 
-/// E and, where there is one, B of the decodings in the order of [`Decode::ALL`].
-static DECODINGS: LazyLock<Vec<(Evaluated, Option<Evaluated>)>> = LazyLock::new(|| {
-    let of = |decode: &Decode| {
-        let bias = (decode.count() == 3).then(|| whole(Evaluated::of(decode.function(), 2)));
-        (whole(Evaluated::of(decode.function(), 0)), bias)
-    };
-    Decode::ALL.iter().map(of).collect()
-});
-
-impl Axis {
-    /// The texture coordinate in a shader's arithmetic.
-    pub fn texture_coordinate(&self, x: f32, surface: Surface<f32>) -> f32 {
+impl Coordinate {
+    /// The texture coordinate of a value.
+    pub fn at(&self, x: f32, surface: Surface<f32>) -> f32 {
         let Surface { alpha, ior, anisotropy, cos2_phi } = surface;
         let mut given = [0.0; INPUTS.len()];
-        given[..7].copy_from_slice(&[x, alpha, ior, anisotropy, cos2_phi, self.min as f32, self.whole()]);
-        let value = WARPS[self.warp as usize].at(&given);
-        match self.affine() {
+        given[..7].copy_from_slice(&[x, alpha, ior, anisotropy, cos2_phi, self.least, self.whole]);
+        let value = self.warp.at(&given);
+        match self.affine {
             (1.0, 0.0) => value,
             (scale, offset) => value * scale + offset,
         }
     }
+}
+
+/// Texels to values, in a shader's arithmetic.
+#[derive(Clone, Debug)]
+pub struct Decoder {
+    albedo: Evaluated,
+    bias: Option<Evaluated>,
+}
+
+impl Decoder {
+    /// The values of a texel; what lies beyond the table's channels is not read.
+    pub fn at(&self, texel: [f32; 4], mu: f32, surface: Surface<f32>) -> Values {
+        let Surface { alpha, ior, anisotropy, cos2_phi } = surface;
+        let [r, g, b, a] = texel;
+        let given = [0.0, alpha, ior, anisotropy, cos2_phi, 0.0, 0.0, r, g, b, a, mu];
+        Values { e: self.albedo.at(&given), b: self.bias.as_ref().map(|bias| bias.at(&given)) }
+    }
+}
+
+impl Decode {
+    /// What it computes.
+    ///
+    /// # Errors
+    /// A library that does not parse, a defect of this program.
+    pub fn decoder(self) -> Result<Decoder, ShadeError> {
+        let of = |component: usize| Evaluated::of(self.function(), component);
+        Ok(Decoder { albedo: of(0)?, bias: (self.count() == 3).then(|| of(2)).transpose()? })
+    }
+}
+
+impl Axis {
+    /// What its warp computes.
+    ///
+    /// # Errors
+    /// A library that does not parse, a defect of this program.
+    pub fn coordinate(&self) -> Result<Coordinate, ShadeError> {
+        let (least, whole) = (self.min as f32, self.whole());
+        Ok(Coordinate { warp: Evaluated::of(self.warp.function(), 0)?, least, whole, affine: self.affine() })
+    }
 
     /// The texture coordinate as an expression of WGSL that calls the library.
     fn call(&self) -> Result<String, ShadeError> {
-        let function = LIBRARY.function(self.warp.function())?;
+        let function = library()?.function(self.warp.function())?;
         let argument = |name: &str| match name {
             "x" => self.name.clone(),
             "least" => decimal(self.min as f32),
@@ -107,18 +143,6 @@ impl Axis {
             (scale, offset) if scale < 0.0 => format!("{} - {call} * {}", decimal(offset), decimal(-scale)),
             (scale, offset) => format!("{call} * {} + {}", decimal(scale), decimal(offset)),
         })
-    }
-}
-
-impl Decode {
-    /// The values of a texel in a shader's arithmetic; what lies beyond the table's channels is not
-    /// read.
-    pub fn values(self, texel: [f32; 4], mu: f32, surface: Surface<f32>) -> Values {
-        let Surface { alpha, ior, anisotropy, cos2_phi } = surface;
-        let [r, g, b, a] = texel;
-        let given = [0.0, alpha, ior, anisotropy, cos2_phi, 0.0, 0.0, r, g, b, a, mu];
-        let (albedo, bias) = &DECODINGS[self as usize];
-        Values { e: albedo.at(&given), b: bias.as_ref().map(|bias| bias.at(&given)) }
     }
 }
 
@@ -209,7 +233,7 @@ fn coordinate_function(name: &str, axes: &[Axis], arguments: &[&str]) -> Result<
 }
 
 fn decode_function(name: &str, decode: Decode, arguments: &[&str]) -> Result<String, ShadeError> {
-    let function = LIBRARY.function(decode.function())?;
+    let function = library()?.function(decode.function())?;
     let passed: Vec<&str> =
         function.variables[..function.arguments].iter().map(|v| v.name.as_str()).collect();
     let texel = format!("texel: {}", kind(decode.channels()));
@@ -224,10 +248,10 @@ fn decode_function(name: &str, decode: Decode, arguments: &[&str]) -> Result<Str
 }
 
 /// Operations of a lookup beside its fetch: coordinates and decoding, what they share counted once.
-pub fn lookup_ops(axes: &[Axis], decode: Decode) -> u32 {
-    let count = || -> Result<u32, ShadeError> {
-        let code = TableCode::new("table", axes, decode, [&[], &[]])?;
-        code.source.cost_ops(&[&code.coordinates, &code.decoding])
-    };
-    whole(count())
+///
+/// # Errors
+/// A library that does not parse, a defect of this program.
+pub fn lookup_ops(axes: &[Axis], decode: Decode) -> Result<u32, ShadeError> {
+    let code = TableCode::new("table", axes, decode, [&[], &[]])?;
+    code.source.cost_ops(&[&code.coordinates, &code.decoding])
 }

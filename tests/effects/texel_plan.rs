@@ -1,6 +1,6 @@
 //! The layouts for the trilinear lookup: plans of points, texels from their values, and what the lookup returns.
 
-use lobefit::data::{AlphaMap, Axis, Smith, Surface};
+use lobefit::data::{AlphaMap, Coordinate, Smith, Surface};
 use lobefit::effects::anisotropy::aniso_axes;
 use lobefit::effects::glass::glass_axes;
 use lobefit::effects::table::{Node, TexelPlan, check};
@@ -8,10 +8,10 @@ use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::reflection::{Effort, albedo};
 
 /// A trilinear lookup in f64, clamped to the edge.
-fn lookup(axes: &[Axis; 3], texels: &[f64], values: [f64; 3], surface: Surface<f32>) -> f64 {
+fn lookup(axes: &[(usize, Coordinate); 3], texels: &[f64], values: [f64; 3], surface: Surface<f32>) -> f64 {
     let cells = [0, 1, 2].map(|k| {
-        let n = axes[k].size;
-        let x = f64::from(axes[k].texture_coordinate(values[k] as f32, surface)) * n as f64 - 0.5;
+        let (n, coordinate) = (axes[k].0, &axes[k].1);
+        let x = f64::from(coordinate.at(values[k] as f32, surface)) * n as f64 - 0.5;
         let x = x.clamp(0.0, (n - 1) as f64);
         let base = (x.floor() as usize).min(n - 2);
         (base, x - base as f64)
@@ -24,7 +24,7 @@ fn lookup(axes: &[Axis; 3], texels: &[f64], values: [f64; 3], surface: Surface<f
             at[k] = cells[k].0 + far;
             weight *= if far == 1 { cells[k].1 } else { 1.0 - cells[k].1 };
         }
-        sum += weight * texels[(at[2] * axes[1].size + at[1]) * axes[0].size + at[0]];
+        sum += weight * texels[(at[2] * axes[1].0 + at[1]) * axes[0].0 + at[0]];
     }
     sum
 }
@@ -35,6 +35,7 @@ fn lookup(axes: &[Axis; 3], texels: &[f64], values: [f64; 3], surface: Surface<f
 fn optimised_texels_halve_the_error() {
     let axes = aniso_axes([32, 24, 2], [0.15, 1.0], [0.0, 1.0]);
     let plan = TexelPlan::new(axes.clone(), AlphaMap::RoughnessSquared, [2, 2, 1], 20, 0.001);
+    let axes = axes.map(|axis| (axis.size, axis.coordinate().expect("it parses")));
     let effort = &Effort::ladder()[1].outer;
     let loss = |alpha: f64, mu: f64| 1.0 - albedo(Smith::Correlated, alpha, mu, effort);
     let points = plan.points();

@@ -257,7 +257,8 @@ fn near(axis: &Axis, i: usize, point: &Point) -> f64 {
         "ior" => point.ior,
         _ => point.mu,
     };
-    let at = |x: f32| f64::from(axis.texture_coordinate(x, surface(point)));
+    let coordinate = axis.coordinate().expect("it parses");
+    let at = |x: f32| f64::from(coordinate.at(x, surface(point)));
     let exact = axis.node(i, exact(point)) == f64::from(x);
     let rounding = if exact { 0.0 } else { (at(x.next_up()) - at(x)).abs() };
     (16.0 * f64::from(f32::EPSILON) + rounding) * axis.size as f64

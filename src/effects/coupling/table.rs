@@ -56,7 +56,8 @@ pub fn of_published(
     let here = measured.over(&[f0[0], f0[1]]);
     let any = measured.over(&ANY);
     let ops = lookup_ops(&table.axes, Decode::of(spec.layout, spec.serves))
-        + exact_ops(*specular).map_err(FitStageError::from)?;
+        .and_then(|ops| Ok(ops + exact_ops(*specular)?))
+        .map_err(FitStageError::from)?;
     let approximation = Approximation {
         name: table.name.clone(),
         quantity: "diffuse-coupling".into(),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Errors, Family, Made, Points, Region, Spec, TableJob, Truth, measure};
+use super::{Errors, Family, LookupError, Made, Points, Region, Spec, TableJob, Truth, measure};
 use crate::data::{
     Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Smith, Source, Table, Use, lookup_ops,
 };
@@ -204,7 +204,7 @@ pub(super) fn finish(
         points: errors.points as u64,
     };
     let (column, used_as) = if decode.has_bias() { ("E, A, B", Use::F0_BLEND) } else { ("E", Use::VALUE) };
-    let ops = lookup_ops(&table.axes, decode);
+    let ops = lookup_ops(&table.axes, decode).map_err(LookupError::Shader)?;
     let approximation = Approximation {
         name: table.name.clone(),
         quantity: table.quantity.clone(),

@@ -1,7 +1,8 @@
 //! A table as a shader reads it, whatever the number of its axes: coordinates, linear fetch and
 //! decoding, in f32.
 
-use crate::data::{AXES, Axis, Decode, Surface, Table, Values};
+use crate::data::{AXES, Axis, Coordinate, Decode, Decoder, Surface, Table, Values};
+use lobefit_shade::ShadeError;
 
 /// Arguments of an emitted lookup. Those that the table does not use are not read.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -62,7 +63,7 @@ impl Variable {
 }
 
 /// A table that cannot be looked up.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LookupError {
     /// Other channels than the decoding reads.
@@ -89,6 +90,9 @@ pub enum LookupError {
         /// Table's name.
         table: String,
     },
+    /// A warp or a decoding that cannot be computed, a defect of this program.
+    #[error(transparent)]
+    Shader(ShadeError),
     /// An axis of no known variable.
     #[error("table {table}: axis {axis} is none of roughness, alpha, mu, anisotropy, ior")]
     Axis {
@@ -103,10 +107,11 @@ pub enum LookupError {
 #[derive(Clone, Debug)]
 pub struct Lookup<'a> {
     table: &'a str,
-    axes: Vec<(&'a Axis, Variable)>,
+    /// Variable, size and coordinate of each axis.
+    axes: Vec<(Variable, usize, Coordinate)>,
     /// Texels of each channel.
     texels: Vec<Vec<f32>>,
-    decode: Decode,
+    decoder: Decoder,
     /// Steps of the interpolation weights: many texture units keep 8 fractional bits.
     weight_steps: Option<f32>,
 }
@@ -139,11 +144,16 @@ impl<'a> Lookup<'a> {
         }
         let variable = |axis: &'a Axis| {
             let unknown = || LookupError::Axis { table: name(), axis: axis.name.clone() };
-            Variable::of(axis).map(|variable| (axis, variable)).ok_or_else(unknown)
+            Ok((
+                Variable::of(axis).ok_or_else(unknown)?,
+                axis.size,
+                axis.coordinate().map_err(LookupError::Shader)?,
+            ))
         };
-        let axes = table.axes.iter().map(variable).collect::<Result<_, _>>()?;
+        let axes = table.axes.iter().map(variable).collect::<Result<_, LookupError>>()?;
         let texels = table.channels.iter().map(|c| c.texels.iter().map(|t| *t as f32).collect()).collect();
-        Ok(Lookup { table: &table.name, axes, texels, decode, weight_steps: None })
+        let decoder = decode.decoder().map_err(LookupError::Shader)?;
+        Ok(Lookup { table: &table.name, axes, texels, decoder, weight_steps: None })
     }
 
     /// The same with interpolation weights rounded to `bits` fractional bits, as texture units do.
@@ -159,16 +169,16 @@ impl<'a> Lookup<'a> {
 
     /// The decoded values at a point, in the shader's arithmetic.
     pub fn at(&self, point: &Point) -> Values {
-        self.decode.values(self.texel(point), point.mu, point.surface())
+        self.decoder.at(self.texel(point), point.mu, point.surface())
     }
 
     /// The texel between those around a point; channels that the table does not have are 0.
     pub fn texel(&self, point: &Point) -> [f32; 4] {
         let (surface, mut stride) = (point.surface(), 1);
         let mut cells = [Cell::default(); AXES];
-        for (cell, (axis, variable)) in cells.iter_mut().zip(&self.axes) {
-            *cell = self.cell(axis.texture_coordinate(variable.at(point), surface), axis.size, stride);
-            stride *= axis.size;
+        for (cell, (variable, size, coordinate)) in cells.iter_mut().zip(&self.axes) {
+            *cell = self.cell(coordinate.at(variable.at(point), surface), *size, stride);
+            stride *= size;
         }
         let mut texel = [0.0; 4];
         for (value, texels) in texel.iter_mut().zip(&self.texels) {

@@ -3,8 +3,8 @@
 use super::function::within;
 use super::printer::{Facts, Printer};
 use super::{c, glsl, hlsl, msl, rust, wgsl};
+use crate::Fetches;
 use crate::comment::comment;
-use crate::{Fetches, Kind};
 
 /// A language of the emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -87,11 +87,6 @@ impl Language {
     /// in a line feed.
     pub fn preamble(self) -> String {
         format!("{}{}", self.facts().attributes, self.facts().opening)
-    }
-
-    /// The name of a type.
-    pub fn kind(self, kind: Kind) -> String {
-        self.printer().kind(kind)
     }
 
     /// The structure of weighted fetches, with its documentation.

@@ -9,21 +9,12 @@ mod slant;
 use serde::Serialize;
 use serde_json::Value;
 
-pub use chain::{
-    BakePolicy, ChainFindings, ChainGain, ChainParts, ChainSize, SeamPicture, SeamRow, SlideLaw,
-};
+pub use chain::*;
 use lobefit::report::Origin;
-pub use proxies::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
-pub use rooms::{
-    FittedLobe, LookupCost, RandomReference, RandomRoom, RandomRow, RoomGeometry, RoomPicture,
-    RoomPictureRow, RoomPictures, RoomsFindings,
-};
-
-pub use seed::{SeedCell, SeedFindings, SeedFit, SeedSlant};
-pub use slant::{
-    PlacedTaps, RuleCurves, RuleExpectation, RuleRefit, RuleSpread, SlantFindings, SlantFootprints,
-    SlantLobe, SlantRow,
-};
+pub use proxies::*;
+pub use rooms::*;
+pub use seed::*;
+pub use slant::*;
 
 /// Lookups of the cubemap of a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]
