@@ -17,8 +17,6 @@ pub struct Fit {
     pub termination: Option<Termination>,
     /// Whether it is emitted, or only reported for comparison.
     pub emitted: bool,
-    /// The function that a saturating form calls.
-    pub wraps: Option<String>,
     /// Where it is proven to have no pole and no negative value, if that was asked for.
     pub safe: Option<Safe>,
 }
@@ -42,6 +40,8 @@ pub struct FitSet {
     pub fits: Vec<Fit>,
     /// Hypotheses of the catalogue without a fit.
     pub dropped: Vec<Dropped>,
+    /// Where no fit within the budget keeps the stated error: what does, in words.
+    pub nearest: Option<String>,
 }
 
 impl Fit {

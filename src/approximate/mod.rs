@@ -2,6 +2,7 @@
 //! its proof and its certificate. Nothing here knows an effect.
 
 mod certificate;
+mod emission;
 mod entry;
 mod error;
 mod fit;
@@ -14,6 +15,7 @@ mod search;
 pub mod target;
 
 pub use certificate::{approximation, certificate, formula};
+pub use emission::Emission;
 pub use entry::Entry;
 pub(crate) use entry::{own, published};
 pub use error::{FitStageError, Runaway};
@@ -22,7 +24,7 @@ pub use points::{certification, place};
 pub(crate) use points::{edged, layer_mu, lerp, uniform};
 pub use prepared::Counter;
 pub use region::Region;
-pub use run::{Wanted, WithF0, fit_all};
+pub use run::{Wanted, fit_all};
 pub use safe::{Safe, SafeProof, SafeRange};
 pub use search::runaways;
 pub(crate) use search::searched;

@@ -44,18 +44,6 @@ impl Prepared {
         Ok(Prepared { target, even, edged, measured })
     }
 
-    /// The same points, where f0 is an input of one value.
-    pub fn at_f0(&self, f0: f64) -> Prepared {
-        let with = |sampled: &Sampled| {
-            let mut sampled = sampled.clone();
-            let column = vec![f64::from(f0 as f32); sampled.points.len()];
-            sampled.points = sampled.points.with("f0", column);
-            sampled
-        };
-        let [even, edged, measured] = [&self.even, &self.edged, &self.measured].map(with);
-        Prepared { target: self.target.at_f0(f0), even, edged, measured }
-    }
-
     /// A formula's best coefficients in a norm, proven and measured.
     pub fn fit(
         &self,
@@ -87,11 +75,13 @@ impl Prepared {
         self.measure(hypothesis.clone(), &[], "published", source)
     }
 
-    /// A form of a fit with the same coefficients.
-    pub fn form(&self, fit: &Fit, hypothesis: Hypothesis) -> Result<Fit, FitStageError> {
-        let form = self.measure(hypothesis, &fit.coefficients(), fit.norm(), Source::Fitted)?;
-        let wraps = Some(fit.hypothesis.name().to_string());
-        Ok(Fit { termination: fit.termination, emitted: true, wraps, ..form })
+    /// A fit as it is called: the same coefficients in a function of other arguments. Its name and
+    /// its cost are those of its formula, for which roughness and alpha are both given.
+    pub fn called(&self, fit: &Fit, hypothesis: Hypothesis) -> Result<Fit, FitStageError> {
+        let mut called = self.measure(hypothesis, &fit.coefficients(), fit.norm(), Source::Fitted)?;
+        called.approximation.name.clone_from(&fit.approximation.name);
+        called.approximation.cost = fit.approximation.cost;
+        Ok(Fit { termination: fit.termination, emitted: true, safe: fit.safe.clone(), ..called })
     }
 
     /// Measures a formula in f32 as emitted.
@@ -105,7 +95,7 @@ impl Prepared {
         let form = formula(&hypothesis, coefficients, norm);
         let found = certificate(&hypothesis, coefficients, &self.target, &self.measured, Precision::F32)?;
         let approximation = approximation(&hypothesis, form, &self.target, source, found);
-        Ok(Fit { approximation, hypothesis, termination: None, emitted: false, wraps: None, safe: None })
+        Ok(Fit { approximation, hypothesis, termination: None, emitted: false, safe: None })
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::prepared::Prepared;
 use super::target::{Target, TargetSpec};
-use super::{Counter, Dropped, Entry, Fit, FitSet, FitStageError, SafeRange};
+use super::{Counter, Dropped, Emission, Entry, Fit, FitSet, FitStageError, SafeRange};
 use crate::data::{AlphaMap, Norm};
 use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
@@ -28,17 +28,11 @@ pub struct Wanted<'a> {
     pub max_ops: Option<u32>,
     /// What the fits must keep beyond their domain.
     pub safe_range: Option<SafeRange>,
-    /// A form of f0 of each minimax fit (of each other fit where there is none), measured at
-    /// f0 = 1.
-    pub with_f0: Option<WithF0>,
+    /// Which of the fits of our formulas are emitted; the user's all are.
+    pub emission: Emission,
 }
 
-/// Makes a formula of f0 of another formula, given as it stands in its file; the second argument is
-/// the name of its fit.
-pub type WithF0 = fn(&Hypothesis, &str) -> Result<Hypothesis, ShadeError>;
-
-/// Fits and measures: our formulas in the catalogue's order, the user's, their forms of f0, then
-/// the published ones. A hypothesis of ours that does not converge, or has a pole, in this domain
+/// Fits and measures: our formulas in the catalogue's order, the user's, then the published ones. A hypothesis of ours that does not converge, or has a pole, in this domain
 /// is dropped with the reason, and so is a formula that was asked for and costs too much; a
 /// hypothesis of the user's that does not converge is an error.
 ///
@@ -54,24 +48,19 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let user = parse(wanted.user.iter().map(|(file, source)| (file.as_str(), source.as_str())))?;
     let known = parse(published.iter().map(|entry| (entry.file, entry.source)))?;
     let mut dropped = Vec::new();
-    let own: Vec<Hypothesis> = own.into_iter().filter(|h| wanted.affords(h)).collect();
+    let (own, dear): (Vec<Hypothesis>, Vec<Hypothesis>) = own.into_iter().partition(|h| wanted.affords(h));
     let stage = Stage::new(wanted, own.iter().chain(&user).chain(&known), counter)?;
     dropped.extend(user.iter().filter(|h| !wanted.affords(h)).map(|h| wanted.too_dear(h)));
     let user: Vec<Hypothesis> = user.into_iter().filter(|h| wanted.affords(h)).collect();
     let (jobs, results) = stage.fits(&own);
     let mut fits = kept(&jobs, results, &mut dropped)?;
+    stage.pick(&mut fits)?;
+    let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
     fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
-    for form in stage.forms_of_f0(&fits)? {
-        if wanted.affords(&form.hypothesis) {
-            fits.push(form);
-        } else {
-            dropped.push(wanted.too_dear(&form.hypothesis));
-        }
-    }
     let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
     let measured = pairs.par_iter().map(|(entry, h)| stage.of(h)?.published(entry, h));
     fits.extend(measured.collect::<Vec<_>>().into_iter().collect::<Result<Vec<Fit>, _>>()?);
-    Ok(FitSet { fits, dropped })
+    Ok(FitSet { fits, dropped, nearest })
 }
 
 fn parse<'a>(sources: impl Iterator<Item = (&'a str, &'a str)>) -> Result<Vec<Hypothesis>, ShadeError> {
@@ -81,12 +70,13 @@ fn parse<'a>(sources: impl Iterator<Item = (&'a str, &'a str)>) -> Result<Vec<Hy
 impl Wanted<'_> {
     /// Whether a formula costs no more than the scene allows.
     pub fn affords(&self, hypothesis: &Hypothesis) -> bool {
-        self.max_ops.is_none_or(|most| hypothesis.tape().cost_ops() <= most)
+        self.max_ops.is_none_or(|most| hypothesis.tape().cost_ops() + self.emission.beside <= most)
     }
 
     /// A formula that was asked for and costs more than the scene allows.
     pub fn too_dear(&self, hypothesis: &Hypothesis) -> Dropped {
-        let (ops, most) = (hypothesis.tape().cost_ops(), self.max_ops.unwrap_or(u32::MAX));
+        let ops = hypothesis.tape().cost_ops() + self.emission.beside;
+        let most = self.max_ops.unwrap_or(u32::MAX);
         Dropped {
             hypothesis: hypothesis.name().to_string(),
             norm: "any",
@@ -133,19 +123,47 @@ impl<'a> Stage<'a> {
         (jobs, results)
     }
 
-    /// The forms of f0 that are asked for.
-    fn forms_of_f0(&self, fits: &[Fit]) -> Result<Vec<Fit>, FitStageError> {
-        let Some(make) = self.wanted.with_f0 else { return Ok(Vec::new()) };
-        let norm = if self.wanted.norms.contains(&Norm::Max) { Norm::Max } else { Norm::Rms };
-        let at_one: Vec<Prepared> = self.prepared.iter().map(|prepared| prepared.at_f0(1.0)).collect();
-        let form = |fit: &&Fit| -> Result<Fit, FitStageError> {
-            let original = Hypothesis::parse(fit.hypothesis.file(), fit.hypothesis.source())?;
-            let form = make(&original, fit.hypothesis.name())?;
-            let target = Target::new(&self.wanted.spec, &original)?.at_f0(1.0);
-            among(&at_one, &target, &original)?.form(fit, form)
-        };
-        let fits: Vec<&Fit> = fits.iter().filter(|fit| fit.norm() == norm.name()).collect();
-        fits.par_iter().map(form).collect::<Vec<_>>().into_iter().collect()
+    /// Whether a stated error is kept by none of the fits that are emitted.
+    fn misses(&self, fits: &[Fit]) -> bool {
+        let keeps =
+            |limit: f64| fits.iter().any(|fit| fit.emitted && fit.approximation.certificate.max_abs <= limit);
+        self.wanted.emission.max_error.is_some_and(|limit| !keeps(limit))
+    }
+
+    /// What keeps the stated error beyond the budget: the cheapest of the formulas that cost more.
+    fn nearest(&self, mut dear: Vec<Hypothesis>, counter: &Counter) -> Result<String, FitStageError> {
+        let Wanted { emission, safe_range, .. } = self.wanted;
+        let limit = emission.max_error.unwrap_or(f64::INFINITY);
+        dear.sort_by_key(|h| h.tape().cost_ops());
+        for h in &dear {
+            let own = match self.of(h) {
+                Ok(_) => None,
+                Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, counter)?),
+            };
+            let prepared = own.as_ref().map_or_else(|| self.of(h), Ok)?;
+            // A formula without a fit in this domain is passed over, as it is within a budget.
+            let Ok(fit) = prepared.fit(h, Norm::Max, safe_range.as_ref()) else { continue };
+            let error = fit.approximation.certificate.max_abs;
+            if error <= limit {
+                let ops = h.tape().cost_ops() + emission.beside;
+                return Ok(format!("{} keeps it: error {error} with {ops} operations", h.name()));
+            }
+        }
+        Ok("no formula of the catalogue keeps it in this region: widen max_error, or take a table".into())
+    }
+
+    /// Leaves those emitted that the scene asks for, each by the name of its role and with the
+    /// arguments that the scene asks for.
+    fn pick(&self, fits: &mut [Fit]) -> Result<(), FitStageError> {
+        let Wanted { emission, norms, max_ops, .. } = self.wanted;
+        let Some(picked) = emission.picked(fits, norms, *max_ops) else { return Ok(()) };
+        fits.iter_mut().for_each(|fit| fit.emitted = false);
+        for (index, name) in picked {
+            let original = &fits[index].hypothesis;
+            let called = emission.called(original, &name, &self.wanted.spec)?;
+            fits[index] = self.of(original)?.called(&fits[index], called)?;
+        }
+        Ok(())
     }
 }
 

@@ -34,7 +34,9 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
         files.extend(part.files);
         manifest.entries.extend(part.entries);
     }
-    for file in report::index(context.origin(), &manifest)? {
+    let index =
+        if context.scene.output.reports { report::index(context.origin(), &manifest)? } else { Vec::new() };
+    for file in index {
         manifest.entries.reports.push(Report { effect: None, file: file.path.clone() });
         files.insert(file.path, file.bytes);
     }

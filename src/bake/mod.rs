@@ -18,6 +18,7 @@ use crate::effects::context::Context;
 pub use crate::effects::context::{Progress, Silent, UserHypothesis};
 pub use crate::effects::table::BakedTable;
 use crate::effects::{Made, Part};
+use crate::emit::call::Call;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::store::Files;
@@ -42,6 +43,8 @@ pub struct Baked {
     pub fits: Vec<Fit>,
     /// Hypotheses of the catalogue that have no reliable fit in this scene.
     pub dropped: Vec<Dropped>,
+    /// What each material and probe calls.
+    pub calls: Vec<Call>,
 }
 
 impl Baked {
@@ -51,6 +54,7 @@ impl Baked {
         self.tables.extend(made.tables);
         self.fits.extend(made.fits);
         self.dropped.extend(made.dropped);
+        self.calls.extend(made.part.entries.calls.iter().cloned());
         made.part
     }
 }
@@ -76,7 +80,10 @@ pub fn bake(
     progress: &dyn Progress,
 ) -> Result<Baked, BakeError> {
     let recipe = recipe(scene, plan, hypotheses)?;
-    let context = Context { scene, hypotheses, recipe, counter: Counter::default(), progress };
+    let effects = plan.effects.iter().map(|called| called.effect);
+    let pages = std::iter::once("index").chain(effects).map(|page| (page.into(), format!("{page}.html")));
+    let pages = pages.collect();
+    let context = Context { scene, hypotheses, recipe, counter: Counter::default(), pages, progress };
     names::check(plan, hypotheses)?;
     let Selection { only, kept: mut parts } = selection;
     let mut baked = Baked {
@@ -86,6 +93,7 @@ pub fn bake(
         tables: Vec::new(),
         fits: Vec::new(),
         dropped: Vec::new(),
+        calls: Vec::new(),
     };
     let wanted: Vec<_> =
         plan.effects.iter().filter(|c| only.is_empty() || only.iter().any(|o| o == c.effect)).collect();

@@ -9,8 +9,8 @@ use lobefit_shade::Hypothesis;
 use lobefit_shade::code;
 use lobefit_shade::code::Language;
 
-/// What a formula is emitted as: itself, its least squares fit, and their saturating forms.
-const SUFFIXES: [&str; 4] = ["", "_rms", "_saturating", "_rms_saturating"];
+/// What a formula is emitted as: itself, its least squares fit, and their forms for three channels.
+const SUFFIXES: [&str; 4] = ["", "_rms", "_rgb", "_rms_rgb"];
 
 /// Parses the user's hypotheses and refuses a name that is taken.
 pub fn check(plan: &Plan, hypotheses: &[UserHypothesis]) -> Result<(), BakeError> {

@@ -10,7 +10,9 @@ use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
 use crate::bake::{Baked, Selection, previous, recipe, sign};
-use crate::emit::header::{place, short};
+use crate::emit::call::Call;
+use crate::emit::header::short;
+use crate::emit::manifest::CostEntry;
 use crate::plan::{self, Plan};
 use crate::scene::escape::visible;
 use crate::store::{Folder, MANIFEST, Written};
@@ -69,7 +71,7 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
     if options.json {
         print(baked.files.get(MANIFEST).map_or(&[], Vec::as_slice))?;
     } else if !options.quiet {
-        print(summary(&plan, &baked, &written).as_bytes())?;
+        print(summary(&plan, &baked, &written, options).as_bytes())?;
     }
     Ok(Outcome::Done)
 }
@@ -93,35 +95,13 @@ fn selection(options: &Options, input: &Input, plan: &Plan) -> Result<Selection,
     Ok(Selection { only: options.only.clone(), kept })
 }
 
-/// What was made: the tables, the functions, and what was left out.
-fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
-    let made = baked.tables.iter().map(|t| &t.approximation);
-    let tables: Vec<[String; 4]> = made
-        .map(|a| {
-            let (c, at) = (&a.certificate, place(&a.certificate.at));
-            [a.name.clone(), c.max_abs.to_string(), a.cost.bytes.to_string(), at]
-        })
-        .collect();
-    let header = [("table", Left), ("lookup error", Right), ("bytes", Right), ("worst at", Left)];
-    let mut lines = columns::lines(header, &tables);
-    let emitted = baked.fits.iter().filter(|f| f.emitted && f.wraps.is_none());
-    let functions: Vec<[String; 4]> = emitted
-        .map(|f| &f.approximation)
-        .map(|a| {
-            [
-                a.name.clone(),
-                a.cost.ops.to_string(),
-                a.certificate.max_abs.to_string(),
-                short(a.certificate.rms),
-            ]
-        })
-        .collect();
-    let header = [("function", Left), ("operations", Right), ("max error", Right), ("rms", Right)];
-    let functions = columns::lines(header, &functions);
-    if !lines.is_empty() && !functions.is_empty() {
-        lines.push(String::new());
+/// What was made: what each material and probe calls, or everything where more than one function of
+/// a job is emitted; then what was left out and written.
+fn summary(plan: &Plan, baked: &Baked, written: &Written, options: &Options) -> String {
+    let mut lines = table(&baked.calls);
+    for job in plan.effects.iter().flat_map(|effect| &effect.jobs) {
+        lines.extend(job.merging.as_ref().map(|merging| format!("{}: {merging}", job.name)));
     }
-    lines.extend(functions);
     for d in &baked.dropped {
         // A hypothesis that is too dear is so in any norm.
         let norm = if d.norm == "any" { String::new() } else { format!(" ({})", d.norm) };
@@ -132,7 +112,55 @@ fn summary(plan: &Plan, baked: &Baked, written: &Written) -> String {
         lines.extend(plan.left_out.iter().map(|l| format!("  {}: {}", l.effect, l.reason)));
     }
     let (new, same, gone) = (written.written.len(), written.unchanged.len(), written.removed.len());
-    lines.push(format!("{new} files written, {same} unchanged, {gone} removed"));
+    let index = options.out.join("reports/index.html");
+    let page = if baked.files.contains_key("reports/index.html") {
+        format!("; {}", index.display())
+    } else {
+        String::new()
+    };
+    lines.push(format!("{new} files written, {same} unchanged, {gone} removed{page}"));
     // Reasons quote the scene's names.
     lines.iter().map(|line| visible(line) + "\n").collect()
+}
+
+/// What is called, a row for each function, with who calls it.
+fn table(calls: &[Call]) -> Vec<String> {
+    let mut rows: Vec<(&Call, Vec<&str>)> = Vec::new();
+    for call in calls {
+        match rows
+            .iter_mut()
+            .find(|(known, _)| (&known.function, &known.cost) == (&call.function, &call.cost))
+        {
+            Some((_, names)) => names.push(&call.of),
+            None => rows.push((call, vec![&call.of])),
+        }
+    }
+    if rows.is_empty() {
+        return Vec::new();
+    }
+    let row = |(call, names): &(&Call, Vec<&str>)| {
+        let CostEntry { ops, fetches, bytes } = call.cost;
+        let figures = [ops.to_string(), fetches.to_string(), bytes.to_string(), short(call.max_error)];
+        let [ops, fetches, bytes, error] = figures;
+        [call.function.clone(), ops, fetches, bytes, error, listed(names)]
+    };
+    let header = [
+        ("call", Left),
+        ("operations", Right),
+        ("fetches", Right),
+        ("bytes", Right),
+        ("max error", Right),
+        ("for", Left),
+    ];
+    columns::lines(header, &rows.iter().map(row).collect::<Vec<_>>())
+}
+
+/// `steel`, `steel and gold`, `steel, gold and 16 more`.
+fn listed(names: &[&str]) -> String {
+    match names {
+        [one] => (*one).to_string(),
+        [one, other] => format!("{one} and {other}"),
+        [one, other, rest @ ..] => format!("{one}, {other} and {} more", rest.len()),
+        [] => String::new(),
+    }
 }

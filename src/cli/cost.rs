@@ -145,6 +145,7 @@ pub fn origin(input: &Input, plan: &Plan, command: &str) -> Result<Origin, CliEr
         recipe: recipe(&input.scene, plan, &input.hypotheses)?.hash,
         tool: env!("CARGO_PKG_VERSION").into(),
         command: command.into(),
+        pages: Vec::new(),
     })
 }
 

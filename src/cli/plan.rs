@@ -81,6 +81,9 @@ fn effect_text(effect: &Called) -> String {
             bytes(job.bytes, job.bytes_at_most),
             job.seconds
         );
+        if let Some(merging) = &job.merging {
+            let _ = writeln!(out, "    merged: {}", visible(merging));
+        }
     }
     let all = bytes(effect.bytes, effect.bytes_at_most);
     let _ = writeln!(out, "  in all {all}, about {:.1} s on one core", effect.seconds);

@@ -64,7 +64,7 @@ pub enum Form {
 /// A stand-in for a quantity, measured: ours or somebody else's, table or formula.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approximation {
-    /// Name: the function in the emitted code, or the table's.
+    /// Name of the formula with its norm, or of the table.
     pub name: String,
     /// Quantity it approximates: `ggx-reflection`, ...
     pub quantity: String,

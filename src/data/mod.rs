@@ -11,6 +11,7 @@ mod decode;
 mod layout;
 mod lookup;
 mod mips;
+mod pick;
 mod shader;
 mod table;
 
@@ -26,5 +27,6 @@ pub use lobefit_truth::optics::Smith;
 pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use mips::{LOG_SCALE, MipChain, MipMap};
+pub use pick::{ARGUMENT_NAMES, Arguments, Pick};
 pub use shader::{ARGUMENTS, Coordinate, Decoder, TableCode, lookup_ops};
 pub use table::{AXES, Channel, Table, TableError, TexelFormat};

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::demand::{Demand, Job, Ranges, hull, merged};
 use super::{BakeError, Effect};
+use crate::data::Pick;
 use crate::report::EffectFinding;
 use crate::scene::Scene;
 
@@ -24,6 +25,9 @@ pub struct JobSummary {
     pub expected_error: Option<f64>,
     /// Expected time on one core.
     pub seconds: f64,
+    /// What became of goals that differ between materials.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub merging: Option<String>,
 }
 
 /// An effect that the scene calls for: the jobs, and their sum.
@@ -76,6 +80,7 @@ impl JobSummary {
             bytes_at_most: false,
             expected_error: job.goals.max_error,
             seconds,
+            merging: job.merging(),
         }
     }
 }
@@ -89,7 +94,10 @@ impl Called {
                 because.push(demand.because.clone());
             }
         }
-        let work = merged(demands);
+        let mut work = merged(demands);
+        if scene.output.pick == Pick::Best {
+            work.iter_mut().for_each(Job::promise_once);
+        }
         if work.is_empty() {
             return None;
         }

@@ -2,21 +2,37 @@
 
 use super::BakeError;
 use crate::approximate::Fit;
-use crate::data::Use;
-use crate::emit::compensation::saturating;
+use crate::data::{ARGUMENT_NAMES, Use};
+use crate::emit::compensation::coloured;
 use crate::emit::header;
 use lobefit_shade::code::{self, Language};
 
-/// The emitted fits in a language, each with its header.
+/// The emitted fits in a language, each with its header; normalisations with their form for three
+/// channels where a material has a colour.
 ///
 /// # Errors
 /// A formula that cannot be printed.
-pub fn functions(language: Language, fits: &[Fit]) -> Result<String, BakeError> {
+pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<String, BakeError> {
     let mut text = String::new();
     for fit in fits.iter().filter(|f| f.emitted) {
         text += &function(language, fit, &lines(fit))?;
+        if let Some(name) = rgb(fit, is_coloured) {
+            let header = RGB.lines().map(String::from).collect::<Vec<_>>();
+            let (inner, inputs) = (fit.hypothesis.name(), fit.hypothesis.inputs());
+            text += &format!("\n{}", coloured(language, &name, inputs, inner, &header)?);
+        }
     }
     Ok(text)
+}
+
+const RGB: &str = "\
+The energy compensation of a metal, 1 + f0 (N - 1) per colour channel: it gains colour as light scatters more than once.
+The error of N at f0 = 1; relative to 1 + f0 (1/E - 1) no larger at any other f0.";
+
+/// The name of a normalisation's form for three channels, where a material has a colour.
+pub fn rgb(fit: &Fit, is_coloured: bool) -> Option<String> {
+    let normalises = fit.approximation.used_as == Use::NORMALISATION;
+    (normalises && is_coloured).then(|| format!("{}_rgb", fit.hypothesis.name()))
 }
 
 /// One fit below a header.
@@ -24,10 +40,8 @@ pub fn functions(language: Language, fits: &[Fit]) -> Result<String, BakeError> 
 /// # Errors
 /// A formula that cannot be printed.
 pub fn function(language: Language, fit: &Fit, lines: &[String]) -> Result<String, BakeError> {
-    let text = match &fit.wraps {
-        Some(inner) => saturating(language, &fit.approximation.name, fit.hypothesis.inputs(), inner, lines)?,
-        None => code::print(language, &fit.hypothesis, &fit.coefficients(), lines)?.text,
-    };
+    let hypothesis = fit.hypothesis.clone().with_arguments(&ARGUMENT_NAMES);
+    let text = code::print(language, &hypothesis, &fit.coefficients(), lines)?.text;
     Ok(format!("\n{text}"))
 }
 
@@ -44,13 +58,10 @@ pub fn documented(fit: &Fit) -> Vec<String> {
 fn lines(fit: &Fit) -> Vec<String> {
     let a = &fit.approximation;
     let mut lines = documented(fit);
-    let what = match (&fit.wraps, a.used_as) {
-        (Some(_), _) => {
-            "furnace error |E N - 1| at f0 = 1; no larger, relative to 1 + f0 (1/E - 1), at any other f0"
-        }
-        (None, Use::NORMALISATION) => "furnace error |E N - 1|",
-        (None, Use::F0_BLEND) => "of f0 A + B, at the worst f0",
-        (None, _) => "absolute",
+    let what = match a.used_as {
+        Use::NORMALISATION => "furnace error |E N - 1|",
+        Use::F0_BLEND => "of f0 A + B, at the worst f0",
+        _ => "absolute",
     };
     let constants = match fit.norm() {
         "published" => format!("as published: {}", a.source.text()),

@@ -37,11 +37,22 @@ pub struct Context<'a> {
     pub recipe: Recipe,
     /// Truths integrated, or interpolated from integrals for the texels of tables of three axes.
     pub counter: Counter,
+    /// The pages of the bake: what they show, and their file.
+    pub pages: Vec<(String, String)>,
     /// Where stages are announced.
     pub progress: &'a dyn Progress,
 }
 
 impl Context<'_> {
+    /// Whether the effect makes a page, which is then announced as a stage.
+    pub fn reports(&self, effect: &str) -> bool {
+        let reports = self.scene.output.reports;
+        if reports {
+            self.progress.stage(&format!("report of {effect}"));
+        }
+        reports
+    }
+
     /// What a page says of its making.
     pub fn origin(&self) -> Origin {
         Origin {
@@ -49,6 +60,7 @@ impl Context<'_> {
             recipe: self.recipe.hash.clone(),
             tool: env!("CARGO_PKG_VERSION").into(),
             command: self.recipe.command.clone(),
+            pages: self.pages.clone(),
         }
     }
 }

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::BakeError;
-use crate::approximate::Region;
+use crate::approximate::{Emission, Region};
 use crate::data::AlphaMap;
-use crate::scene::{Goals, smallest_rough};
+use crate::scene::{Goals, Output, Scene, smallest_rough};
 
 /// Narrowest roughness range of a job. A range of one value has no axis to interpolate along and no
 /// second dimension to fit, so it is widened about itself to this width; the figure is a choice,
@@ -74,10 +74,11 @@ pub struct Promise {
 
 /// Demands that one fit or table serves.
 ///
-/// Merge rule: the hull of the ranges; the largest `max_ops` (a material content with fewer
-/// operations finds such fits among the others); every norm that is wanted; the strictest
-/// `max_error`, for summaries. Each different pair of `max_ops` and `max_error` is a [`Promise`] of
-/// its own, since an error belongs to its number of operations.
+/// Merge rule: the hull of the ranges; the largest `max_ops`; every norm that is wanted; the
+/// strictest `max_error`. Where several fits are emitted, each different pair of `max_ops` and
+/// `max_error` is a [`Promise`] of its own, since an error belongs to its number of operations, and a
+/// material content with fewer operations finds such fits among the others. Where one is emitted,
+/// one promise is left: the strictest error within the largest budget.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {
     /// Name, unique in its plan.
@@ -204,6 +205,22 @@ impl Job {
         self.demands.push(demand);
     }
 
+    /// One promise for one fit.
+    pub(super) fn promise_once(&mut self) {
+        let by = self.promises.iter().flat_map(|promise| promise.by.clone()).collect();
+        let Goals { max_ops, max_error, .. } = self.goals;
+        self.promises = max_error.map(|max_error| Promise { max_ops, max_error, by }).into_iter().collect();
+    }
+
+    /// What became of goals that differ: `max_ops 5 of a and 20 of b became 20`.
+    pub fn merging(&self) -> Option<String> {
+        let ops = |goals: &Goals| goals.max_ops.map_or_else(|| "any".to_string(), |n| n.to_string());
+        let error = |goals: &Goals| goals.max_error.map_or_else(|| "any".to_string(), |e| e.to_string());
+        let told = [became("max_ops", self, &ops), became("max_error", self, &error)];
+        let told: Vec<String> = told.into_iter().flatten().collect();
+        (!told.is_empty()).then(|| told.join("; "))
+    }
+
     fn widen(&mut self) {
         for (input, span) in self.demands.iter().flat_map(|demand| &demand.spans) {
             if let Some(range) = self.ranges.get_mut(input) {
@@ -229,12 +246,49 @@ impl Job {
         Ok(Region { roughness: self.range("roughness")?, mu: self.range("mu")?, alpha_map })
     }
 
+    /// Names of the materials or probes that want it, each once.
+    pub fn wanted_by(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for demand in &self.demands {
+            if !names.contains(&demand.name) {
+                names.push(demand.name.clone());
+            }
+        }
+        names
+    }
+
+    /// What is emitted of its fits, under the name of their role.
+    pub fn emission(&self, scene: &Scene, role: &str) -> Emission {
+        let Output { pick, arguments, .. } = scene.output;
+        Emission { pick, arguments, role: role.into(), max_error: self.goals.max_error, beside: 0 }
+    }
+
     /// The materials that set the strictest limit, with the field of each:
     /// `gold (materials[0].wants.tables[0].max_error)`.
     pub fn limited_by(&self) -> String {
         let strictest = self.promises.iter().filter(|p| Some(p.max_error) == self.goals.max_error);
         strictest.map(Promise::wanted_by).collect::<Vec<_>>().join(", ")
     }
+}
+
+/// What became of one goal, where the demands differ in it.
+fn became(name: &str, job: &Job, goal: &impl Fn(&Goals) -> String) -> Option<String> {
+    let mut values: Vec<(String, Vec<&str>)> = Vec::new();
+    for demand in &job.demands {
+        let value = goal(&demand.goals);
+        match values.iter_mut().find(|(known, _)| *known == value) {
+            Some((_, names)) if names.contains(&demand.name.as_str()) => {}
+            Some((_, names)) => names.push(&demand.name),
+            None => values.push((value, vec![&demand.name])),
+        }
+    }
+    let of = |(value, names): &(String, Vec<&str>)| match names.as_slice() {
+        [name] => format!("{value} of `{name}`"),
+        [first, rest @ ..] => format!("{value} of `{first}` and {} more", rest.len()),
+        [] => value.clone(),
+    };
+    let each: Vec<String> = values.iter().map(of).collect();
+    (each.len() > 1).then(|| format!("{name} {} became {}", each.join(" and "), goal(&job.goals)))
 }
 
 /// The jobs of an effect's demands.

@@ -5,12 +5,13 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::context::Context;
-use super::demand::Promise;
+use super::demand::{Job, Promise};
 use super::table::BakedTable;
 use super::{BakeError, Called, Effect};
 use crate::approximate::{Dropped, Fit};
-use crate::data::Use;
-use crate::emit::manifest::{Entries, FitEntry, FitLeftOut, Report};
+use crate::data::{Approximation, Use};
+use crate::emit::call::Call;
+use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::report::{self, EffectFinding, File, Findings, Page};
 use crate::store::Files;
 use lobefit_shade::code::Language;
@@ -77,7 +78,8 @@ impl Made {
         let entries = &mut self.part.entries;
         for (i, fit) in fits.iter().enumerate().filter(|(_, fit)| fit.emitted) {
             let entry = FitEntry::new(effect, alpha_map, &fit.approximation);
-            entries.fits.extend(entry.map(|entry| more(i, fit, entry)));
+            let function = fit.hypothesis.name().to_string();
+            entries.fits.extend(entry.map(|entry| more(i, fit, FitEntry { function, ..entry })));
         }
         entries.fits_left_out.extend(dropped.iter().map(|dropped| FitLeftOut {
             effect: effect.into(),
@@ -93,17 +95,50 @@ impl Made {
         self.dropped.extend(dropped);
     }
 
-    /// Notes the promises that no emitted fit keeps.
-    pub fn promised(&mut self, promises: &[Promise], fits: &[Fit], what: &str, used_as: Use) {
-        self.broken.extend(promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as)));
+    /// Notes that each of some materials or probes calls a function of an approximation.
+    pub fn called_by(&mut self, names: Vec<String>, function: &str, a: &Approximation, file: Option<&str>) {
+        let (effect, cost) = (self.part.by.name(), CostEntry::new(a));
+        self.part.entries.calls.extend(names.into_iter().map(|of| Call {
+            effect: effect.into(),
+            of,
+            function: function.into(),
+            name: a.name.clone(),
+            file: file.map(String::from),
+            max_error: a.certificate.max_abs,
+            cost: cost.clone(),
+        }));
+    }
+
+    /// Notes that the materials or probes of a job call the emitted ones of its fits.
+    pub fn fits_called(&mut self, job: &Job, fits: &[Fit]) {
+        for fit in fits.iter().filter(|fit| fit.emitted) {
+            self.called_by(job.wanted_by(), fit.hypothesis.name(), &fit.approximation, None);
+        }
+    }
+
+    /// Notes the promises that no emitted fit keeps, with what would.
+    pub fn promised(
+        &mut self,
+        promises: &[Promise],
+        (fits, nearest): (&[Fit], &Option<String>),
+        what: &str,
+        used_as: Use,
+    ) {
+        let nearest = nearest.as_ref().map_or_else(String::new, |nearest| format!("; {nearest}"));
+        let broken = promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as));
+        self.broken.extend(broken.map(|text| text + &nearest));
     }
 
     /// Adds to the section of each include file; no section in a language without text.
     ///
     /// # Errors
     /// A formula that cannot be printed.
-    pub fn code(&mut self, print: impl Fn(Language) -> Result<String, BakeError>) -> Result<(), BakeError> {
-        for language in Language::ALL {
+    pub fn code(
+        &mut self,
+        context: &Context,
+        print: impl Fn(Language) -> Result<String, BakeError>,
+    ) -> Result<(), BakeError> {
+        for &language in &context.scene.output.languages {
             let text = print(language)?;
             if !text.is_empty() {
                 self.part.code.entry(language).or_default().push_str(&text);
@@ -143,7 +178,7 @@ impl Made {
 /// A sentence, after `what`, where no emitted fit for the use, of at most so many operations, is
 /// within the promised error.
 fn unkept(promise: &Promise, fits: &[Fit], what: &str, used_as: Use) -> Option<String> {
-    let emitted = fits.iter().filter(|f| f.emitted && f.wraps.is_none());
+    let emitted = fits.iter().filter(|f| f.emitted);
     let affordable = emitted
         .map(|f| &f.approximation)
         .filter(|a| a.used_as == used_as)

@@ -21,7 +21,7 @@ pub struct Selected<'a> {
 pub fn selected<'a>(fits: &'a [Fit], column: &str, used_as: Use, context: &Context) -> Vec<Selected<'a>> {
     let of_use = |f: &&Fit| {
         let a = &f.approximation;
-        a.used_as == used_as && a.column == column && f.wraps.is_none() && f.emitted
+        a.used_as == used_as && a.column == column && f.emitted
     };
     let emitted: Vec<&Fit> = fits.iter().filter(of_use).collect();
     emitted

@@ -26,6 +26,8 @@ pub struct ValueFits<'a> {
     pub own: &'a [Entry],
     /// Published formulas: measured and reported, not emitted.
     pub published: &'a [Entry],
+    /// The name of the emitted function, by its role: `sheen_albedo`.
+    pub role: &'static str,
     /// What it is of, in messages.
     pub of: &'static str,
     /// The field of a material that holds the goals.
@@ -78,25 +80,31 @@ impl ValueFits<'_> {
         let job = called.only_job()?;
         context.progress.stage(&format!("fits of {}", self.of));
         let region = job.region(context.scene.alpha)?;
-        let FitSet { fits, dropped } = approximate::fit_all(&self.wanted(job, &region), &context.counter)?;
-        context.progress.stage(&format!("report of {}", called.effect));
+        let FitSet { fits, dropped, nearest } =
+            approximate::fit_all(&self.wanted(job, context.scene, &region), &context.counter)?;
         let metric = format!("error of {} of the best fit", self.column);
         let mut made = Made::new(called, page::smallest_error(&fits), &metric);
-        made.promised(&job.promises, &fits, self.of, Use::VALUE);
-        made.code(|language| code::functions(language, &fits))?;
+        made.promised(&job.promises, (&fits, &nearest), self.of, Use::VALUE);
+        if !made.broken.is_empty() {
+            return Ok(made);
+        }
+        made.code(context, |language| code::functions(language, &fits, false))?;
         if let Some(table) = &self.table {
             let (tables, broken) = table.bake(job, context)?;
             made.broken.extend(broken);
             made.tables(context, tables)?;
         }
-        let findings = self.findings(&made, context, &region, (&fits, &dropped))?;
-        made.findings(&findings)?;
+        if context.reports(called.effect) {
+            let findings = self.findings(&made, context, &region, (&fits, &dropped))?;
+            made.findings(&findings)?;
+        }
+        made.fits_called(job, &fits);
         made.fits(context, (fits, dropped), |_, _, entry| entry);
         Ok(made)
     }
 
     /// The published formulas stand beside ours where the map of roughness is theirs.
-    fn wanted<'a>(&'a self, job: &'a Job, region: &Region) -> Wanted<'a> {
+    fn wanted<'a>(&'a self, job: &'a Job, scene: &Scene, region: &Region) -> Wanted<'a> {
         let Region { roughness, mu, alpha_map } = *region;
         Wanted {
             spec: TargetSpec {
@@ -113,7 +121,7 @@ impl ValueFits<'_> {
             norms: &job.goals.norms,
             max_ops: job.goals.max_ops,
             safe_range: None,
-            with_f0: None,
+            emission: job.emission(scene, self.role),
         }
     }
 

@@ -1,8 +1,9 @@
 //! The functions that compensate a lobe with a value of its table, in every language (Turquin,
 //! "Practical multiple scattering compensation for microfacet models", 2019).
 
-use lobefit_shade::Source;
+use crate::data::ARGUMENT_NAMES;
 use lobefit_shade::code::{CodeError, Language};
+use lobefit_shade::{ShadeError, Source};
 use lobefit_truth::quantity::{self, Fresnel};
 
 /// A lobe that is compensated.
@@ -54,32 +55,39 @@ impl Compensation {
     }
 }
 
-/// The function `name` that is 1 + f0 (N - 1), by a call of N, the function `inner` of the same
-/// inputs but f0.
+/// The function `name` that is 1 + f0 (N - 1) per colour channel, by a call of N, the function
+/// `inner` of these inputs. It is exact for f0 = 1 wherever N is. With F the furnace error of N, its
+/// relative error against 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so
+/// N's certificate stands for it.
 ///
 /// # Errors
 /// A name that the language has taken; a text that does not parse, a defect of this program.
-pub fn saturating(
+pub fn coloured(
     language: Language,
     name: &str,
     inputs: &[String],
     inner: &str,
     header: &[String],
 ) -> Result<String, CodeError> {
-    let passed: Vec<&str> = inputs.iter().map(String::as_str).filter(|input| *input != "f0").collect();
-    let numbers =
-        |names: &[&str]| names.iter().map(|name| format!("{name}: f32")).collect::<Vec<_>>().join(", ");
-    let all: Vec<&str> = inputs.iter().map(String::as_str).collect();
+    let numbers: Vec<String> = inputs.iter().map(|name| format!("{name}: f32")).collect();
+    let numbers = numbers.join(", ");
     // the name and the arguments of N; what it computes is printed elsewhere
     let text = format!(
-        "{TEXT}\nfn {inner}({}) -> f32 {{ return {}; }}\nfn {name}({}) -> f32 {{ return saturated(f0, {inner}({})); }}\n",
-        numbers(&passed),
-        passed.join(" + "),
-        numbers(&all),
-        passed.join(", ")
+        "{TEXT}\nfn {inner}({numbers}) -> f32 {{ return {}; }}\n\
+         fn {name}({numbers}, f0: vec3f) -> vec3f {{ return coloured(f0, {inner}({})); }}\n",
+        inputs.join(" + "),
+        inputs.join(", ")
     );
-    let source = Source::parse("compensation.wgsl", &text)?.inlined(|called| called == "saturated");
-    source.print(language, name, header)
+    let source = Source::parse("compensation.wgsl", &text)?.inlined(|called| called == "coloured");
+    source.with_arguments(&ARGUMENT_NAMES).print(language, name, header)
+}
+
+/// Operations of the function of [`coloured`] beside N.
+///
+/// # Errors
+/// A text that does not parse, a defect of this program.
+pub fn coloured_ops() -> Result<u32, ShadeError> {
+    Source::parse("compensation.wgsl", TEXT)?.cost_ops(&["coloured"])
 }
 
 /// The compensations that tables of these quantities are made for, each once, in order.

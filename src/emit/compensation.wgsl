@@ -35,7 +35,7 @@ fn ggx_compensate_glass(f: vec3f, e: f32) -> vec3f {
     return f / e;
 }
 
-// 1 + f0 (N - 1) of a normalisation N.
-fn saturated(f0: f32, n: f32) -> f32 {
+// 1 + f0 (N - 1) of a normalisation N, per colour channel.
+fn coloured(f0: vec3f, n: f32) -> vec3f {
     return 1.0 + f0 * (n - 1.0);
 }

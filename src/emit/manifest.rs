@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::call::Call;
 use crate::data::{Approximation, Axis, Certificate, Form, Place, Table};
 
 /// Version of the manifest's form.
@@ -47,6 +48,9 @@ pub struct Entries {
     /// Functions that look a probe up through a proxy.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lookups: Vec<LookupFunction>,
+    /// What each material and probe calls.
+    #[serde(default)]
+    pub calls: Vec<Call>,
     /// Pages and their data.
     pub reports: Vec<Report>,
 }
@@ -59,6 +63,7 @@ impl Entries {
         self.fits_left_out.extend(other.fits_left_out);
         self.mips.extend(other.mips);
         self.lookups.extend(other.lookups);
+        self.calls.extend(other.calls);
         self.reports.extend(other.reports);
     }
 
@@ -70,6 +75,7 @@ impl Entries {
             fits_left_out: self.fits_left_out.iter().filter(|e| e.effect == effect).cloned().collect(),
             mips: self.mips.iter().filter(|e| e.effect == effect).cloned().collect(),
             lookups: self.lookups.iter().filter(|e| e.effect == effect).cloned().collect(),
+            calls: self.calls.iter().filter(|e| e.effect == effect).cloned().collect(),
             reports: self.reports.iter().filter(|e| e.effect.as_deref() == Some(effect)).cloned().collect(),
         }
     }
@@ -195,9 +201,13 @@ pub struct FitEntry {
     pub smith: Option<String>,
     /// Roughness to alpha.
     pub alpha_map: String,
-    /// Function in the emitted code.
+    /// Function in the emitted code: numbers to a number.
     pub function: String,
-    /// Argument names in order.
+    /// The function 1 + f0 (N - 1) of a normalisation N, for an f0 of three channels, which is its
+    /// last argument; none where no metal calls for it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rgb: Option<String>,
+    /// What its arguments are, in order.
     pub inputs: Vec<String>,
     /// Hypothesis.
     pub hypothesis: String,
@@ -443,7 +453,7 @@ impl TableEntry {
 }
 
 impl FitEntry {
-    /// The entry of a formula; `None` for a table.
+    /// The entry of a formula whose function has its name; `None` for a table.
     pub fn new(effect: &str, alpha_map: &str, approximation: &Approximation) -> Option<FitEntry> {
         let Form::Formula(formula) = &approximation.form else { return None };
         Some(FitEntry {
@@ -455,6 +465,7 @@ impl FitEntry {
             smith: approximation.smith.map(|smith| smith.name().into()),
             alpha_map: alpha_map.into(),
             function: approximation.name.clone(),
+            rgb: None,
             inputs: formula.inputs.clone(),
             hypothesis: formula.hypothesis.clone(),
             norm: formula.norm.clone(),

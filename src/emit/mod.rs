@@ -1,5 +1,6 @@
 //! Tables and fits to bytes, one file per format. Nothing here touches the file system.
 
+pub mod call;
 pub mod compensation;
 pub mod container;
 pub mod dds;

@@ -169,6 +169,7 @@ fn page(job: &Job, fitting: &Fitting) -> Result<FitPage, FittingError> {
             recipe: recipe(job).hash,
             tool: env!("CARGO_PKG_VERSION").into(),
             command: job.command.clone(),
+            pages: Vec::new(),
         },
         name: job.hypothesis.name().into(),
         asked: asked(job, fitting),

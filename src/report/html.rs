@@ -8,11 +8,14 @@ use base64::engine::general_purpose::STANDARD;
 use super::page::{Block, Page, Section, TextTable};
 use super::plot;
 
-/// The page as HTML: one self-contained file without script or network.
+/// The page as HTML: one self-contained file without network. A script sorts and filters its tables
+/// and copies its code; without it the page is whole.
 pub fn html(page: &Page) -> String {
     let mut out = String::new();
     head(&mut out, page);
-    header(&mut out, page);
+    bar(&mut out, page);
+    let (title, lead) = (Escaped(&page.title), Escaped(&page.lead));
+    put(&mut out, format_args!("<header>\n<h1>{title}</h1>\n<p>{lead}</p>\n</header>\n"));
     out.push_str("<nav aria-label=\"Contents\">\n<ol>\n");
     for Section { id, title, .. } in &page.sections {
         put(&mut out, format_args!("<li><a href=\"#{}\">{}</a></li>\n", Escaped(id), Escaped(title)));
@@ -26,8 +29,22 @@ pub fn html(page: &Page) -> String {
         }
         out.push_str("</section>\n");
     }
-    out.push_str("</main>\n</body>\n</html>\n");
+    out.push_str("</main>\n");
+    footer(&mut out, page);
+    put(&mut out, format_args!("<script>\n{}</script>\n</body>\n</html>\n", include_str!("assets/page.js")));
     out
+}
+
+/// Links to the pages that are written with this one.
+fn bar(out: &mut String, page: &Page) {
+    if page.origin.pages.is_empty() {
+        return;
+    }
+    out.push_str("<nav class=\"bar\" aria-label=\"Pages\">\n");
+    for (shown, file) in &page.origin.pages {
+        put(out, format_args!("<a href=\"{}\">{}</a>\n", Escaped(file), Escaped(shown)));
+    }
+    out.push_str("</nav>\n");
 }
 
 fn head(out: &mut String, page: &Page) {
@@ -60,17 +77,16 @@ fn head(out: &mut String, page: &Page) {
     );
 }
 
-fn header(out: &mut String, page: &Page) {
+fn footer(out: &mut String, page: &Page) {
     let origin = &page.origin;
-    let (title, lead) = (Escaped(&page.title), Escaped(&page.lead));
-    put(out, format_args!("<header>\n<h1>{title}</h1>\n<p>{lead}</p>\n<dl class=\"facts\">\n"));
+    out.push_str("<footer>\n<dl class=\"facts\">\n");
     if !origin.scene.is_empty() {
         put(out, format_args!("<dt>Scene</dt><dd>{}</dd>\n", Escaped(&origin.scene)));
     }
     let (recipe, tool, command) = (Escaped(&origin.recipe), Escaped(&origin.tool), Escaped(&origin.command));
     put(out, format_args!("<dt>Recipe</dt><dd><code>{recipe}</code></dd>\n"));
     put(out, format_args!("<dt>Made by</dt><dd>lobefit {tool}: <code>{command}</code></dd>\n"));
-    out.push_str("</dl>\n</header>\n");
+    out.push_str("</dl>\n</footer>\n");
 }
 
 fn block(out: &mut String, block: &Block) {

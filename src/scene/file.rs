@@ -11,11 +11,12 @@ use super::limits;
 use super::material::{Lobe, Material};
 use super::name::Name;
 use super::number::{Cosine, Span, Version, Whole};
+use super::output::{self, LanguageName, Output};
 use super::probe::Probe;
 use super::table::TableWant;
 use super::text;
 use super::value::{List, Maybe, ObjectOnly, Text, Word, told};
-use crate::data::{AlphaMap, Container, Decode, Smith};
+use crate::data::{AlphaMap, Arguments, Container, Decode, Pick, Smith};
 use lobefit_truth::optics::kernel::Kernel;
 
 /// Domain of mu for fits where the scene gives none.
@@ -39,6 +40,9 @@ pub struct Scene {
     // Absent at its default: the hash of a scene without it is that of the versions before it.
     #[serde(skip_serializing_if = "exr_alone")]
     pub formats: Vec<Container>,
+    /// What is written.
+    #[serde(skip_serializing_if = "Output::is_default")]
+    pub output: Output,
     /// Materials in the order of the file.
     pub materials: Vec<Material>,
     /// Probes in the order of the file.
@@ -72,6 +76,23 @@ struct SceneFile {
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     formats: Maybe<List<Word<Container>, { Container::ALL.len() }>>,
+    /// Which approximations the include files hold: `best` (the default) for each job one, the
+    /// cheapest that keeps `max_error`, or the most accurate within `max_ops`; where neither is
+    /// given, the cheapest within 0.02. `frontier` those that none beats in both cost and error,
+    /// `all` every one. Reports show all that were measured.
+    #[serde(default)]
+    pick: Maybe<Word<Pick>>,
+    /// How emitted functions take the width of the lobe: by `roughness` (the default), by `alpha`,
+    /// or by `both`. With `all`, formulas take what they read.
+    #[serde(default)]
+    arguments: Maybe<Word<Arguments>>,
+    /// Languages of the include files; default all.
+    #[serde(default)]
+    #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
+    languages: Maybe<List<Word<LanguageName>, 6>>,
+    /// Whether pages and their data are written; default true.
+    #[serde(default)]
+    reports: Maybe<bool>,
     /// The materials.
     materials: List<Material, { limits::MATERIALS }>,
     /// Probes that capture the scene's light; default none.
@@ -135,12 +156,20 @@ impl Scene {
         let parsed: SceneFile = read_object(bytes, file)?;
         let whole = |(path, message)| SceneError::Whole { file: file.into(), path, message };
         let formats = formats(parsed.formats.0).map_err(|message| whole(("formats".into(), message)))?;
+        let languages = output::languages(parsed.languages.0);
+        let output = Output {
+            pick: parsed.pick.0.map_or_else(Pick::default, |w| w.0),
+            arguments: parsed.arguments.0.map_or_else(Arguments::default, |w| w.0),
+            languages: languages.map_err(|message| whole(("languages".into(), message)))?,
+            reports: parsed.reports.0.unwrap_or(true),
+        };
         Ok(Scene {
             name: parsed.name.0.map_or_else(|| "scene".into(), |t| t.0),
             smith: parsed.smith.0.map_or_else(Smith::default, |w| w.0),
             alpha: parsed.alpha.0.map_or_else(AlphaMap::default, |w| w.0),
             mu: parsed.mu.0.map_or(DEFAULT_MU, |s| s.0),
             formats,
+            output,
             materials: parsed.materials.0,
             probes: parsed.probes.0.map_or_else(Vec::new, |l| l.0),
         })

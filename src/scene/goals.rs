@@ -55,12 +55,12 @@ impl Goals {
     }
 }
 
-/// The errors to minimise: both where none is given, each once, in the order max, rms.
+/// The errors to minimise: the largest where none is given, each once, in the order max, rms.
 fn norms(given: Norms) -> Result<Vec<Norm>, String> {
-    let given = given.0.map_or_else(|| vec![Norm::Max, Norm::Rms], |l| l.0.iter().map(|w| w.0).collect());
+    let given = given.0.map_or_else(|| vec![Norm::Max], |l| l.0.iter().map(|w| w.0).collect());
     let norms: BTreeSet<Norm> = given.iter().copied().collect();
     if norms.is_empty() {
-        return Err(about("norms", "the list is empty; leave the field out for both"));
+        return Err(about("norms", "the list is empty; leave the field out for `max`"));
     }
     if norms.len() != given.len() {
         return Err(about("norms[1]", format!("`{}` is there twice", given[0].name())));

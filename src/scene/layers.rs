@@ -53,7 +53,7 @@ struct BaseFile {
     /// fails; default: no limit.
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
-    /// Errors to minimise, one fit each; default both.
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
@@ -106,7 +106,7 @@ struct SheenFile {
     /// default: no limit.
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
-    /// Errors to minimise, one fit each; default both.
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,

@@ -114,7 +114,7 @@ struct ProbeFile {
     /// (half-cosine).
     #[serde(default)]
     max_error: Maybe<In<ErrorLimit>>,
-    /// Errors to minimise, one fit each; default both.
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
     #[serde(default)]
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,

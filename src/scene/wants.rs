@@ -82,7 +82,7 @@ struct FitFile {
     /// Furnace error |E N - 1| that at least one emitted normalisation within `max_ops` must meet,
     /// else the bake fails; default: no limit.
     max_error: Maybe<In<ErrorLimit>>,
-    /// Errors to minimise, one fit each; default both.
+    /// Errors to minimise, `max` or `rms`, one fit each; default `max`.
     #[schemars(extend("minItems" = 1, "uniqueItems" = true))]
     norms: Norms,
     /// Also fit the average albedo E_avg(alpha); default false.

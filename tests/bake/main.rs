@@ -8,6 +8,7 @@ mod sliced_support;
 mod deterministic;
 mod only;
 mod parallax;
+mod pick;
 mod regions;
 mod scenes;
 mod sheen;

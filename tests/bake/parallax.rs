@@ -13,7 +13,9 @@ use lobefit_truth::quantity::footprint::{adjusted, measures};
 use serde_json::{Value, json};
 
 fn scene(probes: &str) -> Scene {
-    let json = format!(r#"{{"schema_version": 1, "name": "test", "materials": [], "probes": [{probes}]}}"#);
+    let json = format!(
+        r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [], "probes": [{probes}]}}"#
+    );
     Scene::from_json(json.as_bytes(), "test.json").expect("a scene")
 }
 
@@ -227,8 +229,9 @@ fn ranges_may_be_as_wide_as_the_quantity_and_as_narrow_as_a_point() {
         ("roughness", r#"{"name": "p", "kernel": "half", "roughness": 0.5, "rho": 1, "norms": ["rms"]}"#),
         ("roughness^4", r#"{"name": "p", "kernel": "ndf", "roughness": 1, "rho": 1e-6, "norms": ["rms"]}"#),
     ] {
-        let json =
-            format!(r#"{{"schema_version": 1, "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#);
+        let json = format!(
+            r#"{{"schema_version": 1, "pick": "all", "alpha": "{map}", "materials": [], "probes": [{probe}]}}"#
+        );
         let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
         let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent);
         let baked = baked.unwrap_or_else(|e| panic!("{map}: {probe}: {e}"));

@@ -6,7 +6,8 @@ use lobefit::scene::Scene;
 use serde_json::Value;
 
 fn baked(materials: &str) -> Baked {
-    let json = format!(r#"{{"schema_version": 1, "name": "test", "materials": [{materials}]}}"#);
+    let json =
+        format!(r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [{materials}]}}"#);
     let scene = Scene::from_json(json.as_bytes(), "test.json").expect("a scene");
     bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
 }

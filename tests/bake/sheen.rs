@@ -14,8 +14,9 @@ use lobefit_truth::quantity::sheen::albedo;
 use serde_json::{Value, json};
 
 fn scene(material: &str) -> Scene {
-    let json =
-        format!(r#"{{"schema_version": 1, "name": "test", "materials": [{{"name": "m", {material}}}]}}"#);
+    let json = format!(
+        r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [{{"name": "m", {material}}}]}}"#
+    );
     Scene::from_json(json.as_bytes(), "test.json").expect("a scene")
 }
 

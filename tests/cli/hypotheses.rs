@@ -7,7 +7,7 @@ use std::path::Path;
 
 use common::{lobefit, names, stderr};
 
-const SCENE: &str = r#"{"schema_version": 1, "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
+const SCENE: &str = r#"{"schema_version": 1, "pick": "all", "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
   "roughness": [0.02, 1], "wants": {"fit": {"norms": ["max"], "max_ops": 9, "hypotheses": ["mine.wgsl"]}}}]}"#;
 
 fn bake(folder: &Path, hypothesis: &str) -> (i32, String) {
@@ -61,7 +61,7 @@ fn bad_ones_are_refused_with_their_place() {
             "fn ggx_compensate_glass(mu: f32) -> f32 { return 1.0 + mu; }\n",
             ["mine.wgsl", "`ggx_compensate_glass`", "rename"],
         ),
-        ("fn ggx_norm_r1_saturating(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "rename", ""]),
+        ("fn ggx_norm_r1_rgb(mu: f32) -> f32 { return 1.0 + mu; }\n", ["mine.wgsl", "rename", ""]),
         (
             "override k: f32 = 1.0;\noverride c: f32 = 0.3712345;\n\
              fn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + k * alpha * alpha / (mu - c); }\n",

@@ -28,7 +28,7 @@ fn write(folder: &Path, name: &str, text: &Value) {
 }
 
 fn scene(kernel: &str) -> Value {
-    json!({"schema_version": 1, "materials": [], "probes": [
+    json!({"schema_version": 1, "pick": "all", "materials": [], "probes": [
         {"name": "hall", "kernel": kernel, "roughness": [0.2, 1], "rho": [0.125, 2], "max_ops": 13, "norms": ["max"],
          "lookups": [{}]},
         {"name": "foyer", "max_ops": 13, "norms": ["max"]}]})
@@ -236,7 +236,8 @@ fn kernels_that_cannot_be_had_are_told_by_field() {
             "probes[0].lookups[1].taps: 2 fetches: rules of several fetches are fitted for ndf, half and half-cosine chains",
         ),
     ] {
-        let scene = format!(r#"{{"schema_version": 1, "materials": [], "probes": [{probes}]}}"#);
+        let scene =
+            format!(r#"{{"schema_version": 1, "pick": "all", "materials": [], "probes": [{probes}]}}"#);
         let output = lobefit(folder.path(), &["plan", "-"], scene.as_bytes());
         let told = stderr(&output);
         assert_eq!(output.status.code(), Some(2), "{probes}: {told}");

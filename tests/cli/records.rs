@@ -15,7 +15,8 @@ use lobefit::timing::record::{Include, METHOD, lookup_of, missing, page, read, s
 use serde_json::{Value, json};
 
 /// Formulas of three operations over a narrow range.
-const SCENE: &[u8] = br#"{"schema_version": 1, "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
+const SCENE: &[u8] =
+    br#"{"schema_version": 1, "pick": "all", "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
   "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 3}}}]}"#;
 
 /// A scene whose bake takes no time: it calls for no effect.
@@ -57,6 +58,7 @@ fn record(rows: Vec<GpuRow>) -> GpuRecord {
             recipe: "0".repeat(64),
             tool: "0.1.0".into(),
             command: "lobefit cost --gpu --record FILE.json".into(),
+            pages: Vec::new(),
         },
         method: METHOD,
         device: GpuDevice {
@@ -241,7 +243,7 @@ fn code_is_that_of_a_function_and_of_what_it_calls() {
 /// The bake of a table whose texels have a format.
 fn textured(format: &str) -> Baked {
     let scene = format!(
-        r#"{{"schema_version": 1, "materials": [{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.5, 0.6],
+        r#"{{"schema_version": 1, "pick": "all", "materials": [{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.5, 0.6],
            "wants": {{"tables":[{{"size": [4, 4]{format}}}]}}}}]}}"#
     );
     let scene = Scene::from_json(scene.as_bytes(), "test.json").expect("a scene");

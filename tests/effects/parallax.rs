@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use lobefit::approximate::{Counter, Entry};
+use lobefit::approximate::{Counter, Emission, Entry};
 use lobefit::data::{AlphaMap, Norm};
 use lobefit::effects::parallax::{Cell, Grid, HYPOTHESES, PUBLISHED, ParallaxSpec, Spread, fit_all};
 use lobefit_shade::Hypothesis;
@@ -83,6 +83,7 @@ fn fits_are_no_worse_than_the_constants_that_were_rounded() {
         rho: [1.0 / 16.0, 8.0],
         max_ops: None,
         norms: vec![Norm::Max, Norm::Rms],
+        emission: Emission::default(),
     };
     let set = fit_all(&spec, &Counter::default()).expect("fits");
     assert!(set.dropped.is_empty(), "{:?}", set.dropped);

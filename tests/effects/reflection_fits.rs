@@ -1,6 +1,6 @@
 //! The bars of the fits: certified in f32, after rounding, at more than 2^20 points that were not used in fitting.
 
-use lobefit::approximate::{Counter, Fit, Region};
+use lobefit::approximate::{Counter, Emission, Fit, Region};
 use lobefit::data::{AlphaMap, Norm, Smith, Source};
 use lobefit::effects::reflection::{FitSpec, fit_all};
 
@@ -13,20 +13,14 @@ fn spec() -> FitSpec {
         average: true,
         blend: false,
         hypotheses: Vec::new(),
+        emission: Emission::default(),
     }
 }
 
 #[test]
 fn bars() {
     let fits = fit_all(&spec(), &Counter::default()).expect("fits");
-    // 20 operations and 2 more to saturate are too many: said, not hidden.
-    let dropped: Vec<&str> = fits.dropped.iter().map(|d| d.hypothesis.as_str()).collect();
-    assert_eq!(
-        dropped,
-        ["ggx_norm_i19_saturating", "ggx_norm_q20_saturating", "ggx_norm_i20_saturating"],
-        "{:?}",
-        fits.dropped
-    );
+    assert!(fits.dropped.is_empty(), "{:?}", fits.dropped);
     let fits = fits.fits;
     let named = |name: &str| -> &Fit {
         fits.iter().find(|f| f.approximation.name == name).unwrap_or_else(|| panic!("no {name}"))

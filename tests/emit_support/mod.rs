@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 
 use lobefit::approximate::{Counter, Fit, Region, certification};
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat, Values};
+use lobefit::data::{AlphaMap, Decode, Layout, Pick, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
 use lobefit::effects::reflection::build;
@@ -25,11 +25,12 @@ use lobefit::scene::Scene;
 use lobefit_truth::points;
 use lobefit_truth::quantity::TRUTH_ERROR;
 
-/// The built-in scene's bake, once per test binary, with the fit that it called for.
+/// The built-in scene's bake with every approximation, once per test binary, with the fit that it called for.
 pub fn baked() -> &'static (Baked, Job) {
     static BAKED: OnceLock<(Baked, Job)> = OnceLock::new();
     BAKED.get_or_init(|| {
-        let scene = Scene::built_in().expect("the built-in scene");
+        let mut scene = Scene::built_in().expect("the built-in scene");
+        scene.output.pick = Pick::All;
         let plan = plan(&scene);
         let fit = plan.jobs("reflection").last().cloned().expect("the built-in scene calls for fits");
         // Not the number that the committed files were made with.

@@ -20,7 +20,8 @@ use lobefit_truth::quantity::coupling::{Specular, Split, factor};
 use serde_json::{Value, json};
 
 fn scene(materials: &str) -> Scene {
-    let json = format!(r#"{{"schema_version": 1, "name": "test", "materials": [{materials}]}}"#);
+    let json =
+        format!(r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [{materials}]}}"#);
     Scene::from_json(json.as_bytes(), "test.json").expect("a scene")
 }
 
@@ -359,7 +360,7 @@ fn a_base_that_makes_no_sense_is_refused_with_its_field() {
         ("\"glass\", \"ior\": 1.5", "{}", "`base` is for dielectrics; leave it out of glass"),
     ] {
         let json = format!(
-            r#"{{"schema_version": 1, "materials": [{{"name": "m", "kind": {kind}, "roughness": 1, "base": {base}}}]}}"#
+            r#"{{"schema_version": 1, "pick": "all", "materials": [{{"name": "m", "kind": {kind}, "roughness": 1, "base": {base}}}]}}"#
         );
         let error = Scene::from_json(json.as_bytes(), "s.json").expect_err("refused").to_string();
         assert!(error.contains(expected) && error.contains("materials[0]"), "{base}: {error}");

@@ -32,7 +32,7 @@ use serde_json::Value;
 use textbook::{Facets, Hemisphere, Vector, direction, schlick};
 
 /// Under every kind of lobe a base, with fits of factors and of normalisations, over the whole range of roughness.
-const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [
+const SCENE: &str = r#"{"schema_version": 1, "name": "test", "pick": "all", "materials": [
     {"name": "single", "kind": "dielectric", "f0": [0.02, 0.05, 0.08], "roughness": [0.01, 1], "base": {"specular": "single", "norms": ["max"]},
      "wants": {"fit": {"max_ops": 10, "norms": ["max"]}}},
     {"name": "normalised", "kind": "dielectric", "f0": 0.04, "roughness": [0.01, 1], "base": {"max_ops": 19},
@@ -196,11 +196,12 @@ fn combinations(emitted: &Emitted) -> Vec<Combination<'_>> {
             all.push(with("a bare lobe", "1.0".into(), 0.0));
             continue;
         }
-        let saturating = fit["specular"] == "compensated";
         for n in emitted.of_use("normalisation") {
-            if word(n, "name").ends_with("_saturating") == saturating {
-                all.push(with(word(n, "name"), call(n), certificate(n)));
-            }
+            let multiplier = match word(fit, "specular") {
+                "compensated" => format!("1.0 + f0 * ({} - 1.0)", call(n)),
+                _ => call(n),
+            };
+            all.push(with(word(n, "name"), multiplier, certificate(n)));
         }
     }
     all
@@ -509,7 +510,7 @@ fn the_reciprocal_material_is_reciprocal_and_white() {
 /// f0 A + B over its E.
 #[test]
 fn a_table_of_e_and_b_makes_an_exact_factor() {
-    const TABLE: &str = r#"{"schema_version": 1, "materials": [
+    const TABLE: &str = r#"{"schema_version": 1, "pick": "all", "materials": [
         {"name": "b", "kind": "dielectric", "f0": [0.02, 0.05, 0.08], "roughness": [0.01, 1],
          "base": {"max_ops": 8, "norms": ["max"]},
          "wants": {"tables":[{"size": [32, 32], "format": "f32", "serves": "split-sum"}]}}]}"#;

@@ -18,7 +18,7 @@ use lobefit_shade::code::Language;
 use serde_json::Value;
 
 /// Probes of all kinds of chains, one of another lobe.
-const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [], "probes": [
+const SCENE: &str = r#"{"schema_version": 1, "name": "test", "pick": "all", "materials": [], "probes": [
     {"name": "a", "mips": {"map": "linear", "count": 7}, "norms": ["max"]},
     {"name": "b", "mips": {"map": "r(2-r)", "count": 5}, "norms": ["max"]},
     {"name": "c", "mips": {"map": "r(1.7-0.7r)", "count": 7}, "norms": ["max"]},

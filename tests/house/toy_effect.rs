@@ -53,6 +53,7 @@ const FITS: ValueFits = ValueFits {
         publication: None,
     }],
     published: &[],
+    role: "minnaert_albedo",
     of: "minnaert",
     field: "roughness",
     because: "that is drawn as the moon is",

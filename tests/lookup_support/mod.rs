@@ -25,7 +25,7 @@ use lobefit_truth::optics::kernel::Kernel;
 use serde_json::Value;
 
 /// Every kind of lookup, of a chain of widths and of one of levels.
-const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [], "probes": [
+const SCENE: &str = r#"{"schema_version": 1, "name": "test", "pick": "all", "materials": [], "probes": [
     {"name": "a", "norms": ["max"], "max_ops": 13, "lookups": [
         {}, {"edges": "sharp"}, {"planes": 11}, {"planes": 11, "edges": "sharp"},
         {"taps": 2}, {"taps": 3}, {"planes": 11, "taps": 3}, {"edges": "sharp", "taps": 2},

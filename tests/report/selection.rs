@@ -10,7 +10,7 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 /// Findings and page of a scene of one metal.
 fn report(wants: &str, hypotheses: &[UserHypothesis]) -> Result<(Value, String), Box<dyn std::error::Error>> {
     let json = format!(
-        r#"{{"schema_version": 1, "name": "test", "materials": [
+        r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [
             {{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {wants}}}]}}"#
     );
     let scene = Scene::from_json(json.as_bytes(), "test.json")?;

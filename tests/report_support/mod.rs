@@ -231,6 +231,7 @@ pub fn origin() -> Origin {
         recipe: "b3-5f1c9a0e77d2".into(),
         tool: "0.1.0".into(),
         command: "lobefit bake --out .".into(),
+        pages: Vec::new(),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Scenes to plans: merging, ranges, what is left out and why.
 
+use lobefit::data::Pick;
 use lobefit::effects::catalogue;
 use lobefit::effects::demand::Job;
 use lobefit::effects::reflection::FitJob;
@@ -65,7 +66,7 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
     assert_eq!((fit.ranges["roughness"], fit.ranges["mu"]), ([0.02, 1.0], [0.01, 1.0]));
     assert_eq!((fit.goals.max_ops, fit.goals.max_error), (Some(20), Some(0.0105)));
     assert!(FitJob::of(&scene, fit).average);
-    assert_eq!(fit.goals.norms, [Norm::Max, Norm::Rms]);
+    assert_eq!(fit.goals.norms, [Norm::Max]);
     assert_eq!(fit.promises.len(), 1);
     let by: Vec<&str> = fit.promises[0].by.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(by, ["rough metal", "rough dielectric"]);
@@ -196,11 +197,23 @@ fn a_single_roughness_is_told_with_the_range_of_its_job() {
 
 #[test]
 fn fits_merge_and_keep_each_promise() {
-    let scene = metals(&[
+    let mut scene = metals(&[
         ("a", "[0.3,0.4]", r#"{"fit":{"max_ops":8,"max_error":0.05,"norms":["rms"]}}"#),
         ("b", "[0.5,0.6]", r#"{"fit":{"max_ops":20,"max_error":0.0105,"norms":["max"],"average":true}}"#),
         ("c", "0.35", r#"{"fit":{"max_ops":8,"max_error":0.05,"norms":["rms"],"hypotheses":["x.wgsl"]}}"#),
     ]);
+    let best = plan(&scene);
+    let fit = fits(&best).unwrap();
+    let promises: Vec<_> = fit.promises.iter().map(|p| (p.max_ops, p.max_error, p.by.len())).collect();
+    assert_eq!(promises, [(Some(20), 0.0105, 3)], "one function, one promise");
+    let merging = best.effects[0].jobs[0].merging.as_deref();
+    assert_eq!(
+        merging,
+        Some(
+            "max_ops 8 of `a` and 1 more and 20 of `b` became 20; max_error 0.05 of `a` and 1 more and 0.0105 of `b` became 0.0105"
+        )
+    );
+    scene.output.pick = Pick::All;
     let plan = plan(&scene);
     let fit = fits(&plan).unwrap();
     assert_eq!(fit.ranges["roughness"], [0.3, 0.6]);

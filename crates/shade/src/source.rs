@@ -58,6 +58,13 @@ impl Source {
         Ok(self)
     }
 
+    /// The same functions with other names for some of their arguments: each pair is a name and the
+    /// one that stands for it.
+    pub fn with_arguments(mut self, names: &[(&str, &str)]) -> Source {
+        self.formula.functions.iter_mut().for_each(|function| function.rename_arguments(names));
+        self
+    }
+
     fn index(&self, name: &str) -> Result<usize, ShadeError> {
         let found = self.formula.functions.iter().position(|function| function.name == name);
         found.ok_or_else(|| ShadeError::Dialect {

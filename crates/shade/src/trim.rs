@@ -1,4 +1,4 @@
-//! Arguments that nothing reads, taken out of functions and of their calls.
+//! What nothing needs, taken out: arguments that no body reads, functions that no other calls.
 
 use crate::hypothesis::{Expr, ExprKind, Function, Statement};
 
@@ -16,6 +16,42 @@ pub(crate) fn trimmed(functions: &[Function]) -> Vec<Function> {
         stays.push(read);
     }
     done
+}
+
+/// Takes out the functions that the last one does not call, through others or itself.
+pub(crate) fn drop_uncalled(functions: &mut Vec<Function>) {
+    let mut needed = vec![false; functions.len()];
+    if let Some(last) = needed.last_mut() {
+        *last = true;
+    }
+    // A function stands after those that it calls, so one walk from the last back meets every call.
+    for index in (0..functions.len()).rev() {
+        if needed[index] {
+            calls_of(&functions[index].body, &mut needed);
+        }
+    }
+    let place = |index: usize| needed[..index].iter().filter(|&&needed| needed).count();
+    let renumbered = |expr: Expr| match expr.kind {
+        ExprKind::Call(callee, arguments) => {
+            Expr { kind: ExprKind::Call(place(callee), arguments), span: expr.span }
+        }
+        _ => expr,
+    };
+    let stay = functions.iter().enumerate().filter(|(index, _)| needed[*index]).map(|(_, function)| {
+        let body = block(&function.body, &mut |expr| renumbered(expr));
+        Function { body, ..function.clone() }
+    });
+    *functions = stay.collect();
+}
+
+/// Marks the functions that a body calls.
+fn calls_of(body: &[Statement], needed: &mut [bool]) {
+    block(body, &mut |expr| {
+        if let ExprKind::Call(callee, _) = &expr.kind {
+            needed[*callee] = true;
+        }
+        expr
+    });
 }
 
 /// A function without some of its arguments.

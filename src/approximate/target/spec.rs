@@ -202,11 +202,6 @@ impl Target {
         }
     }
 
-    /// The same target where f0 is an input of one value.
-    pub fn at_f0(&self, f0: f64) -> Target {
-        Target { f0: Some(Span::new("f0", [f0, f0])), ..self.clone() }
-    }
-
     /// Whether alpha is an input, made from roughness.
     pub fn has_alpha(&self) -> bool {
         self.alpha

@@ -1,6 +1,6 @@
 //! Jobs to fits of the factor, one set for each kind of lobe that lies above a base.
 
-use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_all, page, specular};
+use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_emitted, page, role, specular};
 use crate::approximate::{Dropped, Fit, FitSet};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
@@ -14,6 +14,8 @@ pub(super) struct Lobe {
     pub spec: CouplingSpec,
     pub fits: Vec<Fit>,
     pub dropped: Vec<Dropped>,
+    /// What keeps the stated error, where none of the fits does.
+    pub nearest: Option<String>,
     /// The error of each of the fits over all f0.
     pub anywhere: Vec<AnyF0>,
 }
@@ -28,12 +30,19 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     let mut made = Made::new(called, worst, metric);
     for (job, lobe) in called.work.iter().zip(&lobes) {
         let what = format!("coupling under a {} lobe", lobe.spec.specular.name());
-        made.promised(&job.promises, &lobe.fits, &what, COUPLING);
+        made.promised(&job.promises, (&lobe.fits, &lobe.nearest), &what, COUPLING);
     }
-    context.progress.stage("report of diffuse-coupling");
-    let findings = findings::findings(&made.part.finding, &lobes, context)?;
-    made.page(&page::page(&findings)?, &findings)?;
-    made.code(|language| lobes.iter().map(|lobe| code::in_language(language, lobe)).collect())?;
+    if !made.broken.is_empty() {
+        return Ok(made);
+    }
+    if context.reports(called.effect) {
+        let findings = findings::findings(&made.part.finding, &lobes, context)?;
+        made.page(&page::page(&findings)?, &findings)?;
+    }
+    made.code(context, |language| lobes.iter().map(|lobe| code::in_language(language, lobe)).collect())?;
+    for (job, lobe) in called.work.iter().zip(&lobes) {
+        made.fits_called(job, &lobe.fits);
+    }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());
         made.fits(context, set, |i, fit, entry| lobe.entry(i, fit, entry));
@@ -52,9 +61,10 @@ impl Lobe {
             max_ops: job.goals.max_ops,
             norms: job.goals.norms.clone(),
         };
-        let FitSet { fits, dropped } = fit_all(&spec, &context.counter)?;
+        let FitSet { fits, dropped, nearest } =
+            fit_emitted(&spec, job.emission(context.scene, &role(spec.specular)), &context.counter)?;
         let anywhere = anywhere(&spec, &fits.iter().collect::<Vec<_>>(), &context.counter)?;
-        Ok(Lobe { spec, fits, dropped, anywhere })
+        Ok(Lobe { spec, fits, dropped, nearest, anywhere })
     }
 
     /// Each fit with its error over all f0.

@@ -2,15 +2,15 @@
 
 // The factor of a base under a lobe that is multiplied by nothing, by 1/E, or by 1 + f0 (1/E - 1): what f0 A + B leaves after that.
 
-fn diffuse_coupling_single(f0: f32, e: f32, b: f32) -> f32 {
+fn diffuse_coupling_exact_single(f0: f32, e: f32, b: f32) -> f32 {
     return 1.0 - (b + f0 * (e - b));
 }
 
-fn diffuse_coupling_normalised(f0: f32, e: f32, b: f32) -> f32 {
+fn diffuse_coupling_exact_normalised(f0: f32, e: f32, b: f32) -> f32 {
     return (1.0 - f0) * (1.0 - b / e);
 }
 
-fn diffuse_coupling_compensated(f0: f32, e: f32, b: f32) -> f32 {
+fn diffuse_coupling_exact_compensated(f0: f32, e: f32, b: f32) -> f32 {
     let left = (1.0 - f0) * (1.0 - b / e);
     return left + (1.0 - f0) * (1.0 - e) * (1.0 - left);
 }

@@ -1,6 +1,8 @@
 //! The functions around the coupling factors, in every language: the exact factor from E and B, and
 //! a base under a lobe. Their formulas are those of `coupling.wgsl`.
 
+use super::role;
+use crate::data::ARGUMENT_NAMES;
 use lobefit_shade::code::{CodeError, Language};
 use lobefit_shade::{ShadeError, Source, Tape};
 use lobefit_truth::quantity::Specular;
@@ -31,7 +33,7 @@ The same with a reflectance per colour channel: three factors, each that of its 
 /// Names of the functions that this module may print.
 pub fn names() -> impl Iterator<Item = String> {
     let around = Specular::ALL.into_iter().flat_map(|specular| {
-        [exact_name(specular), coupled_name(specular), coloured(&coupled_name(specular))]
+        [role(specular), exact_name(specular), coupled_name(specular), coloured(&coupled_name(specular))]
     });
     let reciprocal =
         [AVERAGE.into(), EXCHANGED.into(), RECIPROCAL.into(), coloured(AVERAGE), coloured(RECIPROCAL)];
@@ -75,7 +77,7 @@ fn about(factor: &str, inputs: &[String]) -> Result<Source, ShadeError> {
         inputs.join(", ")
     );
     let source = Source::parse("coupling.wgsl", &format!("{stands}\n{called}\n{TEXT}"))?;
-    Ok(source.inlined(|name| INSIDE.contains(&name)).trimmed())
+    Ok(source.inlined(|name| INSIDE.contains(&name)).trimmed().with_arguments(&ARGUMENT_NAMES))
 }
 
 /// The functions that no factor is called by.
@@ -137,7 +139,7 @@ fn reciprocal_text(error: RuleError, least: f32) -> String {
 }
 
 fn exact_name(specular: Specular) -> String {
-    format!("diffuse_coupling_{}", specular.name())
+    format!("diffuse_coupling_exact_{}", specular.name())
 }
 
 fn coupled_name(specular: Specular) -> String {

@@ -27,7 +27,7 @@ use super::effect::Note;
 use super::who::{about, named, reasons, rough, stay_smooth, verb};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::{Target, TargetSpec};
-use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Region, SafeRange, Wanted};
+use crate::approximate::{self, Counter, Emission, Entry, FitSet, FitStageError, Region, SafeRange, Wanted};
 use crate::data::{Norm, Smith};
 use crate::scene::{Base, Kind, Material, Scene};
 pub use any::{AnyF0, Between, anywhere};
@@ -161,6 +161,14 @@ fn specular(scene: &Scene, job: &Job) -> Option<Specular> {
     Some(scene.materials.get(job.demands.first()?.of)?.base.as_ref()?.specular)
 }
 
+/// The emitted factor, by its role: of the usual normalised lobe without its name.
+fn role(specular: Specular) -> String {
+    match specular {
+        Specular::Normalised => "diffuse_coupling".into(),
+        Specular::Single | Specular::Compensated => format!("diffuse_coupling_{}", specular.name()),
+    }
+}
+
 /// Largest f0 for which a factor under a bare lobe is proven not to be negative: beyond any
 /// dielectric's.
 const SINGLE_F0: f64 = 0.9;
@@ -207,11 +215,16 @@ impl CouplingSpec {
 }
 
 /// Fits of the factor, and the published ones beside them; of formulas that take roughness, where
-/// the map to alpha is theirs.
+/// the map to alpha is theirs. Every fit is emitted as its formula stands.
 ///
 /// # Errors
 /// A region outside of the quantity's domain; a truth that cannot be integrated.
 pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStageError> {
+    fit_emitted(spec, Emission::default(), counter)
+}
+
+/// The same with what is emitted of them.
+fn fit_emitted(spec: &CouplingSpec, emission: Emission, counter: &Counter) -> Result<FitSet, FitStageError> {
     let wanted = Wanted {
         spec: spec.target(spec.f0),
         own: hypotheses(spec.specular),
@@ -220,7 +233,7 @@ pub fn fit_all(spec: &CouplingSpec, counter: &Counter) -> Result<FitSet, FitStag
         norms: &spec.norms,
         max_ops: spec.max_ops,
         safe_range: Some(spec.safe_range()),
-        with_f0: None,
+        emission,
     };
     let mut set = approximate::fit_all(&wanted, counter)?;
     for fit in &mut set.fits {

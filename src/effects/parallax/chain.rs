@@ -84,7 +84,7 @@ pub fn of_chain(
     let level = parse(source::level(&format!("parallax_level_{identifier}"), chain))?;
     let inverse = parse(source::roughness(&format!("parallax_roughness_{identifier}"), chain))?;
     let name = named(&grid.kernel, &format!("parallax_mip_{identifier}"));
-    let adjusted = parse(source::adjusted(&name, chain, map, fit))?;
+    let adjusted = parse(source::adjusted(&name, chain, map, fit))?.in_one_piece()?;
     let of_level = level_error(&level, chain)?;
     let there_and_back = round_trip(&level, &inverse, chain)?;
     let of_adjusted = adjusted_error(&adjusted, &fit.coefficients(), chain, map, grid)?;

@@ -21,8 +21,8 @@ use super::demand::{Demand, Job};
 use super::effect::{Clock, Note};
 use super::{BakeError, Called, Effect, JobSummary, Made};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, Entry, FitSet, FitStageError, Wanted};
-use crate::data::{AlphaMap, Norm};
+use crate::approximate::{self, Counter, Emission, Entry, FitSet, FitStageError, Wanted};
+use crate::data::{AlphaMap, Norm, Source};
 use crate::report::TimedLookup;
 use crate::scene::Scene;
 pub use catalogue::{HYPOTHESES, PUBLISHED, catalogue_sources};
@@ -117,6 +117,8 @@ pub struct ParallaxSpec {
     pub max_ops: Option<u32>,
     /// Errors to minimise.
     pub norms: Vec<Norm>,
+    /// What is emitted.
+    pub emission: Emission,
 }
 
 /// Fits of the width of a fetch, and the published ones beside them; of formulas that take
@@ -142,12 +144,12 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
         norms: &spec.norms,
         max_ops: spec.max_ops,
         safe_range: None,
-        with_f0: None,
+        emission: spec.emission.clone(),
     };
     let mut set = approximate::fit_all(&wanted, counter)?;
-    for fit in set.fits.iter_mut().filter(|fit| fit.emitted) {
+    for fit in set.fits.iter_mut().filter(|fit| fit.approximation.source == Source::Fitted) {
         fit.hypothesis = fit.hypothesis.renamed(&named(&spec.kernel, fit.hypothesis.name()));
-        fit.approximation.name = fit.hypothesis.name().to_string();
+        fit.approximation.name = named(&spec.kernel, &fit.approximation.name);
     }
     for dropped in &mut set.dropped {
         dropped.hypothesis = named(&spec.kernel, &dropped.hypothesis);

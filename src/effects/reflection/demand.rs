@@ -8,7 +8,9 @@ use crate::effects::JobSummary;
 use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
 use crate::effects::who::{about, is_rough, named, reasons, rough, stay_smooth, verb};
-use crate::scene::{Layout, Lobe, Material, Scene, Serves};
+use crate::emit::compensation;
+use crate::scene::{Kind, Layout, Lobe, Material, Scene, Serves};
+use lobefit_shade::ShadeError;
 
 /// Seconds of one truth E.
 const E_S: f64 = 0.65e-6;
@@ -36,6 +38,9 @@ const OPTIMISE_S: f64 = 0.04;
 /// Seconds of the truth of the fits of f0 A + B, and of one of them.
 const BLEND_TRUTH_S: f64 = 0.9;
 const BLEND_FIT_S: f64 = 0.1;
+/// The emitted normalisation, by its role.
+pub const NORMALISATION: &str = "ggx_energy_compensation";
+
 /// Name of the job of fits: one for the whole scene, because a fit over the hull of the ranges
 /// holds in each of them.
 const FITS: &str = "normalisation";
@@ -47,6 +52,8 @@ pub struct FitJob {
     pub average: bool,
     /// Also fit f0 A + B.
     pub blend: bool,
+    /// Whether a material is a metal, whose compensation has a colour.
+    pub coloured: bool,
     /// The user's hypothesis files, relative to the scene file, each once.
     pub hypotheses: Vec<String>,
 }
@@ -134,6 +141,8 @@ impl FitJob {
     pub fn of(scene: &Scene, job: &Job) -> FitJob {
         let wants = |demand: &Demand| scene.materials.get(demand.of)?.wants.fit.as_ref();
         let mut fits = FitJob::default();
+        let metal = |demand: &Demand| scene.materials.get(demand.of).is_some_and(|m| m.kind == Kind::Metal);
+        fits.coloured = job.demands.iter().any(metal);
         for want in job.demands.iter().filter_map(wants) {
             fits.average |= want.average;
             fits.blend |= want.blend;
@@ -142,6 +151,14 @@ impl FitJob {
             fits.hypotheses.extend(new);
         }
         fits
+    }
+
+    /// Operations that the dearest call takes beside the normalisation.
+    ///
+    /// # Errors
+    /// A text that does not parse, a defect of this program.
+    pub fn beside(&self) -> Result<u32, ShadeError> {
+        if self.coloured { compensation::coloured_ops() } else { Ok(0) }
     }
 }
 
@@ -187,14 +204,13 @@ fn texel_seconds(job: &TableJob) -> f64 {
 }
 
 /// Seconds of a fit job on one core: the truth at the points of the certificates, which all
-/// normalisations share; the searches; a certificate for every fit, for the saturating form of
-/// every normalisation, and for the published formulas.
+/// normalisations share; the searches; a certificate for every fit and for the published formulas.
 fn fit_seconds(job: &Job, wants: &FitJob) -> f64 {
     let norms = job.goals.norms.len();
     let normalisations = NORMALISATIONS.len() + wants.hypotheses.len();
     let averages = if wants.average { AVERAGES.len() } else { 0 };
     let searches = ((normalisations + averages) * norms) as f64;
-    let certificates = searches + (normalisations + SEEDS.len() + PUBLISHED.len()) as f64;
+    let certificates = searches + (SEEDS.len() + PUBLISHED.len()) as f64;
     let blends = if wants.blend { BLEND_TRUTH_S + (BLENDS.len() * norms) as f64 * BLEND_FIT_S } else { 0.0 };
     CERTIFIED * E_S + searches * OPTIMISE_S + certificates * CERTIFIED * EVALUATION_S + blends
 }

@@ -1,12 +1,11 @@
-//! The fits of this effect: normalisations with their saturating forms, averages, and blends f0
-//! A + B.
+//! The fits of this effect: normalisations, averages, and blends f0 A + B.
 
 use super::catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 use super::{PUBLISHED, PUBLISHED_BLENDS};
 use crate::approximate::target::TargetSpec;
-use crate::approximate::{self, Counter, FitSet, FitStageError, Region, Wanted};
-use crate::data::{Norm, Smith, Source, Use};
-use lobefit_shade::{Hypothesis, ShadeError};
+use crate::approximate::{self, Counter, Emission, FitSet, FitStageError, Region, Wanted};
+use crate::data::{Norm, Pick, Smith, Source, Use};
+use lobefit_shade::Hypothesis;
 use lobefit_truth::quantity::{GGX_REFLECTION, GgxAverage, Quantity, Variant};
 
 /// What to fit.
@@ -26,11 +25,12 @@ pub struct FitSpec {
     pub blend: bool,
     /// The user's hypotheses: file name and WGSL source.
     pub hypotheses: Vec<(String, String)>,
+    /// What is emitted: of the normalisations; of the others without their limit and budget.
+    pub emission: Emission,
 }
 
-/// Everything that the spec asks for: normalisations of ours, the user's, their saturating forms,
-/// averages, blends, and the published normalisations, of which the formulas of the source post are
-/// emitted.
+/// Everything that the spec asks for: normalisations of ours, the user's, averages, blends, and the
+/// published normalisations, of which the formulas of the source post are emitted where all are.
 ///
 /// # Errors
 /// A region outside of the quantities' domain; a hypothesis of the user's that cannot be fitted.
@@ -41,7 +41,7 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
     let mut published = set.fits.split_off(ours);
     for fit in &mut published {
         let seed = SEEDS.iter().any(|seed| seed.name() == fit.approximation.name);
-        fit.emitted = seed && wanted.affords(&fit.hypothesis);
+        fit.emitted = spec.emission.pick == Pick::All && seed && wanted.affords(&fit.hypothesis);
     }
     if spec.average {
         let wanted = spec.averages();
@@ -68,20 +68,31 @@ impl FitSpec {
             own: &NORMALISATIONS,
             user: &self.hypotheses,
             published: SEEDS.iter().chain(&PUBLISHED).collect(),
-            with_f0: Some(saturating),
+            emission: self.emission.clone(),
             ..self.of(&GGX_REFLECTION, "E", Use::NORMALISATION)
         }
     }
 
     fn averages(&self) -> Wanted<'_> {
-        let mut wanted = Wanted { own: &AVERAGES, ..self.of(&GgxAverage, "E_avg", Use::VALUE) };
+        let mut wanted = Wanted {
+            own: &AVERAGES,
+            emission: self.emission_as("ggx_average_albedo"),
+            ..self.of(&GgxAverage, "E_avg", Use::VALUE)
+        };
         wanted.spec.domain.remove("mu");
         wanted
     }
 
     fn blends(&self) -> Wanted<'_> {
         let published = PUBLISHED_BLENDS.iter().collect();
-        Wanted { own: &BLENDS, published, ..self.of(&GGX_REFLECTION, "E", Use::F0_BLEND) }
+        let emission = self.emission_as("ggx_directional_albedo");
+        Wanted { own: &BLENDS, published, emission, ..self.of(&GGX_REFLECTION, "E", Use::F0_BLEND) }
+    }
+
+    /// What is emitted of fits for another use: the limit on the error is not theirs, and nothing
+    /// is called beside them.
+    fn emission_as(&self, role: &str) -> Emission {
+        Emission { role: role.into(), max_error: None, beside: 0, ..self.emission.clone() }
     }
 
     /// No formula for a column of a quantity in a use, over the region.
@@ -102,23 +113,7 @@ impl FitSpec {
             norms: &self.norms,
             max_ops: self.max_ops,
             safe_range: None,
-            with_f0: None,
+            emission: Emission::default(),
         }
     }
-}
-
-/// 1 + f0 (N - 1), which is exact where f0 = 1 wherever N is. With F the furnace error of N, its
-/// relative error against 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so
-/// N's certificate stands for it.
-fn saturating(original: &Hypothesis, fit: &str) -> Result<Hypothesis, ShadeError> {
-    let (inner, inputs) = (original.name(), original.inputs());
-    let declared: Vec<String> = inputs.iter().map(|input| format!("{input}: f32")).collect();
-    let source = format!(
-        "{}\n/// Saturating compensation 1 + f0 (N - 1): a metal gains colour as light scatters more than once.\n\
-         fn {inner}_saturating({}, f0: f32) -> f32 {{\n    return 1.0 + f0 * ({inner}({}) - 1.0);\n}}\n",
-        original.source(),
-        declared.join(", "),
-        inputs.join(", "),
-    );
-    Ok(Hypothesis::parse(original.file(), &source)?.renamed(&format!("{fit}_saturating")))
 }

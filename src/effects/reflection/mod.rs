@@ -19,7 +19,7 @@ use crate::data::Use;
 use crate::scene::Scene;
 pub use accuracy::{POINTS, SAMPLERS, Series, Sources, Study, studies};
 pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
-pub use demand::FitJob;
+pub use demand::{FitJob, NORMALISATION};
 pub use fits::{FitSpec, fit_all};
 pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
 pub use table::{Dfg, build};
@@ -71,10 +71,12 @@ impl Effect for Reflection {
     fn notes(&self) -> &'static [Note] {
         &[
             super::NOTE_F0,
-            (&["ggx_norm_"], &["`ggx_norm_*` is N with E N = 1: multiply the specular lobe by it."]),
             (
-                &["_saturating"],
-                &["`*_saturating` is 1 + f0 (N - 1): multiply a metal's lobe by that, per colour channel."],
+                &["ggx_energy_compensation", "ggx_norm_"],
+                &[
+                    "The energy compensation N has E N = 1: multiply the specular lobe by it. Of a metal take `_rgb`, which is",
+                    "1 + f0 (N - 1) per colour channel.",
+                ],
             ),
             super::NOTE_LOOKUP,
         ]

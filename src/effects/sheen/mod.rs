@@ -23,6 +23,7 @@ const FITS: ValueFits = ValueFits {
     column: "E",
     own: &HYPOTHESES,
     published: &PUBLISHED,
+    role: "sheen_albedo",
     of: "sheen",
     field: "sheen",
     because: "with a sheen layer",
@@ -73,8 +74,8 @@ impl Effect for Sheen {
 
     fn notes(&self) -> &'static [Note] {
         &[(
-            &["charlie_"],
-            &["`charlie_*` is E, the albedo of the sheen lobe, by which the layers below it are dimmed."],
+            &["sheen_albedo", "charlie_"],
+            &["`sheen_albedo` is E of the sheen lobe, by which the layers below it are dimmed."],
         )]
     }
 

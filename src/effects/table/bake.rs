@@ -54,6 +54,8 @@ pub struct BakedTable {
     pub made: Made,
     /// What the axes do not tell of the nodes, for headers.
     pub note: Option<&'static str>,
+    /// Names of the materials that want it.
+    pub wanted_by: Vec<String>,
     /// Where it was measured.
     pub judge: Arc<Judge>,
     /// Place of its truth among those of `judge`.
@@ -130,7 +132,8 @@ fn bake_job(
         let parts = tables.into_iter().zip(family.sides()).enumerate();
         let finished = parts.map(|(i, (table, side))| {
             let baked = finish(&spec, &table, made, (judge, i))?;
-            Ok(BakedTable { side: *side, note: family.note(spec.layout), ..baked })
+            let wanted_by = job.wanted_by.clone();
+            Ok(BakedTable { side: *side, note: family.note(spec.layout), wanted_by, ..baked })
         });
         last = finished.collect::<Result<_, BakeError>>()?;
         if last.iter().all(|table| job.max_error.is_none_or(|limit| table.errors.lookup.max <= limit)) {
@@ -218,5 +221,18 @@ pub(super) fn finish(
     };
     let (layout, region, judge) = (spec.layout, spec.region, judge.clone());
     let (side, note) = (None, None);
-    Ok(BakedTable { approximation, errors, decode, layout, region, side, made, note, judge, truth })
+    let wanted_by = Vec::new();
+    Ok(BakedTable {
+        approximation,
+        errors,
+        decode,
+        layout,
+        region,
+        side,
+        made,
+        note,
+        wanted_by,
+        judge,
+        truth,
+    })
 }

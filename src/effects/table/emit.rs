@@ -25,7 +25,14 @@ impl Made {
             let entry = TableEntry::new(part.by.name(), &baked.approximation, table, formulas, errors(baked));
             part.entries.tables.push(entry.in_files(written));
         }
-        self.code(|language| code(language, &tables))?;
+        for baked in &tables {
+            let Some(table) = baked.table() else { continue };
+            let (readable, file) =
+                (Readable { table, decode: baked.decode, header: &[] }, format!("tables/{}.exr", table.name));
+            let function = format!("{}_lookup", readable.identifier());
+            self.called_by(baked.wanted_by.clone(), &function, &baked.approximation, Some(&file));
+        }
+        self.code(context, |language| code(language, &tables))?;
         self.tables.extend(tables);
         Ok(())
     }

@@ -56,6 +56,8 @@ pub struct TableJob {
     /// The materials whose limits cannot be judged, since their roughness lies below all rows; none
     /// where all can.
     pub unjudged_by: Option<String>,
+    /// Names of the materials that want it.
+    pub wanted_by: Vec<String>,
 }
 
 /// What the materials of an effect's lobe want in the layouts that have slices.
@@ -171,6 +173,7 @@ impl TableJob {
             max_error: job.goals.max_error,
             limited_by: job.limited_by(),
             unjudged_by: (!unjudged.is_empty()).then(|| listed(&unjudged)),
+            wanted_by: job.wanted_by(),
         })
     }
 
@@ -309,6 +312,7 @@ pub fn summaries(family: &dyn Family, scene: &Scene, jobs: &[Job]) -> Vec<JobSum
             bytes_at_most: job.size.is_none(),
             expected_error: job.max_error,
             seconds,
+            merging: None,
         })
     };
     (0..jobs.len()).flat_map(of_job).chain(defects).collect()

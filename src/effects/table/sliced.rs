@@ -52,9 +52,10 @@ impl<F: Sliced> Effect for F {
         made.part.finding.expected_error = expected(&jobs);
         made.broken = broken;
         made.tables(context, tables)?;
-        context.progress.stage(&format!("report of {}", called.effect));
-        let findings = findings::findings(self, &made.part, &made.tables, context)?;
-        made.page(&page::page(&findings)?, &findings)?;
+        if context.reports(called.effect) {
+            let findings = findings::findings(self, &made.part, &made.tables, context)?;
+            made.page(&page::page(&findings)?, &findings)?;
+        }
         Ok(made)
     }
 }

@@ -85,6 +85,7 @@ impl ValueTable {
             max_error: job.goals.max_error,
             limited_by: job.limited_by(),
             unjudged_by: None,
+            wanted_by: job.wanted_by(),
         };
         bake(self, &[job], context)
     }
@@ -101,6 +102,7 @@ impl ValueTable {
             bytes_at_most: false,
             expected_error: job.goals.max_error,
             seconds: self.seconds,
+            merging: None,
         }
     }
 

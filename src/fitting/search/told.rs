@@ -171,6 +171,7 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
             recipe: hash(&[&job.command]),
             tool: env!("CARGO_PKG_VERSION").into(),
             command: job.command.clone(),
+            pages: Vec::new(),
         },
         name: searched.name(),
         used_as: target.used_as,

@@ -32,6 +32,9 @@ pub struct Origin {
     pub tool: String,
     /// Command that makes the page again.
     pub command: String,
+    /// The pages that are written with it: what they show, and their file. Every page links them.
+    #[serde(skip)]
+    pub pages: Vec<(String, String)>,
 }
 
 /// What the bake of a scene found out.

@@ -1,8 +1,11 @@
 //! The overview: what was called for, what was made, and where to read on.
 
+use std::collections::BTreeSet;
+
 use super::{called_for, words};
+use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
-use crate::report::{Block, Section};
+use crate::report::{Block, Section, numbers};
 
 const COLUMNS: [(&str, bool); 9] = [
     ("effect", false),
@@ -16,29 +19,83 @@ const COLUMNS: [(&str, bool); 9] = [
     ("bytes", true),
 ];
 
+const CALLS: [(&str, bool); 7] = [
+    ("call", false),
+    ("effect", false),
+    ("for", false),
+    ("max error", true),
+    ("ops", true),
+    ("fetches", true),
+    ("bytes", true),
+];
+
 pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
-    let mut sections = vec![called_for::of(&manifest.effects, &manifest.left_out)];
+    let mut called_for = called_for::of(&manifest.effects, &manifest.left_out);
     if manifest.effects.is_empty() {
-        return sections;
+        return vec![called_for];
     }
-    let links = manifest.effects.iter().map(|e| (e.effect.clone(), format!("{}.html", e.effect)));
-    sections.push(Section {
-        id: "pages".into(),
-        title: "Pages".into(),
-        lead: "One for each effect.".into(),
-        blocks: vec![Block::Links { rows: links.collect() }],
-    });
-    sections.push(Section {
+    let summary = "Materials, ranges, and what was left out".into();
+    called_for.blocks = vec![Block::Fold { summary, blocks: called_for.blocks }];
+    let call = Section {
+        id: "call".into(),
+        title: "What to call".into(),
+        lead: "Each function once, with the materials and probes that call it. It is the cheapest that keeps the error \
+               that the scene states, or the most accurate within its budget, unless the scene asks for more of them."
+            .into(),
+        blocks: vec![Block::Table(words::table(
+            &CALLS,
+            calls(manifest),
+            "The largest error of the use, rounded up: lookup error of a table, furnace error of an energy compensation. \
+             The functions stand in fits/, in each language; their comments say more.",
+        ))],
+    };
+    let made = Section {
         id: "made".into(),
         title: "What was made".into(),
-        lead: "Tables and formulas in the order of the manifest, which has all their figures.".into(),
-        blocks: vec![Block::Table(words::table(
-            &COLUMNS,
-            rows(manifest),
-            "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.",
-        ))],
-    });
-    sections
+        lead: "Tables and formulas in the order of the manifest, which has all their figures. The page of an effect has \
+               its truth, its errors and its pictures, and every formula that was measured."
+            .into(),
+        blocks: vec![Block::Fold {
+            summary: "All tables and formulas".into(),
+            blocks: vec![Block::Table(words::table(
+                &COLUMNS,
+                rows(manifest),
+                "The largest error of the use (lookup error of a table, furnace error of a normalisation), rounded up.",
+            ))],
+        }],
+    };
+    vec![call, made, called_for]
+}
+
+/// What came of the scene, in one sentence.
+pub(super) fn conclusion(manifest: &Manifest) -> String {
+    let calls = &manifest.entries.calls;
+    let different = |of: fn(&Call) -> &str| calls.iter().map(of).collect::<BTreeSet<_>>().len();
+    if calls.is_empty() {
+        return "The scene calls for no function and no table.".into();
+    }
+    let functions = words::count(different(|call| &call.function), "function serves", "functions serve");
+    let users = words::count(different(|call| &call.of), "material or probe", "materials and probes");
+    let kept = "every error that the scene states is kept.";
+    format!("{functions} {users}; {kept}")
+}
+
+/// A row for each function, with who calls it.
+fn calls(manifest: &Manifest) -> Vec<Vec<String>> {
+    let mut found: Vec<(&Call, Vec<&str>)> = Vec::new();
+    for call in &manifest.entries.calls {
+        match found.iter_mut().find(|(known, _)| known.function == call.function) {
+            Some((_, names)) => names.push(&call.of),
+            None => found.push((call, vec![&call.of])),
+        }
+    }
+    let row = |(call, names): (&Call, Vec<&str>)| {
+        let CostEntry { ops, fetches, bytes } = call.cost;
+        let figures = [words::max(call.max_error), ops.to_string(), fetches.to_string(), bytes.to_string()];
+        let words = [manifest.signature(call), call.effect.clone(), numbers::shortened(&names.join(", "))];
+        words.into_iter().chain(figures).collect()
+    };
+    found.into_iter().map(row).collect()
 }
 
 /// Tables and fits by effect, in the order of the effects.

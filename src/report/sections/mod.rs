@@ -44,9 +44,7 @@ pub(crate) fn of_index(origin: Origin, manifest: &Manifest) -> Result<Page, Repo
     Ok(Page {
         title: format!("lobefit report: {}", origin.scene),
         origin,
-        lead: "What the scene called for and what was made for it, with its largest measured error and its cost. Each effect has \
-               a page of its own, with the truth, the errors and the pictures."
-            .into(),
+        lead: index::conclusion(manifest),
         sections: index::sections(manifest),
     })
 }

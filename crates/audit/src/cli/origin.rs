@@ -10,6 +10,7 @@ pub(super) fn origin(options: &Options, bytes: &[u8]) -> Origin {
         recipe: blake3::hash(bytes).to_hex().to_string(),
         tool: env!("CARGO_PKG_VERSION").into(),
         command: command(options),
+        pages: Vec::new(),
     }
 }
 

@@ -28,6 +28,7 @@ fn measured(baked: &Baked) -> Option<GpuRecord> {
         recipe: "0".repeat(64),
         tool: "0.1.0".into(),
         command: "lobefit cost --gpu".into(),
+        pages: Vec::new(),
     };
     match measure(baked, None, Work::REDUCED, origin, &Silent) {
         Ok(record) => Some(record.expect("the bake emits functions")),

@@ -26,7 +26,9 @@ pub use syntax::{
     power_steps,
 };
 
+use super::inline::inlined;
 use super::tape::Tape;
+use super::trim::drop_uncalled;
 use super::{Place, ShadeError};
 
 /// Stack of the thread that parses: the WGSL front end recurses over nested expressions.
@@ -98,6 +100,39 @@ impl Hypothesis {
         }
         renamed.tape = self.tape.renamed(name);
         renamed
+    }
+
+    /// The module with one more function after its own, which becomes the formula, in one piece.
+    ///
+    /// # Errors
+    /// As [`Hypothesis::parse`].
+    pub fn wrapped(&self, function: &str) -> Result<Hypothesis, ShadeError> {
+        let wrapped = Hypothesis::parse(&self.file, &format!("{}\n{function}", self.source))?;
+        Ok(Hypothesis { doc: self.doc.clone(), ..wrapped.in_one_piece()? })
+    }
+
+    /// The formula with its calls of straight functions written out; a function that is not called
+    /// any more is left out.
+    ///
+    /// # Errors
+    /// More operations than [`Limits`] has.
+    pub fn in_one_piece(mut self) -> Result<Hypothesis, ShadeError> {
+        let functions = &mut self.formula.functions;
+        for index in 0..functions.len() {
+            functions[index] = inlined(functions, index, &|_| true);
+        }
+        drop_uncalled(functions);
+        self.tape = Tape::of(&self.formula, &self.file, &self.source)?;
+        Ok(self)
+    }
+
+    /// The formula with other names for some of its arguments, for printing: each pair is a name
+    /// and the one that stands for it.
+    pub fn with_arguments(mut self, names: &[(&str, &str)]) -> Hypothesis {
+        if let Some(main) = self.formula.functions.last_mut() {
+            main.rename_arguments(names);
+        }
+        self
     }
 
     /// Name of the formula's function.

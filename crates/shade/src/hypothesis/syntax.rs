@@ -225,6 +225,15 @@ pub struct Formula {
 }
 
 impl Function {
+    /// Gives some of its arguments other names: each pair is a name and the one that stands for it.
+    pub fn rename_arguments(&mut self, names: &[(&str, &str)]) {
+        for argument in &mut self.variables[..self.arguments] {
+            if let Some((_, to)) = names.iter().find(|(from, _)| *from == argument.name) {
+                argument.name = (*to).to_string();
+            }
+        }
+    }
+
     /// Whether its body reads a variable.
     pub fn reads(&self, variable: usize) -> bool {
         fn block(body: &[Statement], variable: usize) -> bool {

@@ -55,7 +55,13 @@ fn every_row_is_told() {
     let reciprocity = text.rsplit(' ').next().unwrap().trim_end_matches('.');
     let measured: f64 = reciprocity.replace('−', "-").parse().unwrap();
     assert!(measured < 1e-14, "what was measured, not what was declared: {text}");
-    let origin = Origin { scene: "s".into(), recipe: "r".into(), tool: "t".into(), command: "c".into() };
+    let origin = Origin {
+        scene: "s".into(),
+        recipe: "r".into(),
+        tool: "t".into(),
+        command: "c".into(),
+        pages: Vec::new(),
+    };
     let page = html(&Page { title: "t".into(), origin, lead: "l".into(), sections });
     assert!(page.contains("Kelemen-Szirmay-Kalos") && page.contains("random walk, exact Fresnel"));
 }

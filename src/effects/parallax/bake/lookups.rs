@@ -10,6 +10,7 @@ use crate::effects::parallax::probe::{Called, Wanted};
 use crate::effects::parallax::results::LookupFinding;
 use crate::effects::parallax::room::proxies::Tied;
 use crate::effects::parallax::{Gives, TapRule, named};
+use crate::emit::call::Call;
 use crate::emit::header;
 use crate::emit::manifest::{CostEntry, LookupFunction};
 
@@ -19,6 +20,8 @@ pub(super) struct Lookup {
     chain: Option<MipChain>,
     inputs: Vec<String>,
     ops: u32,
+    /// Of the width.
+    max_error: f64,
 }
 
 /// Those that the probes want, by the best fit; none where no fit is emitted.
@@ -58,7 +61,8 @@ fn one(
     };
     let ops = wanted.operations()?;
     wanted.header = header(lobe, &wanted, chain, ops);
-    Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops })
+    let max_error = best.approximation.certificate.max_abs;
+    Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops, max_error })
 }
 
 /// What it does, what it must be paired with, what it costs, and what it is off by.
@@ -75,7 +79,7 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
     let plural = if fetches == 1 { "fetch" } else { "fetches" };
     lines.push(format!("{} and {fetches} {plural}; width by {}", header::operations(ops), wanted.width.name));
     lines.extend(wanted.expected());
-    let measured = lobe.measured().find(|(fit, _)| fit.approximation.name == wanted.width.name);
+    let measured = lobe.measured().find(|(fit, _)| fit.hypothesis.name() == wanted.width.name);
     if let Some((_, variation)) = measured {
         let rows = [
             ("rho < 1", variation.nearer, lobe.least.nearer),
@@ -107,6 +111,23 @@ impl Lookup {
             chain: self.chain.as_ref().map(MipChain::text),
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
         }
+    }
+
+    /// The probes of a lobe that call it. Its error is that of the width that it fetches.
+    pub fn calls(&self, lobe: &Lobe) -> Vec<Call> {
+        let Wanted { name, lookup, width, .. } = &self.wanted;
+        let probes = lobe.job.demands.iter().filter_map(|demand| lobe.scene.probes.get(demand.of));
+        let calling = probes.filter(|probe| probe.lookups.contains(lookup) && probe.mips == self.chain);
+        let call = calling.map(|probe| Call {
+            effect: Parallax.name().into(),
+            of: probe.name.clone(),
+            function: name.clone(),
+            name: width.name.clone(),
+            file: None,
+            max_error: self.max_error,
+            cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },
+        });
+        call.collect()
     }
 
     /// What its page says of it.

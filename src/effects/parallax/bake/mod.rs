@@ -6,8 +6,8 @@ mod findings;
 mod lookups;
 
 use super::{Grid, LevelFunction, ParallaxSpec, Variation, bias, demand, fit_all, of_chain, variations};
-use crate::approximate::{Dropped, Fit, FitSet};
-use crate::data::MipChain;
+use crate::approximate::{Dropped, Emission, Fit, FitSet};
+use crate::data::{Arguments, MipChain};
 use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Made};
@@ -17,6 +17,11 @@ use lobefit_truth::quantity::footprint;
 /// Roughnesses and ratios of the grid on which total variation is measured, the ends of both among
 /// them.
 const GRID: [usize; 2] = [19, 29];
+
+/// The emitted width of a fetch, by its role. It takes alpha, since alpha is what it returns. The
+/// scene's limit is on the total variation, which is measured afterwards: the most accurate width
+/// within the budget is taken.
+const WIDTH: &str = "parallax_width";
 
 /// What was made for the chains of one kind of lobe.
 struct Lobe<'a> {
@@ -58,10 +63,15 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         made.broken.extend(lobe.without_lookups());
         entries::enter(lobe, context.scene.alpha.name(), &mut made.part.entries);
     }
-    context.progress.stage("report of parallax");
-    let findings = findings::findings(&made.part.finding, &lobes, context)?;
-    made.page(&super::page::page(&findings)?, &findings)?;
-    made.code(|language| code::in_language(language, &lobes))?;
+    if context.reports(called.effect) {
+        let findings = findings::findings(&made.part.finding, &lobes, context)?;
+        made.page(&super::page::page(&findings)?, &findings)?;
+    }
+    made.code(context, |language| code::in_language(language, &lobes))?;
+    for lobe in &lobes {
+        made.fits_called(lobe.job, &lobe.fits);
+        made.part.entries.calls.extend(lobe.lookups.iter().flat_map(|lookup| lookup.calls(lobe)));
+    }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());
         made.fits(context, set, |i, _, entry| entries::fetching(&lobe, i, entry));
@@ -121,8 +131,13 @@ impl<'a> Lobe<'a> {
             rho: job.range("rho")?,
             max_ops: job.goals.max_ops,
             norms: job.goals.norms.clone(),
+            emission: Emission {
+                arguments: Arguments::Alpha,
+                max_error: None,
+                ..job.emission(context.scene, WIDTH)
+            },
         };
-        let FitSet { fits, dropped } = fit_all(&spec, &context.counter)?;
+        let FitSet { fits, dropped, .. } = fit_all(&spec, &context.counter)?;
         let grid = Grid::new(spec.kernel.clone(), spec.alpha_map, spec.roughness, spec.rho, GRID)?;
         context.counter.add(grid.cells.len());
         let variations = variations(&grid, &fits)?;

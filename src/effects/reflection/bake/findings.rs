@@ -119,7 +119,7 @@ fn average_finding(
 }
 
 fn approximations(tables: &[BakedTable], fits: &[Fit]) -> Vec<ApproximationFinding> {
-    let fits = fits.iter().filter(|f| f.wraps.is_none()).map(|f| &f.approximation);
+    let fits = fits.iter().map(|f| &f.approximation);
     tables.iter().map(|t| &t.approximation).chain(fits).map(ApproximationFinding::from).collect()
 }
 

@@ -4,39 +4,75 @@ mod findings;
 mod pictures;
 
 use super::demand::parted;
-use super::{Dfg, FitJob, FitSpec, fit_all};
-use crate::approximate::FitSet;
+use super::{Dfg, FitJob, FitSpec, NORMALISATION, fit_all};
+use crate::approximate::{Emission, Fit, FitSet};
 use crate::data::Use;
-use crate::effects::code::functions;
+use crate::effects::code::{functions, rgb};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
+use crate::emit::compensation;
+use crate::emit::manifest::FitEntry;
+use crate::scene::{Kind, Scene};
+use lobefit_shade::code::CodeError;
 
 /// Bakes the effect.
 pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
     // Fits first: a hypothesis that is refused must not cost the tables.
     let (jobs, fit) = parted(&called.work);
-    let FitSet { fits, dropped } = match fit {
+    let FitSet { fits, dropped, nearest } = match fit {
         Some(job) => bake_fits(job, context)?,
-        None => FitSet { fits: Vec::new(), dropped: Vec::new() },
+        None => FitSet { fits: Vec::new(), dropped: Vec::new(), nearest: None },
     };
+    let mut made = Made::new(called, None, "");
+    if let Some(job) = fit {
+        made.promised(&job.promises, (&fits, &nearest), "fit", Use::NORMALISATION);
+        if !made.broken.is_empty() {
+            return Ok(made);
+        }
+    }
     let jobs = TableJob::all(context.scene, jobs)?;
     let (tables, broken) = table::bake(&Dfg, &jobs, context)?;
     let (measured, metric) = findings::measured(&tables, &fits);
-    let mut made = Made::new(called, measured, metric);
-    if let Some(job) = fit {
-        made.promised(&job.promises, &fits, "fit", Use::NORMALISATION);
-    }
+    made.part.finding = called.finding(measured, metric);
     made.broken.extend(broken);
-    made.code(|language| functions(language, &fits))?;
+    let coloured = fit.is_some_and(|job| FitJob::of(context.scene, job).coloured);
+    made.code(context, |language| functions(language, &fits, coloured))?;
     made.tables(context, tables)?;
-    context.progress.stage("report of reflection");
-    let region = fit.map(|job| job.region(context.scene.alpha)).transpose()?;
-    let findings = findings::findings(&made, region, (&fits, &dropped), context)?;
-    made.findings(&findings)?;
-    made.fits(context, (fits, dropped), |_, _, entry| entry);
+    if context.reports(called.effect) {
+        let region = fit.map(|job| job.region(context.scene.alpha)).transpose()?;
+        let findings = findings::findings(&made, region, (&fits, &dropped), context)?;
+        made.findings(&findings)?;
+    }
+    if let Some(job) = fit {
+        fits_called(&mut made, job, &fits, context.scene)?;
+    }
+    made.fits(context, (fits, dropped), |_, fit, entry| FitEntry { rgb: rgb(fit, coloured), ..entry });
     Ok(made)
+}
+
+/// Notes which of the emitted fits the materials call: a metal the form for three channels.
+fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], scene: &Scene) -> Result<(), BakeError> {
+    for fit in fits.iter().filter(|fit| fit.emitted) {
+        for demand in &job.demands {
+            let Some(material) = scene.materials.get(demand.of) else { continue };
+            let want = material.wants.fit.as_ref();
+            let (mut a, name) = (fit.approximation.clone(), fit.hypothesis.name());
+            let function = match a.used_as {
+                Use::NORMALISATION if material.kind == Kind::Metal => {
+                    a.cost.ops += compensation::coloured_ops().map_err(CodeError::from)?;
+                    format!("{name}_rgb")
+                }
+                Use::NORMALISATION => name.into(),
+                Use::F0_BLEND if want.is_some_and(|want| want.blend) => name.into(),
+                Use::VALUE if want.is_some_and(|want| want.average) => name.into(),
+                _ => continue,
+            };
+            made.called_by(vec![demand.name.clone()], &function, &a, None);
+        }
+    }
+    Ok(())
 }
 
 /// Fits all that the job asks for.
@@ -51,6 +87,10 @@ fn bake_fits(job: &Job, context: &Context) -> Result<FitSet, BakeError> {
         average: wants.average,
         blend: wants.blend,
         hypotheses: context.hypotheses.iter().map(|h| (h.file.clone(), h.source.clone())).collect(),
+        emission: Emission {
+            beside: wants.beside().map_err(CodeError::from)?,
+            ..job.emission(context.scene, NORMALISATION)
+        },
     };
     Ok(fit_all(&spec, &context.counter)?)
 }

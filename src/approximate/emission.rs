@@ -1,0 +1,134 @@
+//! Which fits of a job are emitted, and what their functions are called.
+
+use super::target::TargetSpec;
+use super::{Fit, FitStageError};
+use crate::data::{Arguments, Norm, Pick};
+use lobefit_shade::Hypothesis;
+
+/// The error that is kept where a scene states neither an error nor a budget. Beside a true picture
+/// two percent of a lobe's energy are hard to see; the figure is a choice.
+const USUAL_ERROR: f64 = 0.02;
+
+/// Inputs after the width of the lobe, in the order of emitted functions.
+const INPUTS: [&str; 3] = ["mu", "rho", "f0"];
+
+/// What is emitted of the fits of a job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Emission {
+    /// Which fits.
+    pub pick: Pick,
+    /// How their functions take the width of the lobe.
+    pub arguments: Arguments,
+    /// The name of the function, by its role: `ggx_energy_compensation`.
+    pub role: String,
+    /// The error that the scene states.
+    pub max_error: Option<f64>,
+    /// Operations that a material's call takes beside the formula; the budget covers them.
+    pub beside: u32,
+}
+
+impl Default for Emission {
+    /// Every fit as its formula stands.
+    fn default() -> Self {
+        Emission {
+            pick: Pick::All,
+            arguments: Arguments::default(),
+            role: String::new(),
+            max_error: None,
+            beside: 0,
+        }
+    }
+}
+
+impl Emission {
+    /// The fits to emit with the names of their functions; `None`: all, as they are.
+    pub(super) fn picked(
+        &self,
+        fits: &[Fit],
+        norms: &[Norm],
+        max_ops: Option<u32>,
+    ) -> Option<Vec<(usize, String)>> {
+        let picked = |norm: &Norm| -> Vec<(usize, String)> {
+            let suffix = if *norm == Norm::Rms && norms.contains(&Norm::Max) { "_rms" } else { "" };
+            let of_norm: Vec<usize> = (0..fits.len()).filter(|&i| fits[i].norm() == norm.name()).collect();
+            match self.pick {
+                Pick::Best => {
+                    let best = self.best(fits, &of_norm, *norm, max_ops);
+                    best.map(|i| (i, format!("{}{suffix}", self.role))).into_iter().collect()
+                }
+                Pick::Frontier | Pick::All => {
+                    let name = |i: usize| format!("{}_{}{suffix}", self.role, ops(&fits[i]));
+                    frontier(fits, &of_norm, *norm).into_iter().map(|i| (i, name(i))).collect()
+                }
+            }
+        };
+        (self.pick != Pick::All).then(|| norms.iter().flat_map(picked).collect())
+    }
+
+    /// The cheapest that keeps the stated error, the more accurate of equals; the most accurate
+    /// where none keeps it, or where a budget alone is stated.
+    fn best(&self, fits: &[Fit], of_norm: &[usize], norm: Norm, max_ops: Option<u32>) -> Option<usize> {
+        let limit = self.max_error.or(max_ops.is_none().then_some(USUAL_ERROR));
+        let least = |a: &usize, b: &usize| error(&fits[*a], norm).total_cmp(&error(&fits[*b], norm));
+        let keeping = of_norm
+            .iter()
+            .copied()
+            .filter(|&i| limit.is_some_and(|limit| fits[i].approximation.certificate.max_abs <= limit));
+        let cheapest = keeping.min_by(|a, b| ops(&fits[*a]).cmp(&ops(&fits[*b])).then(least(a, b)));
+        cheapest.or_else(|| of_norm.iter().copied().min_by(least))
+    }
+
+    /// The formula as a function of this name with the arguments that are asked for. Its own
+    /// arguments follow by the map of roughness.
+    pub(super) fn called(
+        &self,
+        formula: &Hypothesis,
+        name: &str,
+        spec: &TargetSpec,
+    ) -> Result<Hypothesis, FitStageError> {
+        let width = self.arguments.names();
+        let others = INPUTS.into_iter().filter(|input| spec.domain.contains_key(*input));
+        let arguments: Vec<String> =
+            width.iter().copied().chain(others).map(|argument| format!("{argument}: f32")).collect();
+        let lacks = |input: &str| formula.inputs().iter().any(|i| i == input) && !width.contains(&input);
+        let mut lets = String::new();
+        if lacks("alpha") {
+            lets += &format!("    let alpha = {};\n", spec.alpha_map.alpha_source("roughness"));
+        }
+        if lacks("roughness") {
+            lets += &format!("    let roughness = {};\n", spec.alpha_map.roughness_source("alpha"));
+        }
+        let call = format!("{}({})", formula.name(), formula.inputs().join(", "));
+        let original = Hypothesis::parse(formula.file(), formula.source())?;
+        let call = call.replacen(formula.name(), original.name(), 1);
+        let function =
+            format!("fn {name}({}) -> f32 {{\n{lets}    return {call};\n}}\n", arguments.join(", "));
+        Ok(original.wrapped(&function)?)
+    }
+}
+
+/// Those that none of the others beats in both cost and error.
+fn frontier(fits: &[Fit], of_norm: &[usize], norm: Norm) -> Vec<usize> {
+    let mut order = of_norm.to_vec();
+    let rank = |i: &usize| (ops(&fits[*i]), error(&fits[*i], norm));
+    order.sort_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)));
+    let mut least = f64::INFINITY;
+    order.retain(|&i| {
+        let better = error(&fits[i], norm) < least;
+        least = least.min(error(&fits[i], norm));
+        better
+    });
+    order
+}
+
+fn ops(fit: &Fit) -> u32 {
+    fit.approximation.cost.ops
+}
+
+/// The error that a norm minimises.
+fn error(fit: &Fit, norm: Norm) -> f64 {
+    match norm {
+        Norm::Max => fit.approximation.certificate.max_abs,
+        Norm::Rms => fit.approximation.certificate.rms,
+    }
+}

@@ -1,0 +1,46 @@
+//! What materials and probes call of a bake.
+
+use serde::{Deserialize, Serialize};
+
+use super::manifest::{CostEntry, FitEntry, Manifest};
+use crate::data::ARGUMENT_NAMES;
+
+/// A function that a material or a probe calls.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Call {
+    /// Effect that it belongs to.
+    pub effect: String,
+    /// Name of the material or probe.
+    pub of: String,
+    /// The function in the include files.
+    pub function: String,
+    /// What it is made of: the name of the fit or of the table.
+    pub name: String,
+    /// The texture that it fetches from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Largest error, in the metric of its use.
+    pub max_error: f64,
+    /// Cost of a call.
+    pub cost: CostEntry,
+}
+
+impl Manifest {
+    /// A call with its arguments as the include files name them; of a table the texture comes first.
+    pub fn signature(&self, call: &Call) -> String {
+        let fits = self.entries.fits.iter();
+        let of_fit = |fit: &FitEntry| {
+            let rgb = fit.rgb.as_ref() == Some(&call.function);
+            let inputs = fit.inputs.iter().cloned().chain(rgb.then(|| "f0".to_string())).collect::<Vec<_>>();
+            (fit.function == call.function || rgb).then_some(inputs)
+        };
+        let lookups = self.entries.lookups.iter().filter(|lookup| lookup.function == call.function);
+        let inputs = fits.filter_map(of_fit).next().or_else(|| lookups.map(|l| l.inputs.clone()).next());
+        let Some(inputs) = inputs else { return format!("{}(texture, ...)", call.function) };
+        let named = |input: &String| {
+            let renamed = ARGUMENT_NAMES.iter().find(|(name, _)| name == input);
+            renamed.map_or_else(|| input.clone(), |(_, name)| (*name).to_string())
+        };
+        format!("{}({})", call.function, inputs.iter().map(named).collect::<Vec<_>>().join(", "))
+    }
+}

@@ -1,0 +1,160 @@
+//! What a scene gets: for each job one function by its role, those on the frontier, or all.
+
+use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
+use serde_json::Value;
+
+fn baked(fields: &str, materials: &str) -> Baked {
+    let text = format!(
+        r#"{{"schema_version": 1, "name": "test", "reports": false, {fields} "materials": [{materials}]}}"#
+    );
+    let scene = Scene::from_json(text.as_bytes(), "test.json").unwrap_or_else(|e| panic!("{e}\n{text}"));
+    bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake")
+}
+
+fn metal(name: &str, fit: &str) -> String {
+    format!(
+        r#"{{"name": "{name}", "kind": "metal", "f0": 0.9, "roughness": [0.1, 1], "wants": {{"fit": {fit}}}}}"#
+    )
+}
+
+fn manifest(baked: &Baked) -> Value {
+    serde_json::from_slice(&baked.files["manifest.json"]).expect("a manifest")
+}
+
+/// Names of the functions of an include file.
+fn functions(baked: &Baked) -> Vec<String> {
+    let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+    let names = text.lines().filter_map(|line| line.strip_prefix("fn "));
+    names.map(|line| line[..line.find('(').expect("arguments")].to_string()).collect()
+}
+
+/// Operations and largest errors of the emitted fits, as the manifest has them.
+fn emitted(baked: &Baked) -> Vec<(u64, f64)> {
+    let manifest = manifest(baked);
+    let fits = manifest["fits"].as_array().expect("a list").clone();
+    let figures = |fit: &Value| {
+        let error = fit["certificate"]["max_abs"].as_f64().expect("an error");
+        (fit["cost"]["ops"].as_u64().expect("operations"), error)
+    };
+    fits.iter().map(figures).collect()
+}
+
+#[test]
+fn a_metal_gets_one_function_and_its_form_for_colours() {
+    let baked = baked(r#""languages": ["wgsl"],"#, &metal("steel", r#"{"max_error": 0.03}"#));
+    assert_eq!(baked.files.keys().collect::<Vec<_>>(), ["fits/lobefit.wgsl", "manifest.json"]);
+    assert_eq!(functions(&baked), ["ggx_energy_compensation", "ggx_energy_compensation_rgb"]);
+    let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+    assert!(text.contains("fn ggx_energy_compensation(roughness: f32, n_dot_v: f32) -> f32 {"), "{text}");
+    assert!(text.contains("_rgb(roughness: f32, n_dot_v: f32, f0: vec3<f32>) -> vec3<f32> {"), "{text}");
+    assert!(text.lines().count() < 60, "a page: {} lines", text.lines().count());
+    let manifest = manifest(&baked);
+    let call = &manifest["calls"][0];
+    assert_eq!((&call["of"], &call["function"]), (&"steel".into(), &"ggx_energy_compensation_rgb".into()));
+    let (ops, error) = emitted(&baked)[0];
+    assert!(error <= 0.03, "{error}");
+    assert_eq!(
+        call["cost"]["ops"].as_u64(),
+        Some(ops + 4),
+        "three channels: a difference and three sums of products"
+    );
+}
+
+#[test]
+fn the_best_is_the_cheapest_of_all_that_keeps_the_error_or_the_most_accurate_within_the_budget() {
+    let every = emitted(&baked(r#""pick": "all","#, &metal("m", "{}")));
+    for limit in [0.2, 0.05, 0.0151, 0.005] {
+        let best = emitted(&baked("", &metal("m", &format!(r#"{{"max_error": {limit}}}"#))));
+        let cheapest = every.iter().filter(|(_, error)| *error <= limit).map(|(ops, _)| *ops).min();
+        assert_eq!((best.len(), Some(best[0].0)), (1, cheapest), "{limit}: {best:?}");
+        assert!(best[0].1 <= limit);
+    }
+    for budget in [7_u64, 16, 30] {
+        let best = emitted(&baked("", &metal("m", &format!(r#"{{"max_ops": {budget}}}"#))));
+        let affordable = every.iter().filter(|(ops, _)| ops + 4 <= budget).map(|(_, error)| *error);
+        let least = affordable.reduce(f64::min).expect("a formula");
+        assert_eq!((best.len(), best[0].1), (1, least), "{budget}: the budget covers the form for colours");
+    }
+    let dielectric = r#"{"name": "d", "kind": "dielectric", "ior": 1.5, "roughness": [0.1, 1], "wants": {"fit": {"max_ops": 13}}}"#;
+    let alone = baked("", dielectric);
+    let least = every.iter().filter(|(ops, _)| *ops <= 13).map(|(_, e)| *e).reduce(f64::min);
+    assert_eq!(Some(emitted(&alone)[0].1), least, "a dielectric calls N itself");
+    assert_eq!(functions(&alone), ["ggx_energy_compensation"]);
+}
+
+#[test]
+fn the_frontier_is_what_none_beats_and_its_names_say_the_cost() {
+    let every = emitted(&baked(r#""pick": "all","#, &metal("m", "{}")));
+    let scene = baked(r#""pick": "frontier","#, &metal("m", "{}"));
+    let frontier = emitted(&scene);
+    for (ops, error) in &frontier {
+        assert!(
+            !every.iter().any(|(o, e)| o <= ops && e <= error && (o, e) != (ops, error)),
+            "{ops} {error}"
+        );
+        assert!(functions(&scene).contains(&format!("ggx_energy_compensation_{ops}")));
+    }
+    let beaten = |(ops, error): &(u64, f64)| frontier.iter().any(|(o, e)| o <= ops && e <= error);
+    assert!(every.iter().all(beaten), "{frontier:?}");
+}
+
+#[test]
+fn functions_take_the_arguments_that_are_asked_for() {
+    let text = |arguments: &str| {
+        let fields = format!(r#""arguments": "{arguments}", "languages": ["c"],"#);
+        let baked = baked(&fields, &metal("m", r#"{"max_error": 0.009}"#));
+        String::from_utf8_lossy(&baked.files["fits/lobefit.h"]).into_owned()
+    };
+    assert!(text("roughness").contains("(float roughness, float n_dot_v)"));
+    assert!(
+        text("alpha").contains("(float alpha, float n_dot_v)")
+            && text("alpha").contains("roughness = sqrtf(alpha)")
+    );
+    assert!(text("both").contains("(float roughness, float alpha, float n_dot_v)"));
+}
+
+#[test]
+fn a_promise_that_nothing_keeps_names_what_does() {
+    let baked = baked("", &metal("steel", r#"{"max_ops": 12, "max_error": 0.016}"#));
+    let [broken] = baked.broken.as_slice() else { panic!("{:?}", baked.broken) };
+    for part in ["materials[0].wants.fit.max_error", "keeps it: error", "operations"] {
+        assert!(broken.contains(part), "`{part}` in {broken}");
+    }
+}
+
+#[test]
+fn budgets_of_several_materials_become_one_and_that_is_said() {
+    let materials = [
+        metal("a", r#"{"max_ops": 5, "max_error": 0.3}"#),
+        metal("b", r#"{"max_ops": 20, "max_error": 0.03}"#),
+    ]
+    .join(",");
+    let baked = baked("", &materials);
+    assert!(baked.broken.is_empty(), "{:?}", baked.broken);
+    assert_eq!(emitted(&baked).len(), 1);
+    let text = format!(r#"{{"schema_version": 1, "materials": [{materials}]}}"#);
+    let plan = plan(&Scene::from_json(text.as_bytes(), "test.json").expect("a scene"));
+    let merging = plan.effects[0].jobs[0].merging.as_deref();
+    assert_eq!(
+        merging,
+        Some("max_ops 5 of `a` and 20 of `b` became 20; max_error 0.3 of `a` and 0.03 of `b` became 0.03")
+    );
+}
+
+#[test]
+fn outputs_that_are_no_words_are_refused() {
+    for (fields, part) in [
+        (r#""languages": [],"#, "languages: the list is empty"),
+        (r#""languages": ["wgsl", "wgsl"],"#, "languages: `wgsl` is there twice"),
+        (r#""languages": ["cuda"],"#, "languages[0]: unknown language `cuda`"),
+        (r#""pick": "worst","#, "pick: unknown variant `worst`"),
+        (r#""arguments": "mu","#, "arguments: unknown variant `mu`"),
+        (r#""reports": 0,"#, "reports: "),
+    ] {
+        let text = format!(r#"{{"schema_version": 1, {fields} "materials": []}}"#);
+        let error = Scene::from_json(text.as_bytes(), "test.json").expect_err(fields).to_string();
+        assert!(error.contains(part), "`{part}` in {error}");
+    }
+}
