@@ -1,5 +1,6 @@
-//! Same scene, same bytes, whatever the number of threads. What is baked here has every effect and every kind of job in little;
-//! the built-in scene is baked again, and compared with the committed files, in tests/emitted/committed.rs.
+//! Same scene, same bytes, whatever the number of threads. What is baked here has every effect and
+//! every kind of job in little; the built-in scene is baked again, and compared with the committed
+//! files, in tests/emitted/committed.rs.
 
 use std::collections::BTreeSet;
 use std::path::Path;

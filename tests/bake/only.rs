@@ -1,4 +1,5 @@
-//! `lobefit bake` on a folder that holds a bake: other containers, a promise that is not kept, and effects one by one.
+//! `lobefit bake` on a folder that holds a bake: other containers, a promise that is not kept, and
+//! effects one by one.
 
 use crate::common;
 use crate::sliced_support;
@@ -172,7 +173,8 @@ fn the_bake_of_another_scene_is_not_mixed_in() {
     same(&files(folder.path()), full());
 }
 
-/// Another build's parts, an older version's and those beside another manifest may be stale: they are not kept.
+/// Another build's parts, an older version's and those beside another manifest may be stale: they
+/// are not kept.
 #[test]
 fn the_bake_of_another_build_is_not_mixed_in() {
     let folder = folder();
@@ -195,7 +197,8 @@ fn the_bake_of_another_build_is_not_mixed_in() {
     assert_eq!(std::fs::read_to_string(&record).expect("a record"), own);
 }
 
-/// The build's hash is that of its sources: every byte and every name counts, the place of the root does not.
+/// The build's hash is that of its sources: every byte and every name counts, the place of the root
+/// does not.
 #[test]
 fn another_source_is_another_build() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,4 +1,5 @@
-//! The effect parallax: from the scene to the bytes, and nothing of it where the scene does not ask.
+//! The effect parallax: from the scene to the bytes, and nothing of it where the scene does not
+//! ask.
 
 use std::sync::LazyLock;
 
@@ -81,7 +82,8 @@ fn a_probe_is_fitted_certified_and_emitted_in_every_language() {
     );
 }
 
-/// The certificate bounds the relative error at points of a lattice, where the best width is below 1.
+/// The certificate bounds the relative error at points of a lattice, where the best width is
+/// below 1.
 #[test]
 fn certificates_of_widths_hold() {
     for fit in &ROOM.fits {
@@ -135,7 +137,8 @@ fn without_a_probe_there_is_nothing_of_it() {
     );
 }
 
-/// One job for each lobe: the hull of the ranges, every norm and chain once, the largest number of operations, each promise by itself.
+/// One job for each lobe: the hull of the ranges, every norm and chain once, the largest number of
+/// operations, each promise by itself.
 #[test]
 fn probes_are_planned_together() {
     let scene = scene(
@@ -204,7 +207,8 @@ fn lookups_are_on_the_page() {
     }
 }
 
-/// Lookups take their width from an emitted fit: without one they are missed aloud, with the probe and the limit.
+/// Lookups take their width from an emitted fit: without one they are missed aloud, with the probe
+/// and the limit.
 #[test]
 fn lookups_without_a_fit_are_told() {
     let lookups = |probe: &str| baked(probe).broken;

@@ -1,5 +1,5 @@
-//! Tables of one effect that hold in different ranges: each is judged and drawn where it must hold, and what one of them took is told as
-//! often as it was done.
+//! Tables of one effect that hold in different ranges: each is judged and drawn where it must hold,
+//! and what one of them took is told as often as it was done.
 
 use crate::sliced_support;
 
@@ -36,7 +36,8 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 
-/// Ranges of anisotropy whose ends do not survive two divisions: the interpolant of E over the azimuth must hold its own ends.
+/// Ranges of anisotropy whose ends do not survive two divisions: the interpolant of E over the
+/// azimuth must hold its own ends.
 #[test]
 fn ranges_of_anisotropy_from_zero_bake() {
     for high in ["0.1", "0.2", "0.4"] {
@@ -51,8 +52,8 @@ fn ranges_of_anisotropy_from_zero_bake() {
     }
 }
 
-/// What ignoring the azimuth costs is told of each table where it must hold: of one with the azimuth it is no more than its own
-/// certificate, and of a mean no less than its own.
+/// What ignoring the azimuth costs is told of each table where it must hold: of one with the
+/// azimuth it is no more than its own certificate, and of a mean no less than its own.
 #[test]
 fn the_azimuth_is_told_of_each_region() {
     let azimuth = |columns| format!(r#"{{"layout":"azimuth","size":[{columns},8,6]}}"#);
@@ -90,8 +91,8 @@ fn departure(row: &Value) -> f64 {
     off.reduce(f64::max).expect("factors")
 }
 
-/// Spheres are drawn where a table holds: none of another table's index of refraction, and rows of equal layouts have their table's
-/// name.
+/// Spheres are drawn where a table holds: none of another table's index of refraction, and rows of
+/// equal layouts have their table's name.
 #[test]
 fn furnaces_are_drawn_where_their_tables_hold() {
     let sized = |size: &str| format!(r#"{{"size":{size}}}"#);
@@ -113,7 +114,8 @@ fn furnaces_are_drawn_where_their_tables_hold() {
         assert_eq!(names.len(), names.iter().collect::<std::collections::BTreeSet<_>>().len(), "{names:?}");
         assert!(names[0].starts_with("uncompensated (correlated Smith"), "{names:?}");
         assert_eq!(names.len(), if title.contains(" 1.1,") { 3 } else { 2 }, "{title}: {names:?}");
-        // A lookup clamped to another range of ior is off by more than the loss; E is above 0.4 here.
+        // A lookup clamped to another range of ior is off by more than the loss; E is above 0.4
+        // here.
         let worst = baked.tables.iter().map(|t| t.errors.lookup.max).reduce(f64::max).expect("tables");
         for row in &rows[1..] {
             let off = departure(row);

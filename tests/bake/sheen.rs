@@ -1,4 +1,5 @@
-//! The effect sheen, and fits of f0 A + B: from the scene to the bytes, and nothing of them where the scene does not ask.
+//! The effect sheen, and fits of f0 A + B: from the scene to the bytes, and nothing of them where
+//! the scene does not ask.
 
 use std::sync::LazyLock;
 
@@ -203,7 +204,8 @@ fn blends_are_fitted_for_every_f0() {
     assert_eq!(parsed.inputs().last().map(String::as_str), Some("f0"));
 }
 
-/// One job for all sheens: the hull of their ranges, every norm, the largest number of operations, each promise by itself.
+/// One job for all sheens: the hull of their ranges, every norm, the largest number of operations,
+/// each promise by itself.
 #[test]
 fn sheens_are_planned_together() {
     let scene = Scene::from_json(include_bytes!("../../examples/cloth.json"), "cloth.json").expect("a scene");

@@ -1,5 +1,6 @@
-//! Baked tables of three axes: what their files promise holds against integrals of points, by a lookup written from the manifest's
-//! formulas alone; and the path tracer's layout holds the truth at the path tracer's nodes.
+//! Baked tables of three axes: what their files promise holds against integrals of points, by a
+//! lookup written from the manifest's formulas alone; and the path tracer's layout holds the truth
+//! at the path tracer's nodes.
 
 use crate::sliced_support;
 
@@ -22,7 +23,8 @@ fn bake() -> &'static Baked {
     BAKED.get_or_init(|| baked(&small("")))
 }
 
-/// The lookup that errors are measured with agrees with the one of this test to the rounding of f32 coordinates.
+/// The lookup that errors are measured with agrees with the one of this test to the rounding of f32
+/// coordinates.
 fn as_measured(name: &str, point: Point, found: f64) {
     let tables = &bake().tables;
     let baked = tables.iter().find(|v| v.approximation.name == name).expect("the table");
@@ -135,7 +137,8 @@ fn nodes(size: [usize; 3], count: u32) -> Vec<[usize; 3]> {
     (0..8).map(corner).chain(inner).collect()
 }
 
-/// What is promised of a texel before it is rounded to f32, and half a unit in the last place of a number up to 1.
+/// What is promised of a texel before it is rounded to f32, and half a unit in the last place of a
+/// number up to 1.
 const TEXEL: f64 = 1e-6 + 3e-8;
 
 fn path_tracer(kind: &str) -> Baked {
@@ -203,8 +206,8 @@ fn the_index_links_every_effect_and_lists_every_table() {
     }
 }
 
-/// A mean at grazing mu over alpha about 1 needs more digits than the node counts are fitted for; a scene of the azimuth layout alone
-/// has no table to draw a furnace of.
+/// A mean at grazing mu over alpha about 1 needs more digits than the node counts are fitted for; a
+/// scene of the azimuth layout alone has no table to draw a furnace of.
 #[test]
 fn a_narrow_range_and_the_azimuth_alone_bake() {
     for wants in [r#"{"layout":"path-tracer"}"#, r#"{"layout":"azimuth","size":[8,6,4]}"#] {

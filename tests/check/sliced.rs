@@ -1,5 +1,5 @@
-//! `lobefit check` on a table of three axes: a texel that was changed is found by column, row and slice, and measured against the
-//! stated error.
+//! `lobefit check` on a table of three axes: a texel that was changed is found by column, row and
+//! slice, and measured against the stated error.
 
 use crate::common;
 use crate::sliced_support;

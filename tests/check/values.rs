@@ -1,5 +1,5 @@
-//! `lobefit check --values`: other texels pass within the tolerance as long as the table keeps its stated error. And
-//! `--against`.
+//! `lobefit check --values`: other texels pass within the tolerance as long as the table keeps its
+//! stated error. And `--against`.
 
 use crate::common;
 
@@ -19,7 +19,8 @@ fn check(folder: &Path, options: &[&str]) -> (i32, String) {
     (output.status.code().expect("a code"), String::from_utf8(output.stdout).expect("text"))
 }
 
-/// Flips the lowest bit of a byte of the last texel, which ends the file: 4 back is its lowest byte, 1 its highest.
+/// Flips the lowest bit of a byte of the last texel, which ends the file: 4 back is its lowest
+/// byte, 1 its highest.
 fn flip(path: &Path, from_end: usize) {
     let mut bytes = std::fs::read(path).expect("an image");
     let at = bytes.len() - from_end;

@@ -1,4 +1,5 @@
-//! `lobefit cost`: what it measures, what it writes, and what it says where there is nothing to measure.
+//! `lobefit cost`: what it measures, what it writes, and what it says where there is nothing to
+//! measure.
 
 use crate::common;
 

@@ -1,4 +1,5 @@
-//! `lobefit eval` where it succeeds: columns, bytes of the rows, values against closed forms, both methods.
+//! `lobefit eval` where it succeeds: columns, bytes of the rows, values against closed forms, both
+//! methods.
 
 use crate::common;
 
@@ -219,7 +220,8 @@ fn monte_carlo_is_reproducible_and_agrees_within_its_error() {
     assert!(errors(&sampled("1048576", "0", points)) < errors(&first), "more samples, smaller error");
 }
 
-/// Equal alphas are the isotropic lobe at any azimuth and in the mean; the azimuth's column may be absent.
+/// Equal alphas are the isotropic lobe at any azimuth and in the mean; the azimuth's column may be
+/// absent.
 #[test]
 fn anisotropy_contains_the_isotropic_lobe() {
     let isotropic = appended(&eval("ggx-reflection", &[], "alpha,mu\n0.3,0.5\n"), 5);
@@ -261,7 +263,8 @@ fn glass_is_seen_from_a_named_side() {
     );
 }
 
-/// The sheen's albedo is given above 1; the factor of a white diffuse base is 1 less the specular albedo; both have a second opinion.
+/// The sheen's albedo is given above 1; the factor of a white diffuse base is 1 less the specular
+/// albedo; both have a second opinion.
 #[test]
 fn sheen_and_diffuse_coupling_are_given() {
     let csv = eval("sheen-charlie", &[], "alpha,mu\n1,1\n0.001,0.001\n1e-6,0\n");

@@ -1,4 +1,5 @@
-//! Verbs of other packages: their binaries are found, run and answered for, or named with the command that builds them.
+//! Verbs of other packages: their binaries are found, run and answered for, or named with the
+//! command that builds them.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +7,8 @@ use std::process::{Command, Output};
 
 use crate::common::stderr;
 
-/// Verb, package, and words that follow the verb. What follows `cost` is read by `lobefit` itself first.
+/// Verb, package, and words that follow the verb. What follows `cost` is read by `lobefit` itself
+/// first.
 const VERBS: [(&str, &str, &[&str]); 3] = [
     ("audit", "lobefit-audit", &["-x", "two words", "--out=report"]),
     ("report", "lobefit-studies", &["-x", "two words", "--out=report"]),
@@ -76,7 +78,8 @@ fn the_binary_beside_the_program_is_run_before_the_one_on_path() {
     }
 }
 
-/// A bake leaves studies alone; `check` asks their package for what is wrong with them, and says where it is not built.
+/// A bake leaves studies alone; `check` asks their package for what is wrong with them, and says
+/// where it is not built.
 #[cfg(unix)]
 #[test]
 fn check_asks_for_the_studies_that_are_there() {

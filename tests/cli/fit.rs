@@ -171,7 +171,8 @@ fn a_limit_that_is_passed_and_a_pole_that_is_not_excluded_end_with_1() {
     let said = stderr(&output);
     assert!(said.contains("above the limit 0.05") && said.contains("nothing written"), "{said}");
     assert!(!folder.path().join("out").exists());
-    // Finite wherever it is sampled, and without a proof: the divisor has a double root inside the domain.
+    // Finite wherever it is sampled, and without a proof: the divisor has a double root inside the
+    // domain.
     let pole = "override c: f32 = 1.0;\nfn pole(alpha: f32, mu: f32) -> f32 {\n\
         let x = mu - 0.123456;\n return 1.0 + c * alpha * 1e-9 / (x * x);\n}\n";
     let output = fit(folder.path(), pole, &with(&["--out", "out"]));
@@ -244,7 +245,8 @@ fn standard_input_is_read() {
     assert_eq!(fit["certificate"]["domain"]["roughness"], serde_json::json!([0.5, 1.0]), "{fit}");
 }
 
-/// The frontier of a small search: what it is exact at, its files, its bytes for any number of threads.
+/// The frontier of a small search: what it is exact at, its files, its bytes for any number of
+/// threads.
 #[test]
 fn a_search_gives_a_frontier_of_hypotheses() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -337,7 +339,8 @@ fn constraints_that_contradict_one_another_are_named() {
     assert!(said.contains("alpha = 0"), "{said}");
 }
 
-/// A formula with one parameter too many: refused with the rank and the names; or a fit, and which parameters are told.
+/// A formula with one parameter too many: refused with the rank and the names; or a fit, and which
+/// parameters are told.
 #[test]
 fn parameters_that_coincide_are_refused_or_told() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -376,7 +379,8 @@ fn the_optimum_of_a_linear_form_is_global() {
     );
 }
 
-/// The folder may hold anything: other files stay, and a manifest of somebody else's is no obstacle.
+/// The folder may hold anything: other files stay, and a manifest of somebody else's is no
+/// obstacle.
 #[test]
 fn other_files_of_the_folder_are_left_alone() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -422,7 +426,8 @@ fn a_fixed_input_is_fitted_over_the_other() {
     }
 }
 
-/// A weight that depends on f0 in another way than the formula's error is sampled between the ends of f0.
+/// A weight that depends on f0 in another way than the formula's error is sampled between the ends
+/// of f0.
 #[test]
 fn a_weight_of_f0_counts_inside_its_range() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -439,7 +444,8 @@ fn a_weight_of_f0_counts_inside_its_range() {
     assert_ne!(coefficients(&["--weight", "f0*(1.0-f0)"]), free);
 }
 
-/// The bound of a proof is one under what was asked for: weights and constraints are part of its sentence.
+/// The bound of a proof is one under what was asked for: weights and constraints are part of its
+/// sentence.
 #[test]
 fn the_sentence_of_a_proof_names_its_conditions() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -457,7 +463,8 @@ fn the_sentence_of_a_proof_names_its_conditions() {
     }
 }
 
-/// Between the places that it is fitted to, a range holds too: at every point of the certificate, and it is told whether by proof.
+/// Between the places that it is fitted to, a range holds too: at every point of the certificate,
+/// and it is told whether by proof.
 #[test]
 #[allow(clippy::disallowed_methods)]
 fn a_range_holds_between_the_places_that_it_is_fitted_to() {

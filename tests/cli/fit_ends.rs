@@ -1,4 +1,5 @@
-//! `lobefit fit` at its edges: what is 0 in the end, what stays broken, ranges and starts that make no sense.
+//! `lobefit fit` at its edges: what is 0 in the end, what stays broken, ranges and starts that make
+//! no sense.
 
 use crate::common;
 
@@ -37,7 +38,8 @@ fn a_coefficient_that_is_nothing_is_0_and_told() {
     assert_eq!(fitted["notes"].as_array().map(Vec::len), Some(1), "{fitted}");
 }
 
-/// A spike between the places of the lattice, which no constant can lower: found by the finer places, and not hidden.
+/// A spike between the places of the lattice, which no constant can lower: found by the finer
+/// places, and not hidden.
 #[test]
 fn a_range_that_stays_broken_between_its_places_ends_with_1() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -108,7 +110,8 @@ fn starts_with_a_pole_are_no_obstacle_to_a_quotient_and_named_elsewhere() {
     assert!(told.contains("mine.wgsl:3:") && told.contains("declared starts"), "{told}");
 }
 
-/// The visibility of a sheen has no Smith form: none is told of. Where E is nothing, a relative error is none either.
+/// The visibility of a sheen has no Smith form: none is told of. Where E is nothing, a relative
+/// error is none either.
 #[test]
 fn a_sheen_is_told_of_without_a_smith_form() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -150,7 +153,8 @@ fn a_parameter_that_does_not_matter_is_told_of_once() {
     assert_eq!(told, ["  parameters   `k` does not matter"], "{text}");
 }
 
-/// A step has no derivative to follow: that is said of it, and not that what it stands at is a minimum.
+/// A step has no derivative to follow: that is said of it, and not that what it stands at is a
+/// minimum.
 #[test]
 fn a_parameter_without_a_derivative_is_told_as_such() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -171,7 +175,8 @@ fn a_parameter_without_a_derivative_is_told_as_such() {
     assert!(said.contains("mine.wgsl:3:21: argument `nv` is not one of"), "{said}");
 }
 
-/// Which norm a weight is taken in is told where it is not the one of its name, and what was minimised is.
+/// Which norm a weight is taken in is told where it is not the one of its name, and what was
+/// minimised is.
 #[test]
 fn a_perceptual_weight_tells_its_norm_and_its_error() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -226,7 +231,8 @@ fn ends_within_constraints_are_claimed_to_first_order_only() {
     }
 }
 
-/// A pole that no sample meets and one point of the certificate does: as any pole that is not excluded.
+/// A pole that no sample meets and one point of the certificate does: as any pole that is not
+/// excluded.
 #[test]
 fn a_pole_met_by_the_certificate_alone_is_told_as_a_pole() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -324,7 +330,8 @@ fn refusals_say_what_to_give_instead() {
     assert!(told.contains("narrow the domain to where it is defined"), "{told}");
 }
 
-/// Least squares sees nothing of a pole between its samples: the values are bound, which keeps it out.
+/// Least squares sees nothing of a pole between its samples: the values are bound, which keeps it
+/// out.
 #[test]
 fn a_pole_between_samples_is_kept_out() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,5 +1,5 @@
-//! A hypothesis of the user's: a good one is fitted and emitted, a bad one is refused with file and place, and nothing is
-//! written.
+//! A hypothesis of the user's: a good one is fitted and emitted, a bad one is refused with file and
+//! place, and nothing is written.
 
 use crate::common;
 
@@ -109,7 +109,8 @@ fn files_may_share_a_name_and_functions_may_not() {
     assert_eq!(names(folder.path()), ["a", "b", "scene.json"], "nothing written");
 }
 
-/// Every verb parses the files that a scene names, and names them where they lie; nothing that is written does.
+/// Every verb parses the files that a scene names, and names them where they lie; nothing that is
+/// written does.
 #[test]
 fn files_are_read_by_plan_and_named_where_they_lie() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,5 @@
-//! Probes whose kernel is a table in a file: from the scene to emitted code, in `eval` and `fit`, and files that are refused.
+//! Probes whose kernel is a table in a file: from the scene to emitted code, in `eval` and `fit`,
+//! and files that are refused.
 
 use std::fs;
 use std::path::Path;
@@ -61,7 +62,8 @@ fn the_example_is_a_power_of_the_cosine() {
     }
 }
 
-/// The fits, functions and heads of a bake name the table; the same bake follows wherever the files lie, and another table is another bake.
+/// The fits, functions and heads of a bake name the table; the same bake follows wherever the files
+/// lie, and another table is another bake.
 #[test]
 fn a_table_is_baked_under_its_name_and_hash() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,5 @@
-//! Records of times on graphics processors: what `check` and `cost --page` make of them. Nothing here needs a device.
+//! Records of times on graphics processors: what `check` and `cost --page` make of them. Nothing
+//! here needs a device.
 
 use crate::common;
 

@@ -25,7 +25,8 @@ fn best(figures: &[(u64, f64)], ops: u64) -> f64 {
     figures.iter().filter(|f| f.0 <= ops).map(|f| f.1).fold(f64::INFINITY, f64::min)
 }
 
-/// Largest errors at 9 and 12 operations of a search no wider than a test can wait for, with the command's own width they are smaller.
+/// Largest errors at 9 and 12 operations of a search no wider than a test can wait for, with the
+/// command's own width they are smaller.
 #[test]
 fn a_blend_is_searched_as_two_functions() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -87,7 +88,8 @@ fn what_formulas_of_f0_cannot_keep_is_refused() {
     }
 }
 
-/// What was tried beforehand is told, or nothing is where the helpers are given; and the catalogue stands beside what is found.
+/// What was tried beforehand is told, or nothing is where the helpers are given; and the catalogue
+/// stands beside what is found.
 #[test]
 fn what_was_tried_is_told() {
     let folder = tempfile::tempdir().expect("a folder");

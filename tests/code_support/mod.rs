@@ -1,4 +1,5 @@
-//! Formulas that use everything in the dialect, and their values: what the tests of printed code share.
+//! Formulas that use everything in the dialect, and their values: what the tests of printed code
+//! share.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
 use lobefit_shade::Hypothesis;
@@ -85,7 +86,8 @@ pub const FEATURES: [(&str, &str); 15] = [
         "fn naming(in_: f32, mut_: f32) -> f32 { let box = in_ * 2.0; let dyn = box + mut_; let Upper = dyn * dyn; let mix_ = mix(box, dyn, in_); let pow2 = pow(Upper, 2.0); return mix_ * pow2; }",
     ),
     (
-        // Each transcendental function away from its zeros, and sums of one sign: errors of some ulp stay some ulp.
+        // Each transcendental function away from its zeros, and sums of one sign: errors of some
+        // ulp stay some ulp.
         "transcendental functions",
         "fn transcendental(x: f32, y: f32) -> f32 {
             return exp(-x) + exp2(y) + log(1.5 + x) + log2(1.5 + y) + pow(0.5 + x, 1.7) + sin(0.5 + x) + cos(y);

@@ -4,8 +4,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// The program under test and the arguments that it takes: a package above `lobefit` has a binary for one verb, which takes what
-/// follows the verb.
+/// The program under test and the arguments that it takes: a package above `lobefit` has a binary
+/// for one verb, which takes what follows the verb.
 fn program<'a>(arguments: &'a [&'a str]) -> (&'static str, &'a [&'a str]) {
     let verb = [
         option_env!("CARGO_BIN_EXE_lobefit-audit"),

@@ -1,4 +1,5 @@
-//! The published figures of the width of a fetch: mean and largest total variation over nineteen roughnesses and twenty-nine ratios.
+//! The published figures of the width of a fetch: mean and largest total variation over nineteen
+//! roughnesses and twenty-nine ratios.
 
 use std::sync::OnceLock;
 
@@ -63,7 +64,8 @@ fn the_rational_form_keeps_its_bars_and_the_optimum_lies_below_it() {
     let least = grid().spread(&best, near).expect("measured").expect("cells");
     println!("optimum: {least:?}");
     assert!(close(least.mean, 0.0144, 1e-4) && close(least.max, 0.034, 1e-3), "{least:?}");
-    // the difference of encircled energies is what the best width makes least, in mean and cell by cell
+    // the difference of encircled energies is what the best width makes least, in mean and cell by
+    // cell
     let [mean, max] = least.encircled;
     assert!(
         0.0 < mean && mean < near_one.encircled[0] && max < near_one.encircled[1],
@@ -113,7 +115,8 @@ fn certified(fit: &lobefit::approximate::Fit) -> Certified {
     Certified { ops: cost.ops, max: certificate.max_abs, rms: certificate.rms }
 }
 
-/// Corrections compose: a fetch of a fetch is that of the product of the ratios. The rational form has that exactly.
+/// Corrections compose: a fetch of a fetch is that of the product of the ratios. The rational form
+/// has that exactly.
 #[test]
 fn the_rational_form_is_a_flow() {
     let hypothesis = Hypothesis::parse(HYPOTHESES[0].file, HYPOTHESES[0].source).expect("parses");

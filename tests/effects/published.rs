@@ -1,5 +1,5 @@
-//! The published fits of the catalogue have the errors that the published comparison prints: on its grid of 200 x 200, within 2 % or
-//! one unit of the last digit.
+//! The published fits of the catalogue have the errors that the published comparison prints: on its
+//! grid of 200 x 200, within 2 % or one unit of the last digit.
 #![allow(
     clippy::disallowed_methods,
     reason = "a test may use the platform's functions: its tolerances allow for them"
@@ -72,7 +72,8 @@ fn three(what: &str, column: Column, printed: &str, out: &mut Vec<String>) {
     }
 }
 
-/// Figures of the page that are not met, what is measured in their place, and why; [`exceptions_have_their_reason`] shows it.
+/// Figures of the page that are not met, what is measured in their place, and why;
+/// [`exceptions_have_their_reason`] shows it.
 const EXCEPTIONS: [&str; 3] = [
     // The page left out the clamp of A that MaterialX has.
     "M1 A rms: 0.01200, printed .013",
@@ -198,8 +199,9 @@ fn averages_and_what_is_taken_for_one() {
     assert!(out.is_empty(), "{}", out.join("\n"));
 }
 
-/// The page's sheen rows are those of roughness from 0.1, of which it does not speak, with the truth clamped to 1 as the formula is: without
-/// the clamp its largest error there is 2.9. (The row of three.js before November 2025 is of a formula that it does not print.)
+/// The page's sheen rows are those of roughness from 0.1, of which it does not speak, with the
+/// truth clamped to 1 as the formula is: without the clamp its largest error there is 2.9. (The row
+/// of three.js before November 2025 is of a formula that it does not print.)
 #[test]
 fn sheen_of_three_js() {
     let grid = Grid::over(0.1, 200);

@@ -1,5 +1,5 @@
-//! The published coupling factors of the catalogue have the errors that the published comparison prints: on its grid of 200 x 200, within
-//! 2 % or one unit of the last digit.
+//! The published coupling factors of the catalogue have the errors that the published comparison
+//! prints: on its grid of 200 x 200, within 2 % or one unit of the last digit.
 #![allow(
     clippy::disallowed_methods,
     reason = "a test may use the platform's functions: its tolerances allow for them"
@@ -78,7 +78,8 @@ fn alpha(name: &str, r: f64) -> f64 {
     if name == "alpha" { r * r } else { r }
 }
 
-/// Rows of factors that are the same under every lobe: the columns of the bare lobe, of the compensated and of the normalised one, RMS.
+/// Rows of factors that are the same under every lobe: the columns of the bare lobe, of the
+/// compensated and of the normalised one, RMS.
 const PURE: [(&str, [&str; 4]); 8] = [
     ("none", [".95/.95/.95/.96/.97/1.0", ".95/.96/.98", ".95/.96/.98", ".42 .48 .49"]),
     ("f0", [".93/.91/.87/.76/.47/.69", ".91/.76/.48", ".91/.76/.48", ".156 .112 .115"]),
@@ -137,7 +138,8 @@ const OWN: [(&str, [&str; 4]); 5] = [
     ("tauray", [".086/.084/.080/.070/.073/.092", ".084/.070/.077", ".084/.070/.082", ".009 .010 .010"]),
 ];
 
-/// The figure of the page that is not met, and what is measured in its place: it was measured on 60 x 60 points.
+/// The figure of the page that is not met, and what is measured in its place: it was measured on 60
+/// x 60 points.
 const EXCEPTION: &str = "materialx_m1 compensated at 0.2: 0.04742, printed .046";
 
 fn own(grid: &Grid, name: &str, printed: [&str; 4]) -> Vec<String> {
@@ -216,7 +218,8 @@ fn the_pages_own_fits() {
     none_differ(&out);
 }
 
-/// Formulas that depend on the light stand in the catalogue as their mean over the lights of a white environment.
+/// Formulas that depend on the light stand in the catalogue as their mean over the lights of a
+/// white environment.
 #[test]
 fn formulas_of_the_light_are_their_means() {
     let rule = Gauss::new(96);

@@ -1,4 +1,5 @@
-//! The bars of the fits: certified in f32, after rounding, at more than 2^20 points that were not used in fitting.
+//! The bars of the fits: certified in f32, after rounding, at more than 2^20 points that were not
+//! used in fitting.
 
 use lobefit::approximate::{Counter, Emission, Fit, Region};
 use lobefit::data::{AlphaMap, Norm, Smith, Source};

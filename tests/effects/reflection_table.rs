@@ -1,10 +1,11 @@
-//! `ggx-dfg` as a shader sees it: the bilinear lookup of the quantised texels over a dense off-grid set.
+//! `ggx-dfg` as a shader sees it: the bilinear lookup of the quantised texels over a dense off-grid
+//! set.
 
 use lobefit::approximate::{Counter, Region, certification};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use lobefit::effects::Albedo;
 use lobefit::effects::reflection::build;
-use lobefit::effects::table::{Errors, Points, Spec, Truth, measure};
+use lobefit::effects::table::{Errors, LookupPoints, Spec, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 use lobefit_truth::quantity::TRUTH_ERROR;
 
@@ -27,8 +28,8 @@ fn errors(spec: &Spec) -> Errors {
     let points = certification(&spec.region.flat(), 16);
     let truth = Albedo::new(spec.smith, &points, true, &counter).expect("a truth");
     let (decode, truth) = (Decode::of(spec.layout, spec.serves), Truth { e: &truth.e, b: Some(&truth.b) });
-    let errors =
-        measure(&table, decode, &Points::isotropic(&points), truth, TRUTH_ERROR).expect("of its decoding");
+    let errors = measure(&table, decode, &LookupPoints::isotropic(&points), truth, TRUTH_ERROR)
+        .expect("of its decoding");
     println!("{:?} {:?} {:?} {:?}: {errors:?}", spec.size, spec.layout, spec.serves, spec.format);
     errors
 }

@@ -48,9 +48,10 @@ fn albedos_between_the_nodes_are_the_integrals() {
     }
 }
 
-/// Albedo with exact Fresnel by another road: over the facet's normal h instead of the light, int D(h) F(v.h) G2(v, l) (v.h)/mu_v dh with
-/// tan^2 of its angle = alpha^2 u/(1 - u), so that D cos dh is du dphi/(2 pi); lights below the horizon are cut off where they begin, at
-/// v.h = mu_v/(2 cos). `nodes` a side.
+/// Albedo with exact Fresnel by another road: over the facet's normal h instead of the light, int
+/// D(h) F(v.h) G2(v, l) (v.h)/mu_v dh with tan^2 of its angle = alpha^2 u/(1 - u), so that D cos dh
+/// is du dphi/(2 pi); lights below the horizon are cut off where they begin, at v.h = mu_v/(2 cos).
+/// `nodes` a side.
 fn by_facets(alpha: f64, mu: f64, ior: f64, nodes: usize) -> f64 {
     let rule = Gauss::new(nodes);
     let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
@@ -76,14 +77,15 @@ fn by_facets(alpha: f64, mu: f64, ior: f64, nodes: usize) -> f64 {
             end * slope / PI * fresnel::dielectric(ior, vh) * shadowing * vh / (mu * h)
         })
     };
-    // the angle at which lights behind the view's plane begin to fall below the horizon cuts the range of u
+    // the angle at which lights behind the view's plane begin to fall below the horizon cuts the
+    // range of u
     let limit = |cosine_half: f64| {
         let tangent = ((1.0 - cosine_half) * (1.0 + cosine_half)).sqrt() / cosine_half;
         let x = tangent * tangent / (alpha * alpha);
         x / (1.0 + x)
     };
-    // all lights are above while the facet leans less than half the elevation of the view, none where it leans more than 90 degrees less
-    // half of it
+    // all lights are above while the facet leans less than half the elevation of the view, none
+    // where it leans more than 90 degrees less half of it
     let angle = ops::acos(mu);
     let cuts = [
         0.0,
@@ -99,7 +101,8 @@ fn by_facets(alpha: f64, mu: f64, ior: f64, nodes: usize) -> f64 {
     panel(cuts[0], cuts[1]) + panel(cuts[1], cuts[2])
 }
 
-/// The albedo with exact Fresnel over the index of refraction, to the 1e-7 that are promised, against that other road.
+/// The albedo with exact Fresnel over the index of refraction, to the 1e-7 that are promised,
+/// against that other road.
 #[test]
 fn albedos_with_exact_fresnel_are_the_integrals() {
     for ior in [1.1, 1.33, 1.5, 2.0, 3.0] {
@@ -115,7 +118,8 @@ fn albedos_with_exact_fresnel_are_the_integrals() {
     }
 }
 
-/// A value that is not a number at one direction of the first rule alone is named, and not taken for a rule that has settled.
+/// A value that is not a number at one direction of the first rule alone is named, and not taken
+/// for a rule that has settled.
 #[test]
 fn a_rule_that_meets_nan_is_refused() {
     let met = Arc::new(Mutex::new(Vec::new()));
@@ -140,7 +144,8 @@ fn a_rule_that_meets_nan_is_refused() {
     assert!(matches!(error, SurfaceError::NotFinite { what: "furnace", .. }), "{error}");
 }
 
-/// The albedo of every lobe by quadrature of f(l, v) is the closed form from E and A; a white base under the exact factors closes it to 1.
+/// The albedo of every lobe by quadrature of f(l, v) is the closed form from E and A; a white base
+/// under the exact factors closes it to 1.
 #[test]
 fn exact_couplings_close_the_furnace() {
     for smith in SMITHS {
@@ -202,7 +207,8 @@ fn what_is_left_is_the_coupling_truth() {
     }
 }
 
-/// Those that claim reciprocity have it to the last bit but for three roundings; those that do not, depart from it visibly.
+/// Those that claim reciprocity have it to the last bit but for three roundings; those that do not,
+/// depart from it visibly.
 #[test]
 fn reciprocal_materials_measure_zero() {
     let pairs = measure::pairs();
@@ -263,8 +269,9 @@ fn bad_materials_are_refused_by_name() {
     assert_eq!(surface.evaluate([0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), [0.0; 3]);
 }
 
-/// The ends: as alpha -> 0 every lobe leaves (1 - f0)(1 - (1 - mu)^5), the second lobe vanishes, and the average of what is left is
-/// 20/21 (1 - f0); under f0 = 1 nothing is left but what single scattering loses.
+/// The ends: as alpha -> 0 every lobe leaves (1 - f0)(1 - (1 - mu)^5), the second lobe vanishes,
+/// and the average of what is left is 20/21 (1 - f0); under f0 = 1 nothing is left but what single
+/// scattering loses.
 #[test]
 fn smooth_lobes_leave_what_a_mirror_leaves() {
     for lobe in Lobe::ALL {

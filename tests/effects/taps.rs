@@ -1,4 +1,5 @@
-//! Rules of several fetches: what they are off by against the study's figures, and what holds whatever the constants are.
+//! Rules of several fetches: what they are off by against the study's figures, and what holds
+//! whatever the constants are.
 
 use std::f64::consts::PI;
 
@@ -33,7 +34,8 @@ fn variation(rule: &TapRule, alpha: f64, slant: Slant) -> f64 {
     case.off(&case.fetched(&taps).expect("fetches")).tv
 }
 
-/// Slant, and what the study's tables of 1, 2 and 3 fetches leave in the mean over alpha .06 to .45.
+/// Slant, and what the study's tables of 1, 2 and 3 fetches leave in the mean over alpha .06 to
+/// .45.
 const STUDY: [(f64, [f64; 3]); 5] = [
     (20.0, [0.060, 0.033, 0.039]),
     (40.0, [0.147, 0.071, 0.057]),
@@ -49,7 +51,8 @@ fn rules_leave_what_the_study_says_or_less() {
         for (rule, stated) in RULES.iter().zip(stated) {
             let all = alphas.map(|alpha| variation(&rule(), alpha, Slant::in_front(degrees(psi))));
             let mean = all.iter().sum::<f64>() / all.len() as f64;
-            // the H^-1 norm is what is minimised: at 40 degrees three fetches give up some of the total variation for it
+            // the H^-1 norm is what is minimised: at 40 degrees three fetches give up some of the
+            // total variation for it
             let leeway = if psi == 40.0 { 1.13 } else { 1.025 };
             assert!(mean < stated * leeway, "{} fetches at {psi}: {mean} against {stated}", rule().count());
         }
@@ -77,8 +80,8 @@ fn walls_at_every_slant_are_among_those_of_a_set() {
     }
 }
 
-/// Of a number of fetches: the share of the sum of the total variation that they leave, the walls that they serve worse than one
-/// by more than 0.001, and the most that they are worse by.
+/// Of a number of fetches: the share of the sum of the total variation that they leave, the walls
+/// that they serve worse than one by more than 0.001, and the most that they are worse by.
 type Left = (usize, f64, usize, [f64; 2]);
 
 const LEFT: [(Kernel, [Left; 2]); 3] = [
@@ -154,7 +157,8 @@ fn what_is_expected_is_off_by_what_is_stated() {
                     rule.count()
                 );
             }
-            // the constants are those of least squares over other walls, and the fit finds them from elsewhere
+            // the constants are those of least squares over other walls, and the fit finds them
+            // from elsewhere
             let found = expected(&rule, &constants, &fitted, 30).expect("a fit");
             assert!(found.off[1] <= found.off[0] && found.off[1] > 0.999 * found.off[0], "{found:?}");
             let elsewhere = expected(&rule, &constants.map(|c| 1.3 * c), &fitted, 30).expect("a fit");
@@ -193,7 +197,8 @@ fn weights_sum_to_one_and_nothing_is_infinite_anywhere() {
                     assert_eq!(taps.len(), rule.count());
                     assert!((taps.iter().map(|tap| tap.weight).sum::<f64>() - 1.0).abs() < 1e-12, "{place}");
                     for tap in &taps {
-                        // wider than any lobe where the probe is hundreds of times nearer: the fetch is then the widest there is
+                        // wider than any lobe where the probe is hundreds of times nearer: the
+                        // fetch is then the widest there is
                         assert!(tap.weight >= 0.0 && tap.width >= 0.1 && tap.width.is_finite(), "{place}");
                         assert!(tap.tilt.is_finite() && tap.tilt * stretch.slope < 1.0, "{place}");
                     }
@@ -205,7 +210,8 @@ fn weights_sum_to_one_and_nothing_is_infinite_anywhere() {
     }
 }
 
-/// In front of the probe what is expected is what is, within a tenth; it rises with the slant from 0, and falls with the number of fetches.
+/// In front of the probe what is expected is what is, within a tenth; it rises with the slant from
+/// 0, and falls with the number of fetches.
 #[test]
 fn what_is_expected_orders_slants_and_rules() {
     let stretch = |psi: f64| Slant::in_front(degrees(psi)).stretch(0.1).expect("a stretch");
@@ -224,7 +230,8 @@ fn what_is_expected_orders_slants_and_rules() {
     }
 }
 
-/// What a rule fetches, as moments that do not depend on the order of fetches nor on the sign of the axis.
+/// What a rule fetches, as moments that do not depend on the order of fetches nor on the sign of
+/// the axis.
 fn moments(rule: &TapRule, alpha: f64, slant: Slant) -> [f64; 4] {
     let stretch = slant.stretch(alpha).expect("a stretch");
     let taps = rule.taps(&stretch, alpha);
@@ -236,7 +243,8 @@ fn moments(rule: &TapRule, alpha: f64, slant: Slant) -> [f64; 4] {
     [along(1, 1), along(1, 2), along(0, 2), width]
 }
 
-/// Steps along a path: near a round footprint its long axis turns by all of its angle within a hundredth of a turn of the probe.
+/// Steps along a path: near a round footprint its long axis turns by all of its angle within a
+/// hundredth of a turn of the probe.
 const STEPS: u32 = 40_000;
 
 #[test]
@@ -248,7 +256,8 @@ fn nothing_jumps() {
     };
     for rule in RULES.map(|rule| rule()) {
         for alpha in [0.05, 0.3, 0.8] {
-            // along paths through kappa = 1, and through walls towards both sides of which the footprint grows alike
+            // along paths through kappa = 1, and through walls towards both sides of which the
+            // footprint grows alike
             for i in 0..STEPS {
                 let (t, next) = (f64::from(i) / f64::from(STEPS), f64::from(i + 1) / f64::from(STEPS));
                 let pass = |t: f64| slant(40.0 + 20.0 * t, 50.0, 150.0, 1.0);
@@ -356,7 +365,8 @@ fn blended(lookup: &dyn Lookup, elevation: f64, azimuth: f64, alpha: f64) -> [f6
     sum
 }
 
-/// As an eye comes down to the floor, the rays of fetches leave below it one by one: nothing jumps in directions and widths.
+/// As an eye comes down to the floor, the rays of fetches leave below it one by one: nothing jumps
+/// in directions and widths.
 #[test]
 fn nothing_jumps_where_rays_leave_below_the_surface() {
     let room = room_b();

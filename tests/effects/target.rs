@@ -32,7 +32,8 @@ fn bits(points: &Points) -> Vec<Vec<u64>> {
     (0..points.len()).map(|i| points.columns().map(|(_, c)| c[i].to_bits()).collect()).collect()
 }
 
-/// Samples inside the box that are certified at too. On its faces the lattices may meet, in corners and in a few places more.
+/// Samples inside the box that are certified at too. On its faces the lattices may meet, in corners
+/// and in a few places more.
 fn shared(target: &Target, fitted: &Sampled, measured: &Sampled) -> usize {
     let known: BTreeSet<Vec<u64>> = bits(&fitted.points).into_iter().collect();
     let ends: Vec<(String, [f64; 2])> =
@@ -100,7 +101,8 @@ fn scale_and_target_are_those_of_the_use() {
     }
 }
 
-/// The mean square over all f0 of an error that is affine in f0 is that over the values that stand for all.
+/// The mean square over all f0 of an error that is affine in f0 is that over the values that stand
+/// for all.
 #[test]
 fn four_values_of_f0_stand_for_all() {
     let target = Target::new(&spec("ggx-reflection"), &formula("mu f0")).expect("a target");

@@ -49,8 +49,8 @@ fn a_coupling_target_is_the_factor_of_the_integral() {
     }
 }
 
-/// A constant for f0 A + B, in a p-norm weighted by f0: the mean over f0 has to be that of the weighted powers, which two values of f0
-/// cannot stand for. Against a sum of our own.
+/// A constant for f0 A + B, in a p-norm weighted by f0: the mean over f0 has to be that of the
+/// weighted powers, which two values of f0 cannot stand for. Against a sum of our own.
 #[test]
 fn a_p_norm_with_a_weight_of_f0_is_taken_over_all_f0() {
     let source = "override c: f32 = 0.5;\nfn f(f0: f32) -> f32 { return c + 0.0 * f0; }\n";

@@ -1,4 +1,5 @@
-//! The layouts for the trilinear lookup: plans of points, texels from their values, and what the lookup returns.
+//! The layouts for the trilinear lookup: plans of points, texels from their values, and what the
+//! lookup returns.
 
 use lobefit::data::{AlphaMap, Coordinate, Smith, Surface};
 use lobefit::effects::anisotropy::aniso_axes;
@@ -29,8 +30,8 @@ fn lookup(axes: &[(usize, Coordinate); 3], texels: &[f64], values: [f64; 3], sur
     sum
 }
 
-/// The isotropic lobe behind the axes of the anisotropic one: optimised texels halve the error of sampled ones, and the error found on
-/// the lattice is the one found off it.
+/// The isotropic lobe behind the axes of the anisotropic one: optimised texels halve the error of
+/// sampled ones, and the error found on the lattice is the one found off it.
 #[test]
 fn optimised_texels_halve_the_error() {
     let axes = aniso_axes([32, 24, 2], [0.15, 1.0], [0.0, 1.0]);
@@ -62,7 +63,8 @@ fn optimised_texels_halve_the_error() {
     assert!(optimised < 2e-3);
 }
 
-/// The check of the targets finds the worst of them within a third, whichever part of the lattice it lies in, and the same at every call.
+/// The check of the targets finds the worst of them within a third, whichever part of the lattice
+/// it lies in, and the same at every call.
 #[test]
 fn the_check_finds_what_interpolation_leaves() {
     let axes = aniso_axes([24, 24, 8], [0.03, 1.0], [0.0, 1.0]);

@@ -17,21 +17,23 @@ const ULP: f64 = 1.0 / 8_388_608.0;
 /// IEEE 754, to nearest: half a unit.
 pub const CPU: Arithmetic = Arithmetic { rounding: 0.5 * ULP, division: 0.5 * ULP };
 
-/// WGSL, "Floating Point Evaluation": sums, differences and products are correctly rounded, in a direction that is not said,
-/// so within one unit; x / y within 2.5. Contraction and reassociation are allowed only where they lose no accuracy.
+/// WGSL, "Floating Point Evaluation": sums, differences and products are correctly rounded, in a
+/// direction that is not said, so within one unit; x / y within 2.5. Contraction and reassociation
+/// are allowed only where they lose no accuracy.
 pub const WGSL: Arithmetic = Arithmetic { rounding: ULP, division: 2.5 * ULP };
 
 /// What a flush of subnormal numbers to zero takes from a result or an operand.
 const FLUSH: f64 = f32::MIN_POSITIVE as f64;
 
-/// A bound on |value computed - exact value| of a tape at a point, if every operation keeps to its accuracy. With x the exact
-/// operand and e the bound of what was computed of it:
+/// A bound on |value computed - exact value| of a tape at a point, if every operation keeps to its
+/// accuracy. With x the exact operand and e the bound of what was computed of it:
 /// - sum: ex + ey, and one rounding of at most |x + y| + ex + ey;
 /// - product: |x| ey + |y| ex + ex ey, and one rounding of it all;
 /// - quotient: (ex + |x/y| ey)/(|y| - ey), and the division's error of it all.
 ///
 /// # Panics
-/// At an operation whose accuracy is not stated here, and where a divisor's error reaches the divisor.
+/// At an operation whose accuracy is not stated here, and where a divisor's error reaches the
+/// divisor.
 pub fn bound(tape: &Tape, inputs: &[f32], coefficients: &[f32], arithmetic: Arithmetic) -> f64 {
     let mut done: Vec<(f64, f64)> = Vec::with_capacity(tape.ops().len());
     for op in tape.ops() {

@@ -1,4 +1,5 @@
-//! Outside compilers of the languages of C's family on emitted files: a C and a C++ compiler, glslang, SPIR-V Tools.
+//! Outside compilers of the languages of C's family on emitted files: a C and a C++ compiler,
+//! glslang, SPIR-V Tools.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -60,11 +61,12 @@ fn fuses() -> bool {
     return cfg!(target_arch = "aarch64");
 }
 
-/// Compiles a file of emitted code and a `main` after it, and runs the program with two files as arguments: what `input` holds,
-/// and what it writes, which is returned. None where the compiler is not there.
+/// Compiles a file of emitted code and a `main` after it, and runs the program with two files as
+/// arguments: what `input` holds, and what it writes, which is returned. None where the compiler is
+/// not there.
 ///
-/// C is compiled as C99; the others as C++14 about the shims, which are headers of this project's own: what they say of MSL is
-/// all that can be said of it without Apple's compiler.
+/// C is compiled as C99; the others as C++14 about the shims, which are headers of this project's
+/// own: what they say of MSL is all that can be said of it without Apple's compiler.
 pub fn run(
     language: Language,
     code: &str,
@@ -111,7 +113,8 @@ pub fn run(
     Some(bytes.chunks_exact(4).map(|b| f32::from_le_bytes(b.try_into().unwrap())).collect())
 }
 
-/// The `main` of a program for [`run`] that reads points of `width` numbers and runs `body` on each `p`, where `put(x)` writes a value.
+/// The `main` of a program for [`run`] that reads points of `width` numbers and runs `body` on each
+/// `p`, where `put(x)` writes a value.
 pub fn loops(width: usize, bodies: &[String]) -> String {
     let loops: String = bodies
         .iter()
@@ -163,7 +166,8 @@ pub enum Target {
     OpenGl,
 }
 
-/// Has glslang compile a shader with an entry point `main`; its SPIR-V (empty for OpenGL). None where a tool is not there.
+/// Has glslang compile a shader with an entry point `main`; its SPIR-V (empty for OpenGL). None
+/// where a tool is not there.
 pub fn glslang(language: Language, source: &str, stage: &str, target: Target) -> Option<Vec<u8>> {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);

@@ -138,8 +138,8 @@ void main() {{
     (source, functions.len())
 }
 
-/// Has glslang compile a file of GLSL or HLSL, as the versions that it is for; the number of its functions. None where glslang is not
-/// there.
+/// Has glslang compile a file of GLSL or HLSL, as the versions that it is for; the number of its
+/// functions. None where glslang is not there.
 pub fn compile(language: Language, code: &str) -> Option<usize> {
     let versions: &[(&str, Target)] = match language {
         Language::Hlsl => &[("", Target::Vulkan)],
@@ -168,8 +168,8 @@ pub struct Called<'a> {
     pub decode: Decode,
 }
 
-/// Runs the lookups of a file at points whose numbers are named `inputs`; their values one after another. None where the compiler is
-/// not there.
+/// Runs the lookups of a file at points whose numbers are named `inputs`; their values one after
+/// another. None where the compiler is not there.
 pub fn look_up(
     language: Language,
     code: &str,

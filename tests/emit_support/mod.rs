@@ -1,5 +1,5 @@
-//! What the tests of emitted files share: one bake of the built-in scene, points of its domain, and the tables that it
-//! emits reading functions for.
+//! What the tests of emitted files share: one bake of the built-in scene, points of its domain, and
+//! the tables that it emits reading functions for.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
 pub mod accuracy;
@@ -51,8 +51,8 @@ pub fn manifest() -> serde_json::Value {
     serde_json::from_str(&text("manifest.json")).expect("JSON")
 }
 
-/// Fits that the manifest lists, in its order, with their function and its arguments; those of lookups, whose inputs are others, have
-/// tests of their own.
+/// Fits that the manifest lists, in its order, with their function and its arguments; those of
+/// lookups, whose inputs are others, have tests of their own.
 pub fn emitted() -> Vec<(&'static Fit, String, Vec<String>)> {
     let manifest = manifest();
     let entries = manifest["fits"].as_array().expect("fits[]");
@@ -147,8 +147,8 @@ impl Looked {
         Lookup::new(&self.table, self.decode).expect("axes and channels of its decoding")
     }
 
-    /// Whether E, A and B are, to the bit, what the emitted code returns where a lookup gives E and B: A is E - B where the
-    /// texel holds E, else E is the sum A + B of what it holds.
+    /// Whether E, A and B are, to the bit, what the emitted code returns where a lookup gives E and
+    /// B: A is E - B where the texel holds E, else E is the sum A + B of what it holds.
     pub fn agrees(&self, [e, a, b]: [f32; 3], expected: Values) -> bool {
         let third = match self.decode {
             Decode::LossBias => a.to_bits() == (e - b).to_bits(),
@@ -170,7 +170,8 @@ pub fn baked_tables() -> Vec<Looked> {
     tables.collect()
 }
 
-/// Small tables of the layouts and uses that the built-in scene does not call for, which have emitted functions of their own.
+/// Small tables of the layouts and uses that the built-in scene does not call for, which have
+/// emitted functions of their own.
 pub fn other_tables() -> Vec<Looked> {
     let mut tables = Vec::new();
     for layout in [Layout::Plain, Layout::PlainSquared] {
@@ -196,7 +197,7 @@ fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
     let table = build(&spec, &Counter::default()).expect("a table").remove(0).quantised();
     let points = certification(&region, LOG2_POINTS);
     let truth = Albedo::new(spec.smith, &points, true, &Counter::default()).expect("a truth");
-    let (decode, points) = (Decode::of(layout, serves), table::Points::isotropic(&points));
+    let (decode, points) = (Decode::of(layout, serves), table::LookupPoints::isotropic(&points));
     let truth = Truth { e: &truth.e, b: Some(&truth.b) };
     let errors = measure(&table, decode, &points, truth, TRUTH_ERROR).expect("a table of its decoding");
     Looked { table, decode, region, certified: [errors.lookup.max, errors.lookup_8_bit.max] }
@@ -211,7 +212,8 @@ pub fn say(line: &str) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }
 
-/// A tool or device is not there: the test is skipped and says so, or fails where LOBEFIT_REQUIRE_TOOLS=1 asks for it.
+/// A tool or device is not there: the test is skipped and says so, or fails where
+/// LOBEFIT_REQUIRE_TOOLS=1 asks for it.
 pub fn missing(what: &str, install: &str) {
     let required = std::env::var("LOBEFIT_REQUIRE_TOOLS").is_ok_and(|v| v == "1");
     assert!(!required, "{what}; LOBEFIT_REQUIRE_TOOLS=1 asks for it: install {install}");
@@ -230,7 +232,8 @@ pub fn functions(source: &str) -> BTreeMap<&str, &str> {
     functions
 }
 
-/// A function as a module of its own: the functions of the file that it calls, and theirs, before it.
+/// A function as a module of its own: the functions of the file that it calls, and theirs, before
+/// it.
 pub fn module(name: &str, functions: &BTreeMap<&str, &str>) -> String {
     let text = functions.get(name).unwrap_or_else(|| panic!("no {name}"));
     let called = functions.keys().filter(|other| **other != name && text.contains(&format!("{other}(")));

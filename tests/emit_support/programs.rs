@@ -6,7 +6,8 @@ use std::process::Command;
 
 use super::missing;
 
-/// Stack of rustc's threads: LLVM's analysis of one function that calls every emitted one recurses deeper than the default.
+/// Stack of rustc's threads: LLVM's analysis of one function that calls every emitted one recurses
+/// deeper than the default.
 const STACK: &str = "268435456";
 
 /// Runs rustc, which must say nothing against the source.
@@ -32,8 +33,8 @@ pub fn compile_library(include: &str) {
     }
 }
 
-/// Compiles a program about `lobefit.rs`, whose `main` reads points of `width` numbers from the file that its first argument
-/// names and writes f32 values to that of its second; returns these.
+/// Compiles a program about `lobefit.rs`, whose `main` reads points of `width` numbers from the
+/// file that its first argument names and writes f32 values to that of its second; returns these.
 pub fn run(include: &str, width: usize, body: &str, points: &[u8]) -> Vec<f32> {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
@@ -73,7 +74,8 @@ except ImportError as e:
     sys.exit(77)
 ";
 
-/// What a Python script prints as JSON about the file that its first argument names; none where the tools are missing.
+/// What a Python script prints as JSON about the file that its first argument names; none where the
+/// tools are missing.
 pub fn python(script: &str, file: &Path) -> Option<serde_json::Value> {
     let python = std::env::var("PYTHON").unwrap_or_else(|_| "python3".to_string());
     let out = match Command::new(&python).args(["-c", &format!("{IMPORTS}{script}")]).arg(file).output() {

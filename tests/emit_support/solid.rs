@@ -1,4 +1,5 @@
-//! Small tables of three axes whose sizes differ and whose texels tell their place, and points to look them up at.
+//! Small tables of three axes whose sizes differ and whose texels tell their place, and points to
+//! look them up at.
 
 use lobefit::data::{
     AlphaMap, Axis, Certificate, Channel, Decode, Place, Registration, Smith, Surface, Table, TexelFormat,
@@ -42,7 +43,8 @@ fn table(name: &str, format: TexelFormat, axes: Vec<Axis>, channels: &[&str]) ->
     table
 }
 
-/// Tables of every shape that the formats tell apart: two and three axes, f16 and f32, one to four channels.
+/// Tables of every shape that the formats tell apart: two and three axes, f16 and f32, one to four
+/// channels.
 pub fn of_all_shapes() -> Vec<Table> {
     let names = ["loss", "second", "a third", "w"];
     let mut tables = Vec::new();
@@ -169,7 +171,8 @@ pub fn to_look_up() -> Vec<Solid> {
     ]
 }
 
-/// Points in the domain of the tables, their edges and corners, and some beyond, where lookups clamp.
+/// Points in the domain of the tables, their edges and corners, and some beyond, where lookups
+/// clamp.
 pub fn points() -> Vec<Point> {
     let mut points = Vec::new();
     let point = |[x, y, z, w, v]: [f32; 5]| Point {
@@ -220,12 +223,14 @@ pub struct Differences {
     pub channels: [f64; 4],
 }
 
-/// A bound on the difference of E of [`Decode::AzimuthCubic`] between two machines, one of which reads `texel`.
+/// A bound on the difference of E of [`Decode::AzimuthCubic`] between two machines, one of which
+/// reads `texel`.
 ///
-/// t = N/L, both logarithms, L no less than 1e-6 on either machine: N and L differ by dN and dL, and t by
-/// dt <= (dN + |t| dL)/max(L - dL, 1e-6) and the roundings of two quotients. With T = |t| + dt, the cubic differs by what the channels
-/// do, weighted with powers of T, by dt times its largest slope |c1| + 2 |c2| T + 3 |c3| T^2, and by the roundings of seven operations,
-/// half a unit on the one machine and one on the other.
+/// t = N/L, both logarithms, L no less than 1e-6 on either machine: N and L differ by dN and dL,
+/// and t by dt <= (dN + |t| dL)/max(L - dL, 1e-6) and the roundings of two quotients. With
+/// T = |t| + dt, the cubic differs by what the channels do, weighted with powers of T, by dt times
+/// its largest slope |c1| + 2 |c2| T + 3 |c3| T^2, and by the roundings of seven operations, half a
+/// unit on the one machine and one on the other.
 pub fn azimuth_bound(texel: [f32; 4], point: &Point, differences: &Differences) -> f64 {
     let surface = surface(point);
     let log2 = |x: f32| ops::log(f64::from(x)) / std::f64::consts::LN_2;

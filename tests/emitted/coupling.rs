@@ -1,4 +1,5 @@
-//! The effect diffuse-coupling: from the scene to the bytes, and nothing of it where the scene does not ask.
+//! The effect diffuse-coupling: from the scene to the bytes, and nothing of it where the scene does
+//! not ask.
 
 use crate::emit_support;
 
@@ -149,7 +150,8 @@ fn factors_are_fitted_certified_and_emitted_in_every_language() {
     }
 }
 
-/// Certificates bound the error on a lattice and are reached somewhere near; so are the bounds over all f0.
+/// Certificates bound the error on a lattice and are reached somewhere near; so are the bounds over
+/// all f0.
 #[test]
 fn certificates_of_the_factors_hold() {
     for fit in factors() {
@@ -175,8 +177,9 @@ fn certificates_of_the_factors_hold() {
     }
 }
 
-/// What every factor under a normalised lobe promises: no light at f0 = 1; 1 - f0 at normal incidence, where the form says so; never more
-/// light for a larger f0, and none below a lobe that takes all.
+/// What every factor under a normalised lobe promises: no light at f0 = 1; 1 - f0 at normal
+/// incidence, where the form says so; never more light for a larger f0, and none below a lobe that
+/// takes all.
 #[test]
 fn limits_and_monotony_of_the_emitted_factors() {
     let mut exact = 0;
@@ -218,7 +221,8 @@ fn include(language: Language) -> String {
     String::from_utf8(all().files[&format!("fits/lobefit.{}", language.extension())].clone()).expect("text")
 }
 
-/// Factors under every kind of lobe, the exact ones and the materials: compilers take the files without a word.
+/// Factors under every kind of lobe, the exact ones and the materials: compilers take the files
+/// without a word.
 #[test]
 fn compilers_take_the_files() {
     compile_library(&include(Language::Rust));
@@ -235,8 +239,9 @@ fn compilers_take_the_files() {
         .expect("valid WGSL");
 }
 
-/// The emitted factors of E and B are the truth's, with its limits: a mirror leaves (1 - f0)(1 - (1 - mu)^5), f0 = 1 nothing but what a bare
-/// lobe loses, and at mu = 1, where B is small, 1 - f0 times what is not lost.
+/// The emitted factors of E and B are the truth's, with its limits: a mirror leaves
+/// (1 - f0)(1 - (1 - mu)^5), f0 = 1 nothing but what a bare lobe loses, and at mu = 1, where B is
+/// small, 1 - f0 times what is not lost.
 #[test]
 fn emitted_factors_of_e_and_b_are_exact() {
     let mirror = |mu: f32| {
@@ -286,8 +291,9 @@ fn emitted_factors_of_e_and_b_are_exact() {
     }
 }
 
-/// Ours beat the published comparison's bars: 0.102 with 7 operations and 0.019 with 15 under a normalised lobe, 0.072 and 0.016 (with
-/// 39) at f0 = 0.02 under a bare one; and a factor of seven operations is not below 0 for it, which costs it a fifth of its accuracy.
+/// Ours beat the published comparison's bars: 0.102 with 7 operations and 0.019 with 15 under a
+/// normalised lobe, 0.072 and 0.016 (with 39) at f0 = 0.02 under a bare one; and a factor of seven
+/// operations is not below 0 for it, which costs it a fifth of its accuracy.
 #[test]
 fn ours_beat_the_bars() {
     let best = |s: Specular, ops: u32| {
@@ -367,7 +373,8 @@ fn a_base_that_makes_no_sense_is_refused_with_its_field() {
     }
 }
 
-/// One job for all bases under one kind of lobe: the hull of their ranges, every norm, the most operations, each promise by itself.
+/// One job for all bases under one kind of lobe: the hull of their ranges, every norm, the most
+/// operations, each promise by itself.
 #[test]
 fn bases_are_planned_together() {
     let materials = [

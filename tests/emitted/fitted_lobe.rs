@@ -1,4 +1,5 @@
-//! Lookups of the fitted lobe as emitted where it is hard: at grazing views, from below, and as alpha goes to 0.
+//! Lookups of the fitted lobe as emitted where it is hard: at grazing views, from below, and as
+//! alpha goes to 0.
 
 use crate::lookup_support::{EMITTED, Emitted, Point, text};
 use lobefit_math::ops::{pow, sincos};
@@ -47,7 +48,8 @@ fn sides() -> [Vec3; 2] {
 /// Widths of the surface on a path.
 const ALPHAS: [f64; 7] = [0.0, 0.01, 0.03, 0.1, 0.4, 0.7, 1.0];
 
-/// A path for every width: the view that is `turn` away from an angle above the surface, or on the other side of it.
+/// A path for every width: the view that is `turn` away from an angle above the surface, or on the
+/// other side of it.
 fn paths(view: impl Fn(f64) -> (Vec3, f64)) -> Vec<Point> {
     let turn = |i: usize| 0.3 - 0.6 * i as f64 / STEPS as f64;
     let points = ALPHAS.iter().flat_map(|alpha| (0..=STEPS).map(move |i| (turn(i), *alpha)));
@@ -59,8 +61,8 @@ fn paths(view: impl Fn(f64) -> (Vec3, f64)) -> Vec<Point> {
         .collect()
 }
 
-/// Checks that every step of 0.00015 radians changes what is fetched by less than ten times that, and returns what it is at both ends and in
-/// the middle.
+/// Checks that every step of 0.00015 radians changes what is fetched by less than ten times that,
+/// and returns what it is at both ends and in the middle.
 fn moves_by_little(emitted: &Emitted, paths: &[Point]) -> Vec<[Vec3; 3]> {
     let found = fetched(emitted, paths);
     let path = |(alpha, found): (&f64, &[(Vec3, f64)])| {
@@ -75,23 +77,24 @@ fn moves_by_little(emitted: &Emitted, paths: &[Point]) -> Vec<[Vec3; 3]> {
     ALPHAS.iter().zip(found.chunks_exact(STEPS + 1)).map(path).collect()
 }
 
-/// A view that sinks below the surface. Where fetches fade out close to the surface what is fetched changes fastest, by about 4 radians for
-/// one of the view.
+/// A view that sinks below the surface. Where fetches fade out close to the surface what is fetched
+/// changes fastest, by about 4 radians for one of the view.
 #[test]
 fn nothing_jumps_where_the_view_passes_the_surface() {
     let [side, _] = sides();
     let paths = paths(|turn| (side, turn));
     for emitted in smooth() {
         for (alpha, [first, middle, _]) in ALPHAS.iter().zip(moves_by_little(emitted, &paths)) {
-            // below, the ray rises as it sank above; the axis of the widest lobe of one fetch is the normal there
+            // below, the ray rises as it sank above; the axis of the widest lobe of one fetch is
+            // the normal there
             let whole = length(minus(first, middle));
             assert!(whole > 1e-3 || *alpha == 1.0, "{}, alpha {alpha}: nothing moves", emitted.name());
         }
     }
 }
 
-/// A view that comes to the normal, or to its opposite, on one side and leaves it on another: the plane of incidence turns at once by a right
-/// angle, about a lobe that is round there.
+/// A view that comes to the normal, or to its opposite, on one side and leaves it on another: the
+/// plane of incidence turns at once by a right angle, about a lobe that is round there.
 #[test]
 fn nothing_jumps_where_the_plane_of_incidence_turns() {
     let [side, other] = sides();

@@ -1,5 +1,6 @@
-//! The tables' files in the hands of others: every container holds every texel, at its place, with the meaning beside it.
-//! OpenEXR reads the EXR, numpy the NPY and the raw file, ddsfile and ktx2 (Bevy's readers) the DDS and the KTX 2 file.
+//! The tables' files in the hands of others: every container holds every texel, at its place, with
+//! the meaning beside it. OpenEXR reads the EXR, numpy the NPY and the raw file, ddsfile and ktx2
+//! (Bevy's readers) the DDS and the KTX 2 file.
 
 use crate::emit_support;
 
@@ -129,7 +130,8 @@ fn numpy_finds_slices_rows_columns_and_channels() {
     say(&format!("numpy: {} arrays, every texel at its place", tables.len()));
 }
 
-/// Reads a raw file by its sidecar alone; prints the values as nested lists by slice, row, column and channel, and the sidecar.
+/// Reads a raw file by its sidecar alone; prints the values as nested lists by slice, row, column
+/// and channel, and the sidecar.
 const READ_RAW: &str = r#"
 meta = json.load(open(sys.argv[1] + ".json"))
 assert meta["byte_order"] == "little-endian" and meta["stored"] == "f32", meta
@@ -259,7 +261,8 @@ fn a_ktx2_reader_finds_a_texture_with_every_texel() {
         assert_eq!(extent, [columns, rows, if solid { slices } else { 0 }]);
         assert_eq!((header.layer_count, header.face_count, header.level_count), (0, 1, 1));
         assert_eq!(header.supercompression_scheme, None);
-        // As the crate makes it, whose descriptors Khronos' validator passes; texels are no colours.
+        // As the crate makes it, whose descriptors Khronos' validator passes; texels are no
+        // colours.
         let (made, _) = Basic::from_format(format).expect("a format of floats");
         assert_eq!(made.transfer_function, Some(TransferFunction::Linear));
         assert_eq!(file.dfd_blocks(), [Block::Basic(Basic { color_primaries: None, ..made })]);

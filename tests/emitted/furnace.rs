@@ -1,12 +1,15 @@
-//! The furnace: a lobe compensated by the emitted code reflects, or passes, all light that falls on it.
+//! The furnace: a lobe compensated by the emitted code reflects, or passes, all light that falls on
+//! it.
 //!
-//! Lookup and compensation are the emitted Rust, compiled by rustc and run as a program of its own. The lobe is that of the textbooks,
-//! integrated over all directions by a plain product rule (`furnace_support::textbook`): the program's integrators make the texels and
-//! the certificate, and have no part in the energy.
+//! Lookup and compensation are the emitted Rust, compiled by rustc and run as a program of its own.
+//! The lobe is that of the textbooks, integrated over all directions by a plain product rule
+//! (`furnace_support::textbook`): the program's integrators make the texels and the certificate,
+//! and have no part in the energy.
 //!
-//! With the lobe's true albedo E and the table's e, the compensated energy of a white surface is E/e. So it is off 1 by |E - e|/e, which is
-//! at most the table's certificate over e; the error of the test's own [`Rule`] is added. The certificate is measured as a bake measures
-//! it, at the points of the program's judges in [`region`]: none of those judged here is among them.
+//! With the lobe's true albedo E and the table's e, the compensated energy of a white surface is
+//! E/e. So it is off 1 by |E - e|/e, which is at most the table's certificate over e; the error of
+//! the test's own [`Rule`] is added. The certificate is measured as a bake measures it, at the
+//! points of the program's judges in [`region`]: none of those judged here is among them.
 
 use crate::emit_support;
 use crate::furnace_support;
@@ -18,7 +21,7 @@ use furnace_support::{Emitted, F0, Returned, include, returned};
 use lobefit::data::{AlphaMap, Decode, Smith, Table};
 use lobefit::effects::anisotropy;
 use lobefit::effects::glass::truths;
-use lobefit::effects::table::{self, Point, Points, Region, SliceAxis, Slices, aspect, measure};
+use lobefit::effects::table::{self, LookupPoints, Point, Region, SliceAxis, Slices, aspect, measure};
 use lobefit::emit::compensation::Compensation;
 use lobefit::emit::lookup::Readable;
 use lobefit_math::ops;
@@ -28,8 +31,10 @@ use rayon::prelude::*;
 
 const SMITHS: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 
-/// Bound on the error of the textbook integrals. Each is taken twice, with the nodes given and with three quarters of them, and may not differ
-/// by more; nor from the truth. From inside glass the reflected lobe has a root's edge at the critical angle, which a rule that does not know of it resolves slowly.
+/// Bound on the error of the textbook integrals. Each is taken twice, with the nodes given and with
+/// three quarters of them, and may not differ by more; nor from the truth. From inside glass the
+/// reflected lobe has a root's edge at the critical angle, which a rule that does not know of it
+/// resolves slowly.
 struct Rule {
     cosines: usize,
     azimuths: usize,
@@ -60,7 +65,8 @@ impl Rule {
     }
 }
 
-/// A certificate so large that the furnace would say nothing: a thirtieth of what uncompensated lobes lose.
+/// A certificate so large that the furnace would say nothing: a thirtieth of what uncompensated
+/// lobes lose.
 const USELESS: f64 = 4e-3;
 
 /// Losses that uncompensated lobes of these points reach, at least.
@@ -84,9 +90,9 @@ fn region(axis: SliceAxis, range: [f64; 2]) -> Region {
     }
 }
 
-/// Largest error of a table's lookup at points of the region, as a certificate states it: of the reference lookup, not of the emitted
-/// code.
-fn certificate(table: &Table, decode: Decode, judged: &Points, truth: &[f64]) -> f64 {
+/// Largest error of a table's lookup at points of the region, as a certificate states it: of the
+/// reference lookup, not of the emitted code.
+fn certificate(table: &Table, decode: Decode, judged: &LookupPoints, truth: &[f64]) -> f64 {
     let errors =
         measure(table, decode, judged, table::Truth { e: truth, b: None }, 0.0).expect("a table of E");
     assert!(judged.len() > 10_000 && judged.len() == truth.len(), "{}", judged.len());
@@ -109,7 +115,8 @@ fn allowed(certificate: f64, rule: &Rule, e: f64) -> f64 {
     (certificate + rule.error) / e + 4.0 * f64::from(f32::EPSILON)
 }
 
-/// Judges a table at all its points: compensated it is white, and without compensation the same judgement finds it dark.
+/// Judges a table at all its points: compensated it is white, and without compensation the same
+/// judgement finds it dark.
 fn judge(table: &Table, certificate: f64, rule: &Rule, points: &[Point], lit: &[Lit], returned: &[Returned]) {
     let (mut worst, mut darkest, mut share) = (0.0_f64, 0.0_f64, 0.0_f64);
     assert_eq!([points.len(); 2], [lit.len(), returned.len()]);
@@ -163,11 +170,13 @@ fn metal(smith: Smith, point: &Point, phi: f64, hemisphere: &Hemisphere) -> [f64
     })
 }
 
-/// Azimuths of the view for its mean: the midpoints of a quadrant, to which the lobe's two mirror symmetries reduce it.
+/// Azimuths of the view for its mean: the midpoints of a quadrant, to which the lobe's two mirror
+/// symmetries reduce it.
 const VIEWS: usize = 10;
 
-/// A metal of F0 = 1 is white. One with F0 < 1 on every facet has the energy F0 (E + F0 (1 - E)): of the light that single scattering
-/// loses, F0^2 comes back. With Schlick's Fresnel it has more, and less than 1.
+/// A metal of F0 = 1 is white. One with F0 < 1 on every facet has the energy F0 (E + F0 (1 - E)):
+/// of the light that single scattering loses, F0^2 comes back. With Schlick's Fresnel it has more,
+/// and less than 1.
 #[test]
 fn a_compensated_metal_is_white_in_the_mean_over_the_azimuth() {
     let points = combinations(&ANISOTROPIES, |anisotropy| Point {
@@ -291,7 +300,7 @@ fn compensated_glass_is_white_from_both_sides() {
     let inputs: Vec<(&Emitted, &[Point])> = emitted.iter().map(|e| (e, &points[..])).collect();
     let found = returned(&text, Compensation::Glass, &inputs);
     let (outside, inside) = (OUTSIDE.pair(), INSIDE.pair());
-    let judged = Points::certification(&region(SliceAxis::Ior, [1.25, 1.9]), 11);
+    let judged = LookupPoints::certification(&region(SliceAxis::Ior, [1.25, 1.9]), 11);
     let truths = SMITHS.map(|smith| truths(smith, &judged).expect("the truths of a judge").0);
     for (((smith, side), table), found) in cases.into_iter().zip(&tables).zip(&found) {
         let (rule, rules) = match side {

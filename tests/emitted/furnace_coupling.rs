@@ -1,14 +1,16 @@
-//! The furnace of whole dielectrics: specular lobe and diffuse base, put together by the emitted code, send back no more light than
-//! the certificates allow, and no less.
+//! The furnace of whole dielectrics: specular lobe and diffuse base, put together by the emitted
+//! code, send back no more light than the certificates allow, and no less.
 //!
-//! Factors, multipliers of the lobe and the functions that add the base to it are emitted Rust, compiled by rustc and run as a program
-//! of its own: that of the committed `fits/lobefit.rs`, and that of a bake with a base under every kind of lobe. The lobe is that of the
-//! textbooks, integrated by rules of the tests' own (`furnace_support::half`, `furnace_support::textbook`): nothing of the program's
-//! integrators has a part in the energy. Views span the whole domain of the scene, from its smoothest lobe to its roughest, from
-//! grazing to facing.
+//! Factors, multipliers of the lobe and the functions that add the base to it are emitted Rust,
+//! compiled by rustc and run as a program of its own: that of the committed `fits/lobefit.rs`, and
+//! that of a bake with a base under every kind of lobe. The lobe is that of the textbooks,
+//! integrated by rules of the tests' own (`furnace_support::half`, `furnace_support::textbook`):
+//! nothing of the program's integrators has a part in the energy. Views span the whole domain of
+//! the scene, from its smoothest lobe to its roughest, from grazing to facing.
 //!
-//! A lobe multiplied by N instead of 1/E is off by its albedo times the furnace error of N, and the base by the error of its factor: together no more
-//! than the sum of both certificates, to which the error of the test's own rule is added.
+//! A lobe multiplied by N instead of 1/E is off by its albedo times the furnace error of N, and the
+//! base by the error of its factor: together no more than the sum of both certificates, to which
+//! the error of the test's own rule is added.
 
 use crate::emit_support;
 use crate::furnace_support::textbook;
@@ -31,7 +33,8 @@ use lobefit_truth::quantity::{COUPLING, Specular};
 use serde_json::Value;
 use textbook::{Facets, Hemisphere, Vector, direction, schlick};
 
-/// Under every kind of lobe a base, with fits of factors and of normalisations, over the whole range of roughness.
+/// Under every kind of lobe a base, with fits of factors and of normalisations, over the whole
+/// range of roughness.
 const SCENE: &str = r#"{"schema_version": 1, "name": "test", "pick": "all", "materials": [
     {"name": "single", "kind": "dielectric", "f0": [0.02, 0.05, 0.08], "roughness": [0.01, 1], "base": {"specular": "single", "norms": ["max"]},
      "wants": {"fit": {"max_ops": 10, "norms": ["max"]}}},
@@ -169,7 +172,8 @@ fn holds(fit: &Value, view: &View) -> bool {
     })
 }
 
-/// A factor under a lobe with this multiplier: names, expressions of the program, sum of the certificates.
+/// A factor under a lobe with this multiplier: names, expressions of the program, sum of the
+/// certificates.
 struct Combination<'a> {
     name: String,
     fit: &'a Value,
@@ -221,8 +225,8 @@ fn evaluated(include: &str, combinations: &[Combination], views: &[(View, Albedo
     programs::run(include, 4, &body, &points)
 }
 
-/// What a furnace found: the largest excess over what the certificates allow, of all combinations and views, with its name; the largest
-/// departure from white; and the least light of a base.
+/// What a furnace found: the largest excess over what the certificates allow, of all combinations
+/// and views, with its name; the largest departure from white; and the least light of a base.
 struct Furnace {
     excess: f64,
     at: String,
@@ -263,7 +267,8 @@ fn furnace(emitted: &Emitted, include: &str) -> Furnace {
     found
 }
 
-/// The two rules of the tests agree, and with what is known: E = 1 - ln 2 of the roughest lobe seen face on.
+/// The two rules of the tests agree, and with what is known: E = 1 - ln 2 of the roughest lobe seen
+/// face on.
 #[test]
 fn the_tests_rules_agree() {
     let exact = half::albedo(Smith::Correlated, 1.0, 1.0, 1e-9);
@@ -299,7 +304,8 @@ fn no_emitted_combination_gains_or_loses_more_than_its_certificates() {
     ));
 }
 
-/// The same of the files that are committed; and the judgement finds code that gives the base a tenth too much.
+/// The same of the files that are committed; and the judgement finds code that gives the base a
+/// tenth too much.
 #[test]
 fn the_committed_combinations_keep_their_certificates() {
     let emitted = Emitted::committed();
@@ -312,8 +318,8 @@ fn the_committed_combinations_keep_their_certificates() {
     assert!(found.excess > 0.01, "{}", found.at);
 }
 
-/// Whatever a shader hands them, factors are neither below 0 nor above 1.06 and their errors: where that is promised, which is
-/// beyond the domain.
+/// Whatever a shader hands them, factors are neither below 0 nor above 1.06 and their errors: where
+/// that is promised, which is beyond the domain.
 #[test]
 fn no_factor_is_negative_where_that_is_promised() {
     for emitted in [Emitted::baked(), Emitted::committed()] {
@@ -366,7 +372,8 @@ fn emitted() -> String {
     String::from_utf8(BAKED.files["fits/lobefit.rs"].clone()).expect("text")
 }
 
-/// The function that adds the base to the lobe, light by light over the hemisphere, with albedos below white beside it.
+/// The function that adds the base to the lobe, light by light over the hemisphere, with albedos
+/// below white beside it.
 #[test]
 fn the_emitted_material_integrates_to_white() {
     let rule = Hemisphere::new(48, 192);
@@ -441,8 +448,9 @@ fn stated(text: &str, before: &str) -> f64 {
     after.split([' ', '\n']).next().and_then(|word| word.parse().ok()).expect("a figure")
 }
 
-/// The material for path tracers: f(l, v) = f(v, l) to rounding, and white light by light but for the average's own error, which is told;
-/// a reflectance per channel is three of one channel each; and where f0 is 1 nothing is left but what the bare lobe loses.
+/// The material for path tracers: f(l, v) = f(v, l) to rounding, and white light by light but for
+/// the average's own error, which is told; a reflectance per channel is three of one channel each;
+/// and where f0 is 1 nothing is left but what the bare lobe loses.
 #[test]
 fn the_reciprocal_material_is_reciprocal_and_white() {
     let (text, best) = (emitted(), best(Specular::Single));
@@ -506,8 +514,8 @@ fn the_reciprocal_material_is_reciprocal_and_white() {
     }
 }
 
-/// A base whose factor follows from a table of E and B, under a lobe that is divided by the table's E: what both are off is the table's error of
-/// f0 A + B over its E.
+/// A base whose factor follows from a table of E and B, under a lobe that is divided by the table's
+/// E: what both are off is the table's error of f0 A + B over its E.
 #[test]
 fn a_table_of_e_and_b_makes_an_exact_factor() {
     const TABLE: &str = r#"{"schema_version": 1, "pick": "all", "materials": [

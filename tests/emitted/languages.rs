@@ -1,5 +1,5 @@
-//! Printed functions in the languages of C's family: compilers take them without a word, and where they run they return the
-//! tape's bits.
+//! Printed functions in the languages of C's family: compilers take them without a word, and where
+//! they run they return the tape's bits.
 
 use crate::code_support;
 use crate::emit_support;
@@ -15,7 +15,8 @@ use lobefit_shade::Hypothesis;
 use lobefit_shade::code::{Language, Printed, print};
 use lobefit_shade::comment::comment;
 
-/// How far, in ulp, functions may lie from the tape whose transcendental functions are the platform's.
+/// How far, in ulp, functions may lie from the tape whose transcendental functions are the
+/// platform's.
 const TRANSCENDENTAL: f64 = 4.0;
 
 fn printed(language: Language, hypothesis: &Hypothesis) -> Printed {
@@ -38,13 +39,15 @@ fn program(hypotheses: &[Hypothesis]) -> String {
     loops(INPUTS, &hypotheses.iter().map(call).collect::<Vec<_>>())
 }
 
-/// Units in the last place of the expected value, and no less than those of 1: sums that cancel keep the errors of their terms.
+/// Units in the last place of the expected value, and no less than those of 1: sums that cancel
+/// keep the errors of their terms.
 fn ulps(expected: f32, found: f32) -> f64 {
     let unit = f64::from(expected.abs().max(1.0)) * f64::from(f32::EPSILON);
     (f64::from(expected) - f64::from(found)).abs() / unit
 }
 
-/// Runs functions of a language and compares with their tapes: to the bit, or within `limit` ulp where bits are not promised.
+/// Runs functions of a language and compares with their tapes: to the bit, or within `limit` ulp
+/// where bits are not promised.
 fn compare(language: Language, hypotheses: &[Hypothesis], limit: f64) -> Option<()> {
     let (code, main) = (file(language, hypotheses), program(hypotheses));
     let found = run(language, &code, &main, &points(), Contraction::Off)?;

@@ -1,9 +1,11 @@
-//! What the heads of lookups say: which chain they belong to, what they cost and what they are off by.
+//! What the heads of lookups say: which chain they belong to, what they cost and what they are off
+//! by.
 
 use crate::lookup_support::{EMITTED, text};
 use lobefit_shade::code::Language;
 
-/// Every lookup names the lobe, the map and the chain that it is paired with, what it costs and what it is off by.
+/// Every lookup names the lobe, the map and the chain that it is paired with, what it costs and
+/// what it is off by.
 #[test]
 fn lookups_say_what_they_hold_of() {
     let texts = Language::ALL.map(text);

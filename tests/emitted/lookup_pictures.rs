@@ -8,7 +8,8 @@ use lobefit_studies::flip;
 use lobefit_studies::study::parallax::room::{Exact, Fan, Fetch, Tap, octagon};
 use lobefit_truth::optics::kernel::Kernel;
 
-/// The floor of a room as fetches from its probe show it, in light that a screen has: by the emitted function, and by the study's lookup.
+/// The floor of a room as fetches from its probe show it, in light that a screen has: by the
+/// emitted function, and by the study's lookup.
 #[test]
 fn pictures_by_emitted_lookups_are_those_of_the_study() {
     const SIDE: usize = 28;

@@ -1,4 +1,5 @@
-//! The emitted files in the hands of others: compilers, readers, a furnace. One bake of the built-in scene serves all.
+//! The emitted files in the hands of others: compilers, readers, a furnace. One bake of the
+//! built-in scene serves all.
 
 #[path = "../code_support/mod.rs"]
 mod code_support;

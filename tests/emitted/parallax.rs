@@ -1,4 +1,5 @@
-//! The effect parallax in the hands of others: what is emitted for probes is read, compiled and run in every language.
+//! The effect parallax in the hands of others: what is emitted for probes is read, compiled and run
+//! in every language.
 
 use crate::emit_support;
 use crate::emit_support::{functions, module};
@@ -64,7 +65,8 @@ static EMITTED: LazyLock<Vec<Emitted>> = LazyLock::new(|| {
 /// Names of a point's numbers.
 const INPUTS: [&str; 4] = ["roughness", "alpha", "rho", "mip"];
 
-/// Points inside every domain and far outside of it: rays, mirrors' walls, levels that no chain has.
+/// Points inside every domain and far outside of it: rays, mirrors' walls, levels that no chain
+/// has.
 static POINTS: LazyLock<Vec<[f32; 4]>> = LazyLock::new(|| {
     let roughness = (0..=40).map(|i| i as f32 / 40.0).chain([0.001, 0.03]);
     let rho = (-20..=10).map(|i| ops::exp(0.5 * f64::from(i) * std::f64::consts::LN_10) as f32 * 1e-2);
@@ -146,7 +148,8 @@ fn the_functions_of_probes_return_in_every_language_what_was_certified() {
     includes_in_cpp(&text(Language::C));
 }
 
-/// No width is above 1, below 0 or not a number, whatever is asked; it grows with the ratio, is 0 for rays and alpha at rho = 1.
+/// No width is above 1, below 0 or not a number, whatever is asked; it grows with the ratio, is 0
+/// for rays and alpha at rho = 1.
 #[test]
 fn widths_stay_in_their_range_far_outside_of_their_domain() {
     for one in EMITTED.iter().filter(|one| one.entry["use"] == "parallax") {

@@ -1,4 +1,5 @@
-//! The functions emitted for tables of three axes, and the compensations: rustc compiles and runs the Rust, naga reads the WGSL.
+//! The functions emitted for tables of three axes, and the compensations: rustc compiles and runs
+//! the Rust, naga reads the WGSL.
 
 use crate::emit_support;
 
@@ -113,7 +114,8 @@ fn a_table_in_f32_says_what_its_device_must_have() {
     }
 }
 
-/// The logarithms of the platform's library and of libm are each within a unit in the last place of the exact value.
+/// The logarithms of the platform's library and of libm are each within a unit in the last place of
+/// the exact value.
 const LOGARITHMS: Differences =
     Differences { relative: 2.0 * f32::EPSILON as f64, absolute: 0.0, channels: [0.0; 4] };
 
@@ -248,8 +250,9 @@ fn node(solid: &Solid, place: [usize; 3]) -> Point {
     point
 }
 
-/// How far the coordinate of texel `i` may lie from it, in texels: by its arithmetic, a few units in the last place of a number up to 1,
-/// and by the rounding of the variable itself, which moves an index of refraction next to 1 further.
+/// How far the coordinate of texel `i` may lie from it, in texels: by its arithmetic, a few units
+/// in the last place of a number up to 1, and by the rounding of the variable itself, which moves
+/// an index of refraction next to 1 further.
 fn near(axis: &Axis, i: usize, point: &Point) -> f64 {
     let x = match axis.name.as_str() {
         "roughness" => point.roughness,

@@ -1,4 +1,5 @@
-//! The emitted files in the hands of others: naga reads the WGSL, rustc compiles and runs the Rust, OpenEXR reads the tables.
+//! The emitted files in the hands of others: naga reads the WGSL, rustc compiles and runs the Rust,
+//! OpenEXR reads the tables.
 
 use crate::emit_support;
 
@@ -57,8 +58,8 @@ fn the_wgsl_functions_read_back_have_the_bits_that_were_certified() {
         let found = read.tape().evaluate::<f32>(&columns, &[]).expect("values");
         same_bits(name, &points, &points.values(fit, inputs), &found);
     }
-    // What the manifest does not list as fits are the tables' reading functions, which are outside the dialect, the compensations, and
-    // what puts a base under a lobe, and the lookups of probes.
+    // What the manifest does not list as fits are the tables' reading functions, which are outside
+    // the dialect, the compensations, and what puts a base under a lobe, and the lookups of probes.
     let manifest = manifest();
     let tables = manifest["tables"].as_array().expect("tables[]").iter();
     let identifiers: Vec<String> =
@@ -140,7 +141,8 @@ fn the_functions_of_the_other_languages_return_the_bits_that_were_certified() {
     }
 }
 
-/// With both roundings in one, a product and a sum are nearer to the exact value, and so within the same bound of it.
+/// With both roundings in one, a product and a sum are nearer to the exact value, and so within the
+/// same bound of it.
 #[test]
 fn c_that_is_contracted_stays_within_the_bound_of_its_roundings() {
     let (points, functions) = (Points::of_fits(), emitted());
@@ -202,14 +204,16 @@ fn same_bits(name: &str, points: &Points, expected: &[f32], found: &[f32]) {
     }
 }
 
-/// `Fit::values`, which certificates and pictures are made with, is what was compared, but for its f0 = 1.
+/// `Fit::values`, which certificates and pictures are made with, is what was compared, but for its
+/// f0 = 1.
 fn certified_values(fit: &Fit, points: &Points, inputs: &[String]) {
     let ones = points.at_f0(1.0);
     let values = fit.values(&points.set).expect("values");
     assert!(values == ones.values(fit, inputs), "{}", fit.approximation.name);
 }
 
-/// Looks a table up with the emitted Rust at every point; its texels are given as the EXR holds them, and compared to the bit.
+/// Looks a table up with the emitted Rust at every point; its texels are given as the EXR holds
+/// them, and compared to the bit.
 fn look_up(include: &str, table: &Looked) {
     let (name, points) = (table.readable().identifier(), Points::of(&table.region));
     let channel = |c: usize| table.table.channels[c].texels.iter().map(|t| *t as f32).collect::<Vec<f32>>();
@@ -234,7 +238,7 @@ fn looked_up(language: &str, table: &Looked, points: &Points, found: &[f32]) {
     let (name, split) = (table.readable().identifier(), table.split());
     let width = if split { 3 } else { 1 };
     assert_eq!(found.len(), width * points.len());
-    let (lookup, places) = (table.lookup(), table::Points::isotropic(&points.set).all);
+    let (lookup, places) = (table.lookup(), table::LookupPoints::isotropic(&points.set).all);
     for (i, found) in found.chunks_exact(width).enumerate() {
         let expected = lookup.at(&places[i]);
         let same = match found {

@@ -1,4 +1,5 @@
-//! Printed functions: Rust compiles alone and returns the tape's bits, WGSL is a hypothesis with the same values.
+//! Printed functions: Rust compiles alone and returns the tape's bits, WGSL is a hypothesis with
+//! the same values.
 
 use crate::code_support;
 use crate::fit_support;
@@ -137,7 +138,8 @@ fn wgsl_is_a_hypothesis_with_the_same_values() {
         let expected = bits(values(&hypothesis));
         let found = bits(again.tape().evaluate(&columns(&hypothesis), &[]).unwrap());
         assert!(expected == found, "{}", printed.text);
-        // Printing what was printed changes nothing more, but that a named literal loses its name in the front end.
+        // Printing what was printed changes nothing more, but that a named literal loses its name
+        // in the front end.
         let twice = print_wgsl(&again, &[], &["Printed."]);
         let named = printed.text.lines().any(names_a_literal);
         assert!(twice.text == printed.text || named, "{}\n{}", twice.text, printed.text);

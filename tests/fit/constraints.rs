@@ -69,7 +69,8 @@ fn lines_on_one_side_of_a_parabola() {
     close(&above.coefficients, &[0.0, 1.0], 1e-6);
     let below = fit(&parse(LINE), &samples, &[side(false)], Goal::Max);
     close(&below.coefficients, &[-0.25, 1.0], 1e-5);
-    // Least squares from above touches at both ends as well; from below at x with equal weight on both sides: 1/2.
+    // Least squares from above touches at both ends as well; from below at x with equal weight on
+    // both sides: 1/2.
     close(&fit(&parse(LINE), &samples, &[side(true)], Goal::Rms).coefficients, &[0.0, 1.0], 1e-6);
     close(&fit(&parse(LINE), &samples, &[side(false)], Goal::Rms).coefficients, &[-0.25, 1.0], 1e-4);
     for fitted in [above, below] {
@@ -145,7 +146,8 @@ fn a_cubic_rises_where_it_has_to() {
             x.windows(2).map(|pair| f(pair[0]) - f(pair[1])).fold(0.0, f64::max)
         };
         assert!(falls(&free) > 1e-4 && falls(&fitted) < 1e-9, "{} {}", falls(&free), falls(&fitted));
-        // A rising function is off by half of the deepest fall of what it imitates: 0.0554 from x = 0.4601 to 0.7965.
+        // A rising function is off by half of the deepest fall of what it imitates: 0.0554 from
+        // x = 0.4601 to 0.7965.
         assert!(fitted.max > 0.0554 && fitted.max < 0.1 && fitted.value > free.value, "{fitted:?} {free:?}");
         let end = if goal == Goal::Max { Termination::GlobalMinimax } else { Termination::Constrained };
         assert_eq!(fitted.termination, end);

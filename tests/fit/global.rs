@@ -1,4 +1,5 @@
-//! Forms that are recognised as quotients of affine expressions, and get the best of all coefficients.
+//! Forms that are recognised as quotients of affine expressions, and get the best of all
+//! coefficients.
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -85,7 +86,8 @@ fn constraints_on_a_quotient_are_part_of_its_programs() {
     for constraint in [pin, below] {
         let fitted = fit("(a + b * x) / (1.0 + c * x)", &samples, std::slice::from_ref(&constraint));
         assert!(is_proven(&fitted) && fitted.max > 1.1 * free.max, "{}: {fitted:?}", constraint.name);
-        // The general route, on the same family written so that it is not recognised, does no better.
+        // The general route, on the same family written so that it is not recognised, does no
+        // better.
         let general = fit("(a + b * x) / (1.0 + c * c * c * x)", &samples, std::slice::from_ref(&constraint));
         assert!(general.bound.is_none() && general.max > fitted.max * (1.0 - 1e-6), "{general:?}");
         assert!(general.max < fitted.max * 1.001, "{} {}", general.max, fitted.max);
@@ -103,12 +105,14 @@ fn normalisations_of_the_catalogue_are_proven_best() {
     }
 }
 
-/// The opposite sign of the denominators 1 + c x: -1 + d x > 0 needs d > 1/x. At the smallest x no d within the programs' reach is
-/// enough, by a margin below what rounding may do to the proof: that side is neither searched nor excluded, and the best of this one is
-/// not claimed to be the best of both.
+/// The opposite sign of the denominators 1 + c x: -1 + d x > 0 needs d > 1/x. At the smallest x no
+/// d within the programs' reach is enough, by a margin below what rounding may do to the proof:
+/// that side is neither searched nor excluded, and the best of this one is not claimed to be the
+/// best of both.
 #[test]
 fn a_side_that_is_not_excluded_leaves_the_gap_unknown() {
-    // The constant's homogeneous coefficient is at least 1e-7, and mean(D) = 1 makes that of x 4 / 2.25: 1e-7 - x 4 / 2.25 = 3e-10.
+    // The constant's homogeneous coefficient is at least 1e-7, and mean(D) = 1 makes that of x
+    // 4 / 2.25: 1e-7 - x 4 / 2.25 = 3e-10.
     let least = (1e-7 - 3e-10) * 2.25 / 4.0;
     let x = vec![least, 0.5, 0.75, 1.0];
     let samples =

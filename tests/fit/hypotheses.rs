@@ -1,4 +1,5 @@
-//! The hypotheses in `fits/`: they parse, cost what their page says, have no pole, and reach their bars.
+//! The hypotheses in `fits/`: they parse, cost what their page says, have no pole, and reach their
+//! bars.
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -14,8 +15,8 @@ fn domain() -> Domain {
         .unwrap()
 }
 
-/// Every hypothesis's operations, by the project's model. Published formulas as published: A and B both computed where E is
-/// their sum; roughness and alpha given.
+/// Every hypothesis's operations, by the project's model. Published formulas as published: A and B
+/// both computed where E is their sum; roughness and alpha given.
 const COSTS: [(&str, u32); 105] = [
     ("ggx_norm_r8", 8),
     ("ggx_norm_i10", 10),
@@ -164,7 +165,8 @@ fn costs_are_those_of_the_operation_model() {
 
 #[test]
 fn no_hypothesis_has_a_pole_in_the_domain() {
-    // The sheen's forms are made for roughness from 0.1: at 0.02 E is 8 at grazing and below 1e-300 elsewhere.
+    // The sheen's forms are made for roughness from 0.1: at 0.02 E is 8 at grazing and below 1e-300
+    // elsewhere.
     let cloth = Domain::new(&[("roughness", 0.1, 1.0), ("mu", 0.01, 1.0)])
         .and_then(|d| d.with_derived("alpha", "roughness", 2))
         .unwrap();
@@ -241,7 +243,8 @@ fn published_formulas_have_the_errors_that_were_measured_of_them() {
     }
 }
 
-/// Largest error when that is minimised, rms when that is; from the published study of the forms, and from the search.
+/// Largest error when that is minimised, rms when that is; from the published study of the forms,
+/// and from the search.
 const REACHED: [(&str, f64, f64); 21] = [
     ("ggx_norm_r8", 0.055, 0.02),
     ("ggx_norm_i10", 0.0323, 0.0155),

@@ -1,7 +1,9 @@
-//! The 27 nonlinear regression problems of NIST's Statistical Reference Datasets (tests/oracle/nist), from both published starts.
+//! The 27 nonlinear regression problems of NIST's Statistical Reference Datasets
+//! (tests/oracle/nist), from both published starts.
 //!
-//! Each model is a WGSL hypothesis and the data are its samples. Literals of WGSL are f32, so numbers that are none (pi) come in as
-//! columns. One start at a time, without help from the search over starts; three of the 54 need that, see [`LOST`].
+//! Each model is a WGSL hypothesis and the data are its samples. Literals of WGSL are f32, so
+//! numbers that are none (pi) come in as columns. One start at a time, without help from the search
+//! over starts; three of the 54 need that, see [`LOST`].
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -21,7 +23,8 @@ struct Dataset {
     columns: Vec<Vec<f64>>,
 }
 
-/// Reads the parameters (`b1 = start 1, start 2, certified, deviation`), the residual sum and the data below the second `Data:`.
+/// Reads the parameters (`b1 = start 1, start 2, certified, deviation`), the residual sum and the
+/// data below the second `Data:`.
 fn read(name: &str) -> Dataset {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("tests/oracle/nist/{name}.dat"));
     let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
@@ -84,8 +87,8 @@ const PROBLEMS: [(&str, &str, [f64; 2]); 27] = [
     ("Misra1c", "fn f(x: f32) -> f32 { return b1 * (1.0 - inverseSqrt(1.0 + 2.0 * b2 * x)); }", [7.0, 7.0]),
     ("Misra1d", "fn f(x: f32) -> f32 { return b1 * b2 * x / (1.0 + b2 * x); }", [7.0, 7.0]),
     (
-        // The dialect has no arctan: three halvings of the angle, then its series to the power 15 (below 1e-14 there). `one` keeps
-        // the front end from rounding 1/3 to f32.
+        // The dialect has no arctan: three halvings of the angle, then its series to the power 15
+        // (below 1e-14 there). `one` keeps the front end from rounding 1/3 to f32.
         "Roszman1",
         "fn half(t: f32) -> f32 { return t / (1.0 + sqrt(1.0 + t * t)); }
          fn arctan(t: f32, one: f32) -> f32 {
@@ -120,13 +123,15 @@ const PROBLEMS: [(&str, &str, [f64; 2]); 27] = [
     ("Bennett5", "fn f(x: f32) -> f32 { return b1 * pow(b2 + x, -1.0 / b3); }", [6.0, 6.0]),
 ];
 
-/// Starts from which Levenberg-Marquardt alone ends elsewhere, as it does in most programs: MGH17's in a valley where b4 = b5,
-/// BoxBOD's where b2 is so large that the model is flat, MGH10's along b1 -> 0. The search over points around the start, which is
-/// what a fit does when not told otherwise, finds the certified minimum: number of points, their spread.
+/// Starts from which Levenberg-Marquardt alone ends elsewhere, as it does in most programs: MGH17's
+/// in a valley where b4 = b5, BoxBOD's where b2 is so large that the model is flat, MGH10's along
+/// b1 -> 0. The search over points around the start, which is what a fit does when not told
+/// otherwise, finds the certified minimum: number of points, their spread.
 const LOST: [(&str, usize, usize, f64); 3] =
     [("MGH17", 0, 64, 1.0), ("BoxBOD", 0, 8, 0.5), ("MGH10", 0, 64, 1.0)];
 
-/// The worst parameter's number of correct digits (NIST's log relative error), at most the 11 that are certified.
+/// The worst parameter's number of correct digits (NIST's log relative error), at most the 11 that
+/// are certified.
 fn digits(found: &[f64], certified: &[f64]) -> f64 {
     let pairs = found.iter().zip(certified);
     let off = pairs.map(|(f, c)| (f / c - 1.0).abs()).fold(0.0, f64::max);
@@ -169,7 +174,8 @@ fn the_certified_parameters_are_found_from_both_starts() {
                 fitted.termination,
                 fitted.evaluations
             );
-            // Lanczos1's residuals are below the rounding of its data: its certified sum, 1e-25, is not for f64.
+            // Lanczos1's residuals are below the rounding of its data: its certified sum, 1e-25, is
+            // not for f64.
             let same = if name == "Lanczos1" { sum < 1e-24 } else { (sum / data.sum - 1.0).abs() < 1e-6 };
             if found < wanted[which] || !same || !fitted.termination.is_converged() {
                 failures

@@ -9,7 +9,8 @@ use lobefit_studies::flip;
 use lobefit_studies::render::{Environment, diffuse_light};
 use serde_json::Value;
 
-/// Between its parts: sqrt(mu) of the furnace's half alone, and sqrt(2 mu) if the lit sphere were as bright everywhere.
+/// Between its parts: sqrt(mu) of the furnace's half alone, and sqrt(2 mu) if the lit sphere were
+/// as bright everywhere.
 #[test]
 fn the_weight_lies_between_its_bounds_and_rises() {
     let weight = Perceptual::new();
@@ -24,8 +25,9 @@ fn the_weight_lies_between_its_bounds_and_rises() {
     }
 }
 
-/// The definition by FLIP itself: of flat grey pictures at the radiance of each pixel of a white sphere, before and after a small relative
-/// error, the squares of FLIP^(1/0.7) have the weight's mean.
+/// The definition by FLIP itself: of flat grey pictures at the radiance of each pixel of a white
+/// sphere, before and after a small relative error, the squares of FLIP^(1/0.7) have the weight's
+/// mean.
 #[test]
 fn the_weight_is_the_mean_square_of_flips_colour_difference() {
     let environment = Environment::afternoon();

@@ -1,4 +1,5 @@
-//! Starts with a pole among the samples: no obstacle where the best of all coefficients can be had without them, else named.
+//! Starts with a pole among the samples: no obstacle where the best of all coefficients can be had
+//! without them, else named.
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -67,8 +68,9 @@ fn a_pole_of_the_starts_is_named_with_the_divisor_and_the_remedy() {
     }
 }
 
-/// (1 + a x)/(d + b x) over points in pairs x, -x: their denominators sum to 2 d, so that they cannot all be negative. However small
-/// d is, multipliers prove it, and the best of the positive side is the best of all.
+/// (1 + a x)/(d + b x) over points in pairs x, -x: their denominators sum to 2 d, so that they
+/// cannot all be negative. However small d is, multipliers prove it, and the best of the positive
+/// side is the best of all.
 #[test]
 fn a_side_without_coefficients_is_excluded_by_proof() {
     let x: Vec<f64> = (1..=20).flat_map(|i| [f64::from(i) / 20.0, -f64::from(i) / 20.0]).collect();

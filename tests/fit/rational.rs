@@ -1,4 +1,5 @@
-//! Globally optimal minimax: closed forms, equioscillation, planted forms, agreement with the local solver, constraints, bad data.
+//! Globally optimal minimax: closed forms, equioscillation, planted forms, agreement with the local
+//! solver, constraints, bad data.
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -84,8 +85,8 @@ fn the_modulus_has_its_published_polynomial_and_rational_errors() {
     // x^2 + 1/8
     let parabola = best(&quotient(&x, 2, 0, f64::abs));
     assert!((parabola.max - 0.125).abs() < 1e-6, "{parabola:?}");
-    // Varga, Ruttan and Carpenter, "Numerical results on best uniform rational approximation of |x| on [-1, 1]" (1991), table 1:
-    // E_(2,2) = 4.368901269e-2, E_(4,4) = 8.501484703e-3.
+    // Varga, Ruttan and Carpenter, "Numerical results on best uniform rational approximation of |x|
+    // on [-1, 1]" (1991), table 1: E_(2,2) = 4.368901269e-2, E_(4,4) = 8.501484703e-3.
     for (degree, known, tolerance) in [(2, 4.368_901_269e-2, 1e-4), (4, 8.501_484_703e-3, 1e-3)] {
         let best = best(&quotient(&x, degree, degree, f64::abs));
         // On a grid the error is a little smaller than on the continuum.
@@ -99,8 +100,9 @@ fn the_modulus_has_its_published_polynomial_and_rational_errors() {
 
 #[test]
 fn exponentials_have_their_published_errors() {
-    // Best approximation of e^x on [-1, 1] of type (m, n) by Meinardus' formula (Approximation of Functions, 1967, section 9.3),
-    // exact to a few percent at low degrees: m! n! / (2^(m+n) (m+n)! (m+n+1)!).
+    // Best approximation of e^x on [-1, 1] of type (m, n) by Meinardus' formula (Approximation of
+    // Functions, 1967, section 9.3), exact to a few percent at low degrees: m! n! / (2^(m+n) (m+n)!
+    // (m+n+1)!).
     let x = nodes(-1.0, 1.0, 2001);
     for (m, n, meinardus) in [(1, 1, 2.0833e-2), (2, 2, 8.6806e-5), (3, 3, 1.5501e-7)] {
         let problem = quotient(&x, m, n, f64::exp);

@@ -1,4 +1,5 @@
-//! Ends that look like minima to first order: products and powers of parameters that start, or end, at 0.
+//! Ends that look like minima to first order: products and powers of parameters that start, or end,
+//! at 0.
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -49,7 +50,8 @@ fn a_product_that_starts_at_a_saddle_leaves_it() {
     }
 }
 
-/// Where the residuals cannot vanish, the end is as good as that of the same family without the product.
+/// Where the residuals cannot vanish, the end is as good as that of the same family without the
+/// product.
 #[test]
 fn beyond_a_saddle_lies_the_minimum_of_the_product() {
     let samples = curve(101, |x| (1.0 + 3.0 * x).ln());
@@ -81,9 +83,9 @@ fn a_minimum_with_vanishing_derivatives_stays_one() {
     }
 }
 
-/// b c times values to which the targets are orthogonal: its least squares are at 0, where nothing is gained to first order, but the
-/// largest residual falls from 1 to 0.85 at b c = 0.15. Without a saddle to leave, the better coefficients are kept, but not called a
-/// minimum.
+/// b c times values to which the targets are orthogonal: its least squares are at 0, where nothing
+/// is gained to first order, but the largest residual falls from 1 to 0.85 at b c = 0.15. Without a
+/// saddle to leave, the better coefficients are kept, but not called a minimum.
 #[test]
 fn the_better_coefficients_are_kept_where_no_saddle_may_be_left() {
     let source = "override b: f32 = 0.0; override c: f32 = 0.0; fn f(x: f32) -> f32 { return b * c * x; }";
@@ -121,7 +123,8 @@ fn least_squares_keep_the_better_coefficients_too() {
     }
 }
 
-/// At a = b = 0 under a ceiling: the derivatives by both vanish, and a b > 0 lowers the mean square within the ceiling.
+/// At a = b = 0 under a ceiling: the derivatives by both vanish, and a b > 0 lowers the mean square
+/// within the ceiling.
 #[test]
 fn saddles_within_constraints_are_left() {
     let formula = "override a: f32 = 0.0; override b: f32 = 0.0; override c: f32 = 1.0;
@@ -140,7 +143,8 @@ fn saddles_within_constraints_are_left() {
     assert_eq!(from(0).termination, Termination::Saddle);
 }
 
-/// Where the formula is not finite a step beside its minimum there are no second derivatives: the end is not said to be checked.
+/// Where the formula is not finite a step beside its minimum there are no second derivatives: the
+/// end is not said to be checked.
 #[test]
 fn a_minimum_beside_the_end_of_the_reals_is_not_said_to_be_checked() {
     let near = "override a: f32 = 2e-5; fn f(x: f32) -> f32 { return 0.001 * sqrt(a) * x; }";

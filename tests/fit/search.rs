@@ -1,4 +1,5 @@
-//! The search over forms: planted frontiers, the bars of the furnace normalisation, determinism, bad input.
+//! The search over forms: planted frontiers, the bars of the furnace normalisation, determinism,
+//! bad input.
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -79,7 +80,8 @@ fn the_cheap_bars_of_the_furnace_are_met() {
 
 #[test]
 fn planted_forms_are_found_at_their_cost() {
-    // Four operations: two products fuse; nine: 1 + x y and the divisor take one each, the reciprocal 4, the product 1.
+    // Four operations: two products fuse; nine: 1 + x y and the divisor take one each, the
+    // reciprocal 4, the product 1.
     for (planted, ops) in [
         ((|x, y| 0.5 + x * (2.0 - 1.5 * y * x)) as fn(f64, f64) -> f64, 3),
         (|x, y| (0.25 + x * y) / (1.0 + 2.0 * x), 8),
@@ -126,7 +128,8 @@ fn with(space: &Space, aid: Aid) -> Space {
     }
 }
 
-/// What is planted pays most, what has nothing to do with it is not admitted, and with it the formula is found.
+/// What is planted pays most, what has nothing to do with it is not admitted, and with it the
+/// formula is found.
 #[test]
 fn what_pays_is_told_and_used() {
     let root = Aid::Helper(Helper::Root { axis: 0 });
@@ -178,7 +181,8 @@ fn links_keep_the_anchor() {
     let inputs: Vec<Vec<f32>> =
         last.hypothesis.inputs().iter().map(|name| vec![if name == "x" { 0.0 } else { 0.7 }]).collect();
     assert_eq!(last.hypothesis.tape().evaluate(&inputs, &coefficients).unwrap(), [1.0]);
-    // Values that are not positive have no exponent: nothing is gained, nothing is found of it, and nothing fails.
+    // Values that are not positive have no exponent: nothing is gained, nothing is found of it, and
+    // nothing fails.
     let signed = square(8, |x, y| x - y);
     let trials = scout(&plain(4), &[Aid::Link(Link::Exp2)], &signed, &quiet).unwrap();
     assert!(trials[0].gain == 0.0 && !trials[0].admitted);

@@ -229,7 +229,8 @@ fn bad_data_are_refused_with_their_place() {
 
 #[test]
 fn a_fit_never_hides_a_pole_between_samples() {
-    // 1 / (x - 1/2) is best imitated by putting the pole where no sample is; the search may not cross it.
+    // 1 / (x - 1/2) is best imitated by putting the pole where no sample is; the search may not
+    // cross it.
     let pole =
         parse("override c: f32 = 2.0; override a: f32 = 1.0; fn f(x: f32) -> f32 { return a / (x - c); }");
     let samples = curve(40, |x| 1.0 / (x - 0.51));
@@ -356,7 +357,8 @@ fn undetermined_parameters_are_named() {
 
 #[test]
 fn p_norms_are_minimised_in_their_own_right() {
-    // The constant of least p-norm on 0, 0, 0, 1: c with 3 c^(p-1) = (1 - c)^(p-1), c = 1 / (1 + 3^(1/(p-1))).
+    // The constant of least p-norm on 0, 0, 0, 1: c with 3 c^(p-1) = (1 - c)^(p-1),
+    // c = 1 / (1 + 3^(1/(p-1))).
     let constant = parse("override a: f32 = 0.9; fn f(x: f32) -> f32 { return a + 0.0 * x; }");
     let samples =
         Samples { inputs: vec![vec![0.0; 4]], scale: vec![1.0; 4], target: vec![0.0, 0.0, 0.0, 1.0] };
@@ -368,7 +370,8 @@ fn p_norms_are_minimised_in_their_own_right() {
         let value = ((3.0 * c.powf(p) + (1.0 - c).powf(p)) / 4.0).powf(1.0 / p);
         assert!((fitted.value / value - 1.0).abs() < 1e-12);
     }
-    // Between least squares and minimax, towards which it tends; all of it on a rational form from its declared start.
+    // Between least squares and minimax, towards which it tends; all of it on a rational form from
+    // its declared start.
     let q = hypothesis("ggx_norm_q13");
     let samples = furnace(&q, 40, true);
     let at = |goal: Goal| optimise(&q, &samples, &[], &Options::new(goal)).unwrap();
@@ -398,7 +401,8 @@ fn weights_multiply_scale_and_target() {
         target: plain.target.iter().enumerate().map(|(i, t)| weight(i) * t).collect(),
         ..plain.clone()
     };
-    // A sample of weight w in the maximum, and in a p-norm, is a residual w times as large; in least squares, w^2 samples.
+    // A sample of weight w in the maximum, and in a p-norm, is a residual w times as large; in
+    // least squares, w^2 samples.
     let mut repeated = Samples { inputs: vec![vec![]], scale: vec![], target: vec![] };
     for i in 0..41 {
         for _ in 0..(weight(i) * weight(i)) as usize {
@@ -439,7 +443,8 @@ fn residuals_scaled_by_a_million_give_the_same_coefficients() {
     }
 }
 
-/// A parameter that the value does not depend on stays where it is declared, whatever is minimised, and is told.
+/// A parameter that the value does not depend on stays where it is declared, whatever is minimised,
+/// and is told.
 #[test]
 fn a_parameter_that_does_not_matter_stays_and_is_told() {
     for idle in ["0.0 * k", "k * max(x - 2.0, 0.0)"] {

@@ -16,7 +16,8 @@ fn grid(f: impl Fn(f64, f64) -> f64) -> Samples {
     }
 }
 
-/// Planted exponents of every combination of signs are found from declared ones that are all positive.
+/// Planted exponents of every combination of signs are found from declared ones that are all
+/// positive.
 #[test]
 fn the_signs_of_exponents_are_found() {
     let formula = "override c: f32 = 1.0; override p: f32 = 1.0; override q: f32 = 1.0;
@@ -31,7 +32,8 @@ fn the_signs_of_exponents_are_found() {
     }
 }
 
-/// The same inside exponentials and of more exponents than are combined; from one start alone nothing is turned.
+/// The same inside exponentials and of more exponents than are combined; from one start alone
+/// nothing is turned.
 #[test]
 fn signs_inside_exponentials_are_found() {
     let formula = "override a: f32 = 4.0; override b: f32 = 4.0; override c: f32 = 4.0; override d: f32 = 4.0;
@@ -54,7 +56,8 @@ fn line(count: usize, target: impl Fn(f64) -> f64) -> Samples {
 const BENT: &str = "override a: f32 = 0.5; override b: f32 = -0.4;
     fn f(x: f32) -> f32 { return x * (a + b * (1.0 - x)); }";
 
-/// At x = 0 the formula is 0 and errs by 1 whatever its parameters are: of all that err no more, the least squares are taken.
+/// At x = 0 the formula is 0 and errs by 1 whatever its parameters are: of all that err no more,
+/// the least squares are taken.
 #[test]
 fn of_equal_largest_errors_the_least_square_is_taken() {
     let samples = line(101, |x| if x == 0.0 { 1.0 } else { 0.3 * x + 0.1 * x * (1.0 - x) });
@@ -64,7 +67,8 @@ fn of_equal_largest_errors_the_least_square_is_taken() {
     assert!((fitted.max - 1.0).abs() < 1e-9 && fitted.termination.is_converged(), "{fitted:?}");
 }
 
-/// A ceiling of 1/2 under a target of x makes the error at x = 1 a half: a is 1/2, and b as large as the ceiling lets it be.
+/// A ceiling of 1/2 under a target of x makes the error at x = 1 a half: a is 1/2, and b as large
+/// as the ceiling lets it be.
 #[test]
 fn of_equal_largest_errors_within_a_range_the_least_square_is_taken() {
     let samples = line(101, |x| x);

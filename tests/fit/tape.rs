@@ -1,4 +1,5 @@
-//! The evaluator: values against hand-written Rust, derivatives against differences, bounds, operation counts.
+//! The evaluator: values against hand-written Rust, derivatives against differences, bounds,
+//! operation counts.
 #![allow(clippy::disallowed_methods)]
 
 use crate::fit_support;
@@ -9,7 +10,8 @@ use lobefit_shade::{Interval, Tape};
 /// A function of two inputs and two parameters, written by hand.
 type ByHand = fn(f64, f64, f64, f64) -> f64;
 
-/// Bodies of `f(x, y)` with parameters a and b, and the same in Rust. Inputs and parameters lie in [0.1, 1.1].
+/// Bodies of `f(x, y)` with parameters a and b, and the same in Rust. Inputs and parameters lie in
+/// [0.1, 1.1].
 fn cases() -> Vec<(&'static str, ByHand)> {
     vec![
         ("return a * x + b / y - x * y;", |x, y, a, b| a * x + b / y - x * y),

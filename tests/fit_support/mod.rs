@@ -24,9 +24,10 @@ pub fn parse(source: &str) -> Hypothesis {
     Hypothesis::parse("test.wgsl", source).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// GGX reflection albedo, height-correlated Smith, F = 1: a one-dimensional integral over the light's polar angle,
-/// the azimuth in closed form; m = tan((theta_l - theta) / 2) = alpha sinh(u), panels of length 1 in u with 16 Gauss
-/// nodes, the last graded at the horizon. About 1e-9 for alpha and mu above 1e-3.
+/// GGX reflection albedo, height-correlated Smith, F = 1: a one-dimensional integral over the
+/// light's polar angle, the azimuth in closed form; m = tan((theta_l - theta) / 2) = alpha sinh(u),
+/// panels of length 1 in u with 16 Gauss nodes, the last graded at the horizon. About 1e-9 for
+/// alpha and mu above 1e-3.
 pub fn albedo(alpha: f64, mu: f64) -> f64 {
     let theta = mu.acos();
     let a2 = alpha * alpha;
@@ -86,8 +87,8 @@ fn gauss(n: usize) -> Vec<(f64, f64)> {
     (0..n).map(node).collect()
 }
 
-/// Furnace samples of a hypothesis at the centres of `n` x `n` cells, and on the edges if wanted, over roughness [0.02, 1] and mu [0.01, 1], alpha =
-/// roughness^2.
+/// Furnace samples of a hypothesis at the centres of `n` x `n` cells, and on the edges if wanted,
+/// over roughness [0.02, 1] and mu [0.01, 1], alpha = roughness^2.
 pub fn furnace(hypothesis: &Hypothesis, n: usize, edges: bool) -> Samples {
     let inner =
         |i: usize| (0.02 + 0.98 * (i as f64 + 0.5) / n as f64, 0.01 + 0.99 * (i as f64 + 0.5) / n as f64);

@@ -1,13 +1,15 @@
-//! Albedos of the textbook's lobe by the directions of its facets: nothing of the program's own integrators.
+//! Albedos of the textbook's lobe by the directions of its facets: nothing of the program's own
+//! integrators.
 //!
-//! With the slope p = alpha rho (cos phi, sin phi) of a facet, measured against the view's azimuth, and T = tan theta of the view, the
-//! lobe's albedo is
+//! With the slope p = alpha rho (cos phi, sin phi) of a facet, measured against the view's azimuth,
+//! and T = tan theta of the view, the lobe's albedo is
 //!
 //!   E = 1/(2 pi) integral du dphi G2 (1 - alpha rho cos(phi) T),   u = rho^2/(1 + rho^2),
 //!
-//! since D cos(theta_h) dw_h = du dphi/(2 pi) and dw_l = 4 (v.h) dw_h. The light is above the surface where
-//! alpha rho < sqrt(1 + (cos(phi) T)^2) - cos(phi) T: from 0 to an end at which G2 vanishes with the light's cosine. Tanh-sinh quadrature
-//! takes that end, the midpoint rule the azimuth, whose analytic strip is about 1/T wide.
+//! since D cos(theta_h) dw_h = du dphi/(2 pi) and dw_l = 4 (v.h) dw_h. The light is above the
+//! surface where alpha rho < sqrt(1 + (cos(phi) T)^2) - cos(phi) T: from 0 to an end at which G2
+//! vanishes with the light's cosine. Tanh-sinh quadrature takes that end, the midpoint rule the
+//! azimuth, whose analytic strip is about 1/T wide.
 
 use lobefit::data::Smith;
 use lobefit_math::ops;
@@ -54,7 +56,8 @@ fn integrate(smith: Smith, alpha: f64, mu: f64, fineness: usize) -> Albedo {
     Albedo { e: e / azimuths as f64, b: b / azimuths as f64 }
 }
 
-/// G2 (v.h)/(v.n h.n) of a facet with this slope, and v.h; none where the light is not above the surface.
+/// G2 (v.h)/(v.n h.n) of a facet with this slope, and v.h; none where the light is not above the
+/// surface.
 fn facet(smith: Smith, alpha: f64, mu: f64, slope: f64, lean: f64) -> Option<(f64, f64)> {
     let facing = 1.0 - slope * lean;
     let square = 1.0 + slope * slope;
@@ -72,7 +75,8 @@ fn facet(smith: Smith, alpha: f64, mu: f64, slope: f64, lean: f64) -> Option<(f6
     Some((shadowing * facing, mu * facing / square.sqrt()))
 }
 
-/// Tanh-sinh quadrature over [0, 1]: x = 1/(1 + exp(-pi sinh t)), for integrands without a singularity at 0 that vanish at 1.
+/// Tanh-sinh quadrature over [0, 1]: x = 1/(1 + exp(-pi sinh t)), for integrands without a
+/// singularity at 0 that vanish at 1.
 struct TanhSinh {
     /// Node and weight.
     nodes: Vec<[f64; 2]>,

@@ -1,4 +1,5 @@
-//! What furnace tests share: the emitted functions of tables, run as the program of somebody who uses them, and textbook lobes.
+//! What furnace tests share: the emitted functions of tables, run as the program of somebody who
+//! uses them, and textbook lobes.
 
 pub mod tables;
 pub mod textbook;
@@ -58,8 +59,8 @@ pub struct Returned {
     pub factors: [f64; 3],
 }
 
-/// The functions of `include`, compiled by rustc, for every table at its points, with the compensation of colours; that of one channel
-/// must agree with it.
+/// The functions of `include`, compiled by rustc, for every table at its points, with the
+/// compensation of colours; that of one channel must agree with it.
 pub fn returned(
     include: &str,
     compensation: Compensation,

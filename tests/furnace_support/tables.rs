@@ -1,4 +1,5 @@
-//! Small tables made for the furnace: sampled, not optimised, in the layouts for the trilinear lookup.
+//! Small tables made for the furnace: sampled, not optimised, in the layouts for the trilinear
+//! lookup.
 
 use lobefit::data::{AlphaMap, Axis, Channel, Smith, Surface, Table, TexelFormat};
 use lobefit::effects::anisotropy::{Azimuth, aniso_axes, azimuth_axes};

@@ -1,7 +1,8 @@
-//! The lobes as textbooks write them, and a plain rule over all directions: nothing of the program's own integrators.
+//! The lobes as textbooks write them, and a plain rule over all directions: nothing of the
+//! program's own integrators.
 //!
-//! Walter, Marschner, Li & Torrance, "Microfacet models for refraction through rough surfaces", 2007; Heitz, "Understanding the
-//! masking-shadowing function in microfacet-based BRDFs", 2014.
+//! Walter, Marschner, Li & Torrance, "Microfacet models for refraction through rough surfaces",
+//! 2007; Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", 2014.
 
 use lobefit::data::Smith;
 use lobefit_math::gauss::Gauss;
@@ -25,7 +26,8 @@ pub fn direction(cosine: f64, phi: f64) -> Vector {
     [sine * c, sine * s, cosine]
 }
 
-/// A rule over the directions of a hemisphere: Gauss in the cosine, the trapezoidal rule in the azimuth.
+/// A rule over the directions of a hemisphere: Gauss in the cosine, the trapezoidal rule in the
+/// azimuth.
 pub struct Hemisphere {
     cosines: Gauss,
     /// Cosine and sine of each azimuth.
@@ -42,7 +44,8 @@ impl Hemisphere {
         Hemisphere { cosines: Gauss::new(cosines), azimuths: (0..azimuths).map(azimuth).collect() }
     }
 
-    /// The integrals of several functions of the direction over the solid angle of a range of cosines.
+    /// The integrals of several functions of the direction over the solid angle of a range of
+    /// cosines.
     pub fn integrate<const N: usize>(
         &self,
         [low, high]: [f64; 2],
@@ -97,21 +100,23 @@ impl Facets {
         }
     }
 
-    /// BRDF times the cosine of the light for F = 1, and the cosine between view and facet: Walter et al., eq. 20.
+    /// BRDF times the cosine of the light for F = 1, and the cosine between view and facet: Walter
+    /// et al., eq. 20.
     pub fn reflected(&self, v: Vector, l: Vector) -> (f64, f64) {
         let h = normalised([v[0] + l[0], v[1] + l[1], v[2] + l[2]]);
         (self.distribution(h) * self.shadowing(v, l) / (4.0 * v[2]), dot(v, h))
     }
 
-    /// Cosines, below the surface, of the light that facets turned to the outside send there: h = -(from v + to l) is above the horizon on
-    /// one side of l_z = -v_z from/to, and at the horizon itself, where D is not 0, the lobe ends abruptly.
+    /// Cosines, below the surface, of the light that facets turned to the outside send there:
+    /// h = -(from v + to l) is above the horizon on one side of l_z = -v_z from/to, and at the
+    /// horizon itself, where D is not 0, the lobe ends abruptly.
     pub fn below(v: Vector, [from, to]: [f64; 2]) -> [f64; 2] {
         let edge = (v[2] * from / to).min(1.0);
         if to > from { [edge, 1.0] } else { [0.0, edge] }
     }
 
-    /// BTDF times the cosine of the light, from a medium of index `from` to one of index `to`: Walter et al., eq. 21. `l` is below the
-    /// surface.
+    /// BTDF times the cosine of the light, from a medium of index `from` to one of index `to`:
+    /// Walter et al., eq. 21. `l` is below the surface.
     pub fn transmitted(&self, v: Vector, l: Vector, [from, to]: [f64; 2]) -> f64 {
         let half = normalised([0, 1, 2].map(|k| from * v[k] + to * l[k]));
         let h = if half[2] > 0.0 { half } else { half.map(|x| -x) };
@@ -126,7 +131,8 @@ impl Facets {
     }
 }
 
-/// Reflectance of a dielectric at the cosine c of incidence, with the ratio of the far to the near index: Walter et al., eq. 22.
+/// Reflectance of a dielectric at the cosine c of incidence, with the ratio of the far to the near
+/// index: Walter et al., eq. 22.
 pub fn fresnel(c: f64, ratio: f64) -> f64 {
     let square = ratio * ratio - 1.0 + c * c;
     if square <= 0.0 {

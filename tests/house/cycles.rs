@@ -1,4 +1,5 @@
-//! The modules of the catalogue of effects, and those of an approximation: no module imports another that leads back to it.
+//! The modules of the catalogue of effects, and those of an approximation: no module imports
+//! another that leads back to it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -19,7 +20,8 @@ fn exported(text: &str) -> BTreeMap<String, String> {
     uses.flat_map(|(module, items)| heads(items).into_iter().map(|item| (item, module.to_owned()))).collect()
 }
 
-/// What a source at a depth below the folder `top` takes from the folder: module names, or items that its `mod.rs` gives on.
+/// What a source at a depth below the folder `top` takes from the folder: module names, or items
+/// that its `mod.rs` gives on.
 fn taken(text: &str, top: &str, depth: usize) -> BTreeSet<String> {
     let text = code(text);
     let text = text.split("mod tests {").next().unwrap_or_default();

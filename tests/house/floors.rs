@@ -1,4 +1,5 @@
-//! The house: a module imports only from the floors below it, as the table in `src/lib.rs` numbers them.
+//! The house: a module imports only from the floors below it, as the table in `src/lib.rs` numbers
+//! them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -31,7 +32,8 @@ pub(crate) fn sources(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// The text without comments (strings are kept: none of ours holds `crate::`, and a false alarm would be seen).
+/// The text without comments (strings are kept: none of ours holds `crate::`, and a false alarm
+/// would be seen).
 pub(crate) fn code(text: &str) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
@@ -40,7 +42,8 @@ pub(crate) fn word(text: &str) -> &str {
     text.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default()
 }
 
-/// The first name of every path in `text`, which begins where a path to the crate's root ends: `a::b`, or `{a::b, c}`.
+/// The first name of every path in `text`, which begins where a path to the crate's root ends:
+/// `a::b`, or `{a::b, c}`.
 pub(crate) fn heads(text: &str) -> Vec<String> {
     let text = text.trim_start();
     let Some(group) = text.strip_prefix('{') else { return vec![word(text).to_owned()] };
@@ -64,8 +67,9 @@ pub(crate) fn heads(text: &str) -> Vec<String> {
     names
 }
 
-/// Modules of the crate that a source names: through `crate::`, or through as many `super::` as lead to the root.
-/// `depth` is the depth of the file's module; a test module inside it (they stand last) is one deeper.
+/// Modules of the crate that a source names: through `crate::`, or through as many `super::` as
+/// lead to the root. `depth` is the depth of the file's module; a test module inside it (they stand
+/// last) is one deeper.
 fn imports(text: &str, depth: usize) -> BTreeSet<String> {
     let text = code(text);
     let mut found = BTreeSet::new();

@@ -69,7 +69,8 @@ fn the_table_of_tables_is_the_manifests() {
     assert_eq!(found, wanted, "the README's rows should be:\n{}\n", wanted.join("\n"));
 }
 
-/// `what ignoring the azimuth costs` as the README rounds it, up to three digits, is the report's figure.
+/// `what ignoring the azimuth costs` as the README rounds it, up to three digits, is the report's
+/// figure.
 #[test]
 fn the_price_of_ignoring_the_azimuth_is_the_reports() {
     let ways = json("reports/anisotropy.json")["azimuth"][0]["ways"].clone();
@@ -98,7 +99,8 @@ fn every_example_is_named() {
     }
 }
 
-/// Each piece of code is emitted, or the example's hypothesis, or (where it binds a texture) calls what is emitted.
+/// Each piece of code is emitted, or the example's hypothesis, or (where it binds a texture) calls
+/// what is emitted.
 #[test]
 fn the_code_is_what_is_emitted() {
     let (readme, wgsl) = (read("README.md"), read("fits/lobefit.wgsl"));

@@ -1,5 +1,6 @@
-//! An effect added from outside: a quantity with its truth, formulas, a table and a page, baked, checked and emitted by what every
-//! effect has. It is Minnaert's lobe (1941), (mu_l mu_v)^alpha / pi, whose albedo is 2 mu^alpha / (2 + alpha).
+//! An effect added from outside: a quantity with its truth, formulas, a table and a page, baked,
+//! checked and emitted by what every effect has. It is Minnaert's lobe (1941), (mu_l
+//! mu_v)^alpha / pi, whose albedo is 2 mu^alpha / (2 + alpha).
 
 use lobefit::approximate::Entry;
 use lobefit::data::{Layout, Norm, TexelFormat};

@@ -1,4 +1,5 @@
-//! The diffuse factors against their textbook forms: spec + factor = 1, by quadrature and with sampled albedos.
+//! The diffuse factors against their textbook forms: spec + factor = 1, by quadrature and with
+//! sampled albedos.
 
 use lobefit::data::Smith;
 use lobefit_truth::integrate::monte_carlo::{self, sobol};
@@ -56,7 +57,8 @@ fn a_smooth_metal_keeps_its_loss() {
     }
 }
 
-/// Sampled E and B, put into the textbook's form here, agree with the factor; and the sampled factor does.
+/// Sampled E and B, put into the textbook's form here, agree with the factor; and the sampled
+/// factor does.
 #[test]
 fn sampling_agrees() {
     for (seed, (alpha, mu)) in [(0.05, 0.1), (0.3, 0.4), (0.7, 0.9), (1.0, 0.05)].into_iter().enumerate() {

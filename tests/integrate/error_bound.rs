@@ -1,5 +1,5 @@
-//! The error column is a bound: against a rule with four times the nodes at 10 000 random points, half of them crowded
-//! towards grazing and half towards normal incidence.
+//! The error column is a bound: against a rule with four times the nodes at 10 000 random points,
+//! half of them crowded towards grazing and half towards normal incidence.
 #![allow(
     clippy::disallowed_methods,
     reason = "a test may use the platform's functions: its tolerances allow for them"
@@ -46,7 +46,8 @@ fn error_is_a_bound_and_not_a_wasteful_one() {
         let trials: Vec<Trial> = (0..10_000_u64).into_par_iter().map(|i| trial(i, smith)).collect();
         let above = trials.iter().filter(|t| t.error > t.bound || t.loss_error > t.loss_bound).count();
         assert!(above <= 10, "{smith:?}: {above} of 10 000 above their bound");
-        // Not wastefully large: within a thousand times the error, or a hundredth of the promise, where rounding rules.
+        // Not wastefully large: within a thousand times the error, or a hundredth of the promise,
+        // where rounding rules.
         let wide = trials.iter().filter(|t| t.bound > (1e3 * t.error).max(1e-2 * TOLERANCE)).count();
         assert!(wide <= 1000, "{smith:?}: {wide} of 10 000 bounds are wasteful");
         let worst = trials.iter().max_by(|a, b| a.error.total_cmp(&b.error)).expect("trials");

@@ -1,5 +1,5 @@
-//! `parallax-alpha` and its lobes against independent means: adaptive quadrature of densities, a brute search of the best width, and
-//! the properties that hold whatever the numbers are.
+//! `parallax-alpha` and its lobes against independent means: adaptive quadrature of densities, a
+//! brute search of the best width, and the properties that hold whatever the numbers are.
 
 use lobefit_math::ops::{atan, cos, exp, exp2, log, sin, tan};
 use lobefit_truth::optics::kernel::Kernel;
@@ -21,7 +21,8 @@ fn simpson(f: &dyn Fn(f64) -> f64, a: f64, b: f64, tolerance: f64) -> f64 {
     go(f, a, b, [f(a), f(0.5 * (a + b)), f(b)], tolerance, 40)
 }
 
-/// GGX's distribution of normals as it is printed (Walter et al. 2007, eq. 33), without its constant.
+/// GGX's distribution of normals as it is printed (Walter et al. 2007, eq. 33), without its
+/// constant.
 fn d(alpha: f64, theta: f64) -> f64 {
     let (c, s) = (cos(theta), sin(theta));
     let spread = c * c * alpha * alpha + s * s;

@@ -1,4 +1,5 @@
-//! The fast tables of `ggx-glass`: against the truth, by identities and limits, and the same bits however they are computed.
+//! The fast tables of `ggx-glass`: against the truth, by identities and limits, and the same bits
+//! however they are computed.
 #![allow(
     clippy::disallowed_methods,
     reason = "a test may use the platform's functions: its tolerances allow for them"
@@ -42,7 +43,8 @@ fn one(kernel: &Kernel, alpha: f64, mu: f64, ior: f64) -> Energies {
     out[0]
 }
 
-/// Texels of the sources' grid: random ones, and those next to the critical angles and in the corners.
+/// Texels of the sources' grid: random ones, and those next to the critical angles and in the
+/// corners.
 fn texels(random: usize) -> Vec<[usize; 3]> {
     let mut source = Pcg64::seed_from_u64(3);
     let mut below = |n: f64| (source.random::<f64>() * n) as usize;
@@ -89,7 +91,8 @@ fn texels_are_the_truth_within_the_tolerance() {
     }
 }
 
-/// Random points of the whole domain, by the kernel itself, R and T apart; every fifth at the smallest mu.
+/// Random points of the whole domain, by the kernel itself, R and T apart; every fifth at the
+/// smallest mu.
 #[test]
 fn the_whole_domain_is_within_the_tolerance() {
     let mut random = Pcg64::seed_from_u64(5);
@@ -119,7 +122,8 @@ fn the_whole_domain_is_within_the_tolerance() {
     }
 }
 
-/// 2 int T_in mu dmu = n^-2 2 int T_out mu dmu, for any symmetric G2. Panels end at the critical angles.
+/// 2 int T_in mu dmu = n^-2 2 int T_out mu dmu, for any symmetric G2. Panels end at the critical
+/// angles.
 #[test]
 fn transmission_is_reciprocal_on_average() {
     let rule = Gauss::new(24);
@@ -148,7 +152,8 @@ fn transmission_is_reciprocal_on_average() {
     }
 }
 
-/// As ior -> 1 nothing is reflected and the straight light is shadowed: (1 + L)/(1 + 2 L) or 1/(1 + L), and the kernel follows the truth there.
+/// As ior -> 1 nothing is reflected and the straight light is shadowed: (1 + L)/(1 + 2 L) or
+/// 1/(1 + L), and the kernel follows the truth there.
 #[test]
 fn an_index_of_one_is_the_limit() {
     for smith in BOTH {
@@ -175,7 +180,8 @@ fn an_index_of_one_is_the_limit() {
     }
 }
 
-/// A grid of which mu moves with alpha and with the index of refraction, columns and rows in no order, and a slice of index 1.
+/// A grid of which mu moves with alpha and with the index of refraction, columns and rows in no
+/// order, and a slice of index 1.
 #[test]
 fn a_grid_may_move_with_alpha_and_ior() {
     let alphas: Vec<f64> = (0..40).map(|y| 1e-3_f64.powf(f64::from((y * 7) % 40) / 39.0)).collect();

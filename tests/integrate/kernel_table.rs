@@ -1,4 +1,5 @@
-//! Kernels given as tables against the lobes that were tabulated: energies in closed form, best widths by a brute search of them.
+//! Kernels given as tables against the lobes that were tabulated: energies in closed form, best
+//! widths by a brute search of them.
 
 use std::f64::consts::PI;
 
@@ -6,7 +7,8 @@ use lobefit_math::ops::{atan, cos, exp, log, pow, tan};
 use lobefit_truth::optics::kernel::{Kernel, TableLobe, tabulated};
 use lobefit_truth::quantity::footprint::{TOLERANCE, adjusted, best, measures, quick_error, usual_tolerance};
 
-/// A lobe that is none of GGX's, and vanishes at the horizon but at alpha 1: cos^n(theta), n = 1/(2 A) - 1/2. Its energy is 1 - cos^(n+1).
+/// A lobe that is none of GGX's, and vanishes at the horizon but at alpha 1: cos^n(theta), n = 1/(2
+/// A) - 1/2. Its energy is 1 - cos^(n+1).
 fn power(alpha: f64) -> f64 {
     0.5 / (alpha * alpha) - 0.5
 }
@@ -67,7 +69,8 @@ fn a_table_of_the_half_angle_lobe_is_exact_at_any_width() {
     }
 }
 
-/// Another lobe, at its widths and between them: the error of a table falls as one of its angles and of its widths does.
+/// Another lobe, at its widths and between them: the error of a table falls as one of its angles
+/// and of its widths does.
 #[test]
 fn energies_of_a_table_converge_to_those_of_its_lobe() {
     let worst = |kernel: Kernel, alphas: &[f64]| {
@@ -92,7 +95,8 @@ fn energies_of_a_table_converge_to_those_of_its_lobe() {
     assert!(off[2] < 1e-3 && off[2] < 0.4 * off[1] && off[1] < 0.5 * off[0], "{off:?}");
 }
 
-/// The best width of a tabulated half-cosine lobe is the formula's; of cos^n that of a brute search over its energies in closed form.
+/// The best width of a tabulated half-cosine lobe is the formula's; of cos^n that of a brute search
+/// over its energies in closed form.
 #[test]
 fn best_widths_of_a_table_are_those_of_its_lobe() {
     let cosine =
@@ -127,7 +131,8 @@ fn best_widths_of_a_table_are_those_of_its_lobe() {
     }
 }
 
-/// The width of least squared distance over ln R, by trying widths 0.1 % apart on a rule of its own.
+/// The width of least squared distance over ln R, by trying widths 0.1 % apart on a rule of its
+/// own.
 fn brute(alpha: f64, rho: f64) -> f64 {
     let distance = |width: f64| {
         let at = |k: i32| {
@@ -151,7 +156,8 @@ fn cut(name: &str, flat: bool) -> Kernel {
     tabulated(name, &[0.04, 0.2, 1.0].map(lobe)).unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// What is promised holds: the error stated bounds the distance to a rule of much finer steps, and that of `best` is what is said of it.
+/// What is promised holds: the error stated bounds the distance to a rule of much finer steps, and
+/// that of `best` is what is said of it.
 #[test]
 fn errors_of_a_table_are_bounds() {
     let coarse = phong(&widths(5), 12);
@@ -183,7 +189,8 @@ fn errors_of_a_table_are_bounds() {
     assert_eq!([coarse, cut("cut", false)].map(|kernel| usual_tolerance(&kernel)), [1e-4, 1e-3]);
 }
 
-/// The total variation of lobes with noise from angle to angle is that of a sum of steps much finer than the noise.
+/// The total variation of lobes with noise from angle to angle is that of a sum of steps much finer
+/// than the noise.
 #[test]
 fn noise_of_a_table_is_seen_in_the_total_variation() {
     let noisy = table("noisy", &widths(6), 400, |alpha, theta| {

@@ -1,4 +1,5 @@
-//! The anisotropic and the glass lobe: limits, symmetries, identities, an independent Monte Carlo, and their error bounds.
+//! The anisotropic and the glass lobe: limits, symmetries, identities, an independent Monte Carlo,
+//! and their error bounds.
 #![allow(
     clippy::disallowed_methods,
     reason = "a test may use the platform's functions: its tolerances allow for them"

@@ -1,4 +1,5 @@
-//! Two routes: quadrature over polar angles in closed azimuth, and Monte Carlo over visible normals or over lights.
+//! Two routes: quadrature over polar angles in closed azimuth, and Monte Carlo over visible normals
+//! or over lights.
 
 use lobefit::data::Smith;
 use lobefit_truth::integrate::monte_carlo::{self, Draw, Points, Run, Sampled};
@@ -8,8 +9,8 @@ fn run(samples: u64, seed: u64, points: Points, draw: Draw) -> Run {
     Run { samples, seed, points, draw }
 }
 
-/// z-scores of many estimates: standard normal in the mean of squares, none beyond 5.5 (32 replicas: Student's t with 31
-/// degrees of freedom, two-sided 5e-6).
+/// z-scores of many estimates: standard normal in the mean of squares, none beyond 5.5 (32
+/// replicas: Student's t with 31 degrees of freedom, two-sided 5e-6).
 fn assert_scores(scores: &[f64]) {
     let mean_square = scores.iter().map(|z| z * z).sum::<f64>() / scores.len() as f64;
     let worst = scores.iter().fold(0.0_f64, |a, z| a.max(z.abs()));

@@ -9,8 +9,9 @@ use lobefit_truth::integrate::reflection::{TOLERANCE, average, reflection};
 
 const BOTH: [Smith; 2] = [Smith::Correlated, Smith::Separable];
 
-/// loss(mu, 1) = mu ln(1 + 1/mu) for the correlated form, E = 2 (1 - ln 2)/(1 + mu) for the separable one: at alpha = 1 the
-/// BRDF times cosine is mu_l / (2 pi (mu_v + mu_l)), respectively 2 mu_l / (pi (1 + mu_v)(1 + mu_l)) / 2.
+/// loss(mu, 1) = mu ln(1 + 1/mu) for the correlated form, E = 2 (1 - ln 2)/(1 + mu) for the
+/// separable one: at alpha = 1 the BRDF times cosine is mu_l / (2 pi (mu_v + mu_l)), respectively 2
+/// mu_l / (pi (1 + mu_v)(1 + mu_l)) / 2.
 #[test]
 fn alpha_one_has_a_closed_form() {
     for i in 0..=1000 {
@@ -97,7 +98,8 @@ fn values_known_from_two_routes() {
     }
 }
 
-/// E and the loss are integrals of different integrands over different ranges: by the weak white furnace they add up to 1.
+/// E and the loss are integrals of different integrands over different ranges: by the weak white
+/// furnace they add up to 1.
 #[test]
 fn albedo_and_loss_close() {
     for smith in BOTH {
@@ -115,7 +117,8 @@ fn albedo_and_loss_close() {
     }
 }
 
-/// E_avg by another rule over another variable: Gauss in ln(mu) over octaves, from the quantity itself.
+/// E_avg by another rule over another variable: Gauss in ln(mu) over octaves, from the quantity
+/// itself.
 #[test]
 fn averages_are_the_means_of_the_quantity() {
     let rule = lobefit_math::gauss::Gauss::new(24);
@@ -174,7 +177,8 @@ fn ends_of_the_domain_are_values() {
     assert!((edge.e - 1.0).abs() < 1e-12 && edge.loss == 0.0, "{edge:?}");
 }
 
-/// At alpha = 1 the half vector's density is 1/pi, and at mu = 0 B = int (1 - v.h)^5 over the facets that are seen is 1/21.
+/// At alpha = 1 the half vector's density is 1/pi, and at mu = 0 B = int (1 - v.h)^5 over the
+/// facets that are seen is 1/21.
 #[test]
 fn bias_at_grazing_view_is_within_its_error() {
     let edge = reflection(Smith::Correlated, 1.0, 0.0, 1e-10).expect("mu = 0");

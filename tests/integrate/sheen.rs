@@ -1,4 +1,5 @@
-//! The sheen albedo: closed forms at the ends, an independent formulation over lights, Monte Carlo, and the promise of the bound.
+//! The sheen albedo: closed forms at the ends, an independent formulation over lights, Monte Carlo,
+//! and the promise of the bound.
 #![allow(
     clippy::disallowed_methods,
     reason = "a test may use the platform's functions: its tolerances allow for them"
@@ -15,8 +16,9 @@ use rayon::prelude::*;
 const ALPHAS: [f64; 9] = [1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.2, 0.45, 0.8, 1.0];
 const COSINES: [f64; 12] = [0.0, 1e-30, 1e-6, 1e-3, 0.02, 0.1, 0.3, 0.6, 0.89, 0.91, 0.999, 1.0];
 
-/// E over the light's polar angle and azimuth psi from the mirror direction: (2 + p)/(8 pi) int mu_l/(mu + mu_l - mu mu_l) X^(p/2), with
-/// X = sin^2(theta_h) = 1 - (mu + mu_l)^2/q, q = |v + l|^2. X is singular where l mirrors v, q small where both graze.
+/// E over the light's polar angle and azimuth psi from the mirror direction: (2 + p)/(8 pi) int
+/// mu_l/(mu + mu_l - mu mu_l) X^(p/2), with X = sin^2(theta_h) = 1 - (mu + mu_l)^2/q,
+/// q = |v + l|^2. X is singular where l mirrors v, q small where both graze.
 fn over_lights(alpha: f64, mu: f64) -> f64 {
     let (p, rule) = (1.0 / alpha, Gauss::new(24));
     let sine = |x: f64| ((1.0 - x) * (1.0 + x)).sqrt();

@@ -1,5 +1,6 @@
-//! Footprints on slanted walls against the exact ones without slant, against an independent integration over places of the wall, and the
-//! fetches that come nearest against the study's figures.
+//! Footprints on slanted walls against the exact ones without slant, against an independent
+//! integration over places of the wall, and the fetches that come nearest against the study's
+//! figures.
 
 use std::f64::consts::PI;
 
@@ -33,7 +34,8 @@ fn without_slant_distances_are_those_of_the_radial_footprint() {
             let exact = measures(&kernel, alpha, rho, fetched).expect("measures");
             let case = Case::new(kernel.clone(), alpha, slant, Resolution::FINE).expect("a case");
             let off = case.off(&case.normalised(case.straight(fetched)).expect("a fetch"));
-            // lobes that do not end in 0 at the horizon lose their tails past the last row: 1/300 of the height
+            // lobes that do not end in 0 at the horizon lose their tails past the last row: 1/300
+            // of the height
             let tail = if kernel == Kernel::HalfCosine { 2e-4 } else { 3e-3 };
             let place = format!("{kernel:?} alpha {alpha} rho {rho}: {off:?} against {exact:?}");
             assert!((off.tv - exact.tv).abs() < tail, "{place}");
@@ -44,7 +46,8 @@ fn without_slant_distances_are_those_of_the_radial_footprint() {
     }
 }
 
-/// Energy per wall area as the study writes it, over the unnormalised densities of the printed formulas.
+/// Energy per wall area as the study writes it, over the unnormalised densities of the printed
+/// formulas.
 fn per_area(alpha: f64, from: [f64; 3], axis: [f64; 3], [x, y]: [f64; 2]) -> f64 {
     let v = [x - from[0], y - from[1], -from[2]];
     let square: f64 = v.iter().map(|c| c * c).sum();
@@ -55,7 +58,8 @@ fn per_area(alpha: f64, from: [f64; 3], axis: [f64; 3], [x, y]: [f64; 2]) -> f64
     cosine.max(0.0) / (spread * spread) * from[2] / (square * square.sqrt())
 }
 
-/// Total variation by Gauss-like midpoints over x = scale sinh(s), y = scale sinh(t): nothing of the library's coordinates.
+/// Total variation by Gauss-like midpoints over x = scale sinh(s), y = scale sinh(t): nothing of
+/// the library's coordinates.
 fn variation(target: impl Fn([f64; 2]) -> f64, fetch: impl Fn([f64; 2]) -> f64, scale: f64, n: usize) -> f64 {
     let reach = 11.0;
     let node = |i: usize| {
@@ -143,7 +147,8 @@ fn the_derivatives_are_those_of_the_distance() {
     }
 }
 
-/// The study's table: alpha, slant, total variation of the same width, of the best one, of 2, 3, 4 and 8 fetches.
+/// The study's table: alpha, slant, total variation of the same width, of the best one, of 2, 3, 4
+/// and 8 fetches.
 const TABLE: [(f64, f64, [f64; 6]); 6] = [
     (0.1, 30.0, [0.075, 0.067, 0.039, 0.023, 0.017, 0.018]),
     (0.1, 60.0, [0.289, 0.243, 0.158, 0.101, 0.064, 0.029]),

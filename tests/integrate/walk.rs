@@ -14,8 +14,8 @@ fn agrees(found: Sampled, truth: f64, what: &str) {
     assert!(off <= 4.0 * found.standard_error, "{what}: {found:?}, truth {truth}");
 }
 
-/// What leaves after one bounce is the integral of single scattering with correlated shadowing, whose formula the walk does not know;
-/// what leaves after any number is all of it.
+/// What leaves after one bounce is the integral of single scattering with correlated shadowing,
+/// whose formula the walk does not know; what leaves after any number is all of it.
 #[test]
 fn one_bounce_is_single_scattering_and_all_bounces_are_white() {
     for (alpha, mu) in [(0.05, 0.04), (0.3, 0.2), (0.3, 0.9), (1.0, 0.1), (1.0, 1.0)] {
@@ -53,8 +53,8 @@ fn the_average_is_the_integral() {
     }
 }
 
-/// Light that leaves after two bounces or more goes from one set of directions to another as it goes back: the walk is reciprocal,
-/// which nothing in its making forces.
+/// Light that leaves after two bounces or more goes from one set of directions to another as it
+/// goes back: the walk is reciprocal, which nothing in its making forces.
 #[test]
 fn several_bounces_are_reciprocal() {
     let walks = Walks { paths: 1 << 19, seed: 11 };

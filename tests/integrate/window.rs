@@ -1,4 +1,5 @@
-//! The literal experiment against the study's figures, which come from another program, and against a search on a plain grid.
+//! The literal experiment against the study's figures, which come from another program, and against
+//! a search on a plain grid.
 
 use std::f64::consts::PI;
 

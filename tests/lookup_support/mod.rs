@@ -1,5 +1,5 @@
-//! Lookups of probes as emitted: in every language that a compiler is there for, and on a device, they fetch what the lookups of the
-//! study do, also from places and along rays that are hard.
+//! Lookups of probes as emitted: in every language that a compiler is there for, and on a device,
+//! they fetch what the lookups of the study do, also from places and along rays that are hard.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
 use crate::emit_support;
@@ -125,7 +125,8 @@ impl Emitted {
 /// Place, the surface's normal, the ray or for the fitted lobe the view, alpha.
 pub type Point = [f32; 10];
 
-/// Places all over a room and beyond, on its walls and edges, with rays of all directions, along axes, walls and as good as along them.
+/// Places all over a room and beyond, on its walls and edges, with rays of all directions, along
+/// axes, walls and as good as along them.
 pub fn points(room: &Room) -> Vec<Point> {
     let (places, turns) = (Sobol::new([1, 2, 3]), Sobol::new([4, 5, 6]).padded(7));
     let even = |set: &Sobol, i: u32| [0, 1, 2].map(|k| 2.0 * set.coordinate(i, k) - 1.0);
@@ -169,8 +170,8 @@ pub fn points(room: &Room) -> Vec<Point> {
     points
 }
 
-/// Sines and cosines between the normals and the views of surfaces: head on, close to that, at grazing angles, along the surface, below it and
-/// straight below.
+/// Sines and cosines between the normals and the views of surfaces: head on, close to that, at
+/// grazing angles, along the surface, below it and straight below.
 const TILTS: [[f64; 2]; 12] = [
     [0.0, 1.0],
     [1e-7, 1.0],
@@ -226,7 +227,8 @@ pub struct Expected {
 const ROUNDING: f64 = 2e-6;
 
 impl Emitted {
-    /// One fetch along a ray, of a lobe that is `alpha` wide, through the proxy of a lobe that is `whole` wide.
+    /// One fetch along a ray, of a lobe that is `alpha` wide, through the proxy of a lobe that is
+    /// `whole` wide.
     fn expected(&self, place: Vec3, ray: Vec3, alpha: f64, whole: f64) -> Option<Expected> {
         let Meeting { distance, place: met, normal } = self.proxy().meet(place, ray, whole)?;
         let away = minus(met, self.room.probe);
@@ -234,15 +236,17 @@ impl Emitted {
         let [here, there] = [ray, towards].map(|v| dot(normal, v).max(0.02));
         let rho = distance / length(away) * (there / here).sqrt();
         let width = self.width.tape().evaluate(&[vec![alpha], vec![rho]], &[]).expect("a width")[0];
-        // a plane's distance carries the rounding of coordinates: relative to that distance it moves the place met along the ray, and
-        // tilts the normal of a smooth body by as much, p times
+        // a plane's distance carries the rounding of coordinates: relative to that distance it
+        // moves the place met along the ray, and tilts the normal of a smooth body by as much, p
+        // times
         let ahead = self.room.walls.iter().map(|wall| {
             let height = wall.plane.depth(self.room.probe);
             (wall.plane.depth(place).max(NEAREST * height), dot(wall.plane.normal, ray))
         });
         let nearest = ahead.clone().filter(|(_, a)| *a > 0.0).map(|(d, _)| d).fold(f64::INFINITY, f64::min);
         let unsure = ROUNDING / nearest;
-        // at an edge of two planes at a right angle, each met at 45 degrees, s is 2; more only where the cosine `here` is less
+        // at an edge of two planes at a right angle, each met at 45 degrees, s is 2; more only
+        // where the cosine `here` is less
         let power = if self.lookup.smooth { Tied::FITTED.at(whole, 2.0) } else { 1.0 };
         // where two planes are as near, the sharp proxy takes either
         let mut along: Vec<f64> = ahead.map(|(d, a)| a / d).collect();
@@ -256,7 +260,8 @@ impl Emitted {
         Some(Expected { towards, width, weight: 1.0, allowed })
     }
 
-    /// The fetches at a point; none where f32 may decide otherwise: which of two planes as near, which end of an axis that is as long is which.
+    /// The fetches at a point; none where f32 may decide otherwise: which of two planes as near,
+    /// which end of an axis that is as long is which.
     pub fn all_expected(&self, point: &Point) -> Option<Vec<Expected>> {
         let [place, normal, last] = [0, 3, 6].map(|k| [0, 1, 2].map(|axis| f64::from(point[k + axis])));
         let lobe = self.lobe([place, normal, last], f64::from(point[9]));
@@ -276,12 +281,14 @@ impl Emitted {
         let ruled = rule.taps(&stretch, alpha);
         let mut faded = ruled.clone();
         fade(&mut faded, ray, stretch.major, normal);
-        // close to the surface what a cosine is off by goes into weights and tilts, as many times as a fade is steep
+        // close to the surface what a cosine is off by goes into weights and tilts, as many times
+        // as a fade is steep
         let fading = if faded == ruled { 1.0 } else { 1.0 / FADE };
         for tap in faded {
             let tilted = normalise(plus(ray, scaled(stretch.major, tap.tilt)));
             let fetch = self.expected(place, tilted, tap.width * alpha, alpha)?;
-            // the axis of a footprint turns by the normal's tilt over what its axes differ by, a fetch by its own tilt of that
+            // the axis of a footprint turns by the normal's tilt over what its axes differ by, a
+            // fetch by its own tilt of that
             let steep = 1.0 / dot(hit.normal, ray).max(0.02);
             let unsure = ROUNDING * steep * steep;
             let spread = alpha * (unsure / stretch.length).min(unsure.sqrt());
@@ -297,7 +304,8 @@ impl Emitted {
         if self.lookup.taps == 1 { 4 } else { 5 * self.lookup.taps as usize }
     }
 
-    /// Checks what a language returned: directions with widths, or with levels of a linear chain; then weights.
+    /// Checks what a language returned: directions with widths, or with levels of a linear chain;
+    /// then weights.
     pub fn agrees(&self, language: &str, points: &[Point], found: &[f32]) {
         let (numbers, taps) = (self.numbers(), self.lookup.taps as usize);
         assert_eq!(found.len(), numbers * points.len(), "{language}: {}", self.name());
@@ -334,7 +342,8 @@ impl Emitted {
                 worst = worst.max(off);
             }
         }
-        // an axis of a lobe with several has no sign where it grows nowhere, as those have that are next to nothing wide
+        // an axis of a lobe with several has no sign where it grows nowhere, as those have that are
+        // next to nothing wide
         let least = if taps == 1 { 8 } else { 6 };
         assert!(compared * 10 > points.len() * least, "{language}: {compared} of {} compared", points.len());
         assert!(worst > 1e-3, "{language}: {}: the tolerance says nothing: {worst}", self.name());

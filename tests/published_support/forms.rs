@@ -1,4 +1,5 @@
-//! Forms with the coefficients that the published comparison prints for them, in f64, of roughness r, alpha a and mu.
+//! Forms with the coefficients that the published comparison prints for them, in f64, of roughness
+//! r, alpha a and mu.
 
 /// A form.
 pub type Form = fn(f64, f64, f64) -> f64;

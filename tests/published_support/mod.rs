@@ -56,7 +56,8 @@ impl Grid {
 /// How an input of a published formula is fed.
 pub type Feed = fn(&str, f64) -> f64;
 
-/// A formula of the catalogue on the grid, in f32; `feed` gives its inputs from the grid's roughness.
+/// A formula of the catalogue on the grid, in f32; `feed` gives its inputs from the grid's
+/// roughness.
 pub fn evaluate(entry: &Entry, grid: &Grid, f0: f32, feed: Feed) -> Vec<f64> {
     let hypothesis = Hypothesis::parse(entry.file, entry.source).expect("parses");
     let column = |name: &String| -> Vec<f32> {
@@ -71,7 +72,8 @@ pub fn evaluate(entry: &Entry, grid: &Grid, f0: f32, feed: Feed) -> Vec<f64> {
     values.into_iter().map(f64::from).collect()
 }
 
-/// max, root mean square and 99th percentile (linear between order statistics) of |error|, and the index of the largest.
+/// max, root mean square and 99th percentile (linear between order statistics) of |error|, and the
+/// index of the largest.
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
     pub max: f64,
@@ -100,7 +102,8 @@ pub fn figures(cell: &str) -> Vec<&str> {
     if cell == "-" { Vec::new() } else { cell.split('/').map(str::trim).collect() }
 }
 
-/// Compares a measured figure with a printed one: within 2 % or one unit of the last digit printed. None where it agrees.
+/// Compares a measured figure with a printed one: within 2 % or one unit of the last digit printed.
+/// None where it agrees.
 pub fn differs(what: &str, measured: f64, printed: &str) -> Option<String> {
     let value: f64 = printed.parse().unwrap_or_else(|_| panic!("{what}: `{printed}`"));
     let digits = printed.split_once('.').map_or(0, |(_, d)| d.len());

@@ -1,7 +1,8 @@
 //! The published comparison as printed: errors of published fits on the grid.
 
-/// One formula: its name, the catalogue's blend and normalisation (empty: it has none), how it is fed, and the printed columns A, B, E,
-/// max of 1/E, furnace (max/rms/p99 each), and the worst roughness and mu of the furnace error.
+/// One formula: its name, the catalogue's blend and normalisation (empty: it has none), how it is
+/// fed, and the printed columns A, B, E, max of 1/E, furnace (max/rms/p99 each), and the worst
+/// roughness and mu of the furnace error.
 pub struct Row {
     pub id: &'static str,
     pub blend: &'static str,
@@ -157,7 +158,8 @@ pub const ROWS: [Row; 24] = [
     ),
 ];
 
-/// Against separable and correlated Smith: max/rms of E, rms of B; a maximum alone for those fitted to the correlated lobe.
+/// Against separable and correlated Smith: max/rms of E, rms of B; a maximum alone for those fitted
+/// to the correlated lobe.
 pub const SEPARABLE: [(&str, &str, &str); 8] = [
     ("P1", ".062/.011", ".0179"),
     ("G", ".078/.017", ".0060"),

@@ -122,7 +122,8 @@ fn empty_and_mismatched_lists_are_named() {
     assert!(matches!(report::timings_page(&spoilt), Err(ReportError::Domain { .. })));
 }
 
-/// Markup, quotes, the end of a comment, right-to-left override, a line break and a letter the font lacks.
+/// Markup, quotes, the end of a comment, right-to-left override, a line break and a letter the font
+/// lacks.
 const HOSTILE: &str = "<script>alert(\"1\")</script>'&amp;-->\u{202e}\n漢]]>";
 
 #[test]

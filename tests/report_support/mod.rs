@@ -1,4 +1,5 @@
-//! Findings that look like those of a bake, from a smooth stand-in for E: the report takes any plain data.
+//! Findings that look like those of a bake, from a smooth stand-in for E: the report takes any
+//! plain data.
 
 use std::collections::BTreeMap;
 
@@ -8,8 +9,8 @@ use lobefit::data::{
 use lobefit::report::*;
 use lobefit_math::ops;
 
-/// A stand-in with the shape of GGX's E: the closed form mu ln(1 + 1/mu) of the loss at alpha = 1, and for small
-/// alpha a valley of depth 0.11 at mu = 1.11 alpha.
+/// A stand-in with the shape of GGX's E: the closed form mu ln(1 + 1/mu) of the loss at alpha = 1,
+/// and for small alpha a valley of depth 0.11 at mu = 1.11 alpha.
 pub fn albedo(roughness: f64, mu: f64) -> f64 {
     let alpha = roughness * roughness;
     let rough = mu * ops::log(1.0 + 1.0 / mu);

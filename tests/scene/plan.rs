@@ -35,7 +35,8 @@ fn fits(plan: &Plan) -> Option<&Job> {
     plan.jobs("reflection").iter().find(|job| job.name == "normalisation")
 }
 
-/// What is integrated is found wrong when it is: reading and planning cost nothing, whatever the kernel.
+/// What is integrated is found wrong when it is: reading and planning cost nothing, whatever the
+/// kernel.
 #[test]
 fn reading_a_scene_integrates_nothing() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/scene");

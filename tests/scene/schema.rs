@@ -1,11 +1,13 @@
-//! The JSON Schema of the scene: it names every field with a description, and the examples follow it.
+//! The JSON Schema of the scene: it names every field with a description, and the examples follow
+//! it.
 
 use std::path::Path;
 
 use lobefit::scene::{Scene, SceneError, kernel, kernel_schema, schema};
 use serde_json::{Value, json};
 
-/// What is wrong with `value` by the part of JSON Schema that ours is written in; any other keyword is an error.
+/// What is wrong with `value` by the part of JSON Schema that ours is written in; any other keyword
+/// is an error.
 fn violations(value: &Value, schema: &Value, root: &Value, path: &str, found: &mut Vec<String>) {
     let Value::Object(rules) = schema else {
         if schema == &json!(false) {

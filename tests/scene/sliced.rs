@@ -1,4 +1,5 @@
-//! Scenes of anisotropic materials and of glass to plans: defaults, names, merging, what is left out and why.
+//! Scenes of anisotropic materials and of glass to plans: defaults, names, merging, what is left
+//! out and why.
 
 use crate::common;
 

@@ -1,5 +1,5 @@
-//! What the tests of baked tables of three axes share: small scenes, and a reader of their files that knows nothing of the
-//! program but its manifest and its EXR decoder.
+//! What the tests of baked tables of three axes share: small scenes, and a reader of their files
+//! that knows nothing of the program but its manifest and its EXR decoder.
 #![allow(dead_code, reason = "each test binary uses its part")]
 
 use std::collections::BTreeMap;
@@ -119,7 +119,8 @@ impl Read {
     }
 }
 
-/// Points of the unit cube in four dimensions, spread by the additive recurrence of the generalised golden ratio (Roberts 2018).
+/// Points of the unit cube in four dimensions, spread by the additive recurrence of the generalised
+/// golden ratio (Roberts 2018).
 pub fn spread(count: u32) -> impl Iterator<Item = [f64; 4]> {
     let steps =
         [0.856_674_883_854_502_9, 0.733_891_856_627_126, 0.628_706_721_037_797_7, 0.538_597_255_724_5];

@@ -79,7 +79,8 @@ fn values_and_operations_are_those_of_the_text() {
     let inputs = [0.6, 0.0, 0.8, 0.5, 0.25, 1.0, 0.25, 0.5];
     let value: f32 = source.tape("sum", 2).expect("a component").at(&inputs, &[]);
     assert_eq!(value, 0.8 + 1.0 * (0.5 * (0.25 + 0.5)));
-    // alpha + f0; half; 3 fused products and a first one; root; a reciprocal and 3 products; 3 fused; a comparison and 3 choices
+    // alpha + f0; half; 3 fused products and a first one; root; a reciprocal and 3 products; 3
+    // fused; a comparison and 3 choices
     assert_eq!(source.cost_ops(&["sum"]).expect("counted"), 1 + 1 + 3 + 4 + 4 + 3 + 3 + 1 + 3);
 }
 

@@ -1,5 +1,6 @@
-//! `beckmann-reflection` against integrals that share nothing with it: over the slopes of facets, in a plain adaptive rule, with Lambda
-//! as its own integral; and against Monte Carlo, limits and the weak white furnace.
+//! `beckmann-reflection` against integrals that share nothing with it: over the slopes of facets,
+//! in a plain adaptive rule, with Lambda as its own integral; and against Monte Carlo, limits and
+//! the weak white furnace.
 
 #![allow(clippy::disallowed_methods)]
 
@@ -42,14 +43,16 @@ fn simpson(f: &dyn Fn(f64) -> f64, [a, b]: [f64; 2], tolerance: f64) -> f64 {
     (0..panels).map(panel).sum()
 }
 
-/// Lambda = int_(cot theta)^inf (x - cot theta) P(x) dx / cot theta of normal slopes (Heitz 2014, eq. 66).
+/// Lambda = int_(cot theta)^inf (x - cot theta) P(x) dx / cot theta of normal slopes (Heitz 2014,
+/// eq. 66).
 fn lambda(alpha: f64, mu: f64) -> f64 {
     let cot = mu / ((1.0 - mu) * (1.0 + mu)).sqrt();
     let slopes = |x: f64| (x - cot) * (-(x * x) / (alpha * alpha)).exp() / (alpha * PI.sqrt());
     simpson(&slopes, [cot, cot.max(0.0) + 7.0 * alpha], 1e-13) / cot
 }
 
-/// E, B and loss over visible slopes (x, y), in units of alpha: the weight of a facet is (1 - x tan theta) exp(-x^2 - y^2)/pi G1.
+/// E, B and loss over visible slopes (x, y), in units of alpha: the weight of a facet is (1 - x tan
+/// theta) exp(-x^2 - y^2)/pi G1.
 fn by_slopes(smith: Smith, alpha: f64, mu: f64) -> [f64; 3] {
     let sine = ((1.0 - mu) * (1.0 + mu)).sqrt();
     let of_view = lambda(alpha, mu);
@@ -125,7 +128,8 @@ fn values_are_those_of_monte_carlo() {
     }
 }
 
-/// E and loss are integrals of their own, and add up to 1 by the weak white furnace; from mirror-like to rough, to grazing view.
+/// E and loss are integrals of their own, and add up to 1 by the weak white furnace; from
+/// mirror-like to rough, to grazing view.
 #[test]
 fn energy_is_whole() {
     for alpha in [1e-7, 1e-4, 1e-2, 0.05, 0.2, 0.6, 1.0] {
@@ -142,7 +146,8 @@ fn energy_is_whole() {
     }
 }
 
-/// What leaves a lobe as alpha goes to 0 is a mirror's; at mu = 0 the correlated form loses nothing.
+/// What leaves a lobe as alpha goes to 0 is a mirror's; at mu = 0 the correlated form loses
+/// nothing.
 #[test]
 fn limits_are_reached() {
     for mu in [0.01_f64, 0.3, 1.0] {
@@ -159,8 +164,9 @@ fn limits_are_reached() {
     }
 }
 
-/// Relative, where the loss is anything but an underflow: the light that a smooth lobe loses at normal incidence leaves facets steeper than
-/// 45 degrees, exp(-1/alpha^2) of all, and the little that is shadowed before.
+/// Relative, where the loss is anything but an underflow: the light that a smooth lobe loses at
+/// normal incidence leaves facets steeper than 45 degrees, exp(-1/alpha^2) of all, and the little
+/// that is shadowed before.
 #[test]
 fn small_losses_are_relative() {
     for alpha in [0.15, 0.2, 0.3] {

@@ -48,7 +48,8 @@ fn charlie(alpha: f64) -> Brdf<'static> {
     Brdf { weighted: Box::new(weighted), width: 1e-3 }
 }
 
-/// The largest difference of a BRDF's albedo from E of a quantity at points with alpha and mu logarithmic from `low`.
+/// The largest difference of a BRDF's albedo from E of a quantity at points with alpha and mu
+/// logarithmic from `low`.
 fn worst(
     quantity: &'static dyn Quantity,
     smith: Smith,

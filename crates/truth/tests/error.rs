@@ -1,5 +1,6 @@
-//! What `error` says, measured: |value - truth| is within it at all but few of random points. `tests/integrate/error_bound.rs` has
-//! `ggx-reflection` at 10 000 points, `tests/integrate/lobes.rs` glass and the anisotropic lobe; here are the other quantities.
+//! What `error` says, measured: |value - truth| is within it at all but few of random points.
+//! `tests/integrate/error_bound.rs` has `ggx-reflection` at 10 000 points,
+//! `tests/integrate/lobes.rs` glass and the anisotropic lobe; here are the other quantities.
 
 #![allow(clippy::disallowed_methods)]
 
@@ -24,7 +25,8 @@ use rayon::prelude::*;
 /// Random points of each quantity and variant.
 const POINTS: u64 = 400;
 
-/// Points of a quantity at which a value is off its truth by more than its error and `slack`, the truth's own.
+/// Points of a quantity at which a value is off its truth by more than its error and `slack`, the
+/// truth's own.
 fn above<const N: usize>(
     quantity: &'static dyn Quantity,
     variant: &Variant,
@@ -80,7 +82,8 @@ fn errors_of_averages_and_couplings_hold() {
 
 #[test]
 fn errors_of_beckmann_and_sheen_hold() {
-    // The slack is the error of an integral over lights that knows nothing of the lobe but its width.
+    // The slack is the error of an integral over lights that knows nothing of the lobe but its
+    // width.
     let slack = 2e-9;
     for smith in [Smith::Correlated, Smith::Separable] {
         let truth = |[alpha, mu]: [f64; 2]| {
@@ -117,7 +120,8 @@ fn half(v: Vec3, l: Vec3) -> Vec3 {
     sum.map(|x| x / length)
 }
 
-/// The width where the squared distance of encircled energies over a fine sum is stationary, sought about a start by the secant rule.
+/// The width where the squared distance of encircled energies over a fine sum is stationary, sought
+/// about a start by the secant rule.
 fn stationary(kernel: &Kernel, [alpha, rho]: [f64; 2], start: f64) -> f64 {
     let target = kernel.lobe(alpha);
     let (from, to) = ((alpha * rho.min(1.0)).ln() - 14.0, rho.max(1.0).ln() + 14.0);

@@ -1,4 +1,5 @@
-//! The truth of every quantity at many points against its value at each, which has a bound of its own.
+//! The truth of every quantity at many points against its value at each, which has a bound of its
+//! own.
 
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::optics::Smith;
@@ -18,7 +19,8 @@ fn variant(smith: Smith) -> Variant {
     Variant { smith: Some(smith), side, specular, kernel: None }
 }
 
-/// Random points: widths and cosines logarithmic from 1e-4 or from the domain's end, other inputs even.
+/// Random points: widths and cosines logarithmic from 1e-4 or from the domain's end, other inputs
+/// even.
 fn points(quantity: &dyn Quantity, count: usize) -> Points {
     let column = |(k, input): (usize, &lobefit_truth::quantity::Input)| {
         let mut random = Pcg64::seed_from_u64(77 + k as u64);

@@ -16,7 +16,8 @@ mod ways;
 use super::demand::Job;
 use super::effect::Note;
 use super::table::{
-    BakedTable, BuildError, Family, Judge, Made, Points, RUN, Region, Sliced, Spec, TableJob, WaysFinding,
+    BakedTable, BuildError, Family, Judge, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob,
+    WaysFinding,
 };
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
 use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
@@ -158,7 +159,7 @@ impl Sliced for Anisotropy {
         &[0.0, 0.5, 1.0]
     }
 
-    fn on_grid(&self, smith: Smith, points: &Points) -> Result<Vec<Vec<f64>>, IntegrateError> {
+    fn on_grid(&self, smith: Smith, points: &LookupPoints) -> Result<Vec<Vec<f64>>, IntegrateError> {
         Ok(vec![truths(smith, points)?.0])
     }
 

@@ -2,7 +2,7 @@
 //! roughnesses and anisotropies, each roughness with cosines of its own, since neighbours of the
 //! truth share their work.
 
-use crate::effects::table::{BuildError, Point, Points, Region, SliceAxis};
+use crate::effects::table::{BuildError, LookupPoints, Point, Region, SliceAxis};
 use lobefit_math::sobol::Sobol;
 
 /// Roughnesses, anisotropies, and cosines of each kind: uniform, and in the layer mu ~ alpha.
@@ -14,7 +14,7 @@ const COUNT: [usize; 3] = [96, 24, 40];
 ///
 /// # Errors
 /// A region without slices: a defect of the effect.
-pub fn judged(region: &Region, azimuth: bool) -> Result<Points, BuildError> {
+pub fn judged(region: &Region, azimuth: bool) -> Result<LookupPoints, BuildError> {
     let range = region.slices()?.range;
     let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
     let rows: Vec<Point> = spread(COUNT[0], region.roughness, |i| base.coordinate(i, 0))
@@ -46,7 +46,7 @@ pub fn judged(region: &Region, azimuth: bool) -> Result<Points, BuildError> {
         }
     }
     let uniform = (0..all.len()).map(|i| i % (2 * COUNT[2]) < COUNT[2]).collect();
-    Ok(Points::of(all, uniform, SliceAxis::Anisotropy, azimuth))
+    Ok(LookupPoints::of(all, uniform, SliceAxis::Anisotropy, azimuth))
 }
 
 /// `n` scrambled values of a range, its ends first.

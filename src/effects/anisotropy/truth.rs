@@ -1,7 +1,7 @@
 //! E at many points.
 
 use crate::data::Smith;
-use crate::effects::table::{Made, Points, Region, SliceAxis, aspect};
+use crate::effects::table::{LookupPoints, Made, Region, SliceAxis, aspect};
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::points;
@@ -46,7 +46,7 @@ pub(super) fn energies(
 
 /// E at the points of lookups: at their azimuths where the points have it, else in the mean over
 /// it.
-pub fn truths(smith: Smith, points: &Points) -> Result<(Vec<f64>, Made), IntegrateError> {
+pub fn truths(smith: Smith, points: &LookupPoints) -> Result<(Vec<f64>, Made), IntegrateError> {
     let view = |p: &crate::effects::table::Point| {
         let cos2 = f64::from(p.cos2_phi);
         View {
@@ -61,11 +61,16 @@ pub fn truths(smith: Smith, points: &Points) -> Result<(Vec<f64>, Made), Integra
 }
 
 /// Points of one roughness and anisotropy over azimuths in degrees and cosines, azimuths fastest.
-pub(super) fn map(region: &Region, roughness: f64, anisotropy: f64, [degrees, mu]: [&[f64]; 2]) -> Points {
-    let mut points = Points::grid(region, &vec![roughness; degrees.len()], mu, anisotropy);
+pub(super) fn map(
+    region: &Region,
+    roughness: f64,
+    anisotropy: f64,
+    [degrees, mu]: [&[f64]; 2],
+) -> LookupPoints {
+    let mut points = LookupPoints::grid(region, &vec![roughness; degrees.len()], mu, anisotropy);
     for (point, degrees) in points.all.iter_mut().zip(degrees.iter().cycle()) {
         let cosine = ops::cos(degrees.to_radians());
         point.cos2_phi = (cosine * cosine) as f32;
     }
-    Points::of(points.all, points.uniform, SliceAxis::Anisotropy, true)
+    LookupPoints::of(points.all, points.uniform, SliceAxis::Anisotropy, true)
 }

@@ -15,7 +15,7 @@ use crate::effects::coupling::CouplingSpec;
 use crate::effects::coupling::emitted::exact_ops;
 use crate::effects::coupling::results::AnyF0Finding;
 use crate::effects::reflection::build;
-use crate::effects::table::{Lookup, LookupError, Points, Spec};
+use crate::effects::table::{Lookup, LookupError, LookupPoints, Spec};
 use crate::report::ApproximationFinding;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::Estimate;
@@ -113,7 +113,8 @@ impl Measured<'_> {
             let values = lookup.at(point);
             Ok((f64::from(values.e), f64::from(values.b.ok_or_else(no_bias)?)))
         };
-        let found = Points::isotropic(&points).all.iter().map(at).collect::<Result<_, LookupError>>()?;
+        let found =
+            LookupPoints::isotropic(&points).all.iter().map(at).collect::<Result<_, LookupError>>()?;
         Ok(Measured { lobe, points, truth, found })
     }
 

@@ -9,7 +9,7 @@ mod path_tracer;
 mod table;
 
 use super::effect::Note;
-use super::table::{BuildError, Family, Judge, Made, Points, RUN, Region, Sliced, Spec, TableJob};
+use super::table::{BuildError, Family, Judge, LookupPoints, Made, RUN, Region, Sliced, Spec, TableJob};
 use super::who::stay_smooth;
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Counter;
@@ -72,7 +72,7 @@ impl Family for Glass {
     }
 
     fn judge(&self, smith: Smith, region: &Region, _: bool, counter: &Counter) -> Result<Judge, BuildError> {
-        let points = Points::certification(region, LOG2_GROUPS);
+        let points = LookupPoints::certification(region, LOG2_GROUPS);
         let (truths, evaluations) = truths(smith, &points)?;
         counter.add(truths.len() * points.len());
         let truths = truths.map(|e| Albedo { e, b: Vec::new() }).to_vec();
@@ -121,7 +121,7 @@ impl Sliced for Glass {
         &[1.1, 1.5, 2.0]
     }
 
-    fn on_grid(&self, smith: Smith, points: &Points) -> Result<Vec<Vec<f64>>, IntegrateError> {
+    fn on_grid(&self, smith: Smith, points: &LookupPoints) -> Result<Vec<Vec<f64>>, IntegrateError> {
         Ok(truths(smith, points)?.0.to_vec())
     }
 
@@ -143,7 +143,7 @@ impl Sliced for Glass {
 
 /// E from outside and E from inside at every point, within `JUDGED`, and the evaluations that
 /// they took.
-pub fn truths(smith: Smith, points: &Points) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
+pub fn truths(smith: Smith, points: &LookupPoints) -> Result<([Vec<f64>; 2], u64), IntegrateError> {
     energies(smith, points.all.iter().map(|p| [p.alpha, p.mu, p.ior].map(f64::from)), JUDGED)
 }
 

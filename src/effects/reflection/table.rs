@@ -6,7 +6,7 @@ use super::demand::table_seconds;
 use crate::approximate::{Counter, certification};
 use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
-use crate::effects::table::{BuildError, Family, Judge, Made, Points, Region, Spec, TableJob, flat};
+use crate::effects::table::{BuildError, Family, Judge, LookupPoints, Made, Region, Spec, TableJob, flat};
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::integrate::reflection::{Effort, albedo, split};
 use lobefit_truth::quantity::{GGX_REFLECTION, TRUTH_ERROR};
@@ -50,7 +50,7 @@ impl Family for Dfg {
         let points = certification(&region.flat(), LOG2_POINTS);
         let truths = vec![Albedo::new(smith, &points, split, counter)?];
         let made = Made { evaluations: 0, integration: TRUTH_ERROR };
-        Ok(Judge { points: Points::isotropic(&points), truths, made })
+        Ok(Judge { points: LookupPoints::isotropic(&points), truths, made })
     }
 }
 

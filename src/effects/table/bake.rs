@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Errors, Family, LookupError, Made, Points, Region, Spec, TableJob, Truth, measure};
+use super::{Errors, Family, LookupError, LookupPoints, Made, Region, Spec, TableJob, Truth, measure};
 use crate::data::{
     Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Smith, Source, Table, Use, lookup_ops,
 };
@@ -20,7 +20,7 @@ const SIZES: [usize; 4] = [16, 32, 64, 128];
 #[derive(Debug)]
 pub struct Judge {
     /// The points.
-    pub points: Points,
+    pub points: LookupPoints,
     /// E, and B where a table needs it, of each side.
     pub truths: Vec<Albedo>,
     /// What they took.

@@ -6,7 +6,7 @@ use crate::approximate::Counter;
 use crate::data::{Layout, Smith, Table};
 use crate::effects::effect::Note;
 use crate::effects::table::results::WaysFinding;
-use crate::effects::table::{BakedTable, BuildError, Made, Points};
+use crate::effects::table::{BakedTable, BuildError, LookupPoints, Made};
 use crate::effects::{BakeError, demand::Job};
 use crate::scene::{Lobe, Scene};
 use lobefit_truth::integrate::IntegrateError;
@@ -92,7 +92,7 @@ pub trait Sliced: Family {
     ///
     /// # Errors
     /// A truth that cannot be integrated.
-    fn on_grid(&self, smith: Smith, points: &Points) -> Result<Vec<Vec<f64>>, IntegrateError>;
+    fn on_grid(&self, smith: Smith, points: &LookupPoints) -> Result<Vec<Vec<f64>>, IntegrateError>;
 
     /// Title of a furnace test at a slice: `Glass, index of refraction 1.5, from inside`.
     fn title(&self, slice: f64, side: Option<Side>) -> String;

@@ -1,6 +1,6 @@
 //! The truth over roughness and mu at some slices: what pictures are drawn from.
 
-use super::{Judged, Lookup, LookupError, Points, Region, Sliced, Truth, error_map};
+use super::{Judged, Lookup, LookupError, LookupPoints, Region, Sliced, Truth, error_map};
 use crate::data::Smith;
 use crate::effects::{BakeError, grid};
 use crate::report::Field;
@@ -12,7 +12,7 @@ pub struct Grid {
     pub slice: f64,
     /// Roughness and mu.
     over: grid::Grid,
-    points: Points,
+    points: LookupPoints,
     truths: Vec<Vec<f64>>,
 }
 
@@ -25,7 +25,7 @@ impl Grid {
         slices: &[f64],
     ) -> Result<Vec<Grid>, BakeError> {
         let grid = |slice: &f64| {
-            let points = Points::grid(region, &over.roughness.values, &over.mu.values, *slice);
+            let points = LookupPoints::grid(region, &over.roughness.values, &over.mu.values, *slice);
             let truths = family.on_grid(smith, &points)?;
             Ok(Grid { slice: *slice, over: over.clone(), points, truths })
         };

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{Lookup, LookupError, Points};
+use super::{Lookup, LookupError, LookupPoints};
 use crate::data::{Decode, Table, Values};
 use crate::effects::{Deviation, Rounding};
 
@@ -55,7 +55,7 @@ pub enum Judged {
 pub fn measure(
     table: &Table,
     decode: Decode,
-    points: &Points,
+    points: &LookupPoints,
     truth: Truth,
     integration: f64,
 ) -> Result<Errors, LookupError> {
@@ -88,7 +88,7 @@ pub fn measure(
 pub fn error_map(
     lookup: &Lookup,
     judged: Judged,
-    points: &Points,
+    points: &LookupPoints,
     truth: Truth,
 ) -> Result<Vec<f64>, LookupError> {
     let no_bias = || LookupError::NoBias { table: lookup.table().into() };
@@ -108,7 +108,7 @@ pub fn error_map(
 fn deviation(
     lookup: &Lookup,
     judged: Judged,
-    points: &Points,
+    points: &LookupPoints,
     truth: Truth,
 ) -> Result<Deviation, LookupError> {
     let errors = error_map(lookup, judged, points, truth)?;

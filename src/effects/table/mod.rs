@@ -38,7 +38,7 @@ pub use job::{TableJob, demand, demands, summaries, wanted};
 pub use lookup::{Lookup, LookupError, Point};
 pub use measure::{Errors, Judged, Truth, error_map, measure};
 pub use plan::{Node, TexelPlan};
-pub use points::{GROUP, Points};
+pub use points::{GROUP, LookupPoints};
 pub use region::{Region, SliceAxis, Slices, aspect};
 pub use results::{Way, WaysFinding};
 pub(in crate::effects) use spec::alpha_nodes;

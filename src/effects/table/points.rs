@@ -16,7 +16,7 @@ pub const GROUP: usize = 8;
 
 /// Inputs as a shader has them, in f32.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Points {
+pub struct LookupPoints {
     /// The points, group by group.
     pub all: Vec<Point>,
     /// Which are uniform in roughness, mu and the axis of the slices: RMS and mean are taken over
@@ -32,18 +32,18 @@ pub struct Points {
 /// Groups walked along each edge of roughness and mu.
 const EDGE: usize = 1 << 8;
 
-impl Points {
+impl LookupPoints {
     /// 2^log2 points uniform in the region, or with slices groups of them; half as many in the
     /// layer, as many about the critical angle of glass, and the edges.
-    pub fn certification(region: &Region, log2: u32) -> Points {
+    pub fn certification(region: &Region, log2: u32) -> LookupPoints {
         match region.slices {
-            None => Points::isotropic(&approximate::certification(&region.flat(), log2)),
-            Some(slices) => Points::grouped(region, slices, log2),
+            None => LookupPoints::isotropic(&approximate::certification(&region.flat(), log2)),
+            Some(slices) => LookupPoints::grouped(region, slices, log2),
         }
     }
 
-    fn grouped(region: &Region, slices: Slices, log2: u32) -> Points {
-        let mut points = Points { slice: Some(slices.axis), ..Points::default() };
+    fn grouped(region: &Region, slices: Slices, log2: u32) -> LookupPoints {
+        let mut points = LookupPoints { slice: Some(slices.axis), ..LookupPoints::default() };
         let base = Sobol::new([0x9e37_79b9, 0x7f4a_7c15, 0x1656_67b1]);
         // a group's values lie one in each 1/GROUP of the span, in an order of their own
         let slice = Sobol::new([0x27d4_eb2f, 0x85eb_ca6b, 7]).padded(0x68e3_1da4);
@@ -91,8 +91,9 @@ impl Points {
 
     /// The points of a list of roughness, mu and slices, every combination: roughness fastest, then
     /// mu.
-    pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], slice: f64) -> Points {
-        let mut points = Points { slice: region.slices.map(|slices| slices.axis), ..Points::default() };
+    pub fn grid(region: &Region, roughness: &[f64], mu: &[f64], slice: f64) -> LookupPoints {
+        let mut points =
+            LookupPoints { slice: region.slices.map(|slices| slices.axis), ..LookupPoints::default() };
         for m in mu {
             for r in roughness {
                 points.all.push(point(region, *r, *m, slice));
@@ -108,12 +109,12 @@ impl Points {
         uniform: Vec<bool>,
         slice: SliceAxis,
         azimuth: bool,
-    ) -> Points {
-        Points { all, uniform, slice: Some(slice), azimuth }
+    ) -> LookupPoints {
+        LookupPoints { all, uniform, slice: Some(slice), azimuth }
     }
 
     /// The points of an isotropic lobe that only reflects.
-    pub fn isotropic(set: &points::Points) -> Points {
+    pub fn isotropic(set: &points::Points) -> LookupPoints {
         let [roughness, alpha, mu] = ["roughness", "alpha", "mu"]
             .map(|name| set.column_f32(name).unwrap_or_else(|| vec![f32::NAN; set.len()]));
         let point = |i: usize| Point {
@@ -125,7 +126,7 @@ impl Points {
             anisotropy: 0.0,
         };
         let uniform = (0..set.len()).map(|i| i < set.uniform).collect();
-        Points { all: (0..set.len()).map(point).collect(), uniform, slice: None, azimuth: false }
+        LookupPoints { all: (0..set.len()).map(point).collect(), uniform, slice: None, azimuth: false }
     }
 
     /// Number of points.

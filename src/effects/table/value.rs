@@ -2,7 +2,9 @@
 
 use std::cell::Cell;
 
-use super::{BakedTable, BuildError, Family, Judge, Made, Point, Points, Region, Spec, TableJob, bake, flat};
+use super::{
+    BakedTable, BuildError, Family, Judge, LookupPoints, Made, Point, Region, Spec, TableJob, bake, flat,
+};
 use crate::approximate::Counter;
 use crate::data::{Layout, Serves, Smith, Table, TexelFormat};
 use crate::effects::context::Context;
@@ -164,7 +166,7 @@ impl Family for ValueTable {
     }
 
     fn judge(&self, smith: Smith, region: &Region, _: bool, counter: &Counter) -> Result<Judge, BuildError> {
-        let points = Points::certification(region, LOG2_POINTS);
+        let points = LookupPoints::certification(region, LOG2_POINTS);
         let [alpha, mu] = [|p: &Point| p.alpha, |p: &Point| p.mu.min(1.0)]
             .map(|input| points.all.iter().map(|p| f64::from(input(p))).collect());
         let (e, integration) = self.truth(smith, [alpha, mu], counter)?;

@@ -1,4 +1,5 @@
-//! Tables that say themselves what they are: the statement is read, held against the truth, and found out if it is not so.
+//! Tables that say themselves what they are: the statement is read, held against the truth, and
+//! found out if it is not so.
 
 use crate::common;
 

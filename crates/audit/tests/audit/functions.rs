@@ -1,5 +1,6 @@
-//! Published fits as shader functions: what their arguments mean, which lobe they were fitted to, and how far off they are, from values alone.
-//! The figures are of shared tables of published fits on another grid, so they agree to a few per cent.
+//! Published fits as shader functions: what their arguments mean, which lobe they were fitted to,
+//! and how far off they are, from values alone. The figures are of shared tables of published fits
+//! on another grid, so they agree to a few per cent.
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
@@ -8,7 +9,8 @@ use lobefit_audit::audit::{
 use lobefit_audit::foreign::read_functions;
 use lobefit_truth::quantity::{self, Quantity};
 
-/// Knarkowicz 2014: of gloss 1 - alpha^(1/4), separable Smith. Karis 2014. Pesce 2019. Enterprise PBR: of alpha.
+/// Knarkowicz 2014: of gloss 1 - alpha^(1/4), separable Smith. Karis 2014. Pesce 2019. Enterprise
+/// PBR: of alpha.
 const FITS: &str = "
 fn knarkowicz(g: f32, nov: f32) -> vec2<f32> {
   let b = saturate(min(-.1688 * g + 1.895 * g * g, .9903 - 4.853 * nov + 8.404 * nov * nov - 5.069 * nov * nov * nov));
@@ -58,7 +60,8 @@ fn gloss_is_told_and_so_is_the_lobe_that_was_fitted() {
     assert_eq!(found.best().lobe.smith, Some(Smith::Separable));
     assert_eq!(found.best().columns, [Some(Column::B), Some(Column::E)]);
     let e = found.channels[1].errors.as_ref().unwrap();
-    // Against separable Smith E is off by .011 in the root mean square, and by .062 at most for mu >= 0.01; here mu begins at 0.004.
+    // Against separable Smith E is off by .011 in the root mean square, and by .062 at most for
+    // mu >= 0.01; here mu begins at 0.004.
     assert!((0.062..0.12).contains(&e.max), "{}", e.max);
     near(e.rms, 0.011, 0.1);
     assert!(found.verdict.contains("gloss = 1 - alpha^(1/4)"), "{}", found.verdict);
@@ -85,7 +88,8 @@ fn a_blend_over_f0_is_taken_apart() {
 
 #[test]
 fn a_normalisation_and_an_albedo_of_alpha_are_told() {
-    // 1 + 2 a^2 mu is so far from 1/E either way that only its column is clear; that it is open is told.
+    // 1 + 2 a^2 mu is so far from 1/E either way that only its column is clear; that it is open is
+    // told.
     let found = run("pesce");
     assert_eq!(found.best().columns, [Some(Column::Inverse)]);
     assert!(found.margin < 1.2 && found.verdict.contains("This is open"), "{}", found.verdict);
@@ -142,7 +146,8 @@ fn an_index_of_refraction_runs_from_1_to_2() {
 
 #[test]
 fn an_index_may_be_given_the_other_way_round() {
-    // Fresnel's reflectance of a smooth interface by eta = 1/ior; it has no value for a ray from inside.
+    // Fresnel's reflectance of a smooth interface by eta = 1/ior; it has no value for a ray from
+    // inside.
     let text = "fn fresnel(eta: f32, alpha: f32, mu: f32) -> f32 {
       let c = sqrt(max(0.0, 1.0 - eta * eta * (1.0 - mu * mu)));
       let s = (eta * mu - c) / (eta * mu + c);
@@ -196,7 +201,8 @@ fn a_fit_that_this_tool_wrote_has_its_certificate() {
     ] {
         let function =
             read_functions(text.as_bytes(), language, None, Some("ggx_norm_q13")).unwrap().remove(0);
-        // GLSL's lookups take combined samplers, which the front end cannot read; WGSL has textures and samplers apart.
+        // GLSL's lookups take combined samplers, which the front end cannot read; WGSL has textures
+        // and samplers apart.
         assert_eq!(function.left_out.is_empty(), language.ends_with("wgsl"), "{:?}", function.left_out);
         let found = audit(
             &sampled(&function, of("ggx-reflection"), &[], &[]).unwrap(),

@@ -36,7 +36,8 @@ fn axes(found: &Audit) -> Vec<(Scale, Registration, bool)> {
 
 const N: usize = 12;
 
-/// Rough glass as Cycles lays it out: x roughness, y mu, z the fourth root of F0, end points; the side's E, changed by `f`.
+/// Rough glass as Cycles lays it out: x roughness, y mu, z the fourth root of F0, end points; the
+/// side's E, changed by `f`.
 fn glass(side: usize, f: impl Fn(f64, [usize; 3]) -> f64) -> Vec<f64> {
     let kernel = Kernel::new(Smith::Correlated, 1e-7).unwrap();
     let at = |i: usize| i as f64 / (N - 1) as f64;
@@ -84,7 +85,8 @@ fn glass_from_outside_is_read_as_it_is() {
 
 #[test]
 fn a_stale_part_of_glass_from_inside_is_found() {
-    // A table from before its renderer rejected rays that leave on the wrong side: too high where z >= 4 and the surface is rough.
+    // A table from before its renderer rejected rays that leave on the wrong side: too high where
+    // z >= 4 and the surface is rough.
     let stale =
         |e: f64, [x, y, z]: [usize; 3]| if z >= 4 && x >= 5 && y <= 6 { (e + 0.25).min(1.0) } else { e };
     let found = run(&shipped("glass_inv_E", &[N; 3], glass(1, stale)), "ggx-glass", &Fixed::default());
@@ -106,7 +108,8 @@ fn a_stale_part_of_glass_from_inside_is_found() {
     assert!(!found.passes(Some(0.5)));
 }
 
-/// The sources' table of these sizes over mu, alpha and the square root of the anisotropy, nodes i/n.
+/// The sources' table of these sizes over mu, alpha and the square root of the anisotropy, nodes
+/// i/n.
 fn of_the_path_tracer(size: [usize; 3]) -> Vec<f64> {
     let at = |i: usize, n: usize| i as f64 / n as f64;
     let place = |i: usize| {
@@ -202,7 +205,8 @@ fn sheen_that_is_clamped_and_sheen_of_a_wrong_weight() {
     });
     let (end, texels, truth) = stuck.expect("the clamp is told");
     assert!(end == 1.0 && texels >= 2 && truth > 1.2, "{texels} {truth}");
-    // Half vectors drawn by D but weighted as if drawn uniformly, with roughness for alpha: the ratio to the truth runs from 0.4 to 1.4.
+    // Half vectors drawn by D but weighted as if drawn uniformly, with roughness for alpha: the
+    // ratio to the truth runs from 0.4 to 1.4.
     let wrong = (0..256).map(|i| value(i) * (0.4 + at(i % 16)) * (1.6 - at(i / 16))).collect();
     let found = run(&shipped("lut_charlie", &[16, 16], wrong), "sheen-charlie", &Fixed::default());
     assert_eq!(found.fit, Fit::None);

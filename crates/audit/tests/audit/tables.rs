@@ -1,4 +1,5 @@
-//! Tables made from the truth with the defects that published tables have: an audit finds each from the numbers alone.
+//! Tables made from the truth with the defects that published tables have: an audit finds each from
+//! the numbers alone.
 
 use lobefit::data::Smith;
 use lobefit_audit::audit::{
@@ -111,7 +112,8 @@ fn a_table_of_beckmann_is_one_and_no_table_of_ggx() {
 
 #[test]
 fn rows_one_texel_off_are_found() {
-    // Rows of roughness (r + 1.5)/64 clamped to 1, looked up at (r + 0.5)/64; noise of 1024 samples.
+    // Rows of roughness (r + 1.5)/64 clamped to 1, looked up at (r + 0.5)/64; noise of 1024
+    // samples.
     let roughness = |y: usize| ((y as f64 + 1.5) / 64.0).min(1.0);
     let value =
         |x: usize, y: usize| both(Smith::Correlated, roughness(y) * roughness(y), (x as f64 + 0.5) / 64.0);
@@ -144,7 +146,8 @@ fn a_limit_holds_for_the_table_as_it_will_be_read() {
     let at = |i: usize| (i as f64 + 0.5) / 32.0;
     let one = |i: usize| ((i as f64 + 1.5) / 32.0).min(1.0);
     let fourth = |x: f64| x * x * x * x;
-    // Rows one texel off, and a gloss that is the fourth root of alpha: right to rounding as they are best read.
+    // Rows one texel off, and a gloss that is the fourth root of alpha: right to rounding as they
+    // are best read.
     let shifted = |x: usize, y: usize| both(Smith::Correlated, one(y) * one(y), at(x)).0;
     let gloss = |x: usize, y: usize| both(Smith::Correlated, fourth(1.0 - at(y)), at(x)).0;
     let registrations = vec![Registration::Centre, Registration::OneHigh];
@@ -215,7 +218,8 @@ fn a_split_sum_at_one_f0_is_told() {
 
 #[test]
 fn nodes_at_left_edges_of_a_separable_lobe_are_found() {
-    // The path tracer of the sources, a slice: nodes i/64 clamped to [1e-4, 0.9999], roughness is alpha, separable.
+    // The path tracer of the sources, a slice: nodes i/64 clamped to [1e-4, 0.9999], roughness is
+    // alpha, separable.
     let at = |i: usize| (i as f64 / 64.0).clamp(1e-4, 0.9999);
     let found = reflection_of(&table(
         [64, 64],
@@ -243,7 +247,8 @@ fn nodes_at_left_edges_of_a_separable_lobe_are_found() {
 
 #[test]
 fn transposed_end_points_with_six_decimals_are_found() {
-    // Cycles' ggx_E: x is roughness, y is mu, end points, clamped to 1e-4, printed with six decimals.
+    // Cycles' ggx_E: x is roughness, y is mu, end points, clamped to 1e-4, printed with six
+    // decimals.
     let at = |i: usize| (i as f64 / 31.0).clamp(1e-4, 1.0);
     let found = reflection_of(&table(
         [32, 32],

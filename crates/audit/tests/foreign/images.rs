@@ -1,4 +1,5 @@
-//! Tables in image, texture and array files: those that other tools write, built here byte by byte, and our own.
+//! Tables in image, texture and array files: those that other tools write, built here byte by byte,
+//! and our own.
 
 use crate::foreign_support;
 #[allow(dead_code, reason = "the tables are used, the lookups are not")]
@@ -285,7 +286,8 @@ fn arrays_of_numpy_state_what_is_not_read() {
         let message = refused(&npy(&text, &data), "t.npy");
         assert!(message.contains(part), "{message}");
     }
-    // A size that contradicts the array's own is refused; its own, slices one below the other and a flat list are not.
+    // A size that contradicts the array's own is refused; its own, slices one below the other and a
+    // flat list are not.
     let sized = |shape: &str, size: &[usize]| {
         let hints = Hints { size: Some(size.to_vec()), ..Hints::default() };
         read_table(&npy(&dictionary("<f8", "False", shape), &data), "t.npy", &hints)

@@ -1,4 +1,5 @@
-//! Damaged files of every format: an error or a table, never a panic, and no more memory than promised.
+//! Damaged files of every format: an error or a table, never a panic, and no more memory than
+//! promised.
 
 use crate::foreign_support;
 
@@ -40,7 +41,8 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
     ]
 }
 
-/// One to four bytes changed, at times to a value that sizes hate, the end cut off or a piece doubled.
+/// One to four bytes changed, at times to a value that sizes hate, the end cut off or a piece
+/// doubled.
 fn damage(bytes: &[u8], random: &mut Pcg64) -> Vec<u8> {
     let mut out = bytes.to_vec();
     // Half of the changes hit the first 160 bytes, where headers are.

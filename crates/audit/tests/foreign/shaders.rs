@@ -1,4 +1,5 @@
-//! Shader functions of WGSL and GLSL as tapes: published formulas, written here in a shader's own ways, against plain Rust.
+//! Shader functions of WGSL and GLSL as tapes: published formulas, written here in a shader's own
+//! ways, against plain Rust.
 
 use lobefit_audit::foreign::{ShaderFunction, ShaderLanguage, read_functions};
 use lobefit_math::ops::{exp2f, powf};
@@ -24,7 +25,8 @@ fn points() -> impl Iterator<Item = [f32; 2]> {
     (0..41).flat_map(|i| (0..41).map(move |k| [i as f32 / 40.0, k as f32 / 40.0]))
 }
 
-/// The function has the bits of plain f32 arithmetic in the same order at every point, and is finite there.
+/// The function has the bits of plain f32 arithmetic in the same order at every point, and is
+/// finite there.
 fn assert_bits<const N: usize>(function: &ShaderFunction, formula: impl Fn(f32, f32) -> [f32; N]) {
     assert_eq!(function.components.len(), N, "{}", function.name);
     for [a, b] in points() {
@@ -222,7 +224,8 @@ fn gems(mu: f32, alpha: f32) -> [f32; 2] {
 
 #[test]
 fn ray_tracing_gems_with_matrices() {
-    // The columns of a GLSL matrix are the rows of the formula's, so the vector multiplies from the left.
+    // The columns of a GLSL matrix are the rows of the formula's, so the vector multiplies from the
+    // left.
     let source = "
         vec2 approximate(float mu, float alpha) {
             vec4 X, Y;
@@ -556,7 +559,8 @@ fn glsl_with_samplers_is_read_without_them() {
 
 #[test]
 fn published_glsl_is_read_as_it_is_printed() {
-    // Karis's fit in the words of engines: a view and a normal, const in, saturate from elsewhere or as a macro.
+    // Karis's fit in the words of engines: a view and a normal, const in, saturate from elsewhere
+    // or as a macro.
     let body = "vec2 dfg( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
         float dotNV = saturate( dot( normal, viewDir ) );
         const vec4 c0 = vec4( - 1, - 0.0275, - 0.572, 0.022 );

@@ -12,7 +12,8 @@ use lobefit::timing::record::{missing as untimed, page, read, stale};
 use lobefit_gpu::{GpuError, Work, measure};
 use serde_json::Value;
 
-/// Fits of roughness, alpha, cosine and f0, and tables of two axes, of f16 and of f32, and of three, one with the azimuth.
+/// Fits of roughness, alpha, cosine and f0, and tables of two axes, of f16 and of f32, and of
+/// three, one with the azimuth.
 const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [
     {"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6],
      "wants": {"fit": {"norms": ["max"], "max_ops": 5}, "tables":[{"size": [8, 8]}]}},
@@ -95,7 +96,8 @@ fn every_kind_of_lookup_is_timed_with_its_fetches_and_without() {
     let of = |kind: GpuKind| record.rows.iter().filter(move |row| row.kind == kind);
     assert_eq!(of(GpuKind::Lookup).count(), lookups::EMITTED.len());
     assert_eq!(of(GpuKind::LookupFetches).count(), lookups::EMITTED.len());
-    // A lookup of three fetches has five times the operations of one: medians tell them apart on a busy machine too.
+    // A lookup of three fetches has five times the operations of one: medians tell them apart on a
+    // busy machine too.
     let time = |name: &str, kind: GpuKind| {
         let row = of(kind).find(|row| row.name.contains(name)).unwrap_or_else(|| panic!("no {name}"));
         row.nanoseconds.median

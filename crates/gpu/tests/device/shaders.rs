@@ -1,5 +1,5 @@
-//! The emitted HLSL and GLSL where shaders run: glslang compiles them to SPIR-V, and every function returns on a Vulkan device what was
-//! certified, up to the accuracy that Vulkan asks of a device.
+//! The emitted HLSL and GLSL where shaders run: glslang compiles them to SPIR-V, and every function
+//! returns on a Vulkan device what was certified, up to the accuracy that Vulkan asks of a device.
 
 use crate::emit_support;
 use crate::gpu_support;
@@ -49,7 +49,8 @@ void main() {{
     }
 }
 
-/// Vulkan, "Precision and Operation of SPIR-V Instructions", asks of sums, products and quotients what WGSL does.
+/// Vulkan, "Precision and Operation of SPIR-V Instructions", asks of sums, products and quotients
+/// what WGSL does.
 #[test]
 fn hlsl_and_glsl_return_on_a_device_what_was_certified() {
     let Some(gpu) = gpu() else { return };

@@ -1,5 +1,5 @@
-//! The emitted WGSL of tables of three axes, and the compensations, where shaders run: on a Vulkan device, against the f32
-//! values in which tables are measured.
+//! The emitted WGSL of tables of three axes, and the compensations, where shaders run: on a Vulkan
+//! device, against the f32 values in which tables are measured.
 
 use crate::emit_support;
 use crate::gpu_support;
@@ -16,20 +16,23 @@ use lobefit::emit::lookup::Readable;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
 
-/// A texture unit keeps 8 bits of an interpolation weight, rounded or cut off: it is within one step of the exact weight.
+/// A texture unit keeps 8 bits of an interpolation weight, rounded or cut off: it is within one
+/// step of the exact weight.
 const WEIGHT: f64 = 1.0 / 256.0;
 
-/// Beside the weights, f32 arithmetic: up to 24 roundings of values in [0, 1] in filter and decoding.
+/// Beside the weights, f32 arithmetic: up to 24 roundings of values in [0, 1] in filter and
+/// decoding.
 const ARITHMETIC: f64 = 24.0 / 16_777_216.0;
 
 /// One unit in the last place is at most this part of the number.
 const ULP: f64 = 1.0 / 8_388_608.0;
 
-/// And in the coordinate, in texels. Of u = sqrt(mu (1 + l)/(mu + l)) the operations make 8 units in the last place of a number up to 1,
-/// those of WGSL's accuracy included; l beside makes half of its own relative error. That is none where l is alpha, 8 units for
-/// alpha + 3 sqrt(ior - 1), and for the alpha towards the view half that of q = 1 - 0.9 anisotropy and 8 units: q is off by 3 units of 1,
-/// and no less than 0.01 at the largest anisotropy of the points. The others have no more operations than the first, but are scaled by
-/// up to 3.
+/// And in the coordinate, in texels. Of u = sqrt(mu (1 + l)/(mu + l)) the operations make 8 units
+/// in the last place of a number up to 1, those of WGSL's accuracy included; l beside makes half of
+/// its own relative error. That is none where l is alpha, 8 units for alpha + 3 sqrt(ior - 1), and
+/// for the alpha towards the view half that of q = 1 - 0.9 anisotropy and 8 units: q is off by 3
+/// units of 1, and no less than 0.01 at the largest anisotropy of the points. The others have no
+/// more operations than the first, but are scaled by up to 3.
 fn coordinate(axis: &Axis) -> f64 {
     let units = match axis.warp {
         Warp::HomogeneousAzimuth => 8.0 + 0.5 * (8.0 + 0.5 * 3.0 / 0.01),
@@ -40,8 +43,8 @@ fn coordinate(axis: &Axis) -> f64 {
     units * ULP * axis.size as f64
 }
 
-/// The largest change of a channel by the errors of weights and coordinates: along each axis its largest step from texel to
-/// texel, as often as the position may be off.
+/// The largest change of a channel by the errors of weights and coordinates: along each axis its
+/// largest step from texel to texel, as often as the position may be off.
 fn change(solid: &Solid, channel: usize) -> f64 {
     let size = solid.table.size();
     let texels = &solid.table.channels[channel].texels;
@@ -55,9 +58,10 @@ fn change(solid: &Solid, channel: usize) -> f64 {
     (0..3).map(along).sum()
 }
 
-/// How far each value may lie from that with f32 weights, with these changes of the channels. E takes the first channel's change, or as a
-/// sum both; of a texel of loss and bias, B = E (bias + (1-mu)^5) takes E's change times a bias + 1 of at most 2, and that of the
-/// bias, and A = E - B adds E's own.
+/// How far each value may lie from that with f32 weights, with these changes of the channels. E
+/// takes the first channel's change, or as a sum both; of a texel of loss and bias, B = E
+/// (bias + (1-mu)^5) takes E's change times a bias + 1 of at most 2, and that of the bias, and
+/// A = E - B adds E's own.
 fn allowed(solid: &Solid, changes: [f64; 4], texel: [f32; 4], point: &Point) -> [f64; 3] {
     let [first, second, ..] = changes;
     let of = match solid.decode {
@@ -69,8 +73,9 @@ fn allowed(solid: &Solid, changes: [f64; 4], texel: [f32; 4], point: &Point) -> 
     of.map(|x| x + ARITHMETIC)
 }
 
-/// WGSL's log2 is within 2^-21 of the exact value for an argument between 0.5 and 2, elsewhere within 3 units in the last place, libm's
-/// within one. The arguments are off by those of q, 3 units of 1, and by 8 units of their own.
+/// WGSL's log2 is within 2^-21 of the exact value for an argument between 0.5 and 2, elsewhere
+/// within 3 units in the last place, libm's within one. The arguments are off by those of q, 3
+/// units of 1, and by 8 units of their own.
 fn logarithms(point: &Point, channels: [f64; 4]) -> Differences {
     let q = f64::from(squash(surface(point)));
     let argument = (3.0 / q + 8.0) * ULP / std::f64::consts::LN_2;
@@ -160,7 +165,8 @@ fn every_lookup_in_space_is_that_of_the_tables_measure() {
     }
 }
 
-/// The colour functions, each channel by the bound of its factor: the product with f rounds once more on either machine.
+/// The colour functions, each channel by the bound of its factor: the product with f rounds once
+/// more on either machine.
 #[test]
 fn the_compensations_are_those_of_rust_up_to_the_accuracy_of_wgsl() {
     let Some(gpu) = gpu() else { return };

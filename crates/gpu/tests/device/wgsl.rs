@@ -1,5 +1,5 @@
-//! The emitted WGSL where shaders run: every function and every table lookup on a Vulkan device, against the f32 values that
-//! were certified.
+//! The emitted WGSL where shaders run: every function and every table lookup on a Vulkan device,
+//! against the f32 values that were certified.
 
 use crate::emit_support;
 use crate::gpu_support;
@@ -15,15 +15,19 @@ use lobefit::effects::table::{self, Lookup};
 use lobefit_shade::code::Language;
 use lobefit_truth::quantity::COUPLING;
 
-/// Classes of functions, and the most units in the last place that may lie between the CPU and any device that keeps to WGSL:
-/// the largest bound of [`emit_support::accuracy`] over the functions and points, which the test computes and compares. What is
-/// asserted at each point is that point's own bound; these figures say how much it leaves.
+/// Classes of functions, and the most units in the last place that may lie between the CPU and any
+/// device that keeps to WGSL: the largest bound of [`emit_support::accuracy`] over the functions
+/// and points, which the test computes and compares. What is asserted at each point is that point's
+/// own bound; these figures say how much it leaves.
 const CLASSES: [(&str, f64); 4] = [
-    // One plus a product whose factors are sums of up to five terms that cancel in part, in Horner's form; rounded once more.
+    // One plus a product whose factors are sums of up to five terms that cancel in part, in
+    // Horner's form; rounded once more.
     ("normalisation without division", 48.0),
-    // N - 1 carries 3 units of the division, and the roundings of a divisor whose terms cancel, up to the factor by which they do.
+    // N - 1 carries 3 units of the division, and the roundings of a divisor whose terms cancel, up
+    // to the factor by which they do.
     ("normalisation with division", 64.0),
-    // 1 - E_avg is a sum of terms up to 5 that cancel to 0.6, and E_avg = 0.4 at alpha = 1 counts in smaller units.
+    // 1 - E_avg is a sum of terms up to 5 that cancel to 0.6, and E_avg = 0.4 at alpha = 1 counts
+    // in smaller units.
     ("average", 72.0),
     // A share of light that goes to 0 with mu: in units of the last place of 1.
     ("coupling factor, of 1", 32.0),
@@ -115,10 +119,12 @@ impl Worst {
     }
 }
 
-/// A texture unit keeps 8 bits of an interpolation weight, rounded or cut off: it is within one step of the exact weight.
+/// A texture unit keeps 8 bits of an interpolation weight, rounded or cut off: it is within one
+/// step of the exact weight.
 const WEIGHT: f64 = 1.0 / 256.0;
 
-/// Beside the weights, f32 arithmetic: up to 16 roundings of values in [0, 1] in filter and decoding.
+/// Beside the weights, f32 arithmetic: up to 16 roundings of values in [0, 1] in filter and
+/// decoding.
 const DECODING: f64 = 16.0 / 16_777_216.0;
 
 /// And in the coordinate: 8 ulp of a number up to 1, in texels of a table of `n`.
@@ -137,9 +143,10 @@ fn step(table: &Looked, channel: usize) -> f64 {
     along + across
 }
 
-/// How far E, A and B of a lookup on a device may lie from those with f32 weights: a change of the weights moves a channel by
-/// at most as much of its step. E takes the first channel's change or, as a sum, both; B = E (bias + (1-mu)^5) that of
-/// E and of the bias, since bias + (1-mu)^5 = B/E <= 1; A = E - B both of these.
+/// How far E, A and B of a lookup on a device may lie from those with f32 weights: a change of the
+/// weights moves a channel by at most as much of its step. E takes the first channel's change or,
+/// as a sum, both; B = E (bias + (1-mu)^5) that of E and of the bias, since bias + (1-mu)^5 = B/E
+/// <= 1; A = E - B both of these.
 fn allowed(table: &Looked) -> f64 {
     let size = table.table.axes.iter().map(|axis| axis.size).max().unwrap_or(0);
     let first = step(table, 0);
@@ -182,7 +189,7 @@ fn check(gpu: &Gpu, include: &str, table: &Looked) {
     let points = Points::of(&table.region);
     let found = look_up(gpu, include, table, &points);
     let split = table.split();
-    let places = table::Points::isotropic(&points.set).all;
+    let places = table::LookupPoints::isotropic(&points.set).all;
     let against = |lookup: &Lookup| {
         largest(&points, |i| {
             let values = lookup.at(&places[i]);

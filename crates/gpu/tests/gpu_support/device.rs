@@ -106,8 +106,8 @@ impl Gpu {
         })
     }
 
-    /// Runs an entry point once per point; `resources` are the bindings 0.. of group 0, and the binding after them is a buffer
-    /// of `count` f32, which is returned.
+    /// Runs an entry point once per point; `resources` are the bindings 0.. of group 0, and the
+    /// binding after them is a buffer of `count` f32, which is returned.
     pub fn run(
         &self,
         module: &wgpu::ShaderModule,

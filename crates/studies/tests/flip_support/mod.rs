@@ -1,4 +1,5 @@
-//! Pictures to compare, made of numbers that f32 holds exactly, so that every program gets the same ones.
+//! Pictures to compare, made of numbers that f32 holds exactly, so that every program gets the same
+//! ones.
 
 /// Columns and rows.
 pub const SIZE: (usize, usize) = (32, 24);
@@ -6,7 +7,8 @@ pub const SIZE: (usize, usize) = (32, 24);
 /// Pixels in linear light, row by row.
 pub type Pixels = Vec<[f64; 3]>;
 
-/// The pairs of the comparison by name: reference and test. `lamp` and `dark-half` need a high dynamic range.
+/// The pairs of the comparison by name: reference and test. `lamp` and `dark-half` need a high
+/// dynamic range.
 pub const NAMES: [&str; 5] = ["noise", "ramps", "discs", "lamp", "dark-half"];
 
 /// A pair.

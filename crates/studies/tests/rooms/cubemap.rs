@@ -1,4 +1,5 @@
-//! The cubemap of a probe: directions, texels, seams, energy, and levels against a quadrature that shares nothing with theirs.
+//! The cubemap of a probe: directions, texels, seams, energy, and levels against a quadrature that
+//! shares nothing with theirs.
 
 use std::f64::consts::PI;
 
@@ -151,7 +152,8 @@ fn texels_are_the_integral_of_the_lobe() {
 fn a_capture_is_the_mean_over_its_texels_and_a_chain_of_it_is_near_the_room() {
     let room = room_a();
     let chain = Bake { samples: 32, ..bake(8, 4, Source::Room) }.chain(&room).expect("a chain");
-    // the middle of the ceiling's face: squares of 0.5 at distance 1.5, from (0, 0) to (0.375, 0.375) one square, without a panel
+    // the middle of the ceiling's face: squares of 0.5 at distance 1.5, from (0, 0) to (0.375,
+    // 0.375) one square, without a panel
     let texel = chain.levels()[0].texel(4, 4, 3);
     let seen = room.seen(room.probe, direction(4, [0.125, -0.125]));
     assert!(largest(texel, seen) < 1e-3, "{texel:?} {seen:?}");

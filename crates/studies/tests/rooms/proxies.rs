@@ -1,4 +1,5 @@
-//! Proxies of rooms: where they must agree with one another, and that nothing about them is not a number or jumps.
+//! Proxies of rooms: where they must agree with one another, and that nothing about them is not a
+//! number or jumps.
 
 use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
@@ -80,7 +81,8 @@ fn inside(room: &Room) -> Vec<(Vec3, Vec3)> {
     rays
 }
 
-/// Places on planes, at edges, corners and far outside, with rays along planes, along axes and as good as along them.
+/// Places on planes, at edges, corners and far outside, with rays along planes, along axes and as
+/// good as along them.
 fn hard(room: &Room) -> Vec<(Vec3, Vec3)> {
     let mut rays = Vec::new();
     for (i, wall) in room.walls.iter().enumerate() {
@@ -141,8 +143,9 @@ fn looked_up(proxy: &dyn Proxy, room: &Room, (place, ray): (Vec3, Vec3)) -> (Vec
     (normalise(apart), met.distance / length(apart))
 }
 
-/// A step of 1e-7 moves a lookup by as little, wherever it is taken: through planes, edges, and rays along planes. A proxy whose normal
-/// jumps at edges has a continuous place; the smooth ones' normals are continuous too.
+/// A step of 1e-7 moves a lookup by as little, wherever it is taken: through planes, edges, and
+/// rays along planes. A proxy whose normal jumps at edges has a continuous place; the smooth ones'
+/// normals are continuous too.
 #[test]
 fn lookups_are_continuous_in_place_and_ray() {
     const STEP: f64 = 1e-7;
@@ -155,7 +158,8 @@ fn lookups_are_continuous_in_place_and_ray() {
                 let next =
                     (plus(place, scaled([x, y, z], STEP)), normalise(plus(ray, scaled([a, b, c], STEP))));
                 let [here, there] = [(place, ray), next].map(|ray| looked_up(&*proxy, &room, ray));
-                // the steepest: grazing a plane from its nearest distance, or powers that are nearly the planes'
+                // the steepest: grazing a plane from its nearest distance, or powers that are
+                // nearly the planes'
                 let steep = 1.0 / NEAREST;
                 let moved = length(minus(here.0, there.0)).max((here.1 / there.1 - 1.0).abs());
                 let allowed = STEP * steep * if far_or_sharp { 10.0 } else { 1.0 };
@@ -169,7 +173,8 @@ fn lookups_are_continuous_in_place_and_ray() {
     }
 }
 
-/// On a wall the ray into it meets the proxy at once, and one away from it does not know of the wall.
+/// On a wall the ray into it meets the proxy at once, and one away from it does not know of the
+/// wall.
 #[test]
 fn shading_points_on_a_wall_meet_it_at_the_nearest_distance() {
     for room in rooms() {
@@ -186,7 +191,8 @@ fn shading_points_on_a_wall_meet_it_at_the_nearest_distance() {
     }
 }
 
-/// The body about a shading point lies inside the planes, no farther than n equal terms allow, and nears them with the power.
+/// The body about a shading point lies inside the planes, no farther than n equal terms allow, and
+/// nears them with the power.
 #[test]
 fn the_smooth_body_lies_inside_and_nears_the_planes() {
     for room in rooms() {
@@ -235,7 +241,8 @@ fn normals_are_the_gradients_of_the_bodies() {
     }
 }
 
-/// Of a box the rounded body is the offset of a smaller box: the place met is a radius away from it.
+/// Of a box the rounded body is the offset of a smaller box: the place met is a radius away from
+/// it.
 #[test]
 fn a_rounded_box_is_the_offset_of_a_smaller_one() {
     for room in [room_a(), room_b()] {

@@ -1,4 +1,5 @@
-//! Fast fetches against slow ones, lookups at the ends of their ranges, what a GGX surface reflects.
+//! Fast fetches against slow ones, lookups at the ends of their ranges, what a GGX surface
+//! reflects.
 
 use lobefit::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Width};
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents, turned};
@@ -14,7 +15,8 @@ fn rooms() -> [Room; 4] {
     [room_a(), room_b(), octagon(), practice()]
 }
 
-/// Mean radiance over a lobe about `axis` from a place, ray by ray, without those below a surface's `normal` where one is given.
+/// Mean radiance over a lobe about `axis` from a place, ray by ray, without those below a surface's
+/// `normal` where one is given.
 pub(crate) fn lobe(room: &Room, place: Vec3, axis: Vec3, normal: Option<Vec3>, rays: &Rays) -> [f64; 3] {
     let frame = tangents(axis);
     let rays = rays.directions().iter().map(|local| turned(axis, frame, *local));
@@ -47,7 +49,8 @@ fn a_fan_holds_the_directions_of_every_width() {
     }
 }
 
-/// A direction that meets another square or panel for being 1e-5 of itself off is rare and not too bright.
+/// A direction that meets another square or panel for being 1e-5 of itself off is rare and not too
+/// bright.
 #[test]
 fn a_fast_fetch_is_the_slow_one() {
     let fan = Fan::new(&Kernel::HalfCosine, COUNT, 9);
@@ -93,7 +96,8 @@ fn an_outlook_is_the_room_turned() {
     }
 }
 
-/// In a room of one light everything reflects that light, whatever the lobe; of a smooth surface the mirror direction is seen.
+/// In a room of one light everything reflects that light, whatever the lobe; of a smooth surface
+/// the mirror direction is seen.
 #[test]
 fn a_surface_reflects_no_more_than_there_is() {
     let mut even = octagon();
@@ -124,7 +128,8 @@ fn corrected(room: &Room, shading: Shading, rule: TapRule, width: Width) -> Corr
     Corrected { proxy, probe: room.probe, shading, rule, ratio: Ratio::Area, width }
 }
 
-/// Everywhere inside, on and outside of the walls, at every angle: weights sum to 1, widths are in (0, 1], directions have unit length.
+/// Everywhere inside, on and outside of the walls, at every angle: weights sum to 1, widths are in
+/// (0, 1], directions have unit length.
 #[test]
 fn lookups_are_finite_everywhere() {
     let shadings = [Shading::Mirror, Shading::Dominant, Shading::RootCosine, Shading::Fitted(LobeFit::THREE)];
@@ -168,8 +173,9 @@ fn at_the_probe_a_fetch_is_the_lobe() {
     }
 }
 
-/// Head on and from straight below a fitted lobe is round and its axis the normal; leaning, its half-axes are at right angles to it and their product
-/// is 1. From below it is that of the view mirrored in the surface.
+/// Head on and from straight below a fitted lobe is round and its axis the normal; leaning, its
+/// half-axes are at right angles to it and their product is 1. From below it is that of the view
+/// mirrored in the surface.
 #[test]
 fn fitted_lobes_are_lobes() {
     for fit in [LobeFit::ONE, LobeFit::TWO, LobeFit::THREE] {

@@ -57,8 +57,9 @@ fn rows_tell_reciprocity_and_energy_apart() {
     assert!((lost.worst + std::f64::consts::LN_2).abs() < 1e-6, "{lost:?}");
 }
 
-/// Figures of the study of published factors, which took a finer grid: the sources' mix of 1 - F and 1 - f0 by roughness is off by 0.29,
-/// 0.285, 0.27 and 0.24 at f0 = 0.02, 0.04, 0.08 and 0.2, no factor at all by 0.95 to 0.96, 1 - F(n.v) by 0.89, 0.87, 0.84 and 0.74.
+/// Figures of the study of published factors, which took a finer grid: the sources' mix of 1 - F
+/// and 1 - f0 by roughness is off by 0.29, 0.285, 0.27 and 0.24 at f0 = 0.02, 0.04, 0.08 and 0.2,
+/// no factor at all by 0.95 to 0.96, 1 - F(n.v) by 0.89, 0.87, 0.84 and 0.74.
 #[test]
 fn the_largest_departures_are_those_of_the_study() {
     let grid = Grid { f0: vec![0.02, 0.04, 0.08, 0.2], ..Grid::full() };
@@ -167,8 +168,9 @@ fn fingerprints_tell_formulas_apart() {
     }
 }
 
-/// The reciprocal product of the Enterprise PBR Shading Model is, over the lights of a white environment, what the catalogue has of it: its
-/// factor at the view times 20/21 (0.95238096 there).
+/// The reciprocal product of the Enterprise PBR Shading Model is, over the lights of a white
+/// environment, what the catalogue has of it: its factor at the view times 20/21 (0.95238096
+/// there).
 #[test]
 fn dassault_is_the_formula_of_the_catalogue() {
     let rival = PUBLISHED.iter().find(|entry| entry.name() == "coupling_dassault").unwrap();
@@ -209,7 +211,8 @@ fn schlick_costs_what_its_curve_says() {
     assert!((rows[1].average_exact - 0.09177795934235121).abs() < 1e-12);
 }
 
-/// Nothing gets darker for a lighter base, nothing reflects more than it gets, and a plain factor scales with the albedo.
+/// Nothing gets darker for a lighter base, nothing reflects more than it gets, and a plain factor
+/// scales with the albedo.
 #[test]
 fn darker_bases_absorb() {
     let rows = absorbing_table(Smith::Correlated, 0.04, &Grid::reduced()).unwrap();
@@ -226,8 +229,9 @@ fn darker_bases_absorb() {
     }
 }
 
-/// The post's story in figures: normalised keeps the saturation of the smooth metal, compensated and Kulla-Conty gain what the
-/// walk gains, to a few hundredths; the series from the first reflection on gains too little.
+/// The post's story in figures: normalised keeps the saturation of the smooth metal, compensated
+/// and Kulla-Conty gain what the walk gains, to a few hundredths; the series from the first
+/// reflection on gains too little.
 #[test]
 fn rough_metals_saturate_as_the_walk_says() {
     let walks = Walks { paths: 1 << 16, seed: 5 };
@@ -271,8 +275,8 @@ fn rows_do_not_depend_on_threads_and_become_json() {
     assert!(one.contains("Kelemen-Szirmay-Kalos") && one.contains("random walk"));
 }
 
-/// Of white facets, bounce by bounce: the first is E, the energies add up to 1, and light of later bounces leaves more like Kulla and
-/// Conty's lobe than like a multiplied one.
+/// Of white facets, bounce by bounce: the first is E, the energies add up to 1, and light of later
+/// bounces leaves more like Kulla and Conty's lobe than like a multiplied one.
 #[test]
 fn later_bounces_leave_like_the_added_lobe() {
     let walks = Walks { paths: 1 << 17, seed: 3 };
@@ -286,7 +290,8 @@ fn later_bounces_leave_like_the_added_lobe() {
             assert!((lights.iter().sum::<f64>() / lost - 1.0).abs() < 1e-5, "{row:?}");
         }
         assert!(row.kulla_conty_off < 0.12, "{row:?}");
-        // What is drawn are the densities of the bins: their integrals by the trapezium rule are the bins' sums.
+        // What is drawn are the densities of the bins: their integrals by the trapezium rule are
+        // the bins' sums.
         for (of, bins) in [(1, &row.kulla_conty), (2, &row.multiplied)] {
             let drawn: f64 =
                 row.densities.windows(2).map(|w| 0.5 * (w[0][of] + w[1][of]) * (w[1][0] - w[0][0])).sum();
@@ -297,7 +302,8 @@ fn later_bounces_leave_like_the_added_lobe() {
     assert!(rough.kulla_conty_off < rough.multiplied_off, "{rough:?}");
 }
 
-/// Gold view by view: compensated and Kulla-Conty stay near the walk, and single scattering falls away.
+/// Gold view by view: compensated and Kulla-Conty stay near the walk, and single scattering falls
+/// away.
 #[test]
 fn views_of_gold_stay_near_the_walk() {
     let walks = Walks { paths: 1 << 15, seed: 3 };
@@ -335,7 +341,8 @@ fn formulas_made_reciprocal_keep_their_furnace() {
     assert!(worst.f0 == 0.04 && worst.worst.abs() < 0.072, "{worst:?}");
 }
 
-/// Of a dielectric every treatment of the lobe reflects nearly the same: there is little light to bounce again.
+/// Of a dielectric every treatment of the lobe reflects nearly the same: there is little light to
+/// bounce again.
 #[test]
 fn a_dielectric_reflects_what_the_walk_says() {
     let walks = Walks { paths: 1 << 15, seed: 9 };
@@ -352,7 +359,8 @@ fn a_dielectric_reflects_what_the_walk_says() {
     }
 }
 
-/// What is counted is what is measured: the formulas of the costs, evaluated between two directions, are f(l, v).
+/// What is counted is what is measured: the formulas of the costs, evaluated between two
+/// directions, are f(l, v).
 #[test]
 fn counted_formulas_are_the_materials() {
     let ([l, v], f0, alpha) = ([[0.48, 0.6, 0.64], [0.6, 0.0, 0.8]], 0.3, 0.36);

@@ -1,4 +1,5 @@
-//! Texels that see a room from elsewhere than the probe, and ratios that fade at the edges of its proxy.
+//! Texels that see a room from elsewhere than the probe, and ratios that fade at the edges of its
+//! proxy.
 
 use lobefit::effects::parallax::{Corrected, Ratio, Shading, TapRule, Width, width};
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
@@ -85,7 +86,8 @@ fn a_lookup_needs_not_know_the_law_of_the_bake() {
 fn the_perpendicular_texel_is_an_integral_over_the_walls() {
     let room = room_a();
     let towards = normalise([1.0, 0.45, 0.2]);
-    // the probe's lobe is 0.3 wide, as far away as (3, 1.35, 0.6), 3 from the wall: both footprints are as large
+    // the probe's lobe is 0.3 wide, as far away as (3, 1.35, 0.6), 3 from the wall: both footprints
+    // are as large
     let far = length([3.0, 1.35, 0.6]);
     let alpha = width(0.3, far / 3.0 * (far / 3.0).sqrt());
     // the wall x = 3 at (1.35, 0.6), from the middle of the box in x

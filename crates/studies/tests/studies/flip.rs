@@ -23,8 +23,8 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-/// The program computes in f32. Where both pictures rise alike, the features' difference is its rounding error, whose root we see:
-/// 1.4e-4 in `ramps`, below 3e-5 elsewhere.
+/// The program computes in f32. Where both pictures rise alike, the features' difference is its
+/// rounding error, whose root we see: 1.4e-4 in `ramps`, below 3e-5 elsewhere.
 #[test]
 fn maps_are_those_of_the_authors_program() {
     let oracle: Value = serde_json::from_str(ORACLE).expect("JSON");
@@ -64,7 +64,8 @@ fn equal_pictures_have_no_difference_and_green_and_blue_the_largest() {
     assert!(map.values.iter().all(|v| (v - 1.0).abs() < 1e-12), "{:?}", map.values[0]);
 }
 
-/// Of flat grey pictures FLIP is the compressed difference in lightness alone: to first order that of `sensitivity`.
+/// Of flat grey pictures FLIP is the compressed difference in lightness alone: to first order that
+/// of `sensitivity`.
 #[test]
 fn a_small_step_of_grey_costs_what_the_sensitivity_says() {
     for level in [1e-3, 0.02, 0.18, 0.5, 0.98] {
@@ -81,8 +82,8 @@ fn a_small_step_of_grey_costs_what_the_sensitivity_says() {
     assert!((sensitivity(0.0) - 903.3).abs() < 0.1 && (sensitivity(1.0) - 38.67).abs() < 0.01);
 }
 
-/// Light at the ends of f64: exposures are finite, a picture differs from itself by nothing and from another by something, and as much as the same
-/// pictures do where no number is subnormal.
+/// Light at the ends of f64: exposures are finite, a picture differs from itself by nothing and
+/// from another by something, and as much as the same pictures do where no number is subnormal.
 #[test]
 fn the_faintest_and_the_brightest_light_can_be_compared() {
     let scaled = |picture: &Image, by: f64| Image {

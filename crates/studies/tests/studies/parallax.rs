@@ -45,7 +45,8 @@ fn the_reduced_study_is_the_same_for_any_threads() {
     slants_are_true(&results);
 }
 
-/// The answers stand open before all else; what they rest on is folded, and no table of it stands open.
+/// The answers stand open before all else; what they rest on is folded, and no table of it stands
+/// open.
 fn answers_come_first(page: &str) {
     let at = |id: &str| page.find(&format!("<section id=\"{id}\">")).unwrap_or_else(|| panic!("{id}"));
     let order = [
@@ -63,7 +64,8 @@ fn answers_come_first(page: &str) {
     assert!(page[at("verdict")..at("random")].split("<details>").next().expect("text").contains("<figure>"));
 }
 
-/// Slanted walls: more fetches are nearer, the rules come near to fetches placed for the wall, and offsets belong to values.
+/// Slanted walls: more fetches are nearer, the rules come near to fetches placed for the wall, and
+/// offsets belong to values.
 fn slants_are_true(results: &Value) {
     let number = |value: &Value| value.as_f64().expect("a number");
     for row in results["slant"]["lobes"][0]["rows"].as_array().expect("rows") {
@@ -90,7 +92,8 @@ fn slants_are_true(results: &Value) {
     }
 }
 
-/// Frostbite's gain over itself is 1, every reference is known better than any method comes to it, and it is nothing off from itself.
+/// Frostbite's gain over itself is 1, every reference is known better than any method comes to it,
+/// and it is nothing off from itself.
 fn rooms_are_measured(results: &Value) {
     let list = |value: &Value| value.as_array().expect("a list").clone();
     let numbers =
@@ -126,8 +129,8 @@ fn rooms_are_measured(results: &Value) {
     }
 }
 
-/// What the issue of lookups promises, as the committed study measures it: gains over Frostbite's listing, slanted walls, and the power of
-/// smooth edges that lookups are emitted with.
+/// What the issue of lookups promises, as the committed study measures it: gains over Frostbite's
+/// listing, slanted walls, and the power of smooth edges that lookups are emitted with.
 #[test]
 fn the_committed_study_keeps_its_bars() {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
@@ -167,9 +170,11 @@ fn the_committed_study_keeps_its_bars() {
     assert!(readme.expect("a README").contains(&law), "{law}");
 }
 
-/// Creases on the edges of the room over those elsewhere: with one fetch through smooth edges at most what was asked for from r .35 up in the mean of the
-/// pictures, and a little more at r .25; at r .15 the lobe is about as wide as the pixels that an edge is told by, and they are less than those of the walls
-/// themselves and of the power by alpha alone. Pictures are little worse than with those.
+/// Creases on the edges of the room over those elsewhere: with one fetch through smooth edges at
+/// most what was asked for from r .35 up in the mean of the pictures, and a little more at r .25;
+/// at r .15 the lobe is about as wide as the pixels that an edge is told by, and they are less than
+/// those of the walls themselves and of the power by alpha alone. Pictures are little worse than
+/// with those.
 fn creases_keep_their_bars(rooms: &Value) {
     let pictures = rooms["pictures"].as_array().expect("pictures");
     let numbers = |value: &Value| -> Vec<f64> {
@@ -204,8 +209,8 @@ fn creases_keep_their_bars(rooms: &Value) {
     }
 }
 
-/// The power that lookups are emitted with gains over sharp edges, almost as much as the one that the study fits to the error alone, in rooms that it
-/// was not fitted in.
+/// The power that lookups are emitted with gains over sharp edges, almost as much as the one that
+/// the study fits to the error alone, in rooms that it was not fitted in.
 fn emitted_edges_gain(gains: &Value) {
     let gains = gains.as_array().expect("gains");
     let number = |value: &Value| value.as_f64().expect("a number");

@@ -95,8 +95,8 @@ fn a_white_sphere_shows_the_light_that_falls_on_it() {
     }
 }
 
-/// 1/pi int L max(n.l, 0) dl by sums over even cells: of sky and ground over height and azimuth of the directions, of each lamp over angle and
-/// azimuth about its own axis.
+/// 1/pi int L max(n.l, 0) dl by sums over even cells: of sky and ground over height and azimuth of
+/// the directions, of each lamp over angle and azimuth about its own axis.
 fn by_cells(environment: &Environment, normal: Vec3) -> [f64; 3] {
     let bare = Environment { lamps: Vec::new(), ..environment.clone() };
     let mut light = [0.0; 3];
@@ -145,7 +145,8 @@ fn by_cells(environment: &Environment, normal: Vec3) -> [f64; 3] {
     light
 }
 
-/// The light of a Lambertian surface in closed form against sums: where all lamps are seen, where one sets, where all are behind it.
+/// The light of a Lambertian surface in closed form against sums: where all lamps are seen, where
+/// one sets, where all are behind it.
 #[test]
 fn the_light_of_a_place_is_its_integral() {
     let mut broad = Environment::afternoon();
@@ -186,7 +187,8 @@ fn the_background_is_beside_the_sphere_alone() {
     assert!(area > 254.0 && area < 254.0 + 60.0, "pi 9^2 and the pixels of its rim: {area}");
 }
 
-/// Four times the samples: the halves agree better, at the least by the half that independent samples give.
+/// Four times the samples: the halves agree better, at the least by the half that independent
+/// samples give.
 #[test]
 fn noise_falls_with_samples_and_bytes_do_not_depend_on_threads() {
     let environment = Environment::afternoon();

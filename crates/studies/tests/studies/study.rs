@@ -1,5 +1,5 @@
-//! `lobefit report --study`: the same bytes for any number of threads, figures that follow from the truth, and a committed study that is of
-//! this version.
+//! `lobefit report --study`: the same bytes for any number of threads, figures that follow from the
+//! truth, and a committed study that is of this version.
 
 use crate::common;
 
@@ -111,8 +111,9 @@ fn ranking_is_sane(results: &Value) {
     assert_eq!((row(rows, max)["ops"].clone(), row(rows, max)["ours"].clone()), (7.into(), true.into()));
 }
 
-/// The page: how many pairs are ordered otherwise is counted over those alone that are not nearer to the reciprocal reference; every name of a
-/// coupling has a meaning; published fits and ours have their rows of reciprocity.
+/// The page: how many pairs are ordered otherwise is counted over those alone that are not nearer
+/// to the reciprocal reference; every name of a coupling has a meaning; published fits and ours
+/// have their rows of reciprocity.
 fn page_is_true(folder: &Path, results: &Value) {
     let page =
         std::fs::read_to_string(folder.join("reports/studies/coupling-reduced/index.html")).expect("a page");
@@ -190,7 +191,8 @@ fn the_committed_study_of_couplings_ranks_fits_by_what_they_minimise() {
     }
 }
 
-/// What a study does not reach is a promise of the program's: it has no input that could be at fault.
+/// What a study does not reach is a promise of the program's: it has no input that could be at
+/// fault.
 #[test]
 fn a_study_that_fails_is_no_bad_input() {
     let failed = CliError::from(StudyError::Unfitted { name: "f".into() });

@@ -5,7 +5,7 @@ use crate::approximate::{Fit, FitStageError, Region};
 use crate::data::Smith;
 use crate::effects::context::Context;
 use crate::effects::grid::Grid;
-use crate::effects::table::{self, BakedTable, Judged, Lookup, LookupError, Points, error_map};
+use crate::effects::table::{self, BakedTable, Judged, Lookup, LookupError, LookupPoints, error_map};
 use crate::effects::{Albedo, BakeError};
 use crate::report::{AverageFinding, AverageFit, Field, FitCurve, FurnaceRow, Ruler};
 use lobefit_truth::integrate::IntegrateError;
@@ -92,7 +92,7 @@ impl Exact {
     pub fn lookup_errors(&self, baked: &BakedTable) -> Result<Vec<Field>, LookupError> {
         let Some(table) = baked.table() else { return Ok(Vec::new()) };
         let lookup = Lookup::new(table, baked.decode)?;
-        let (points, b) = (Points::isotropic(&self.grid.points), self.truth.b.as_slice());
+        let (points, b) = (LookupPoints::isotropic(&self.grid.points), self.truth.b.as_slice());
         let truth = table::Truth { e: &self.truth.e, b: (!b.is_empty()).then_some(b) };
         let map = |name: &str, judged| {
             let values = error_map(&lookup, judged, &points, truth)?;
@@ -120,7 +120,7 @@ impl Exact {
     pub fn furnace_of_table(&self, baked: &BakedTable) -> Result<Option<FurnaceRow>, LookupError> {
         let Some(table) = baked.table() else { return Ok(None) };
         let lookup = Lookup::new(table, baked.decode)?;
-        let points = Points::isotropic(&self.grid.points).all;
+        let points = LookupPoints::isotropic(&self.grid.points).all;
         let factors = points.iter().zip(&self.truth.e).map(|(p, e)| e / f64::from(lookup.at(p).e));
         Ok(Some(self.row(&baked.approximation.name, factors.collect())))
     }
