@@ -27,4 +27,4 @@ pub use region::Region;
 pub use run::{Wanted, fit_all};
 pub use safe::{Safe, SafeProof, SafeRange};
 pub use search::runaways;
-pub(crate) use search::searched;
+pub(crate) use search::{named_for, searched};

@@ -2,7 +2,7 @@
 
 use super::{FitStageError, Runaway};
 use crate::data::Norm;
-use lobefit_fit::{Constraint, FitError, Options, Samples, Termination, optimise, round_to_f32};
+use lobefit_fit::{Constraint, FitError, Goal, Options, Samples, Termination, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, prove_regular};
 
 /// What a search found: coefficients rounded to f32 and proven regular, under the name of their
@@ -39,7 +39,11 @@ pub(crate) fn searched(
     let coefficients = round_to_f32(&fitted.coefficients)?;
     let exact: Vec<f64> = coefficients.iter().map(|c| f64::from(*c)).collect();
     prove_regular(hypothesis.tape(), &exact, domain)?;
-    Ok(Searched { hypothesis: named_for(hypothesis, norm), coefficients, termination: fitted.termination })
+    Ok(Searched {
+        hypothesis: named_for(hypothesis, norm.into()),
+        coefficients,
+        termination: fitted.termination,
+    })
 }
 
 /// Coefficients above this (or a million times a starting value) are on their way to infinity:
@@ -54,11 +58,13 @@ pub fn runaways(hypothesis: &Hypothesis, coefficients: &[f64]) -> impl Iterator<
     away.map(|(p, value)| Runaway { coefficient: p.name.clone(), value: *value })
 }
 
-/// The minimax fit bears its hypothesis' name; the least squares fit has `_rms` appended, so that
-/// both can be emitted.
-fn named_for(hypothesis: &Hypothesis, norm: Norm) -> Hypothesis {
-    match norm {
-        Norm::Max => hypothesis.clone(),
-        Norm::Rms => hypothesis.renamed(&format!("{}_rms", hypothesis.name())),
+/// The minimax fit bears its hypothesis' name; a fit in another norm has its norm appended, so that
+/// all can be emitted.
+pub(crate) fn named_for(hypothesis: &Hypothesis, goal: Goal) -> Hypothesis {
+    let name = hypothesis.name();
+    match goal {
+        Goal::Max => hypothesis.clone(),
+        Goal::Rms => hypothesis.renamed(&format!("{name}_rms")),
+        Goal::Power(p) => hypothesis.renamed(&format!("{name}_p{}", p.to_string().replace('.', "_"))),
     }
 }

@@ -6,7 +6,7 @@ use super::vanished::{self, Obedient};
 use super::weight::Weight;
 use super::{FittingError, Job, words};
 use crate::approximate::target::{Sampled, Target};
-use crate::approximate::{self, certificate, runaways};
+use crate::approximate::{self, certificate, named_for, runaways};
 use crate::data::{Approximation, Certificate, Formula, Source};
 use lobefit_fit::{Constraint, FitError, Fitted, Goal, Options, Samples, optimise, round_to_f32};
 use lobefit_shade::{Domain, Hypothesis, Precision, ShadeError, prove_regular};
@@ -67,7 +67,11 @@ pub(super) fn fit_one(
     constraints: &[Constraint],
     measured: &Sampled,
 ) -> Result<Certified, FittingError> {
-    let hypothesis = named_for(&job.hypothesis, goal, job.goals.len());
+    // The only fit bears its hypothesis' name.
+    let hypothesis = match job.goals.len() {
+        1 => job.hypothesis.clone(),
+        _ => named_for(&job.hypothesis, goal),
+    };
     let domain = target.domain()?;
     let samples = samples(&hypothesis, goal, target, weight)?;
     let options = Options { starts: job.starts, ..Options::new(goal) };
@@ -171,20 +175,6 @@ pub(super) fn obedient(
         }
     }
     Ok(best)
-}
-
-/// The only fit bears its hypothesis' name; of several, all but the minimax fit have their norm
-/// appended.
-fn named_for(hypothesis: &Hypothesis, goal: Goal, goals: usize) -> Hypothesis {
-    match goal {
-        Goal::Max => hypothesis.clone(),
-        _ if goals == 1 => hypothesis.clone(),
-        Goal::Rms => hypothesis.renamed(&format!("{}_rms", hypothesis.name())),
-        Goal::Power(p) => {
-            let p = p.to_string().replace('.', "_");
-            hypothesis.renamed(&format!("{}_p{p}", hypothesis.name()))
-        }
-    }
 }
 
 fn samples(

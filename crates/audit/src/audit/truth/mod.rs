@@ -64,8 +64,11 @@ fn choices<T: Copy>(quantity: &dyn Quantity, choice: Choice, all: &[T]) -> Vec<O
 /// fastest.
 pub(super) type Values = Vec<[f64; 2]>;
 
-/// Values at knots by quantity and lobe, integrated once for all audits of a process.
-static KNOWN: Mutex<Vec<((&str, Lobe), Arc<Values>)>> = Mutex::new(Vec::new());
+/// The values of a lobe of a quantity at its knots.
+type AtKnots = ((&'static str, Lobe), Arc<Values>);
+
+/// What is integrated once for all audits of a process.
+static KNOWN: Mutex<Vec<AtKnots>> = Mutex::new(Vec::new());
 
 /// A quantity's truth.
 pub(super) struct Truth<'a> {
