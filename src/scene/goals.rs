@@ -13,7 +13,8 @@ use crate::data::Norm;
 pub struct Goals {
     /// Most operations of an emitted fit; `None`: any.
     pub max_ops: Option<u32>,
-    /// Largest error of the use that at least one emitted fit, or the table, must keep; `None`: any.
+    /// Largest error of the use that at least one emitted fit, or the table, must keep; `None`:
+    /// any.
     pub max_error: Option<f64>,
     /// Errors to minimise, each once, in the order max, rms; empty for a table.
     pub norms: Vec<Norm>,
@@ -28,7 +29,8 @@ impl Goals {
         Goals { max_error, ..Goals::default() }
     }
 
-    /// Adds what another wants of the same job: the most operations, the strictest error, every norm.
+    /// Adds what another wants of the same job: the most operations, the strictest error, every
+    /// norm.
     pub fn join(&mut self, other: &Goals) {
         self.max_ops = self.max_ops.zip(other.max_ops).map(|(a, b)| a.max(b));
         self.max_error = [self.max_error, other.max_error].into_iter().flatten().reduce(f64::min);

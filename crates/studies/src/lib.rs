@@ -5,7 +5,7 @@
 //! |---|---|
 //! | [`render`] | spheres in the light of an environment |
 //! | [`flip`] | how different two pictures look |
-//! | [`study`] | the studies themselves, a folder each: what it covers and computes, its results and its page |
+//! | [`study`] | the studies, a folder each: what it covers, its results and its page |
 //! | [`run`] | the verb |
 //!
 //! The program `lobefit` runs the binary of this package for its verb `report`, and `lobefit check`
