@@ -1,7 +1,7 @@
 //! E at many points.
 
 use crate::data::Smith;
-use crate::effects::table::{LookupPoints, Made, Region, SliceAxis, aspect};
+use crate::effects::table::{LookupPoints, Made, Point, Region, SliceAxis, aspect};
 use lobefit_math::ops;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::points;
@@ -44,10 +44,10 @@ pub(super) fn energies(
     Ok((e, made))
 }
 
-/// E at the points of lookups: at their azimuths where the points have it, else in the mean over
-/// it.
+/// E at the points of lookups: at the azimuth of each where azimuth is an input, else in the mean
+/// over the azimuth.
 pub fn truths(smith: Smith, points: &LookupPoints) -> Result<(Vec<f64>, Made), IntegrateError> {
-    let view = |p: &crate::effects::table::Point| {
+    let view = |p: &Point| {
         let cos2 = f64::from(p.cos2_phi);
         View {
             alpha: f64::from(p.alpha),

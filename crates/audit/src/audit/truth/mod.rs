@@ -23,9 +23,9 @@ pub(super) use spec::{Spec, spec, with_azimuth};
 /// Which lobe a truth is of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe {
-    /// Shadowing form; none where the quantity has but one.
+    /// Shadowing form; `None` where the quantity has one form only.
     pub smith: Option<Smith>,
-    /// Where the ray comes from; none where there is but one side.
+    /// Where the ray comes from; `None` where there is one side only.
     pub side: Option<Side>,
 }
 
@@ -126,7 +126,7 @@ impl<'a> Truth<'a> {
         self.spec.columns
     }
 
-    /// Range of an input in which the truth can be had; texels outside are not judged.
+    /// Range of an input; texels outside are not judged.
     pub(super) fn range(&self, input: Input) -> [f64; 2] {
         self.spec.range(input)
     }

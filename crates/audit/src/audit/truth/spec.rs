@@ -1,5 +1,5 @@
-//! What an audit knows of each quantity: where its truth is had, how it is interpolated, and what
-//! channels may hold.
+//! What an audit knows of each quantity: the ranges of its inputs, its knots, and what channels may
+//! hold.
 
 use super::knots::Knots;
 use crate::audit::axis::Input;
@@ -7,7 +7,7 @@ use crate::audit::column::{self, Column};
 use lobefit_math::ops;
 use lobefit_truth::quantity::Quantity;
 
-/// How the truth of a quantity is had.
+/// How an audit computes the truth of a quantity.
 #[derive(Clone, Copy)]
 pub(in crate::audit) struct Spec<'a> {
     /// The quantity.
@@ -22,15 +22,15 @@ pub(in crate::audit) struct Spec<'a> {
     pub outputs: &'static [&'static str],
     /// Whether E at normal incidence is the second base value.
     pub normal: bool,
-    /// Ranges in which the truth is had, of inputs whose range is not [0, 1].
+    /// Ranges of the inputs that are judged, where they are not [0, 1].
     pub ranges: &'static [(Input, [f64; 2])],
-    /// Alpha below it is taken for 0; alpha_x and alpha_y are raised to it.
+    /// An alpha below it counts as 0; alpha_x and alpha_y are raised to it.
     pub narrowest: f64,
     /// Whether an alpha between 0 and `narrowest` is not judged.
     pub mirror_only: bool,
     /// Tolerances at the knots and of exact values.
     pub tolerances: [f64; 2],
-    /// Whether what the knots interpolate is exact.
+    /// Whether the values between the knots are exact.
     pub interpolated: bool,
     /// Largest error of an exact value.
     pub bound: f64,
@@ -57,8 +57,7 @@ const ANALYTIC: Knots =
 /// Least alpha of sheen that is judged: below it E at grazing view may have no bound.
 const SHEEN_ALPHA: f64 = 1e-4;
 
-/// Least mu of the anisotropic lobe, and what alpha, alpha_x and alpha_y are raised to, as tables
-/// do.
+/// Least mu of the anisotropic lobe; alpha, alpha_x and alpha_y are raised to it, as tables do.
 const ANISO_FLOOR: f64 = 1e-4;
 
 /// Least alpha of glass beside 0: narrower lobes are not judged.
@@ -153,8 +152,8 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
     })
 }
 
-/// The same of a quantity whose tables may depend on the azimuth of the view, over that too; `None`
-/// of every other. No convention is tried with it. Least alpha and mu: below them the interpolant
+/// The specification with the azimuth of the view as one more input, of a quantity that depends on
+/// it; `None` of every other. No convention is tried with it. Least alpha and mu: below them the interpolant
 /// over all of its four inputs needs more nodes than it has.
 pub(in crate::audit) fn with_azimuth(quantity: &dyn Quantity) -> Option<Spec<'_>> {
     let mean = spec(quantity).filter(|spec| spec.inputs.contains(&Input::Anisotropy))?;
