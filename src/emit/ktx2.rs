@@ -16,7 +16,7 @@ const DESCRIPTOR: u32 = 12 + 36 + 32 + 24;
 
 /// KHR_DF_MODEL_RGBSDA, primaries not stated (the texels are no colours), KHR_DF_TRANSFER_LINEAR,
 /// and no flags.
-const MODEL: u32 = 1 | 1 << 16;
+const MODEL: u32 = 1 | (1 << 16);
 
 /// KHR_DF_CHANNEL_RGBSDA_RED, _GREEN, _BLUE, _ALPHA.
 const CHANNELS: [u32; 4] = [0, 1, 2, 15];
@@ -47,7 +47,7 @@ fn descriptor(texel: Texel) -> Vec<Field> {
     let mut fields = vec![
         ("dfdTotalSize", 4 + block),
         ("dfd.vendorId", 0),
-        ("dfd.versionNumber", 2 | block << 16),
+        ("dfd.versionNumber", 2 | (block << 16)),
         ("dfd.colorModel", MODEL),
         ("dfd.texelBlockDimension", 0),
         ("dfd.bytesPlane0", texel.bytes()),
@@ -55,7 +55,7 @@ fn descriptor(texel: Texel) -> Vec<Field> {
     ];
     for (k, channel) in (0..channels).zip(CHANNELS) {
         fields.extend([
-            ("dfd.channelType", k * bits | (bits - 1) << 16 | (channel | FLOAT) << 24),
+            ("dfd.channelType", (k * bits) | ((bits - 1) << 16) | ((channel | FLOAT) << 24)),
             ("dfd.samplePosition", 0),
             ("dfd.sampleLower", LOWER),
             ("dfd.sampleUpper", UPPER),

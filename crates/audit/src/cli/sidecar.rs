@@ -62,8 +62,8 @@ fn checked(said: Sidecar, container: Container, length: usize) -> Result<Sidecar
         return Err(format!("it names {} axes and {} channels", axes.len(), channels.len()));
     }
     let numbers = channels.len().checked_add(*padding_channels);
-    let sizes = size.iter().copied().chain([stored.bytes() as usize]);
-    let texels = numbers.and_then(|n| sizes.fold(Some(n), |product, side| product?.checked_mul(side)));
+    let mut sizes = size.iter().copied().chain([stored.bytes() as usize]);
+    let texels = numbers.and_then(|n| sizes.try_fold(n, usize::checked_mul));
     match texels.and_then(|bytes| bytes.checked_add(*offset)) {
         Some(bytes) if bytes == length => Ok(said),
         _ => Err(format!("it does not speak of the {length} bytes that the file has")),
