@@ -1,9 +1,14 @@
-//! The sources and the README themselves.
+//! The sources, the README and the pages in `docs/` themselves.
+
+#[path = "../common/mod.rs"]
+mod common;
 
 mod actions;
 mod cycles;
+mod docs;
 mod floors;
 mod from_outside;
 mod languages;
 mod readme;
+mod texts;
 mod toy_effect;

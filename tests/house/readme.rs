@@ -1,166 +1,114 @@
-//! The figures in the README are those of the committed bake.
+//! The README: its commands, figures and recipes are those of the product.
 
-use std::path::Path;
-
-use lobefit::emit::header::short;
 use serde_json::Value;
 
-fn read(name: &str) -> String {
-    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).expect("committed")
-}
-
-fn json(name: &str) -> Value {
-    serde_json::from_str(&read(name)).expect("JSON")
-}
-
-fn find<'a>(list: &'a Value, name: &str) -> &'a Value {
-    let list = list.as_array().expect("a list");
-    list.iter().find(|e| e["name"] == name).unwrap_or_else(|| panic!("the README names {name}"))
-}
-
-/// The blocks of a language.
-fn blocks<'a>(readme: &'a str, language: &str) -> Vec<&'a str> {
-    let opening = format!("```{language}\n");
-    readme
-        .split(opening.as_str())
-        .skip(1)
-        .map(|rest| rest.split("```").next().expect("its end").trim())
-        .collect()
-}
+use crate::common::{lobefit, stderr};
+use crate::texts::{assert_rows, assert_valid, blocks, find, json, number, read};
 
 #[test]
-fn the_table_of_fits_is_the_manifests() {
-    let (readme, manifest) = (read("README.md"), json("manifest.json"));
+fn it_is_short_and_its_first_commands_run_the_main_job_and_the_tests() {
+    let readme = read("README.md");
+    assert!(readme.lines().count() <= 150, "{} lines", readme.lines().count());
+    let commands: Vec<&str> = blocks(&readme, "sh")[0].lines().collect();
+    let commands = commands.iter().map(|line| line.split('#').next().expect("a command").trim());
+    assert_eq!(
+        commands.collect::<Vec<_>>(),
+        ["cargo run --release -- bake", "cargo test --release --workspace"]
+    );
+}
+
+/// The largest departure of spheres in the furnace, as the report of the committed bake has it.
+#[test]
+fn the_furnace_is_the_reports() {
+    let furnace = &json("reports/reflection.json")["furnace"];
+    let roughness: Vec<f64> = furnace["roughness"].as_array().expect("a list").iter().map(number).collect();
+    let fits = &json("manifest.json")["fits"];
+    let fit = find(fits, "function", "ggx_energy_compensation")["name"].as_str().expect("a name");
+    let row = |label: &str, name: &str| {
+        let factors = find(&furnace["rows"], "name", name)["factors"].as_array().expect("a list");
+        let worst = |i: usize| {
+            let departures = factors[i].as_array().expect("a list").iter().map(|x| number(x) - 1.0);
+            departures.max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("a sphere")
+        };
+        let shown = [0.2, 0.4, 0.6, 0.8, 1.0].map(|r| {
+            let i = roughness.iter().position(|&x| (x - r).abs() < 1e-9).expect("a sphere");
+            format!("{:+.1} %", 100.0 * worst(i))
+        });
+        format!("| {label} | {} |", shown.join(" | "))
+    };
+    let rows = [row("single scattering", "uncompensated"), row("times `ggx_energy_compensation`", fit)];
+    assert_rows("README.md", &["| single scattering", "| times `"], &rows);
+    let worst = rows[0].split('|').rev().nth(1).expect("a cell").trim();
+    let worst: f64 = worst.trim_end_matches(" %").parse().expect("a number");
+    assert!(read("README.md").contains(&format!("by up to {:.0} %", -worst)), "{worst}");
+}
+
+/// Each function of `Which one do I take` with its operations, bytes and largest error.
+#[test]
+fn the_choices_are_the_manifests() {
+    let manifest = json("manifest.json");
+    let readme = read("README.md");
+    let after = readme.split("## Which one do I take").nth(1).expect("the section");
+    let section = after.split("\n## ").next().expect("its end");
     let mut rows = 0;
-    for line in readme.lines().filter(|l| l.starts_with("| `ggx_") || l.starts_with("| `coupling_")) {
-        let cells: Vec<&str> = line.split('|').map(|c| c.trim().trim_matches('`')).collect();
-        let fit = find(&manifest["fits"], cells[1]);
-        assert_eq!(fit["cost"]["ops"].to_string(), cells[2], "{line}");
-        let max = fit["certificate"]["max_abs"].as_f64().expect("a number");
-        assert_eq!(max, cells[3].parse::<f64>().expect("a number"), "{line}");
-        let (rms, printed) = (fit["certificate"]["rms"].as_f64().expect("a number"), cells[4].parse::<f64>());
-        assert!((rms / printed.expect("a number") - 1.0).abs() < 1e-3, "{line}: {rms}");
+    for line in section.lines().filter(|line| line.contains("| `")) {
+        let cells: Vec<&str> = line.split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+        let (entry, max) = match cells[2].strip_suffix("_lookup") {
+            Some(table) => {
+                let entry = find(&manifest["tables"], "name", &table.replace('_', "-"));
+                (entry, &entry["error"]["lookup"]["max"])
+            }
+            None => {
+                let entry = find(&manifest["fits"], "function", cells[2]);
+                (entry, &entry["certificate"]["max_abs"])
+            }
+        };
+        let cost = &entry["cost"];
+        let wanted = format!("{} | {} | {}", cost["ops"], cost["bytes"], number(max));
+        assert_eq!(cells[3..6].join(" | "), wanted, "{line}");
         rows += 1;
     }
-    assert!(rows >= 10, "the table is there");
+    assert_eq!(rows, 5);
 }
 
-/// The README's row of a table of the manifest.
-fn table_row(table: &Value) -> String {
-    let sizes = table["axes"].as_array().expect("axes").iter().map(|axis| axis["size"].to_string());
-    let lookup = &table["error"]["lookup"];
-    format!(
-        "| `{}` | {} | {} | {} | {} | {} |",
-        table["name"].as_str().expect("a name"),
-        sizes.collect::<Vec<_>>().join(" x "),
-        table["bytes"],
-        table["cost"]["ops"],
-        lookup["max"].as_f64().expect("a number"),
-        short(lookup["rms"].as_f64().expect("a number")),
-    )
+/// `13 operations, max error 0.015` of every function, `4096 bytes, max error 0.0013` of every
+/// table.
+fn figures(manifest: &Value) -> Vec<String> {
+    let list = |key: &str| manifest[key].as_array().expect("a list").clone();
+    let fits = list("fits").into_iter().map(|fit| {
+        let max = number(&fit["certificate"]["max_abs"]);
+        format!("{} operations, max error {max}", fit["cost"]["ops"])
+    });
+    let tables = list("tables").into_iter().map(|table| {
+        let max = number(&table["error"]["lookup"]["max"]);
+        format!("{} bytes, max error {max}", table["bytes"])
+    });
+    fits.chain(tables).collect()
 }
 
+/// Each recipe is followed by the letter: its scene is baked by its command, has the stated error,
+/// and the shader that calls it is valid with the emitted file.
 #[test]
-fn the_table_of_tables_is_the_manifests() {
-    let (readme, manifest) = (read("README.md"), json("manifest.json"));
-    let wanted: Vec<String> = manifest["tables"].as_array().expect("a list").iter().map(table_row).collect();
-    let shown = |l: &&str| l.starts_with("| `ggx-") || l.starts_with("| `path-tracer-");
-    let found: Vec<&str> = readme.lines().filter(shown).filter(|l| l.matches('|').count() == 7).collect();
-    assert_eq!(found, wanted, "the README's rows should be:\n{}\n", wanted.join("\n"));
-}
-
-/// `what ignoring the azimuth costs` as the README rounds it, up to three digits, is the report's
-/// figure.
-#[test]
-fn the_price_of_ignoring_the_azimuth_is_the_reports() {
-    let ways = json("reports/anisotropy.json")["azimuth"][0]["ways"].clone();
-    let mean = ways
-        .as_array()
-        .expect("a list")
-        .iter()
-        .find(|way| way["name"].as_str().expect("a name").ends_with("ggx-aniso-correlated-64x64x32"));
-    let max = mean.expect("the table of means")["error"]["max"].as_f64().expect("a number");
-    let shown = format!("off by up to {} ", (max * 1000.0).ceil() / 1000.0);
-    assert!(read("README.md").contains(&shown), "the README should say `{shown}`");
-}
-
-#[test]
-fn the_example_hypothesis_is_the_file() {
-    assert!(read("README.md").contains(read("examples/own-hypothesis.wgsl").trim()));
-}
-
-#[test]
-fn every_example_is_named() {
+fn recipes_bake_and_their_calls_compile() {
     let readme = read("README.md");
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    for entry in std::fs::read_dir(folder).expect("examples") {
-        let name = entry.expect("a file").file_name().into_string().expect("UTF-8");
-        assert!(!name.ends_with(".json") || readme.contains(&name), "the README does not name {name}");
+    let after = readme.split("## Recipes").nth(1).expect("the section");
+    let recipes: Vec<&str> = after.split("\n## ").next().expect("its end").split("\n### ").skip(1).collect();
+    assert_eq!(recipes.len(), 3);
+    for recipe in recipes {
+        let title = recipe.lines().next().expect("a title");
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join("scene.json"), blocks(recipe, "json")[0]).expect("a file");
+        let (command, comment) = blocks(recipe, "sh")[0].split_once('#').expect("what comes of it");
+        let words: Vec<&str> = command.split_whitespace().collect();
+        assert_eq!(words[..2], ["lobefit", "bake"], "{title}");
+        let output = lobefit(folder.path(), &words[1..], b"");
+        assert!(output.status.success(), "{title}: {}", stderr(&output));
+        let assets = folder.path().join("assets");
+        let text = |name: &str| std::fs::read_to_string(assets.join(name)).expect("a file");
+        let manifest: Value = serde_json::from_str(&text("manifest.json")).expect("JSON");
+        let figures = figures(&manifest);
+        assert!(figures.iter().any(|figure| comment.contains(figure)), "{title}: {figures:?}");
+        let shader = blocks(recipe, "wgsl")[0];
+        assert_valid(&format!("{}\n{shader}", text("fits/lobefit.wgsl")), title);
     }
-}
-
-/// Each piece of code is emitted, or the example's hypothesis, or (where it binds a texture) calls
-/// what is emitted.
-#[test]
-fn the_code_is_what_is_emitted() {
-    let (readme, wgsl) = (read("README.md"), read("fits/lobefit.wgsl"));
-    let mut bound = 0;
-    for block in blocks(&readme, "wgsl") {
-        if block.starts_with("@group") {
-            let module = naga::front::wgsl::parse_str(&format!("{wgsl}\n{block}"))
-                .expect("the README's shader parses");
-            let mut validator = naga::valid::Validator::new(
-                naga::valid::ValidationFlags::all(),
-                naga::valid::Capabilities::empty(),
-            );
-            validator.validate(&module).expect("the README's shader is valid");
-            bound += 1;
-        } else if !read("examples/own-hypothesis.wgsl").contains(block) {
-            for piece in block.split("\n\n") {
-                assert!(wgsl.contains(piece), "not emitted:\n{piece}");
-            }
-        }
-    }
-    assert_eq!(bound, 1, "the README shows how to bind a table");
-}
-
-#[test]
-fn the_output_is_the_commands() {
-    let (readme, manifest) = (read("README.md"), json("manifest.json"));
-    for line in blocks(&readme, "text")[0].lines().filter(|line| line.starts_with("ggx")) {
-        let name = line.split_whitespace().next().expect("a name");
-        let figure = if name.starts_with("ggx_") {
-            find(&manifest["fits"], name)["certificate"]["max_abs"].as_f64()
-        } else {
-            find(&manifest["tables"], name)["error"]["lookup"]["max"].as_f64()
-        };
-        assert!(line.contains(&format!(" {}  ", figure.expect("a number"))), "{line}");
-    }
-}
-
-/// The README's name of a lookup of the study, and the study's.
-const LOOKUPS: [(&str, &str); 5] = [
-    ("min(1, rho alpha), sharp edges", "min(1, ρ α)"),
-    ("alpha' by areas, sharp edges", "rational, areas"),
-    ("1 fetch, smooth edges", "rational, areas, smooth"),
-    ("2 fetches, sharp edges", "2 fetches"),
-    ("3 fetches, smooth edges", "3 fetches, smooth"),
-];
-
-#[test]
-fn the_gains_of_lookups_are_the_studys() {
-    let (readme, study) = (read("README.md"), json("reports/studies/parallax/results.json"));
-    let gains = study["chain"]["gains"].as_array().expect("gains");
-    for (name, method) in LOOKUPS {
-        let of = |room: &str| {
-            let row = gains.iter().find(|row| row["room"] == room && row["method"] == method);
-            let row = row.unwrap_or_else(|| panic!("the study has {method} in {room}"));
-            let [exact, chain] = ["gain_exact", "gain_chain"].map(|key| row[key].as_f64().expect("a number"));
-            format!("{exact:.2} ({chain:.2})")
-        };
-        let line = format!("| {name} | {} |", ["A", "B", "octagon"].map(of).join(" | "));
-        assert!(readme.lines().any(|l| l == line), "{line}");
-    }
-    let points = &study["parameters"]["chain"]["points"]["count"];
-    assert!(readme.contains(&format!("at {points} points")), "{points} points");
 }

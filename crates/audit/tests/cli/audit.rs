@@ -118,6 +118,21 @@ fn shaders_are_audited() {
     assert_eq!(found["conventions"][0]["axes"][0]["axis"], "alpha");
 }
 
+/// The example of `docs/audit.md` is what the program says.
+#[test]
+fn the_example_of_the_page_is_the_verdict() {
+    let root = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let page = std::fs::read_to_string(root.join("docs/audit.md")).unwrap();
+    let example = page.split("```text\n$ lobefit ").nth(1).unwrap().split("```").next().unwrap();
+    let (command, shown) = example.split_once('\n').unwrap();
+    let words: Vec<&str> = command.split_whitespace().collect();
+    let output = lobefit(root, &words, b"");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let verdict = String::from_utf8(output.stdout).unwrap();
+    let plain = |text: &str| text.split_whitespace().map(String::from).collect::<Vec<_>>();
+    assert_eq!(plain(shown), plain(&verdict));
+}
+
 #[test]
 fn where_a_limit_is_judged_is_said() {
     let folder = tempfile::tempdir().unwrap();

@@ -165,9 +165,9 @@ fn the_committed_study_keeps_its_bars() {
         }
     }
     let law = Tied::FITTED.formula();
-    let readme =
-        std::fs::read_to_string(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("README.md"));
-    assert!(readme.expect("a README").contains(&law), "{law}");
+    let page = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join("docs/probes.md");
+    let page = std::fs::read_to_string(page).expect("a page");
+    assert!(page.contains(&law), "{law}");
 }
 
 /// Creases on the edges of the room over those elsewhere: with one fetch through smooth edges at

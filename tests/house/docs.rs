@@ -1,0 +1,250 @@
+//! The pages in `docs/`: figures are those of the committed bake, study and record, code is emitted,
+//! links resolve.
+
+use std::path::Path;
+
+use lobefit::emit::header::short;
+use serde_json::Value;
+
+use crate::common::{lobefit, stderr};
+use crate::texts::{assert_rows, assert_valid, blocks, find, json, number, pages, read, root};
+
+/// The anchor that a heading gets.
+fn anchor(heading: &str) -> String {
+    let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
+    kept.collect::<String>().trim().to_lowercase().replace(' ', "-")
+}
+
+#[test]
+fn every_link_resolves() {
+    for (page, text) in pages() {
+        let mut targets = text.split("](").skip(1).map(|rest| rest.split(')').next().expect("its end"));
+        assert!(targets.all(|target| resolves(&page, target)), "a link of {} leads nowhere", page.display());
+    }
+}
+
+fn resolves(page: &Path, target: &str) -> bool {
+    let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+    let path = match file {
+        "" => page.to_path_buf(),
+        _ => page.parent().expect("a folder").join(file),
+    };
+    println!("{}: {target}", page.display());
+    let anchors = |text: String| text.lines().any(|line| line.starts_with('#') && anchor(line) == heading);
+    path.exists() && (heading.is_empty() || std::fs::read_to_string(path).is_ok_and(anchors))
+}
+
+#[test]
+fn every_test_that_holds_a_promise_exists() {
+    let promises = read("docs/promises.md");
+    let names = promises.split('`').skip(1).step_by(2).filter(|name| name.contains("tests"));
+    let names: Vec<&str> = names.filter(|name| !name.contains(' ')).collect();
+    assert!(names.len() > 20);
+    for name in names {
+        assert!(root().join(name).exists(), "{name}");
+    }
+}
+
+/// Largest error and RMS of a certificate, as a row shows them.
+fn errors(entry: &Value) -> String {
+    let certificate = &entry["certificate"];
+    format!("{} | {}", number(&certificate["max_abs"]), short(number(&certificate["rms"])))
+}
+
+/// The example that asks for every formula is baked.
+#[test]
+fn the_table_of_formulas_is_what_the_example_bakes() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = root().join("examples/every-formula.json").display().to_string();
+    let output = lobefit(folder.path(), &["bake", &scene, "--quiet"], b"");
+    assert!(output.status.success(), "{}", stderr(&output));
+    let manifest = std::fs::read_to_string(folder.path().join("manifest.json")).expect("a file");
+    let manifest: Value = serde_json::from_str(&manifest).expect("JSON");
+    let fits = manifest["fits"].as_array().expect("a list");
+    let name = |fit: &Value| fit["name"].as_str().expect("a name").to_string();
+    let row = |fit: &Value| {
+        let of_rms = fits.iter().find(|other| name(other) == name(fit) + "_rms");
+        let of_rms = of_rms.map_or_else(|| " |".into(), |fit| format!(" {}", errors(fit)));
+        format!("| `{}` | {} | {} |{of_rms} |", name(fit), fit["cost"]["ops"], errors(fit))
+    };
+    let rows: Vec<String> = fits.iter().filter(|fit| !name(fit).ends_with("_rms")).map(row).collect();
+    let begins =
+        ["| `ggx_", "| `coupling_", "| `charlie_", "| `parallax_1", "| `parallax_c", "| `parallax_po"];
+    assert_rows("docs/cost.md", &begins, &rows);
+}
+
+#[test]
+fn the_tables_of_published_formulas_are_the_reports() {
+    let page = read("docs/cost.md");
+    let section = page.split("## Published formulas").nth(1).and_then(|rest| rest.split("\n## ").next());
+    let found: Vec<&str> = section.expect("it").lines().filter(|line| line.contains("| `")).collect();
+    let reflection = json("reports/reflection.json")["approximations"].clone();
+    let coupling = json("reports/diffuse-coupling.json")["lobes"][0]["approximations"].clone();
+    let all = [reflection, coupling].map(|list| list.as_array().expect("a list").clone()).concat();
+    let row = |a: &Value| {
+        let [source, name] = ["source", "name"].map(|key| a[key].as_str().expect("a word"));
+        format!("| {source} | `{name}` | {} | {} |", a["cost"]["ops"], errors(a))
+    };
+    let wanted: Vec<String> = all.iter().filter(|a| a["published"] == true).map(row).collect();
+    assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
+}
+
+fn table_row(table: &Value) -> String {
+    let sizes = table["axes"].as_array().expect("axes").iter().map(|axis| axis["size"].to_string());
+    let lookup = &table["error"]["lookup"];
+    format!(
+        "| `{}` | {} | {} | {} | {} | {} |",
+        table["name"].as_str().expect("a name"),
+        sizes.collect::<Vec<_>>().join(" x "),
+        table["bytes"],
+        table["cost"]["ops"],
+        number(&lookup["max"]),
+        short(number(&lookup["rms"])),
+    )
+}
+
+#[test]
+fn the_table_of_tables_is_the_manifests() {
+    let page = read("docs/cost.md");
+    let section = page.split("\n## Tables").nth(1).expect("the section");
+    let found: Vec<&str> = section.lines().filter(|line| line.starts_with("| `")).collect();
+    let wanted: Vec<String> =
+        json("manifest.json")["tables"].as_array().expect("a list").iter().map(table_row).collect();
+    assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
+}
+
+/// Microseconds of a call for each pixel of 3840 x 2160.
+#[test]
+fn the_times_are_the_records() {
+    let page = read("docs/cost.md");
+    let section = page.split("| what | microseconds |").nth(1).and_then(|rest| rest.split("\n\n").next());
+    let found: Vec<&str> = section.expect("it").lines().filter(|line| line.contains('`')).collect();
+    let record = json("reports/gpu/nvidia-h200.json");
+    let rows = record["rows"].as_array().expect("a list").iter();
+    let shown = |kind: &Value| ["cubemap-fetch", "lookup-fetches", "table"].iter().any(|k| kind == k);
+    let row = |row: &Value| {
+        let microseconds = number(&row["nanoseconds"]["median"]) * f64::from(3840 * 2160) / 1000.0;
+        format!("| `{}` | {microseconds:.0} |", row["name"].as_str().expect("a name"))
+    };
+    let wanted: Vec<String> = rows.filter(|row| shown(&row["kind"])).map(row).collect();
+    assert_eq!(found, wanted, "the rows should be:\n{}\n", wanted.join("\n"));
+}
+
+/// `what ignoring the azimuth costs`, rounded up to three digits, is the report's figure.
+#[test]
+fn the_price_of_ignoring_the_azimuth_is_the_reports() {
+    let ways = json("reports/anisotropy.json")["azimuth"][0]["ways"].clone();
+    let mut ways = ways.as_array().expect("a list").iter();
+    let mean =
+        ways.find(|way| way["name"].as_str().expect("a name").ends_with("ggx-aniso-correlated-64x64x32"));
+    let max = number(&mean.expect("the table of means")["error"]["max"]);
+    let shown = format!("off by up to {} ", (max * 1000.0).ceil() / 1000.0);
+    assert!(read("docs/cost.md").contains(&shown), "docs/cost.md should say `{shown}`");
+}
+
+#[test]
+fn the_example_hypothesis_is_the_file() {
+    assert!(read("docs/fit.md").contains(read("examples/own-hypothesis.wgsl").trim()));
+}
+
+#[test]
+fn every_example_is_named() {
+    let page = read("docs/scene.md");
+    for entry in std::fs::read_dir(root().join("examples")).expect("examples") {
+        let name = entry.expect("a file").file_name().into_string().expect("UTF-8");
+        let shown = page.contains(&format!("`examples/{name}`"));
+        assert!(!name.ends_with(".json") || shown, "docs/scene.md does not name {name}");
+    }
+}
+
+/// Each piece of code is emitted, or the example's hypothesis, or (where it binds a texture) calls
+/// what is emitted.
+#[test]
+fn the_code_is_what_is_emitted() {
+    let (wgsl, own) = (read("fits/lobefit.wgsl"), read("examples/own-hypothesis.wgsl"));
+    for (page, text) in pages().into_iter().filter(|(page, _)| !page.ends_with("README.md")) {
+        for block in blocks(&text, "wgsl") {
+            if block.starts_with("@group") {
+                assert_valid(&format!("{wgsl}\n{block}"), &page.display().to_string());
+            } else if !own.contains(block) {
+                for piece in block.split("\n\n") {
+                    assert!(wgsl.contains(piece), "{}: not emitted:\n{piece}", page.display());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn scenes_are_planned() {
+    for (page, text) in pages() {
+        for scene in blocks(&text, "json") {
+            let output = lobefit(root(), &["plan", "-", "--quiet"], scene.as_bytes());
+            assert!(output.status.success(), "{}: {}", page.display(), stderr(&output));
+        }
+    }
+}
+
+#[test]
+fn the_output_is_the_commands() {
+    let (page, manifest) = (read("docs/cost.md"), json("manifest.json"));
+    for line in blocks(&page, "text")[0].lines().filter(|line| line.starts_with("ggx")) {
+        let name = line.split_whitespace().next().expect("a name");
+        let figure = if name.starts_with("ggx_") {
+            number(&find(&manifest["fits"], "name", name)["certificate"]["max_abs"])
+        } else {
+            number(&find(&manifest["tables"], "name", name)["error"]["lookup"]["max"])
+        };
+        assert!(line.contains(&format!(" {figure}  ")), "{line}");
+    }
+}
+
+#[test]
+fn the_costs_of_lookups_are_the_manifests() {
+    let lookups = json("manifest.json")["lookups"].as_array().expect("a list").clone();
+    let row = |one: &Value| {
+        let (name, cost) = (one["function"].as_str().expect("a name"), &one["cost"]);
+        format!("| `{name}` | {} | {} |", cost["fetches"], cost["ops"])
+    };
+    let rows: Vec<String> = lookups.iter().map(row).collect();
+    assert_rows("docs/probes.md", &["| `parallax_lookup"], &rows);
+}
+
+#[test]
+fn the_total_variation_of_a_width_is_the_reports() {
+    let manifest = json("manifest.json");
+    let emitted = find(&manifest["fits"], "function", "parallax_width")["name"].as_str().expect("a name");
+    let variations = &json("reports/parallax.json")["lobes"][0]["variations"];
+    let mean = |name: &str| short(number(&find(variations, "name", name)["nearer"]["mean"]));
+    let page = read("docs/probes.md").replace('\n', " ");
+    for name in [emitted, "best width", "parallax_frostbite"] {
+        assert!(page.contains(&mean(name)), "docs/probes.md should have {} of {name}", mean(name));
+    }
+}
+
+/// A page's name of a lookup of the study, and the study's.
+const LOOKUPS: [(&str, &str); 5] = [
+    ("min(1, rho alpha), sharp edges", "min(1, ρ α)"),
+    ("alpha' by areas, sharp edges", "rational, areas"),
+    ("1 fetch, smooth edges", "rational, areas, smooth"),
+    ("2 fetches, sharp edges", "2 fetches"),
+    ("3 fetches, smooth edges", "3 fetches, smooth"),
+];
+
+#[test]
+fn the_gains_of_lookups_are_the_studys() {
+    let (page, study) = (read("docs/probes.md"), json("reports/studies/parallax/results.json"));
+    let gains = study["chain"]["gains"].as_array().expect("gains");
+    for (name, method) in LOOKUPS {
+        let of = |room: &str| {
+            let row = gains.iter().find(|row| row["room"] == room && row["method"] == method);
+            let row = row.unwrap_or_else(|| panic!("the study has {method} in {room}"));
+            let [exact, chain] = ["gain_exact", "gain_chain"].map(|key| number(&row[key]));
+            format!("{exact:.2} ({chain:.2})")
+        };
+        let line = format!("| {name} | {} |", ["A", "B", "octagon"].map(of).join(" | "));
+        assert!(page.lines().any(|l| l == line), "{line}");
+    }
+    let points = &study["parameters"]["chain"]["points"]["count"];
+    assert!(page.contains(&format!("at {points} points")), "{points} points");
+}
