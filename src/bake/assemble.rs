@@ -15,6 +15,7 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
         schema_version: SCHEMA_VERSION,
         tool: context.recipe.tool.clone(),
         scene: context.recipe.scene.clone(),
+        made_from: serde_json::to_value(context.scene)?,
         recipe: context.recipe.hash.clone(),
         effects: parts.iter().map(|part| part.finding.clone()).collect(),
         entries: Entries::default(),

@@ -1,6 +1,7 @@
 //! `lobefit check`: do the files follow from their recipe?
 
 mod records;
+mod scene;
 mod studies;
 
 use std::path::{Path, PathBuf};
@@ -65,18 +66,19 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
-    let (baked, differences, ends, records, unknown) = options.threads.install(|| {
+    let (baked, differences, ends, records, unknown, changes) = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
         let strays = strays(&options.against, &baked)?;
         let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
         let mut differences = compare(&baked, &found, &strays, options.values, &progress);
         let bake = differences.len();
+        let changes = scene::changes(&found, &baked.files);
         let studies = studies(&options.against)?;
         differences.extend(studies.differences);
         let ends = [bake, differences.len()];
         let (records, broken) = records(&options.against, &baked)?;
         differences.extend(broken);
-        Ok((baked, differences, ends, records, studies.unknown))
+        Ok((baked, differences, ends, records, studies.unknown, changes))
     })?;
     drop(progress);
     if options.json {
@@ -84,13 +86,22 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         let verdict = Verdict {
             schema_version: 1,
             same,
+            scene_changes: &changes,
             differences: &differences,
             records: &records,
             studies_unknown: unknown,
         };
         print_json(&verdict)?;
     } else if !options.quiet {
-        for difference in &differences {
+        // Of another scene every file is another: the change is what there is to say.
+        for change in &changes {
+            print(format!("the scene changed: {}\n", visible(change)).as_bytes())?;
+        }
+        if !changes.is_empty() {
+            print(format!("bake it again: {}\n", visible(&again(options))).as_bytes())?;
+        }
+        let told = if changes.is_empty() { &differences[..] } else { &differences[ends[0]..] };
+        for difference in told {
             print(format!("{difference}\n").as_bytes())?;
         }
         for note in records.iter().filter_map(Record::note) {
@@ -110,6 +121,9 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
 struct Verdict<'a> {
     schema_version: u32,
     same: bool,
+    /// What changed in the scene since the bake that is checked.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    scene_changes: &'a [String],
     differences: &'a [Difference],
     /// Times on graphics processors, those of other code among them.
     #[serde(skip_serializing_if = "<[Record]>::is_empty")]
@@ -140,6 +154,15 @@ fn strays(root: &Path, baked: &Baked) -> Result<Vec<Entry>, CliError> {
         !allowed && !baked
     });
     Ok(strays)
+}
+
+/// The command that bakes the scene into the folder.
+fn again(options: &Options) -> String {
+    let scene =
+        options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
+    let out =
+        if options.against == Path::new(".") { String::new() } else { format!(" --out {}", shown(options)) };
+    format!("lobefit bake{scene}{out}")
 }
 
 /// The folder as the user named it.

@@ -20,6 +20,9 @@ pub struct Manifest {
     pub tool: String,
     /// Hash of the scene.
     pub scene: String,
+    /// The scene, with every default filled in.
+    #[serde(default)]
+    pub made_from: Value,
     /// Hash of tool version, scene and hypotheses.
     pub recipe: String,
     /// Effects baked: what called for them, ranges, expected and measured error.

@@ -68,12 +68,16 @@ pub fn files(effect: &str, page: &Page, figures: &impl Serialize) -> Result<Vec<
     ])
 }
 
-/// The same of findings of fits and tables over roughness and mu.
+/// The same of findings of fits and tables over roughness and mu, and `reports/furnace.svg`, the
+/// spheres before and after, where they have a furnace.
 ///
 /// # Errors
 /// As [`files`].
 pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError> {
-    files(effect, &sections::of_findings(effect, findings)?, findings)
+    let mut files = files(effect, &sections::of_findings(effect, findings)?, findings)?;
+    let picture = sections::furnace::picture(findings)?;
+    files.extend(picture.map(|svg| file("reports/furnace.svg", svg.into_bytes())));
+    Ok(files)
 }
 
 /// `reports/index.html`: the overview of a bake, with links to the pages of its effects.

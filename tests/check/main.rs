@@ -5,6 +5,7 @@ mod common;
 #[path = "../sliced_support/mod.rs"]
 mod sliced_support;
 
+mod changed;
 mod containers;
 mod planted;
 mod sliced;

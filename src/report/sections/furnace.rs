@@ -2,7 +2,8 @@
 
 use super::{figures, selection, words};
 use crate::report::{
-    Block, Findings, Furnace, FurnaceRow, ReportError, Section, Shade, SphereRow, Spheres, check, numbers,
+    Block, Figure, Findings, Furnace, FurnaceRow, ReportError, Section, Shade, SphereRow, Spheres, check,
+    numbers,
 };
 
 pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
@@ -26,6 +27,19 @@ pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
             .into(),
         blocks,
     }))
+}
+
+/// The spheres before and after, as the eye sees them: without compensation, and with that of the
+/// least departure. None where the scene called for no furnace.
+pub(crate) fn picture(findings: &Findings) -> Result<Option<String>, ReportError> {
+    let Some(furnace) = &findings.furnace else { return Ok(None) };
+    let departure = |row: &&FurnaceRow| {
+        row.factors.iter().flatten().map(|factor| (factor - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let best = furnace.rows.iter().skip(1).min_by(|a, b| departure(a).total_cmp(&departure(b)));
+    let rows: Vec<FurnaceRow> = furnace.rows.iter().take(1).chain(best).cloned().collect();
+    let drawn = spheres("White spheres in a white furnace", furnace, &rows, Shade::Radiance { white: 1.25 });
+    Spheres { unit: "radiance".into(), ..drawn }.svg().map(Some)
 }
 
 /// The spheres of one condition: as they are, amplified, and in figures.

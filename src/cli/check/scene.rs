@@ -1,0 +1,63 @@
+//! What changed in a scene since the bake that is checked.
+
+use serde_json::Value;
+
+use crate::store::{Files, MANIFEST};
+
+/// Most changes that are named.
+const NAMED: usize = 5;
+
+/// The changes from the scene of the manifest among `found` to that of the manifest among `baked`,
+/// as `materials[0].roughness[0]: 0.05 became 0.1`; none where a manifest does not hold its scene.
+pub(super) fn changes(found: &Files, baked: &Files) -> Vec<String> {
+    let manifest = |files: &Files| -> Option<Value> { serde_json::from_slice(files.get(MANIFEST)?).ok() };
+    let (Some(old), Some(new)) = (manifest(found), manifest(baked)) else { return Vec::new() };
+    // An edited copy of the scene beside the same hash is a difference like any other.
+    if old["scene"] == new["scene"] || !old["made_from"].is_object() {
+        return Vec::new();
+    }
+    let mut all = Vec::new();
+    compare("", &old["made_from"], &new["made_from"], &mut all);
+    if all.len() > NAMED {
+        let more = all.len() - NAMED;
+        all.truncate(NAMED);
+        all.push(format!("and {more} more"));
+    }
+    all
+}
+
+fn compare(path: &str, old: &Value, new: &Value, all: &mut Vec<String>) {
+    let absent = Value::Null;
+    match (old, new) {
+        (Value::Object(a), Value::Object(b)) => {
+            let more = b.keys().filter(|key| !a.contains_key(*key));
+            for key in a.keys().chain(more) {
+                let dot = if path.is_empty() { "" } else { "." };
+                let (old, new) = (a.get(key).unwrap_or(&absent), b.get(key).unwrap_or(&absent));
+                compare(&format!("{path}{dot}{key}"), old, new, all);
+            }
+        }
+        (Value::Array(a), Value::Array(b)) => {
+            for i in 0..a.len().max(b.len()) {
+                let (old, new) = (a.get(i).unwrap_or(&absent), b.get(i).unwrap_or(&absent));
+                compare(&format!("{path}[{i}]"), old, new, all);
+            }
+        }
+        (old, new) if old == new => {}
+        (Value::Null, new) => all.push(format!("{path}: {} is new", shown(new))),
+        (old, Value::Null) => all.push(format!("{path}: {} is gone", shown(old))),
+        (old, new) => all.push(format!("{path}: {} became {}", shown(old), shown(new))),
+    }
+}
+
+/// A value in a few characters: of an object its name.
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Object(fields) => match fields.get("name") {
+            Some(name) => name.to_string(),
+            None => "an object".into(),
+        },
+        Value::Array(items) => format!("a list of {}", items.len()),
+        value => value.to_string(),
+    }
+}

@@ -1,0 +1,37 @@
+//! `lobefit check` of another scene than the one that was baked: the change is named, once.
+
+use crate::common;
+
+use common::lobefit;
+
+const SCENE: &str = r#"{"schema_version":1,"name":"game","reports":false,"languages":["c"],"materials":[{"name":"steel","kind":"metal",
+    "f0":1,"roughness":[0.4,1],"wants":{"fit":{"max_ops":9}}}]}"#;
+
+#[test]
+fn a_change_of_the_scene_is_named_with_the_command_that_bakes_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |arguments: &[&str], scene: &str| {
+        let output = lobefit(folder.path(), arguments, scene.as_bytes());
+        (output.status.code(), String::from_utf8(output.stdout).expect("text"))
+    };
+    assert_eq!(run(&["bake", "-", "--out", "assets", "--quiet"], SCENE).0, Some(0));
+    assert_eq!(run(&["check", "-", "--against", "assets"], SCENE).0, Some(0));
+    let changed = SCENE.replace("[0.4,1]", "[0.5,1]").replace("\"game\"", "\"play\"");
+    let (code, text) = run(&["check", "-", "--against", "assets"], &changed);
+    assert_eq!(code, Some(1), "{text}");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(
+        lines[..3],
+        [
+            "the scene changed: materials[0].roughness[0]: 0.4 became 0.5",
+            "the scene changed: name: \"game\" became \"play\"",
+            "bake it again: lobefit bake - --out assets"
+        ],
+        "{text}"
+    );
+    assert_eq!(lines.len(), 4, "no line for each file: {text}");
+    let json = run(&["check", "-", "--against", "assets", "--json"], &changed).1;
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["scene_changes"].as_array().map(Vec::len), Some(2));
+    assert!(!json["differences"].as_array().expect("a list").is_empty());
+}
