@@ -2,7 +2,7 @@
 
 use super::target::TargetSpec;
 use super::{Fit, FitStageError};
-use crate::data::{Arguments, Norm, Pick};
+use crate::data::{ARGUMENT_NAMES, Arguments, Norm, Pick};
 use lobefit_shade::Hypothesis;
 
 /// The error that is kept where a scene states neither an error nor a budget. Beside a true picture
@@ -103,7 +103,7 @@ impl Emission {
         let call = call.replacen(formula.name(), original.name(), 1);
         let function =
             format!("fn {name}({}) -> f32 {{\n{lets}    return {call};\n}}\n", arguments.join(", "));
-        Ok(original.wrapped(&function)?)
+        Ok(original.wrapped(&function)?.with_arguments(&ARGUMENT_NAMES))
     }
 }
 

@@ -4,7 +4,7 @@
 use super::prepared::Prepared;
 use super::target::{Target, TargetSpec};
 use super::{Counter, Dropped, Emission, Entry, Fit, FitSet, FitStageError, SafeRange};
-use crate::data::{AlphaMap, Norm};
+use crate::data::{AlphaMap, Norm, Pick};
 use lobefit_fit::FitError;
 use lobefit_shade::{Hypothesis, ShadeError};
 use rayon::prelude::*;
@@ -55,8 +55,8 @@ pub fn fit_all(wanted: &Wanted, counter: &Counter) -> Result<FitSet, FitStageErr
     let (jobs, results) = stage.fits(&own);
     let mut fits = kept(&jobs, results, &mut dropped)?;
     stage.pick(&mut fits)?;
-    let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
     fits.extend(stage.fits(&user).1.into_iter().collect::<Result<Vec<Fit>, _>>()?);
+    let nearest = if stage.misses(&fits) { Some(stage.nearest(dear, counter)?) } else { None };
     let pairs: Vec<(&Entry, &Hypothesis)> = published.into_iter().zip(&known).collect();
     let measured = pairs.par_iter().map(|(entry, h)| stage.of(h)?.published(entry, h));
     fits.extend(measured.collect::<Vec<_>>().into_iter().collect::<Result<Vec<Fit>, _>>()?);
@@ -123,11 +123,12 @@ impl<'a> Stage<'a> {
         (jobs, results)
     }
 
-    /// Whether a stated error is kept by none of the fits that are emitted.
+    /// Whether one fit was asked for, and none is within the budget, or none keeps the stated error.
     fn misses(&self, fits: &[Fit]) -> bool {
-        let keeps =
-            |limit: f64| fits.iter().any(|fit| fit.emitted && fit.approximation.certificate.max_abs <= limit);
-        self.wanted.emission.max_error.is_some_and(|limit| !keeps(limit))
+        let Emission { pick, max_error, .. } = self.wanted.emission;
+        let limit = max_error.unwrap_or(f64::INFINITY);
+        let keeps = |fit: &Fit| fit.emitted && fit.approximation.certificate.max_abs <= limit;
+        pick == Pick::Best && !self.wanted.own.is_empty() && !fits.iter().any(keeps)
     }
 
     /// What keeps the stated error beyond the budget: the cheapest of the formulas that cost more.

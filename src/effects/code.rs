@@ -2,7 +2,7 @@
 
 use super::BakeError;
 use crate::approximate::Fit;
-use crate::data::{ARGUMENT_NAMES, Use};
+use crate::data::Use;
 use crate::emit::compensation::coloured;
 use crate::emit::header;
 use lobefit_shade::code::{self, Language};
@@ -18,8 +18,8 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
         text += &function(language, fit, &lines(fit))?;
         if let Some(name) = rgb(fit, is_coloured) {
             let header = RGB.lines().map(String::from).collect::<Vec<_>>();
-            let (inner, inputs) = (fit.hypothesis.name(), fit.hypothesis.inputs());
-            text += &format!("\n{}", coloured(language, &name, inputs, inner, &header)?);
+            let (inner, arguments) = (fit.hypothesis.name(), fit.hypothesis.arguments());
+            text += &format!("\n{}", coloured(language, &name, &arguments, inner, &header)?);
         }
     }
     Ok(text)
@@ -40,8 +40,7 @@ pub fn rgb(fit: &Fit, is_coloured: bool) -> Option<String> {
 /// # Errors
 /// A formula that cannot be printed.
 pub fn function(language: Language, fit: &Fit, lines: &[String]) -> Result<String, BakeError> {
-    let hypothesis = fit.hypothesis.clone().with_arguments(&ARGUMENT_NAMES);
-    let text = code::print(language, &hypothesis, &fit.coefficients(), lines)?.text;
+    let text = code::print(language, &fit.hypothesis, &fit.coefficients(), lines)?.text;
     Ok(format!("\n{text}"))
 }
 

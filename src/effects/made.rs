@@ -124,6 +124,9 @@ impl Made {
         what: &str,
         used_as: Use,
     ) {
+        if let (Some(nearest), []) = (nearest, promises) {
+            self.broken.push(format!("{what}: no formula is within max_ops: {nearest}"));
+        }
         let nearest = nearest.as_ref().map_or_else(String::new, |nearest| format!("; {nearest}"));
         let broken = promises.iter().filter_map(|promise| unkept(promise, fits, what, used_as));
         self.broken.extend(broken.map(|text| text + &nearest));

@@ -26,7 +26,7 @@ pub struct ValueFits<'a> {
     pub own: &'a [Entry],
     /// Published formulas: measured and reported, not emitted.
     pub published: &'a [Entry],
-    /// The name of the emitted function, by its role: `sheen_albedo`.
+    /// The name of the emitted function, by its role: `ggx_average_albedo`.
     pub role: &'static str,
     /// What it is of, in messages.
     pub of: &'static str,

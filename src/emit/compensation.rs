@@ -1,7 +1,6 @@
 //! The functions that compensate a lobe with a value of its table, in every language (Turquin,
 //! "Practical multiple scattering compensation for microfacet models", 2019).
 
-use crate::data::ARGUMENT_NAMES;
 use lobefit_shade::code::{CodeError, Language};
 use lobefit_shade::{ShadeError, Source};
 use lobefit_truth::quantity::{self, Fresnel};
@@ -56,7 +55,7 @@ impl Compensation {
 }
 
 /// The function `name` that is 1 + f0 (N - 1) per colour channel, by a call of N, the function
-/// `inner` of these inputs. It is exact for f0 = 1 wherever N is. With F the furnace error of N, its
+/// `inner` of these arguments. It is exact for f0 = 1 wherever N is. With F the furnace error of N, its
 /// relative error against 1 + f0 (1/E - 1) is F f0/(E + f0 (1 - E)) <= F for every f0 in [0, 1], so
 /// N's certificate stands for it.
 ///
@@ -65,21 +64,21 @@ impl Compensation {
 pub fn coloured(
     language: Language,
     name: &str,
-    inputs: &[String],
+    arguments: &[String],
     inner: &str,
     header: &[String],
 ) -> Result<String, CodeError> {
-    let numbers: Vec<String> = inputs.iter().map(|name| format!("{name}: f32")).collect();
+    let numbers: Vec<String> = arguments.iter().map(|name| format!("{name}: f32")).collect();
     let numbers = numbers.join(", ");
     // the name and the arguments of N; what it computes is printed elsewhere
     let text = format!(
         "{TEXT}\nfn {inner}({numbers}) -> f32 {{ return {}; }}\n\
          fn {name}({numbers}, f0: vec3f) -> vec3f {{ return coloured(f0, {inner}({})); }}\n",
-        inputs.join(" + "),
-        inputs.join(", ")
+        arguments.join(" + "),
+        arguments.join(", ")
     );
     let source = Source::parse("compensation.wgsl", &text)?.inlined(|called| called == "coloured");
-    source.with_arguments(&ARGUMENT_NAMES).print(language, name, header)
+    source.print(language, name, header)
 }
 
 /// Operations of the function of [`coloured`] beside N.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::call::Call;
+use super::call::{Call, LookupFunction};
 use crate::data::{Approximation, Axis, Certificate, Form, Place, Table};
 
 /// Version of the manifest's form.
@@ -309,39 +309,6 @@ pub struct MipEntry {
     pub at: Place,
     /// Operations.
     pub ops: u32,
-}
-
-/// A function that looks a probe up through a proxy of its room.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LookupFunction {
-    /// Effect that called for it.
-    pub effect: String,
-    /// Function in the emitted code.
-    pub function: String,
-    /// Argument names in order.
-    pub inputs: Vec<String>,
-    /// `box`, or the number of planes after `planes_`.
-    pub proxy: String,
-    /// `smooth` or `sharp`.
-    pub edges: String,
-    /// What the lobe of the surface is taken for: `mirror` or `fitted`.
-    pub lobe: String,
-    /// The power of smooth edges, a formula of alpha, or of the `width` of the fitted lobe.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub power: Option<String>,
-    /// What it returns beside a direction: `width` or `mip`.
-    pub gives: String,
-    /// The function of the width that it calls.
-    pub width: String,
-    /// The lobe that the chain is prefiltered with.
-    pub kernel: String,
-    /// Roughness to alpha.
-    pub alpha_map: String,
-    /// The chain, in words, where it returns levels.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub chain: Option<String>,
-    /// Cost, its fetches among it; bytes are the chain's.
-    pub cost: CostEntry,
 }
 
 /// Cost of an evaluation.

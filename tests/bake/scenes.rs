@@ -21,7 +21,7 @@ fn names(baked: &Baked) -> Vec<&str> {
 }
 
 const TABLE: &str = r#"{"tables":[{"size": [16, 16], "serves": "albedo"}]}"#;
-const FIT: &str = r#"{"fit": {"max_ops": 3, "norms": ["max"]}}"#;
+const FIT: &str = r#"{"fit": {"max_ops": 7, "norms": ["max"]}}"#;
 
 fn metal(roughness: &str, wants: &str) -> String {
     format!(r#"{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": {roughness}, "wants": {wants}}}"#)

@@ -212,7 +212,7 @@ fn sheens_are_planned_together() {
     let plan = plan(&scene);
     let [job] = plan.jobs("sheen") else { panic!("{plan:?}") };
     assert_eq!((job.ranges["roughness"], job.ranges["mu"]), ([0.1, 1.0], [0.01, 1.0]));
-    assert_eq!((job.goals.max_ops, job.goals.norms.len()), (None, 2));
+    assert_eq!((job.goals.max_ops, job.goals.norms.len()), (None, 1));
     assert_eq!((job.promises.len(), job.promises[0].max_error), (1, 0.06));
     let effect = plan.effects.iter().find(|e| e.effect == "sheen").expect("the effect");
     assert_eq!(effect.because.len(), 2);

@@ -9,7 +9,7 @@ use lobefit::emit::exr;
 
 /// A table as the built-in scene wants it, and the cheapest fits.
 const SCENE: &str = r#"{"schema_version":1,"pick":"all","materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.02,1],
-    "wants":{"tables":[{"size":[32,32],"serves":"albedo"}],"fit":{"max_ops":3,"norms":["max"]}}}]}"#;
+    "wants":{"tables":[{"size":[32,32],"serves":"albedo"}],"fit":{"max_ops":7,"norms":["max"]}}}]}"#;
 
 /// The same table alone.
 const TABLE: &str = r#"{"schema_version":1,"pick":"all","materials":[{"name":"m","kind":"metal","f0":1,"roughness":[0.02,1],

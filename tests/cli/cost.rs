@@ -8,7 +8,7 @@ use serde_json::Value;
 
 /// Formulas of three operations over a narrow range, and lookups of either lobe.
 const SCENE: &str = r#"{"schema_version": 1, "pick": "all", "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
-  "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 3}}}],
+  "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 7}}}],
   "probes": [{"name": "p", "norms": ["max"], "max_ops": 9,
     "lookups": [{"taps": 3}, {"lobe": "fitted"}, {"taps": 3, "lobe": "fitted"}]}]}"#;
 

@@ -8,7 +8,7 @@ use std::path::Path;
 use common::{lobefit, names, stderr};
 
 const SCENE: &str = r#"{"schema_version": 1, "pick": "all", "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
-  "roughness": [0.02, 1], "wants": {"fit": {"norms": ["max"], "max_ops": 9, "hypotheses": ["mine.wgsl"]}}}]}"#;
+  "roughness": [0.02, 1], "wants": {"fit": {"norms": ["max"], "max_ops": 13, "hypotheses": ["mine.wgsl"]}}}]}"#;
 
 fn bake(folder: &Path, hypothesis: &str) -> (i32, String) {
     std::fs::write(folder.join("scene.json"), SCENE).expect("written");
@@ -90,7 +90,7 @@ fn bake_two(folder: &Path, functions: [&str; 2]) -> (i32, String) {
         std::fs::write(path, source).expect("written");
     }
     let scene = SCENE.replace(r#""mine.wgsl""#, &files.map(|f| format!("{f:?}")).join(","));
-    std::fs::write(folder.join("scene.json"), scene.replace("\"max_ops\": 9", "\"max_ops\": 3"))
+    std::fs::write(folder.join("scene.json"), scene.replace("\"max_ops\": 13", "\"max_ops\": 7"))
         .expect("written");
     let output = lobefit(folder, &["bake", "scene.json", "--out", "out", "--quiet"], b"");
     (output.status.code().expect("a code"), stderr(&output))

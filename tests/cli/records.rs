@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 /// Formulas of three operations over a narrow range.
 const SCENE: &[u8] =
     br#"{"schema_version": 1, "pick": "all", "materials": [{"name": "m", "kind": "metal", "f0": 0.9,
-  "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 3}}}]}"#;
+  "roughness": [0.5, 0.6], "wants": {"fit": {"norms": ["max"], "max_ops": 7}}}]}"#;
 
 /// A scene whose bake takes no time: it calls for no effect.
 const SMOOTH: &[u8] = include_bytes!("../../examples/mirrors.json");

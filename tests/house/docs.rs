@@ -188,14 +188,18 @@ fn scenes_are_planned() {
 #[test]
 fn the_output_is_the_commands() {
     let (page, manifest) = (read("docs/cost.md"), json("manifest.json"));
-    for line in blocks(&page, "text")[0].lines().filter(|line| line.starts_with("ggx")) {
-        let name = line.split_whitespace().next().expect("a name");
-        let figure = if name.starts_with("ggx_") {
-            number(&find(&manifest["fits"], "name", name)["certificate"]["max_abs"])
-        } else {
-            number(&find(&manifest["tables"], "name", name)["error"]["lookup"]["max"])
-        };
-        assert!(line.contains(&format!(" {figure}  ")), "{line}");
+    let rows: Vec<Vec<&str>> =
+        blocks(&page, "text")[0].lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
+    assert!(rows.len() > 3);
+    for row in rows {
+        let of = row[5..].join(" ");
+        let calls = manifest["calls"].as_array().expect("a list");
+        let call = calls.iter().find(|call| call["function"] == row[0] && call["of"] == of.as_str());
+        let call = call.unwrap_or_else(|| panic!("{row:?}"));
+        let cost = ["ops", "fetches", "bytes"].map(|name| call["cost"][name].to_string());
+        assert_eq!(cost.each_ref().map(String::as_str), row[1..4], "{row:?}");
+        let error = number(&call["max_error"]);
+        assert!((error - row[4].parse::<f64>().expect("a number")).abs() < 1e-3 * error, "{row:?}");
     }
 }
 

@@ -106,7 +106,7 @@ fn hard_corners_are_those_of_every_point_alone() {
             let hard = |i: usize| {
                 let pair = [column("alpha_x")[i], column("alpha_y")[i]];
                 let corner = [0, 1].map(|k| [pair[k], pair[1 - k]]).contains(&[widths[0], widths[19]]);
-                corner && column("mu")[i] < 0.01 && i % 3 == 0
+                corner && column("mu")[i] < 0.01 && i.is_multiple_of(3)
             };
             let marks: Vec<bool> = (0..points.len()).map(hard).collect();
             let (e, loss) = (truth(&points, "E"), truth(&points.marked(&marks), "loss"));

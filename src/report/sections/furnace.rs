@@ -39,7 +39,9 @@ pub(crate) fn picture(findings: &Findings) -> Result<Option<String>, ReportError
     let best = furnace.rows.iter().skip(1).min_by(|a, b| departure(a).total_cmp(&departure(b)));
     let rows: Vec<FurnaceRow> = furnace.rows.iter().take(1).chain(best).cloned().collect();
     let drawn = spheres("White spheres in a white furnace", furnace, &rows, Shade::Radiance { white: 1.25 });
-    Spheres { unit: "radiance".into(), ..drawn }.svg().map(Some)
+    let svg = Spheres { unit: "radiance".into(), ..drawn }.svg()?;
+    // The picture stands alone, on pages of any colour.
+    Ok(Some(svg.replacen("<svg ", "<svg style=\"background:#fff\" ", 1)))
 }
 
 /// The spheres of one condition: as they are, amplified, and in figures.

@@ -126,8 +126,14 @@ impl Hypothesis {
         Ok(self)
     }
 
-    /// The formula with other names for some of its arguments, for printing: each pair is a name
-    /// and the one that stands for it.
+    /// Names of its arguments in the printed code: those of its inputs, unless they were renamed.
+    pub fn arguments(&self) -> Vec<String> {
+        let main = self.formula.main();
+        main.variables[..main.arguments].iter().map(|variable| variable.name.clone()).collect()
+    }
+
+    /// The formula with other names for some of its arguments in the printed code, where each pair
+    /// is a name and the one that stands for it. Its inputs keep theirs.
     pub fn with_arguments(mut self, names: &[(&str, &str)]) -> Hypothesis {
         if let Some(main) = self.formula.functions.last_mut() {
             main.rename_arguments(names);

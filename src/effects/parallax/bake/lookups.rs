@@ -10,9 +10,9 @@ use crate::effects::parallax::probe::{Called, Wanted};
 use crate::effects::parallax::results::LookupFinding;
 use crate::effects::parallax::room::proxies::Tied;
 use crate::effects::parallax::{Gives, TapRule, named};
-use crate::emit::call::Call;
+use crate::emit::call::{Call, LookupFunction};
 use crate::emit::header;
-use crate::emit::manifest::{CostEntry, LookupFunction};
+use crate::emit::manifest::CostEntry;
 
 /// A lookup with its cost.
 pub(super) struct Lookup {

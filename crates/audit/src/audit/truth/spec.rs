@@ -54,8 +54,8 @@ const fn root(range: [f64; 2], count: usize) -> Knots {
 const ANALYTIC: Knots =
     Knots { coordinate: ops::log, input: ops::exp, range: [1e-5, 1.0], count: 64, cubic: false };
 
-/// Least alpha of sheen that is judged: below it E at grazing view may have no bound.
-const SHEEN_ALPHA: f64 = 1e-4;
+/// Least alpha that is judged of an albedo that may have no bound at grazing view below it.
+const LEAST_ALPHA: f64 = 1e-4;
 
 /// Least mu of the anisotropic lobe; alpha, alpha_x and alpha_y are raised to it, as tables do.
 const ANISO_FLOOR: f64 = 1e-4;
@@ -133,7 +133,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
                     Knots {
                         coordinate: ops::log,
                         input: ops::exp,
-                        range: [SHEEN_ALPHA, 1.0],
+                        range: [LEAST_ALPHA, 1.0],
                         count: 96,
                         cubic: true,
                     },
@@ -142,7 +142,7 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
             },
             columns: &column::ALBEDO,
             outputs: &["E"],
-            ranges: &[(Input::Alpha, [SHEEN_ALPHA, 1.0])],
+            ranges: &[(Input::Alpha, [LEAST_ALPHA, 1.0])],
             tolerances: [quantity.tolerance_of_many(&Default::default()); 2],
             interpolated: false,
             bound: quantity.tolerance_of_many(&Default::default()),
