@@ -207,8 +207,9 @@ impl Job {
 
     /// One promise for one fit.
     pub(super) fn promise_once(&mut self) {
-        let by = self.promises.iter().flat_map(|promise| promise.by.clone()).collect();
         let Goals { max_ops, max_error, .. } = self.goals;
+        let strictest = self.promises.iter().filter(|promise| Some(promise.max_error) == max_error);
+        let by = strictest.flat_map(|promise| promise.by.clone()).collect();
         self.promises = max_error.map(|max_error| Promise { max_ops, max_error, by }).into_iter().collect();
     }
 

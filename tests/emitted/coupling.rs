@@ -121,7 +121,7 @@ fn factors_are_fitted_certified_and_emitted_in_every_language() {
         for include in manifest["includes"].as_array().expect("a list") {
             let text =
                 String::from_utf8_lossy(&baked.files[include["file"].as_str().expect("a file")]).into_owned();
-            for name in ["coupling", "coupled"].map(|start| format!("diffuse_{start}_{}(", s.name())) {
+            for name in ["coupling_exact", "coupled"].map(|start| format!("diffuse_{start}_{}(", s.name())) {
                 assert!(text.contains(&name), "{name} in {include}");
             }
             for fit in &of {
@@ -266,7 +266,7 @@ fn emitted_factors_of_e_and_b_are_exact() {
         .flat_map(|f0| pairs.map(|(e, b)| [*f0, e as f32, b as f32]))
         .collect();
     let calls: String = Specular::ALL
-        .map(|s| format!("        out.push(lobefit::diffuse_coupling_{}(f0, e, b));\n", s.name()))
+        .map(|s| format!("        out.push(lobefit::diffuse_coupling_exact_{}(f0, e, b));\n", s.name()))
         .concat();
     let body = format!("    for &[f0, e, b] in &points {{\n{calls}    }}\n");
     let bytes: Vec<u8> = points.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();

@@ -65,12 +65,12 @@ fn it_is_baked_emitted_and_shown() {
     let error = table["error"]["lookup"]["max"].as_f64().expect("an error");
     assert!(error > 1e-5 && error < 0.02, "{error}");
     let fit = &manifest["fits"][0];
-    assert_eq!((&fit["function"], &fit["smith"]), (&json!("minnaert_e"), &Value::Null));
+    assert_eq!((&fit["function"], &fit["smith"]), (&json!("minnaert_albedo"), &Value::Null));
     assert!(baked.files.contains_key("tables/minnaert-16x12.exr"));
     let text = |path: &str| String::from_utf8_lossy(&baked.files[path]).into_owned();
     for extension in ["wgsl", "h", "rs", "hlsl", "glsl", "metal"] {
         let text = text(&format!("fits/lobefit.{extension}"));
-        assert!(text.contains("minnaert_16x12_lookup(") && text.contains("minnaert_e("), "{extension}");
+        assert!(text.contains("minnaert_16x12_lookup(") && text.contains("minnaert_albedo("), "{extension}");
     }
     let page = text("reports/moon.html");
     assert!(page.contains("minnaert-16x12") && page.contains("minnaert_e"), "{page}");

@@ -11,7 +11,7 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 fn report(wants: &str, hypotheses: &[UserHypothesis]) -> Result<(Value, String), Box<dyn std::error::Error>> {
     let json = format!(
         r#"{{"schema_version": 1, "name": "test", "pick": "all", "materials": [
-            {{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {wants}}}]}}"#
+            {{"name": "m", "kind": "dielectric", "f0": 0.9, "roughness": [0.2, 0.9], "wants": {wants}}}]}}"#
     );
     let scene = Scene::from_json(json.as_bytes(), "test.json")?;
     let baked = bake(&scene, &plan(&scene), hypotheses, Selection::default(), &Silent)?;
