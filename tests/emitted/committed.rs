@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use lobefit::bake::BUILD_FILE;
+use lobefit::bake::{BUILD_FILE, Selection, Silent, bake};
 use lobefit::effects::parallax::Width;
+use lobefit::plan::plan;
+use lobefit::scene::Scene;
 use serde_json::Value;
 
 use crate::emit_support::{baked, say};
@@ -16,7 +18,7 @@ fn the_width_of_emitted_lookups_is_the_studys() {
     assert!(lookups.iter().any(|one| one["lobe"] == "fitted"));
     let fits = manifest["fits"].as_array().expect("fits");
     for lookup in lookups {
-        let fit = fits.iter().find(|fit| fit["name"] == lookup["width"]).expect("the width");
+        let fit = fits.iter().find(|fit| fit["function"] == lookup["width"]).expect("the width");
         assert_eq!(fit["hypothesis"], "parallax_cubic");
         let ours = ["k", "c", "d"].map(|name| fit["coefficients"][name].as_f64().expect("a number") as f32);
         let Width::Cubic { k, c, d } = Width::EMITTED else { panic!("another formula") };
@@ -30,7 +32,9 @@ const FOLDERS: [&str; 3] = ["tables", "fits", "reports"];
 #[test]
 fn the_committed_files_are_the_bake_of_the_built_in_scene() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let files = &baked().0.files;
+    let scene = Scene::built_in().expect("the built-in scene");
+    let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
+    let files = &baked.files;
     assert!(files.len() > 10);
     for (name, bytes) in files {
         let committed = std::fs::read(root.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));

@@ -41,9 +41,10 @@ pub(super) enum Held {
 
 /// The numbers that functions take, and their ranges where the manifest has none: those of lookups
 /// and levels, which hold for all.
-const SCALARS: [(&str, f64, f64); 8] = [
+const SCALARS: [(&str, f64, f64); 9] = [
     ("roughness", 0.15, 1.0),
     ("mu", 0.05, 1.0),
+    ("n_dot_v", 0.05, 1.0),
     ("f0", 0.04, 1.0),
     ("ior", 1.05, 1.95),
     ("anisotropy", 0.05, 0.95),

@@ -14,9 +14,9 @@ use serde_json::Value;
 
 /// Fits of roughness, alpha, cosine and f0, and tables of two axes, of f16 and of f32, and of
 /// three, one with the azimuth.
-const SCENE: &str = r#"{"schema_version": 1, "name": "test", "materials": [
+const SCENE: &str = r#"{"schema_version": 1, "name": "test", "arguments": "both", "materials": [
     {"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6],
-     "wants": {"fit": {"norms": ["max"], "max_ops": 5}, "tables":[{"size": [8, 8]}]}},
+     "wants": {"fit": {"max_ops": 14, "blend": true}, "tables":[{"size": [8, 8]}]}},
     {"name": "f", "kind": "metal", "f0": 0.9, "roughness": [0.4, 0.6], "wants": {"tables":[{"size": [16, 8], "format": "f32"}]}},
     {"name": "a", "kind": "metal", "f0": 0.9, "roughness": [0.5, 0.6], "anisotropy": [0.4, 0.6],
      "wants": {"tables": [{"size": [4, 4, 4]}, {"layout": "azimuth", "size": [8, 4, 4]}]}},
