@@ -4,8 +4,8 @@
 // Effects: reflection, anisotropy, glass, diffuse-coupling, parallax
 // GGX lobe, smith: correlated; alpha = roughness^2
 // Prefiltered probes; alpha = roughness^2
-// Inputs: alpha is the width of the lobe, roughness the parameter it is made from, mu the cosine between normal
-// and view.
+// Inputs: alpha is the width of the lobe, roughness the parameter it is made from, n_dot_v (mu) the cosine between
+// normal and view.
 // f0 is the reflectance at normal incidence.
 // The energy compensation N has E N = 1: multiply the specular lobe by it. Of a metal take `_rgb`, which is
 // 1 + f0 (N - 1) per colour channel.
@@ -14,7 +14,7 @@
 // anisotropy a in [0, 1] makes alpha_x = alpha/s and alpha_y = alpha s with s = sqrt(1 - 0.9 a); cos2_phi is the
 // squared cosine of the view's azimuth from the alpha_x axis.
 // ior is the index of refraction, inside over outside, for rays from either side.
-// `coupling_*` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.
+// `diffuse_coupling` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.
 // `parallax_*` is the width of a fetch from a prefiltered probe, of the lobe that its head names and no other; rho is the
 // distance of the shading point over that of the probe from the point of the proxy that both see, mip a level of the chain.
 // `parallax_lookup_*` is what to fetch from a probe through a proxy of its room; `parallax_meet_*`, where a ray meets that, and
@@ -82,7 +82,7 @@ float ggx_energy_compensation(float roughness, float n_dot_v) {
 }
 
 /// The energy compensation of a metal, 1 + f0 (N - 1) per colour channel: it gains colour as light scatters more than once.
-/// The error of N at f0 = 1; relative to 1 + f0 (1/E - 1) no larger at any other f0.
+/// The error of N at f0 = 1; relative to 1 + f0 (1/E - 1) no larger at any other f0. Four operations beside N.
 float3 ggx_energy_compensation_rgb(float roughness, float n_dot_v, float3 f0) {
     const float n = ggx_energy_compensation(roughness, n_dot_v);
     return 1.0f + f0 * (n - 1.0f);

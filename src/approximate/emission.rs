@@ -23,6 +23,8 @@ pub struct Emission {
     pub role: String,
     /// The error that the scene states.
     pub max_error: Option<f64>,
+    /// Whether the most accurate is taken where the scene states neither an error nor a budget.
+    pub most_accurate: bool,
     /// Operations that a material's call takes beside the formula; the budget covers them.
     pub beside: u32,
 }
@@ -35,6 +37,7 @@ impl Default for Emission {
             arguments: Arguments::default(),
             role: String::new(),
             max_error: None,
+            most_accurate: false,
             beside: 0,
         }
     }
@@ -68,7 +71,8 @@ impl Emission {
     /// The cheapest that keeps the stated error, the more accurate of equals; the most accurate
     /// where none keeps it, or where a budget alone is stated.
     fn best(&self, fits: &[Fit], of_norm: &[usize], norm: Norm, max_ops: Option<u32>) -> Option<usize> {
-        let limit = self.max_error.or(max_ops.is_none().then_some(USUAL_ERROR));
+        let free = max_ops.is_none() && !self.most_accurate;
+        let limit = self.max_error.or(free.then_some(USUAL_ERROR));
         let least = |a: &usize, b: &usize| error(&fits[*a], norm).total_cmp(&error(&fits[*b], norm));
         let keeping = of_norm
             .iter()

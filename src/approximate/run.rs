@@ -142,8 +142,12 @@ impl<'a> Stage<'a> {
                 Err(_) => Some(Prepared::new(Target::new(&self.wanted.spec, h)?, counter)?),
             };
             let prepared = own.as_ref().map_or_else(|| self.of(h), Ok)?;
-            // A formula without a fit in this domain is passed over, as it is within a budget.
-            let Ok(fit) = prepared.fit(h, Norm::Max, safe_range.as_ref()) else { continue };
+            let fit = match prepared.fit(h, Norm::Max, safe_range.as_ref()) {
+                Ok(fit) => fit,
+                // A formula without a fit in this domain is passed over, as it is within a budget.
+                Err(error) if is_unreliable(&error) => continue,
+                Err(error) => return Err(error),
+            };
             let error = fit.approximation.certificate.max_abs;
             if error <= limit {
                 let ops = h.tape().cost_ops() + emission.beside;
@@ -181,6 +185,17 @@ fn among<'a>(
 /// A formula and the norm of its fit.
 type Job = (Hypothesis, Norm);
 
+/// Whether a formula of the catalogue has no reliable fit in this domain.
+fn is_unreliable(error: &FitStageError) -> bool {
+    matches!(
+        error,
+        FitStageError::NotConverged { .. }
+            | FitStageError::RunAway { .. }
+            | FitStageError::Unkept { .. }
+            | FitStageError::Fit(FitError::Shade(ShadeError::Irregular { .. }))
+    )
+}
+
 /// The fits among the results of the catalogue's jobs; what cannot be relied on is noted, any other
 /// error handed on.
 fn kept(
@@ -192,12 +207,7 @@ fn kept(
     for ((hypothesis, norm), result) in jobs.iter().zip(results) {
         match result {
             Ok(fit) => fits.push(fit),
-            Err(
-                error @ (FitStageError::NotConverged { .. }
-                | FitStageError::RunAway { .. }
-                | FitStageError::Unkept { .. }
-                | FitStageError::Fit(FitError::Shade(ShadeError::Irregular { .. }))),
-            ) => dropped.push(Dropped {
+            Err(error) if is_unreliable(&error) => dropped.push(Dropped {
                 hypothesis: hypothesis.name().to_string(),
                 norm: norm.name(),
                 reason: error.to_string(),

@@ -14,8 +14,8 @@ pub(super) fn opening(parts: &[Part], context: &Context) -> Vec<String> {
         }
     }
     if parts.iter().any(|part| part.finding.ranges.contains_key("mu")) {
-        out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, mu the cosine between normal".into());
-        out.push("and view.".into());
+        out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from, n_dot_v (mu) the cosine between".into());
+        out.push("normal and view.".into());
     } else {
         out.push("Inputs: alpha is the width of the lobe, roughness the parameter it is made from.".into());
     }

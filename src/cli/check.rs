@@ -10,7 +10,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::options::{SceneOption, ThreadsOption, not_negative};
-use super::output::{Outcome, print, print_json};
+use super::output::{Outcome, print, print_json, say};
 use super::progress::Bar;
 use super::{CliError, input};
 use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, compare};
@@ -81,6 +81,13 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         Ok((baked, differences, ends, records, studies.unknown, changes))
     })?;
     drop(progress);
+    // What breaks a promise is not written by a bake: there is nothing to compare with.
+    for promise in &baked.broken {
+        say(&format!("promise not kept: {}", visible(promise)));
+    }
+    if !baked.broken.is_empty() {
+        return Ok(Outcome::Failed);
+    }
     if options.json {
         let same = differences.is_empty();
         let verdict = Verdict {
@@ -100,8 +107,8 @@ pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
         if !changes.is_empty() {
             print(format!("bake it again: {}\n", visible(&again(options))).as_bytes())?;
         }
-        let told = if changes.is_empty() { &differences[..] } else { &differences[ends[0]..] };
-        for difference in told {
+        let named = if changes.is_empty() { &differences[..] } else { &differences[ends[0]..] };
+        for difference in named {
             print(format!("{difference}\n").as_bytes())?;
         }
         for note in records.iter().filter_map(Record::note) {

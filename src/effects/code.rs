@@ -27,7 +27,7 @@ pub fn functions(language: Language, fits: &[Fit], is_coloured: bool) -> Result<
 
 const RGB: &str = "\
 The energy compensation of a metal, 1 + f0 (N - 1) per colour channel: it gains colour as light scatters more than once.
-The error of N at f0 = 1; relative to 1 + f0 (1/E - 1) no larger at any other f0.";
+The error of N at f0 = 1; relative to 1 + f0 (1/E - 1) no larger at any other f0. Four operations beside N.";
 
 /// The name of a normalisation's form for three channels, where a material has a colour.
 pub fn rgb(fit: &Fit, is_coloured: bool) -> Option<String> {

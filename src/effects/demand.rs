@@ -217,9 +217,9 @@ impl Job {
     pub fn merging(&self) -> Option<String> {
         let ops = |goals: &Goals| goals.max_ops.map_or_else(|| "any".to_string(), |n| n.to_string());
         let error = |goals: &Goals| goals.max_error.map_or_else(|| "any".to_string(), |e| e.to_string());
-        let told = [became("max_ops", self, &ops), became("max_error", self, &error)];
-        let told: Vec<String> = told.into_iter().flatten().collect();
-        (!told.is_empty()).then(|| told.join("; "))
+        let parts = [became("max_ops", self, &ops), became("max_error", self, &error)];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        (!parts.is_empty()).then(|| parts.join("; "))
     }
 
     fn widen(&mut self) {
@@ -261,7 +261,8 @@ impl Job {
     /// What is emitted of its fits, under the name of their role.
     pub fn emission(&self, scene: &Scene, role: &str) -> Emission {
         let Output { pick, arguments, .. } = scene.output;
-        Emission { pick, arguments, role: role.into(), max_error: self.goals.max_error, beside: 0 }
+        let max_error = self.goals.max_error;
+        Emission { pick, arguments, role: role.into(), max_error, ..Emission::default() }
     }
 
     /// The materials that set the strictest limit, with the field of each:

@@ -158,7 +158,7 @@ fn files_are_read_by_plan_and_named_where_they_lie() {
         }
     }
     assert_eq!(names(folder.path()), ["below"], "nothing written");
-    std::fs::write(below.join("scene.json"), SCENE.replace("\"max_ops\": 9", "\"max_ops\": 1"))
+    std::fs::write(below.join("scene.json"), SCENE.replace("\"max_ops\": 13", "\"max_ops\": 5"))
         .expect("written");
     // Too dear: it is left out with its file, and that is the path of the scene.
     std::fs::write(below.join("mine.wgsl"), "override c: f32 = 1.0;\nfn mine(alpha: f32, mu: f32) -> f32 { return 1.0 + alpha * (c + alpha * mu); }\n").expect("written");

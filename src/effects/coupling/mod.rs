@@ -104,6 +104,10 @@ impl Effect for DiffuseCoupling {
         emitted::names().collect()
     }
 
+    fn prefixes(&self) -> &'static [&'static str] {
+        &["diffuse_coupling"]
+    }
+
     fn lobe(&self, scene: &Scene) -> String {
         super::ggx(scene)
     }
@@ -112,9 +116,9 @@ impl Effect for DiffuseCoupling {
         &[
             super::NOTE_F0,
             (
-                &["coupling_"],
+                &["diffuse_coupling"],
                 &[
-                    "`coupling_*` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.",
+                    "`diffuse_coupling` is the factor of a white diffuse base below a specular lobe, for `diffuse_coupled_*`.",
                 ],
             ),
         ]

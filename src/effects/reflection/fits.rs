@@ -44,22 +44,27 @@ pub fn fit_all(spec: &FitSpec, counter: &Counter) -> Result<FitSet, FitStageErro
         fit.emitted = spec.emission.pick == Pick::All && seed && wanted.affords(&fit.hypothesis);
     }
     if spec.average {
-        let wanted = spec.averages();
-        for entry in &AVERAGES {
-            let formula = Hypothesis::parse(entry.file, entry.source)?;
-            set.dropped.extend((!wanted.affords(&formula)).then(|| wanted.too_dear(&formula)));
-        }
-        let averages = approximate::fit_all(&wanted, counter)?;
-        set.fits.extend(averages.fits);
-        set.dropped.extend(averages.dropped);
+        set.join(&spec.averages(), counter)?;
     }
     if spec.blend {
-        let blends = approximate::fit_all(&spec.blends(), counter)?;
-        set.fits.extend(blends.fits);
-        set.dropped.extend(blends.dropped);
+        set.join(&spec.blends(), counter)?;
     }
     set.fits.extend(published);
     Ok(set)
+}
+
+impl FitSet {
+    /// Adds the fits of another use; formulas of it that cost too much are noted.
+    fn join(&mut self, wanted: &Wanted, counter: &Counter) -> Result<(), FitStageError> {
+        for entry in wanted.own {
+            let formula = Hypothesis::parse(entry.file, entry.source)?;
+            self.dropped.extend((!wanted.affords(&formula)).then(|| wanted.too_dear(&formula)));
+        }
+        let more = approximate::fit_all(wanted, counter)?;
+        self.fits.extend(more.fits);
+        self.dropped.extend(more.dropped);
+        Ok(())
+    }
 }
 
 impl FitSpec {

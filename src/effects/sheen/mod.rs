@@ -68,6 +68,10 @@ impl Effect for Sheen {
         PUBLISHED.iter().filter(|_| suits).collect()
     }
 
+    fn prefixes(&self) -> &'static [&'static str] {
+        &["sheen_albedo"]
+    }
+
     fn lobe(&self, scene: &Scene) -> String {
         format!("Charlie sheen lobe; alpha = {}", scene.alpha.name())
     }

@@ -27,10 +27,11 @@ impl Made {
         }
         for baked in &tables {
             let Some(table) = baked.table() else { continue };
-            let (readable, file) =
-                (Readable { table, decode: baked.decode, header: &[] }, format!("tables/{}.exr", table.name));
+            let entry = self.part.entries.tables.iter().find(|entry| entry.name == table.name);
+            let file = entry.map(|entry| entry.file.clone());
+            let readable = Readable { table, decode: baked.decode, header: &[] };
             let function = format!("{}_lookup", readable.identifier());
-            self.called_by(baked.wanted_by.clone(), &function, &baked.approximation, Some(&file));
+            self.called_by(baked.wanted_by.clone(), &function, &baked.approximation, file.as_deref());
         }
         self.code(context, |language| code(language, &tables))?;
         self.tables.extend(tables);

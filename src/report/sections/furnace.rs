@@ -29,15 +29,12 @@ pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
     }))
 }
 
-/// The spheres before and after, as the eye sees them: without compensation, and with that of the
-/// least departure. None where the scene called for no furnace.
+/// The spheres before and after, as the eye sees them: without compensation, and with the last that
+/// the furnace shows, which is a fit where there are any. None where the scene called for no furnace.
 pub(crate) fn picture(findings: &Findings) -> Result<Option<String>, ReportError> {
     let Some(furnace) = &findings.furnace else { return Ok(None) };
-    let departure = |row: &&FurnaceRow| {
-        row.factors.iter().flatten().map(|factor| (factor - 1.0).abs()).fold(0.0, f64::max)
-    };
-    let best = furnace.rows.iter().skip(1).min_by(|a, b| departure(a).total_cmp(&departure(b)));
-    let rows: Vec<FurnaceRow> = furnace.rows.iter().take(1).chain(best).cloned().collect();
+    let after = furnace.rows.iter().skip(1).next_back();
+    let rows: Vec<FurnaceRow> = furnace.rows.iter().take(1).chain(after).cloned().collect();
     let drawn = spheres("White spheres in a white furnace", furnace, &rows, Shade::Radiance { white: 1.25 });
     let svg = Spheres { unit: "radiance".into(), ..drawn }.svg()?;
     // The picture stands alone, on pages of any colour.

@@ -20,7 +20,8 @@ pub(super) struct Lookup {
     chain: Option<MipChain>,
     inputs: Vec<String>,
     ops: u32,
-    /// Of the width.
+    /// The fit of the width, and its error.
+    fit: String,
     max_error: f64,
 }
 
@@ -61,8 +62,8 @@ fn one(
     };
     let ops = wanted.operations()?;
     wanted.header = header(lobe, &wanted, chain, ops);
-    let max_error = best.approximation.certificate.max_abs;
-    Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops, max_error })
+    let (fit, max_error) = (best.approximation.name.clone(), best.approximation.certificate.max_abs);
+    Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops, fit, max_error })
 }
 
 /// What it does, what it must be paired with, what it costs, and what it is off by.
@@ -115,14 +116,14 @@ impl Lookup {
 
     /// The probes of a lobe that call it. Its error is that of the width that it fetches.
     pub fn calls(&self, lobe: &Lobe) -> Vec<Call> {
-        let Wanted { name, lookup, width, .. } = &self.wanted;
+        let Wanted { name, lookup, .. } = &self.wanted;
         let probes = lobe.job.demands.iter().filter_map(|demand| lobe.scene.probes.get(demand.of));
         let calling = probes.filter(|probe| probe.lookups.contains(lookup) && probe.mips == self.chain);
         let call = calling.map(|probe| Call {
             effect: Parallax.name().into(),
             of: probe.name.clone(),
             function: name.clone(),
-            name: width.name.clone(),
+            name: self.fit.clone(),
             file: None,
             max_error: self.max_error,
             cost: CostEntry { ops: self.ops, fetches: lookup.taps, bytes: 0 },

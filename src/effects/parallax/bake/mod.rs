@@ -134,6 +134,7 @@ impl<'a> Lobe<'a> {
             emission: Emission {
                 arguments: Arguments::Alpha,
                 max_error: None,
+                most_accurate: true,
                 ..job.emission(context.scene, WIDTH)
             },
         };

@@ -14,7 +14,7 @@ use crate::effects::table::{self, TableJob};
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::compensation;
 use crate::emit::manifest::FitEntry;
-use crate::scene::{Kind, Scene};
+use crate::scene::Kind;
 use lobefit_shade::code::CodeError;
 
 /// Bakes the effect.
@@ -46,18 +46,23 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         made.findings(&findings)?;
     }
     if let Some(job) = fit {
-        fits_called(&mut made, job, &fits, context.scene)?;
+        fits_called(&mut made, job, &fits, context)?;
     }
     made.fits(context, (fits, dropped), |_, fit, entry| FitEntry { rgb: rgb(fit, coloured), ..entry });
     Ok(made)
 }
 
 /// Notes which of the emitted fits the materials call: a metal the form for three channels.
-fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], scene: &Scene) -> Result<(), BakeError> {
+fn fits_called(made: &mut Made, job: &Job, fits: &[Fit], context: &Context) -> Result<(), BakeError> {
     for fit in fits.iter().filter(|fit| fit.emitted) {
         for demand in &job.demands {
-            let Some(material) = scene.materials.get(demand.of) else { continue };
+            let Some(material) = context.scene.materials.get(demand.of) else { continue };
             let want = material.wants.fit.as_ref();
+            let file = fit.hypothesis.file();
+            let of_user = context.hypotheses.iter().any(|user| user.file == file);
+            if of_user && !want.is_some_and(|want| want.hypotheses.iter().any(|path| path == file)) {
+                continue;
+            }
             let (mut a, name) = (fit.approximation.clone(), fit.hypothesis.name());
             let function = match a.used_as {
                 Use::NORMALISATION if material.kind == Kind::Metal => {
