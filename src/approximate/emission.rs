@@ -91,10 +91,12 @@ impl Emission {
         spec: &TargetSpec,
     ) -> Result<Hypothesis, FitStageError> {
         let width = self.arguments.names();
-        let others = INPUTS.into_iter().filter(|input| spec.domain.contains_key(*input));
+        // f0 of a blend is an argument of its use and no input of the quantity.
+        let reads = |input: &str| formula.inputs().iter().any(|own| own == input);
+        let others = INPUTS.into_iter().filter(|input| spec.domain.contains_key(*input) || reads(input));
         let arguments: Vec<String> =
             width.iter().copied().chain(others).map(|argument| format!("{argument}: f32")).collect();
-        let lacks = |input: &str| formula.inputs().iter().any(|i| i == input) && !width.contains(&input);
+        let lacks = |input: &str| reads(input) && !width.contains(&input);
         let mut lets = String::new();
         if lacks("alpha") {
             lets += &format!("    let alpha = {};\n", spec.alpha_map.alpha_source("roughness"));

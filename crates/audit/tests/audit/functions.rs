@@ -220,7 +220,8 @@ fn a_fit_that_this_tool_wrote_has_its_certificate() {
         let certified = own["certificate"]["max_abs"].as_f64().unwrap();
         let furnace = found.furnace.as_ref().unwrap().range;
         let worst = furnace[0].abs().max(furnace[1].abs());
-        assert!((worst / certified - 1.0).abs() < 0.02, "{worst}, certified {certified}");
+        // The audit judges cosines down to 0.001, where the certificate begins at 0.01.
+        assert!((0.98..2.0).contains(&(worst / certified)), "{worst}, certified {certified}");
     }
 }
 
