@@ -1,5 +1,5 @@
-//! A hash of source files: their paths below a root, and their bytes. It depends neither on the host, nor on where the root lies, nor
-//! on the order in which a file system lists a folder.
+//! A hash of source files: their paths below a root, and their bytes. It depends neither on the
+//! host, nor on where the root lies, nor on the order in which a file system lists a folder.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -8,8 +8,9 @@ use std::path::Path;
 /// What a package consists of beside the packages of the workspace that it depends on.
 const OWN: [&str; 5] = ["Cargo.lock", "Cargo.toml", "build", "fits/hypotheses", "src"];
 
-/// The files and folders that the package in a folder is built from. Of the packages that its `[dependencies]` name `lobefit-NAME`,
-/// these are the folders `crates/NAME`: what depends on this package is no part of it.
+/// The files and folders that the package in a folder is built from. Of the packages that its
+/// `[dependencies]` name `lobefit-NAME`, these are the folders `crates/NAME`: what depends on this
+/// package is no part of it.
 pub fn places(root: &Path) -> io::Result<Vec<String>> {
     let manifest = std::fs::read_to_string(root.join("Cargo.toml"))?;
     let dependencies = manifest.lines().skip_while(|line| *line != "[dependencies]").skip(1);
@@ -19,7 +20,8 @@ pub fn places(root: &Path) -> io::Result<Vec<String>> {
     Ok(OWN.into_iter().map(String::from).chain(crates.map(|name| format!("crates/{name}"))).collect())
 }
 
-/// The hash of every file at and below places in a folder, as hexadecimal digits; of a file what `part` takes of its bytes.
+/// The hash of every file at and below places in a folder, as hexadecimal digits; of a file what
+/// `part` takes of its bytes.
 pub fn hash(root: &Path, places: &[String], part: impl Fn(Vec<u8>) -> Vec<u8>) -> io::Result<String> {
     let mut files = BTreeMap::new();
     for place in places {
@@ -48,7 +50,8 @@ fn collect(root: &Path, place: &str, files: &mut BTreeMap<String, Vec<u8>>) -> i
     Ok(())
 }
 
-/// FNV-1a of 128 bits (draft-eastlake-fnv): enough against accidents, and no dependency of a build script.
+/// FNV-1a of 128 bits (draft-eastlake-fnv): enough against accidents, and no dependency of a build
+/// script.
 struct Fnv(u128);
 
 impl Default for Fnv {

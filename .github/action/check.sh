@@ -2,12 +2,13 @@
 # Runs `lobefit check` and shows what it finds where GitHub shows results: an annotation for each file, and a summary with the errors
 # that the manifest states. Its exit code is that of `lobefit check`.
 #
-# Usage: check.sh PROGRAM, with SCENE, AGAINST and VALUES as action.yml describes them, and GITHUB_STEP_SUMMARY.
+# Usage: check.sh PROGRAM, with SCENE, AGAINST, ONLY and VALUES as action.yml describes them, and GITHUB_STEP_SUMMARY.
 set -uo pipefail
 program=$1
 against=${AGAINST:-.}
 options=(--against "$against" --json)
 if [ -n "${VALUES:-}" ]; then options+=(--values "$VALUES"); fi
+if [ -n "${ONLY:-}" ]; then options+=(--only "$ONLY"); fi
 if [ -n "${SCENE:-}" ]; then options+=(-- "$SCENE"); fi
 
 messages=$(mktemp)

@@ -32,9 +32,10 @@ pub struct Wanted<'a> {
     pub emission: Emission,
 }
 
-/// Fits and measures: our formulas in the catalogue's order, the user's, then the published ones. A hypothesis of ours that does not converge, or has a pole, in this domain
-/// is dropped with the reason, and so is a formula that was asked for and costs too much; a
-/// hypothesis of the user's that does not converge is an error.
+/// Fits and measures: our formulas in the catalogue's order, the user's, then the published ones. A
+/// hypothesis of ours that does not converge, or has a pole, in this domain is dropped with the
+/// reason, and so is a formula that was asked for and costs too much; a hypothesis of the user's
+/// that does not converge is an error.
 ///
 /// # Errors
 /// A domain that the quantity does not have; a truth that cannot be integrated; a formula that
@@ -123,7 +124,7 @@ impl<'a> Stage<'a> {
         (jobs, results)
     }
 
-    /// Whether one fit was asked for, and none is within the budget, or none keeps the stated error.
+    /// Whether one fit was asked for, and every fit is over the budget or misses the stated error.
     fn misses(&self, fits: &[Fit]) -> bool {
         let Emission { pick, max_error, .. } = self.wanted.emission;
         let limit = max_error.unwrap_or(f64::INFINITY);

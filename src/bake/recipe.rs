@@ -28,9 +28,19 @@ pub fn recipe(
         add(&hypothesis.file);
         add(&hypothesis.source);
     }
-    let built_in = Scene::built_in().ok().and_then(|s| s.hash().ok());
-    let command =
-        if built_in.as_ref() == Some(&scene_hash) { "lobefit bake" } else { "lobefit bake SCENE.json" };
+    let mut built_in = Scene::built_in().ok();
+    let mut is_built_in = |reports| {
+        let same = built_in.as_mut().and_then(|scene| {
+            scene.output.reports = reports;
+            scene.hash().ok()
+        });
+        same.as_ref() == Some(&scene_hash)
+    };
+    let command = match (is_built_in(true), is_built_in(false)) {
+        (true, _) => "lobefit bake",
+        (_, true) => "lobefit bake --no-reports",
+        _ => "lobefit bake SCENE.json",
+    };
     Ok(Recipe {
         command: command.into(),
         tool: TOOL.into(),

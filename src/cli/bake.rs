@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::columns::{self, Side::Left, Side::Right};
-use super::options::{SceneOption, ThreadsOption, effect};
+use super::options::{PagesOption, SceneOption, ThreadsOption, effect};
 use super::output::{Outcome, print, say};
 use super::progress::Bar;
 use super::{CliError, input, input::Input};
@@ -31,6 +31,8 @@ there and this one does not have are removed.";
 pub(super) struct Options {
     #[command(flatten)]
     pub scene: SceneOption,
+    #[command(flatten)]
+    pub pages: PagesOption,
     /// Output folder, created if missing
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
@@ -50,7 +52,7 @@ pub(super) struct Options {
 }
 
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
-    let input = input::load(&options.scene)?;
+    let input = input::load(&options.scene)?.with(&options.pages);
     let plan = plan::plan(&input.scene);
     refuse_uncalled(&options.only, &plan)?;
     // Before the work: an output that cannot be written is known now, not after it.

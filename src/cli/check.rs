@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde::Serialize;
 
-use super::options::{SceneOption, ThreadsOption, not_negative};
+use super::options::{PagesOption, SceneOption, ThreadsOption, not_negative};
 use super::output::{Outcome, print, print_json, say};
 use super::progress::Bar;
 use super::{CliError, input};
@@ -17,30 +17,36 @@ use crate::bake::{self, BUILD_FILE, Baked, Difference, Selection, compare};
 use crate::plan;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Kind, MANIFEST, SUBFOLDERS};
-use records::{Record, records};
-use studies::studies;
+use records::Record;
 
 pub(super) const EXAMPLES: &str = "\
 Examples:
   lobefit check                         the built-in scene against the current folder
   lobefit check scene.json --against assets
   lobefit check --values 1e-6           accept decoded values within 1e-6 of each other
+  lobefit check --only tables,fits      what an engine reads, and neither pages nor the manifest
 
-Exit code 1 where a file is missing, extra or different; the message says how far it is off and where. A table whose
+With --values another version of lobefit or another recipe is no difference where the numbers agree, constants of
+functions among them; pages are not compared. Exit code 1 where a file is missing, extra or different; the message says how far it is off and where. A table whose
 texels break the error that its manifest states is never accepted, whatever --values says.
 
 Records of times on graphics processors (reports/gpu/, by lobefit cost --gpu --record) must be whole, and have their pages; times of
-other code than the bake's, and functions that they lack, are told of, and do not fail. Studies (reports/studies/, by lobefit report)
+other code than the bake's, and functions that they lack, are noted, and do not fail. Studies (reports/studies/, by lobefit report)
 must be of this version, if its package lobefit-studies is built; else a note says that they were not checked.";
 
 /// Largest file that is compared, bytes.
 const FILE_BYTES: u64 = 1 << 30;
+
+/// What of a bake can be compared alone.
+const PARTS: [&str; 4] = ["tables", "fits", "reports", "manifest"];
 
 /// Options of `check`.
 #[derive(Args)]
 pub(super) struct Options {
     #[command(flatten)]
     pub scene: SceneOption,
+    #[command(flatten)]
+    pub pages: PagesOption,
     /// Folder that holds the bake
     #[arg(long, value_name = "DIR", default_value = ".")]
     pub against: PathBuf,
@@ -48,6 +54,9 @@ pub(super) struct Options {
     /// stated error
     #[arg(long, value_name = "TOL", value_parser = not_negative)]
     pub values: Option<f64>,
+    /// Compare these parts of the bake only: `tables`, `fits`, `reports` or `manifest`
+    #[arg(long, value_name = "PART", value_delimiter = ',', value_parser = PARTS)]
+    pub only: Vec<String>,
     #[command(flatten)]
     pub threads: ThreadsOption,
     /// Print the differences as JSON
@@ -58,69 +67,145 @@ pub(super) struct Options {
     pub quiet: bool,
 }
 
+impl Options {
+    /// Whether a file, by its path in the folder, is one of those to compare.
+    fn asks_for(&self, file: &str) -> bool {
+        let part = if file == MANIFEST { "manifest" } else { file.split('/').next().unwrap_or(file) };
+        self.only.is_empty() || self.only.iter().any(|only| only == part)
+    }
+}
+
 pub(super) fn run(options: &Options) -> Result<Outcome, CliError> {
-    let input = input::load(&options.scene)?;
+    let input = input::load(&options.scene)?.with(&options.pages);
     let plan = plan::plan(&input.scene);
     // Before the work: it would only find that every file is missing.
     if !store::is_folder(&options.against)? {
         return Err(CliError::Usage(format!("--against {}: there is no such folder", shown(options))));
     }
     let progress = Bar::new(options.quiet || options.json, &plan, 1);
-    let (baked, differences, ends, records, unknown, changes) = options.threads.install(|| {
+    let found = options.threads.install(|| {
         let baked = input.bake(&plan, Selection::default(), &progress)?;
-        let strays = strays(&options.against, &baked)?;
-        let found = store::read_set(&options.against, baked.files.keys().map(String::as_str), FILE_BYTES)?;
-        let mut differences = compare(&baked, &found, &strays, options.values, &progress);
-        let bake = differences.len();
-        let changes = scene::changes(&found, &baked.files);
-        let studies = studies(&options.against)?;
-        differences.extend(studies.differences);
-        let ends = [bake, differences.len()];
-        let (records, broken) = records(&options.against, &baked)?;
-        differences.extend(broken);
-        Ok((baked, differences, ends, records, studies.unknown, changes))
+        Found::new(baked, options, &progress)
     })?;
     drop(progress);
     // What breaks a promise is not written by a bake: there is nothing to compare with.
-    for promise in &baked.broken {
+    for promise in &found.broken {
         say(&format!("promise not kept: {}", visible(promise)));
     }
-    if !baked.broken.is_empty() {
+    if !found.broken.is_empty() {
         return Ok(Outcome::Failed);
     }
     if options.json {
-        let same = differences.is_empty();
-        let verdict = Verdict {
-            schema_version: 1,
-            same,
-            scene_changes: &changes,
-            differences: &differences,
-            records: &records,
-            studies_unknown: unknown,
-        };
-        print_json(&verdict)?;
+        print_json(&found.verdict())?;
     } else if !options.quiet {
-        // Of another scene every file is another: the change is what there is to say.
-        for change in &changes {
-            print(format!("the scene changed: {}\n", visible(change)).as_bytes())?;
-        }
-        if !changes.is_empty() {
-            print(format!("bake it again: {}\n", visible(&again(options))).as_bytes())?;
-        }
-        let named = if changes.is_empty() { &differences[..] } else { &differences[ends[0]..] };
-        for difference in named {
-            print(format!("{difference}\n").as_bytes())?;
-        }
-        for note in records.iter().filter_map(Record::note) {
-            print(note.as_bytes())?;
-        }
-        if let Some(reason) = unknown {
-            print(format!("note: reports/studies: not checked: {reason}\n").as_bytes())?;
-        }
-        let (studies, broken) = (ends[1] - ends[0], differences.len() - ends[1]);
-        print(closing(&baked, &differences[..ends[0]], [studies, broken], options).as_bytes())?;
+        print(found.lines(options).as_bytes())?;
     }
-    Ok(if differences.is_empty() { Outcome::Done } else { Outcome::Failed })
+    Ok(if found.all().next().is_none() { Outcome::Done } else { Outcome::Failed })
+}
+
+/// What a folder holds, held against what its recipe gives.
+struct Found {
+    /// Promises that the bake itself does not keep.
+    broken: Vec<String>,
+    /// Files of the bake that were compared.
+    files: usize,
+    /// What is other than in the bake, in its studies and in its records of times.
+    of_bake: Vec<Difference>,
+    of_studies: Vec<Difference>,
+    of_records: Vec<Difference>,
+    records: Vec<Record>,
+    /// Why nothing is known of the studies that are there.
+    studies_unknown: Option<String>,
+    /// What changed in the scene.
+    changes: Vec<String>,
+}
+
+impl Found {
+    fn new(mut baked: Baked, options: &Options, progress: &Bar) -> Result<Found, CliError> {
+        let root = &options.against;
+        let mut strays = strays(root, &baked)?;
+        strays.retain(|stray| options.asks_for(&stray.name));
+        let found = store::read_set(root, baked.files.keys().map(String::as_str), FILE_BYTES)?;
+        let changes = scene::changes(&found, &baked.files);
+        let (mut records, mut of_records) = (Vec::new(), Vec::new());
+        let mut studies = studies::Studies::default();
+        if options.asks_for("reports/") {
+            (records, of_records) = records::records(root, &baked)?;
+            studies = studies::studies(root)?;
+        }
+        let compared = compare(&baked, &found, &strays, options.values, progress);
+        baked.files.retain(|file, _| options.asks_for(file));
+        Ok(Found {
+            broken: baked.broken,
+            files: baked.files.len(),
+            of_bake: compared.into_iter().filter(|d| options.asks_for(&d.file)).collect(),
+            of_studies: studies.differences,
+            of_records,
+            records,
+            studies_unknown: studies.unknown,
+            changes,
+        })
+    }
+
+    fn all(&self) -> impl Iterator<Item = &Difference> {
+        self.of_bake.iter().chain(&self.of_studies).chain(&self.of_records)
+    }
+
+    fn verdict(&self) -> Verdict<'_> {
+        Verdict {
+            schema_version: 1,
+            same: self.all().next().is_none(),
+            scene_changes: &self.changes,
+            differences: self.all().collect(),
+            records: &self.records,
+            studies_unknown: self.studies_unknown.as_deref(),
+        }
+    }
+
+    /// The result for a person.
+    fn lines(&self, options: &Options) -> String {
+        let mut lines = Vec::new();
+        if self.changes.is_empty() {
+            lines.extend(self.of_bake.iter().map(|difference| format!("{difference}\n")));
+        } else if !self.of_bake.is_empty() {
+            // Of another scene every file is another: the change is what there is to say.
+            for change in &self.changes {
+                lines.push(format!("the scene changed: {}\n", visible(change)));
+            }
+            lines.push(format!("bake it again: {}\n", visible(&again(options))));
+        }
+        let beside = self.of_studies.iter().chain(&self.of_records);
+        lines.extend(beside.map(|difference| format!("{difference}\n")));
+        lines.extend(self.records.iter().filter_map(Record::note));
+        if let Some(reason) = &self.studies_unknown {
+            lines.push(format!("note: reports/studies: not checked: {reason}\n"));
+        }
+        lines.push(self.closing(options));
+        lines.concat()
+    }
+
+    /// What was found, of the files of the bake, and of the studies and records beside it.
+    fn closing(&self, options: &Options) -> String {
+        let (folder, files) = (shown(options), self.files);
+        let extra = self.of_bake.iter().filter(|d| d.kind == bake::Kind::Extra).count();
+        let more = if extra == 0 { String::new() } else { format!(", {extra} extra") };
+        let records = match self.of_records.len() {
+            0 => String::new(),
+            1 => "; 1 record of times is broken".into(),
+            broken => format!("; {broken} records of times are broken"),
+        };
+        let studies = match self.of_studies.len() {
+            0 => String::new(),
+            1 => "; 1 study is not that of this version".into(),
+            stale => format!("; {stale} studies are not those of this version"),
+        };
+        let found = match self.of_bake.len() - extra {
+            0 => format!("{files} files in {folder} follow from their recipe"),
+            1 => format!("1 of {files} files in {folder} differs or is missing"),
+            bad => format!("{bad} of {files} files in {folder} differ or are missing"),
+        };
+        format!("{found}{more}{studies}{records}\n")
+    }
 }
 
 /// The result for machines.
@@ -131,13 +216,13 @@ struct Verdict<'a> {
     /// What changed in the scene since the bake that is checked.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     scene_changes: &'a [String],
-    differences: &'a [Difference],
+    differences: Vec<&'a Difference>,
     /// Times on graphics processors, those of other code among them.
     #[serde(skip_serializing_if = "<[Record]>::is_empty")]
     records: &'a [Record],
     /// Why nothing is known of the studies that are there.
     #[serde(skip_serializing_if = "Option::is_none")]
-    studies_unknown: Option<String>,
+    studies_unknown: Option<&'a str>,
 }
 
 /// What lies in the folders of a bake and is none of its files, links in their places among it.
@@ -175,28 +260,4 @@ fn again(options: &Options) -> String {
 /// The folder as the user named it.
 fn shown(options: &Options) -> String {
     visible(&options.against.display().to_string())
-}
-
-/// What was found, of the files of the bake, and of the studies and records beside it.
-fn closing(baked: &Baked, differences: &[Difference], beside: [usize; 2], options: &Options) -> String {
-    let (folder, files) = (shown(options), baked.files.len());
-    let extra = differences.iter().filter(|d| d.kind == bake::Kind::Extra).count();
-    let more = if extra == 0 { String::new() } else { format!(", {extra} extra") };
-    let [stale, broken] = beside;
-    let records = match broken {
-        0 => String::new(),
-        1 => "; 1 record of times is broken".into(),
-        broken => format!("; {broken} records of times are broken"),
-    };
-    let studies = match stale {
-        0 => String::new(),
-        1 => "; 1 study is not that of this version".into(),
-        stale => format!("; {stale} studies are not those of this version"),
-    };
-    let found = match differences.len() - extra {
-        0 => format!("{files} files in {folder} follow from their recipe"),
-        1 => format!("1 of {files} files in {folder} differs or is missing"),
-        bad => format!("{bad} of {files} files in {folder} differ or are missing"),
-    };
-    format!("{found}{more}{studies}{records}\n")
 }

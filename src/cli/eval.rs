@@ -153,7 +153,7 @@ const SAMPLES: u64 = 1 << 20;
 /// Standard errors in the error column of Monte Carlo.
 const STANDARD_ERRORS: f64 = 4.0;
 
-/// The outputs at a point; to the quantity's own tolerance where none is asked for.
+/// The outputs at a point; to the quantity's own tolerance by default.
 fn outputs(options: &Options, Row { inputs, variant }: &Row) -> Result<Vec<f64>, IntegrateError> {
     let quantity = options.quantity;
     match options.method {

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::CliError;
-use super::options::SceneOption;
+use super::options::{PagesOption, SceneOption};
 use crate::approximate::FitStageError;
 use crate::approximate::target::TargetError;
 use crate::bake::{BakeError, Baked, Progress, Selection, UserHypothesis, bake};
@@ -31,6 +31,12 @@ pub struct Input {
 }
 
 impl Input {
+    /// The input as the options of a verb change it.
+    pub(super) fn with(mut self, pages: &PagesOption) -> Input {
+        self.scene.output.reports &= !pages.no_reports;
+        self
+    }
+
     /// Bakes the scene's plan. Errors name the scene and its hypothesis files by the paths at which
     /// they were read.
     ///

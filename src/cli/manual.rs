@@ -1,5 +1,5 @@
-//! `lobefit completions` and `lobefit man`: what shells and `man` know of the program, from the same
-//! declarations as its help.
+//! `lobefit completions` and `lobefit man`: what shells and `man` know of the program, from the
+//! same declarations as its help.
 
 use std::path::PathBuf;
 

@@ -17,6 +17,14 @@ pub struct SceneOption {
     pub scene: Option<PathBuf>,
 }
 
+/// Whether a verb that bakes makes pages.
+#[derive(Args)]
+pub struct PagesOption {
+    /// Make no pages, as `"reports": false` in the scene
+    #[arg(long)]
+    pub no_reports: bool,
+}
+
 /// The worker threads of a verb. They change how long it takes and no byte of what it writes.
 #[derive(Args)]
 pub struct ThreadsOption {

@@ -76,8 +76,8 @@ pub struct Promise {
 ///
 /// Merge rule: the hull of the ranges; the largest `max_ops`; every norm that is wanted; the
 /// strictest `max_error`. Where several fits are emitted, each different pair of `max_ops` and
-/// `max_error` is a [`Promise`] of its own, since an error belongs to its number of operations, and a
-/// material content with fewer operations finds such fits among the others. Where one is emitted,
+/// `max_error` is a [`Promise`] of its own, since an error belongs to its number of operations, and
+/// a material content with fewer operations finds such fits among the others. Where one is emitted,
 /// one promise is left: the strictest error within the largest budget.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Job {

@@ -53,6 +53,11 @@ pub trait Effect: Sync {
         Vec::new()
     }
 
+    /// Whether a scene may name formulas of the user's for the target.
+    fn takes_formulas_for(&self, _target: &Target) -> bool {
+        false
+    }
+
     /// Operations of a formula, with what it takes beside its own text.
     ///
     /// # Errors

@@ -59,7 +59,8 @@ pub struct LookupFunction {
 }
 
 impl Manifest {
-    /// A call with its arguments as the include files name them; of a table the texture comes first.
+    /// A call with its arguments as the include files name them; of a table the texture comes
+    /// first.
     pub fn signature(&self, call: &Call) -> String {
         let fits = self.entries.fits.iter();
         let of_fit = |fit: &FitEntry| {

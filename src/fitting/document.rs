@@ -3,7 +3,8 @@
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::{Certified, Demand, Fitting, FittingError, Job, Proof, pictures, printed, words};
+use super::CatalogueFit;
+use super::{Certified, Demand, Fitting, FittingError, Job, Proof, catalogue, pictures, printed, words};
 use crate::approximate::target::Target;
 use crate::data::Certificate;
 use crate::emit::header::Recipe;
@@ -33,6 +34,7 @@ pub fn document(job: &Job, fitting: &Fitting) -> Result<Vec<u8>, FittingError> {
         "command": job.command,
         "recipe": recipe(job).hash,
         "fits": fits,
+        "catalogue": fitting.catalogue.iter().map(CatalogueFit::entry).collect::<Vec<_>>(),
         "includes": job.languages.iter().map(include).collect::<Vec<_>>(),
         "reports": [{"file": format!("{name}.html")}, {"file": format!("{name}.json")}],
     });
@@ -219,7 +221,7 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
         .map(|language| Ok((language.title().to_string(), printed::function(*language, job, fitting, fit)?)));
     Ok(FitCard {
         name: fit.approximation.name.clone(),
-        facts: facts(fit, job.weight.as_deref()),
+        facts: facts(job, fitting, fit),
         ops: fit.approximation.cost.ops,
         coefficients: parameters.map(|(p, value)| (p.name.clone(), p.start, *value)).collect(),
         certificates: certificates.collect(),
@@ -234,8 +236,8 @@ fn card(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<FitCard, Fittin
     })
 }
 
-fn facts(fit: &Certified, weight: Option<&str>) -> Vec<(String, String)> {
-    let fitted = &fit.fitted;
+fn facts(job: &Job, fitting: &Fitting, fit: &Certified) -> Vec<(String, String)> {
+    let (fitted, weight) = (&fit.fitted, job.weight.as_deref());
     let minimised = words::minimised(fit.goal) + &words::weighted(weight, fit.goal);
     let mut rows = vec![("Minimised".to_string(), minimised)];
     let error = weight.zip(fit.weighted.as_ref());
@@ -254,5 +256,9 @@ fn facts(fit: &Certified, weight: Option<&str>) -> Vec<(String, String)> {
         Proof::NotProven(error) => ("Regular".into(), format!("not proven: {error}")),
     });
     rows.extend(fit.kept.iter().map(|kept| ("Constraint".to_string(), words::constraint(kept))));
+    let a = &fit.approximation;
+    let beside = catalogue::beside(&fitting.catalogue, a.cost.ops, a.certificate.max_abs);
+    rows.extend(beside.map(|text| ("Catalogue".into(), text)));
+    rows.push(("To emit it".into(), catalogue::ways_out(&fitting.target).into()));
     rows
 }

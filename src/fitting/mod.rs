@@ -1,6 +1,7 @@
 //! A formula of the user's fitted to a quantity: samples, search, proof, certificates, code, page.
 //! [`fit`] measures, [`files`] makes what is written of it; nothing here touches the file system.
 
+mod catalogue;
 mod constraint_check;
 mod demands;
 mod document;
@@ -17,6 +18,7 @@ mod vanished;
 mod weight;
 mod words;
 
+pub use catalogue::CatalogueFit;
 pub use constraint_check::ConstraintCheck;
 pub use demands::Demand;
 pub use document::{document, files};
@@ -50,7 +52,7 @@ pub struct Job {
     pub precisions: Vec<Precision>,
     /// Starting points of the search.
     pub starts: usize,
-    /// Whether parameters that coincide or do not matter are told, and no error.
+    /// Whether parameters that coincide or do not matter are reported, and no error.
     pub allow_undetermined: bool,
     /// Largest error that is accepted.
     pub limit: Option<f64>,
@@ -67,6 +69,8 @@ pub struct Fitting {
     pub target: Target,
     /// One fit for each goal, in order.
     pub fits: Vec<Certified>,
+    /// What the catalogue has for no more operations.
+    pub catalogue: Vec<CatalogueFit>,
 }
 
 /// Why nothing was fitted.
@@ -172,7 +176,7 @@ impl FittingError {
 /// constraints that contradict one another, parameters that coincide or do not matter, unless
 /// allowed ([`FittingError::Undetermined`]); a formula that is not finite where it is measured in
 /// the main arithmetic ([`FittingError::Uncertified`]). A search that does not converge, a pole
-/// that cannot be excluded, and an error above the limit are no errors here: they are told in
+/// that cannot be excluded, and an error above the limit are no errors here: they are reported in
 /// [`Certified::problems`].
 pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
     let target = Target::new(&job.spec, &job.hypothesis)?;
@@ -184,6 +188,8 @@ pub fn fit(job: &Job) -> Result<Fitting, FittingError> {
     let constraints = demands::constraints(&job.demands, &target, &job.hypothesis)?;
     let measured = target.measured()?;
     let one = |goal: &Goal| one::fit_one(job, *goal, &target, weight.as_ref(), &constraints, &measured);
-    let fits = job.goals.iter().map(one).collect::<Result<_, _>>()?;
-    Ok(Fitting { target, fits })
+    let fits: Vec<Certified> = job.goals.iter().map(one).collect::<Result<_, _>>()?;
+    let most = fits.iter().map(|fit| fit.approximation.cost.ops).max().unwrap_or(0);
+    let catalogue = catalogue::fits(&target, &measured, most)?;
+    Ok(Fitting { target, fits, catalogue })
 }

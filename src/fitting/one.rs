@@ -169,7 +169,7 @@ pub(super) fn obedient(
         }
         match search(&constraints) {
             Ok(next) => best = next,
-            // The fit before stands, and where it breaks a constraint is told as a problem.
+            // The fit before stands, and where it breaks a constraint is reported as a problem.
             Err(FitError::Unsatisfiable { .. } | FitError::Solver { .. }) => break,
             Err(error) => return Err(error.into()),
         }

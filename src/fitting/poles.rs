@@ -55,7 +55,7 @@ pub(super) fn kept_out(
     let all = [task.constraints, &more].concat();
     let wider = [&first.finer[..], &finer(&more, &demand, target, task.hypothesis, measured)?].concat();
     // Within bounds that cannot be kept, or that no start reaches, nothing is found: the first
-    // search stands, and its pole is told.
+    // search stands, and its pole is reported.
     match obedient(task.hypothesis, task.samples, &all, &wider, task.options, task.domain) {
         Ok(again) if is_regular(&again) => Ok(Searched { found: again, finer: wider }),
         _ => Ok(first),

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::catalogue::{beside, ways_out};
 use super::{Certified, Fitting, FittingError, Job, Proof, printed, words};
 use crate::emit::header::{operations, place, short};
 use lobefit_shade::code::Language;
@@ -79,6 +80,10 @@ fn of_fit(job: &Job, fitting: &Fitting, fit: &Certified) -> Result<String, Fitti
             Err(error) => line(format!("    {:<8}   {error}", precision.name())),
         }
     }
+    if let Some(text) = beside(&fitting.catalogue, a.cost.ops, a.certificate.max_abs) {
+        line(format!("  catalogue    {text}"));
+    }
+    line(format!("  emit it      {}", ways_out(target)));
     for (parameter, value) in fit.hypothesis.parameters().iter().zip(&fit.coefficients) {
         line(format!("  {:<12} {value}", parameter.name));
     }

@@ -157,7 +157,7 @@ pub struct GpuLeftOut {
 }
 
 impl GpuRow {
-    /// Whether the time is told from 0: its lower quartile is above.
+    /// Whether the time differs from 0: its lower quartile is above.
     pub fn resolved(&self) -> bool {
         self.nanoseconds.low > 0.0
     }

@@ -15,7 +15,8 @@ pub struct Timings {
     pub device: String,
     /// Error against seconds at single points.
     pub points: Vec<TimedPoint>,
-    /// Whole tables against the path tracer's estimator; none where the scene calls for no such table.
+    /// Whole tables against the path tracer's estimator; none where the scene calls for no such
+    /// table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tables: Option<TimedTables>,
     /// Time per evaluation of each approximation.
@@ -84,8 +85,8 @@ pub struct TimedApproximation {
     pub table: bool,
 }
 
-/// The three tables of the path tracer: reflection over mu, roughness and anisotropy; rough glass from
-/// either side over mu, alpha and the index of refraction.
+/// The three tables of the path tracer: reflection over mu, roughness and anisotropy; rough glass
+/// from either side over mu, alpha and the index of refraction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TimedTables {
     /// Threads at work.

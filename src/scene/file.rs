@@ -175,7 +175,7 @@ impl Scene {
         })
     }
 
-    /// The scene that is compiled in, which every verb uses where none is given.
+    /// The scene that is compiled in, which every verb uses by default.
     pub fn built_in() -> Result<Scene, SceneError> {
         Scene::from_json(include_bytes!("default.json"), "the built-in scene")
     }

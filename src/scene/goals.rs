@@ -57,7 +57,7 @@ impl Goals {
     }
 }
 
-/// The errors to minimise: the largest where none is given, each once, in the order max, rms.
+/// The errors to minimise: by default the largest, each once, in the order max, rms.
 fn norms(given: Norms) -> Result<Vec<Norm>, String> {
     let given = given.0.map_or_else(|| vec![Norm::Max], |l| l.0.iter().map(|w| w.0).collect());
     let norms: BTreeSet<Norm> = given.iter().copied().collect();

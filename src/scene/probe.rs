@@ -175,7 +175,7 @@ impl TryFrom<LookupFile> for ProbeLookup {
 fn lookups(list: Option<List<ProbeLookup, { limits::LOOKUPS_MAX }>>) -> Result<Vec<ProbeLookup>, String> {
     let Some(List(list)) = list else { return Ok(Vec::new()) };
     if list.is_empty() {
-        return Err(about("lookups", "the list is empty; leave the field out where none is wanted"));
+        return Err(about("lookups", "the list is empty; leave the field out for no lookup"));
     }
     let repeated = list.iter().enumerate().find(|(i, lookup)| list[..*i].contains(lookup));
     match repeated {

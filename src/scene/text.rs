@@ -1,5 +1,5 @@
-//! The look at a scene's bytes before JSON sees them: length, encoding, nesting, comments, length of
-//! strings.
+//! The look at a scene's bytes before JSON sees them: length, encoding, nesting, comments, length
+//! of strings.
 
 use super::error::{Position, SceneError};
 use super::limits;

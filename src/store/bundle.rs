@@ -134,7 +134,7 @@ impl<D: Disk> Folder<D> {
     }
 
     /// Removes the folders that were created for a set that was not written, where they are empty.
-    /// One that cannot be removed stays: the error that is told is the one that came first.
+    /// A file that cannot be removed stays: the first error is reported.
     fn withdraw(&mut self, created: &[PathBuf]) {
         if created.contains(&self.root) {
             self.lock = None;

@@ -56,6 +56,70 @@ fn values_pass_within_the_tolerance_while_the_promise_is_kept() {
     assert!(String::from_utf8_lossy(&help).contains("is never accepted, whatever --values says"));
 }
 
+/// Edits every text file of the folder's bake.
+fn rewrite(folder: &Path, edit: impl Fn(String) -> String) {
+    let manifest = std::fs::read_to_string(folder.join("manifest.json")).expect("a manifest");
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).expect("JSON");
+    let mut files = vec!["manifest.json".to_string()];
+    for list in ["includes", "reports"] {
+        let entries = manifest[list].as_array().expect("a list");
+        files.extend(entries.iter().map(|entry| entry["file"].as_str().expect("a file").to_owned()));
+    }
+    for file in files {
+        let text = std::fs::read_to_string(folder.join(&file)).expect("text");
+        std::fs::write(folder.join(&file), edit(text)).expect("written");
+    }
+}
+
+#[test]
+fn another_version_with_the_same_numbers_passes_by_its_values() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(lobefit(folder.path(), &["bake", "-", "--quiet"], SCENE).status.code(), Some(0));
+    let text = std::fs::read_to_string(folder.path().join("manifest.json")).expect("a manifest");
+    let manifest: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let recipe = manifest["recipe"].as_str().expect("a hash").to_owned();
+    let version = env!("CARGO_PKG_VERSION");
+    rewrite(folder.path(), |text| {
+        text.replace(&recipe, &"0".repeat(64))
+            .replace(&format!("lobefit {version}"), "lobefit 0.0.1")
+            .replace(&format!("\"tool\": \"{version}\""), "\"tool\": \"0.0.1\"")
+    });
+    assert_eq!(check(folder.path(), &[]).0, 1);
+    let (code, text) = check(folder.path(), &["--values", "0"]);
+    assert_eq!(code, 0, "{text}");
+    // A number is one still.
+    rewrite(folder.path(), |text| text.replacen("0.001", "0.002", 1));
+    assert_eq!(check(folder.path(), &["--values", "1e-4"]).0, 1);
+}
+
+#[test]
+fn parts_of_a_bake_are_checked_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(lobefit(folder.path(), &["bake", "-", "--quiet"], SCENE).status.code(), Some(0));
+    std::fs::remove_file(folder.path().join("reports/index.html")).expect("a page");
+    std::fs::write(folder.path().join("tables/mine.exr"), "mine").expect("written");
+    let (code, text) = check(folder.path(), &["--only", "fits,manifest"]);
+    assert_eq!((code, text.as_str()), (0, "8 files in . follow from their recipe\n"));
+    let (code, text) = check(folder.path(), &["--only", "tables"]);
+    assert_eq!(code, 1);
+    assert!(text.contains("tables/mine.exr: extra") && !text.contains("index.html"), "{text}");
+    assert_eq!(check(folder.path(), &["--only", "reports"]).0, 1);
+    let wrong = lobefit(folder.path(), &["check", "-", "--only", "pages"], SCENE);
+    assert_eq!(wrong.status.code(), Some(2));
+}
+
+#[test]
+fn pages_are_left_out_on_request() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let bake = ["bake", "-", "--quiet", "--no-reports"];
+    assert_eq!(lobefit(folder.path(), &bake, SCENE).status.code(), Some(0));
+    assert!(!folder.path().join("reports/index.html").exists());
+    assert_eq!(check(folder.path(), &["--no-reports"]).0, 0);
+    let (code, text) = check(folder.path(), &[]);
+    assert_eq!(code, 1);
+    assert!(text.starts_with("the scene changed: output.reports: false became true\n"), "{text}");
+}
+
 #[test]
 fn a_folder_that_is_not_there_is_said_before_the_work() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -193,6 +193,10 @@ fn the_script_annotates_files_and_writes_the_summary() {
     assert!(summary.contains("| `reports/index.html` | missing: the recipe makes it |"), "{summary}");
     assert!(summary.contains("| `fits/50%, a b:c` | extra"), "{summary}");
 
+    let tables = [&environment[..], &[("ONLY", "tables")]].concat();
+    let (code, annotations, _) = script(folder.path(), &tables).expect("run before");
+    assert_eq!((code, annotations.as_str()), (0, ""));
+
     let (code, annotations, _) = script(folder.path(), &[("SCENE", "none.json")]).expect("run before");
     assert_eq!(code, 2);
     assert!(annotations.starts_with("::error title=lobefit check::error: none.json"), "{annotations}");

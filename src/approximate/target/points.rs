@@ -124,7 +124,7 @@ pub(super) fn measured(axes: &[Span], alpha: Option<AlphaMap>, effort: Effort) -
 }
 
 /// Nodes of each axis that is spanned, so that the lattice has about as many points as the effort
-/// says; 1 where none is.
+/// says; 1 without a weight.
 fn per_axis(axes: &[Span], effort: Effort) -> usize {
     let spanned = axes.iter().filter(|axis| axis.is_spanned()).count();
     if spanned == 0 {

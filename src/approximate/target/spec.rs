@@ -65,7 +65,7 @@ pub struct Target {
 /// The name of the input that alpha is made from.
 pub(super) const ROUGHNESS: &str = "roughness";
 
-/// Its range where none is asked for: that of published comparisons.
+/// Its range by default: that of published comparisons.
 const USUAL_ROUGHNESS: [f64; 2] = [0.02, 1.0];
 
 impl Span {

@@ -2,8 +2,10 @@
 
 mod image;
 mod packed;
+mod provenance;
 mod text;
 
+use std::borrow::Cow;
 use std::fmt;
 
 use serde::Serialize;
@@ -14,6 +16,7 @@ use crate::effects::context::Progress;
 use crate::emit::container::packed;
 use crate::scene::escape::visible;
 use crate::store::{self, Entry, Files};
+use provenance::Restated;
 
 /// One file that is not what the recipe gives.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -74,8 +77,9 @@ impl fmt::Display for Difference {
 
 /// Every file of the bake that differs from that of `found`, and the `strays`: what else lies in
 /// the folder, links in the places of files among it. With `tolerance`, files whose decoded values
-/// are all within it pass, but never a table that breaks its stated error; pages of the report are
-/// then not compared, since they are drawn from the figures.
+/// are all within it pass, but never a table that breaks its stated error. Another version of the
+/// tool, or another recipe, is then no difference; pages of the report are not compared, since they
+/// are drawn from the figures.
 pub fn compare(
     baked: &Baked,
     found: &Files,
@@ -85,8 +89,13 @@ pub fn compare(
 ) -> Vec<Difference> {
     progress.stage("compare");
     let mut differences = Vec::new();
+    let restated = tolerance.map(|_| Restated::new(&baked.files, found));
     for (file, expected) in &baked.files {
-        match found.get(file) {
+        let bytes = found.get(file).map(|bytes| match &restated {
+            Some(restated) => restated.apply(bytes),
+            None => Cow::Borrowed(bytes.as_slice()),
+        });
+        match bytes {
             None if strays.iter().any(|stray| stray.name == *file) => {
                 differences.push(Difference::plain(
                     file,
@@ -95,9 +104,9 @@ pub fn compare(
                 ));
             }
             None => differences.push(Difference::plain(file, Kind::Missing, "missing: the recipe makes it")),
-            Some(bytes) if bytes == expected => {}
+            Some(bytes) if *bytes == **expected => {}
             Some(_) if tolerance.is_some() && file.ends_with(".html") => {}
-            Some(bytes) => differences.push(different(baked, file, expected, bytes)),
+            Some(bytes) => differences.push(different(baked, file, expected, &bytes)),
         }
     }
     for stray in strays.iter().filter(|stray| !baked.files.contains_key(&stray.name)) {

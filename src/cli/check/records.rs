@@ -71,8 +71,8 @@ pub(super) fn placed(entry: &Entry, all: &[Entry]) -> bool {
 }
 
 /// The records that are there, and what is wrong with them: no record, or another page than its
-/// own. Times of other code are nothing wrong, for they are measured where there is a device; they
-/// are told of.
+/// own. Times of other code are nothing wrong, for they are measured where there is a device; a
+/// note names them.
 pub(super) fn records(root: &Path, baked: &Baked) -> Result<(Vec<Record>, Vec<Difference>), CliError> {
     let (mut records, mut differences) = (Vec::new(), Vec::new());
     let entries = store::list(root, FOLDER)?;

@@ -39,7 +39,7 @@ pub(in crate::cli) struct Options {
     #[arg(long, value_name = "N", requires = "search", conflicts_with = "hypothesis", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub width: Option<u16>,
     /// What forms may have beside sums of powers (--search only): auto (what pays in narrow
-    /// searches beforehand, which are told), none, or some of complement (1 - mu), reciprocal
+    /// searches beforehand, which are printed), none, or some of complement (1 - mu), reciprocal
     /// (1 / (mu + k alpha)), root, decay (exp2(-k mu)), inverse-root; exp2, root-of, square (of the
     /// whole form)
     #[arg(long, value_name = "H", requires = "search", conflicts_with = "hypothesis", value_delimiter = ',', value_parser = helper, default_value = "auto")]

@@ -116,7 +116,7 @@ impl Grid {
     }
 
     /// What fetches of these widths, one for each cell, are off by over the cells that are wanted;
-    /// `None` where none is.
+    /// `None` where no point is.
     ///
     /// # Errors
     /// A width outside of [1e-12, 1].

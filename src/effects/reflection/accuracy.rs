@@ -39,8 +39,8 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// The setting of the path tracer at this point: 500 000 dispatches of 20 samples, each mean added to
-/// an f32.
+/// The setting of the path tracer at this point: 500 000 dispatches of 20 samples, each mean added
+/// to an f32.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sources {
     /// Samples.
@@ -51,8 +51,8 @@ pub struct Sources {
     pub bias: f64,
 }
 
-/// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the path tracer's
-/// running sum is at its worst.
+/// The points of the study: a rough lobe seen well, and a smooth one at grazing, where the path
+/// tracer's running sum is at its worst.
 pub const POINTS: [(&str, f64, f64); 2] = [("easy", 0.5, 0.7), ("hard", 0.016, 0.11)];
 
 /// The integrators that sample: name, point set, what is drawn.

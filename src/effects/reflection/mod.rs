@@ -60,6 +60,10 @@ impl Effect for Reflection {
         catalogue::entries().filter(|entry| entry.name().starts_with(prefix)).collect()
     }
 
+    fn takes_formulas_for(&self, target: &Target) -> bool {
+        (target.quantity.name(), target.column, target.used_as) == ("ggx-reflection", "E", Use::NORMALISATION)
+    }
+
     fn prefixes(&self) -> &'static [&'static str] {
         &["ggx_dfg_", "ggx_energy_compensation", "ggx_average_albedo", "ggx_directional_albedo"]
     }

@@ -200,7 +200,7 @@ impl Tried {
     /// What came of it, in words.
     pub fn outcome(&self) -> String {
         let Trial { gain, ops, admitted, .. } = self.trial;
-        // Less than the digits that are told.
+        // Less than the printed digits.
         if gain < 5e-4 {
             return "no gain: not used".into();
         }

@@ -2,7 +2,6 @@
 //! formula to keep.
 
 mod aids;
-mod catalogue;
 mod pair;
 mod space;
 mod told;
@@ -10,6 +9,7 @@ mod told;
 pub use aids::{AidKind, Aids, Tried};
 pub use told::{document, files, summary};
 
+use super::catalogue::{self, CatalogueFit};
 use super::{Demand, FittingError};
 use crate::approximate::certificate;
 use crate::approximate::target::{Sampled, Target, TargetSpec};
@@ -49,21 +49,6 @@ pub struct Point {
     /// No coefficients of this form have a smaller largest error on the samples; 0 where nothing is
     /// proven.
     pub bound: f64,
-}
-
-/// Something else that approximates the same for the same use.
-#[derive(Clone, Debug)]
-pub struct CatalogueFit {
-    /// Name.
-    pub name: String,
-    /// Operations.
-    pub ops: u32,
-    /// Largest error.
-    pub max: f64,
-    /// Root of the mean square error.
-    pub rms: f64,
-    /// Somebody else's constants; otherwise a fit of the catalogue.
-    pub published: bool,
 }
 
 /// Everything that was found.
@@ -114,8 +99,8 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         if let Err(ShadeError::Irregular { .. }) =
             prove_regular(form.hypothesis.tape(), &exact, &target.domain()?)
         {
-            // Not to be had in the whole domain: the search proves what it can, the certificate
-            // needs all.
+            // The search proves regularity where it can; a certificate needs it in the whole
+            // domain.
             continue;
         }
         let certificate = certified(&form.hypothesis, &coefficients, &target, &measured)?;
@@ -131,7 +116,7 @@ pub fn run(job: &SearchJob, progress: &dyn Fn(&Progress)) -> Result<Searched, Fi
         );
         return Err(FitError::Solver { message }.into());
     }
-    let catalogue = catalogue::fits(&target, &measured)?;
+    let catalogue = catalogue::fits(&target, &measured, u32::MAX)?;
     Ok(Searched { anchor, target, tried, points, catalogue })
 }
 

@@ -8,6 +8,7 @@ use super::{Point, SearchJob, Searched, Tried};
 use crate::data::Approximation;
 use crate::emit::header::{place, short};
 use crate::emit::manifest::{FitEntry, SCHEMA_VERSION};
+use crate::fitting::catalogue::{CatalogueFit, ways_out};
 use crate::fitting::document::{TOOL, as_object, hash, of_target};
 use crate::fitting::one::approximation;
 use crate::fitting::{FittingError, words};
@@ -52,6 +53,7 @@ pub fn summary(searched: &Searched) -> String {
             writeln!(out, "  {:>5}  {:>10}  {:>10}  {}", rival.ops, rival.max, short(rival.rms), rival.name);
     }
     out += &trials(searched);
+    let _ = writeln!(out, "  emit one: {}", ways_out(target));
     for point in &searched.points {
         let _ = write!(out, "\n{}", file(point));
     }
@@ -111,7 +113,6 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         Ok(Value::Object(entry))
     };
     let fits: Vec<Value> = searched.points.iter().map(entry).collect::<Result<_, serde_json::Error>>()?;
-    let other = |r: &super::CatalogueFit| json!({"name": r.name, "ops": r.ops, "max": r.max, "rms": r.rms, "published": r.published});
     let tried = |t: &Tried| {
         let (gain, ops, used) = (t.trial.gain, t.trial.ops, t.trial.admitted);
         json!({"what": t.words, "part": t.part, "gain": gain, "ops": ops, "used": used})
@@ -125,7 +126,7 @@ pub fn document(job: &SearchJob, searched: &Searched) -> Result<Vec<u8>, Fitting
         "anchor": searched.anchor,
         "tried": searched.tried.iter().map(tried).collect::<Vec<_>>(),
         "fits": fits,
-        "others": searched.catalogue.iter().map(other).collect::<Vec<_>>(),
+        "others": searched.catalogue.iter().map(CatalogueFit::entry).collect::<Vec<_>>(),
         "reports": [{"file": format!("{name}.html")}, {"file": format!("{name}.json")}],
     });
     let mut bytes = serde_json::to_vec_pretty(&document)?;
@@ -164,7 +165,7 @@ fn page(job: &SearchJob, searched: &Searched) -> SearchPage {
         certificate: point.certificate.clone(),
         source: point.hypothesis.source().into(),
     };
-    let other = |r: &super::CatalogueFit| (r.name.clone(), r.ops, r.max, r.rms, r.published);
+    let other = |r: &CatalogueFit| (r.name.clone(), r.ops, r.max, r.rms, r.published);
     SearchPage {
         origin: Origin {
             scene: String::new(),

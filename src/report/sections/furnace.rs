@@ -30,7 +30,8 @@ pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportErro
 }
 
 /// The spheres before and after, as the eye sees them: without compensation, and with the last that
-/// the furnace shows, which is a fit where there are any. None where the scene called for no furnace.
+/// the furnace shows, which is a fit where there are any. None where the scene called for no
+/// furnace.
 pub(crate) fn picture(findings: &Findings) -> Result<Option<String>, ReportError> {
     let Some(furnace) = &findings.furnace else { return Ok(None) };
     let after = furnace.rows.iter().skip(1).next_back();

@@ -49,7 +49,7 @@ const LOOKUPS: &str = "From the shading point and the reflected ray to what is f
 
 const TABLES: &str = "Plain fetches, at coordinates that need no arithmetic, and the lookups of tables: coordinates, the fetch, decoding.";
 
-const FITS: &str = "Formulas alone. Where a time is told from 0, the charts set it against the certified error: what an operation \
+const FITS: &str = "Formulas alone. Where a time differs from 0, the charts set it against the certified error: what an operation \
     less is worth on this device.";
 
 const LEVELS: &str =

@@ -66,7 +66,7 @@ pub enum Defect {
     },
 }
 
-/// A part is told of where errors are this many times the median,
+/// A part is reported where errors are this many times the median,
 const OFF: f64 = 30.0;
 /// make nearly all of the sum of squares,
 const PART_OF_SQUARES: f64 = 0.9;

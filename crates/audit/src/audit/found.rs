@@ -94,7 +94,7 @@ pub struct Audit {
     pub fixed: bool,
     /// Whether the user said which channels are meant: others may be constant.
     pub excused: bool,
-    /// The reading of somebody who is told nothing, where the best one is another that nobody said
+    /// The plain reading, where the best reading is another and the user did not say that the other
     /// is meant.
     pub plain: Option<Plain>,
     /// The channels.

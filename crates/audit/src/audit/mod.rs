@@ -70,7 +70,7 @@ pub const FUNCTION_FITS: f64 = 0.1;
 /// How much worse the next convention must rank for the best to be in no doubt.
 pub const CLEAR: f64 = 2.0;
 
-/// Conventions that are told of.
+/// Conventions that are reported.
 const TOLD: usize = 10;
 
 /// Places along every axis: in the sieve, in a round by the quick truth, in the first exact one, in
@@ -109,7 +109,7 @@ fn audited() -> String {
 /// Conventions of which clamps are tried.
 const CLAMPED: [usize; 2] = [TOLD, 1];
 
-/// Audits a table as a quantity. `progress` is told the stages.
+/// Audits a table as a quantity. `progress` hears of the stages.
 ///
 /// Errors: a table with values that are no numbers, of a size that has not the quantity's axes, or
 /// options that contradict it.

@@ -1,4 +1,4 @@
-//! What a reader makes of a table who is told nothing: it takes texels for centres (or for end
+//! The plain reading of a table, without a word about it: it takes texels for centres (or for end
 //! points, where they lie about those), axes for rising ones, a roughness for a roughness and an
 //! average for an average. A table that is right only under another reading is wrong as it will be
 //! used, unless the user says that it is meant so.
@@ -19,7 +19,7 @@ use super::verdict::along;
 /// [`super::JUDGED_TEXELS`]: every one is an integral of its own.
 const PLACES: usize = 16;
 
-/// A table under the reading of somebody who is told nothing, where the best reading is another.
+/// A table under the plain reading, where the best reading is another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plain {
     /// That reading.

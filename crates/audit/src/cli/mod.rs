@@ -133,7 +133,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
     let bytes = read(options)?;
     let Read { mut audited, inverse, holds, note } =
         if is_shader(options) { shader(options, &bytes)? } else { table(options, &bytes)? };
-    // A folder that cannot be written is told of before the work.
+    // A folder that cannot be written is an error before the work.
     let folder = options.out.as_deref().map(Folder::open_flat).transpose()?;
     let progress = Spinner::new(options.quiet || options.json);
     let said = stated::stated(options, &audited, &note, &progress)?;
@@ -142,7 +142,7 @@ fn verb(options: &Options) -> Result<Outcome, CliError> {
         audited =
             AuditedTable { size: said.size.clone(), axes: AuditedTable::axes_of(said.size.len()), ..audited };
     }
-    // A file that is known to be of another form or registration than it says is told of in those
+    // A file whose form or registration is known to be another than it says is reported in these
     // words, and not as a table of which nothing is known.
     if let Some(said) = said.as_ref().filter(|said| said.holds() || said.instead.is_some()) {
         drop(progress);
@@ -260,7 +260,7 @@ fn other_kind(options: &Options) -> Result<(), CliError> {
     })
 }
 
-/// Functions left out that are told of by name.
+/// Functions left out that are named.
 const NAMED: usize = 4;
 
 /// The function that is meant as a table, and what the file is.

@@ -2,7 +2,7 @@
 
 use crate::audit::{Audit, Declared, Fit, Source};
 
-/// The message: which of the figures is over the limit, and what the reader is told to do about it.
+/// The message: which of the figures is over the limit, and what the reader can do about it.
 pub(super) fn refusal(done: &Audit, limit: Option<f64>) -> String {
     let function = done.source == Source::Function;
     let Some(limit) = limit.filter(|_| done.fit == Fit::Whole) else {

@@ -73,8 +73,8 @@ pub struct ForeignTable {
     pub channels: Vec<ForeignChannel>,
     /// What the format rounds values to.
     pub step: Step,
-    /// What the file says of itself: the attribute `lobefit` of an EXR layer that this tool wrote, or
-    /// the sidecar of another file that it wrote; empty in all others.
+    /// What the file says of itself: the attribute `lobefit` of an EXR layer that this tool wrote,
+    /// or the sidecar of another file that it wrote; empty in all others.
     pub note: String,
 }
 

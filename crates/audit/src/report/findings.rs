@@ -22,7 +22,7 @@ pub struct AuditFindings {
     pub fits: String,
     /// Largest error at a texel or point of any channel that is judged.
     pub max_error: f64,
-    /// Largest error as somebody reads it who is told nothing, where that reading is not the best
+    /// Largest error by the plain reading, where the plain reading is not the best
     /// one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub plain: Option<AuditPlain>,
@@ -48,7 +48,7 @@ pub struct AuditFindings {
     pub furnace: Option<AuditFurnace>,
 }
 
-/// A table as somebody reads it who is told nothing.
+/// A table by the plain reading.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AuditPlain {
     /// What the best reading has that no reader assumes unless the file says so.

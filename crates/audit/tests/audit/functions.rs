@@ -138,7 +138,7 @@ fn an_index_of_refraction_runs_from_1_to_2() {
         assert_eq!(named(name, of("ggx-glass")), told, "{name}");
         assert!(!named(name, of("ggx-reflection")), "{name}");
     }
-    // A name that tells nothing is told by the user.
+    // The user says what a name does not.
     let told = sampled(&read("bare"), of("ggx-glass"), &[], &[Scale::Mu, Scale::Alpha, Scale::Ior]).unwrap();
     let [first, last] = [0, told.channels[0].values.len() - 400].map(|i| told.channels[0].values[i]);
     assert!((last - first - 0.2 * 0.95).abs() < 1e-6, "{first} {last}");

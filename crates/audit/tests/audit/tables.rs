@@ -297,7 +297,7 @@ fn an_average_that_is_normal_incidence_is_found() {
     let fixed = Fixed { column: Some(Column::Average), ..Fixed::default() };
     let fixed = run(&shipped, "ggx-average", &fixed);
     assert!(fixed.channels[0].errors.as_ref().unwrap().max > 0.02);
-    // And a true average is told for one.
+    // And a true average is reported as an average.
     let mean = |i: usize| reflection::average(Smith::Correlated, at(i) * at(i), 1e-9).unwrap().e_avg;
     let values = (0..32).map(mean).collect();
     let sound = AuditedTable { channels: vec![AuditedChannel { name: "0".into(), values }], ..shipped };

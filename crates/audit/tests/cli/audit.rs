@@ -152,7 +152,7 @@ fn where_a_limit_is_judged_is_said() {
     let (code, out, err) = with("tables.h", &["--size", "16x16", "--limit", "1e-7"]);
     assert!(code == Some(1) && out.contains("at the texels, not at lookups between them"), "{out}");
     assert!(err.contains("the largest error at a texel is"), "{err}");
-    // A function is told of as one, and no options are spoken of that were not given.
+    // A function is reported as a function; options that were not given are not mentioned.
     let (code, out, err) = with("e.wgsl", &["--limit", "0.01"]);
     assert!(code == Some(1) && out.contains("judged at those points of the arguments"), "{out}");
     assert!(out.contains("fit its constants") && !out.contains("texel") && !out.contains("table"), "{out}");

@@ -22,7 +22,7 @@ const SCENE: &str = r#"{"schema_version": 1, "name": "test", "arguments": "both"
      "wants": {"tables": [{"size": [4, 4, 4]}, {"layout": "azimuth", "size": [8, 4, 4]}]}},
     {"name": "g", "kind": "glass", "ior": [1.4, 1.6], "roughness": [0.5, 0.6], "wants": {"tables": [{"size": [4, 4, 4]}]}}]}"#;
 
-/// The record of a bake; none where there is no device and none is called for.
+/// The record of a bake; `None` without a device where the tests do not require one.
 fn measured(baked: &Baked) -> Option<GpuRecord> {
     let origin = Origin {
         scene: "test".into(),

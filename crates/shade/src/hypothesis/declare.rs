@@ -21,7 +21,7 @@ pub(super) fn declare(body: &mut Vec<Statement>, declared: &[Declared]) {
     }
 }
 
-/// Removes `let`s and assignments to variables that are never read, until none is left.
+/// Removes `let`s and assignments to variables that are never read, until every one left is read.
 fn drop_unread(body: &mut Vec<Statement>) {
     loop {
         let mut read = std::collections::BTreeSet::new();

@@ -1,11 +1,12 @@
 //! How different two pictures look to somebody who flips between them, pixel by pixel: FLIP.
 //!
-//! [`ldr`]: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild 2020, "FLIP: A Difference Evaluator for Alternating
-//! Images" (Proc. ACM Comput. Graph. Interact. Tech. 3(2)). [`hdr`]: Andersson, Nilsson, Shirley
-//! and Akenine-Moller 2021, "Visualizing Errors in Rendered High Dynamic Range Images"
-//! (Eurographics short papers). 0 is no difference, 1 the largest that there is (green against
-//! blue). Written from the formulas of the papers; `crates/studies/tests/studies/flip.rs` compares
-//! with the authors' program, which computes in f32.
+//! [`ldr`]: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild 2020, "FLIP: A
+//! Difference Evaluator for Alternating Images" (Proc. ACM Comput. Graph. Interact. Tech. 3(2)).
+//! [`hdr`]: Andersson, Nilsson, Shirley and Akenine-Moller 2021, "Visualizing Errors in Rendered
+//! High Dynamic Range Images" (Eurographics short papers). 0 is no difference, 1 the largest that
+//! there is (green against blue). Written from the formulas of the papers;
+//! `crates/studies/tests/studies/flip.rs` compares with the authors' program, which computes in
+//! f32.
 
 mod colour;
 mod difference;

@@ -172,7 +172,7 @@ fn the_committed_study_keeps_its_bars() {
 
 /// Creases on the edges of the room over those elsewhere: with one fetch through smooth edges at
 /// most what was asked for from r .35 up in the mean of the pictures, and a little more at r .25;
-/// at r .15 the lobe is about as wide as the pixels that an edge is told by, and they are less than
+/// at r .15 the lobe is about as wide as the pixels that show an edge, and they are less than
 /// those of the walls themselves and of the power by alpha alone. Pictures are little worse than
 /// with those.
 fn creases_keep_their_bars(rooms: &Value) {

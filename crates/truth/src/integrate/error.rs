@@ -48,7 +48,7 @@ pub enum IntegrateError {
     },
     /// What is sought as a minimum has none where it is sought.
     #[error(
-        "{quantity} at {place}: {what} is sought and none is the best: the error falls to the end of what is searched"
+        "{quantity} at {place}: {what} has no best value: the error falls to the end of what is searched"
     )]
     NoMinimum {
         /// Quantity asked for.

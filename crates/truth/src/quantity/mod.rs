@@ -90,7 +90,7 @@ pub trait Quantity: Sync {
     fn smallest_alpha(&self) -> f64;
 
     /// What formulas of an output are used as. The first use that has the formula's arguments is
-    /// meant where none is asked for. An output `E` or `E_avg` is all the energy that leaves a
+    /// meant by default. An output `E` or `E_avg` is all the energy that leaves a
     /// surface.
     fn uses(&self, column: &str) -> &'static [Use] {
         if ["E", "E_avg"].contains(&column) { &[Use::VALUE, Use::NORMALISATION] } else { &[Use::VALUE] }
@@ -306,7 +306,7 @@ impl<'a> Asked<'a> {
         quantity.inputs().iter().map(column).collect()
     }
 
-    /// The columns of a quantity of whose inputs none is optional.
+    /// The columns of a quantity without optional inputs.
     fn columns<const N: usize, Q: Quantity + ?Sized>(
         &self,
         quantity: &Q,

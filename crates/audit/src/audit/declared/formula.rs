@@ -27,7 +27,7 @@ impl Formula {
     }
 }
 
-/// Before every name, so that none is a word of WGSL.
+/// Before every name, so that no name is a word of WGSL.
 const PREFIX: &str = "v_";
 
 /// A formula in WGSL, and the names in it, each once.

@@ -56,8 +56,8 @@ impl Held {
         self.rms <= FITS * self.spread() + truth_error
     }
 
-    /// What its column may have of the error that the file claims. The claim is of f0 A + B for every
-    /// f0 in [0, 1], that is of B (f0 = 0) and of E (f0 = 1): A = E - B may be off by both.
+    /// What its column may have of the error that the file claims. The claim is of f0 A + B for
+    /// every f0 in [0, 1], that is of B (f0 = 0) and of E (f0 = 1): A = E - B may be off by both.
     fn share(&self) -> f64 {
         if self.column == Column::A { 2.0 } else { 1.0 }
     }

@@ -153,8 +153,8 @@ pub(in crate::audit) fn spec(quantity: &dyn Quantity) -> Option<Spec<'_>> {
 }
 
 /// The specification with the azimuth of the view as one more input, of a quantity that depends on
-/// it; `None` of every other. No convention is tried with it. Least alpha and mu: below them the interpolant
-/// over all of its four inputs needs more nodes than it has.
+/// it; `None` of every other. No convention is tried with it. Least alpha and mu: below them the
+/// interpolant over all of its four inputs needs more nodes than it has.
 pub(in crate::audit) fn with_azimuth(quantity: &dyn Quantity) -> Option<Spec<'_>> {
     let mean = spec(quantity).filter(|spec| spec.inputs.contains(&Input::Anisotropy))?;
     Some(Spec {

@@ -182,7 +182,7 @@ fn judged_at(audit: &Audit) -> String {
     format!("judged are {}, evenly spaced, both ends among them", all.join(", "))
 }
 
-/// What a reader makes of it who is told nothing.
+/// What the plain reading makes of it.
 fn untold(audit: &Audit) -> Option<String> {
     let plain = audit.plain.as_ref().filter(|_| audit.fit != Fit::None && audit.two_lobes.is_none())?;
     let other = readings_differ(audit, audit.best(), &plain.convention);

@@ -19,7 +19,7 @@ pub(super) fn reading(audit: &Audit) -> String {
             _ => format!("{} = {}", c.name, column.words()),
         })
         .collect();
-    // Of a table of two lobes they are told before.
+    // Of a table of two lobes they are printed before.
     let lobe = if audit.two_lobes.is_some() { String::new() } else { best.lobe.words() };
     let lobe = if lobe.is_empty() { String::new() } else { format!(", of {lobe}") };
     format!("{}, {}{lobe}, with {}", audit.quantity, holds.join(", "), super::axes_of(audit))

@@ -70,7 +70,7 @@ pub fn read(bytes: &[u8], file: &str, hints: &Hints) -> Result<Vec<ForeignTable>
 fn chain(header: &Header, texel: u64) -> u64 {
     let side = |n: u64, level: u32| n.checked_shr(level).unwrap_or(0).max(1);
     let level = |l: u32| side(header.width, l) * side(header.height, l) * side(header.depth, l) * texel;
-    // Sides are below 2^24: beyond 24 levels, none is left.
+    // Sides are below 2^24: beyond 24 levels, no texel is left.
     (0..header.levels.min(25)).map(level).sum()
 }
 

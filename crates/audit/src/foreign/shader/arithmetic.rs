@@ -147,7 +147,7 @@ fn integers(walk: &mut Walk, op: BinaryOperator, a: i64, b: i64, span: Span) -> 
                 Op::ShiftRight if (0..32).contains(&b) => Some(a >> b),
                 _ => None,
             };
-            // i32 and u32 alike; what wraps around is nobody's counter.
+            // i32 and u32 alike; what wraps around is no counter.
             let value = value.filter(|v| (-(1i64 << 31)..1 << 32).contains(v));
             return value.map(Value::Integer).ok_or_else(|| {
                 walk.source.unsupported(span, "an integer beyond 32 bits, or this operator", ONLY)

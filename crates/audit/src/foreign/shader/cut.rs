@@ -12,7 +12,7 @@ pub(super) struct Cut {
     items: Vec<Item>,
     /// Items that are left out.
     gone: BTreeSet<usize>,
-    /// Items that the function asked for needs; none is asked for if it is empty.
+    /// Items that the function asked for needs; empty if no function is asked for.
     needed: BTreeSet<usize>,
 }
 

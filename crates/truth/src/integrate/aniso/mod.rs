@@ -20,7 +20,7 @@ use view::View;
 /// Range of alpha_x and alpha_y, beside both 0.
 pub const ALPHA: [f64; 2] = [1e-4, 4.0];
 
-/// Tolerance of a value when none is asked for: the promise for alpha_x, alpha_y in [1e-3, 3] with
+/// Tolerance of a value by default: the promise for alpha_x, alpha_y in [1e-3, 3] with
 /// ratio up to 1:100 and mu in [1e-3, 1].
 pub const TOLERANCE: f64 = 1e-9;
 

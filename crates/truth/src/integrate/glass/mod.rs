@@ -31,7 +31,7 @@ pub const SMALLEST_MU: f64 = 1e-6;
 /// Largest index of refraction.
 pub const LARGEST_IOR: f64 = 4.0;
 
-/// Tolerance of a value when none is asked for: the promise for alpha and mu in [1e-3, 1] and ior
+/// Tolerance of a value by default: the promise for alpha and mu in [1e-3, 1] and ior
 /// in [1, 3].
 pub const TOLERANCE: f64 = 1e-8;
 

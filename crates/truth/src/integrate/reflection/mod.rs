@@ -42,7 +42,7 @@ pub const SMALLEST_MU: f64 = 1e-4;
 /// falls to 0 faster than any power.
 pub const SMALLEST_LOSS: f64 = 1e-12;
 
-/// The tolerance of a value when none is asked for: the promise for alpha, mu in [1e-4, 1].
+/// The tolerance of a value by default: the promise for alpha, mu in [1e-4, 1].
 pub const TOLERANCE: f64 = 1e-10;
 
 /// Relative error promised for the loss.

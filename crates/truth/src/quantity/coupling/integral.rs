@@ -64,7 +64,7 @@ impl Specular {
     }
 }
 
-/// The tolerance of a value when none is asked for: the promise for alpha, mu in [1e-4, 1].
+/// The tolerance of a value by default: the promise for alpha, mu in [1e-4, 1].
 pub const TOLERANCE: f64 = 1e-9;
 
 /// Largest growth of the error of E, A and L on the way to a factor: a1 has (error of A + a1 error

@@ -19,7 +19,7 @@ use crate::integrate::{Estimate, IntegrateError, PanelRule};
 /// Smallest alpha: D's exponent is 1e6, and E at mu = 0 is 399.
 pub const SMALLEST_ALPHA: f64 = 1e-6;
 
-/// The tolerance of a value when none is asked for: the promise over the whole domain.
+/// The tolerance of a value by default: the promise over the whole domain.
 pub const TOLERANCE: f64 = 1e-10;
 
 /// `sheen-charlie` at a point.

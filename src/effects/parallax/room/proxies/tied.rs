@@ -116,7 +116,7 @@ impl Proxy for Tied {
 /// may be any finite number above 1.
 pub fn blended(body: &Body, from: Vec3, towards: Vec3, power: f64) -> Option<Meeting> {
     let ahead = || body.ahead(from, towards);
-    // inverse distances: none is divided by a cosine that may be 0
+    // inverse distances: no distance is divided by a cosine that may be 0
     let steepest = ahead().map(|plane| plane.approach / plane.depth).reduce(f64::max)?;
     let (mut sum, mut normal) = (0.0, [0.0; 3]);
     for plane in ahead() {

@@ -1,5 +1,5 @@
-//! Nodes along rays and azimuths and how many a tolerance takes: fixed along every ray and in every panel of
-//! azimuths, so that eight rays run side by side.
+//! Nodes along rays and azimuths and how many a tolerance takes: fixed along every ray and in every
+//! panel of azimuths, so that eight rays run side by side.
 
 use std::sync::OnceLock;
 

@@ -27,9 +27,9 @@ pub struct Effort {
 }
 
 /// By tolerance, measured against the truth of `ggx-glass` at 2 250 points for both shadowing forms
-/// (nodes of the path tracer's grid, hard ones over-represented, and random points of the whole domain)
-/// and against the finest tier on a grid of the domain with its corners. Worst errors of R and T:
-/// 3e-5, 4e-6, 3e-7, 7e-8, 8e-10.
+/// (nodes of the path tracer's grid, hard ones over-represented, and random points of the whole
+/// domain) and against the finest tier on a grid of the domain with its corners. Worst errors of R
+/// and T: 3e-5, 4e-6, 3e-7, 7e-8, 8e-10.
 const TIERS: [(f64, Effort); 5] = [
     (1e-4, Effort { longest: 4.0, panel: 13, azimuth: [5.0, 1.3], ring_panel: 16, ring: 20, near: 16 }),
     (1e-5, Effort { longest: 4.0, panel: 16, azimuth: [6.0, 1.4], ring_panel: 24, ring: 26, near: 16 }),

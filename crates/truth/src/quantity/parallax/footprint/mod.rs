@@ -31,10 +31,10 @@ pub const SMALLEST_ALPHA: f64 = 1e-6;
 /// Ratios of distances.
 pub const RHO: [f64; 2] = [1e-6, 1e3];
 
-/// The tolerance of a value when none is asked for.
+/// The tolerance of a value by default.
 pub const TOLERANCE: f64 = 1e-7;
 
-/// The tolerance of a value of a kernel when none is asked for; coarser where it is a table, and
+/// The tolerance of a value of a kernel by default; coarser where it is a table, and
 /// where that ends with a jump, as a cone.
 pub fn usual_tolerance(kernel: &Kernel) -> f64 {
     match (kernel.is_analytic(), kernel.is_cut()) {
