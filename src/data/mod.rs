@@ -28,5 +28,5 @@ pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
 pub use mips::{LOG_SCALE, MipChain, MipMap};
 pub use pick::{ARGUMENT_NAMES, Arguments, Pick};
-pub use shader::{ARGUMENTS, Coordinate, Decoder, TableCode, lookup_ops};
+pub use shader::{Coordinate, Decoder, TableCode, lookup_ops};
 pub use table::{AXES, Channel, Table, TableError, TexelFormat};

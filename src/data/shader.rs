@@ -3,7 +3,7 @@
 
 use std::sync::LazyLock;
 
-use super::{Axis, Decode, Surface, Values};
+use super::{ARGUMENT_NAMES, AlphaMap, Arguments, Axis, Decode, Surface, Values};
 use lobefit_shade::code::{LETTERS, decimal};
 use lobefit_shade::{ShadeError, Source, Tape};
 
@@ -146,8 +146,9 @@ impl Axis {
     }
 }
 
-/// Arguments that the functions of tables may have, in their order.
-pub const ARGUMENTS: [&str; 6] = ["roughness", "alpha", "mu", "anisotropy", "ior", "cos2_phi"];
+/// Inputs that the functions of tables may read beside the width of the lobe, in the order of their
+/// arguments.
+const INPUTS_BESIDE: [&str; 4] = ["mu", "anisotropy", "ior", "cos2_phi"];
 
 /// The functions of a table: its coordinates and its decoding, with the library's functions written
 /// out in them.
@@ -158,100 +159,131 @@ pub struct TableCode {
     pub coordinates: String,
     /// Name of the function of the decoding.
     pub decoding: String,
+    /// Arguments of the coordinates.
+    pub located_by: Vec<&'static str>,
+    /// Arguments of the decoding beside the texel.
+    pub decoded_by: Vec<&'static str>,
+    /// Arguments of a lookup that calls both.
+    pub inputs: Vec<&'static str>,
 }
 
 impl TableCode {
-    /// Those of a table called `name`, the functions having the arguments that they read and those
-    /// that `also` asks for: of the coordinates, and of the decoding.
+    /// Those whose names begin with `stem`. They take the width of the lobe as the scene asks, and
+    /// of the other inputs what they read; the decoding of a table with B takes mu, whether its
+    /// texels need it or not, so that one layout can stand in for another.
     ///
     /// # Errors
     /// A library that does not parse, a defect of this program.
     pub fn new(
-        name: &str,
+        stem: &str,
         axes: &[Axis],
         decode: Decode,
-        also: [&[&str]; 2],
+        (width, map): (Arguments, AlphaMap),
     ) -> Result<TableCode, ShadeError> {
-        let letters = &LETTERS[..axes.len()];
-        let (coordinates, decoding) = (format!("{name}_{}", letters.concat()), format!("{name}_decode"));
-        let code = |arguments: [&[&str]; 2]| -> Result<TableCode, ShadeError> {
-            let text = format!(
-                "{TEXT}\n{}\n{}",
-                coordinate_function(&coordinates, axes, arguments[0])?,
-                decode_function(&decoding, decode, arguments[1])?
-            );
-            let source = Source::parse("warps.wgsl", &text)?.inlined(|_| true);
-            Ok(TableCode { source, coordinates: coordinates.clone(), decoding: decoding.clone() })
+        let (coordinates, decoding) =
+            (format!("{stem}_{}", LETTERS[..axes.len()].concat()), format!("{stem}_decode"));
+        let code = |given: &[Given; 2]| -> Result<Source, ShadeError> {
+            let functions = [
+                coordinate_function(&coordinates, axes, &given[0])?,
+                decode_function(&decoding, decode, &given[1])?,
+            ];
+            let text = [TEXT, &functions[0], &functions[1]].join("\n");
+            Ok(Source::parse("warps.wgsl", &text)?.inlined(|_| true))
         };
-        let every = code([&ARGUMENTS; 2])?;
-        let needed = |function: &str, also: &[&str]| -> Result<Vec<&str>, ShadeError> {
-            let read = every.source.read(function)?;
-            Ok(ARGUMENTS.into_iter().filter(|name| read.contains(name) || also.contains(name)).collect())
-        };
-        code([&needed(&coordinates, also[0])?, &needed(&decoding, also[1])?])
+        let every = code(&[Given::every(), Given::every()])?;
+        let has_bias: &[&str] = if decode.has_bias() { &["mu"] } else { &[] };
+        let (located, decoded) = (every.read(&coordinates)?, [&every.read(&decoding)?, has_bias].concat());
+        let of = |read: &[&str]| Given::of(read, (width, map));
+        let given = [of(&located), of(&decoded)];
+        let source = code(&given)?.with_arguments(&ARGUMENT_NAMES);
+        let inputs = of(&[located, decoded].concat()).printed();
+        let [located_by, decoded_by] = given.map(|given| given.printed());
+        Ok(TableCode { source, coordinates, decoding, located_by, decoded_by, inputs })
     }
 
     /// The functions.
     pub fn source(&self) -> &Source {
         &self.source
     }
+}
 
-    /// Arguments of the coordinates, and of the decoding beside the texel.
-    ///
-    /// # Errors
-    /// None: both functions are there.
-    pub fn arguments(&self) -> Result<[Vec<&'static str>; 2], ShadeError> {
-        let of = |name: &str| -> Result<Vec<&'static str>, ShadeError> {
-            let function = self.source.function(name)?;
-            let given = &function.variables[..function.arguments];
-            Ok(ARGUMENTS.into_iter().filter(|name| given.iter().any(|v| v.name == *name)).collect())
+/// What a function is given, and what it computes of the width of the lobe first.
+struct Given {
+    arguments: Vec<&'static str>,
+    lets: String,
+}
+
+impl Given {
+    /// All that there is.
+    fn every() -> Given {
+        let arguments = [Arguments::Both.names(), &INPUTS_BESIDE].concat();
+        Given { arguments, lets: String::new() }
+    }
+
+    /// What a function needs that reads these inputs.
+    fn of(read: &[&str], (width, map): (Arguments, AlphaMap)) -> Given {
+        let reads = |name: &&&str| read.contains(*name);
+        let of_width: Vec<&str> = Arguments::Both.names().iter().filter(reads).copied().collect();
+        let given: &[&str] = if of_width.is_empty() { &[] } else { width.names() };
+        let lets = of_width.iter().filter(|name| !given.contains(*name)).map(|name| match *name {
+            "alpha" => format!("    let alpha = {};\n", map.alpha_source("roughness")),
+            _ => format!("    let roughness = {};\n", map.roughness_source("alpha")),
+        });
+        let lets = lets.collect();
+        let beside = INPUTS_BESIDE.iter().filter(reads).copied();
+        Given { arguments: given.iter().copied().chain(beside).collect(), lets }
+    }
+
+    fn declared(&self) -> Vec<String> {
+        self.arguments.iter().map(|name| format!("{name}: f32")).collect()
+    }
+
+    /// The arguments as the emitted functions call them.
+    fn printed(&self) -> Vec<&'static str> {
+        let named = |name: &'static str| {
+            ARGUMENT_NAMES.iter().find(|(input, _)| *input == name).map_or(name, |(_, printed)| *printed)
         };
-        Ok([of(&self.coordinates)?, of(&self.decoding)?])
+        self.arguments.iter().copied().map(named).collect()
     }
 }
 
-fn numbers(names: &[&str]) -> String {
-    names.iter().map(|name| format!("{name}: f32")).collect::<Vec<_>>().join(", ")
-}
-
+/// The kind of so many numbers.
 fn kind(n: usize) -> String {
     if n == 1 { "f32".into() } else { format!("vec{n}f") }
 }
 
-fn coordinate_function(name: &str, axes: &[Axis], arguments: &[&str]) -> Result<String, ShadeError> {
+fn coordinate_function(name: &str, axes: &[Axis], given: &Given) -> Result<String, ShadeError> {
     let letters = &LETTERS[..axes.len()];
-    let mut text = format!("fn {name}({}) -> {} {{\n", numbers(arguments), kind(axes.len()));
+    let (arguments, result) = (given.declared().join(", "), kind(axes.len()));
+    let mut text = format!("fn {name}({arguments}) -> {result} {{\n{}", given.lets);
     for (letter, axis) in letters.iter().zip(axes) {
         text += &format!("    let {letter} = {};\n", axis.call()?);
     }
-    let value = if axes.len() == 1 {
-        letters.concat()
-    } else {
-        format!("{}({})", kind(axes.len()), letters.join(", "))
-    };
+    let value = if axes.len() == 1 { letters.concat() } else { format!("{result}({})", letters.join(", ")) };
     Ok(format!("{text}    return {value};\n}}\n"))
 }
 
-fn decode_function(name: &str, decode: Decode, arguments: &[&str]) -> Result<String, ShadeError> {
+fn decode_function(name: &str, decode: Decode, given: &Given) -> Result<String, ShadeError> {
     let function = library()?.function(decode.function())?;
     let passed: Vec<&str> =
         function.variables[..function.arguments].iter().map(|v| v.name.as_str()).collect();
     let texel = format!("texel: {}", kind(decode.channels()));
-    let all = [vec![texel], arguments.iter().map(|name| format!("{name}: f32")).collect()].concat();
     Ok(format!(
-        "fn {name}({}) -> {} {{\n    return {}({});\n}}\n",
-        all.join(", "),
+        "fn {name}({}) -> {} {{\n{}    return {}({});\n}}\n",
+        [vec![texel], given.declared()].concat().join(", "),
         kind(decode.count()),
+        given.lets,
         decode.function(),
         passed.join(", ")
     ))
 }
 
-/// Operations of a lookup beside its fetch: coordinates and decoding, what they share counted once.
+/// Operations of a lookup beside its fetch: coordinates and decoding, what they share counted once;
+/// roughness and alpha are both given.
 ///
 /// # Errors
 /// A library that does not parse, a defect of this program.
 pub fn lookup_ops(axes: &[Axis], decode: Decode) -> Result<u32, ShadeError> {
-    let code = TableCode::new("table", axes, decode, [&[], &[]])?;
+    let code = TableCode::new("table", axes, decode, (Arguments::Both, AlphaMap::default()))?;
     code.source.cost_ops(&[&code.coordinates, &code.decoding])
 }

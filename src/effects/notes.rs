@@ -14,7 +14,7 @@ pub(super) const NOTE_F0: Note = (&["f0"], &["f0 is the reflectance at normal in
 
 /// Of lookups of E.
 pub(super) const NOTE_LOOKUP: Note =
-    (&["_lookup("], &["`*_lookup` is E from a table; `*_compensate_*` take it."]);
+    (&["_uv(", "_uvw("], &["A function that takes a table looks E up in it; `ggx_compensate_*` take E."]);
 
 /// The GGX lobe in the scene's conventions.
 pub(super) fn ggx(scene: &Scene) -> String {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::manifest::{CostEntry, FitEntry, Manifest};
+use super::manifest::{CostEntry, FitEntry, Manifest, TableEntry};
 use crate::data::ARGUMENT_NAMES;
 
 /// A function that a material or a probe calls.
@@ -69,8 +69,12 @@ impl Manifest {
             (fit.function == call.function || rgb).then_some(inputs)
         };
         let lookups = self.entries.lookups.iter().filter(|lookup| lookup.function == call.function);
+        let of_table = |table: &TableEntry| {
+            let inputs = std::iter::once("texture".to_string()).chain(table.inputs.iter().cloned());
+            (table.function == call.function).then(|| inputs.collect())
+        };
         let inputs = fits.filter_map(of_fit).next().or_else(|| lookups.map(|l| l.inputs.clone()).next());
-        let Some(inputs) = inputs else { return format!("{}(texture, ...)", call.function) };
+        let inputs = inputs.or_else(|| self.entries.tables.iter().find_map(of_table)).unwrap_or_default();
         let named = |input: &String| {
             let renamed = ARGUMENT_NAMES.iter().find(|(name, _)| name == input);
             renamed.map_or_else(|| input.clone(), |(_, name)| (*name).to_string())

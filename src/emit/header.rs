@@ -1,7 +1,7 @@
 //! The header that every emitted file bears, as plain lines; each format puts its comment marks
 //! before them.
 
-use crate::data::{Axis, Certificate, Place, Table};
+use crate::data::{ARGUMENT_NAMES, Axis, Certificate, Place, Table};
 use lobefit_truth::quantity::{self, Fresnel, Quantity};
 
 /// What made a file: enough to make it again, and nothing that changes from run to run.
@@ -29,10 +29,9 @@ impl Recipe {
 
 /// The lines that describe a table: axes, channels, decoding, certificate.
 pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certificate) -> Vec<String> {
-    let smith = table.smith.map_or_else(String::new, |smith| format!("smith: {}; ", smith.name()));
     let mut lines = vec![
         format!("Table {} of {}{}", table.name, table.quantity, fresnel(&table.quantity)),
-        format!("{smith}alpha = {}; texels: {}", table.alpha_map.name(), table.format.name()),
+        format!("{}alpha = {}; texels: {}", smith(table), table.alpha_map.name(), table.format.name()),
     ];
     lines.extend(AXES.iter().zip(&table.axes).map(|(what, axis)| axis_line(what, axis)));
     let [_, rows, slices] = table.size();
@@ -44,14 +43,60 @@ pub fn table_lines(table: &Table, decode: &[(&str, &str)], certificate: &Certifi
         ));
     }
     let meaning: Vec<String> = decode.iter().map(|(name, formula)| format!("{name} = {formula}")).collect();
-    let parts =
-        ["x", "y", "z", "w"].iter().zip(&table.channels).map(|(part, c)| format!("{part} = {}", c.name));
-    let parts: Vec<String> = parts.collect();
-    lines.push(format!("texel: {} (the EXR names its channels so)", parts.join(", ")));
+    lines.push(format!("texel: {} (the EXR names its channels so)", parts(table)));
     lines.push(format!("decode: {}", meaning.join(", ")));
     let filter = if table.axes.len() == 3 { "trilinear" } else { "bilinear" };
     lines.extend(certificate_lines(&format!("{filter} lookup of the quantised texels"), certificate));
     lines
+}
+
+/// What the function of a table's coordinates says of them.
+pub fn coordinates_line(table: &Table, stem: &str) -> String {
+    let words = ["columns", "rows", "slices"];
+    let axes = words.iter().zip(&table.axes).map(|(what, axis)| {
+        let Axis { name, min, max, .. } = axis;
+        format!("{what} {} in [{min}, {max}]", printed(name))
+    });
+    format!("Texture coordinates of `{stem}`: {}.", axes.collect::<Vec<_>>().join(", "))
+}
+
+/// What the function of a table's decoding says of it.
+pub fn decoding_line(table: &Table, meaning: &str) -> String {
+    format!("{meaning} from a texel: {}.", parts(table))
+}
+
+/// What the comment of a table's lookup says: the table, its conventions, its error.
+pub fn lookup_lines(table: &Table, certificate: &Certificate, note: Option<&str>) -> Vec<String> {
+    let sizes: Vec<String> = table.axes.iter().map(|axis| axis.size.to_string()).collect();
+    let domain = certificate.domain.iter().filter(|(name, _)| *name != "alpha");
+    let domain: Vec<String> =
+        domain.map(|(name, [low, high])| format!("{} [{low}, {high}]", printed(name))).collect();
+    let Certificate { max_abs, rms, .. } = certificate;
+    let of = [&table.quantity, fresnel(&table.quantity)].concat();
+    let mut lines = vec![
+        format!("Table {} of {of}: {} texels in {}.", table.name, sizes.join(" x "), table.format.name()),
+        format!("{}alpha = {}.", smith(table), table.alpha_map.name()),
+        format!("Error: max {max_abs}, rms {} over {}.", short(*rms), domain.join(", ")),
+    ];
+    lines.extend(note.map(String::from));
+    lines
+}
+
+/// An input as emitted functions call it.
+fn printed(name: &str) -> &str {
+    ARGUMENT_NAMES.iter().find(|(input, _)| *input == name).map_or(name, |(_, printed)| printed)
+}
+
+/// The shadowing form of a table's quantity: `smith: correlated; `.
+fn smith(table: &Table) -> String {
+    table.smith.map_or_else(String::new, |smith| format!("smith: {}; ", smith.name()))
+}
+
+/// What the channels of a texel are: `x = loss, y = bias`.
+fn parts(table: &Table) -> String {
+    let parts =
+        ["x", "y", "z", "w"].iter().zip(&table.channels).map(|(part, c)| format!("{part} = {}", c.name));
+    parts.collect::<Vec<_>>().join(", ")
 }
 
 /// What the axes of a table are, in order.

@@ -2,69 +2,104 @@
 //! the lookup itself, in every [`Language`]. The arithmetic is that in which the table was
 //! measured.
 
-use crate::data::{ARGUMENTS, Decode, Table, TableCode, TexelFormat};
+use super::header;
+use crate::data::{Arguments, Decode, Table, TableCode, TexelFormat};
 use lobefit_shade::code::{CodeError, Language, TableLookup};
 
-/// A table with what its channels mean.
+/// What the functions of a table are called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TableNames {
+    /// The lookup: `ggx_glass_albedo_inside`.
+    pub lookup: String,
+    /// What the names of its coordinates (`_uv`, `_uvw`) and of its decoding (`_decode`) begin with.
+    /// Tables that share them have one stem: `ggx_glass_albedo`.
+    pub stem: String,
+}
+
+impl From<&str> for TableNames {
+    /// Those of a table that shares nothing.
+    fn from(name: &str) -> TableNames {
+        TableNames { lookup: name.into(), stem: name.into() }
+    }
+}
+
+/// A table with what its channels mean and what its functions are called.
 #[derive(Clone, Copy, Debug)]
 pub struct Readable<'a> {
     /// The table, with as many channels as its decoding reads.
     pub table: &'a Table,
     /// Meaning of the channels.
     pub decode: Decode,
-    /// Header lines.
+    /// Names of the functions.
+    pub names: &'a TableNames,
+    /// How they take the width of the lobe.
+    pub arguments: Arguments,
+    /// What the comment of the lookup says beside what it returns.
     pub header: &'a [String],
 }
 
 impl Readable<'_> {
-    /// The table's name as an identifier.
-    pub fn identifier(&self) -> String {
-        self.table.name.replace(|c: char| !c.is_ascii_alphanumeric(), "_")
-    }
-
-    /// The functions `<name>_uv` (`<name>_uvw` with slices), `<name>_decode` and `<name>_lookup`,
-    /// see [`TableLookup::print`].
+    /// The functions `STEM_uv` (`STEM_uvw` with slices) and `STEM_decode`, which the lookup calls.
     ///
     /// # Errors
     /// A name that the language has taken; a defect of the library of warps and decodings.
-    pub fn print(&self, language: Language) -> Result<String, CodeError> {
-        let (code, lookup) = (self.code()?, self.lookup()?);
-        let coordinates = code.source().print(language, &code.coordinates, self.header)?;
-        let what = format!("{} from a texel of the table above.", lookup.meaning);
-        let decoding = code.source().print(language, &code.decoding, &[what])?;
-        Ok(format!("{coordinates}\n{decoding}\n{}", lookup.print(language)))
+    pub fn print_parts(&self, language: Language) -> Result<String, CodeError> {
+        let code = self.code()?;
+        let parts = [
+            (&code.coordinates, header::coordinates_line(self.table, &self.names.stem)),
+            (&code.decoding, header::decoding_line(self.table, self.meaning())),
+        ];
+        let [coordinates, decoding] = parts.map(|(name, line)| code.source().print(language, name, &[line]));
+        Ok(format!("{}\n{}", coordinates?, decoding?))
     }
 
-    /// Arguments of `<name>_lookup` in order.
+    /// The lookup, see [`TableLookup::print`].
     ///
     /// # Errors
     /// A defect of the library of warps and decodings.
-    pub fn arguments(&self) -> Result<Vec<&'static str>, CodeError> {
-        Ok(self.lookup()?.arguments)
+    pub fn print_lookup(&self, language: Language) -> Result<String, CodeError> {
+        Ok(self.lookup()?.print(language))
     }
 
-    /// The functions of a table of three axes have the arguments that they read; those of a table
-    /// of two have `roughness`, `alpha` and `mu` whether they use them or not, so that one layout
-    /// can stand in for another.
+    /// All three.
+    ///
+    /// # Errors
+    /// As of the parts.
+    pub fn print(&self, language: Language) -> Result<String, CodeError> {
+        Ok(format!("{}\n{}", self.print_parts(language)?, self.print_lookup(language)?))
+    }
+
+    /// Arguments of the lookup in order, after texture and sampler.
+    ///
+    /// # Errors
+    /// A defect of the library of warps and decodings.
+    pub fn inputs(&self) -> Result<Vec<&'static str>, CodeError> {
+        Ok(self.code()?.inputs)
+    }
+
+    /// What the lookup returns, in words.
+    fn meaning(&self) -> &'static str {
+        if self.decode.count() == 1 { "E" } else { "E, A and B" }
+    }
+
     fn code(&self) -> Result<TableCode, CodeError> {
-        let habitual: [&[&str]; 2] =
-            if self.table.axes.len() == 2 { [&ARGUMENTS[..3], &["mu"]] } else { [&[], &[]] };
-        Ok(TableCode::new(&self.identifier(), &self.table.axes, self.decode, habitual)?)
+        let width = (self.arguments, self.table.alpha_map);
+        Ok(TableCode::new(&self.names.stem, &self.table.axes, self.decode, width)?)
     }
 
     fn lookup(&self) -> Result<TableLookup, CodeError> {
-        let [coordinates, decoding] = self.code()?.arguments()?;
-        let values = self.decode.count();
-        let used = |name: &&str| coordinates.contains(name) || decoding.contains(name);
+        let code = self.code()?;
         Ok(TableLookup {
-            name: self.identifier(),
+            name: self.names.lookup.clone(),
+            stem: self.names.stem.clone(),
+            about: self.header.to_vec(),
             sizes: self.table.axes.iter().map(|axis| axis.size).collect(),
             channels: self.decode.channels(),
-            values,
-            meaning: if values == 1 { "E" } else { "E, A and B" },
-            arguments: ARGUMENTS.into_iter().filter(used).collect(),
-            coordinates,
-            decoding,
+            values: self.decode.count(),
+            meaning: self.meaning(),
+            arguments: code.inputs,
+            coordinates: code.located_by,
+            decoding: code.decoded_by,
             is_wide: self.table.format == TexelFormat::F32,
         })
     }

@@ -116,6 +116,10 @@ pub struct TableEntry {
     pub file: String,
     /// Its files in all containers, with their sidecars.
     pub files: Vec<String>,
+    /// Its lookup in the emitted code.
+    pub function: String,
+    /// What the arguments of the lookup are, in order, after the texture and its sampler.
+    pub inputs: Vec<String>,
     /// Quantity.
     pub quantity: String,
     /// What it is looked up for: `value` (E) or `f0-blend` (f0 A + B).
@@ -399,6 +403,8 @@ impl TableEntry {
             name: table.name.clone(),
             file: format!("tables/{}.exr", table.name),
             files: vec![format!("tables/{}.exr", table.name)],
+            function: String::new(),
+            inputs: Vec::new(),
             quantity: table.quantity.clone(),
             used_as: approximation.used_as.name.into(),
             smith: table.smith.map(|smith| smith.name().into()),
@@ -419,6 +425,12 @@ impl TableEntry {
     pub fn in_files(self, files: Vec<String>) -> TableEntry {
         let file = files.first().cloned().unwrap_or_default();
         TableEntry { file, files, ..self }
+    }
+
+    /// The entry of a table with this lookup.
+    pub fn read_by(self, function: &str, inputs: &[&str]) -> TableEntry {
+        let inputs = inputs.iter().map(ToString::to_string).collect();
+        TableEntry { function: function.into(), inputs, ..self }
     }
 }
 

@@ -108,13 +108,8 @@ pub fn missing(record: &GpuRecord, baked: &Baked) -> Vec<String> {
     let functions = lookups.into_iter().map(|entry| entry.function);
     let functions = functions.chain(fits.into_iter().map(|entry| entry.function));
     let functions = functions.chain(mips.into_iter().map(|entry| entry.function));
-    let all = functions.chain(tables.iter().map(|entry| lookup_of(&entry.name)));
+    let all = functions.chain(tables.into_iter().map(|entry| entry.function));
     all.filter(|function| !known.contains(function.as_str())).collect()
-}
-
-/// The emitted function that looks a table up.
-pub fn lookup_of(table: &str) -> String {
-    format!("{}_lookup", table.replace(|c: char| !c.is_ascii_alphanumeric(), "_"))
 }
 
 fn manifest(baked: &Baked) -> Option<Manifest> {
@@ -124,7 +119,7 @@ fn manifest(baked: &Baked) -> Option<Manifest> {
 /// What a table's lookup fetches, by function: format and channels, which its code does not tell.
 fn texels(manifest: &Manifest) -> BTreeMap<String, String> {
     let texel = |table: &TableEntry| {
-        (lookup_of(&table.name), format!("{:?} {}", table.format, json!(table.channels)))
+        (table.function.clone(), format!("{:?} {}", table.format, json!(table.channels)))
     };
     manifest.entries.tables.iter().map(texel).collect()
 }

@@ -47,13 +47,13 @@ fn a_fit_alone_bakes_no_table_and_the_reverse() {
     assert!(fit.tables.is_empty() && names(&fit).iter().all(|n| !n.starts_with("tables/")));
     assert!(names(&fit).contains(&"fits/lobefit.wgsl"));
     let text = String::from_utf8_lossy(&fit.files["fits/lobefit.rs"]).into_owned();
-    assert!(!text.contains("_lookup(") && !text.contains("ggx_norm_q13") && text.contains("ggx_norm_r3p"));
+    assert!(!text.contains("_uv(") && !text.contains("ggx_norm_q13") && text.contains("ggx_norm_r3p"));
     assert!(!text.contains("_rms(") && !text.contains("ggx_eavg"), "one norm, no average");
 
     let table = baked(&metal("[0.1, 1]", TABLE));
     assert!(table.fits.is_empty() && manifest(&table)["fits"].as_array().expect("a list").is_empty());
     let text = String::from_utf8_lossy(&table.files["fits/lobefit.rs"]).into_owned();
-    assert!(text.contains("_lookup(") && !text.contains("ggx_norm_n1"));
+    assert!(text.contains("ggx_albedo(") && !text.contains("ggx_norm_n1"));
 
     let wants = format!("{}, {}", &TABLE[..TABLE.len() - 1], &FIT[1..]);
     let both = baked(&metal("[0.1, 1]", &wants));

@@ -12,7 +12,7 @@ use lobefit::report::{
     GpuClock, GpuDevice, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION,
 };
 use lobefit::scene::Scene;
-use lobefit::timing::record::{Include, METHOD, lookup_of, missing, page, read, stale};
+use lobefit::timing::record::{Include, METHOD, missing, page, read, stale};
 use serde_json::{Value, json};
 
 /// Formulas of three operations over a narrow range.
@@ -256,7 +256,7 @@ fn a_table_of_other_texels_makes_its_time_one_of_other_code() {
     let [half, single] = ["", r#", "format": "f32""#].map(textured);
     let table = |baked: &Baked| -> String {
         let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"]).expect("JSON");
-        lookup_of(manifest["tables"][0]["name"].as_str().expect("a name"))
+        manifest["tables"][0]["function"].as_str().expect("a name").to_string()
     };
     let include = |baked: &Baked| Include::of(baked).expect("an include");
     let name = table(&half);

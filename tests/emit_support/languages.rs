@@ -162,7 +162,7 @@ pub fn compile(language: Language, code: &str) -> Option<usize> {
 
 /// A lookup to be called: its function's name, arguments, table and decoding.
 pub struct Called<'a> {
-    pub identifier: String,
+    pub function: String,
     pub arguments: Vec<&'a str>,
     pub table: &'a Table,
     pub decode: Decode,
@@ -207,7 +207,7 @@ pub fn look_up(
         }
         let index = |name: &&str| inputs.iter().position(|input| input == name).expect("an input");
         arguments.extend(called.arguments.iter().map(|name| format!("p[{}]", index(name))));
-        let call = format!("{}_lookup({})", called.identifier, arguments.join(", "));
+        let call = format!("{}({})", called.function, arguments.join(", "));
         let three = match language {
             Language::C => "lobefit_float3",
             Language::Glsl => "vec3",

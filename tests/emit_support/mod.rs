@@ -14,12 +14,12 @@ use std::sync::OnceLock;
 
 use lobefit::approximate::{Counter, Fit, Region, certification};
 use lobefit::bake::{Baked, Selection, Silent, bake};
-use lobefit::data::{AlphaMap, Decode, Layout, Pick, Serves, Smith, Table, TexelFormat, Values};
+use lobefit::data::{AlphaMap, Arguments, Decode, Layout, Pick, Serves, Smith, Table, TexelFormat, Values};
 use lobefit::effects::Albedo;
 use lobefit::effects::demand::Job;
 use lobefit::effects::reflection::build;
 use lobefit::effects::table::{self, Lookup, Spec, Truth, measure};
-use lobefit::emit::lookup::Readable;
+use lobefit::emit::lookup::{Readable, TableNames};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_truth::points;
@@ -127,6 +127,7 @@ impl Points {
 /// A quantised table with what its emitted functions need, and its certified error.
 pub struct Looked {
     pub table: Table,
+    pub names: TableNames,
     pub decode: Decode,
     pub region: Region,
     /// Largest error with f32 weights and with 8-bit weights.
@@ -135,7 +136,8 @@ pub struct Looked {
 
 impl Looked {
     pub fn readable(&self) -> Readable<'_> {
-        Readable { table: &self.table, decode: self.decode, header: &[] }
+        let arguments = Arguments::default();
+        Readable { table: &self.table, decode: self.decode, names: &self.names, arguments, header: &[] }
     }
 
     /// Whether it returns E, A and B, not E alone.
@@ -163,6 +165,7 @@ pub fn baked_tables() -> Vec<Looked> {
     let all = baked().0.tables.iter().map(|b| (b, b.table().expect("a table")));
     let tables = all.filter(|(_, table)| table.axes.len() == 2).map(|(b, table)| Looked {
         table: table.clone(),
+        names: b.names.clone(),
         decode: b.decode,
         region: b.region.flat(),
         certified: [b.errors.lookup.max, b.errors.lookup_8_bit.max],
@@ -200,7 +203,13 @@ fn other(layout: Layout, serves: Serves, size: [usize; 2]) -> Looked {
     let (decode, points) = (Decode::of(layout, serves), table::LookupPoints::isotropic(&points));
     let truth = Truth { e: &truth.e, b: Some(&truth.b) };
     let errors = measure(&table, decode, &points, truth, TRUTH_ERROR).expect("a table of its decoding");
-    Looked { table, decode, region, certified: [errors.lookup.max, errors.lookup_8_bit.max] }
+    Looked {
+        names: solid::names_of(&table),
+        table,
+        decode,
+        region,
+        certified: [errors.lookup.max, errors.lookup_8_bit.max],
+    }
 }
 
 /// The largest error of the truth that tables are judged by.

@@ -2,10 +2,11 @@
 //! look them up at.
 
 use lobefit::data::{
-    AlphaMap, Axis, Certificate, Channel, Decode, Place, Registration, Smith, Surface, Table, TexelFormat,
-    Warp,
+    AlphaMap, Arguments, Axis, Certificate, Channel, Decode, Place, Registration, Smith, Surface, Table,
+    TexelFormat, Warp,
 };
 use lobefit::effects::table::Point;
+use lobefit::emit::lookup::{Readable, TableNames};
 use lobefit_math::ops;
 
 /// Columns, rows and slices: no two alike, so that a transposition shows.
@@ -68,15 +69,31 @@ pub fn of_all_shapes() -> Vec<Table> {
 /// A table with what its channels mean and the arguments that its lookup must have.
 pub struct Solid {
     pub table: Table,
+    pub names: TableNames,
     pub decode: Decode,
     pub arguments: &'static [&'static str],
 }
 
 impl Solid {
+    /// With both arguments for the width of the lobe.
+    pub fn readable(&self) -> Readable<'_> {
+        readable(&self.table, self.decode, &self.names)
+    }
+
     /// Values that its decoding returns.
     pub fn values(&self) -> usize {
         self.decode.formulas().len()
     }
+}
+
+/// Names of the functions of a table that is the only one of its role.
+pub fn names_of(table: &Table) -> TableNames {
+    TableNames::from(table.name.replace('-', "_").as_str())
+}
+
+/// A table whose functions take roughness and alpha.
+pub fn readable<'a>(table: &'a Table, decode: Decode, names: &'a TableNames) -> Readable<'a> {
+    Readable { table, decode, names, arguments: Arguments::Both, header: &[] }
 }
 
 /// Tables of three axes with every decoding, warp and registration.
@@ -89,6 +106,7 @@ pub fn to_look_up() -> Vec<Solid> {
     let anisotropy = |registration| slices("anisotropy", registration, Warp::Linear, [0.0, 0.95]);
     let solid = |name: &str, axes: [Axis; 3], decode: Decode, channels: &[&str], arguments| Solid {
         table: table(name, TexelFormat::F16, axes.to_vec(), channels).quantised(),
+        names: TableNames::from(name.replace('-', "_").as_str()),
         decode,
         arguments,
     };
@@ -98,21 +116,21 @@ pub fn to_look_up() -> Vec<Solid> {
             [mu(Endpoint, Warp::Homogeneous), roughness(Endpoint, 0.02), ior(Endpoint)],
             Decode::Loss,
             &["loss"],
-            &["roughness", "alpha", "mu", "ior"],
+            &["roughness", "alpha", "n_dot_v", "ior"],
         ),
         solid(
             "solid-albedo",
             [mu(Centre, Warp::Sqrt), roughness(Centre, 0.0), anisotropy(Centre)],
             Decode::Albedo,
             &["E"],
-            &["roughness", "mu", "anisotropy"],
+            &["roughness", "alpha", "n_dot_v", "anisotropy"],
         ),
         solid(
             "solid-split",
             [mu(Centre, Warp::Linear), roughness(Endpoint, 0.1), anisotropy(Endpoint)],
             Decode::SplitSum,
             &["A", "B"],
-            &["roughness", "mu", "anisotropy"],
+            &["roughness", "alpha", "n_dot_v", "anisotropy"],
         ),
         solid(
             "solid-bias",
@@ -120,7 +138,7 @@ pub fn to_look_up() -> Vec<Solid> {
             [ior(Endpoint), roughness(Centre, 0.0), anisotropy(Centre)],
             Decode::LossBias,
             &["loss", "bias"],
-            &["roughness", "mu", "anisotropy", "ior"],
+            &["roughness", "alpha", "n_dot_v", "anisotropy", "ior"],
         ),
         solid(
             // Both warps of the index of refraction, from 1 on: they share its root.
@@ -132,7 +150,7 @@ pub fn to_look_up() -> Vec<Solid> {
             ],
             Decode::Loss,
             &["loss"],
-            &["roughness", "alpha", "mu", "ior"],
+            &["roughness", "alpha", "n_dot_v", "ior"],
         ),
         solid(
             // From another minimum they do not.
@@ -144,7 +162,7 @@ pub fn to_look_up() -> Vec<Solid> {
             ],
             Decode::Loss,
             &["loss"],
-            &["roughness", "alpha", "mu", "ior"],
+            &["roughness", "alpha", "n_dot_v", "ior"],
         ),
         solid(
             "solid-square",
@@ -155,7 +173,7 @@ pub fn to_look_up() -> Vec<Solid> {
             ],
             Decode::Albedo,
             &["E"],
-            &["roughness", "mu", "anisotropy"],
+            &["roughness", "alpha", "n_dot_v", "anisotropy"],
         ),
         solid(
             "solid-azimuth",
@@ -166,7 +184,7 @@ pub fn to_look_up() -> Vec<Solid> {
             ],
             Decode::AzimuthCubic,
             &["c0", "c1", "c2", "c3"],
-            &["roughness", "alpha", "mu", "anisotropy", "cos2_phi"],
+            &["roughness", "alpha", "n_dot_v", "anisotropy", "cos2_phi"],
         ),
     ]
 }

@@ -23,7 +23,6 @@ use lobefit::effects::anisotropy;
 use lobefit::effects::glass::truths;
 use lobefit::effects::table::{self, LookupPoints, Point, Region, SliceAxis, Slices, aspect, measure};
 use lobefit::emit::compensation::Compensation;
-use lobefit::emit::lookup::Readable;
 use lobefit_math::ops;
 use lobefit_truth::integrate::aniso::aniso;
 use lobefit_truth::integrate::glass::{Side, glass};
@@ -187,9 +186,8 @@ fn a_compensated_metal_is_white_in_the_mean_over_the_azimuth() {
     });
     let tables = SMITHS.map(of_mean);
     let decode = Decode::Loss;
-    let readables = tables.each_ref().map(|table| Readable { table, decode, header: &[] });
-    let emitted = readables.each_ref().map(Emitted::new);
-    let text = include(&readables, Compensation::Reflection);
+    let emitted = tables.each_ref().map(|table| Emitted::new(table, decode));
+    let text = include(&emitted, Compensation::Reflection);
     let found = returned(&text, Compensation::Reflection, &emitted.each_ref().map(|e| (e, &points[..])));
     let (rule, rules) = (&METAL, METAL.pair());
     for ((smith, table), found) in SMITHS.into_iter().zip(&tables).zip(&found) {
@@ -245,9 +243,8 @@ fn a_compensated_metal_is_white_at_every_azimuth() {
     }
     let tables = SMITHS.map(of_azimuth);
     let decode = Decode::AzimuthCubic;
-    let readables = tables.each_ref().map(|table| Readable { table, decode, header: &[] });
-    let emitted = readables.each_ref().map(Emitted::new);
-    let text = include(&readables, Compensation::Reflection);
+    let emitted = tables.each_ref().map(|table| Emitted::new(table, decode));
+    let text = include(&emitted, Compensation::Reflection);
     let found = returned(&text, Compensation::Reflection, &emitted.each_ref().map(|e| (e, &points[..])));
     let (rule, rules) = (&METAL, METAL.pair());
     for ((smith, table), found) in SMITHS.into_iter().zip(&tables).zip(&found) {
@@ -293,10 +290,8 @@ fn compensated_glass_is_white_from_both_sides() {
         SMITHS.into_iter().flat_map(|smith| sides.map(|side| (smith, side))).collect();
     let tables: Vec<Table> = SMITHS.into_iter().flat_map(of_glass).collect();
     let decode = Decode::Loss;
-    let readables: Vec<Readable> =
-        tables.iter().map(|table| Readable { table, decode, header: &[] }).collect();
-    let emitted: Vec<Emitted> = readables.iter().map(Emitted::new).collect();
-    let text = include(&readables, Compensation::Glass);
+    let emitted: Vec<Emitted> = tables.iter().map(|table| Emitted::new(table, decode)).collect();
+    let text = include(&emitted, Compensation::Glass);
     let inputs: Vec<(&Emitted, &[Point])> = emitted.iter().map(|e| (e, &points[..])).collect();
     let found = returned(&text, Compensation::Glass, &inputs);
     let (outside, inside) = (OUTSIDE.pair(), INSIDE.pair());

@@ -26,7 +26,6 @@ use half::Albedo;
 use lobefit::approximate::Fit;
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::data::{Smith, Use};
-use lobefit::emit::lookup::Readable;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
 use lobefit_truth::quantity::{COUPLING, Specular};
@@ -526,18 +525,17 @@ fn a_table_of_e_and_b_makes_an_exact_factor() {
     let baked = bake(&scene, &plan(&scene), &[], Selection::default(), &Silent).expect("a bake");
     let [made] = &baked.tables[..] else { panic!("{} tables", baked.tables.len()) };
     let table = made.table().expect("a table");
-    let readable = Readable { table, decode: made.decode, header: &[] };
     let pairs = table.channels[0].texels.iter().zip(&table.channels[1].texels);
     let texels: Vec<[f32; 2]> = pairs.map(|(a, b)| [*a as f32, *b as f32]).collect();
     let body = format!(
         "    let texels: &[[f32; 2]] = &{texels:?};
     for p in &points {{
-        let [roughness, alpha, mu, f0] = *p;
-        let [e, _, b] = lobefit::{}_lookup(texels, roughness, alpha, mu);
+        let [roughness, _, mu, f0] = *p;
+        let [e, _, b] = lobefit::{}(texels, roughness, mu);
         out.extend([e, lobefit::diffuse_coupling_exact_normalised(f0, e, b)]);
     }}
 ",
-        readable.identifier()
+        made.names.lookup
     );
     let manifest = Emitted::new(&baked.files["fits/lobefit.rs"], &baked.files["manifest.json"]);
     let views = views(&manifest.of_use("coupling"));

@@ -16,10 +16,6 @@ use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
 use lobefit_shade::code::helpers;
 
-fn readable(solid: &Solid) -> Readable<'_> {
-    Readable { table: &solid.table, decode: solid.decode, header: &[] }
-}
-
 /// Every function of the tables and compensations.
 fn all(language: Language, tables: &[Solid]) -> String {
     let header = ["A table.".to_string()];
@@ -28,10 +24,8 @@ fn all(language: Language, tables: &[Solid]) -> String {
         text += &format!("\n{}", compensation.print(language).expect("printed"));
     }
     for solid in tables {
-        text += &format!(
-            "\n{}",
-            Readable { header: &header, ..readable(solid) }.print(language).expect("printed")
-        );
+        let readable = Readable { header: &header, ..solid.readable() };
+        text += &format!("\n{}", readable.print(language).expect("printed"));
     }
     format!("{}\n{text}", helpers(language, &text))
 }
@@ -46,7 +40,7 @@ fn wgsl(tables: &[Solid]) -> String {
     let compensations =
         [Compensation::Reflection, Compensation::Glass].map(|c| c.print(Language::Wgsl).expect("printed"));
     let tables: Vec<String> =
-        tables.iter().map(|solid| readable(solid).print(Language::Wgsl).expect("printed")).collect();
+        tables.iter().map(|solid| solid.readable().print(Language::Wgsl).expect("printed")).collect();
     [tables.join("\n"), compensations.join("\n")].join("\n")
 }
 
@@ -70,16 +64,16 @@ fn naga_validates_the_lookups_and_compensations() {
         function.arguments.iter().map(|a| a.name.clone().unwrap_or_default()).collect()
     };
     for solid in &tables {
-        let name = readable(solid).identifier();
-        assert_eq!(arguments(&format!("{name}_lookup"))[2..], *solid.arguments, "{name}");
-        assert_eq!(readable(solid).arguments().expect("printed"), solid.arguments, "{name}");
+        let name = solid.names.lookup.clone();
+        assert_eq!(arguments(&name)[2..], *solid.arguments, "{name}");
+        assert_eq!(solid.readable().inputs().expect("printed"), solid.arguments, "{name}");
         let uvw = arguments(&format!("{name}_uvw"));
         assert!(uvw.iter().all(|a| solid.arguments.contains(&a.as_str())), "{name}: {uvw:?}");
         let decode = arguments(&format!("{name}_decode"));
         let beside: &[&str] = match solid.decode {
-            Decode::LossBias => &["mu"],
+            Decode::LossBias | Decode::SplitSum => &["n_dot_v"],
             Decode::AzimuthCubic => &["anisotropy", "cos2_phi"],
-            Decode::Albedo | Decode::Loss | Decode::SplitSum => &[],
+            Decode::Albedo | Decode::Loss => &[],
         };
         assert_eq!(decode[0], "texel", "{name}");
         assert_eq!(decode[1..], *beside, "{name}");
@@ -93,7 +87,7 @@ fn naga_validates_the_lookups_and_compensations() {
 #[test]
 fn coordinates_name_what_they_share() {
     for solid in to_look_up() {
-        for text in Language::ALL.map(|language| readable(&solid).print(language).expect("printed")) {
+        for text in Language::ALL.map(|language| solid.readable().print(language).expect("printed")) {
             let body = text.split_once("_decode").expect("a decoding").0;
             let name = &solid.table.name;
             for shared in ["ior - 1.0,", "0.9 * anisotropy"] {
@@ -108,9 +102,9 @@ fn coordinates_name_what_they_share() {
 #[test]
 fn a_table_in_f32_says_what_its_device_must_have() {
     for mut solid in to_look_up() {
-        assert!(!readable(&solid).print(Language::Wgsl).expect("printed").contains("float32-filterable"));
+        assert!(!solid.readable().print(Language::Wgsl).expect("printed").contains("float32-filterable"));
         solid.table.format = TexelFormat::F32;
-        assert!(readable(&solid).print(Language::Wgsl).expect("printed").contains("float32-filterable"));
+        assert!(solid.readable().print(Language::Wgsl).expect("printed").contains("float32-filterable"));
     }
 }
 
@@ -124,7 +118,7 @@ fn the_rust_lookups_return_the_bits_that_are_measured() {
     let (tables, points) = (to_look_up(), points());
     let mut body = String::new();
     for solid in &tables {
-        let (name, channels) = (readable(solid).identifier(), solid.decode.channels());
+        let (name, channels) = (solid.names.lookup.clone(), solid.decode.channels());
         let texels = solid.table.size().iter().product();
         let at =
             |i: usize| solid.table.channels.iter().map(move |c| c.texels[i] as f32).collect::<Vec<f32>>();
@@ -134,8 +128,8 @@ fn the_rust_lookups_return_the_bits_that_are_measured() {
         };
         let push = if solid.values() == 1 { "out.push(" } else { "out.extend(" };
         body += &format!(
-            "    let texels: &[{kind}] = &[{}];\n    for &[roughness, alpha, mu, anisotropy, ior, cos2_phi] in &points {{\n        \
-             let _ = (roughness, alpha, mu, anisotropy, ior, cos2_phi);\n        {push}lobefit::{name}_lookup(texels, {}));\n    }}\n",
+            "    let texels: &[{kind}] = &[{}];\n    for &[roughness, alpha, n_dot_v, anisotropy, ior, cos2_phi] in &points {{\n        \
+             let _ = (roughness, alpha, n_dot_v, anisotropy, ior, cos2_phi);\n        {push}lobefit::{name}(texels, {}));\n    }}\n",
             list.join(", "),
             solid.arguments.join(", ")
         );
@@ -145,7 +139,7 @@ fn the_rust_lookups_return_the_bits_that_are_measured() {
 }
 
 /// Inputs of a point, as [`bytes`] orders them.
-const INPUTS: [&str; 6] = ["roughness", "alpha", "mu", "anisotropy", "ior", "cos2_phi"];
+const INPUTS: [&str; 6] = ["roughness", "alpha", "n_dot_v", "anisotropy", "ior", "cos2_phi"];
 
 #[test]
 fn the_lookups_of_the_other_languages_return_the_bits_that_are_measured() {
@@ -160,7 +154,7 @@ fn the_lookups_of_the_other_languages_return_the_bits_that_are_measured() {
 
 fn called(solid: &Solid) -> Called<'_> {
     Called {
-        identifier: readable(solid).identifier(),
+        function: solid.names.lookup.clone(),
         arguments: solid.arguments.to_vec(),
         table: &solid.table,
         decode: solid.decode,

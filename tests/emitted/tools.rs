@@ -62,9 +62,12 @@ fn the_wgsl_functions_read_back_have_the_bits_that_were_certified() {
     // the dialect, the compensations, and what puts a base under a lobe, and the lookups of probes.
     let manifest = manifest();
     let tables = manifest["tables"].as_array().expect("tables[]").iter();
-    let identifiers: Vec<String> =
-        tables.map(|table| table["name"].as_str().expect("a name").replace('-', "_")).collect();
-    let reading = |name: &str| identifiers.iter().any(|identifier| name.starts_with(identifier));
+    let lookups: Vec<&str> = tables.map(|table| table["function"].as_str().expect("a name")).collect();
+    let parts = ["_uv", "_uvw", "_decode"];
+    let reading = |name: &str| {
+        let stem = parts.iter().find_map(|part| name.strip_suffix(part)).unwrap_or(name);
+        lookups.iter().any(|lookup| lookup.starts_with(stem))
+    };
     let around: Vec<String> = coupling::names().collect();
     let listed = |name: &str| {
         let fit = name.strip_suffix("_rgb").unwrap_or(name);
@@ -173,12 +176,12 @@ fn look_up_elsewhere(language: Language, code: &str, tables: &[Looked]) {
     for table in tables {
         let (readable, points) = (table.readable(), Points::of(&table.region));
         let lookup = Called {
-            identifier: readable.identifier(),
-            arguments: readable.arguments().expect("printed"),
+            function: readable.names.lookup.clone(),
+            arguments: readable.inputs().expect("printed"),
             table: readable.table,
             decode: readable.decode,
         };
-        let inputs = ["roughness", "alpha", "mu", "f0"];
+        let inputs = ["roughness", "alpha", "n_dot_v", "f0"];
         let Some(found) = languages::look_up(language, code, &[lookup], &inputs, &points.bytes()) else {
             return;
         };
@@ -216,7 +219,7 @@ fn certified_values(fit: &Fit, points: &Points, inputs: &[String]) {
 /// Looks a table up with the emitted Rust at every point; its texels are given as the EXR holds
 /// them, and compared to the bit.
 fn look_up(include: &str, table: &Looked) {
-    let (name, points) = (table.readable().identifier(), Points::of(&table.region));
+    let (name, points) = (&table.names.lookup, Points::of(&table.region));
     let channel = |c: usize| table.table.channels[c].texels.iter().map(|t| *t as f32).collect::<Vec<f32>>();
     let split = table.split();
     let (texels, push) = if split {
@@ -228,15 +231,15 @@ fn look_up(include: &str, table: &Looked) {
     };
     let kind = if split { "[f32; 2]" } else { "f32" };
     let body = format!(
-        "    let texels: &[{kind}] = {texels};\n    for &[roughness, alpha, mu, _] in &points {{\n        \
-         {push}lobefit::{name}_lookup(texels, roughness, alpha, mu));\n    }}\n"
+        "    let texels: &[{kind}] = {texels};\n    for &[roughness, _, mu, _] in &points {{\n        \
+         {push}lobefit::{name}(texels, roughness, mu));\n    }}\n"
     );
     looked_up("rust", table, &points, &run(include, 4, &body, &points.bytes()));
 }
 
 /// Compares what a lookup returned with what was certified.
 fn looked_up(language: &str, table: &Looked, points: &Points, found: &[f32]) {
-    let (name, split) = (table.readable().identifier(), table.split());
+    let (name, split) = (&table.names.lookup, table.split());
     let width = if split { 3 } else { 1 };
     assert_eq!(found.len(), width * points.len());
     let (lookup, places) = (table.lookup(), table::LookupPoints::isotropic(&points.set).all);
@@ -248,7 +251,7 @@ fn looked_up(language: &str, table: &Looked, points: &Points, found: &[f32]) {
         };
         assert!(same, "{name} at {:?}: {expected:?}, as emitted {found:?}", place(&points.set, i));
     }
-    say(&format!("{language}: {name}_lookup, {} points, every bit the same", points.len()));
+    say(&format!("{language}: {name}, {} points, every bit the same", points.len()));
 }
 
 #[test]

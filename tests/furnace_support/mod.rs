@@ -4,20 +4,23 @@
 pub mod tables;
 pub mod textbook;
 
+use lobefit::data::{Decode, Table};
 use lobefit::effects::table::Point;
 use lobefit::emit::compensation::Compensation;
-use lobefit::emit::lookup::Readable;
 use lobefit_shade::code::Language;
 use lobefit_shade::code::helpers;
 
-use crate::emit_support::{programs, solid};
+use crate::emit_support::programs;
+use crate::emit_support::solid::{self, names_of, readable};
 
-/// An emitted table: where its functions are called by name, and what they read.
+/// An emitted table: its functions, and what they read.
 pub struct Emitted {
-    /// Start of the functions' names.
-    pub identifier: String,
+    /// Rust.
+    pub text: String,
+    /// Name of the lookup.
+    pub function: String,
     /// Arguments of the lookup.
-    pub arguments: Vec<String>,
+    pub inputs: Vec<&'static str>,
     /// Channels of a texel.
     pub channels: usize,
     /// Texels in the order of the lookup, channels fastest.
@@ -25,22 +28,24 @@ pub struct Emitted {
 }
 
 impl Emitted {
-    pub fn new(readable: &Readable) -> Emitted {
-        let channels = &readable.table.channels;
+    pub fn new(table: &Table, decode: Decode) -> Emitted {
+        let names = names_of(table);
+        let readable = readable(table, decode, &names);
+        let channels = &table.channels;
         let texel = |i: usize| channels.iter().map(move |c| c.texels[i] as f32);
         Emitted {
-            identifier: readable.identifier(),
-            arguments: readable.arguments().expect("printed").into_iter().map(String::from).collect(),
+            text: readable.print(Language::Rust).expect("printed"),
+            inputs: readable.inputs().expect("printed"),
             channels: channels.len(),
             texels: (0..channels[0].texels.len()).flat_map(texel).collect(),
+            function: names.lookup,
         }
     }
 }
 
 /// The Rust file that a bake emits for these tables.
-pub fn include(readables: &[Readable], compensation: Compensation) -> String {
-    let lookups: Vec<String> =
-        readables.iter().map(|readable| readable.print(Language::Rust).expect("printed")).collect();
+pub fn include(tables: &[Emitted], compensation: Compensation) -> String {
+    let lookups: Vec<&str> = tables.iter().map(|table| table.text.as_str()).collect();
     let lookups = lookups.join("\n");
     let (shared, compensation) =
         (helpers(Language::Rust, &lookups), compensation.print(Language::Rust).expect("printed"));
@@ -73,7 +78,7 @@ pub fn returned(
         }
         Compensation::Glass => ("glass([1.0; 3], e)".into(), "glass_factor(e)".into()),
     };
-    for (Emitted { identifier, arguments, channels, texels }, points) in tables {
+    for (Emitted { function, inputs: given, channels, texels, .. }, points) in tables {
         numbers.extend(texels.iter().flat_map(|x| x.to_le_bytes()));
         numbers.extend(solid::bytes(points));
         let (count, inputs) = (texels.len(), 6 * points.len());
@@ -88,15 +93,15 @@ pub fn returned(
     let texels = {texels};
     let (inputs, rest) = rest.split_at({inputs});
     for p in inputs.chunks_exact(6) {{
-        let [roughness, alpha, mu, anisotropy, ior, cos2_phi]: [f32; 6] = p.try_into().unwrap();
-        let e = lobefit::{identifier}_lookup(&texels, {});
+        let [roughness, alpha, n_dot_v, anisotropy, ior, cos2_phi]: [f32; 6] = p.try_into().unwrap();
+        let e = lobefit::{function}(&texels, {});
         let colours = lobefit::ggx_compensate_{colours};
         assert_eq!(lobefit::ggx_compensate_{factor}, colours[0]);
         out.push(e);
         out.extend(colours);
     }}
 ",
-            arguments.join(", ")
+            given.join(", ")
         );
     }
     body += "    assert!(rest.is_empty());\n";

@@ -70,7 +70,7 @@ fn it_is_baked_emitted_and_shown() {
     let text = |path: &str| String::from_utf8_lossy(&baked.files[path]).into_owned();
     for extension in ["wgsl", "h", "rs", "hlsl", "glsl", "metal"] {
         let text = text(&format!("fits/lobefit.{extension}"));
-        assert!(text.contains("minnaert_16x12_lookup(") && text.contains("minnaert_albedo("), "{extension}");
+        assert!(text.contains("minnaert_lookup(") && text.contains("minnaert_albedo("), "{extension}");
     }
     let page = text("reports/moon.html");
     assert!(page.contains("minnaert-16x12") && page.contains("minnaert_e"), "{page}");

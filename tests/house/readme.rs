@@ -53,11 +53,9 @@ fn the_choices_are_the_manifests() {
     let mut rows = 0;
     for line in section.lines().filter(|line| line.contains("| `")) {
         let cells: Vec<&str> = line.split('|').map(|cell| cell.trim().trim_matches('`')).collect();
-        let (entry, max) = match cells[2].strip_suffix("_lookup") {
-            Some(table) => {
-                let entry = find(&manifest["tables"], "name", &table.replace('_', "-"));
-                (entry, &entry["error"]["lookup"]["max"])
-            }
+        let tables = manifest["tables"].as_array().expect("a list");
+        let (entry, max) = match tables.iter().find(|table| table["function"] == cells[2]) {
+            Some(entry) => (entry, &entry["error"]["lookup"]["max"]),
             None => {
                 let entry = find(&manifest["fits"], "function", cells[2]);
                 (entry, &entry["certificate"]["max_abs"])

@@ -65,6 +65,7 @@ const FITS: ValueFits = ValueFits {
         quantity: &Minnaert,
         column: "E",
         name: "minnaert",
+        role: "minnaert_lookup",
         layout: Layout::Homogeneous,
         size: [16, 12],
         format: TexelFormat::F16,

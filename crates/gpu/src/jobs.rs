@@ -12,7 +12,7 @@ use lobefit::bake::Baked;
 use lobefit::data::Use;
 use lobefit::report::{self, GpuKind, GpuLeftOut};
 use lobefit::store::MANIFEST;
-use lobefit::timing::record::{Include, lookup_of};
+use lobefit::timing::record::Include;
 
 /// Levels of the cubemap that lookups fetch from, and texels along an edge of its first: 128 down
 /// to 2.
@@ -67,6 +67,7 @@ struct Cost {
 #[derive(Deserialize)]
 struct Table {
     name: String,
+    function: String,
     quantity: String,
     #[serde(rename = "use")]
     used_as: Use,
@@ -234,7 +235,7 @@ impl Collector {
     }
 
     fn table(&mut self, table: &Table) -> Result<(), GpuError> {
-        let function = lookup_of(&table.name);
+        let function = table.function.clone();
         let sizes: Vec<u32> = table.axes.iter().map(|axis| axis.size).collect();
         let channels = table.channels.len() as u32;
         let shape = match sizes.as_slice() {

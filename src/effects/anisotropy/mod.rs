@@ -22,7 +22,7 @@ use super::table::{
 use super::who::{about, is_rough, named, reasons, stay_smooth, verb};
 use super::{BakeError, NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Counter;
-use crate::data::{Layout, Smith, Table};
+use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
 pub use azimuth::Azimuth;
@@ -61,6 +61,16 @@ impl Family for Anisotropy {
             Layout::Azimuth => "ggx-aniso-azimuth",
             Layout::PathTracer => "path-tracer-reflection",
             Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => "ggx-aniso",
+        }
+    }
+
+    fn role(&self, layout: Layout, _: Serves) -> &'static str {
+        match layout {
+            Layout::Azimuth => "ggx_aniso_azimuth_albedo",
+            Layout::PathTracer => "path_tracer_reflection_albedo",
+            Layout::Homogeneous | Layout::Plain | Layout::PlainSquared | Layout::Optimised => {
+                "ggx_aniso_albedo"
+            }
         }
     }
 

@@ -13,7 +13,7 @@ use super::table::{BuildError, Family, Judge, LookupPoints, Made, RUN, Region, S
 use super::who::stay_smooth;
 use super::{NOTE_F0, NOTE_LOOKUP, NOTE_PATH_TRACER};
 use crate::approximate::Counter;
-use crate::data::{Layout, Smith, Table};
+use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::Albedo;
 use crate::scene::{Lobe, Material, Scene};
 use lobefit_truth::integrate::IntegrateError;
@@ -47,6 +47,10 @@ const JUDGED: f64 = 1e-6;
 impl Family for Glass {
     fn prefix(&self, layout: Layout) -> &'static str {
         if layout == Layout::PathTracer { "path-tracer-glass" } else { "ggx-glass" }
+    }
+
+    fn role(&self, layout: Layout, _: Serves) -> &'static str {
+        if layout == Layout::PathTracer { "path_tracer_glass_albedo" } else { "ggx_glass_albedo" }
     }
 
     fn sides(&self) -> &'static [Option<Side>] {

@@ -65,7 +65,7 @@ impl Effect for Reflection {
     }
 
     fn prefixes(&self) -> &'static [&'static str] {
-        &["ggx_dfg_", "ggx_energy_compensation", "ggx_average_albedo", "ggx_directional_albedo"]
+        &["ggx_albedo", "ggx_dfg", "ggx_energy_compensation", "ggx_average_albedo", "ggx_directional_albedo"]
     }
 
     fn lobe(&self, scene: &Scene) -> String {

@@ -22,6 +22,13 @@ impl Family for Dfg {
         "ggx-dfg"
     }
 
+    fn role(&self, _: Layout, serves: Serves) -> &'static str {
+        match serves {
+            Serves::Albedo => "ggx_albedo",
+            Serves::SplitSum => "ggx_dfg",
+        }
+    }
+
     fn described(&self, job: &TableJob, _: Option<Side>) -> String {
         format!("for {}", job.serves.name())
     }

@@ -10,6 +10,7 @@ use crate::effects::Albedo;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::demand::JUDGED_MU;
+use crate::emit::lookup::TableNames;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
 
@@ -40,6 +41,8 @@ impl Judge {
 pub struct BakedTable {
     /// The table as an approximation: certificate of the lookup, cost, texels.
     pub approximation: Approximation,
+    /// What its functions are called.
+    pub names: TableNames,
     /// Its errors by their causes.
     pub errors: Errors,
     /// What its channels mean.
@@ -98,7 +101,7 @@ pub fn bake(
 ) -> Result<(Vec<BakedTable>, Vec<String>), BakeError> {
     let (mut broken, mut baked) = (Vec::new(), Vec::new());
     let mut judges: Vec<((Smith, Region, bool), Arc<Judge>)> = Vec::new();
-    for job in jobs {
+    for (i, job) in jobs.iter().enumerate() {
         context.progress.stage(&format!("table {}", job.names.join(" and ")));
         let key = (job.smith, job.region(), family.finer(job, jobs));
         let judge = match judges.iter().find(|(known, _)| *known == key) {
@@ -109,7 +112,7 @@ pub fn bake(
                 judge
             }
         };
-        let tables = bake_job(family, job, &judge, context)?;
+        let tables = bake_job(family, job, (&jobs[..i], &judge), context)?;
         broken.extend(tables.iter().filter_map(|table| unkept(job, table)));
         broken.extend(tables.iter().filter_map(|table| unjudged(job, table)));
         baked.extend(tables);
@@ -117,11 +120,12 @@ pub fn bake(
     Ok((baked, broken))
 }
 
-/// The tables of a job; where the size is open, the smallest that keep the limit.
+/// The tables of a job, which others come before; where the size is open, the smallest that keep
+/// the limit.
 fn bake_job(
     family: &dyn Family,
     job: &TableJob,
-    judge: &Arc<Judge>,
+    (before, judge): (&[TableJob], &Arc<Judge>),
     context: &Context,
 ) -> Result<Vec<BakedTable>, BakeError> {
     let sizes = job.size.clone().map_or_else(|| SIZES.map(|n| vec![n, n]).to_vec(), |size| vec![size]);
@@ -129,11 +133,12 @@ fn bake_job(
     for size in sizes {
         let spec = job.spec(size);
         let (tables, made) = family.build(&spec, &context.counter)?;
-        let parts = tables.into_iter().zip(family.sides()).enumerate();
-        let finished = parts.map(|(i, (table, side))| {
+        let names = job.functions(family, &spec.size, before);
+        let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
+        let finished = parts.map(|(i, ((table, side), names))| {
             let baked = finish(&spec, &table, made, (judge, i))?;
             let wanted_by = job.wanted_by.clone();
-            Ok(BakedTable { side: *side, note: family.note(spec.layout), wanted_by, ..baked })
+            Ok(BakedTable { names, side: *side, note: family.note(spec.layout), wanted_by, ..baked })
         });
         last = finished.collect::<Result<_, BakeError>>()?;
         if last.iter().all(|table| job.max_error.is_none_or(|limit| table.errors.lookup.max <= limit)) {
@@ -222,8 +227,10 @@ pub(super) fn finish(
     let (layout, region, judge) = (spec.layout, spec.region, judge.clone());
     let (side, note) = (None, None);
     let wanted_by = Vec::new();
+    let names = TableNames::from(table.name.replace('-', "_").as_str());
     Ok(BakedTable {
         approximation,
+        names,
         errors,
         decode,
         layout,

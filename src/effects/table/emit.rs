@@ -1,6 +1,7 @@
 //! The files, entries and functions of baked tables.
 
 use super::BakedTable;
+use crate::data::Table;
 use crate::effects::containers::contained;
 use crate::effects::context::Context;
 use crate::effects::{BakeError, Deviation, Made};
@@ -16,27 +17,34 @@ impl Made {
     /// # Errors
     /// A container that cannot hold a table; a table whose name a language has taken.
     pub fn tables(&mut self, context: &Context, tables: Vec<BakedTable>) -> Result<(), BakeError> {
-        let part = &mut self.part;
         for baked in &tables {
             let Some(table) = baked.table() else { continue };
+            let part = &mut self.part;
             let (certificate, files) = (&baked.approximation.certificate, &mut part.files);
             let written = contained(table, baked.decode, certificate, baked.note, context, files)?;
-            let formulas = baked.decode.formulas();
-            let entry = TableEntry::new(part.by.name(), &baked.approximation, table, formulas, errors(baked));
-            part.entries.tables.push(entry.in_files(written));
+            let (formulas, errors) = (baked.decode.formulas(), errors(baked));
+            let entry = TableEntry::new(part.by.name(), &baked.approximation, table, formulas, errors);
+            let inputs = readable(baked, table, context, &[]).inputs()?;
+            let entry = entry.in_files(written).read_by(&baked.names.lookup, &inputs);
+            let file = entry.file.clone();
+            part.entries.tables.push(entry);
+            let (by, function) = (baked.wanted_by.clone(), &baked.names.lookup);
+            self.called_by(by, function, &baked.approximation, Some(&file));
         }
-        for baked in &tables {
-            let Some(table) = baked.table() else { continue };
-            let entry = self.part.entries.tables.iter().find(|entry| entry.name == table.name);
-            let file = entry.map(|entry| entry.file.clone());
-            let readable = Readable { table, decode: baked.decode, header: &[] };
-            let function = format!("{}_lookup", readable.identifier());
-            self.called_by(baked.wanted_by.clone(), &function, &baked.approximation, file.as_deref());
-        }
-        self.code(context, |language| code(language, &tables))?;
+        self.code(context, |language| code(language, &tables, context))?;
         self.tables.extend(tables);
         Ok(())
     }
+}
+
+fn readable<'a>(
+    baked: &'a BakedTable,
+    table: &'a Table,
+    context: &Context,
+    header: &'a [String],
+) -> Readable<'a> {
+    let arguments = context.scene.output.arguments;
+    Readable { table, decode: baked.decode, names: &baked.names, arguments, header }
 }
 
 fn errors(baked: &BakedTable) -> TableError {
@@ -49,17 +57,22 @@ fn errors(baked: &BakedTable) -> TableError {
     }
 }
 
-/// The lookups of tables in a language.
+/// The lookups of tables in a language, and what they call, which tables of both sides share.
 ///
 /// # Errors
 /// A table whose name a language has taken.
-fn code(language: Language, tables: &[BakedTable]) -> Result<String, BakeError> {
+fn code(language: Language, tables: &[BakedTable], context: &Context) -> Result<String, BakeError> {
     let mut text = String::new();
+    let mut stems: Vec<&str> = Vec::new();
     for baked in tables {
         let Some(table) = baked.table() else { continue };
-        let mut lines = header::table_lines(table, baked.decode.formulas(), &baked.approximation.certificate);
-        lines.extend(baked.note.map(String::from));
-        text += &format!("\n{}", Readable { table, decode: baked.decode, header: &lines }.print(language)?);
+        let header = header::lookup_lines(table, &baked.approximation.certificate, baked.note);
+        let readable = readable(baked, table, context, &header);
+        if !stems.contains(&baked.names.stem.as_str()) {
+            text += &format!("\n{}", readable.print_parts(language)?);
+            stems.push(&baked.names.stem);
+        }
+        text += &format!("\n{}", readable.print_lookup(language)?);
     }
     Ok(text)
 }

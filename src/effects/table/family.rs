@@ -3,7 +3,7 @@
 
 use super::{Judge, Region, Spec, TableJob};
 use crate::approximate::Counter;
-use crate::data::{Layout, Smith, Table};
+use crate::data::{Layout, Serves, Smith, Table};
 use crate::effects::effect::Note;
 use crate::effects::table::results::WaysFinding;
 use crate::effects::table::{BakedTable, BuildError, LookupPoints, Made};
@@ -16,6 +16,10 @@ use lobefit_truth::integrate::glass::Side;
 pub trait Family: Sync {
     /// How the name of a table in a layout begins: `ggx-dfg`.
     fn prefix(&self, layout: Layout) -> &'static str;
+
+    /// The role of the tables in a layout, from which their functions have their names:
+    /// `ggx_albedo`. It stays when size, format or warp do not.
+    fn role(&self, layout: Layout, serves: Serves) -> &'static str;
 
     /// The sides for which there is a table each: one without a side, or of glass outside and
     /// inside.

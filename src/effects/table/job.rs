@@ -8,6 +8,7 @@ use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use crate::effects::demand::{Demand, JUDGED_MU, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
+use crate::emit::lookup::TableNames;
 use crate::scene::limits::{GLASS_IOR, PATH_TRACER_IOR};
 use crate::scene::{Goals, Lobe, Material, Scene, TableWant};
 use lobefit_truth::integrate::glass::Side;
@@ -185,6 +186,27 @@ impl TableJob {
         jobs.iter().map(|job| TableJob::of(scene, job)).collect()
     }
 
+    /// Names of the functions of its tables, baked in a size: by their role, to which tables that
+    /// are not the first of it among the jobs append what tells them apart.
+    pub(super) fn functions(
+        &self,
+        family: &dyn Family,
+        size: &[usize],
+        before: &[TableJob],
+    ) -> Vec<TableNames> {
+        let role = |job: &TableJob| family.role(job.layout, job.serves);
+        let stem = match before.iter().any(|other| role(other) == role(self)) {
+            true => format!("{}_{}", role(self), shape(&size_text(size), self.format, self.layout)),
+            false => role(self).to_string(),
+        };
+        let stem = stem.replace('-', "_");
+        let named = |side: &Option<Side>| {
+            let side = side.map_or_else(String::new, |side| format!("_{}", side.name()));
+            TableNames { lookup: format!("{stem}{side}"), stem: stem.clone() }
+        };
+        family.sides().iter().map(named).collect()
+    }
+
     /// Texels of one of its tables; of the largest where the size is open.
     pub fn texels(&self) -> usize {
         self.size.as_ref().map_or(AUTO_SIDE * AUTO_SIDE, |size| size.iter().product())
@@ -216,17 +238,24 @@ pub(super) fn size_text(size: &[usize]) -> String {
     size.iter().map(ToString::to_string).collect::<Vec<_>>().join("x")
 }
 
+/// What tells a table from others of its role: its size, and of format and layout what is not the
+/// default.
+fn shape(size: &str, format: TexelFormat, layout: Layout) -> String {
+    let mut shape = size.to_string();
+    if format != TexelFormat::F16 {
+        shape = format!("{shape}-{}", format.name());
+    }
+    if matches!(layout, Layout::Plain | Layout::PlainSquared) {
+        shape = format!("{shape}-{}", layout.name());
+    }
+    shape
+}
+
 /// Names of a family's tables: what tells them from others of the scene, and the defaults not at
 /// all.
 fn names(family: &dyn Family, smith: Smith, want: &TableWant) -> Vec<String> {
     let size = want.size.as_ref().map_or_else(|| "auto".into(), |size| size_text(size));
-    let mut shape = format!("{}-{size}", smith.name());
-    if want.format != TexelFormat::F16 {
-        shape = format!("{shape}-{}", want.format.name());
-    }
-    if matches!(want.layout, Layout::Plain | Layout::PlainSquared) {
-        shape = format!("{shape}-{}", want.layout.name());
-    }
+    let mut shape = format!("{}-{}", smith.name(), shape(&size, want.format, want.layout));
     if want.serves != Serves::default() {
         shape = format!("{shape}-{}", want.serves.name());
     }

@@ -33,6 +33,7 @@ const LOG2_POINTS: u32 = 14;
 ///     quantity: &GGX_REFLECTION,
 ///     column: "E",
 ///     name: "ggx",
+///     role: "ggx_lookup",
 ///     layout: Layout::Homogeneous,
 ///     size: [32, 32],
 ///     format: TexelFormat::F16,
@@ -56,6 +57,8 @@ pub struct ValueTable {
     pub column: &'static str,
     /// How its name begins; the size follows.
     pub name: &'static str,
+    /// The name of its function: `minnaert_lookup`.
+    pub role: &'static str,
     /// Coordinates over mu and roughness: `homogeneous`, `plain` or `plain-squared`.
     pub layout: Layout,
     /// Texels along mu and along roughness.
@@ -141,6 +144,10 @@ impl ValueTable {
 impl Family for ValueTable {
     fn prefix(&self, _: Layout) -> &'static str {
         self.name
+    }
+
+    fn role(&self, _: Layout, _: Serves) -> &'static str {
+        self.role
     }
 
     fn described(&self, _: &TableJob, _: Option<Side>) -> String {

@@ -49,7 +49,7 @@ fn wanted(baked: &Baked) -> Vec<(String, usize)> {
         list.map(|entry| entry[key].as_str().expect("a name").to_string()).collect()
     };
     let once = names("fits", "function").into_iter().chain(names("mips", "function"));
-    let once = once.chain(names("tables", "name").into_iter().map(|name| name.replace('-', "_") + "_lookup"));
+    let once = once.chain(names("tables", "function"));
     once.map(|name| (name, 1)).chain(names("lookups", "function").into_iter().map(|name| (name, 2))).collect()
 }
 

@@ -12,7 +12,6 @@ use gpu_support::gpu;
 use lobefit::data::{Axis, Decode, Warp};
 use lobefit::effects::table::{Lookup, Point};
 use lobefit::emit::compensation::Compensation;
-use lobefit::emit::lookup::Readable;
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
 
@@ -98,7 +97,7 @@ fn reference(solid: &Solid, lookup: &Lookup, point: &Point) -> [f64; 3] {
 }
 
 fn look_up(gpu: &Gpu, solid: &Solid, points: &[Point]) -> Vec<f32> {
-    let readable = Readable { table: &solid.table, decode: solid.decode, header: &[] };
+    let readable = solid.readable();
     let value = if solid.values() == 1 { "vec4<f32>(value, 0.0, 0.0, 0.0)" } else { "vec4<f32>(value, 0.0)" };
     let source = format!(
         "{}
@@ -109,15 +108,15 @@ fn look_up(gpu: &Gpu, solid: &Solid, points: &[Point]) -> Vec<f32> {
 @compute @workgroup_size({WORKGROUP}) fn test(@builtin(global_invocation_id) id: vec3<u32>) {{
     if (id.x >= arrayLength(&test_values)) {{ return; }}
     let at = 6u * id.x;
-    let roughness = test_points[at]; let alpha = test_points[at + 1u]; let mu = test_points[at + 2u];
+    let roughness = test_points[at]; let alpha = test_points[at + 1u]; let n_dot_v = test_points[at + 2u];
     let anisotropy = test_points[at + 3u]; let ior = test_points[at + 4u];
     let cos2_phi = test_points[at + 5u];
-    let value = {}_lookup(test_table, test_sampler, {});
+    let value = {}(test_table, test_sampler, {});
     test_values[id.x] = {value};
 }}
 ",
         readable.print(Language::Wgsl).expect("printed"),
-        readable.identifier(),
+        readable.names.lookup,
         solid.arguments.join(", ")
     );
     let (view, sampler, buffer) = (gpu.texture(&solid.table), gpu.linear_clamp(), gpu.buffer(&bytes(points)));

@@ -156,14 +156,14 @@ fn allowed(table: &Looked) -> f64 {
 
 /// E, A and B at every point by the emitted `_lookup`, or E alone.
 fn look_up(gpu: &Gpu, include: &str, table: &Looked, points: &Points) -> Vec<[f32; 4]> {
-    let name = table.readable().identifier();
+    let name = &table.names.lookup;
     let mut source = include.to_string();
     source += "@group(0) @binding(0) var test_table: texture_2d<f32>;\n";
     source += "@group(0) @binding(1) var test_sampler: sampler;\n";
     source += "@group(0) @binding(2) var<storage, read> test_points: array<vec4<f32>>;\n";
     source += "@group(0) @binding(3) var<storage, read_write> test_values: array<vec4<f32>>;\n";
     let value = if table.split() { "vec4<f32>(value, 0.0)" } else { "vec4<f32>(value, 0.0, 0.0, 0.0)" };
-    let call = format!("{name}_lookup(test_table, test_sampler, roughness, alpha, mu)");
+    let call = format!("{name}(test_table, test_sampler, roughness, mu)");
     source += &entry("test", &call, value);
     let (view, sampler) = (gpu.texture(&table.table), gpu.linear_clamp());
     let buffer = gpu.buffer(&points.bytes());
@@ -209,9 +209,9 @@ fn check(gpu: &Gpu, include: &str, table: &Looked) {
         if split { beyond(e, b) } else { e }
     });
     let [certified, certified_8_bit] = table.certified;
-    let name = table.readable().identifier();
+    let name = &table.names.lookup;
     say(&format!(
-        "{name}_lookup on {}: error {error:.4e}, certified {certified} and {certified_8_bit} with 8-bit weights; from the \
+        "{name} on {}: error {error:.4e}, certified {certified} and {certified_8_bit} with 8-bit weights; from the \
          lookup with f32 weights at most {exact:.3e}, with 8-bit weights {coarse:.3e}",
         gpu.name
     ));

@@ -7,44 +7,30 @@ use super::table::{TableLookup, kind};
 use crate::Kind;
 
 pub(super) fn lookup(table: &TableLookup) -> String {
-    let sizes: Vec<String> = table.sizes.iter().map(ToString::to_string).collect();
     let [filter, order] = table.order();
-    let channels = table.channels;
+    let (channels, uv) = (table.channels, table.letters().concat());
     let beside = if channels == 1 { String::new() } else { format!(" of {channels} channels each") };
-    let mut text = format!(
-        "/// {} by a {filter} fetch, clamped to the edge, from {} texels{beside}, {order}.\n",
-        table.meaning,
-        sizes.join(" x ")
+    let sizes = table.listed().replace(", ", " x ");
+    let first = format!(
+        "{} by a {filter} fetch, clamped to the edge, from {sizes} texels{beside}, {order}.",
+        table.meaning
     );
-    text += &table.opening(&C, &[C.argument("texels", "const float *")]);
-    let uv = table.letters().concat();
+    let mut text = table.opening(&C, &[first], &[C.argument("texels", "const float *")]);
     let declare = |name: &str, kind: Kind, value: &str| {
         format!("    {}{value};\n", C.declare(name, kind, false, false))
     };
-    text += &declare(&uv, kind(sizes.len()), &table.located());
-    for (i, size) in table.sizes.iter().enumerate() {
-        let coordinate = C.component(&uv, i);
-        text +=
-            &format!("    const lobefit_cell {} = lobefit_cell_at({coordinate}, {size});\n", &"xyz"[i..=i]);
-    }
-    let fetched: Vec<String> = (0..channels).map(|i| fetch(table, i)).collect();
+    text += &declare(&uv, kind(table.sizes.len()), &table.located());
+    let fetch = |i: usize| {
+        let texels = if i == 0 { "texels".to_string() } else { format!("texels + {i}") };
+        format!("lobefit_{filter}({texels}, {channels}, {}, {uv})", table.listed())
+    };
+    let fetched: Vec<String> = (0..channels).map(fetch).collect();
     let texel = match fetched.as_slice() {
         [one] => one.clone(),
         list => format!("{{\n        {},\n    }}", list.join(",\n        ")),
     };
     text += &declare("texel", kind(channels), &texel);
     text + &format!("    return {};\n}}\n", table.decoded("texel"))
-}
-
-/// The blended texel's channel `i`.
-fn fetch(table: &TableLookup, i: usize) -> String {
-    let (channels, columns, rows) = (table.channels, table.sizes[0], table.sizes[1]);
-    let texels = if i == 0 { "texels".to_string() } else { format!("texels + {i}") };
-    if table.sizes.len() == 2 {
-        format!("lobefit_bilinear({texels}, {channels}, {columns}, x, y)")
-    } else {
-        format!("lobefit_trilinear({texels}, {channels}, {columns}, {rows}, x, y, z)")
-    }
 }
 
 /// How the names of the shared functions and types begin.
@@ -70,7 +56,8 @@ static inline lobefit_cell lobefit_cell_at(float u, int size) {
 }
 
 /// A channel between four texels; `texels` points to that of the first texel.
-static inline float lobefit_bilinear(const float *texels, int channels, int columns, lobefit_cell x, lobefit_cell y) {
+static inline float lobefit_bilinear(const float *texels, int channels, int columns, int rows, lobefit_float2 uv) {
+    const lobefit_cell x = lobefit_cell_at(uv.x, columns), y = lobefit_cell_at(uv.y, rows);
     const float *above = texels + channels * (y.base * columns + x.base);
     const float *below = above + channels * columns * y.step;
     const int next = channels * x.step;
@@ -83,16 +70,19 @@ static inline float lobefit_bilinear(const float *texels, int channels, int colu
 const SPACE: &str = "
 /// A channel between eight texels; `texels` points to that of the first texel.
 static inline float lobefit_trilinear(
-    const float *texels, int channels, int columns, int rows, lobefit_cell x, lobefit_cell y, lobefit_cell z) {
-    const int slice = channels * columns * rows;
-    const float front = lobefit_bilinear(texels + slice * z.base, channels, columns, x, y);
-    const float back = lobefit_bilinear(texels + slice * (z.base + z.step), channels, columns, x, y);
+    const float *texels, int channels, int columns, int rows, int slices, lobefit_float3 uvw) {
+    const lobefit_cell z = lobefit_cell_at(uvw.z, slices);
+    const lobefit_float2 uv = {uvw.x, uvw.y};
+    const float *first = texels + channels * columns * rows * z.base;
+    const float *second = first + channels * columns * rows * z.step;
+    const float front = lobefit_bilinear(first, channels, columns, rows, uv);
+    const float back = lobefit_bilinear(second, channels, columns, rows, uv);
     return front + (back - front) * z.fraction;
 }
 ";
 
 /// What the text of C functions uses; empty where it uses nothing.
 pub(super) fn helpers(functions: &str) -> String {
-    let parts = [("lobefit_float", VECTORS), ("lobefit_cell", PLANE), ("lobefit_trilinear(", SPACE)];
+    let parts = [("lobefit_float", VECTORS), ("linear(", PLANE), ("lobefit_trilinear(", SPACE)];
     parts.iter().filter(|(word, _)| functions.contains(word)).map(|(_, text)| *text).collect()
 }

@@ -3,13 +3,18 @@
 use super::Language;
 use super::printer::Printer;
 use crate::Kind;
+use crate::comment::comment;
 
-/// A lookup to be printed: of a table of two or three axes, whose functions `<name>_uv`
-/// (`<name>_uvw`) and `<name>_decode` the file has.
+/// A lookup to be printed: of a table of two or three axes, whose functions `STEM_uv` (`STEM_uvw`)
+/// and `STEM_decode` the file has.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TableLookup {
-    /// The table's name as an identifier.
+    /// Its name.
     pub name: String,
+    /// What the names of the functions of coordinates and decoding begin with.
+    pub stem: String,
+    /// What its comment says beside what it returns.
+    pub about: Vec<String>,
     /// Texels along each axis.
     pub sizes: Vec<usize>,
     /// Channels of a texel.
@@ -32,7 +37,7 @@ pub struct TableLookup {
 pub const LETTERS: [&str; 4] = ["u", "v", "w", "t"];
 
 impl TableLookup {
-    /// The function `<name>_lookup`.
+    /// The function.
     ///
     /// It takes a texture of two or three dimensions and a sampler that filters linearly and clamps
     /// to the edge (in GLSL one `sampler2D` or `sampler3D`). In Rust and C, which have no textures,
@@ -49,31 +54,36 @@ impl TableLookup {
 
     /// A call of the function of the coordinates.
     pub(super) fn located(&self) -> String {
-        format!("{}_{}({})", self.name, self.letters().concat(), self.coordinates.join(", "))
+        format!("{}_{}({})", self.stem, self.letters().concat(), self.coordinates.join(", "))
     }
 
     /// A call of the decoding.
     pub(super) fn decoded(&self, texel: &str) -> String {
         let arguments: String = self.decoding.iter().map(|name| format!(", {name}")).collect();
-        format!("{}_decode({texel}{arguments})", self.name)
+        format!("{}_decode({texel}{arguments})", self.stem)
     }
 
-    /// The lines that open the function, after arguments of its own.
-    pub(super) fn opening(&self, printer: &dyn Printer, own: &[String]) -> String {
+    /// The comment, which `first` begins, and the lines that open the function, after arguments of
+    /// its own.
+    pub(super) fn opening(&self, printer: &dyn Printer, first: &[String], own: &[String]) -> String {
         let number = printer.kind(Kind::Number);
         let given = self.arguments.iter().map(|name| printer.argument(name, &number));
         let arguments: Vec<String> = own.iter().cloned().chain(given).collect();
-        let [start, end] =
-            printer.signature(&format!("{}_lookup", self.name), &printer.kind(kind(self.values)), true);
-        super::function::within(&start, &arguments, &end)
+        let [start, end] = printer.signature(&self.name, &printer.kind(kind(self.values)), true);
+        comment("///", &[first, &self.about].concat()) + &super::function::within(&start, &arguments, &end)
     }
 
-    /// How texels are ordered, and what a fetch between them is called.
+    /// What a fetch between texels in memory is called, and how they are ordered.
     pub(super) fn order(&self) -> [&'static str; 2] {
         match self.sizes.len() {
             3 => ["trilinear", "slice by slice, each row by row"],
             _ => ["bilinear", "row by row"],
         }
+    }
+
+    /// The sizes of its axes: `64, 64, 32`.
+    pub(super) fn listed(&self) -> String {
+        self.sizes.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -107,14 +117,11 @@ impl Textures {
         let n = table.sizes.len();
         let axes = n.to_string();
         let own = self.resources.iter().map(|(name, kind)| printer.argument(name, &kind.replace('#', &axes)));
-        let mut text = format!(
-            "/// {} by one fetch; the sampler filters linearly and clamps to the edge.\n",
-            table.meaning
-        );
-        if table.is_wide {
-            text += &format!("/// {}\n", self.feature);
-        }
-        text += &table.opening(printer, &own.collect::<Vec<_>>());
+        let meaning = table.meaning;
+        let mut first =
+            vec![format!("{meaning} by one fetch; the sampler filters linearly and clamps to the edge.")];
+        first.extend(table.is_wide.then(|| self.feature.to_string()));
+        let mut text = table.opening(printer, &first, &own.collect::<Vec<_>>());
         let uv = table.letters().concat();
         let declare = |name: &str, n: usize, value: &str| {
             format!("    {}{value};\n", printer.declare(name, kind(n), false, false))
