@@ -6,6 +6,7 @@ use crate::effects::context::Context;
 use crate::emit::manifest::{Entries, Include, LeftOut, Manifest, Report, SCHEMA_VERSION};
 use crate::plan::Plan;
 use crate::report;
+use crate::report::explore::{ExplorePage, ExploredEffect};
 use crate::store::{Files, MANIFEST};
 
 /// Every file of a bake: those of the parts, the include files, the overview, the manifest.
@@ -31,16 +32,30 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
         manifest.includes.push(Include { language: language.name().into(), file: file.clone() });
         files.insert(file, text.into_bytes());
     }
+    let explored = explored(&parts);
     for part in parts {
         files.extend(part.files);
         manifest.entries.extend(part.entries);
     }
-    let index =
-        if context.scene.output.reports { report::index(context.origin(), &manifest)? } else { Vec::new() };
-    for file in index {
+    let mut pages = Vec::new();
+    if context.scene.output.reports {
+        if !explored.is_empty() {
+            pages.push(report::explore(ExplorePage { origin: context.origin(), effects: explored })?);
+        }
+        pages.extend(report::index(context.origin(), &manifest)?);
+    }
+    for file in pages {
         manifest.entries.reports.push(Report { effect: None, file: file.path.clone() });
         files.insert(file.path, file.bytes);
     }
     files.insert(MANIFEST.to_string(), manifest.bytes()?);
     Ok(files)
+}
+
+/// What the live page draws, by effect.
+fn explored(parts: &[Part]) -> Vec<ExploredEffect> {
+    let filled = parts.iter().filter(|part| !part.explored.is_empty());
+    filled
+        .map(|part| ExploredEffect { effect: part.by.name().into(), shown: part.explored.clone() })
+        .collect()
 }

@@ -81,7 +81,11 @@ pub fn bake(
 ) -> Result<Baked, BakeError> {
     let recipe = recipe(scene, plan, hypotheses)?;
     let effects = plan.effects.iter().map(|called| called.effect);
-    let pages = std::iter::once("index").chain(effects).map(|page| (page.into(), format!("{page}.html")));
+    let explore = plan.effects.iter().any(|called| called.by.is_explored()).then_some("explore");
+    let pages = std::iter::once("index")
+        .chain(explore)
+        .chain(effects)
+        .map(|page| (page.into(), format!("{page}.html")));
     let pages = pages.collect();
     let context = Context { scene, hypotheses, recipe, counter: Counter::default(), pages, progress };
     names::check(plan, hypotheses)?;

@@ -11,6 +11,7 @@ use crate::effects::{Part, named};
 use crate::emit::header::Recipe;
 use crate::emit::manifest::{Entries, Manifest};
 use crate::plan::Plan;
+use crate::report::explore::{self, EXPLORE, ExploredEffect};
 use crate::store::{self, Files, MANIFEST, StoreError};
 use lobefit_shade::code::Language;
 
@@ -88,6 +89,7 @@ pub fn previous(
         return Err(PreviousError::Build { folder });
     }
     let manifest: Manifest = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
+    let explored = explored(root, &folder, &manifest)?;
     let mut parts = Vec::new();
     for finding in manifest.effects.iter().filter(|finding| !only.contains(&finding.effect)) {
         let unknown = || wrong(format!("effects: `{}` is none of this version", finding.effect));
@@ -95,7 +97,9 @@ pub fn previous(
         let entries = manifest.entries.of(by.name());
         let files = files(root, &folder, &entries)?;
         let code = code(root, &folder, &manifest, by.name())?;
-        parts.push(Part { by, finding: finding.clone(), entries, code, files });
+        let explored = explored.iter().find(|of| of.effect == finding.effect);
+        let explored = explored.map_or_else(Vec::new, |of| of.shown.clone());
+        parts.push(Part { by, finding: finding.clone(), entries, code, files, explored });
     }
     Ok(parts)
 }
@@ -117,6 +121,16 @@ fn files(root: &Path, folder: &str, entries: &Entries) -> Result<Files, Previous
         Some(file) => Err(PreviousError::Missing { folder: folder.into(), file: file.to_string() }),
         None => Ok(found),
     }
+}
+
+/// What the live page draws, where the bake has one.
+fn explored(root: &Path, folder: &str, manifest: &Manifest) -> Result<Vec<ExploredEffect>, PreviousError> {
+    if !manifest.entries.reports.iter().any(|report| report.file == EXPLORE) {
+        return Ok(Vec::new());
+    }
+    let found = store::read_set(root, [EXPLORE], FILE_BYTES)?;
+    let page = found.get(EXPLORE).and_then(|bytes| explore::read(&String::from_utf8_lossy(bytes)));
+    page.ok_or_else(|| PreviousError::Missing { folder: folder.into(), file: EXPLORE.into() })
 }
 
 /// The effect's sections of the include files that the manifest lists.

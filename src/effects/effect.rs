@@ -96,6 +96,11 @@ pub trait Effect: Sync {
         Vec::new()
     }
 
+    /// Whether its bakes add to the live page ([`Made::explored`](super::Made::explored)).
+    fn is_explored(&self) -> bool {
+        false
+    }
+
     /// Makes its jobs: fits and tables with their entries, code, and page.
     ///
     /// # Errors

@@ -6,12 +6,14 @@ use serde::Serialize;
 
 use super::context::Context;
 use super::demand::{Job, Promise};
+use super::explore::Exploring;
 use super::table::BakedTable;
 use super::{BakeError, Called, Effect};
 use crate::approximate::{Dropped, Fit};
 use crate::data::{Approximation, Use};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
+use crate::report::explore::Explored;
 use crate::report::{self, EffectFinding, File, Findings, Page};
 use crate::store::Files;
 use lobefit_shade::code::Language;
@@ -30,6 +32,8 @@ pub struct Part {
     pub code: BTreeMap<Language, String>,
     /// Its tables and pages.
     pub files: Files,
+    /// What it adds to the live page.
+    pub explored: Vec<Explored>,
 }
 
 /// The part of an effect, with the results that it was made from.
@@ -57,6 +61,7 @@ impl Made {
                 entries: Entries::default(),
                 code: BTreeMap::new(),
                 files: Files::new(),
+                explored: Vec::new(),
             },
             broken: Vec::new(),
             fits: Vec::new(),
@@ -165,6 +170,19 @@ impl Made {
     /// As [`Made::page`].
     pub fn findings(&mut self, findings: &Findings) -> Result<(), BakeError> {
         self.reports(report::page(self.part.by.name(), findings)?);
+        Ok(())
+    }
+
+    /// Adds to the live page, where the effect does and the scene wants pages.
+    ///
+    /// # Errors
+    /// A truth that cannot be integrated.
+    pub fn explored(&mut self, context: &Context, exploring: &[Exploring]) -> Result<(), BakeError> {
+        if context.scene.output.reports && self.part.by.is_explored() {
+            for one in exploring {
+                self.part.explored.push(one.explored(context)?);
+            }
+        }
         Ok(())
     }
 

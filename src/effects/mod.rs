@@ -13,6 +13,7 @@ pub mod demand;
 mod deviation;
 mod effect;
 mod error;
+pub mod explore;
 pub mod glass;
 pub mod grid;
 mod made;

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::context::Context;
 use super::demand::{Demand, Job, Span};
+use super::explore::Exploring;
 use super::grid::Grid;
 use super::selection::{Selected, selected};
 use super::table::{self, ValueTable};
@@ -12,6 +13,7 @@ use super::{BakeError, Called, JobSummary, Made, code, page};
 use crate::approximate::target::TargetSpec;
 use crate::approximate::{self, Dropped, Entry, Fit, FitSet, Region, Wanted};
 use crate::data::Use;
+use crate::report::explore::Drawn;
 use crate::report::{ApproximationFinding, Findings};
 use crate::scene::{Goals, Scene};
 use lobefit_truth::quantity::{Quantity, Variant};
@@ -98,6 +100,7 @@ impl ValueFits<'_> {
             let findings = self.findings(&made, context, &region, (&fits, &dropped))?;
             made.findings(&findings)?;
         }
+        self.explored(&mut made, (&fits, &region), context)?;
         made.fits_called(job, &fits);
         made.fits(context, (fits, dropped), |_, _, entry| entry);
         Ok(made)
@@ -153,6 +156,32 @@ impl ValueFits<'_> {
             fits: shown.iter().map(finding).collect::<Result<_, BakeError>>()?,
             ..Findings::new(context.origin())
         })
+    }
+
+    /// What the live page draws: the column as the light that comes back.
+    fn explored(
+        &self,
+        made: &mut Made,
+        (fits, region): (&[Fit], &Region),
+        context: &Context,
+    ) -> Result<(), BakeError> {
+        let exploring = Exploring {
+            name: self.of.into(),
+            title: format!("{}: {}", self.of, self.column),
+            lead: format!(
+                "Brightness is {} of {}, the light that its lobe sends back.",
+                self.column, self.of
+            ),
+            drawn: Drawn::Value,
+            quantity: self.quantity,
+            outputs: &[self.column],
+            variant: Variant::default(),
+            region: *region,
+            f0: 1.0,
+            fits: fits.iter().collect(),
+            tables: Vec::new(),
+        };
+        made.explored(context, &[exploring])
     }
 
     fn truths(&self, grid: &Grid, context: &Context) -> Result<Vec<f64>, BakeError> {

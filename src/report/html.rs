@@ -117,6 +117,7 @@ fn block(out: &mut String, block: &Block) {
             captioned(out, caption);
         }
         Block::Table(table) => text_table(out, table),
+        Block::Live { data, still } => live(out, data, still),
         Block::Fold { summary, blocks } => {
             put(out, format_args!("<details>\n<summary>{}</summary>\n", Escaped(summary)));
             for inner in blocks {
@@ -125,6 +126,24 @@ fn block(out: &mut String, block: &Block) {
             out.push_str("</details>\n");
         }
     }
+}
+
+/// Controls, data, shader and script of a page that draws itself; below them what stands there where
+/// it cannot.
+fn live(out: &mut String, data: &str, still: &[Block]) {
+    let (css, controls) = (include_str!("assets/explore.css"), include_str!("assets/explore.html"));
+    let (shader, script) = (include_str!("assets/explore.glsl"), include_str!("assets/explore.js"));
+    put(out, format_args!("<style>\n{css}</style>\n{controls}<div id=\"still\">\n"));
+    for one in still {
+        block(out, one);
+    }
+    put(
+        out,
+        format_args!(
+            "</div>\n{data}<script type=\"x-shader/x-fragment\" id=\"shader\">\n{shader}</script>\n"
+        ),
+    );
+    put(out, format_args!("<script>\n{script}</script>\n"));
 }
 
 fn text_table(out: &mut String, table: &TextTable) {

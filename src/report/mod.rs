@@ -9,6 +9,7 @@
 
 pub mod check;
 mod error;
+pub mod explore;
 mod field;
 mod findings;
 mod gpu;
@@ -87,6 +88,14 @@ pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError>
 pub fn index(origin: Origin, manifest: &Manifest) -> Result<Vec<File>, ReportError> {
     let text = html(&sections::of_index(origin, manifest)?);
     Ok(vec![file("reports/index.html", text.into_bytes())])
+}
+
+/// The live page.
+///
+/// # Errors
+/// As [`files`].
+pub fn explore(page: explore::ExplorePage) -> Result<File, ReportError> {
+    Ok(file(explore::EXPLORE, html(&sections::of_explore(page)?).into_bytes()))
 }
 
 /// `reports/timings.html` and `reports/timings.json` of a measurement.

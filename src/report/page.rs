@@ -66,6 +66,13 @@ pub enum Block {
     },
     /// A table.
     Table(TextTable),
+    /// What the page draws itself.
+    Live {
+        /// The element with the data ([`super::explore::document`]).
+        data: String,
+        /// What stands there where it cannot draw.
+        still: Vec<Block>,
+    },
     /// Blocks that are shown when their line is opened.
     Fold {
         /// The line.

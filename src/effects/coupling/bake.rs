@@ -4,10 +4,12 @@ use super::{AnyF0, CouplingSpec, anywhere, code, findings, fit_emitted, page, ro
 use crate::approximate::{Dropped, Fit, FitSet};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
+use crate::effects::explore::Exploring;
 use crate::effects::page::smallest_error;
 use crate::effects::{BakeError, Called, Made};
 use crate::emit::manifest::{AnyF0Entry, FitEntry};
-use lobefit_truth::quantity::COUPLING;
+use crate::report::explore::Drawn;
+use lobefit_truth::quantity::{COUPLING, GGX_REFLECTION};
 
 /// What was made for the bases under one kind of lobe.
 pub(super) struct Lobe {
@@ -39,6 +41,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         let findings = findings::findings(&made.part.finding, &lobes, context)?;
         made.page(&page::page(&findings)?, &findings)?;
     }
+    let exploring: Vec<Exploring> = lobes.iter().map(Lobe::exploring).collect();
+    made.explored(context, &exploring)?;
     made.code(context, |language| lobes.iter().map(|lobe| code::in_language(language, lobe)).collect())?;
     for (job, lobe) in called.work.iter().zip(&lobes) {
         made.fits_called(job, &lobe.fits);
@@ -78,6 +82,28 @@ impl Lobe {
         let rank = |fit: &&Fit| (fit.approximation.certificate.max_abs, fit.approximation.cost.ops);
         let emitted = self.fits.iter().filter(|fit| fit.emitted);
         emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
+    }
+
+    /// A base below this lobe, as the live page draws it.
+    fn exploring(&self) -> Exploring<'_> {
+        let CouplingSpec { specular, smith, region, f0, .. } = self.spec;
+        let name = specular.name();
+        Exploring {
+            name: format!("base-{name}"),
+            title: format!("dielectric: diffuse base below a {name} lobe"),
+            lead: format!(
+                "A white base below a lobe that is multiplied by {}. The lobe is exact: what is missing or too much is the base's factor.",
+                specular.formula()
+            ),
+            drawn: Drawn::Base(specular),
+            quantity: &GGX_REFLECTION,
+            outputs: &["E", "B"],
+            variant: smith.into(),
+            region,
+            f0: f0[0],
+            fits: self.fits.iter().collect(),
+            tables: Vec::new(),
+        }
     }
 
     /// The entry of a fit with its error over all f0, and where it is proven to have no pole and no

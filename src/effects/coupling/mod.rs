@@ -124,6 +124,10 @@ impl Effect for DiffuseCoupling {
         ]
     }
 
+    fn is_explored(&self) -> bool {
+        true
+    }
+
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         bake::bake(called, context)
     }

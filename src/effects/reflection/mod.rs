@@ -86,6 +86,10 @@ impl Effect for Reflection {
         ]
     }
 
+    fn is_explored(&self) -> bool {
+        true
+    }
+
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         bake::bake(called, context)
     }

@@ -83,6 +83,10 @@ impl Effect for Sheen {
         )]
     }
 
+    fn is_explored(&self) -> bool {
+        true
+    }
+
     fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         FITS.bake(called, context)
     }

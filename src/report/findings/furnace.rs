@@ -1,9 +1,9 @@
 //! The furnace and the study of accuracy against work, as the page shows them.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Spheres in a white environment: rows of approximations, columns of roughness.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Furnace {
     /// Roughness of each column.
     pub roughness: Vec<f64>,
@@ -17,7 +17,7 @@ pub struct Furnace {
 }
 
 /// One row of spheres.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FurnaceRow {
     /// Name of the approximation, or `uncompensated`.
     pub name: String,

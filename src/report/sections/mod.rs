@@ -3,6 +3,7 @@
 pub(crate) mod approximations;
 mod averages;
 pub(crate) mod called_for;
+mod explore;
 pub(crate) mod fits;
 pub(crate) mod furnace;
 mod gpu;
@@ -18,6 +19,7 @@ pub mod words;
 
 use super::{Block, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage, Timings};
 use crate::emit::manifest::Manifest;
+use crate::report::explore::ExplorePage;
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -47,6 +49,11 @@ pub(crate) fn of_index(origin: Origin, manifest: &Manifest) -> Result<Page, Repo
         lead: index::conclusion(manifest),
         sections: index::sections(manifest),
     })
+}
+
+/// The live page.
+pub(crate) fn of_explore(page: ExplorePage) -> Result<Page, ReportError> {
+    explore::page(page)
 }
 
 /// The page of a measurement of time.

@@ -1,5 +1,6 @@
 //! Jobs to fits of the normalisation and tables of E, A and B.
 
+mod explore;
 mod findings;
 mod pictures;
 
@@ -45,6 +46,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
         let findings = findings::findings(&made, region, (&fits, &dropped), context)?;
         made.findings(&findings)?;
     }
+    explore::explored(&mut made, fit, &fits, context)?;
     if let Some(job) = fit {
         fits_called(&mut made, job, &fits, context)?;
     }

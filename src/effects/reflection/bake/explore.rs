@@ -1,0 +1,67 @@
+//! What the live page draws of this effect: a metal with its compensation, and the albedo of a dielectric.
+
+use crate::approximate::{Fit, Region};
+use crate::data::Use;
+use crate::effects::context::Context;
+use crate::effects::demand::Job;
+use crate::effects::explore::Exploring;
+use crate::effects::table::BakedTable;
+use crate::effects::{BakeError, Made};
+use crate::report::explore::Drawn;
+use lobefit_truth::quantity::GGX_REFLECTION;
+
+/// f0 of glass and plastic.
+const DIELECTRIC: f64 = 0.04;
+
+/// Adds both, as far as fits or tables stand for them.
+pub(super) fn explored(
+    made: &mut Made,
+    job: Option<&Job>,
+    fits: &[Fit],
+    context: &Context,
+) -> Result<(), BakeError> {
+    let region = job.map(|job| job.region(context.scene.alpha)).transpose()?;
+    let tables = made.tables.clone();
+    let Some(region) = region.or_else(|| tables.first().map(|table| table.region.flat())) else {
+        return Ok(());
+    };
+    let of = |used_as: Use| fits.iter().filter(move |fit| fit.approximation.used_as == used_as).collect();
+    let metal = Exploring {
+        name: "metal".into(),
+        title: "metal: energy compensation".into(),
+        lead: "A metal's lobe, multiplied by 1 + f0 (N - 1). A white metal returns all light.".into(),
+        drawn: Drawn::Compensation,
+        f0: 1.0,
+        fits: of(Use::NORMALISATION),
+        ..lobe(region, &tables, context)
+    };
+    let dielectric = Exploring {
+        name: "dielectric".into(),
+        title: "dielectric: f0 A + B".into(),
+        lead: "Brightness is f0 A + B, the light that the lobe of a dielectric sends back.".into(),
+        drawn: Drawn::Albedo,
+        fits: of(Use::F0_BLEND),
+        ..lobe(region, &tables, context)
+    };
+    let filled = |one: &Exploring| !one.fits.is_empty() || one.tables.iter().any(|t| t.decode.has_bias());
+    let mut exploring = vec![metal];
+    exploring.extend(Some(dielectric).filter(filled));
+    made.explored(context, &exploring)
+}
+
+/// The lobe, with its tables over the same roughness map.
+fn lobe<'a>(region: Region, tables: &'a [BakedTable], context: &Context) -> Exploring<'a> {
+    Exploring {
+        name: String::new(),
+        title: String::new(),
+        lead: String::new(),
+        drawn: Drawn::Value,
+        quantity: &GGX_REFLECTION,
+        outputs: &["E", "B"],
+        variant: context.scene.smith.into(),
+        region,
+        f0: DIELECTRIC,
+        fits: Vec::new(),
+        tables: tables.iter().collect(),
+    }
+}

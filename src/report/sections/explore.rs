@@ -1,0 +1,50 @@
+//! The live page: its data, its controls, and still pictures in their place where nothing can be drawn.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use super::figures;
+use crate::report::explore::{ExplorePage, Explored, document};
+use crate::report::{Block, Page, ReportError, Section, Shade, SphereRow, Spheres, Spread};
+
+/// Radiance of white: above 1, so that gains show too.
+const WHITE: f64 = 1.25;
+
+pub(super) fn page(explore: ExplorePage) -> Result<Page, ReportError> {
+    let ramp = STANDARD.encode(Shade::Signed { limit: 1.0, spread: Spread::Linear }.palette());
+    let data = document(&ramp, &explore.effects)?;
+    let first = explore.effects.iter().flat_map(|effect| &effect.shown).next();
+    let still = first.map(still).transpose()?.into_iter().collect();
+    let spheres = Section {
+        id: "spheres".into(),
+        title: "Spheres".into(),
+        lead: "Drag on a sphere to move the light. Arrow keys change roughness and approximation, L the light, X the amplification. The \
+               address of the page keeps what you see."
+            .into(),
+        blocks: vec![Block::Live { data, still }],
+    };
+    Ok(Page {
+        title: format!("lobefit live: {}", explore.origin.scene),
+        origin: explore.origin,
+        lead: "The emitted GLSL on spheres, beside the truth: choose what is approximated, by which formula or table, and for which \
+               material. In a white furnace a sphere that loses no energy cannot be seen."
+            .into(),
+        sections: vec![spheres],
+    })
+}
+
+/// The spheres of the first picture.
+fn still(explored: &Explored) -> Result<Block, ReportError> {
+    let furnace = &explored.spheres;
+    let rows = furnace.rows.iter().map(|row| SphereRow { name: row.name.clone(), factors: &row.factors });
+    let spheres = Spheres {
+        title: explored.title.clone(),
+        column_name: "roughness".into(),
+        columns: &furnace.roughness,
+        mu: &furnace.mu,
+        rows: rows.collect(),
+        shade: Shade::Radiance { white: WHITE },
+        unit: "radiance".into(),
+    };
+    figures(&[spheres], &explored.lead)
+}
