@@ -111,7 +111,7 @@ vec3 displayed(vec3 x) {
 // A sky that a rough lobe sees blurred.
 vec3 sky(float up, float roughness) {
     float width = mix(0.05, 1.0, roughness);
-    return mix(vec3(0.05, 0.045, 0.04), vec3(0.5, 0.62, 0.8), smoothstep(-width, width, up));
+    return mix(vec3(0.05, 0.045, 0.04), vec3(0.66, 0.7, 0.76), smoothstep(-width, width, up));
 }
 
 // The lobe of a round light of radiance one over a small angle, and the base below it.
@@ -137,7 +137,7 @@ vec3 lit(vec3 n, float roughness, float mu, vec2 eb, vec3 value) {
 #else
     lobe += value / PI;
 #endif
-    back += lobe * nl * 2.2;
+    back += lobe * nl * 1.3;
 #endif
     return back;
 }

@@ -27,7 +27,7 @@
   const signed = (x) => (x > 0 ? "+" : "") + figure(x);
 
   // What the page shows; the address has the same.
-  const state = { lobe: lobes[0].name, a: "", b: "", roughness: 0.9, f0: [1, 1, 1], under: "furnace", times: 10 };
+  const state = { lobe: lobes[0].name, a: "", b: "", roughness: 0.9, f0: [1, 1, 1], under: "furnace", times: 50 };
   const light = [-0.45, 0.6, 0.66];
   const lobe = () => find(lobes, state.lobe);
   const offered = () => lobe().approximations.filter((one) => !one.texels || one.texels.format === "f16" || linear);
@@ -54,7 +54,7 @@
     if (f0.length === 1) state.f0 = [f0[0], f0[0], f0[0]];
     else if (f0.length === 3) state.f0 = f0;
     else if (given.has("lobe") && lobe()) state.f0 = Array(3).fill(lobe().f0);
-    if (![10, 50, 100].includes(state.times)) state.times = 10;
+    if (![10, 50, 100].includes(state.times)) state.times = 50;
     if (state.under !== "light") state.under = "furnace";
   };
   const address = () => {
@@ -211,9 +211,11 @@
   const row = (body, label, one) => {
     const { cost, certificate: c } = one;
     const line = body.insertRow();
-    const cells = [label, one.name, cost.ops, cost.fetches, cost.bytes, c ? figure(c.max_abs) : "", c ? figure(c.rms) : "", figure(anywhere(one)), figure(here(one))];
-    const at = c ? Object.entries(c.at).map(([name, value]) => `${name} ${figure(value)}`).join(", ") : "";
-    [...cells, at, one.source].forEach((text, i) => {
+    const certified = c ? [figure(c.max_abs), figure(c.rms)] : ["", ""];
+    const cells = [label, one.source && one.source !== "fitted" ? `${one.name} (${one.source})` : one.name];
+    cells.push(...(c ? [cost.ops, cost.fetches, cost.bytes] : ["", "", ""]), ...certified, figure(anywhere(one)), figure(here(one)));
+    cells.push(c ? Object.entries(c.at).map(([name, value]) => `${name} ${figure(value)}`).join(", ") : "");
+    cells.forEach((text, i) => {
       make("td", text, line).className = i > 1 && i < 9 ? "n" : "";
     });
   };
@@ -226,9 +228,11 @@
     const [a, b] = [chosen("a"), chosen("b")];
     document.getElementById("lead").textContent = lead;
     const [above, below] = ["above", "below"].map((id) => [...document.getElementById(id).children]);
+    const vanishes = state.under === "furnace" && (drawn.base || (drawn === "compensation" && state.f0.every((x) => x === 1)));
     [above[0].textContent, above[1].textContent] = [a.name, b.name];
-    [a, b].forEach((one, i) => (below[i].textContent = `its error ×${state.times}: ${figure(here(one))} at most`));
-    below[2].textContent = `error of ${b.name}: roughness to the right, mu upwards`;
+    above[2].textContent = vanishes ? "truth: cannot be seen" : "truth";
+    [a, b].forEach((one, i) => (below[i].textContent = `error \u00d7${state.times}, ${figure(here(one))} at most`));
+    below[2].textContent = "error of the middle over roughness (right) and mu (up)";
     const ends = root.querySelectorAll(".key span");
     ends[0].textContent = `\u2212${1 / state.times}: light is lost`;
     ends[2].textContent = `+${1 / state.times}: light is gained`;
@@ -237,10 +241,10 @@
     row(body, "left", a);
     row(body, "middle", b);
     const range = outside(b) || outside(a);
-    const about = drawn === "compensation" ? " of N at f0 = 1" : "";
+    const about = drawn === "compensation" ? ": |E N \u2212 1| of a formula, the lookup error of E of a table" : "";
     document.getElementById("stated").textContent =
-      `Max error and RMS are the certificate${about}; largest drawn is what this page finds at ${GRID}\u00d7${GRID} places of roughness and mu for this f0. ` +
-      `The truth is interpolated from ${truth.size.join("\u00d7")} texels, off by ${figure(truth.error)} at most between them.` +
+      `Max error and RMS are the certificate${about}. Largest drawn is what this page finds at ${GRID}\u00d7${GRID} places for this f0. ` +
+      `The truth is interpolated between ${truth.size.join("\u00d7")} texels: off by ${figure(truth.error)} at most.` +
       (range ? ` The certificate is for f0 in [${figure(range[0])}, ${figure(range[1])}].` : "");
     document.querySelector("#code code").textContent = b.text || b.call;
   };
@@ -264,7 +268,7 @@
     reflectance.value = state.f0[0];
     reflectance.nextElementSibling.value = new Set(state.f0).size === 1 ? state.f0[0].toFixed(3) : state.f0.join(", ");
     reflectance.closest("label").hidden = drawn === "value";
-    metals.hidden = drawn !== "compensation";
+    metals.parentElement.hidden = drawn !== "compensation";
     [...metals.querySelectorAll("button")].forEach((button) => button.setAttribute("aria-pressed", String(METALS[button.textContent].join() === state.f0.join())));
     for (const name of ["under", "times"]) root.querySelectorAll(`[name=${name}]`).forEach((one) => (one.checked = one.value === String(state[name])));
     words();

@@ -18,9 +18,7 @@ pub(super) fn page(explore: ExplorePage) -> Result<Page, ReportError> {
     let spheres = Section {
         id: "spheres".into(),
         title: "Spheres".into(),
-        lead: "Drag on a sphere to move the light. Arrow keys change roughness and approximation, L the light, X the amplification. The \
-               address of the page keeps what you see."
-            .into(),
+        lead: String::new(),
         blocks: vec![Block::Live { data, still }],
     };
     Ok(Page {

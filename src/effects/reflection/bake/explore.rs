@@ -29,7 +29,7 @@ pub(super) fn explored(
     let metal = Exploring {
         name: "metal".into(),
         title: "metal: energy compensation".into(),
-        lead: "A metal's lobe, multiplied by 1 + f0 (N - 1). A white metal returns all light.".into(),
+        lead: "A metal's lobe, multiplied by 1 + f0 (N \u{2212} 1). A white metal returns all light.".into(),
         drawn: Drawn::Compensation,
         f0: 1.0,
         fits: of(Use::NORMALISATION),
