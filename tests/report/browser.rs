@@ -212,11 +212,13 @@ fn agrees(live: &Live) {
         if one.drawn == COMPENSATION {
             one.truths.iter().for_each(|place| is_the_truth(*place, one));
         }
-        // a table's certificate is of E, and there are few texels between the places
-        if one.certified > 0.0 && one.standing != "table" {
-            let slack = 2.0 * one.truth * if one.drawn == COMPENSATION { 1.0 + one.certified } else { 1.0 };
-            assert!(one.anywhere <= one.certified + slack + 1e-5, "{what}");
-            assert!(one.anywhere >= 0.5 * one.certified, "{what}");
+        if one.certified > 0.0 {
+            // The certificate of a table is of E, which is above 0.3; fetches have 8 bits between texels, and f16 rounds.
+            let of_e = one.standing == "table" && one.drawn == COMPENSATION;
+            let most = if of_e { 3.3 * one.certified } else { one.certified };
+            let slack = if one.standing == "table" { 1e-3 } else { 3.0 * one.truth * (1.0 + one.certified) };
+            assert!(one.anywhere <= most + slack, "{what}");
+            assert!(one.anywhere >= 0.4 * one.certified, "{what}");
         }
     }
 }

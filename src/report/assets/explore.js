@@ -168,8 +168,17 @@
     return new Float32Array(bits.buffer);
   };
   const largest = (four) => four.reduce((most, x, i) => (i % 4 === 2 && !(Math.abs(x) <= most) ? Math.abs(x) : most), 0);
-  const anywhere = (approximation) => largest(measured(approximation, [...lobe().truth.roughness, 0, 1], [GRID, GRID]));
-  const here = (approximation) => largest(measured(approximation, [state.roughness, state.roughness, 0, 1], [1, GRID]));
+  // Places of mu in [0, 1], and the domain of a certificate.
+  const place = (mu) => {
+    const [from, to] = lobe().truth.mu;
+    return Math.sqrt(Math.min(Math.max((mu - from) / (to - from || 1), 0), 1));
+  };
+  const domain = ({ certificate }) => ({ ...lobe().truth, ...(certificate && certificate.domain) });
+  const anywhere = (approximation) => {
+    const { roughness, mu } = domain(approximation);
+    return largest(measured(approximation, [...roughness, ...mu.map(place)], [GRID, GRID]));
+  };
+  const here = (approximation) => largest(measured(approximation, [state.roughness, state.roughness, ...domain(approximation).mu.map(place)], [1, GRID]));
 
   const draw = () => {
     const side = Math.max(Math.round((canvas.clientWidth * (window.devicePixelRatio || 1)) / 3), 16);
@@ -219,9 +228,12 @@
       make("td", text, line).className = i > 1 && i < 9 ? "n" : "";
     });
   };
-  const outside = ({ certificate: c }) => {
-    const range = c && c.domain.f0;
-    return range && state.f0.some((x) => x < range[0] - 1e-9 || x > range[1] + 1e-9) ? range : null;
+  // What a certificate says nothing of.
+  const outside = (one) => {
+    const { f0, roughness } = domain(one);
+    const beyond = (values, [low, high]) => values.some((x) => x < low - 1e-6 || x > high + 1e-6);
+    const about = (name, values, range) => (range && beyond(values, range) ? [` The certificate of ${one.name} is for ${name} in [${range.map(figure).join(", ")}].`] : []);
+    return [...about("f0", state.f0, f0), ...about("roughness", [state.roughness], roughness)];
   };
   const words = () => {
     const { lead, truth, drawn } = lobe();
@@ -240,12 +252,11 @@
     body.replaceChildren();
     row(body, "left", a);
     row(body, "middle", b);
-    const range = outside(b) || outside(a);
     const about = drawn === "compensation" ? ": |E N \u2212 1| of a formula, the lookup error of E of a table" : "";
     document.getElementById("stated").textContent =
-      `Max error and RMS are the certificate${about}. Largest drawn is what this page finds at ${GRID}\u00d7${GRID} places for this f0. ` +
+      `Max error and RMS are the certificate${about}. Largest drawn is what this page finds at ${GRID}\u00d7${GRID} places of its domain, for this f0. ` +
       `The truth is interpolated between ${truth.size.join("\u00d7")} texels: off by ${figure(truth.error)} at most.` +
-      (range ? ` The certificate is for f0 in [${figure(range[0])}, ${figure(range[1])}].` : "");
+      [...new Set([...outside(a), ...outside(b)])].join("");
     document.querySelector("#code code").textContent = b.text || b.call;
   };
   const metals = document.getElementById("metals");
@@ -329,18 +340,17 @@
     return r2 < 1 ? { roughness: state.roughness, mu: Math.min(Math.max(Math.sqrt(1 - r2), from), to), at } : null;
   };
   canvas.addEventListener("pointermove", (event) => {
-    const place = under(event);
-    if (!place) return;
-    if (event.buttons && place.at) {
-      [light[0], light[1], light[2]] = [place.at[0], place.at[1], Math.sqrt(1 - place.at[0] ** 2 - place.at[1] ** 2)];
+    const spot = under(event);
+    if (!spot) return;
+    if (event.buttons && spot.at) {
+      [light[0], light[1], light[2]] = [spot.at[0], spot.at[1], Math.sqrt(1 - spot.at[0] ** 2 - spot.at[1] ** 2)];
       set({ under: "light" });
     }
-    const [from, to] = lobe().truth.mu;
-    const y = Math.sqrt((place.mu - from) / (to - from || 1));
-    const point = (side) => measured(chosen(side), [place.roughness, place.roughness, y, y], [1, 1]);
+    const y = place(spot.mu);
+    const point = (side) => measured(chosen(side), [spot.roughness, spot.roughness, y, y], [1, 1]);
     const [left, middle] = [point("a"), point("b")];
     document.getElementById("under-pointer").textContent =
-      `mu ${figure(place.mu)}, roughness ${figure(place.roughness)}: truth ${figure(middle[1])}; left ${figure(left[0])}, error ${signed(left[2])}; ` +
+      `mu ${figure(spot.mu)}, roughness ${figure(spot.roughness)}: truth ${figure(middle[1])}; left ${figure(left[0])}, error ${signed(left[2])}; ` +
       `middle ${figure(middle[0])}, error ${signed(middle[2])}`;
     draw();
   });
