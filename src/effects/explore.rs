@@ -60,7 +60,7 @@ impl Exploring<'_> {
         let shown = self.shown();
         let mut approximations: Vec<ExploredApproximation> = self.without().into_iter().collect();
         approximations.extend(shown.iter().filter_map(|(fit, standing)| self.fit(fit, *standing)));
-        let tables = self.tables.iter().filter_map(|baked| self.table(baked).transpose());
+        let tables = self.tables.iter().filter_map(|baked| self.table(baked, context).transpose());
         approximations.extend(tables.collect::<Result<Vec<_>, BakeError>>()?);
         approximations.sort_by_key(|a| (a.standing, a.cost.ops));
         Ok(Explored {
@@ -127,15 +127,20 @@ impl Exploring<'_> {
         })
     }
 
-    fn table(&self, baked: &BakedTable) -> Result<Option<ExploredApproximation>, BakeError> {
+    fn table(
+        &self,
+        baked: &BakedTable,
+        context: &Context,
+    ) -> Result<Option<ExploredApproximation>, BakeError> {
         let (a, Some(table)) = (&baked.approximation, baked.table()) else { return Ok(None) };
         let &[width, height] = &table.axes.iter().map(|axis| axis.size).collect::<Vec<_>>()[..] else {
             return Ok(None);
         };
-        let readable = Readable { table, decode: baked.decode, header: &[] };
+        let arguments = context.scene.output.arguments;
+        let readable = Readable { table, decode: baked.decode, names: &baked.names, arguments, header: &[] };
         let functions = readable.print(Language::Glsl)?;
-        let arguments = readable.arguments()?.join(", ");
-        let value = format!("{}_lookup(texels, {arguments})", readable.identifier());
+        let inputs = readable.inputs()?.join(", ");
+        let value = format!("{}(texels, {inputs})", baked.names.lookup);
         let call = match (self.drawn, baked.decode.has_bias()) {
             (Drawn::Compensation, false) => format!("1.0 / {value}"),
             (Drawn::Compensation, true) => format!("1.0 / {value}.x"),
@@ -144,9 +149,9 @@ impl Exploring<'_> {
             (Drawn::Albedo, false) | (Drawn::Base(_), _) | (Drawn::Value, true) => return Ok(None),
         };
         Ok(Some(ExploredApproximation {
-            name: a.name.clone(),
+            name: baked.names.lookup.clone(),
             standing: Standing::Table,
-            source: "table of this bake".into(),
+            source: format!("table {}", a.name),
             text: helpers(Language::Glsl, &functions) + &functions,
             call,
             cost: a.cost,

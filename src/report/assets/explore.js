@@ -110,7 +110,7 @@
       `#define ALPHA(roughness) (${of.alpha})`,
       texels ? "uniform sampler2D texels;" : "",
       text,
-      `float approximation(float roughness, float alpha, float mu, float f0) { return ${call}; }`,
+      `float approximation(float roughness, float alpha, float mu, float f0) { float n_dot_v = mu; return ${call}; }`,
       document.getElementById("shader").textContent,
     ].join("\n");
     const made = gl.createProgram();

@@ -128,7 +128,7 @@ pub struct ExploredApproximation {
     pub source: String,
     /// GLSL functions; empty where an expression is all.
     pub text: String,
-    /// A GLSL expression of `roughness`, `alpha`, `mu`, `f0`, and `texels` where there are any.
+    /// A GLSL expression of `roughness`, `alpha`, `mu` or `n_dot_v`, `f0`, and `texels` where there are any.
     pub call: String,
     /// What it takes.
     pub cost: Cost,
