@@ -33,16 +33,18 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
         files.insert(file, text.into_bytes());
     }
     let explored = explored(&parts);
+    let mut answers = Vec::new();
     for part in parts {
         files.extend(part.files);
         manifest.entries.extend(part.entries);
+        answers.push(part.answer);
     }
     let mut pages = Vec::new();
     if context.scene.output.reports {
         if !explored.is_empty() {
             pages.push(report::explore(ExplorePage { origin: context.origin(), effects: explored })?);
         }
-        pages.extend(report::index(context.origin(), &manifest)?);
+        pages.extend(report::index(context.origin(), answers, (&manifest, &files))?);
     }
     for file in pages {
         manifest.entries.reports.push(Report { effect: None, file: file.path.clone() });

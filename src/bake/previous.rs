@@ -12,6 +12,7 @@ use crate::emit::header::Recipe;
 use crate::emit::manifest::{Entries, Manifest};
 use crate::plan::Plan;
 use crate::report::explore::{self, EXPLORE, ExploredEffect};
+use crate::report::{Answer, Answers, INDEX};
 use crate::store::{self, Files, MANIFEST, StoreError};
 use lobefit_shade::code::Language;
 
@@ -90,6 +91,7 @@ pub fn previous(
     }
     let manifest: Manifest = serde_json::from_slice(bytes).map_err(|e| wrong(e.to_string()))?;
     let explored = explored(root, &folder, &manifest)?;
+    let answers = answers(root, &folder, &manifest)?;
     let mut parts = Vec::new();
     for finding in manifest.effects.iter().filter(|finding| !only.contains(&finding.effect)) {
         let unknown = || wrong(format!("effects: `{}` is none of this version", finding.effect));
@@ -99,9 +101,22 @@ pub fn previous(
         let code = code(root, &folder, &manifest, by.name())?;
         let explored = explored.iter().find(|of| of.effect == finding.effect);
         let explored = explored.map_or_else(Vec::new, |of| of.shown.clone());
-        parts.push(Part { by, finding: finding.clone(), entries, code, files, explored });
+        let answer = answers.iter().find(|answer| answer.effect == by.name()).cloned().unwrap_or_default();
+        parts.push(Part { by, finding: finding.clone(), entries, code, files, explored, answer });
     }
     Ok(parts)
+}
+
+/// The answers that the overview is made of; none of a bake without reports.
+fn answers(root: &Path, folder: &str, manifest: &Manifest) -> Result<Vec<Answer>, PreviousError> {
+    if !manifest.entries.reports.iter().any(|report| report.file == INDEX) {
+        return Ok(Vec::new());
+    }
+    let found = store::read_set(root, [INDEX], FILE_BYTES)?;
+    let missing = || PreviousError::Missing { folder: folder.into(), file: INDEX.into() };
+    let read: Answers = serde_json::from_slice(found.get(INDEX).ok_or_else(missing)?)
+        .map_err(|e| PreviousError::Manifest { folder: folder.into(), reason: format!("{INDEX}: {e}") })?;
+    Ok(read.answers)
 }
 
 /// What tells whether the rest of a manifest is of this version.

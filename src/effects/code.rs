@@ -53,6 +53,16 @@ pub fn documented(fit: &Fit) -> Vec<String> {
     lines
 }
 
+/// Where the constants of a fit come from.
+pub fn constants(fit: &Fit) -> String {
+    match fit.norm() {
+        "published" => format!("constants as published: {}", fit.approximation.source.text()),
+        _ if fit.coefficients().is_empty() => "no constants to fit".into(),
+        "rms" => "constants minimise the RMS error".into(),
+        _ => "constants minimise the largest error".into(),
+    }
+}
+
 /// The header of one function: what it is, its error and its cost.
 fn lines(fit: &Fit) -> Vec<String> {
     let a = &fit.approximation;
@@ -62,13 +72,9 @@ fn lines(fit: &Fit) -> Vec<String> {
         Use::F0_BLEND => "of f0 A + B, at the worst f0",
         _ => "absolute",
     };
-    let constants = match fit.norm() {
-        "published" => format!("as published: {}", a.source.text()),
-        norm => format!("fitted for the smallest {norm} error"),
-    };
     let smith = a.smith.map_or_else(String::new, |smith| format!(", smith {}", smith.name()));
     let ops = header::operations(a.cost.ops);
-    lines.push(format!("{} {}{smith}; {ops}; constants {constants}", a.quantity, a.column));
+    lines.push(format!("{} {}{smith}; {ops}; {}", a.quantity, a.column, constants(fit)));
     lines.extend(header::certificate_lines(what, &a.certificate));
     lines
 }

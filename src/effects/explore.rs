@@ -208,7 +208,7 @@ impl Exploring<'_> {
             // four digits are more than a picture shows
             let light = |(i, value)| (self.drawn.light(value, of(i), self.f0) * 1e4).round() / 1e4;
             let light: Vec<f64> = values.iter().copied().enumerate().map(light).collect();
-            FurnaceRow { name: name.into(), factors: grid.by_roughness(&light) }
+            FurnaceRow { name: name.into(), of: String::new(), factors: grid.by_roughness(&light) }
         };
         let mut rows = Vec::new();
         if let Drawn::Compensation | Drawn::Base(_) = self.drawn {

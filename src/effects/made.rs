@@ -8,13 +8,13 @@ use super::context::Context;
 use super::demand::{Job, Promise};
 use super::explore::Exploring;
 use super::table::BakedTable;
-use super::{BakeError, Called, Effect};
+use super::{BakeError, Called, Effect, answer};
 use crate::approximate::{Dropped, Fit};
 use crate::data::{Approximation, Use};
 use crate::emit::call::Call;
 use crate::emit::manifest::{CostEntry, Entries, FitEntry, FitLeftOut, Report};
 use crate::report::explore::Explored;
-use crate::report::{self, EffectFinding, File, Findings, Page};
+use crate::report::{self, Answer, Draft, EffectFinding, Findings, Furnace, Page, Purpose};
 use crate::store::Files;
 use lobefit_shade::code::Language;
 
@@ -34,6 +34,8 @@ pub struct Part {
     pub files: Files,
     /// What it adds to the live page.
     pub explored: Vec<Explored>,
+    /// What a reader takes from it.
+    pub answer: Answer,
 }
 
 /// The part of an effect, with the results that it was made from.
@@ -49,6 +51,12 @@ pub struct Made {
     pub dropped: Vec<Dropped>,
     /// Tables.
     pub tables: Vec<BakedTable>,
+    /// What the fits are for.
+    pub purposes: Vec<Purpose>,
+    /// Spheres in a white environment, the rows named after what they show.
+    pub furnaces: Vec<Furnace>,
+    /// Its page, which waits for the conclusion.
+    draft: Option<Draft>,
 }
 
 impl Made {
@@ -62,23 +70,47 @@ impl Made {
                 code: BTreeMap::new(),
                 files: Files::new(),
                 explored: Vec::new(),
+                answer: Answer::default(),
             },
             broken: Vec::new(),
             fits: Vec::new(),
             dropped: Vec::new(),
             tables: Vec::new(),
+            purposes: Vec::new(),
+            furnaces: Vec::new(),
+            draft: None,
         }
+    }
+
+    /// The part that is done: the answer to what the effect was called for, and the page with it.
+    pub fn finished(mut self) -> Made {
+        let Some(draft) = self.draft.take() else { return self };
+        self.part.answer = answer::answer(&self);
+        let effect = self.part.by.name();
+        for file in draft.files(&self.part.answer.conclusion) {
+            let entry = Report { effect: Some(effect.into()), file: file.path.clone() };
+            self.part.entries.reports.push(entry);
+            self.part.files.insert(file.path, file.bytes);
+        }
+        self
     }
 
     /// Enters the emitted fits of a job, with what `more` adds to the entry of the fit at an index,
     /// and the hypotheses without one. A published formula is measured for every job; one result of
     /// a name is enough.
+    ///
+    /// # Errors
+    /// A formula that cannot be printed.
     pub fn fits(
         &mut self,
         context: &Context,
         (fits, dropped): (Vec<Fit>, Vec<Dropped>),
         more: impl Fn(usize, &Fit, FitEntry) -> FitEntry,
-    ) {
+    ) -> Result<(), BakeError> {
+        if context.scene.output.reports {
+            let (limit, languages) = (self.part.finding.expected_error, &context.scene.output.languages);
+            self.purposes.extend(answer::of_fits(&fits, limit, languages)?);
+        }
         let (effect, alpha_map) = (self.part.by.name(), context.scene.alpha.name());
         let entries = &mut self.part.entries;
         for (i, fit) in fits.iter().enumerate().filter(|(_, fit)| fit.emitted) {
@@ -98,6 +130,7 @@ impl Made {
             }
         }
         self.dropped.extend(dropped);
+        Ok(())
     }
 
     /// Notes that each of some materials or probes calls a function of an approximation.
@@ -159,8 +192,8 @@ impl Made {
     ///
     /// # Errors
     /// Figures that are not finite.
-    pub fn page(&mut self, page: &Page, figures: &impl Serialize) -> Result<(), BakeError> {
-        self.reports(report::files(self.part.by.name(), page, figures)?);
+    pub fn page(&mut self, page: Page, figures: &impl Serialize) -> Result<(), BakeError> {
+        self.draft = Some(report::draft(self.part.by.name(), page, figures)?);
         Ok(())
     }
 
@@ -169,7 +202,7 @@ impl Made {
     /// # Errors
     /// As [`Made::page`].
     pub fn findings(&mut self, findings: &Findings) -> Result<(), BakeError> {
-        self.reports(report::page(self.part.by.name(), findings)?);
+        self.draft = Some(report::page(self.part.by.name(), findings)?);
         Ok(())
     }
 
@@ -184,15 +217,6 @@ impl Made {
             }
         }
         Ok(())
-    }
-
-    fn reports(&mut self, files: Vec<File>) {
-        let effect = self.part.by.name();
-        for file in files {
-            let entry = Report { effect: Some(effect.into()), file: file.path.clone() };
-            self.part.entries.reports.push(entry);
-            self.part.files.insert(file.path, file.bytes);
-        }
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod albedo;
 pub mod anisotropy;
+mod answer;
 mod called;
 mod code;
 mod containers;

@@ -102,7 +102,7 @@ impl ValueFits<'_> {
         }
         self.explored(&mut made, (&fits, &region), context)?;
         made.fits_called(job, &fits);
-        made.fits(context, (fits, dropped), |_, _, entry| entry);
+        made.fits(context, (fits, dropped), |_, _, entry| entry)?;
         Ok(made)
     }
 

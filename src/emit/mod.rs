@@ -6,6 +6,7 @@ pub mod container;
 pub mod dds;
 pub mod exr;
 pub mod header;
+pub mod include;
 pub mod ktx2;
 pub mod lookup;
 pub mod manifest;

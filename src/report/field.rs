@@ -51,6 +51,7 @@ pub struct Field {
     /// Input along rows.
     pub y: Ruler,
     /// `values[j * x.values.len() + i]` at `x.values[i]`, `y.values[j]`.
+    #[serde(serialize_with = "super::json::drawn")]
     pub values: Vec<f32>,
 }
 

@@ -5,26 +5,30 @@ use std::fmt::{self, Display, Formatter, Write};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::page::{Block, Page, Section, TextTable};
-use super::plot;
+use super::page::{Block, Card, Choice, Page, Section, TextTable};
+use super::{fold, plot};
 
-/// The page as HTML: one self-contained file without network. A script sorts and filters its tables
-/// and copies its code; without it the page is whole.
+/// The page as HTML: one self-contained file without network. What makes it longer than a few
+/// screens is folded. A script sorts and filters its tables, copies its code and says the values
+/// under the pointer; without it the page is whole.
 pub fn html(page: &Page) -> String {
     let mut out = String::new();
     head(&mut out, page);
     bar(&mut out, page);
-    let (title, lead) = (Escaped(&page.title), Escaped(&page.lead));
+    let (title, lead) = (Broken(&page.title), Broken(&page.lead));
     put(&mut out, format_args!("<header>\n<h1>{title}</h1>\n<p>{lead}</p>\n</header>\n"));
     out.push_str("<nav aria-label=\"Contents\">\n<ol>\n");
     for Section { id, title, .. } in &page.sections {
         put(&mut out, format_args!("<li><a href=\"#{}\">{}</a></li>\n", Escaped(id), Escaped(title)));
     }
     out.push_str("</ol>\n</nav>\n<main>\n");
-    for section in &page.sections {
-        let (id, title, lead) = (Escaped(&section.id), Escaped(&section.title), Escaped(&section.lead));
-        put(&mut out, format_args!("<section id=\"{id}\">\n<h2>{title}</h2>\n<p>{lead}</p>\n"));
-        for one in &section.blocks {
+    for (section, blocks) in page.sections.iter().zip(fold::fitted(page)) {
+        let (id, title) = (Escaped(&section.id), Broken(&section.title));
+        put(&mut out, format_args!("<section id=\"{id}\">\n<h2>{title}</h2>\n"));
+        if !section.lead.is_empty() {
+            put(&mut out, format_args!("<p>{}</p>\n", Broken(&section.lead)));
+        }
+        for one in &blocks {
             block(&mut out, one);
         }
         out.push_str("</section>\n");
@@ -91,13 +95,15 @@ fn footer(out: &mut String, page: &Page) {
 
 fn block(out: &mut String, block: &Block) {
     match block {
-        Block::Text { text } => put(out, format_args!("<p>{}</p>\n", Escaped(text))),
-        Block::Heading { text } => put(out, format_args!("<h3>{}</h3>\n", Escaped(text))),
+        Block::Text { text } => put(out, format_args!("<p>{}</p>\n", Broken(text))),
+        Block::Heading { text } => put(out, format_args!("<h3>{}</h3>\n", Broken(text))),
         Block::Code { text } => put(out, format_args!("<pre><code>{}</code></pre>\n", Escaped(text))),
+        Block::Cards(cards) => cards.iter().for_each(|one| card(out, one)),
+        Block::Switch { name, of } => switch(out, name, of),
         Block::Facts { rows } => {
             out.push_str("<dl class=\"facts\">\n");
             for (name, value) in rows {
-                put(out, format_args!("<dt>{}</dt><dd>{}</dd>\n", Escaped(name), Escaped(value)));
+                put(out, format_args!("<dt>{}</dt><dd>{}</dd>\n", Broken(name), Broken(value)));
             }
             out.push_str("</dl>\n");
         }
@@ -119,7 +125,7 @@ fn block(out: &mut String, block: &Block) {
         Block::Table(table) => text_table(out, table),
         Block::Live { data, still } => live(out, data, still),
         Block::Fold { summary, blocks } => {
-            put(out, format_args!("<details>\n<summary>{}</summary>\n", Escaped(summary)));
+            put(out, format_args!("<details>\n<summary>{}</summary>\n", Broken(summary)));
             for inner in blocks {
                 self::block(out, inner);
             }
@@ -146,17 +152,69 @@ fn live(out: &mut String, data: &str, still: &[Block]) {
     put(out, format_args!("<script>\n{script}</script>\n"));
 }
 
+fn card(out: &mut String, card: &Card) {
+    let (id, title, about) = (Escaped(&card.id), Broken(&card.title), Broken(&card.about));
+    let (shown, file) = (Escaped(&card.link.0), Escaped(&card.link.1));
+    put(out, format_args!("<article class=\"card\" id=\"{id}\">\n<h3>{title}</h3>\n"));
+    put(out, format_args!("<p>{about} <a href=\"{file}\">{shown}</a></p>\n<div class=\"choices\">\n"));
+    card.choices.iter().for_each(|one| choice(out, one));
+    if let Some(svg) = &card.svg {
+        put(out, format_args!("<div class=\"plate\">{svg}</div>\n"));
+    }
+    out.push_str("</div>\n</article>\n");
+}
+
+fn choice(out: &mut String, choice: &Choice) {
+    let class = if choice.recommended { "choice recommended" } else { "choice" };
+    let (role, call) = (Escaped(&choice.role), Broken(&choice.call));
+    put(out, format_args!("<div class=\"{class}\">\n<h4>{role}</h4>\n<p><code>{call}</code></p>\n"));
+    block(out, &Block::Facts { rows: choice.facts.clone() });
+    if !choice.note.is_empty() {
+        put(out, format_args!("<p class=\"note\">{}</p>\n", Broken(&choice.note)));
+    }
+    let code = |out: &mut String, (language, text): &(String, String)| {
+        let (language, text) = (Escaped(language), Escaped(text));
+        put(out, format_args!("<pre data-language=\"{language}\"><code>{text}</code></pre>\n"));
+    };
+    if let Some((first, others)) = choice.code.split_first() {
+        code(out, first);
+        if !others.is_empty() {
+            let names: Vec<&str> = others.iter().map(|(language, _)| language.as_str()).collect();
+            put(out, format_args!("<details>\n<summary>{}</summary>\n", Escaped(&names.join(", "))));
+            others.iter().for_each(|one| code(out, one));
+            out.push_str("</details>\n");
+        }
+    }
+    out.push_str("</div>\n");
+}
+
+/// Blocks of which one is seen, by buttons that need no script.
+fn switch(out: &mut String, name: &str, of: &[(String, Block)]) {
+    put(out, format_args!("<div class=\"switch\">\n"));
+    for (i, (label, _)) in of.iter().enumerate() {
+        let (checked, name, label) = (if i == 0 { " checked" } else { "" }, Escaped(name), Escaped(label));
+        put(out, format_args!("<input type=\"radio\" name=\"{name}\" id=\"{name}-{i}\"{checked}>"));
+        put(out, format_args!("<label for=\"{name}-{i}\">{label}</label>\n"));
+    }
+    for (_, one) in of {
+        out.push_str("<div>\n");
+        block(out, one);
+        out.push_str("</div>\n");
+    }
+    out.push_str("</div>\n");
+}
+
 fn text_table(out: &mut String, table: &TextTable) {
     let class = |figures: &bool| if *figures { " class=\"n\"" } else { "" };
     out.push_str("<figure>\n<div class=\"wide\"><table>\n<thead><tr>");
     for (name, figures) in &table.columns {
-        put(out, format_args!("<th{}>{}</th>", class(figures), Escaped(name)));
+        put(out, format_args!("<th{}>{}</th>", class(figures), Broken(name)));
     }
     out.push_str("</tr></thead>\n<tbody>\n");
     for (row, muted) in table.rows.iter().zip(&table.muted) {
         put(out, format_args!("<tr{}>", if *muted { " class=\"muted\"" } else { "" }));
         for (cell, (_, figures)) in row.iter().zip(&table.columns) {
-            put(out, format_args!("<td{}>{}</td>", class(figures), Escaped(cell)));
+            put(out, format_args!("<td{}>{}</td>", class(figures), Broken(cell)));
         }
         out.push_str("</tr>\n");
     }
@@ -166,7 +224,7 @@ fn text_table(out: &mut String, table: &TextTable) {
 
 fn captioned(out: &mut String, caption: &str) {
     if !caption.is_empty() {
-        put(out, format_args!("<figcaption>{}</figcaption>\n", Escaped(caption)));
+        put(out, format_args!("<figcaption>{}</figcaption>\n", Broken(caption)));
     }
     out.push_str("</figure>\n");
 }
@@ -174,6 +232,23 @@ fn captioned(out: &mut String, caption: &str) {
 fn put(out: &mut String, text: fmt::Arguments) {
     // A String takes every write.
     let _ = out.write_fmt(text);
+}
+
+/// Text as it stands in an element, which may break after the underscores of a long name.
+struct Broken<'a>(&'a str);
+
+/// Characters of a name that finds room on a line of the narrowest screen.
+const NAME: usize = 16;
+
+impl Display for Broken<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for word in self.0.split_inclusive(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
+            let text = Escaped(word).to_string();
+            let long = word.len() > NAME && word.contains('_');
+            f.write_str(&if long { text.replace('_', "_<wbr>") } else { text })?;
+        }
+        Ok(())
+    }
 }
 
 /// Text as it stands in an element or in a quoted attribute.

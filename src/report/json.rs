@@ -1,14 +1,31 @@
-//! Findings as JSON: shortest digits that read back to the same number, objects on lines, lists of
-//! numbers on one.
+//! Findings as JSON: numbers in nine digits at most, objects on lines, lists of numbers on one.
 
 use std::io;
 
-use serde::Serialize;
-use serde_json::ser::Formatter;
-use serde_json::{Serializer, Value};
+use serde::{Serialize, Serializer};
+use serde_json::Value;
+use serde_json::ser::{CompactFormatter, Formatter};
 
 use super::findings::SCHEMA_VERSION;
+use super::numbers::rounded;
 use super::{ReportError, check};
+
+/// Digits of a number that a picture is drawn from: a pixel tells no more.
+const DRAWN: usize = 5;
+
+/// What pictures are drawn from, in the digits that they show.
+pub(super) fn drawn<S: Serializer>(
+    values: &[impl Copy + Into<f64>],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(values.iter().map(|&x| rounded(x.into(), DRAWN)))
+}
+
+/// The same of several lists.
+pub(super) fn drawn_lists<S: Serializer>(lists: &[Vec<f64>], serializer: S) -> Result<S::Ok, S::Error> {
+    let list = |values: &Vec<f64>| values.iter().map(|&x| rounded(x, DRAWN)).collect::<Vec<f64>>();
+    serializer.collect_seq(lists.iter().map(list))
+}
 
 #[derive(Serialize)]
 struct Document<'a, T> {
@@ -25,7 +42,9 @@ pub fn document<T: Serialize>(name: &str, data: &T) -> Result<Vec<u8>, ReportErr
     let document = Document { schema_version: SCHEMA_VERSION, data };
     let refused = |e: serde_json::Error| ReportError::Drawing { section: name.into(), reason: e.to_string() };
     let mut bytes = Vec::new();
-    document.serialize(&mut Serializer::with_formatter(&mut bytes, Lines::default())).map_err(refused)?;
+    document
+        .serialize(&mut serde_json::Serializer::with_formatter(&mut bytes, Lines::default()))
+        .map_err(refused)?;
     // serde_json writes NaN and infinities as null, and nothing else in the findings is ever null.
     let value: Value = serde_json::from_slice(&bytes).map_err(refused)?;
     if let Some(path) = null(&value) {
@@ -69,7 +88,14 @@ impl Lines {
     }
 }
 
+/// Digits of a number: those that tell every f32 from its neighbours.
+const DIGITS: usize = 9;
+
 impl Formatter for Lines {
+    fn write_f64<W: ?Sized + io::Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
+        CompactFormatter.write_f64(writer, rounded(value, DIGITS))
+    }
+
     fn begin_array<W: ?Sized + io::Write>(&mut self, writer: &mut W) -> io::Result<()> {
         self.begin(writer, true)
     }

@@ -1,6 +1,6 @@
 //! What was found out, as pictures and pages. Plain data in, bytes out; nothing is measured here.
 //!
-//! [`index`] is the overview of a bake, [`files`] are the page of one of its effects and its
+//! [`index`] is the overview of a bake, [`draft`] is the page of one of its effects and its
 //! figures, [`timings_page`] the [`Timings`] of `lobefit cost`. Each builds a [`Page`], a list of
 //! [`Section`]s of [`Block`]s; a new effect adds a section from the figures there are ([`HeatMap`],
 //! [`Curves`], [`Scatter`], [`Spheres`], [`Bars`]). The same data gives the same bytes for any
@@ -12,6 +12,7 @@ mod error;
 pub mod explore;
 mod field;
 mod findings;
+mod fold;
 mod gpu;
 mod html;
 mod image;
@@ -22,24 +23,27 @@ pub(crate) mod plot;
 pub(crate) mod sections;
 mod timings;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::emit::manifest::Manifest;
+use crate::store::Files;
 pub use error::ReportError;
 pub use field::{Field, Ruler};
 pub use findings::{
-    ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure, Findings,
-    FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, LeftOut, Marked, Origin,
-    SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study, StudySeries, TableFinding,
+    Answer, ApproximationFinding, AverageFinding, AverageFit, ChannelFinding, EffectFinding, ErrorFigure,
+    Findings, FitCard, FitCurve, FitFinding, FitPage, FitSlice, Furnace, FurnaceRow, LeftOut, Marked,
+    Measured, Offer, Origin, Purpose, Role, SCHEMA_VERSION, SearchPage, SearchRow, SliceCurve, Study,
+    StudySeries, TableFinding,
 };
+pub use fold::{folded, folded_after};
 pub use gpu::{GpuAgainst, GpuClock, GpuDevice, GpuError, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread};
 pub use html::html;
 pub use image::{Image, displayed, luminance};
 pub use json::document;
-pub use page::{Block, Page, Section, TextTable};
+pub use page::{Block, Card, Choice, Page, Section, TextTable};
 pub use plot::{
-    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Gallery, HeatMap, Scatter, Series, Shade, SphereRow,
-    Spheres, Spread, Style, Tile, Worst, disc, signed,
+    Annotation, Bar, Bars, Cells, Curves, Dot, Figure, Frontiers, Gallery, HeatMap, Scatter, Series, Shade,
+    SphereRow, Spheres, Spread, Style, Tile, Worst, disc, signed,
 };
 pub use sections::{figures, words};
 pub use timings::{
@@ -56,38 +60,79 @@ pub struct File {
     pub bytes: Vec<u8>,
 }
 
-/// `reports/<effect>.html` of a page of sections, and `reports/<effect>.json` of its figures.
+/// The page of an effect without its conclusion, and the files beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draft {
+    effect: String,
+    page: Page,
+    beside: Vec<File>,
+}
+
+impl Draft {
+    /// `reports/<effect>.html`, its lead after a conclusion, and the files beside it.
+    pub fn files(self, conclusion: &str) -> Vec<File> {
+        let path = format!("reports/{}.html", self.effect);
+        let lead = [conclusion, &self.page.lead].join(" ").trim().to_string();
+        let text = html(&Page { lead, ..self.page });
+        std::iter::once(file(&path, text.into_bytes())).chain(self.beside).collect()
+    }
+}
+
+/// A page of sections, and `reports/<effect>.json` of its figures.
 ///
 /// # Errors
 /// Data that is not finite, empty where it must not be, or of mismatched size, by section and
 /// field.
-pub fn files(effect: &str, page: &Page, figures: &impl Serialize) -> Result<Vec<File>, ReportError> {
+pub fn draft(effect: &str, page: Page, figures: &impl Serialize) -> Result<Draft, ReportError> {
     let figures = json::document(&format!("{effect}.json"), figures)?;
-    Ok(vec![
-        file(&format!("reports/{effect}.html"), html(page).into_bytes()),
-        file(&format!("reports/{effect}.json"), figures),
-    ])
+    let beside = vec![file(&format!("reports/{effect}.json"), figures)];
+    Ok(Draft { effect: effect.into(), page, beside })
 }
 
 /// The same of findings of fits and tables over roughness and mu, and `reports/furnace.svg`, the
 /// spheres before and after, where they have a furnace.
 ///
 /// # Errors
-/// As [`files`].
-pub fn page(effect: &str, findings: &Findings) -> Result<Vec<File>, ReportError> {
-    let mut files = files(effect, &sections::of_findings(effect, findings)?, findings)?;
+/// As [`draft`].
+pub fn page(effect: &str, findings: &Findings) -> Result<Draft, ReportError> {
+    let mut drafted = draft(effect, sections::of_findings(effect, findings)?, findings)?;
     let picture = sections::furnace::picture(findings)?;
-    files.extend(picture.map(|svg| file("reports/furnace.svg", svg.into_bytes())));
-    Ok(files)
+    drafted.beside.extend(picture.map(|svg| file("reports/furnace.svg", svg.into_bytes())));
+    Ok(drafted)
 }
 
-/// `reports/index.html`: the overview of a bake, with links to the pages of its effects.
+/// The data of [`index`].
+pub const INDEX: &str = "reports/index.json";
+
+/// The answers of the effects of a bake.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Answers {
+    /// What made them; none where they are read back.
+    #[serde(default, skip_deserializing, skip_serializing_if = "Option::is_none")]
+    pub origin: Option<Origin>,
+    /// In the order of the manifest.
+    pub answers: Vec<Answer>,
+}
+
+/// `reports/index.html`: what to take of a bake, with links to the pages of its effects; and, where
+/// there is anything to take, the answers as `reports/index.json`.
 ///
 /// # Errors
-/// As [`files`].
-pub fn index(origin: Origin, manifest: &Manifest) -> Result<Vec<File>, ReportError> {
-    let text = html(&sections::of_index(origin, manifest)?);
-    Ok(vec![file("reports/index.html", text.into_bytes())])
+/// As [`draft`].
+pub fn index(
+    origin: Origin,
+    answers: Vec<Answer>,
+    (manifest, files): (&Manifest, &Files),
+) -> Result<Vec<File>, ReportError> {
+    let record = gpu::recorded()?;
+    let drawn = sections::answers::Drawn { manifest, files, record: Some(&record) };
+    let text = html(&sections::of_index(origin.clone(), &answers, &drawn)?);
+    let mut made = vec![file("reports/index.html", text.into_bytes())];
+    if answers.iter().any(|answer| !answer.purposes.is_empty()) {
+        let data = Answers { origin: Some(origin), answers };
+        made.push(file(INDEX, json::document("index.json", &data)?));
+    }
+    Ok(made)
 }
 
 /// The live page.
@@ -101,7 +146,7 @@ pub fn explore(page: explore::ExplorePage) -> Result<File, ReportError> {
 /// `reports/timings.html` and `reports/timings.json` of a measurement.
 ///
 /// # Errors
-/// As [`files`].
+/// As [`draft`].
 pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
     let figures = json::document("timings.json", timings)?;
     let text = html(&sections::of_timings(timings)?);
@@ -112,7 +157,7 @@ pub fn timings_page(timings: &Timings) -> Result<Vec<File>, ReportError> {
 /// hash of the record's bytes.
 ///
 /// # Errors
-/// As [`files`].
+/// As [`draft`].
 pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
     let figures = json::document("gpu.json", record)?;
     let hash = blake3::hash(&figures).to_hex();
@@ -122,7 +167,7 @@ pub fn gpu_page(record: &GpuRecord) -> Result<(String, Vec<u8>), ReportError> {
 /// The page of a formula that the user fits, as HTML.
 ///
 /// # Errors
-/// As [`files`].
+/// As [`draft`].
 pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
     Ok(html(&sections::of_fit(findings)?))
 }
@@ -130,7 +175,7 @@ pub fn fit_page(findings: &FitPage) -> Result<String, ReportError> {
 /// The page of a search over forms, as HTML.
 ///
 /// # Errors
-/// As [`files`].
+/// As [`draft`].
 pub fn search_page(findings: &SearchPage) -> Result<String, ReportError> {
     Ok(html(&sections::of_search(findings)?))
 }

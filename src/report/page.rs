@@ -73,6 +73,15 @@ pub enum Block {
         /// What stands there where it cannot draw.
         still: Vec<Block>,
     },
+    /// What to take, a card for each thing that is made.
+    Cards(Vec<Card>),
+    /// Blocks of which one is seen at a time, each behind its label.
+    Switch {
+        /// What is switched: an identifier, unique in its page.
+        name: String,
+        /// The blocks; the first is seen at first.
+        of: Vec<(String, Block)>,
+    },
     /// Blocks that are shown when their line is opened.
     Fold {
         /// The line.
@@ -80,6 +89,40 @@ pub enum Block {
         /// What it opens.
         blocks: Vec<Block>,
     },
+}
+
+/// What to take of what was made for one purpose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Card {
+    /// Anchor.
+    pub id: String,
+    /// Name of what is called.
+    pub title: String,
+    /// What it is.
+    pub about: String,
+    /// Where more of it stands: words, and a file.
+    pub link: (String, String),
+    /// What there is to choose from.
+    pub choices: Vec<Choice>,
+    /// A drawing below them.
+    pub svg: Option<String>,
+}
+
+/// One choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What it is chosen for: `cheap`.
+    pub role: String,
+    /// Whether it stands out.
+    pub recommended: bool,
+    /// The call.
+    pub call: String,
+    /// Figures.
+    pub facts: Vec<(String, String)>,
+    /// What else there is to know; may be empty.
+    pub note: String,
+    /// Code to copy, by language; the first is seen at once.
+    pub code: Vec<(String, String)>,
 }
 
 /// A table of text.

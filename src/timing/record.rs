@@ -1,15 +1,15 @@
 //! Records of times on graphics processors, read back: what a record says, and whether it is of the
 //! code at hand.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::bake::Baked;
-use crate::emit::manifest::{Entries, Manifest, TableEntry};
+use crate::emit::include::Include;
+use crate::emit::manifest::{Entries, Manifest};
 use crate::report::{GpuRecord, ReportError, SCHEMA_VERSION, gpu_page};
 use crate::store::MANIFEST;
-use lobefit_shade::code::Language;
 
 /// Version of the way of measuring: to be raised when rows measured before and after cannot be
 /// compared.
@@ -85,7 +85,7 @@ pub fn page(record: &GpuRecord) -> Result<(String, Vec<u8>), RecordError> {
 /// Rows of a record that are not of a bake's code: their functions have changed or are gone, or
 /// they were measured in another way.
 pub fn stale(record: &GpuRecord, baked: &Baked) -> Vec<String> {
-    let include = Include::of(baked);
+    let include = Include::of(&baked.files);
     let current = |function: &str, code: Option<&str>| {
         let hash = include.as_ref().and_then(|include| include.hash(function));
         record.method == METHOD && hash.is_some() && hash.as_deref() == code
@@ -103,7 +103,7 @@ pub fn missing(record: &GpuRecord, baked: &Baked) -> Vec<String> {
     let timed = record.rows.iter().filter_map(|row| row.function.as_deref());
     let known: BTreeSet<&str> =
         timed.chain(record.left_out.iter().map(|out| out.function.as_str())).collect();
-    let Some(manifest) = Include::of(baked).and_then(|_| manifest(baked)) else { return Vec::new() };
+    let Some(manifest) = Include::of(&baked.files).and_then(|_| manifest(baked)) else { return Vec::new() };
     let Entries { tables, fits, mips, lookups, .. } = manifest.entries;
     let functions = lookups.into_iter().map(|entry| entry.function);
     let functions = functions.chain(fits.into_iter().map(|entry| entry.function));
@@ -114,82 +114,4 @@ pub fn missing(record: &GpuRecord, baked: &Baked) -> Vec<String> {
 
 fn manifest(baked: &Baked) -> Option<Manifest> {
     serde_json::from_slice(baked.files.get(MANIFEST)?).ok()
-}
-
-/// What a table's lookup fetches, by function: format and channels, which its code does not tell.
-fn texels(manifest: &Manifest) -> BTreeMap<String, String> {
-    let texel = |table: &TableEntry| {
-        (table.function.clone(), format!("{:?} {}", table.format, json!(table.channels)))
-    };
-    manifest.entries.tables.iter().map(texel).collect()
-}
-
-/// The emitted WGSL of a bake, item by item.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Include {
-    /// The whole text.
-    pub text: String,
-    /// Functions and structures by name, without comments.
-    items: BTreeMap<String, String>,
-    /// Texels of tables by the function that fetches them.
-    texels: BTreeMap<String, String>,
-}
-
-impl Include {
-    /// The WGSL of a bake; none where it emits none.
-    pub fn of(baked: &Baked) -> Option<Include> {
-        let file = format!("fits/lobefit.{}", Language::Wgsl.extension());
-        let bytes = baked.files.get(&file)?;
-        let texels = manifest(baked).as_ref().map(texels).unwrap_or_default();
-        Some(Include { texels, ..Include::new(String::from_utf8_lossy(bytes).into_owned()) })
-    }
-
-    /// Of a text as this program prints it: items begin at the beginning of a line and end with a
-    /// brace there.
-    pub fn new(text: String) -> Include {
-        let mut items: BTreeMap<String, String> = BTreeMap::new();
-        let mut inside: Option<String> = None;
-        for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
-            let name = ["fn ", "struct "].iter().find_map(|word| line.strip_prefix(word)).map(first_word);
-            if let Some(name) = name {
-                inside = Some(name.to_owned());
-            }
-            if let Some(name) = &inside {
-                let item = items.entry(name.clone()).or_default();
-                item.push_str(line);
-                item.push('\n');
-            }
-            if line == "}" {
-                inside = None;
-            }
-        }
-        Include { text, items, texels: BTreeMap::new() }
-    }
-
-    /// The code of a function and of all that it names, without comments; none where there is no
-    /// such function.
-    pub fn code(&self, function: &str) -> Option<String> {
-        let mut needed = BTreeSet::new();
-        let mut pending = vec![self.items.get_key_value(function)?];
-        while let Some((name, text)) = pending.pop() {
-            if needed.insert(name) {
-                pending.extend(words(text).filter_map(|word| self.items.get_key_value(word)));
-            }
-        }
-        Some(needed.into_iter().filter_map(|name| self.items.get(name)).map(String::as_str).collect())
-    }
-
-    /// Hash of [`Include::code`], and of the texels where the function fetches from a table.
-    pub fn hash(&self, function: &str) -> Option<String> {
-        let code = self.code(function)? + self.texels.get(function).map_or("", String::as_str);
-        Some(blake3::hash(code.as_bytes()).to_hex().to_string())
-    }
-}
-
-fn first_word(text: &str) -> &str {
-    words(text).next().unwrap_or_default()
-}
-
-fn words(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }

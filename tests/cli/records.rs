@@ -7,12 +7,13 @@ use std::path::Path;
 
 use common::{lobefit, names, stderr};
 use lobefit::bake::{Baked, Selection, Silent, bake};
+use lobefit::emit::include::Include;
 use lobefit::plan::plan;
 use lobefit::report::{
     GpuClock, GpuDevice, GpuKind, GpuLeftOut, GpuRecord, GpuRow, GpuSpread, Origin, SCHEMA_VERSION,
 };
 use lobefit::scene::Scene;
-use lobefit::timing::record::{Include, METHOD, missing, page, read, stale};
+use lobefit::timing::record::{METHOD, missing, page, read, stale};
 use serde_json::{Value, json};
 
 /// Formulas of three operations over a narrow range.
@@ -258,7 +259,7 @@ fn a_table_of_other_texels_makes_its_time_one_of_other_code() {
         let manifest: Value = serde_json::from_slice(&baked.files["manifest.json"]).expect("JSON");
         manifest["tables"][0]["function"].as_str().expect("a name").to_string()
     };
-    let include = |baked: &Baked| Include::of(baked).expect("an include");
+    let include = |baked: &Baked| Include::of(&baked.files).expect("an include");
     let name = table(&half);
     let of = |baked: &Baked| row(&name, Some(&name), include(baked).hash(&name));
     assert!(of(&half).code.is_some());

@@ -61,7 +61,7 @@ fn sphere(factor: &[Vec<f64>], shade: Shade) -> Result<String, ReportError> {
     let rows = vec![SphereRow { name: "row".into(), factors: factor }];
     let (title, unit) = ("sphere".into(), String::new());
     let column_name = "roughness".into();
-    Spheres { title, column_name, columns: &[0.5], mu: &[0.0, 1.0], rows, shade, unit }.svg()
+    Spheres { title, column_name, columns: &[0.5], mu: &[0.0, 1.0], rows, shade, unit, cell: 78 }.svg()
 }
 
 #[test]

@@ -149,7 +149,7 @@ fn names_from_a_scene_cannot_leave_their_place() -> Result<(), Box<dyn std::erro
     furnace(&mut spoilt).rows[2].name = HOSTILE.into();
     spoilt.studies[0].name = HOSTILE.into();
     spoilt.studies[0].series[0].name = HOSTILE.into();
-    let files = report::page("reflection", &spoilt)?;
+    let files = report::page("reflection", &spoilt)?.files("");
     let html = std::str::from_utf8(&files[0].bytes)?;
     assert_eq!(html.matches("<script").count(), 1, "no markup from names");
     assert_eq!(html.matches("-->").count(), 1, "the header's comment ends once");
@@ -186,7 +186,7 @@ fn odd_but_legal_data_is_shown() -> Result<(), ReportError> {
         |_, _| 1e-30,
     );
     odd.tables[0].lookup_error.push(single);
-    let files = report::page("reflection", &odd)?;
+    let files = report::page("reflection", &odd)?.files("");
     let html = String::from_utf8_lossy(&files[0].bytes).into_owned();
     assert!(html.contains("Exact, so not on a logarithmic axis: n_linear_max."));
     Ok(())

@@ -24,7 +24,7 @@ fn text(files: &[File], path: &str) -> Result<String, Box<dyn std::error::Error>
 
 #[test]
 fn the_page_is_complete_self_contained_and_small() -> Outcome {
-    let files = report::page("reflection", &findings())?;
+    let files = report::page("reflection", &findings())?.files("");
     show(&files)?;
     let html = text(&files, "reports/reflection.html")?;
     for id in ["called-for", "approximations", "furnace", "truth", "tables", "fits", "accuracy"] {
@@ -43,10 +43,10 @@ fn the_page_is_complete_self_contained_and_small() -> Outcome {
 
 #[test]
 fn the_same_data_gives_the_same_bytes_on_any_number_of_threads() -> Outcome {
-    let once = report::page("reflection", &findings())?;
+    let once = report::page("reflection", &findings())?.files("");
     for threads in [1, 2, 3, 7] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
-        let again = pool.install(|| report::page("reflection", &findings()))?;
+        let again = pool.install(|| report::page("reflection", &findings()))?.files("");
         assert!(once == again, "{threads} threads");
     }
     Ok(())
@@ -54,7 +54,7 @@ fn the_same_data_gives_the_same_bytes_on_any_number_of_threads() -> Outcome {
 
 #[test]
 fn figures_read_back_to_the_same_numbers() -> Outcome {
-    let files = report::page("reflection", &findings())?;
+    let files = report::page("reflection", &findings())?.files("");
     let value: serde_json::Value = serde_json::from_str(&text(&files, "reports/reflection.json")?)?;
     assert_eq!(value["schema_version"], 1);
     assert_eq!(value["approximations"][4]["certificate"]["max_abs"], 0.0204);
@@ -105,7 +105,7 @@ fn a_scene_that_calls_for_nothing_gets_a_page_that_says_so() -> Result<(), Repor
         studies: Vec::new(),
         ..all
     };
-    let files = report::page("reflection", &nothing)?;
+    let files = report::page("reflection", &nothing)?.files("");
     let html = String::from_utf8_lossy(&files[0].bytes).into_owned();
     assert!(html.contains("The scene calls for no effect"));
     assert!(html.contains("no material transmits"), "and why");
@@ -115,7 +115,7 @@ fn a_scene_that_calls_for_nothing_gets_a_page_that_says_so() -> Result<(), Repor
 
 #[test]
 fn captions_speak_only_of_what_is_there() -> Outcome {
-    let all = text(&report::page("reflection", &findings())?, "reports/reflection.html")?;
+    let all = text(&report::page("reflection", &findings())?.files(""), "reports/reflection.html")?;
     assert!(all.contains("9 fits with pictures: 9 one of the synthetic fits."), "the selection is told");
     assert!(all.contains("Without pictures") && all.contains("pesce-linear"), "and what is not in it");
     assert!(all.contains("The fits of E_avg follow at the end") && all.contains("<h3>E_avg</h3>"));
@@ -128,7 +128,7 @@ fn captions_speak_only_of_what_is_there() -> Outcome {
     few.studies.iter_mut().for_each(|s| s.series.retain(|s| !s.error.contains(&0.0)));
     few.approximations.iter_mut().for_each(|a| a.cost.ops = 1);
     few.fits.truncate(1);
-    let few = text(&report::page("reflection", &few)?, "reports/reflection.html")?;
+    let few = text(&report::page("reflection", &few)?.files(""), "reports/reflection.html")?;
     assert!(!few.contains("tables (squares)") && !few.contains("A triangle on the foot"));
     assert!(!few.contains("The stairs join"), "no chart of one cost");
     assert!(few.contains("<dd>1 operation</dd>"), "singular");
@@ -142,7 +142,7 @@ fn rings_of_fits_are_signed() -> Outcome {
     let fit = &mut one.fits[0];
     fit.error.values.iter_mut().for_each(|v| *v = -v.abs() - 1e-3);
     one.approximations[0].certificate.max_abs = 0.12345;
-    let html = text(&report::page("reflection", &one)?, "reports/reflection.html")?;
+    let html = text(&report::page("reflection", &one)?.files(""), "reports/reflection.html")?;
     assert!(html.contains("\u{2212}0.124\n"), "the certificate's figure with the map's sign, away from zero");
     Ok(())
 }

@@ -174,6 +174,7 @@ fn furnace() -> Furnace {
     let roughness = vec![0.1, 0.25, 0.4, 0.55, 0.7, 0.85, 1.0];
     let mu = Ruler::even("mu", 0.0, 1.0, 128).values;
     let row = |name: &str, f: &dyn Fn(f64, f64) -> f64| FurnaceRow {
+        of: String::new(),
         name: name.into(),
         factors: roughness.iter().map(|&r| mu.iter().map(|&m| f(r, m.max(1e-3))).collect()).collect(),
     };

@@ -10,9 +10,9 @@ use super::texture::{Shape, Texels};
 use super::variable::Ranges;
 use lobefit::bake::Baked;
 use lobefit::data::Use;
+use lobefit::emit::include::Include;
 use lobefit::report::{self, GpuKind, GpuLeftOut};
 use lobefit::store::MANIFEST;
-use lobefit::timing::record::Include;
 
 /// Levels of the cubemap that lookups fetch from, and texels along an edge of its first: 128 down
 /// to 2.

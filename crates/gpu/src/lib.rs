@@ -24,8 +24,9 @@ use measure::Measured;
 use device::Gpu;
 use jobs::Jobs;
 use lobefit::bake::{Baked, Progress};
+use lobefit::emit::include::Include;
 use lobefit::report::{GpuRecord, Origin};
-use lobefit::timing::record::{Include, METHOD};
+use lobefit::timing::record::METHOD;
 
 /// How much work a measurement does.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +61,7 @@ pub fn measure(
     origin: Origin,
     progress: &dyn Progress,
 ) -> Result<Option<GpuRecord>, GpuError> {
-    let Some(include) = Include::of(baked) else { return Ok(None) };
+    let Some(include) = Include::of(&baked.files) else { return Ok(None) };
     let gpu = Gpu::open(adapter)?;
     let jobs = Jobs::of(include, baked, gpu.filters_single())?;
     let measured = Measured::of(&gpu, &jobs.all, work, progress)?;

@@ -39,7 +39,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     }
     if context.reports(called.effect) {
         let findings = findings::findings(&made.part.finding, &lobes, context)?;
-        made.page(&page::page(&findings)?, &findings)?;
+        made.furnaces.extend(findings.lobes.iter().flat_map(|lobe| lobe.furnace.spheres()));
+        made.page(page::page(&findings)?, &findings)?;
     }
     let exploring: Vec<Exploring> = lobes.iter().map(Lobe::exploring).collect();
     made.explored(context, &exploring)?;
@@ -49,7 +50,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());
-        made.fits(context, set, |i, fit, entry| lobe.entry(i, fit, entry));
+        made.fits(context, set, |i, fit, entry| lobe.entry(i, fit, entry))?;
     }
     Ok(made)
 }

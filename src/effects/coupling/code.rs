@@ -5,7 +5,7 @@ use super::bake::Lobe;
 use super::rule;
 use crate::approximate::Fit;
 use crate::effects::BakeError;
-use crate::effects::code::{documented, function};
+use crate::effects::code::{constants, documented, function};
 use crate::effects::coupling::AnyF0;
 use crate::effects::coupling::emitted as coupling;
 use crate::emit::header;
@@ -37,11 +37,11 @@ fn lines(lobe: &Lobe, fit: &Fit, any: &AnyF0) -> Vec<String> {
     let mut lines = documented(fit);
     let (smith, ops) = (lobe.spec.smith.name(), header::operations(a.cost.ops));
     lines.push(format!(
-        "{} {}, specular {}, smith {smith}; {ops}; constants fitted for the smallest {} error",
+        "{} {}, specular {}, smith {smith}; {ops}; {}",
         a.quantity,
         a.column,
         lobe.spec.specular.name(),
-        fit.norm()
+        constants(fit)
     ));
     lines.extend(header::certificate_lines(
         "of the factor: of the furnace, the lobe exact and the base white",

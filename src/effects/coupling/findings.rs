@@ -130,7 +130,8 @@ fn furnace(lobe: &Lobe, shown: &[Selected], context: &Context) -> Result<Couplin
         let row = |fit: &&Fit| {
             let total: Vec<f64> =
                 grid.values(fit, *f0)?.into_iter().zip(&truth).map(|(v, t)| 1.0 + v - t).collect();
-            Ok(FurnaceRow { name: fit.approximation.name.clone(), factors: grid.by_roughness(&total) })
+            let name = fit.approximation.name.clone();
+            Ok(FurnaceRow { of: name.clone(), name, factors: grid.by_roughness(&total) })
         };
         Ok((*f0, rows.iter().map(row).collect::<Result<_, BakeError>>()?))
     };

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::data::Place;
 use crate::effects::coupling::surface::table::{Grid, ReciprocityRow};
 use crate::report::Field;
-use crate::report::{ApproximationFinding, EffectFinding, FitFinding, FurnaceRow, LeftOut, Origin};
+use crate::report::{ApproximationFinding, EffectFinding, FitFinding, Furnace, FurnaceRow, LeftOut, Origin};
 
 /// What a bake found out about the coupling of diffuse bases.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -105,4 +105,17 @@ pub struct CouplingFurnace {
     /// f0, and the light of lobe and base together for each factor; `factors[column][k]` at
     /// `mu[k]`.
     pub panels: Vec<(f64, Vec<FurnaceRow>)>,
+}
+
+impl CouplingFurnace {
+    /// The spheres of each f0.
+    pub fn spheres(&self) -> impl Iterator<Item = Furnace> {
+        let of = |(_, rows): &(f64, Vec<FurnaceRow>)| Furnace {
+            roughness: self.roughness.clone(),
+            mu: self.mu.clone(),
+            rows: rows.clone(),
+            amplification: self.amplification,
+        };
+        self.panels.iter().map(of)
+    }
 }

@@ -88,12 +88,16 @@ fn furnace<F: Sliced>(
         let (grid, alpha) = (&grids[0], region.alpha_map.name());
         let uncompensated = format!("uncompensated ({} Smith, alpha = {alpha})", smith.name());
         if rows.iter().all(|row| row.name != uncompensated) {
-            rows.push(FurnaceRow { name: uncompensated, factors: grid.furnace(side) });
+            rows.push(FurnaceRow { name: uncompensated, of: String::new(), factors: grid.furnace(side) });
         }
-        let compensated =
-            |name: String, lookup: &Lookup| FurnaceRow { name, factors: grid.compensated(lookup, side) };
+        let compensated = |name: String, lookup: &Lookup| FurnaceRow {
+            name,
+            of: String::new(),
+            factors: grid.compensated(lookup, side),
+        };
         let name = called(group, baked);
-        rows.push(compensated(format!("{name}, as registered"), &Lookup::new(table, baked.decode)?));
+        let own = compensated(format!("{name}, as registered"), &Lookup::new(table, baked.decode)?);
+        rows.push(FurnaceRow { of: baked.approximation.name.clone(), ..own });
         if baked.layout == Layout::PathTracer {
             let misread = misread(table, family.layer(slice));
             rows.push(compensated(

@@ -54,7 +54,8 @@ impl<F: Sliced> Effect for F {
         made.tables(context, tables)?;
         if context.reports(called.effect) {
             let findings = findings::findings(self, &made.part, &made.tables, context)?;
-            made.page(&page::page(&findings)?, &findings)?;
+            made.furnaces.extend(findings.furnaces.iter().map(|finding| finding.furnace.clone()));
+            made.page(page::page(&findings)?, &findings)?;
         }
         Ok(made)
     }

@@ -21,7 +21,11 @@ pub struct Furnace {
 pub struct FurnaceRow {
     /// Name of the approximation, or `uncompensated`.
     pub name: String,
+    /// The approximation that it shows; empty where there is none.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub of: String,
     /// `factors[column][k]` = E N at `mu[k]`.
+    #[serde(serialize_with = "crate::report::json::drawn_lists")]
     pub factors: Vec<Vec<f64>>,
 }
 

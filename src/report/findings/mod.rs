@@ -1,6 +1,7 @@
 //! Everything a bake found out, as plain data: filled by the one who ran the jobs, shown by the
 //! page, and written as it is to `reports/<effect>.json`.
 
+mod answer;
 mod approximation;
 mod furnace;
 mod own;
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::Field;
 
 pub use crate::emit::manifest::{EffectFinding, LeftOut};
+pub use answer::{Answer, Measured, Offer, Purpose, Role};
 pub use approximation::{ApproximationFinding, AverageFinding, AverageFit, FitCurve, FitFinding};
 pub use furnace::{Furnace, FurnaceRow, Marked, Study, StudySeries};
 pub use own::{FitCard, FitPage, FitSlice, SliceCurve};

@@ -253,7 +253,7 @@ fn refused(figure: &str, error: &impl std::fmt::Display) -> ReportError {
     ReportError::Drawing { section: figure.into(), reason: error.to_string() }
 }
 
-fn unit(x: f64) -> i32 {
+pub(super) fn unit(x: f64) -> i32 {
     (x * SCALE).round() as i32
 }
 

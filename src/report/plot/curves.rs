@@ -3,6 +3,7 @@
 use plotters::style::RGBColor;
 
 use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
+use super::hover::{self, Hover};
 use super::legend::{Key, Legend};
 use super::{Figure, LINES, Scale, Spread, axes, font, labels};
 use crate::report::{ReportError, check};
@@ -80,7 +81,7 @@ impl Series {
     fn key(&self) -> Key {
         match self.style {
             Style::Truth => Key::Line(3.0),
-            Style::Line(_) => Key::Line(1.6),
+            Style::Line(i) => Key::Line(width(i)),
             Style::Marked(_) => Key::Marked,
             Style::Measured | Style::Bars => Key::Disc,
         }
@@ -97,9 +98,18 @@ impl Figure for Curves {
         let frame = Frame { left, top, right: left + self.size.0, bottom: top + self.size.1 };
         let ends = axes::widest(self.series.iter().filter_map(|s| s.end.as_deref()))?;
         let plan = Plan { frame, x, y };
-        sheet(&self.title, (frame.right + ends + 18.0, frame.bottom + 44.0), "", |c| {
+        let svg = sheet(&self.title, (frame.right + ends + 18.0, frame.bottom + 44.0), "", |c| {
             self.draw(c, &plan, &legend)
-        })
+        })?;
+        hover::with(
+            &svg,
+            &Hover::Lines {
+                frame: hover::corners(frame),
+                x: hover::axis(&self.x.0, x),
+                y: hover::axis(&self.y.0, y),
+                lines: self.lines(),
+            },
+        )
     }
 }
 
@@ -142,6 +152,18 @@ impl Curves {
             ));
         }
         Ok(())
+    }
+
+    /// The names of what is drawn as a line, in order: of a line without a name that of the first of
+    /// its style, and what stands at its end.
+    fn lines(&self) -> Vec<String> {
+        let drawn = self.series.iter().filter(|s| !matches!(s.style, Style::Measured | Style::Bars));
+        let named = |s: &Series| {
+            let alike = self.series.iter().find(|other| other.style == s.style && !other.name.is_empty());
+            let name = if s.name.is_empty() { alike.map_or("", |other| &other.name) } else { &s.name };
+            [name, s.end.as_deref().unwrap_or_default()].join(" ").trim().to_string()
+        };
+        drawn.map(named).collect()
     }
 
     fn legend(&self) -> Result<Legend, ReportError> {
@@ -249,11 +271,17 @@ impl Curves {
     }
 }
 
+/// Width of a coloured line. Where colours repeat the style sheet dashes the line, which it tells by
+/// its width.
+fn width(i: usize) -> f64 {
+    if i < LINES.len() { 1.6 } else { 1.7 }
+}
+
 fn draw_series(canvas: &Canvas, plan: &Plan, s: &Series) -> Result<(), ReportError> {
     let pixels: Vec<(f64, f64)> = s.points.iter().map(|&p| plan.pixel(p)).collect();
     match s.style {
         Style::Truth => canvas.line(&pixels, s.colour(), 3.0)?,
-        Style::Line(_) | Style::Marked(_) => canvas.line(&pixels, s.colour(), 1.6)?,
+        Style::Line(i) | Style::Marked(i) => canvas.line(&pixels, s.colour(), width(i))?,
         Style::Measured => {}
         Style::Bars => return bars(canvas, &pixels, s.colour()),
     }

@@ -1,6 +1,7 @@
 //! Rows of square pictures, all of one size, with names at the left and above.
 
 use super::canvas::{Align, Canvas, Frame, INK, SMALL, TEXT, picture, sheet};
+use super::hover::{self, Hover};
 use super::{Figure, Shade, colour_bar, font, raster};
 use crate::report::image::encoded;
 use crate::report::{Image, ReportError, check};
@@ -14,6 +15,9 @@ const NAME_LINES: usize = 4;
 const HEAD: f64 = 36.0;
 const LINE: f64 = 14.0;
 const HEAD_LINES: usize = 3;
+
+/// Fewest pixels of a picture per pixel of the page.
+const DENSEST: f64 = 1.0;
 
 /// Grey of a place without a picture.
 const NOTHING: [u8; 3] = [0xd8; 3];
@@ -55,12 +59,12 @@ pub enum Tile {
 }
 
 impl Tile {
-    /// Encoded colour of a pixel.
-    fn pixel(&self, i: usize, shade: Shade, palette: &[u8]) -> [u8; 3] {
+    /// Encoded colour of the mean of some pixels.
+    fn pixel(&self, at: &[usize], shade: Shade, palette: &[u8]) -> [u8; 3] {
         match self {
-            Tile::Colours(image) => image.pixels[i].map(byte),
+            Tile::Colours(image) => mean(at, |i| image.pixels[i]).map(byte),
             Tile::Values(values) => {
-                let level = usize::from(shade.level(values[i]));
+                let level = usize::from(shade.level(mean(at, |i| [values[i]])[0]));
                 [0, 1, 2].map(|channel| palette[3 * level + channel])
             }
             Tile::Nothing => NOTHING,
@@ -102,11 +106,37 @@ impl Figure for Gallery {
         let top = HEAD - 2.0 + LINE * lines.max(1) as f64;
         let frame = Frame { left, top, right: left + width, bottom: top + height };
         let (under, bar) = self.pictures(frame)?;
-        sheet(&self.title, (frame.right + bar, frame.bottom + 12.0), &under, |c| self.label(c, frame))
+        let svg =
+            sheet(&self.title, (frame.right + bar, frame.bottom + 12.0), &under, |c| self.label(c, frame))?;
+        hover::with(&svg, &self.hover(frame))
     }
 }
 
 impl Gallery {
+    fn hover(&self, frame: Frame) -> Hover {
+        let (shade, unit, kinds) = match &self.cells {
+            Cells::Colours(rows) => {
+                (None, String::new(), Some(rows.iter().map(|row| "c".repeat(row.len())).collect()))
+            }
+            Cells::Values { shade, unit, .. } => (Some((*shade).into()), unit.clone(), None),
+            Cells::Tiles { tiles, shade, unit } => {
+                let kind = |tile: &Tile| if matches!(tile, Tile::Values(_)) { 'v' } else { 'c' };
+                let kinds = tiles.iter().map(|row| row.iter().map(kind).collect()).collect();
+                (Some((*shade).into()), unit.clone(), Some(kinds))
+            }
+        };
+        Hover::Cells(hover::Cells {
+            frame: hover::corners(frame),
+            rows: self.rows.clone(),
+            columns: self.columns.clone(),
+            name: self.column_name.clone(),
+            unit,
+            radius: None,
+            kinds,
+            shade,
+        })
+    }
+
     /// The lines of the columns' names.
     fn heads(&self) -> Result<Vec<Vec<String>>, ReportError> {
         self.columns.iter().map(|name| font::wrap(name, SMALL, self.cell - 4.0, HEAD_LINES)).collect()
@@ -147,24 +177,34 @@ impl Gallery {
         }
     }
 
+    /// Pixels along a side of a cell, and how many of a picture's, across and down, make one of them:
+    /// a picture finer than the page is shown by the means of its pixels.
+    fn shown(&self) -> [usize; 2] {
+        let fits =
+            |by: &usize| self.side.is_multiple_of(*by) && (self.side / by) as f64 >= DENSEST * self.cell;
+        let by = (1..=self.side).rev().find(fits).unwrap_or(1);
+        [self.side / by, by]
+    }
+
     /// The pictures as markup, and the space at their right that a colour bar takes.
     fn pictures(&self, frame: Frame) -> Result<(String, f64), ReportError> {
-        let size = (self.columns.len() * self.side, self.rows.len() * self.side);
+        let [side, _] = self.shown();
+        let size = (self.columns.len() * side, self.rows.len() * side);
         match &self.cells {
             Cells::Colours(cells) => {
-                let bytes = self.joined(cells, |image, i| image.pixels[i].map(byte));
+                let bytes = self.joined(cells, |image, at| mean(at, |i| image.pixels[i]).map(byte));
                 let png = raster::rgb(&self.title, size, bytes.as_flattened())?;
                 Ok((picture(&png, frame, false), 14.0))
             }
             Cells::Values { values, shade, unit } => {
-                let levels = self.joined(values, |values, i| shade.level(values[i]));
+                let levels = self.joined(values, |values, at| shade.level(mean(at, |i| [values[i]])[0]));
                 let png = raster::png(&self.title, size, &levels, *shade)?;
                 let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, *shade)?;
                 Ok((under, colour_bar::space(frame, *shade, unit)?))
             }
             Cells::Tiles { tiles, shade, unit } => {
                 let palette = shade.palette();
-                let bytes = self.joined(tiles, |tile, i| tile.pixel(i, *shade, &palette));
+                let bytes = self.joined(tiles, |tile, at| tile.pixel(at, *shade, &palette));
                 let png = raster::rgb(&self.title, size, bytes.as_flattened())?;
                 let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, *shade)?;
                 Ok((under, colour_bar::space(frame, *shade, unit)?))
@@ -172,14 +212,18 @@ impl Gallery {
         }
     }
 
-    /// Pixels of all pictures as one.
-    fn joined<T, P>(&self, cells: &[Vec<T>], pixel: impl Fn(&T, usize) -> P) -> Vec<P> {
-        let side = self.side;
+    /// Pixels of all pictures as one, each of some of a picture's.
+    fn joined<T, P>(&self, cells: &[Vec<T>], pixel: impl Fn(&T, &[usize]) -> P) -> Vec<P> {
+        let [side, by] = self.shown();
+        let of = |line: usize, column: usize| -> Vec<usize> {
+            let places = (0..by * by).map(|k| (line * by + k / by) * self.side + column * by + k % by);
+            places.collect()
+        };
         let mut all = Vec::with_capacity(side * side * self.rows.len() * self.columns.len());
         for row in cells {
             for line in 0..side {
                 for cell in row {
-                    all.extend((0..side).map(|i| pixel(cell, line * side + i)));
+                    all.extend((0..side).map(|i| pixel(cell, &of(line, i))));
                 }
             }
         }
@@ -220,6 +264,15 @@ fn all<T>(
     let places =
         cells.iter().enumerate().flat_map(|(i, row)| row.iter().enumerate().map(move |(j, c)| (i, j, c)));
     places.into_iter().try_for_each(|(i, j, cell)| each(i, j, cell))
+}
+
+/// Mean of values at some places.
+fn mean<const N: usize>(at: &[usize], value: impl Fn(usize) -> [f64; N]) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for &i in at {
+        sum.iter_mut().zip(value(i)).for_each(|(sum, x)| *sum += x);
+    }
+    sum.map(|x| x / at.len() as f64)
 }
 
 /// A byte of sRGB (IEC 61966-2-1) from linear light, cut to [0, 1].

@@ -2,6 +2,7 @@
 //! worst place marked.
 
 use super::canvas::{Align, Canvas, Frame, INK, LABEL_INK, PAPER, TEXT, picture, sheet};
+use super::hover::{self, Hover};
 use super::{Figure, Scale, Shade, Spread, axes, colour_bar, font, raster};
 use crate::report::field::Ruler;
 use crate::report::{Field, ReportError, check, numbers};
@@ -124,7 +125,18 @@ impl Figure for HeatMap<'_> {
         let png = raster::png(&self.title, size, &self.cells(), self.shade)?;
         let under = picture(&png, frame, true) + &colour_bar::under(&self.title, frame, self.shade)?;
         let width = frame.right + colour_bar::space(frame, self.shade, &self.field.unit)?;
-        sheet(&self.title, (width, frame.bottom + 44.0), &under, |c| self.draw(c, frame))
+        let svg = sheet(&self.title, (width, frame.bottom + 44.0), &under, |c| self.draw(c, frame))?;
+        let ruler = |r: &Ruler| (hover::short(&r.name), hover::places(&r.values));
+        hover::with(
+            &svg,
+            &Hover::Map {
+                frame: hover::corners(frame),
+                x: ruler(&self.field.x),
+                y: ruler(&self.field.y),
+                down: self.top_down,
+                shade: self.shade.into(),
+            },
+        )
     }
 }
 

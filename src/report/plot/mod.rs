@@ -10,6 +10,7 @@ mod curves;
 mod font;
 mod gallery;
 mod heat_map;
+mod hover;
 mod labels;
 mod legend;
 mod raster;
@@ -27,10 +28,11 @@ pub use heat_map::{HeatMap, Worst, signed};
 pub(crate) use scale::Scale;
 pub use scale::Spread;
 pub(crate) use scatter::frontier;
-pub use scatter::{Dot, Scatter};
+pub use scatter::{Dot, Frontiers, Scatter};
 pub use spheres::{SphereRow, Spheres, disc};
 
 use super::ReportError;
+use scale::name as words_of;
 
 /// Anything that draws itself as a piece of SVG markup to be put into a page.
 pub trait Figure {

@@ -48,7 +48,7 @@ fn encode(
         }
         None => encoder.set_color(png::ColorType::Rgb),
     }
-    encoder.set_compression(png::Compression::Balanced);
+    encoder.set_compression(png::Compression::High);
     encoder.set_filter(filter);
     let mut writer = encoder.write_header()?;
     let mut stream = writer.stream_writer()?;

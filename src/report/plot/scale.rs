@@ -14,6 +14,15 @@ pub enum Spread {
     Root,
 }
 
+/// A spread as the page's script names it.
+pub(super) fn name(spread: Spread) -> &'static str {
+    match spread {
+        Spread::Linear => "linear",
+        Spread::Log => "log",
+        Spread::Root => "root",
+    }
+}
+
 /// An axis: a spread over an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
@@ -40,7 +49,7 @@ impl Scale {
                 let (low, high) = (decade_below(min), decade_above(max));
                 Scale { spread, min: low, max: if high > low { high } else { low * 10.0 } }
             }
-            Spread::Root => Scale { spread, min: 0.0, max: (max * 1.04).max(1.0) },
+            Spread::Root => Scale { spread, min: 0.0, max: if max > 0.0 { max * 1.04 } else { 1.0 } },
             Spread::Linear => {
                 // Differences below the digits of a label would give a row of equal labels.
                 let span = (max - min).max(max.abs().max(min.abs()) * 1e-9);
@@ -89,12 +98,27 @@ impl Scale {
         match self.spread {
             Spread::Linear => linear_ticks(self.min, self.max, count),
             Spread::Log => log_ticks(self.min, self.max, count),
-            Spread::Root => [0.0, 1.0, 5.0, 10.0, 20.0, 40.0, 60.0, 80.0, 120.0, 160.0, 240.0, 320.0, 640.0]
-                .into_iter()
-                .filter(|v| (self.min..=self.max).contains(v))
-                .map(|value| Tick { value, label: Some(numbers::tick(value)) })
-                .collect(),
+            Spread::Root => self.root_ticks(count),
         }
+    }
+
+    /// Zero, then ones, fives, twos and others times powers of ten as far as they find room, in rising
+    /// order.
+    fn root_ticks(self, count: usize) -> Vec<Tick> {
+        let apart = 0.8 / count.max(1) as f64;
+        let top = exponent(self.max);
+        let mut values = vec![0.0];
+        for m in [1, 5, 2, 3, 4, 8, 6] {
+            for e in (top - 2..=top).rev() {
+                let value: f64 = format!("{m}e{e}").parse().unwrap_or(0.0);
+                let room = |known: &f64| (self.position(*known) - self.position(value)).abs() >= apart;
+                if value <= self.max && values.iter().all(room) {
+                    values.push(value);
+                }
+            }
+        }
+        values.sort_by(f64::total_cmp);
+        values.into_iter().map(|value| Tick { value, label: Some(numbers::tick(value)) }).collect()
     }
 
     /// A scale of positive length.
@@ -198,6 +222,18 @@ mod tests {
         assert_eq!(labels(linear, 5), ["0.2", "0.4", "0.6", "0.8", "1"]);
         let log = Scale { spread: Spread::Log, min: 1e-3, max: 0.2 };
         assert_eq!(labels(log, 5), ["0.001", "0.002", "0.005", "0.01", "0.02", "0.05", "0.1", "0.2"]);
+    }
+
+    #[test]
+    fn a_root_axis_has_ticks_at_any_size() {
+        for max in [0.7, 3.0, 56.0, 1584.0] {
+            let scale = Scale::around(Spread::Root, [max].into_iter());
+            let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
+            assert!((5..=11).contains(&labels.len()), "{max}: {labels:?}");
+        }
+        let scale = Scale { spread: Spread::Root, min: 0.0, max: 56.0 };
+        let labels: Vec<String> = scale.ticks(10).into_iter().filter_map(|t| t.label).collect();
+        assert_eq!(labels, ["0", "1", "5", "10", "20", "30", "40", "50"]);
     }
 
     #[test]

@@ -3,14 +3,14 @@
 use plotters::style::RGBColor;
 
 use super::canvas::{Align, Canvas, Frame, GREY, INK, SMALL, TEXT, sheet};
-use super::legend::{Key, Legend};
-use super::{Figure, LINES, Scale, Spread, axes, font, labels};
-use crate::report::{ReportError, check};
+use super::legend::{Entry, Key, Legend};
+use super::{Figure, LINES, Scale, Spread, axes, font, hover, labels};
+use crate::report::{ReportError, check, numbers};
 
 /// One named point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dot {
-    /// Name beside the point; empty for none.
+    /// Name, which a point of the frontier has beside it, and every point under the pointer.
     pub name: String,
     /// Cost.
     pub x: f64,
@@ -38,6 +38,21 @@ pub struct Scatter {
     pub size: (f64, f64),
 }
 
+/// Such points of several quantities, each of ours in its colour with a frontier of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frontiers {
+    /// Line above the chart.
+    pub title: String,
+    /// Label and spread of the horizontal axis.
+    pub x: (String, Spread),
+    /// Label and spread of the vertical axis.
+    pub y: (String, Spread),
+    /// Name and points of each; neighbours of one name share a colour.
+    pub groups: Vec<(String, Vec<Dot>)>,
+    /// Size of the plotted area in pixels.
+    pub size: (f64, f64),
+}
+
 /// Indices of the formulas of ours that no other formula of ours beats in both, by rising x.
 pub(crate) fn frontier(dots: &[Dot]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..dots.len()).filter(|&i| !dots[i].published && !dots[i].table).collect();
@@ -54,49 +69,6 @@ pub(crate) fn frontier(dots: &[Dot]) -> Vec<usize> {
 
 impl Figure for Scatter {
     fn svg(&self) -> Result<String, ReportError> {
-        self.check()?;
-        let legend = Legend::flow(self.entries(), self.size.0)?;
-        let top = 28.0 + legend.height();
-        let x = Scale::around(self.x.1, self.dots.iter().map(|d| d.x));
-        let y = Scale::around(self.y.1, self.dots.iter().map(|d| d.y)).roomy(self.dots.iter().map(|d| d.y));
-        let left = axes::left_space(y, self.size.1)?;
-        let frame = Frame { left, top, right: left + self.size.0, bottom: top + self.size.1 };
-        let pixels: Vec<(f64, f64)> = self
-            .dots
-            .iter()
-            .map(|d| {
-                (
-                    frame.left + x.position(d.x) * frame.width(),
-                    frame.bottom - y.position(d.y) * frame.height(),
-                )
-            })
-            .collect();
-        sheet(&self.title, (frame.right + 18.0, frame.bottom + 44.0), "", |canvas| {
-            let title = font::shorten(&self.title, TEXT, frame.width())?;
-            canvas.text(&title, (frame.left, 12.0), TEXT, Align::Left, INK)?;
-            legend.draw(canvas, (frame.left, 22.0))?;
-            axes::grid(canvas, frame, (x, &self.x.0), (y, &self.y.0))?;
-            self.draw(canvas, frame, &pixels)
-        })
-    }
-}
-
-impl Scatter {
-    fn check(&self) -> Result<(), ReportError> {
-        check::filled(&self.title, "dots", self.dots.len())?;
-        for d in &self.dots {
-            for (field, value, spread) in [("x", d.x, self.x.1), ("y", d.y, self.y.1)] {
-                let field = format!("dot {}.{field}", d.name);
-                check::finite(&self.title, &field, value)?;
-                if spread == Spread::Log && value <= 0.0 {
-                    return Err(check::domain(&self.title, &field, "must be positive on a logarithmic axis"));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn entries(&self) -> Vec<super::legend::Entry> {
         let has = |published, table| self.dots.iter().any(|d| d.published == published && d.table == table);
         let mut entries = Vec::new();
         let mut add = |there: bool, name: &str, colour, key| {
@@ -109,34 +81,127 @@ impl Scatter {
         add(has(true, false), "published: formula", GREY, Key::Disc);
         add(has(true, true), "published: table", GREY, Key::Square);
         add(has(false, false), "frontier of our formulas", LINES[0], Key::Line(1.6));
-        entries
+        let group = Group { dots: &self.dots, colour: LINES[1], line: LINES[0] };
+        chart(&self.title, (&self.x, &self.y), self.size, (entries, &[group]))
     }
+}
 
-    fn draw(&self, canvas: &Canvas, frame: Frame, pixels: &[(f64, f64)]) -> Result<(), ReportError> {
-        let steps = stairs(&frontier(&self.dots).iter().map(|&i| pixels[i]).collect::<Vec<_>>(), frame);
-        if !steps.is_empty() {
-            canvas.line(&steps, LINES[0], 1.6)?;
+impl Figure for Frontiers {
+    fn svg(&self) -> Result<String, ReportError> {
+        let mut names: Vec<&String> = self.groups.iter().map(|(name, _)| name).collect();
+        names.dedup();
+        let place = |name: &String| names.iter().position(|known| *known == name).unwrap_or(0);
+        let colour = |name: &String| LINES[place(name) % LINES.len()];
+        let mut entries: Vec<Entry> =
+            names.iter().map(|name| ((*name).clone(), colour(name), Key::Disc)).collect();
+        let mut dots = self.groups.iter().flat_map(|(_, dots)| dots);
+        if dots.clone().any(|dot| dot.table) {
+            entries.push(("table".into(), INK, Key::Square));
         }
-        let lines: Vec<Frame> = steps.windows(2).map(|w| thin(w[0], w[1])).collect();
-        let names: Vec<String> = self.dots.iter().map(|d| d.name.clone()).collect();
-        let labels = labels::place(pixels, &names, frame, &lines)?;
-        for ((dot, &at), label) in self.dots.iter().zip(pixels).zip(&labels) {
-            let colour = colour(dot);
-            let middle = (label.frame.left + label.frame.right) / 2.0;
-            let height = (label.frame.top + label.frame.bottom) / 2.0;
-            if label.leader {
-                canvas.line(&[at, labels::leader_end(at, label.frame)], GREY, 0.6)?;
-            }
-            if dot.table {
-                canvas.square(at, 4.0, colour)?;
-            } else {
-                canvas.circle(at, 4.0, colour, None)?;
-            }
-            let ink = if dot.published { GREY } else { INK };
-            canvas.text(&dot.name, (middle, height), SMALL, Align::Centre, ink)?;
+        if dots.any(|dot| dot.published) {
+            entries.push(("published".into(), GREY, Key::Disc));
         }
-        Ok(())
+        let groups = self.groups.iter().map(|(name, dots)| (dots, colour(name)));
+        let groups: Vec<Group> = groups.map(|(dots, colour)| Group { dots, colour, line: colour }).collect();
+        chart(&self.title, (&self.x, &self.y), self.size, (entries, &groups))
     }
+}
+
+/// Points that share a frontier.
+struct Group<'a> {
+    dots: &'a [Dot],
+    colour: RGBColor,
+    line: RGBColor,
+}
+
+/// Label and spread of an axis.
+type Labelled = (String, Spread);
+
+fn chart(
+    title: &str,
+    (x, y): (&Labelled, &Labelled),
+    size: (f64, f64),
+    (entries, groups): (Vec<Entry>, &[Group]),
+) -> Result<String, ReportError> {
+    let dots: Vec<&Dot> = groups.iter().flat_map(|group| group.dots).collect();
+    checked(title, &dots, [x.1, y.1])?;
+    let legend = Legend::flow(entries, size.0)?;
+    let top = 28.0 + legend.height();
+    let across = Scale::around(x.1, dots.iter().map(|d| d.x));
+    let up = Scale::around(y.1, dots.iter().map(|d| d.y)).roomy(dots.iter().map(|d| d.y));
+    let left = axes::left_space(up, size.1)?;
+    let frame = Frame { left, top, right: left + size.0, bottom: top + size.1 };
+    let pixel = |d: &Dot| {
+        (frame.left + across.position(d.x) * frame.width(), frame.bottom - up.position(d.y) * frame.height())
+    };
+    let svg = sheet(title, (frame.right + 18.0, frame.bottom + 44.0), "", |canvas| {
+        let shown = font::shorten(title, TEXT, frame.width())?;
+        canvas.text(&shown, (frame.left, 12.0), TEXT, Align::Left, INK)?;
+        legend.draw(canvas, (frame.left, 22.0))?;
+        axes::grid(canvas, frame, (across, &x.0), (up, &y.0))?;
+        draw(canvas, frame, groups, &pixel)
+    })?;
+    let tip = |d: &&Dot| {
+        let [x, y] = [(&x.0, d.x), (&y.0, d.y)].map(|(label, v)| (hover::short(label), numbers::brief(v, 3)));
+        (pixel(d), format!("{}: {} {}, {} {}", d.name, x.0, x.1, y.0, y.1))
+    };
+    Ok(hover::spots(&svg, &dots.iter().map(tip).collect::<Vec<_>>()))
+}
+
+fn checked(title: &str, dots: &[&Dot], [x, y]: [Spread; 2]) -> Result<(), ReportError> {
+    check::filled(title, "dots", dots.len())?;
+    for d in dots {
+        for (field, value, spread) in [("x", d.x, x), ("y", d.y, y)] {
+            let field = format!("dot {}.{field}", d.name);
+            check::finite(title, &field, value)?;
+            if spread == Spread::Log && value <= 0.0 {
+                return Err(check::domain(title, &field, "must be positive on a logarithmic axis"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Stairs, marks, and the names of what is on a frontier and of our tables.
+fn draw(
+    canvas: &Canvas,
+    frame: Frame,
+    groups: &[Group],
+    pixel: &dyn Fn(&Dot) -> (f64, f64),
+) -> Result<(), ReportError> {
+    let (mut pixels, mut names, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+    for group in groups {
+        let best = frontier(group.dots);
+        let steps = stairs(&best.iter().map(|&i| pixel(&group.dots[i])).collect::<Vec<_>>(), frame);
+        if !steps.is_empty() {
+            canvas.line(&steps, group.line, 1.6)?;
+        }
+        lines.extend(steps.windows(2).map(|w| thin(w[0], w[1])));
+        for (i, dot) in group.dots.iter().enumerate() {
+            let named = best.contains(&i) || dot.table && !dot.published;
+            pixels.push(pixel(dot));
+            names.push(if named { dot.name.clone() } else { String::new() });
+        }
+    }
+    let labels = labels::place(&pixels, &names, frame, &lines)?;
+    let of_groups = groups.iter().flat_map(|group| group.dots.iter().map(move |dot| (dot, group)));
+    for (((dot, group), &at), (label, name)) in of_groups.zip(&pixels).zip(labels.iter().zip(&names)) {
+        let colour = if dot.published { GREY } else { group.colour };
+        let middle = (label.frame.left + label.frame.right) / 2.0;
+        let height = (label.frame.top + label.frame.bottom) / 2.0;
+        if label.leader {
+            canvas.line(&[at, labels::leader_end(at, label.frame)], GREY, 0.6)?;
+        }
+        if dot.table {
+            canvas.square(at, 4.0, colour)?;
+        } else {
+            canvas.circle(at, 4.0, colour, None)?;
+        }
+        if !name.is_empty() {
+            canvas.text(name, (middle, height), SMALL, Align::Centre, INK)?;
+        }
+    }
+    Ok(())
 }
 
 /// The frontier as stairs: down at each point, level to the next, level to the right edge.
@@ -156,8 +221,4 @@ fn thin(a: (f64, f64), b: (f64, f64)) -> Frame {
         right: a.0.max(b.0) + 1.0,
         bottom: a.1.max(b.1) + 1.0,
     }
-}
-
-fn colour(dot: &Dot) -> RGBColor {
-    if dot.published { GREY } else { LINES[1] }
 }

@@ -8,17 +8,15 @@
 use rayon::prelude::*;
 
 use super::canvas::{Align, Canvas, Frame, INK, SMALL, TEXT, picture, sheet};
+use super::hover::{self, Cells, Hover};
 use super::{Figure, Shade, colour_bar, font, raster};
 use crate::report::{ReportError, check, numbers};
 
 /// Pixels of the picture per pixel of the page.
 const DENSITY: usize = 2;
 
-/// Side of a cell in pixels of the page.
-const CELL: usize = 78;
-
-/// Radius of a sphere in pixels of the page.
-const RADIUS: f64 = 35.0;
+/// Radius of a sphere over the side of its cell.
+const RADIUS: f64 = 0.45;
 
 /// Widest line of a row's name in pixels of the page, and the most lines: what a cell has room for.
 const NAMES: f64 = 150.0;
@@ -53,6 +51,8 @@ pub struct Spheres<'a> {
     pub shade: Shade,
     /// Label of the colour bar.
     pub unit: String,
+    /// Side of a sphere's cell in pixels of the page.
+    pub cell: usize,
 }
 
 impl Figure for Spheres<'_> {
@@ -65,13 +65,24 @@ impl Figure for Spheres<'_> {
             }
         }
         let left = names + 12.0;
-        let (width, height) = ((self.columns.len() * CELL) as f64, (self.rows.len() * CELL) as f64);
+        let (width, height) = ((self.columns.len() * self.cell) as f64, (self.rows.len() * self.cell) as f64);
         let frame = Frame { left, top: 48.0, right: left + width, bottom: 48.0 + height };
-        let size = (self.columns.len() * CELL * DENSITY, self.rows.len() * CELL * DENSITY);
+        let size = (self.columns.len() * self.cell * DENSITY, self.rows.len() * self.cell * DENSITY);
         let png = raster::png(&self.title, size, &self.render(), self.shade)?;
         let under = picture(&png, frame, false) + &colour_bar::under(&self.title, frame, self.shade)?;
         let width = frame.right + colour_bar::space(frame, self.shade, &self.unit)?;
-        sheet(&self.title, (width, frame.bottom + 12.0), &under, |c| self.label(c, frame))
+        let svg = sheet(&self.title, (width, frame.bottom + 12.0), &under, |c| self.label(c, frame))?;
+        let cells = Cells {
+            frame: hover::corners(frame),
+            rows: self.rows.iter().map(|row| row.name.clone()).collect(),
+            columns: self.columns.iter().map(|&value| numbers::place(value)).collect(),
+            name: self.column_name.clone(),
+            unit: self.unit.clone(),
+            radius: Some(RADIUS),
+            kinds: None,
+            shade: Some(self.shade.into()),
+        };
+        hover::with(&svg, &Hover::Cells(cells))
     }
 }
 
@@ -97,11 +108,11 @@ impl Spheres<'_> {
         canvas.text(&title, (4.0, 12.0), TEXT, Align::Left, INK)?;
         canvas.text(&self.column_name, (frame.left - 8.0, 36.0), SMALL, Align::Right, INK)?;
         for (j, &value) in self.columns.iter().enumerate() {
-            let x = frame.left + (j as f64 + 0.5) * CELL as f64;
+            let x = frame.left + (j as f64 + 0.5) * self.cell as f64;
             canvas.text(&numbers::place(value), (x, 36.0), SMALL, Align::Centre, INK)?;
         }
         for (i, row) in self.rows.iter().enumerate() {
-            let y = frame.top + (i as f64 + 0.5) * CELL as f64;
+            let y = frame.top + (i as f64 + 0.5) * self.cell as f64;
             let lines = font::wrap(&row.name, SMALL, NAMES, NAME_LINES)?;
             for (k, line) in lines.iter().enumerate() {
                 let lift = (k as f64 - (lines.len() - 1) as f64 / 2.0) * 14.0;
@@ -113,13 +124,13 @@ impl Spheres<'_> {
 
     /// Palette indices of the whole picture, rows of spheres in parallel, joined in order.
     fn render(&self) -> Vec<u8> {
-        let stencil = stencil(self.mu);
+        let stencil = stencil(self.cell * DENSITY, self.mu);
         let strips: Vec<Vec<u8>> = self.rows.par_iter().map(|row| self.strip(row, &stencil)).collect();
         strips.concat()
     }
 
     fn strip(&self, row: &SphereRow, stencil: &[Pixel]) -> Vec<u8> {
-        let side = CELL * DENSITY;
+        let side = self.cell * DENSITY;
         let mut levels = Vec::with_capacity(side * side * self.columns.len());
         for line in stencil.chunks(side) {
             for factors in row.factors {
@@ -157,9 +168,8 @@ struct Pixel {
 }
 
 /// The pixels of one cell; every sphere has the same.
-fn stencil(mu: &[f64]) -> Vec<Pixel> {
-    let side = CELL * DENSITY;
-    let radius = RADIUS * DENSITY as f64;
+fn stencil(side: usize, mu: &[f64]) -> Vec<Pixel> {
+    let radius = RADIUS * side as f64;
     (0..side * side).map(|i| pixel(i % side, i / side, side as f64 / 2.0, radius, mu)).collect()
 }
 

@@ -43,6 +43,7 @@ fn still(explored: &Explored) -> Result<Block, ReportError> {
         rows: rows.collect(),
         shade: Shade::Radiance { white: WHITE },
         unit: "radiance".into(),
+        cell: super::furnace::CELL,
     };
     figures(&[spheres], &explored.lead)
 }

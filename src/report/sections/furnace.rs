@@ -6,6 +6,12 @@ use crate::report::{
     numbers,
 };
 
+/// Side of a sphere's cell in pixels of the page.
+pub(crate) const CELL: usize = 58;
+
+/// The same where the spheres are a picture of their own.
+const ALONE: usize = 78;
+
 pub(crate) fn section(findings: &Findings) -> Result<Option<Section>, ReportError> {
     let Some(furnace) = &findings.furnace else { return Ok(None) };
     let limit = limit(furnace)?;
@@ -37,7 +43,7 @@ pub(crate) fn picture(findings: &Findings) -> Result<Option<String>, ReportError
     let after = furnace.rows.iter().skip(1).next_back();
     let rows: Vec<FurnaceRow> = furnace.rows.iter().take(1).chain(after).cloned().collect();
     let drawn = spheres("White spheres in a white furnace", furnace, &rows, Shade::Radiance { white: 1.25 });
-    let svg = Spheres { unit: "radiance".into(), ..drawn }.svg()?;
+    let svg = Spheres { unit: "radiance".into(), cell: ALONE, ..drawn }.svg()?;
     // The picture stands alone, on pages of any colour.
     Ok(Some(svg.replacen("<svg ", "<svg style=\"background:#fff\" ", 1)))
 }
@@ -110,6 +116,7 @@ fn spheres<'a>(title: &str, furnace: &'a Furnace, rows: &'a [FurnaceRow], shade:
         rows: rows.iter().map(|r| SphereRow { name: r.name.clone(), factors: &r.factors }).collect(),
         shade,
         unit: "E N − 1".into(),
+        cell: CELL,
     }
 }
 

@@ -118,8 +118,7 @@ fn groups<'a>(rows: &[&'a GpuRow]) -> Vec<Vec<&'a GpuRow>> {
     groups
 }
 
-/// Time against error of a group; only the frontier and published formulas are named, the table
-/// names all.
+/// Time against error of a group.
 fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
     let Some(first) = group[0].error.as_ref() else { return Ok(None) };
     let dot = |row: &&GpuRow| {
@@ -127,13 +126,9 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
         let x = picoseconds(row.nanoseconds.median);
         Some(Dot { name: row.name.clone(), x, y: error.max, published: error.published, table: false })
     };
-    let mut dots: Vec<Dot> = group.iter().filter_map(dot).collect();
+    let dots: Vec<Dot> = group.iter().filter_map(dot).collect();
     if !words::worth_a_chart(&dots) {
         return Ok(None);
-    }
-    let best = crate::report::plot::frontier(&dots);
-    for (_, dot) in dots.iter_mut().enumerate().filter(|(i, d)| !d.published && !best.contains(i)) {
-        dot.name.clear();
     }
     let metric = first.used_as.metric;
     let scatter = Scatter {
@@ -144,8 +139,8 @@ fn chart(group: &[&GpuRow]) -> Result<Option<Block>, ReportError> {
         dots,
     };
     let caption = format!(
-        "Largest {metric} against picoseconds: lower is more accurate, further left is faster. Named are the published formulas and \
-         ours that no other formula of ours beats in both, which the stairs join; the table names all."
+        "Largest {metric} against picoseconds: lower is more accurate, further left is faster. The stairs join our \
+         formulas that no other formula of ours beats in both; the pointer and the table name the others."
     );
     figures(&[scatter], &caption).map(Some)
 }

@@ -38,16 +38,17 @@ pub(super) fn sections(manifest: &Manifest) -> Vec<Section> {
     called_for.blocks = vec![Block::Fold { summary, blocks: called_for.blocks }];
     let call = Section {
         id: "call".into(),
-        title: "What to call".into(),
-        lead: "Each function once, with the materials and probes that call it. It is the cheapest that keeps the error \
-               that the scene states, or the most accurate within its budget, unless the scene asks for more of them."
-            .into(),
-        blocks: vec![Block::Table(words::table(
-            &CALLS,
-            calls(manifest),
-            "The largest error of the use, rounded up: lookup error of a table, furnace error of an energy compensation. \
-             The functions stand in fits/, in each language; their comments say more.",
-        ))],
+        title: "Who calls what".into(),
+        lead: "Each emitted function once, with the materials and probes that call it.".into(),
+        blocks: vec![Block::Fold {
+            summary: "All functions".into(),
+            blocks: vec![Block::Table(words::table(
+                &CALLS,
+                calls(manifest),
+                "The largest error of the use, rounded up: lookup error of a table, furnace error of an energy compensation. \
+                 The functions stand in fits/, in each language; their comments say more.",
+            ))],
+        }],
     };
     let made = Section {
         id: "made".into(),

@@ -1,5 +1,6 @@
 //! The sections of the pages: which figures show which findings, and the words around them.
 
+pub(crate) mod answers;
 pub(crate) mod approximations;
 mod averages;
 pub(crate) mod called_for;
@@ -17,8 +18,9 @@ mod timed_tables;
 mod timings;
 pub mod words;
 
-use super::{Block, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage, Timings};
-use crate::emit::manifest::Manifest;
+use super::{
+    Answer, Block, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage, Timings,
+};
 use crate::report::explore::ExplorePage;
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
@@ -42,12 +44,22 @@ pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, Rep
 }
 
 /// The overview of a bake.
-pub(crate) fn of_index(origin: Origin, manifest: &Manifest) -> Result<Page, ReportError> {
+pub(crate) fn of_index(
+    origin: Origin,
+    answers: &[Answer],
+    drawn: &answers::Drawn,
+) -> Result<Page, ReportError> {
+    let mut sections = Vec::new();
+    if answers.iter().any(|answer| !answer.purposes.is_empty()) {
+        sections.push(answers::cards(answers, drawn)?);
+        sections.extend(answers::frontier(answers)?);
+    }
+    sections.extend(index::sections(drawn.manifest));
     Ok(Page {
         title: format!("lobefit report: {}", origin.scene),
         origin,
-        lead: index::conclusion(manifest),
-        sections: index::sections(manifest),
+        lead: index::conclusion(drawn.manifest),
+        sections,
     })
 }
 

@@ -125,20 +125,12 @@ fn groups(all: &[TimedApproximation]) -> Vec<Vec<&TimedApproximation>> {
     groups
 }
 
-/// Time against error of a group; only the frontier and published formulas are named, the table
-/// names all.
+/// Time against error of a group.
 fn time_against_error(group: &[&TimedApproximation]) -> Result<Option<Block>, ReportError> {
-    let mut dots: Vec<Dot> = group.iter().filter(|e| e.max_error > 0.0).map(|e| dot(e)).collect();
+    let dots: Vec<Dot> = group.iter().filter(|e| e.max_error > 0.0).map(|e| dot(e)).collect();
     if !words::worth_a_chart(&dots) {
         return Ok(None);
     }
-    let best = crate::report::plot::frontier(&dots);
-    let unnamed = |(i, d): (usize, &mut Dot)| {
-        if !d.published && !best.contains(&i) {
-            d.name.clear();
-        }
-    };
-    dots.iter_mut().enumerate().for_each(unnamed);
     let (first, many) = (group[0], dots.len() > 8);
     let metric = first.used_as.metric;
     let scatter = Scatter {
@@ -149,8 +141,8 @@ fn time_against_error(group: &[&TimedApproximation]) -> Result<Option<Block>, Re
         size: (760.0, if many { 460.0 } else { 300.0 }),
     };
     let caption = format!(
-        "Largest {metric} against nanoseconds: lower is more accurate, further left is faster. Named are the published formulas \
-         and ours that no other formula of ours beats in both, which the stairs join; the table names all."
+        "Largest {metric} against nanoseconds: lower is more accurate, further left is faster. The stairs join our \
+         formulas that no other formula of ours beats in both; the pointer and the table name the others."
     );
     figures(&[scatter], &caption).map(Some)
 }

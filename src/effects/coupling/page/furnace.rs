@@ -2,6 +2,7 @@
 
 use crate::effects::coupling::results::CouplingLobe;
 use crate::report::sections::figures;
+use crate::report::sections::furnace::CELL;
 use crate::report::{
     Block, FurnaceRow, ReportError, Section, Shade, SphereRow, Spheres, TextTable, check, numbers,
 };
@@ -43,6 +44,7 @@ fn spheres<'a>(lobe: &'a CouplingLobe, f0: f64, rows: &'a [FurnaceRow], limit: f
         rows: rows.iter().map(|r| SphereRow { name: r.name.clone(), factors: &r.factors }).collect(),
         shade: Shade::Departure { limit },
         unit: "lobe + base − 1".into(),
+        cell: CELL,
     }
 }
 

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use super::Lobe;
 use crate::approximate::Fit;
 use crate::effects::BakeError;
-use crate::effects::code::{documented, function};
+use crate::effects::code::{constants, documented, function};
 use crate::effects::parallax::probe;
 use crate::effects::parallax::{Gives, LevelFunction, Spread, Variation};
 use crate::emit::header;
@@ -44,7 +44,7 @@ fn lines(lobe: &Lobe, fit: &Fit, variation: &Variation) -> Vec<String> {
     let mut lines = documented(fit);
     let ops = header::operations(a.cost.ops);
     lines.push(format!("{} {}, {}", a.quantity, a.column, paired(lobe)));
-    lines.push(format!("{ops}; constants fitted for the smallest {} error", fit.norm()));
+    lines.push(format!("{ops}; {}", constants(fit)));
     lines.extend(header::certificate_lines(
         "of the width, relative to the best one, where that is below 1",
         &a.certificate,

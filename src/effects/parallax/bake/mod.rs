@@ -65,7 +65,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     }
     if context.reports(called.effect) {
         let findings = findings::findings(&made.part.finding, &lobes, context)?;
-        made.page(&super::page::page(&findings)?, &findings)?;
+        made.page(super::page::page(&findings)?, &findings)?;
     }
     made.code(context, |language| code::in_language(language, &lobes))?;
     for lobe in &lobes {
@@ -74,7 +74,7 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     }
     for lobe in lobes {
         let set = (lobe.fits.clone(), lobe.dropped.clone());
-        made.fits(context, set, |i, _, entry| entries::fetching(&lobe, i, entry));
+        made.fits(context, set, |i, _, entry| entries::fetching(&lobe, i, entry))?;
     }
     Ok(made)
 }

@@ -2,7 +2,7 @@
 
 use super::pictures::{Exact, averages};
 use crate::approximate::{Dropped, Fit, Region};
-use crate::data::{Smith, Use};
+use crate::data::{Smith, Source, Use};
 use crate::effects::context::Context;
 use crate::effects::reflection::{Study, studies};
 use crate::effects::selection::{Selected, selected};
@@ -89,6 +89,22 @@ fn landscape(field: &Field) -> String {
         brief(mu[0], 3),
         brief(mu[1], 3),
     )
+}
+
+/// Spheres of everything that compensates the lobe and is ours.
+pub fn furnaces(
+    tables: &[BakedTable],
+    region: Option<Region>,
+    fits: &[Fit],
+    context: &Context,
+) -> Result<Vec<Furnace>, BakeError> {
+    let Some(region) = region.or_else(|| tables.first().map(|t| t.region.flat())) else {
+        return Ok(Vec::new());
+    };
+    let ours =
+        |f: &&Fit| f.approximation.used_as == Use::NORMALISATION && f.approximation.source == Source::Fitted;
+    let all: Vec<Selected> = fits.iter().filter(ours).map(|fit| Selected { fit, because: "" }).collect();
+    Ok(vec![furnace_of(&Exact::furnace(context.scene.smith, &region, context)?, tables, &all)?])
 }
 
 fn furnace_of(grid: &Exact, tables: &[BakedTable], shown: &[Selected]) -> Result<Furnace, BakeError> {

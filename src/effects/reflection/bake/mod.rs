@@ -44,13 +44,14 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     if context.reports(called.effect) {
         let region = fit.map(|job| job.region(context.scene.alpha)).transpose()?;
         let findings = findings::findings(&made, region, (&fits, &dropped), context)?;
+        made.furnaces = findings::furnaces(&made.tables, region, &fits, context)?;
         made.findings(&findings)?;
     }
     explore::explored(&mut made, fit, &fits, context)?;
     if let Some(job) = fit {
         fits_called(&mut made, job, &fits, context)?;
     }
-    made.fits(context, (fits, dropped), |_, fit, entry| FitEntry { rgb: rgb(fit, coloured), ..entry });
+    made.fits(context, (fits, dropped), |_, fit, entry| FitEntry { rgb: rgb(fit, coloured), ..entry })?;
     Ok(made)
 }
 

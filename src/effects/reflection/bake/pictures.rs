@@ -113,7 +113,7 @@ impl Exact {
 
     /// The furnace of a lobe that is not compensated.
     pub fn uncompensated(&self) -> FurnaceRow {
-        self.row("uncompensated", self.truth.e.clone())
+        FurnaceRow { of: String::new(), ..self.row("uncompensated", self.truth.e.clone()) }
     }
 
     /// The furnace of a lobe divided by a table's E.
@@ -133,7 +133,7 @@ impl Exact {
     }
 
     fn row(&self, name: &str, values: Vec<f64>) -> FurnaceRow {
-        FurnaceRow { name: name.into(), factors: self.grid.by_roughness(&values) }
+        FurnaceRow { name: name.into(), of: name.into(), factors: self.grid.by_roughness(&values) }
     }
 }
 

@@ -27,7 +27,11 @@ pub fn page(study: &CouplingStudy) -> Result<Page, ReportError> {
     Ok(Page {
         title: "lobefit study: coupling".into(),
         origin: study.origin.clone(),
-        lead: format!("{}{LEAD}", if study.reduced { crate::study::REDUCED } else { "" }),
+        lead: format!(
+            "{}{}{LEAD}",
+            if study.reduced { crate::study::REDUCED } else { "" },
+            ranking::conclusion(study)
+        ),
         sections,
     })
 }

@@ -1,14 +1,13 @@
 //! The page of the study of lookups of a probe's cubemap, a file for each part.
 
 mod chain;
-mod fold;
 mod proxies;
 mod rooms;
 mod seed;
 mod slant;
 
 use crate::study::parallax::findings::ParallaxStudy;
-use lobefit::report::{Page, ReportError};
+use lobefit::report::{Page, ReportError, folded_after};
 
 /// The page.
 ///
@@ -24,11 +23,15 @@ pub fn page(study: &ParallaxStudy) -> Result<Page, ReportError> {
         chain::sections(&study.chain)?,
     ];
     let mut sections = rooms::answers(&study.rooms)?;
-    sections.extend(rest.into_iter().flatten().map(|section| fold::after(0, section)));
+    sections.extend(rest.into_iter().flatten().map(|section| folded_after(0, section)));
     Ok(Page {
         title: "lobefit study: parallax".into(),
         origin: study.origin.clone(),
-        lead: format!("{}{LEAD}", if study.reduced { crate::study::REDUCED } else { "" }),
+        lead: format!(
+            "{}{}{LEAD}",
+            if study.reduced { crate::study::REDUCED } else { "" },
+            rooms::conclusion(&study.rooms)
+        ),
         sections,
     })
 }

@@ -8,20 +8,21 @@ mod random;
 mod smoothness;
 mod verdict;
 
-use super::fold;
+pub(super) use verdict::conclusion;
+
 use crate::study::parallax::findings::{RoomGeometry, RoomsFindings};
 use lobefit::report::numbers::significant;
 use lobefit::report::words;
-use lobefit::report::{Block, ReportError, Section, check};
+use lobefit::report::{Block, ReportError, Section, check, folded_after};
 
 /// What came of it.
 pub(super) fn answers(rooms: &RoomsFindings) -> Result<Vec<Section>, ReportError> {
     let references = rooms.random.iter().map(|room| room.references.len()).min().unwrap_or_default();
     Ok(vec![
-        fold::after(1, verdict::section(rooms)?),
-        fold::after(references, random::section(rooms)?),
+        folded_after(1, verdict::section(rooms)?),
+        folded_after(references, random::section(rooms)?),
         pictures::section(rooms)?,
-        fold::after(3, smoothness::section(rooms)?),
+        folded_after(3, smoothness::section(rooms)?),
     ])
 }
 

@@ -1,9 +1,10 @@
 //! Pictures of a plane that reflects.
 
-use super::super::fold;
 use crate::study::parallax::findings::{RoomPicture, RoomPictureRow, RoomPictures, RoomsFindings};
 use lobefit::report::numbers::{place, significant};
-use lobefit::report::{Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, Tile, check};
+use lobefit::report::{
+    Block, Cells, Gallery, ReportError, Section, Shade, Spread, TextTable, Tile, check, folded,
+};
 use lobefit::report::{figures, words};
 
 /// FLIP that gets the lightest colour of a map.
@@ -27,7 +28,7 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         let heading = Block::Heading { text: format!("{}: mean FLIP", pictures.name) };
         std::iter::once(heading).chain([0, 1].map(|reference| Block::Table(flips(pictures, reference))))
     });
-    blocks.push(fold::of("Mean FLIP of every method in every picture", tables.collect()));
+    blocks.push(folded("Mean FLIP of every method in every picture", tables.collect()));
     Ok(Section {
         id: "pictures".into(),
         title: "Pictures".into(),

@@ -4,6 +4,7 @@ use crate::study::parallax::findings::RoomsFindings;
 use lobefit::report::numbers::place;
 use lobefit::report::words;
 use lobefit::report::{Block, ReportError, Section, check};
+use lobefit_math::{ops, sum};
 
 /// One comparison with the listing: where, Frostbite's error over the method's.
 struct Cell {
@@ -44,6 +45,24 @@ pub(super) fn section(rooms: &RoomsFindings) -> Result<Section, ReportError> {
         title: "At least as good everywhere?".into(),
         lead: answer(rooms),
         blocks: vec![Block::Table(words::table(&columns, rows, caption)), Block::Table(losses(rooms))],
+    })
+}
+
+/// The method that gains most over the listing against the round lobe, in the geometric mean of all
+/// comparisons.
+pub(in super::super) fn conclusion(rooms: &RoomsFindings) -> String {
+    let gains = |name: &String| -> Option<(String, f64, usize, usize)> {
+        let cells = cells(rooms, name, 0);
+        let logs: Vec<f64> = cells.iter().map(|cell| ops::log(cell.gain)).collect();
+        let worse = cells.iter().filter(|cell| cell.gain < 1.0).count();
+        (!logs.is_empty()).then(|| (name.clone(), ops::exp(sum::mean(&logs)), worse, cells.len()))
+    };
+    let all = rooms.chosen.iter().filter(|name| **name != rooms.rival).filter_map(gains);
+    let best = all.max_by(|a, b| a.1.total_cmp(&b.1));
+    best.map_or_else(String::new, |(name, gain, worse, of)| {
+        format!(
+            "{name}: {gain:.1} times less error than Frostbite’s listing, worse in {worse} of {of} cases. "
+        )
     })
 }
 

@@ -1,0 +1,155 @@
+//! The emitted code of a bake, item by item: what a function is made of, and how it is called.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde_json::json;
+
+use super::manifest::{Manifest, TableEntry};
+use crate::store::{Files, MANIFEST};
+use lobefit_shade::code::Language;
+
+/// What a table's lookup fetches, by function: format and channels, which its code does not tell.
+fn texels(manifest: &Manifest) -> BTreeMap<String, String> {
+    let texel = |table: &TableEntry| {
+        (table.function.clone(), format!("{:?} {}", table.format, json!(table.channels)))
+    };
+    manifest.entries.tables.iter().map(texel).collect()
+}
+
+/// The emitted WGSL of a bake, item by item.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Include {
+    /// The whole text.
+    pub text: String,
+    /// Functions and structures by name, without comments.
+    items: BTreeMap<String, String>,
+    /// Texels of tables by the function that fetches them.
+    texels: BTreeMap<String, String>,
+}
+
+impl Include {
+    /// The WGSL among the files of a bake, the manifest among them; none where it emits none.
+    pub fn of(files: &Files) -> Option<Include> {
+        let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
+        Include::with(files, manifest.as_ref())
+    }
+
+    /// The same where the manifest is not yet a file.
+    pub fn with(files: &Files, manifest: Option<&Manifest>) -> Option<Include> {
+        let file = format!("fits/lobefit.{}", Language::Wgsl.extension());
+        let text = String::from_utf8_lossy(files.get(&file)?).into_owned();
+        Some(Include { texels: manifest.map(texels).unwrap_or_default(), ..Include::new(text) })
+    }
+
+    /// Of a text as this program prints it: items begin at the beginning of a line and end with a
+    /// brace there.
+    pub fn new(text: String) -> Include {
+        let mut items: BTreeMap<String, String> = BTreeMap::new();
+        let mut inside: Option<String> = None;
+        for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
+            let name = ["fn ", "struct "].iter().find_map(|word| line.strip_prefix(word)).map(first_word);
+            if let Some(name) = name {
+                inside = Some(name.to_owned());
+            }
+            if let Some(name) = &inside {
+                let item = items.entry(name.clone()).or_default();
+                item.push_str(line);
+                item.push('\n');
+            }
+            if line == "}" {
+                inside = None;
+            }
+        }
+        Include { text, items, texels: BTreeMap::new() }
+    }
+
+    /// The code of a function and of all that it names, without comments; none where there is no
+    /// such function.
+    pub fn code(&self, function: &str) -> Option<String> {
+        let mut needed = BTreeSet::new();
+        let mut pending = vec![self.items.get_key_value(function)?];
+        while let Some((name, text)) = pending.pop() {
+            if needed.insert(name) {
+                pending.extend(words(text).filter_map(|word| self.items.get_key_value(word)));
+            }
+        }
+        Some(needed.into_iter().filter_map(|name| self.items.get(name)).map(String::as_str).collect())
+    }
+
+    /// Hash of [`Include::code`], and of the texels where the function fetches from a table.
+    pub fn hash(&self, function: &str) -> Option<String> {
+        let code = self.code(function)? + self.texels.get(function).map_or("", String::as_str);
+        Some(blake3::hash(code.as_bytes()).to_hex().to_string())
+    }
+}
+
+fn first_word(text: &str) -> &str {
+    words(text).next().unwrap_or_default()
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
+}
+
+/// A line that calls a function with the arguments that an include file in a language declares:
+/// `let value = ggx_average_albedo(roughness);`. None where the file does not declare it.
+pub fn call(language: Language, text: &str, function: &str) -> Option<String> {
+    let head = format!(" {function}(");
+    let start = text.match_indices(&head).map(|(at, _)| at).find(|&at| {
+        let line = text[..at].rfind('\n').map_or(0, |end| end + 1);
+        text[line..].starts_with(|c: char| c.is_ascii_alphabetic())
+    })?;
+    let line = text[..start].rfind('\n').map_or(0, |end| end + 1);
+    let rest = &text[start + head.len()..];
+    let mut depth = 1;
+    let end = rest.find(|c: char| {
+        depth += i32::from("([<".contains(c)) - i32::from(")]>".contains(c));
+        depth == 0
+    })?;
+    let arguments: Vec<&str> = parts(&rest[..end]).iter().map(|part| named(language, part)).collect();
+    let call = format!("{function}({})", arguments.join(", "));
+    Some(match language {
+        Language::Wgsl | Language::Rust => format!("let value = {call};"),
+        Language::Hlsl | Language::Glsl | Language::Msl | Language::C => {
+            let result = text[line..start].rsplit(' ').next().unwrap_or_default();
+            format!("{result} value = {call};")
+        }
+    })
+}
+
+/// Parameters between commas that no bracket holds.
+fn parts(text: &str) -> Vec<&str> {
+    let mut depth = 0;
+    let inside = move |c: char| {
+        depth += i32::from("([<".contains(c)) - i32::from(")]>".contains(c));
+        c == ',' && depth == 0
+    };
+    text.split(inside).map(str::trim).filter(|part| !part.is_empty()).collect()
+}
+
+/// The name of a declared parameter.
+fn named(language: Language, parameter: &str) -> &str {
+    match language {
+        Language::Wgsl | Language::Rust => parameter.split(':').next().unwrap_or_default().trim(),
+        Language::Hlsl | Language::Glsl | Language::Msl | Language::C => {
+            parameter.rsplit([' ', '*']).next().unwrap_or_default()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_call_has_the_declared_arguments() {
+        let wgsl = "// f(\nfn f(\n    table: texture_2d<f32>,\n    f0: vec3<f32>,\n) -> vec3<f32> {\n    return f(1);\n}\n";
+        assert_eq!(call(Language::Wgsl, wgsl, "f").as_deref(), Some("let value = f(table, f0);"));
+        let rust = "pub fn f(texels: &[[f32; 2]], mu: f32) -> [f32; 3] {";
+        assert_eq!(call(Language::Rust, rust, "f").as_deref(), Some("let value = f(texels, mu);"));
+        let c = "static inline lobefit_float3 f(const float *texels, float mu) {";
+        let expected = "lobefit_float3 value = f(texels, mu);";
+        assert_eq!(call(Language::C, c, "f").as_deref(), Some(expected));
+        assert_eq!(call(Language::Glsl, "    float x = f(1.0);", "f"), None);
+    }
+}

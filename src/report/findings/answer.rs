@@ -1,0 +1,100 @@
+//! What a reader takes from a bake: for each thing that an effect makes, what there is to choose.
+
+use serde::{Deserialize, Serialize};
+
+use super::Furnace;
+use crate::data::Cost;
+
+/// The answer of one effect.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Answer {
+    /// Name of the effect.
+    pub effect: String,
+    /// What was found, in one sentence; empty where nothing is called.
+    pub conclusion: String,
+    /// For each thing that it makes.
+    pub purposes: Vec<Purpose>,
+}
+
+/// What approximations of one column of a quantity, made for one use, there are.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Purpose {
+    /// Name: the function that is recommended.
+    pub name: String,
+    /// What it is, in words.
+    pub about: String,
+    /// What its error is, in words.
+    pub metric: String,
+    /// At most one of each role.
+    pub choices: Vec<Offer>,
+    /// Every approximation, ours and published.
+    pub measured: Vec<Measured>,
+    /// Spheres in a white environment: without compensation, then a row for each choice that has
+    /// one, named as its role.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub furnace: Option<Furnace>,
+}
+
+/// What a choice is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// Fewer operations than the recommended, at a larger error.
+    Cheap,
+    /// What the scene's promises ask for.
+    Recommended,
+    /// More operations than the recommended, for who can afford them.
+    Accurate,
+    /// A fetch instead of arithmetic.
+    Table,
+}
+
+impl Role {
+    /// Its word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Role::Cheap => "cheap",
+            Role::Recommended => "recommended",
+            Role::Accurate => "accurate",
+            Role::Table => "table",
+        }
+    }
+}
+
+/// Something to call.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Offer {
+    /// What for.
+    pub role: Role,
+    /// Name of the approximation.
+    pub name: String,
+    /// The emitted function; none where this scene does not emit it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub function: Option<String>,
+    /// Largest and root mean square error; none of what has no certificate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<[f64; 2]>,
+    /// What the error is of, where it is not that of the purpose.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub metric: String,
+    /// Cost of a call.
+    pub cost: Cost,
+    /// Its code by language, where it is not emitted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub code: Vec<(String, String)>,
+}
+
+/// A measured approximation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Measured {
+    /// Name.
+    pub name: String,
+    /// Operations.
+    pub ops: u32,
+    /// Largest and root mean square error.
+    pub error: [f64; 2],
+    /// Somebody else's.
+    pub published: bool,
+    /// A table.
+    pub table: bool,
+}

@@ -1,0 +1,189 @@
+//! What a page shows at once, and what a reader opens: a page that is not opened is a few screens.
+
+use super::page::{Block, Card, Choice, Page, Section, TextTable};
+use super::sections::words;
+
+/// Pixels of a page of usual width before a reader opens anything; what is estimated here is off by
+/// some percent.
+const TALL: f64 = 5300.0;
+
+/// Width of a page's content in pixels, and of a character of its tables and of its text.
+const WIDTH: f64 = 1160.0;
+const CELL: f64 = 7.4;
+const LETTER: f64 = 7.8;
+
+/// Pixels of the rows of a table that is folded whatever room there is.
+const LONG: f64 = 900.0;
+
+/// Pixels of what stands before the sections and after them, and of a section without its blocks.
+const FRAME: f64 = 420.0;
+const HEAD: f64 = 150.0;
+
+/// Blocks behind a line that says what they are, and how many.
+pub fn folded(what: &str, blocks: Vec<Block>) -> Block {
+    let mut counts = [0, 0];
+    count(&blocks, &mut counts);
+    let [figures, tables] = counts;
+    let of = [(figures, "figure", "figures"), (tables, "table", "tables")];
+    let counted: Vec<String> =
+        of.into_iter().filter(|(n, ..)| *n > 0).map(|(n, one, many)| words::count(n, one, many)).collect();
+    let summary =
+        if counted.is_empty() { what.to_string() } else { format!("{what}: {}", counted.join(", ")) };
+    Block::Fold { summary, blocks }
+}
+
+/// The section with all but its first blocks behind a line.
+pub fn folded_after(open: usize, mut section: Section) -> Section {
+    let rest = section.blocks.split_off(open.min(section.blocks.len()));
+    if !rest.is_empty() {
+        section.blocks.push(folded(if open == 0 { "Details" } else { "More" }, rest));
+    }
+    section
+}
+
+/// Figures and tables among blocks.
+fn count(blocks: &[Block], counts: &mut [usize; 2]) {
+    for block in blocks {
+        match block {
+            Block::Figures { svg, .. } => counts[0] += svg.len(),
+            Block::Table(_) => counts[1] += 1,
+            Block::Fold { blocks, .. } => count(blocks, counts),
+            _ => {}
+        }
+    }
+}
+
+/// The blocks of each section: those that find room, then a fold with the others.
+pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
+    let mut left = TALL - FRAME - HEAD * page.sections.len() as f64;
+    let fit = |section: &Section| {
+        let mut open = 0;
+        let all: Vec<Block> = section.blocks.iter().map(shortened).collect();
+        for block in &all {
+            let height = height(block);
+            if height > left {
+                break;
+            }
+            left -= height;
+            open += 1;
+        }
+        let mut blocks = all;
+        if open < blocks.len() {
+            while open > 0 && matches!(blocks[open - 1], Block::Heading { .. }) {
+                open -= 1;
+            }
+            let rest = blocks.split_off(open);
+            blocks.push(folded(if open == 0 { "Show" } else { "More" }, rest));
+        }
+        blocks
+    };
+    page.sections.iter().map(fit).collect()
+}
+
+/// A block, or what opens it where it is a table so long that nothing else would find room.
+fn shortened(block: &Block) -> Block {
+    match block {
+        Block::Table(table) if of_table(table) > LONG => {
+            let summary = format!("Table of {} rows", table.rows.len());
+            Block::Fold { summary, blocks: vec![block.clone()] }
+        }
+        _ => block.clone(),
+    }
+}
+
+/// About as many pixels as a block is tall.
+fn height(block: &Block) -> f64 {
+    let lines = |text: &str, per_line: f64| (text.chars().count() as f64 * LETTER / per_line).ceil().max(1.0);
+    match block {
+        Block::Text { text } => 24.0 * lines(text, 700.0) + 16.0,
+        Block::Heading { .. } => 56.0,
+        Block::Code { text } => 21.0 * text.lines().count() as f64 + 48.0,
+        Block::Facts { rows } => rows.iter().map(|(_, value)| 24.0 * lines(value, 600.0)).sum::<f64>() + 16.0,
+        Block::Links { rows } => 24.0 * rows.len() as f64 + 32.0,
+        Block::Figures { svg, caption } => pictures(svg) + 22.0 * lines(caption, 780.0) + 48.0,
+        Block::Table(table) => of_table(table) + 22.0 * lines(&table.caption, 780.0) + 80.0,
+        Block::Fold { .. } => 64.0,
+        // Its page is made for it: never folded.
+        Block::Live { .. } => 0.0,
+        Block::Cards(cards) => cards.iter().map(of_card).sum(),
+        Block::Switch { of, .. } => of.iter().map(|(_, block)| height(block)).fold(40.0, f64::max),
+    }
+}
+
+/// A card: its choices stand side by side.
+fn of_card(card: &Card) -> f64 {
+    let code = |(_, text): &(String, String)| 20.0 * text.lines().count() as f64;
+    let choice = |c: &Choice| 190.0 + 24.0 * c.facts.len() as f64 + c.code.first().map_or(0.0, code);
+    let tallest = card.choices.iter().map(choice).fold(0.0, f64::max);
+    // Three choices fill the width: the drawing stands below them.
+    let svg = card.svg.as_ref().map_or(0.0, |svg| pictures(std::slice::from_ref(svg)));
+    120.0 + if card.choices.len() < 3 { tallest.max(svg) } else { tallest + svg }
+}
+
+/// Drawings that flow into rows.
+fn pictures(svg: &[String]) -> f64 {
+    let size = |svg: &String, name: &str| -> f64 {
+        let rest = svg.split_once(&format!(" {name}=\"")).map_or("", |(_, rest)| rest);
+        rest.split('"').next().and_then(|number| number.parse().ok()).unwrap_or(0.0)
+    };
+    let (mut total, mut across, mut tallest) = (0.0, 0.0, 0.0_f64);
+    for one in svg {
+        let (width, height) = (size(one, "width"), size(one, "height"));
+        if across > 0.0 && across + width > WIDTH {
+            total += tallest + 12.0;
+            (across, tallest) = (0.0, 0.0);
+        }
+        across += width + 16.0;
+        tallest = tallest.max(height);
+    }
+    total + tallest
+}
+
+/// Rows whose cells wrap where the columns do not all find room.
+fn of_table(table: &TextTable) -> f64 {
+    let length = |text: &str| text.chars().count() as f64 * CELL;
+    let columns = table.columns.iter().enumerate();
+    let widths: Vec<f64> = columns
+        .map(|(i, (name, _))| {
+            let cells = table.rows.iter().filter_map(|row| row.get(i)).map(|cell| length(cell));
+            cells.fold(length(name), f64::max).min(544.0)
+        })
+        .collect();
+    let room = ((WIDTH - 20.0 * widths.len() as f64) / widths.iter().sum::<f64>().max(1.0)).min(1.0);
+    let row = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths);
+        let lines = cells.map(|(cell, width)| (length(cell) / (width * room).max(60.0)).ceil());
+        21.0 * lines.fold(1.0, f64::max) + 9.0
+    };
+    table.rows.iter().map(row).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Origin;
+    use super::*;
+
+    fn page(blocks: Vec<Block>) -> Page {
+        let section = Section { id: "a".into(), title: "A".into(), lead: String::new(), blocks };
+        let origin = Origin {
+            scene: String::new(),
+            recipe: String::new(),
+            tool: String::new(),
+            command: String::new(),
+            pages: Vec::new(),
+        };
+        Page { title: String::new(), origin, lead: String::new(), sections: vec![section.clone(), section] }
+    }
+
+    #[test]
+    fn what_finds_no_room_is_folded_with_its_heading() {
+        let svg = format!("<svg width=\"400\" height=\"{}\"/>", TALL / 2.0 - FRAME);
+        let figure = Block::Figures { svg: vec![svg], caption: String::new() };
+        let heading = Block::Heading { text: "h".into() };
+        let found = fitted(&page(vec![figure.clone(), heading.clone(), figure.clone()]));
+        assert_eq!(found[0].len(), 2);
+        let more = Block::Fold { summary: "More: 1 figure".into(), blocks: vec![heading, figure] };
+        assert_eq!(found[0][1], more);
+        assert!(matches!(&found[1][0], Block::Fold { summary, .. } if summary == "Show: 2 figures"));
+    }
+}

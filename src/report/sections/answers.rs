@@ -1,0 +1,218 @@
+//! What to take of a bake: a card for each purpose, and all that was measured in one chart.
+
+use super::{figures, words};
+use crate::emit::include::{Include, call};
+use crate::emit::manifest::Manifest;
+use crate::report::numbers::{grouped, significant};
+use crate::report::{
+    Answer, Block, Card, Choice, Dot, Figure, Frontiers, Furnace, GpuRecord, Offer, Purpose, ReportError,
+    Section, Shade, SphereRow, Spheres, Spread,
+};
+use crate::store::Files;
+use lobefit_shade::code::Language;
+
+/// Pixels of a screen of 3840 by 2160.
+const SCREEN: f64 = 3840.0 * 2160.0;
+
+/// Side of a sphere's cell in a strip.
+const CELL: usize = 34;
+
+/// Plotted size of the chart: the whole width of a page.
+const CHART: (f64, f64) = (1050.0, 470.0);
+
+/// What the cards are drawn from.
+pub(crate) struct Drawn<'a> {
+    /// The bake.
+    pub manifest: &'a Manifest,
+    /// Its include files among others.
+    pub files: &'a Files,
+    /// Times of functions, if any are recorded.
+    pub record: Option<&'a GpuRecord>,
+}
+
+/// The cards of all effects.
+pub(super) fn cards(answers: &[Answer], drawn: &Drawn) -> Result<Section, ReportError> {
+    let include = Include::with(drawn.files, Some(drawn.manifest));
+    let of = |answer: &Answer| -> Result<Vec<Block>, ReportError> {
+        let cards =
+            answer.purposes.iter().map(|purpose| card(&answer.effect, purpose, drawn, include.as_ref()));
+        let cards = cards.collect::<Result<Vec<_>, _>>()?;
+        let mut blocks = vec![Block::Text { text: answer.conclusion.clone() }];
+        let mut cards = cards.into_iter();
+        blocks.push(Block::Cards(cards.next().into_iter().collect()));
+        let others: Vec<Card> = cards.collect();
+        if !others.is_empty() {
+            let names: Vec<&str> = others.iter().map(|card| card.title.as_str()).collect();
+            let summary = format!("Also: {}", names.join(", "));
+            blocks.push(Block::Fold { summary, blocks: vec![Block::Cards(others)] });
+        }
+        Ok(blocks)
+    };
+    let mut blocks = Vec::new();
+    for answer in answers.iter().filter(|answer| !answer.purposes.is_empty()) {
+        blocks.push(Block::Heading { text: answer.effect.clone() });
+        blocks.extend(of(answer)?);
+    }
+    let device = drawn.record.map_or_else(String::new, |record| {
+        format!(" Times are those of one call for each pixel of 3840 × 2160 on an {}.", record.device.adapter)
+    });
+    Ok(Section {
+        id: "answers".into(),
+        title: "What to take".into(),
+        lead: format!(
+            "Recommended is the cheapest that keeps the error that the scene states, or the most accurate within its budget.{device}"
+        ),
+        blocks,
+    })
+}
+
+fn card(
+    effect: &str,
+    purpose: &Purpose,
+    drawn: &Drawn,
+    include: Option<&Include>,
+) -> Result<Card, ReportError> {
+    Ok(Card {
+        id: purpose.name.clone(),
+        title: purpose.name.clone(),
+        about: purpose.about.clone(),
+        link: (format!("All of {effect}"), format!("{effect}.html")),
+        choices: purpose.choices.iter().map(|offer| choice(offer, purpose, drawn, include)).collect(),
+        svg: purpose.furnace.as_ref().map(strip).transpose()?,
+    })
+}
+
+fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Include>) -> Choice {
+    let function = offer.function.as_deref();
+    let (calls, code) = match function {
+        Some(function) => called(function, drawn),
+        None => (None, offer.code.clone()),
+    };
+    let wider =
+        drawn.manifest.entries.calls.iter().find(|call| {
+            call.name == offer.name && function.is_some_and(|function| call.function != function)
+        });
+    let note = match (function, wider) {
+        (None, _) => format!(
+            "This scene does not emit it: copy it from here, or state \"max_ops\": {} for the material.",
+            offer.cost.ops
+        ),
+        (_, Some(call)) => {
+            format!("In colour: {}, {}.", call.function, words::operations(call.cost.ops))
+        }
+        _ => String::new(),
+    };
+    let shown = calls.or_else(|| function.map(String::from)).unwrap_or_else(|| offer.name.clone());
+    Choice {
+        role: offer.role.name().into(),
+        recommended: offer.role == crate::report::Role::Recommended,
+        call: shown,
+        facts: facts(offer, purpose, time(offer, drawn.record, include)),
+        note,
+        code,
+    }
+}
+
+/// The call as WGSL has it, or the first of the languages, and its lines by language.
+fn called(function: &str, drawn: &Drawn) -> (Option<String>, Vec<(String, String)>) {
+    let mut lines: Vec<(Language, String)> = Vec::new();
+    for include in &drawn.manifest.includes {
+        let Some(language) = Language::parse(&include.language) else { continue };
+        let text = drawn.files.get(&include.file).map(|bytes| String::from_utf8_lossy(bytes));
+        lines.extend(text.and_then(|text| call(language, &text, function)).map(|line| (language, line)));
+    }
+    lines.sort_by_key(|(language, _)| *language != Language::Wgsl);
+    let first = lines.first().and_then(|(_, line)| line.split_once(" = "));
+    let shown = first.map(|(_, call)| call.trim_end_matches(';').to_string());
+    (shown, lines.into_iter().map(|(language, line)| (language.title().to_string(), line)).collect())
+}
+
+/// Microseconds for a screen, if the function is recorded as it is emitted here.
+fn time(offer: &Offer, record: Option<&GpuRecord>, include: Option<&Include>) -> Option<f64> {
+    let function = offer.function.as_deref()?;
+    let code = include?.hash(function)?;
+    let rows = record?.rows.iter();
+    let own =
+        rows.filter(|row| row.function.as_deref() == Some(function) && row.code.as_ref() == Some(&code));
+    // Of a lookup the time with its fetches.
+    let row = own.filter(|row| row.resolved()).max_by_key(|row| row.fetches)?;
+    Some(1e-3 * row.nanoseconds.median * SCREEN)
+}
+
+fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, String)> {
+    let cost = offer.cost;
+    let time = time.map_or_else(String::new, |time| format!(", {} µs at 4K", significant(time, 3)));
+    let mut rows = vec![("Cost".to_string(), format!("{}{time}", words::operations(cost.ops)))];
+    let fetches = words::count(cost.fetches as usize, "fetch", "fetches");
+    match (cost.fetches, cost.bytes) {
+        (0, _) => {}
+        (_, 0) => rows.push(("Memory".into(), fetches)),
+        (_, bytes) => rows.push(("Memory".into(), format!("{fetches}, {} bytes", grouped(bytes)))),
+    }
+    if let Some([max, rms]) = offer.error {
+        let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
+        rows.push(("Error".into(), format!("max {}, RMS {}", words::max(max), words::mean(rms))));
+        rows.push(("of".into(), metric.clone()));
+    }
+    rows
+}
+
+fn strip(furnace: &Furnace) -> Result<String, ReportError> {
+    let times = crate::report::numbers::brief(furnace.amplification, 3);
+    let spheres = Spheres {
+        title: format!("furnace, amplified {times} times"),
+        column_name: "roughness".into(),
+        columns: &furnace.roughness,
+        mu: &furnace.mu,
+        rows: furnace.rows.iter().map(|r| SphereRow { name: r.name.clone(), factors: &r.factors }).collect(),
+        shade: Shade::Departure { limit: 1.0 / furnace.amplification },
+        unit: "departure".into(),
+        cell: CELL,
+    };
+    spheres.svg()
+}
+
+/// Everything that was measured, by its largest and by its RMS error.
+pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportError> {
+    let dots = |purpose: &Purpose, of: usize| -> Vec<Dot> {
+        let positive = purpose.measured.iter().filter(|m| m.error.iter().all(|&e| e > 0.0));
+        let dot = |m: &crate::report::Measured| Dot {
+            name: m.name.clone(),
+            x: f64::from(m.ops),
+            y: m.error[of],
+            published: m.published,
+            table: m.table,
+        };
+        positive.map(dot).collect()
+    };
+    let purposes = || answers.iter().flat_map(|a| a.purposes.iter().map(move |p| (&a.effect, p)));
+    let chart = |of: usize, what: &str| {
+        // One colour for an effect: its purposes have frontiers of their own.
+        let groups: Vec<(String, Vec<Dot>)> =
+            purposes().map(|(effect, p)| (effect.clone(), dots(p, of))).filter(|g| !g.1.is_empty()).collect();
+        let chart = Frontiers {
+            title: format!("{what} against cost"),
+            x: ("operations (square-root scale; fetches not counted)".into(), Spread::Root),
+            y: (what.into(), Spread::Log),
+            groups,
+            size: CHART,
+        };
+        let caption = "Stairs join the formulas of ours, for one purpose each, that no other of them beats in both; \
+                       published formulas are grey, tables square. The error is that of the purpose.";
+        figures(&[chart], caption)
+    };
+    if purposes().all(|(_, p)| dots(p, 0).is_empty()) {
+        return Ok(None);
+    }
+    let of = vec![
+        ("largest error".to_string(), chart(0, "largest error")?),
+        ("RMS error".to_string(), chart(1, "RMS error")?),
+    ];
+    Ok(Some(Section {
+        id: "frontier".into(),
+        title: "Error against cost".into(),
+        lead: "Lower is more accurate, further left is cheaper; the pointer names what has no name here."
+            .into(),
+        blocks: vec![Block::Switch { name: "error".into(), of }],
+    }))
+}
