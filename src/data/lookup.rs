@@ -32,10 +32,13 @@ impl SurfaceLobe {
 /// A function that looks a probe up through a proxy of its room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct ProbeLookup {
+    /// Whether the engine has met what the ray sees itself, and passes where: no proxy.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub hit: bool,
     /// Planes of the proxy; `None`: a box between two corners.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub planes: Option<u32>,
-    /// Whether its edges are smooth: the planes blended by a p-norm.
+    /// Whether its edges are smooth: rounded by how far the lobe reaches over them.
     pub smooth: bool,
     /// Fetches, 1 to 3.
     pub taps: u32,
@@ -47,16 +50,26 @@ pub struct ProbeLookup {
 impl ProbeLookup {
     /// The proxy in names of functions.
     pub fn shape(self) -> String {
+        if self.hit {
+            return "hit".into();
+        }
         self.planes.map_or_else(|| "box".into(), |n| format!("planes_{n}"))
     }
 
     /// Its edges in names of functions.
     pub fn edges(self) -> &'static str {
-        if self.smooth { "smooth" } else { "sharp" }
+        match (self.hit, self.smooth) {
+            (true, _) => "none",
+            (false, true) => "smooth",
+            (false, false) => "sharp",
+        }
     }
 
     /// What tells it from the other lookups of a kernel, in the names of functions.
     pub fn identifier(self) -> String {
+        if self.hit {
+            return self.shape();
+        }
         let lobe = if self.is_fitted() { "_fitted" } else { "" };
         format!("{}_{}_{}{lobe}", self.shape(), self.edges(), self.taps)
     }
@@ -68,6 +81,9 @@ impl ProbeLookup {
 
     /// In words.
     pub fn text(self) -> String {
+        if self.hit {
+            return "what the engine hit, 1 fetch".into();
+        }
         let shape = self.planes.map_or_else(|| "a box".into(), |n| format!("{n} planes"));
         let fetches = if self.taps == 1 { "1 fetch".into() } else { format!("{} fetches", self.taps) };
         let lobe = if self.is_fitted() { " of the fitted lobe" } else { "" };

@@ -26,7 +26,7 @@ pub use lobefit_fit::Norm;
 pub use lobefit_truth::optics::Smith;
 pub use lobefit_truth::quantity::Use;
 pub use lookup::{ProbeLookup, SurfaceLobe};
-pub use mips::{LOG_SCALE, MipChain, MipMap};
+pub use mips::{LOG_FROM, LOG_SCALE, MipChain, MipMap};
 pub use pick::{ARGUMENT_NAMES, Arguments, Pick};
 pub use shader::{Coordinate, Decoder, TableCode, lookup_ops};
 pub use table::{AXES, Channel, Table, TableError, TexelFormat};

@@ -34,18 +34,19 @@ pub struct LookupFunction {
     pub function: String,
     /// Argument names in order.
     pub inputs: Vec<String>,
-    /// `box`, or the number of planes after `planes_`.
+    /// `box`, the number of planes after `planes_`, or `hit`: what the engine has hit.
     pub proxy: String,
-    /// `smooth` or `sharp`.
+    /// `smooth` or `sharp`; `none` of a hit.
     pub edges: String,
     /// What the lobe of the surface is taken for: `mirror` or `fitted`.
     pub lobe: String,
-    /// The power of smooth edges, a formula of alpha, or of the `width` of the fitted lobe.
+    /// What smooth edges are rounded over, by alpha or the `width` of the fitted lobe, the walls'
+    /// distances h from the place and t along the ray.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub power: Option<String>,
+    pub rounding: Option<String>,
     /// What it returns beside a direction: `width` or `mip`.
     pub gives: String,
-    /// The function of the width that it calls.
+    /// The fit of the width.
     pub width: String,
     /// The lobe that the chain is prefiltered with.
     pub kernel: String,

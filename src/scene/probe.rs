@@ -132,6 +132,11 @@ struct ProbeFile {
 #[schemars(rename = "Lookup")]
 #[serde(deny_unknown_fields, expecting = "an object that describes a lookup, which may be empty")]
 struct LookupFile {
+    /// Whether the engine itself finds what the ray hits (by a ray, a depth buffer, a box of its
+    /// own) and passes how far it is and where from the probe: the least expensive lookup, by the
+    /// distances alone. Not with another field; default false.
+    #[serde(default)]
+    hit: Maybe<bool>,
     /// Number of planes of the proxy; default: a box along the axes, between two corners.
     #[serde(default)]
     planes: Maybe<Whole<Planes>>,
@@ -162,7 +167,17 @@ impl TryFrom<LookupFile> for ProbeLookup {
     type Error = String;
 
     fn try_from(file: LookupFile) -> Result<Self, String> {
+        let hit = file.hit.0 == Some(true);
+        if hit
+            && (file.planes.0.is_some()
+                || file.edges.0.is_some()
+                || file.taps.0.is_some()
+                || file.lobe.0.is_some())
+        {
+            return Err(about("hit", "what the engine hits has no proxy, and one fetch of the mirror lobe"));
+        }
         Ok(ProbeLookup {
+            hit,
             planes: file.planes.0.map(|n| n.0),
             smooth: !matches!(file.edges.0, Some(Word(Edges::Sharp))),
             taps: file.taps.0.map_or(1, |n| n.0),

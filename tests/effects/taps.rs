@@ -9,7 +9,7 @@ use lobefit::effects::parallax::taps::horizon::fade;
 use lobefit::effects::parallax::{Corrected, Ratio, RuleTap, Shading, Stretch, TapRule, Width, width};
 use lobefit_math::ops::{log, sincos};
 use lobefit_math::vector::{dot, length, normalise};
-use lobefit_studies::study::parallax::room::proxies::{Body, Tied};
+use lobefit_studies::study::parallax::room::proxies::{Body, Eased};
 use lobefit_studies::study::parallax::room::{Lookup, Plane, Proxy, Seen, room_b};
 use lobefit_truth::optics::kernel::Kernel;
 use lobefit_truth::quantity::footprint::slant::{Case, Resolution, Slant, Stand};
@@ -370,8 +370,7 @@ fn blended(lookup: &dyn Lookup, elevation: f64, azimuth: f64, alpha: f64) -> [f6
 #[test]
 fn nothing_jumps_where_rays_leave_below_the_surface() {
     let room = room_b();
-    let proxy =
-        Tied { body: Body::new(&room.shape(), room.probe).expect("a probe inside"), tie: Tied::FITTED };
+    let proxy = Eased { body: Body::new(&room.shape(), room.probe).expect("a probe inside") };
     let step = 2e-3;
     for rule in [TapRule::two(), TapRule::three()] {
         let probe = room.probe;

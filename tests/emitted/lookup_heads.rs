@@ -18,7 +18,7 @@ fn lookups_say_what_they_hold_of() {
         let kernel = named.unwrap_or("half-cosine");
         assert_eq!(word("kernel"), kernel);
         assert_eq!(entry["gives"] == "mip", entry.get("chain").is_some());
-        assert_eq!(entry.get("power").is_some(), emitted.lookup.smooth);
+        assert_eq!(entry.get("rounding").is_some(), emitted.lookup.smooth);
         assert!(entry["cost"]["ops"].as_u64().is_some_and(|ops| (60..6000).contains(&ops)), "{entry}");
         for text in &texts {
             let start = text.find(&format!("{}(", emitted.name())).expect("the function");

@@ -19,7 +19,7 @@ use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled, tangents};
 use lobefit_shade::Hypothesis;
 use lobefit_shade::code::Language;
-use lobefit_studies::study::parallax::room::proxies::{Body, NEAREST, Tied};
+use lobefit_studies::study::parallax::room::proxies::{Body, Eased, NEAREST};
 use lobefit_studies::study::parallax::room::{Meeting, Proxy, Room, Seen, octagon, room_b};
 use lobefit_truth::optics::kernel::Kernel;
 use serde_json::Value;
@@ -68,7 +68,13 @@ pub static EMITTED: LazyLock<Vec<Emitted>> = LazyLock::new(|| {
         let taps = entry["cost"]["fetches"].as_u64().expect("a number") as u32;
         Emitted {
             entry: entry.clone(),
-            lookup: ProbeLookup { planes, smooth: word("edges") == "smooth", taps, lobe: lobe(word("lobe")) },
+            lookup: ProbeLookup {
+                hit: false,
+                planes,
+                smooth: word("edges") == "smooth",
+                taps,
+                lobe: lobe(word("lobe")),
+            },
             room: single(if planes.is_some() { octagon() } else { room_b() }),
             width: width.expect("a formula"),
         }
@@ -100,7 +106,7 @@ impl Emitted {
 
     fn proxy(&self) -> Box<dyn Proxy> {
         let body = Body::new(&self.room.shape(), self.room.probe).expect("a probe inside");
-        if self.lookup.smooth { Box::new(Tied { body, tie: Tied::FITTED }) } else { Box::new(body) }
+        if self.lookup.smooth { Box::new(Eased { body }) } else { Box::new(body) }
     }
 
     /// The planes about the probe, filled up.
@@ -223,6 +229,9 @@ pub struct Expected {
     allowed: f64,
 }
 
+/// Ratios of distances where the scene gives none: lookups clamp theirs to them.
+const RHO: [f64; 2] = [0.0625, 8.0];
+
 /// The rounding of a place in a room of f32 coordinates, with that of the operations on it.
 const ROUNDING: f64 = 2e-6;
 
@@ -233,21 +242,22 @@ impl Emitted {
         let Meeting { distance, place: met, normal } = self.proxy().meet(place, ray, whole)?;
         let away = minus(met, self.room.probe);
         let towards = normalise(away);
-        let [here, there] = [ray, towards].map(|v| dot(normal, v).max(0.02));
-        let rho = distance / length(away) * (there / here).sqrt();
+        let here = dot(normal, ray);
+        let slanted = dot(normal, towards).max(0.0) / here;
+        let rho = (distance / length(away) * slanted.sqrt()).clamp(RHO[0], RHO[1]);
         let width = self.width.tape().evaluate(&[vec![alpha], vec![rho]], &[]).expect("a width")[0];
         // a plane's distance carries the rounding of coordinates: relative to that distance it
         // moves the place met along the ray, and tilts the normal of a smooth body by as much, p
         // times
-        let ahead = self.room.walls.iter().map(|wall| {
-            let height = wall.plane.depth(self.room.probe);
-            (wall.plane.depth(place).max(NEAREST * height), dot(wall.plane.normal, ray))
-        });
+        let ahead = self
+            .room
+            .walls
+            .iter()
+            .map(|wall| (wall.plane.depth(place).abs().max(NEAREST), dot(wall.plane.normal, ray)));
         let nearest = ahead.clone().filter(|(_, a)| *a > 0.0).map(|(d, _)| d).fold(f64::INFINITY, f64::min);
         let unsure = ROUNDING / nearest;
-        // at an edge of two planes at a right angle, each met at 45 degrees, s is 2; more only
-        // where the cosine `here` is less
-        let power = if self.lookup.smooth { Tied::FITTED.at(whole, 2.0) } else { 1.0 };
+        // the normal turns from that of one plane to the next's within the rounding of the edge
+        let power = if self.lookup.smooth { 1.0 / Eased::bend(whole) } else { 1.0 };
         // where two planes are as near, the sharp proxy takes either
         let mut along: Vec<f64> = ahead.map(|(d, a)| a / d).collect();
         along.sort_by(f64::total_cmp);

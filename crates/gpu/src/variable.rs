@@ -41,7 +41,7 @@ pub(super) enum Held {
 
 /// The numbers that functions take, and their ranges where the manifest has none: those of lookups
 /// and levels, which hold for all.
-const SCALARS: [(&str, f64, f64); 9] = [
+const SCALARS: [(&str, f64, f64); 10] = [
     ("roughness", 0.15, 1.0),
     ("mu", 0.05, 1.0),
     ("n_dot_v", 0.05, 1.0),
@@ -51,6 +51,7 @@ const SCALARS: [(&str, f64, f64); 9] = [
     ("cos2_phi", 0.0, 1.0),
     ("rho", 0.1, 4.0),
     ("mip", 0.0, 6.0),
+    ("distance", 0.1, 4.0),
 ];
 
 const CORNERS: [&str; 3] = ["low", "high", "probe"];
@@ -78,7 +79,7 @@ impl Variable {
                 "ray" => Some(Variable::Ray),
                 "normal" => Some(Variable::Normal),
                 "view" => Some(Variable::View),
-                "place" => Some(Variable::Place),
+                "place" | "offset" => Some(Variable::Place),
                 _ => CORNERS.into_iter().find(|c| *c == name).map(|c| Variable::Held(Held::Corner(c))),
             },
             _ => None,

@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use super::room::proxies::{Body, Tied};
+use super::room::proxies::{Body, Eased};
 use super::room::{Convex, Lookup, Plane, Proxy, Seen};
 use super::{Corrected, LobeFit, Ratio, Shading, TapRule, Width, lobes};
 use crate::data::{ProbeLookup, SurfaceLobe};
@@ -25,9 +25,13 @@ pub(super) fn lookups(scene: &Scene, seconds: Clock) -> Vec<TimedLookup> {
 }
 
 fn timed(lookup: ProbeLookup, seconds: Clock) -> Option<TimedLookup> {
+    // what it is looked up by the engine has found
+    if lookup.hit {
+        return None;
+    }
     let body = Body::new(&shape(lookup.planes), [0.1, -0.2, 0.05])?;
     let time = if lookup.smooth {
-        per_pixel(Tied { body, tie: Tied::FITTED }, lookup, seconds)
+        per_pixel(Eased { body }, lookup, seconds)
     } else {
         per_pixel(body, lookup, seconds)
     };
@@ -55,7 +59,7 @@ fn per_pixel<P: Proxy>(proxy: P, wanted: ProbeLookup, seconds: Clock) -> f64 {
         SurfaceLobe::Mirror => Shading::Mirror,
         SurfaceLobe::Fitted => Shading::Fitted(LobeFit::of(wanted.taps)),
     };
-    let (probe, ratio, width) = ([0.1, -0.2, 0.05], Ratio::Area, Width::Rational);
+    let (probe, ratio, width) = ([0.1, -0.2, 0.05], Ratio::Area, Width::EMITTED);
     let lookup = Corrected { proxy, probe, shading, rule, ratio, width };
     let points = pixels();
     let time = seconds(&mut || {

@@ -5,7 +5,7 @@ use lobefit_math::ops;
 use lobefit_math::sobol::Sobol;
 use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
 use lobefit_studies::study::parallax::room::proxies::{
-    Body, Faded, Law, NEAREST, Pushed, Rounded, Smooth, Tied,
+    Body, Eased, Faded, Law, NEAREST, Pushed, Rounded, Smooth, Tied,
 };
 use lobefit_studies::study::parallax::room::{Convex, Meeting, Plane, Proxy, Room, octagon, room_a, room_b};
 
@@ -36,6 +36,7 @@ fn families(room: &Room) -> Vec<(String, Box<dyn Proxy>)> {
     let mut all: Vec<(String, Box<dyn Proxy>)> = vec![
         ("planes".into(), Box::new(body(room))),
         ("by eye".into(), Box::new(Smooth { body: body(room), power: Smooth::BY_EYE })),
+        ("eased".into(), Box::new(Eased { body: body(room) })),
         ("tied".into(), Box::new(Tied { body: body(room), tie: Tied::FITTED })),
     ];
     for power in [1.5, 2.0, 4.0, 17.3, 256.0, 1e6] {
@@ -183,7 +184,7 @@ fn shading_points_on_a_wall_meet_it_at_the_nearest_distance() {
             let height = wall.plane.depth(room.probe);
             let foot = plus(room.probe, scaled(wall.plane.normal, height));
             let into = shape.meet(foot, wall.plane.normal, 0.1).expect("a meeting");
-            assert!((into.distance - NEAREST * height).abs() < 1e-12);
+            assert!((into.distance - NEAREST).abs() < 1e-12);
             let away = shape.meet(foot, scaled(wall.plane.normal, -1.0), 0.1).expect("a meeting");
             let exact = room.exit(foot, scaled(wall.plane.normal, -1.0)).0;
             assert!((away.distance - exact).abs() < 1e-12);

@@ -6,9 +6,8 @@ use crate::data::{MipChain, ProbeLookup};
 use crate::effects::BakeError;
 use crate::effects::Effect;
 use crate::effects::parallax::Parallax;
-use crate::effects::parallax::probe::{Called, Wanted};
+use crate::effects::parallax::probe::{Level, Wanted};
 use crate::effects::parallax::results::LookupFinding;
-use crate::effects::parallax::room::proxies::Tied;
 use crate::effects::parallax::{Gives, TapRule, named};
 use crate::emit::call::{Call, LookupFunction};
 use crate::emit::header;
@@ -25,18 +24,18 @@ pub(super) struct Lookup {
     max_error: f64,
 }
 
-/// Those that the probes want, by the best fit; none where no fit is emitted.
+/// Those that the probes want, by the fit of one constant; none where no fit is emitted.
 pub(super) fn of(lobe: &Lobe, identifiers: &[(MipChain, String)]) -> Result<Vec<Lookup>, BakeError> {
-    let Some(best) = lobe.best() else { return Ok(Vec::new()) };
+    let Some(flow) = lobe.flow() else { return Ok(Vec::new()) };
     let one = |(lookup, chain): &(ProbeLookup, Option<MipChain>)| {
-        one(lobe, best, *lookup, chain.as_ref(), identifiers)
+        one(lobe, flow, *lookup, chain.as_ref(), identifiers)
     };
     lobe.wants.lookups.iter().map(one).collect()
 }
 
 fn one(
     lobe: &Lobe,
-    best: &Fit,
+    flow: &Fit,
     lookup: ProbeLookup,
     chain: Option<&MipChain>,
     identifiers: &[(MipChain, String)],
@@ -55,19 +54,19 @@ fn one(
         rule: TapRule::of(&lobe.spec.kernel, fetches)
             .ok_or(BakeError::NoRule { kernel: lobe.spec.kernel.word().into(), fetches })?,
         header: Vec::new(),
-        width: Called::new(&best.hypothesis, &best.coefficients())?,
-        level: level.map(|f| Called::new(&f.hypothesis, &f.coefficients)).transpose()?,
+        flow: flow.coefficients().first().copied().map_or(1.0, f64::from),
+        rho: lobe.spec.rho,
+        level: level.map(|f| Level::new(&f.hypothesis, &f.chain)).transpose()?,
         alpha_map: lobe.spec.alpha_map,
-        power: Tied::FITTED,
     };
     let ops = wanted.operations()?;
-    wanted.header = header(lobe, &wanted, chain, ops);
-    let (fit, max_error) = (best.approximation.name.clone(), best.approximation.certificate.max_abs);
+    wanted.header = header(lobe, &wanted, flow, chain, ops);
+    let (fit, max_error) = (flow.approximation.name.clone(), flow.approximation.certificate.max_abs);
     Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops, fit, max_error })
 }
 
 /// What it does, what it must be paired with, what it costs, and what it is off by.
-fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> Vec<String> {
+fn header(lobe: &Lobe, wanted: &Wanted, flow: &Fit, chain: Option<&MipChain>, ops: u32) -> Vec<String> {
     let fetches = wanted.lookup.taps;
     let mut lines = wanted.lines();
     lines.push(format!("Pairing: {}", code::paired(lobe)));
@@ -76,11 +75,12 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
     lines.push(format!(
         "The width is certified over roughness {roughness} and rho {rho}, the distance of the place"
     ));
-    lines.push("over that of the probe, from what both see; beyond them it is a formula alone.".into());
+    lines.push("over that of the probe, from what both see, by the root of solid angles.".into());
     let plural = if fetches == 1 { "fetch" } else { "fetches" };
-    lines.push(format!("{} and {fetches} {plural}; width by {}", header::operations(ops), wanted.width.name));
+    let name = &flow.approximation.name;
+    lines.push(format!("{} and {fetches} {plural}; width by {name}", header::operations(ops)));
     lines.extend(wanted.expected());
-    let measured = lobe.measured().find(|(fit, _)| fit.hypothesis.name() == wanted.width.name);
+    let measured = lobe.measured().find(|(fit, _)| fit.approximation.name == *name);
     if let Some((_, variation)) = measured {
         let rows = [
             ("rho < 1", variation.nearer, lobe.least.nearer),
@@ -96,7 +96,7 @@ fn header(lobe: &Lobe, wanted: &Wanted, chain: Option<&MipChain>, ops: u32) -> V
 impl Lookup {
     /// Its entry in the manifest.
     pub fn entry(&self, kernel: &str, alpha_map: &str) -> LookupFunction {
-        let Wanted { name, lookup, width, level, .. } = &self.wanted;
+        let Wanted { name, lookup, level, .. } = &self.wanted;
         LookupFunction {
             effect: Parallax.name().into(),
             function: name.clone(),
@@ -104,9 +104,9 @@ impl Lookup {
             proxy: lookup.shape(),
             edges: lookup.edges().into(),
             lobe: lookup.lobe.name().into(),
-            power: lookup.smooth.then(|| self.wanted.power_formula()),
+            rounding: (lookup.smooth && !lookup.hit).then(|| self.wanted.rounding()),
             gives: if level.is_some() { "mip" } else { "width" }.into(),
-            width: width.name.clone(),
+            width: self.fit.clone(),
             kernel: kernel.into(),
             alpha_map: alpha_map.into(),
             chain: self.chain.as_ref().map(MipChain::text),
@@ -133,7 +133,7 @@ impl Lookup {
 
     /// What its page says of it.
     pub fn finding(&self) -> LookupFinding {
-        let Wanted { name, lookup, width, .. } = &self.wanted;
+        let Wanted { name, lookup, .. } = &self.wanted;
         LookupFinding {
             function: name.clone(),
             proxy: lookup.shape(),
@@ -141,7 +141,7 @@ impl Lookup {
             lobe: lookup.lobe.name().into(),
             fetches: lookup.taps,
             ops: self.ops,
-            width: width.name.clone(),
+            width: self.fit.clone(),
             chain: self.chain.as_ref().map(MipChain::text),
         }
     }

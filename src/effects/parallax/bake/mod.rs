@@ -7,7 +7,7 @@ mod lookups;
 
 use super::{Grid, LevelFunction, ParallaxSpec, Variation, bias, demand, fit_all, of_chain, variations};
 use crate::approximate::{Dropped, Emission, Fit, FitSet};
-use crate::data::{Arguments, MipChain};
+use crate::data::{Arguments, MipChain, Source};
 use crate::effects::context::Context;
 use crate::effects::demand::{Demand, Job, Promise};
 use crate::effects::{BakeError, Called, Made};
@@ -184,6 +184,13 @@ impl<'a> Lobe<'a> {
         let rank = |fit: &&Fit| (fit.approximation.certificate.max_abs, fit.approximation.cost.ops);
         let emitted = self.fits.iter().filter(|fit| fit.emitted);
         emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
+    }
+
+    /// The fit of one constant, which lookups take the width from: none where no fit is emitted.
+    fn flow(&self) -> Option<&Fit> {
+        self.best()?;
+        let fitted = self.fits.iter().filter(|fit| fit.approximation.source == Source::Fitted);
+        fitted.min_by_key(|fit| (fit.hypothesis.parameters().len(), fit.approximation.cost.ops))
     }
 
     /// The least of the largest total variations of the emitted fits of at most so many operations,

@@ -4,7 +4,7 @@ use super::shading::{Shading, ShadingLobe};
 use crate::effects::parallax::room::{Lookup, Meeting, Proxy, Seen, Tap};
 use crate::effects::parallax::taps::horizon::fade;
 use crate::effects::parallax::{RuleTap, Stretch, TapRule, width};
-use lobefit_math::vector::{Vec3, length, minus, normalise, plus, scaled};
+use lobefit_math::vector::{Vec3, dot, length, minus, normalise, plus, scaled};
 
 /// How much wider a lobe looks from the probe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
@@ -12,8 +12,14 @@ use lobefit_math::vector::{Vec3, length, minus, normalise, plus, scaled};
 pub enum Ratio {
     /// By the distances of shading point and probe.
     Distance,
-    /// By the root of the ratio of solid angles.
+    /// By the root of the ratio of solid angles, within [`Ratio::CERTIFIED`].
     Area,
+}
+
+impl Ratio {
+    /// The ratios that widths are certified over in the built-in scene, to which emitted lookups
+    /// clamp theirs.
+    pub const CERTIFIED: [f64; 2] = [1.0 / 16.0, 8.0];
 }
 
 /// Which width is fetched for a lobe of width alpha in (0, 1] that looks rho >= 0 times as wide.
@@ -41,9 +47,9 @@ pub enum Width {
 }
 
 impl Width {
-    /// What lookups are emitted with where no scene says otherwise: the most accurate fit of the
-    /// built-in scene's probe, `parallax_cubic`.
-    pub const EMITTED: Width = Width::Cubic { k: 0.953_761_4, c: 0.107_512_49, d: 0.249_301_72 };
+    /// What lookups are emitted with where no scene says otherwise: the fit `parallax_1` of the
+    /// built-in scene's probe.
+    pub const EMITTED: Width = Width::Cubic { k: 1.048_127, c: 0.0, d: 0.0 };
 
     /// The width, in (0, 1].
     pub fn of(self, alpha: f64, rho: f64) -> f64 {
@@ -132,9 +138,15 @@ impl<P: Proxy> Corrected<P> {
 
     fn tap(&self, seen: &Seen, met: &Meeting, alpha: f64, weight: f64) -> Option<Tap> {
         let from = minus(met.place, self.probe);
+        let away = length(from);
         let rho = match self.ratio {
-            Ratio::Distance => met.distance / length(from),
-            Ratio::Area => Stretch::of(seen.place, met, self.probe)?.area,
+            Ratio::Distance => met.distance / away,
+            Ratio::Area => {
+                let [low, high] = Ratio::CERTIFIED;
+                let cosines = dot(met.normal, from).max(0.0) / dot(met.normal, minus(met.place, seen.place));
+                let ratio = met.distance / away;
+                (ratio * (ratio * cosines).sqrt()).clamp(low, high)
+            }
         };
         let alpha = self.width.of(alpha, rho);
         (alpha > 0.0).then(|| Tap { towards: normalise(from), alpha, weight })

@@ -11,10 +11,11 @@ mod rule;
 mod several;
 mod single;
 
-use crate::data::{AlphaMap, ProbeLookup, SurfaceLobe};
+use crate::data::{AlphaMap, LOG_FROM, LOG_SCALE, MipChain, MipMap, ProbeLookup, SurfaceLobe};
 use crate::effects::parallax::TapRule;
-use crate::effects::parallax::room::proxies::Tie;
+use crate::effects::parallax::room::proxies::Eased;
 use crate::effects::parallax::taps::horizon::FADE;
+use lobefit_math::ops;
 use lobefit_shade::code::{self, CodeError, Language};
 use lobefit_shade::{Hypothesis, ShadeError, Source};
 
@@ -24,31 +25,33 @@ const MIRROR: [&str; 2] = [
     "it does not lean as the lobe of a surface does at grazing angles.",
 ];
 
-/// A function of the file that a lookup calls.
+/// The function of the file that gives the level of a roughness.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Called {
+pub struct Level {
     /// Name.
     pub name: String,
-    /// Names of the arguments.
-    pub inputs: Vec<String>,
     /// Its text in WGSL.
     pub text: String,
+    /// The chain.
+    pub chain: MipChain,
 }
 
-impl Called {
-    /// A formula with its coefficients.
+impl Level {
+    /// A formula of the level.
     ///
     /// # Errors
     /// A formula that cannot be printed.
-    pub fn new(hypothesis: &Hypothesis, coefficients: &[f32]) -> Result<Called, CodeError> {
-        let text = code::print(Language::Wgsl, hypothesis, coefficients, &[])?.text;
-        Ok(Called { name: hypothesis.name().to_string(), inputs: hypothesis.inputs().to_vec(), text })
+    pub fn new(hypothesis: &Hypothesis, chain: &MipChain) -> Result<Level, CodeError> {
+        let text = code::print(Language::Wgsl, hypothesis, &[], &[])?.text;
+        Ok(Level { name: hypothesis.name().to_string(), text, chain: chain.clone() })
     }
 
-    /// A call of a width, by what stands for alpha and rho.
-    fn call(&self, alpha: &str, rho: &str) -> String {
-        let passed = |input: &String| if input == "rho" { rho.to_string() } else { alpha.to_string() };
-        format!("{}({})", self.name, self.inputs.iter().map(passed).collect::<Vec<_>>().join(", "))
+    /// The level of a logarithmic chain that is 0 before its shader's least roughness is met: a
+    /// logarithm of the width.
+    fn logarithmic(&self) -> Option<f64> {
+        let logarithmic = matches!(self.chain, MipChain::Mapped { map: MipMap::Log, .. });
+        let widest = self.chain.widest();
+        (logarithmic && widest <= -LOG_SCALE * ops::log2(LOG_FROM)).then_some(widest)
     }
 }
 
@@ -66,22 +69,26 @@ pub struct Wanted {
     pub rule: TapRule,
     /// Its documentation.
     pub header: Vec<String>,
-    /// The width of a fetch.
-    pub width: Called,
+    /// The constant k of the width of a fetch, which is that of `parallax_1`.
+    pub flow: f64,
+    /// Ratios of the distances of shading point and probe, to which theirs is clamped.
+    pub rho: [f64; 2],
     /// The level of a roughness, where the chain is known.
-    pub level: Option<Called>,
+    pub level: Option<Level>,
     /// Roughness to alpha.
     pub alpha_map: AlphaMap,
-    /// The power of smooth edges.
-    pub power: Tie,
 }
 
 impl Wanted {
-    /// What is fetched by, beside the direction: a width or its level.
-    fn fetched(&self, width: &str) -> String {
-        match &self.level {
-            Some(level) => format!("{}({})", level.name, self.alpha_map.roughness_source(width)),
-            None => width.into(),
+    /// What is fetched by, beside the direction: a width, 1 over `narrow`, or its level.
+    fn fetched(&self) -> String {
+        let Some(level) = &self.level else { return "1.0 / narrow".into() };
+        match level.logarithmic() {
+            Some(widest) => {
+                let scale = LOG_SCALE / f64::from(self.alpha_map.power());
+                format!("max({:?} - {:?} * log2(narrow), 0.0)", widest as f32, scale as f32)
+            }
+            None => format!("{}({})", level.name, self.alpha_map.roughness_source("1.0 / narrow")),
         }
     }
 
@@ -106,6 +113,9 @@ impl Wanted {
             SurfaceLobe::Mirror => "a lobe of width alpha about a ray from a place",
             SurfaceLobe::Fitted => "what a GGX surface of width alpha reflects at a place over its albedo",
         };
+        if self.lookup.hit {
+            return self.hit_lines();
+        }
         let mut lines = if several {
             let first = format!("{} fetches from a probe for {lobe},", self.lookup.taps);
             let second = format!(
@@ -122,12 +132,10 @@ impl Wanted {
             ]
         };
         lines.push(format!("The proxy is {}.", self.lookup.text()));
-        lines.push(if self.lookup.smooth {
-            let lobe = if self.lookup.is_fitted() { ", width that of the lobe" } else { "" };
-            format!("Edges are smooth: the power of the proxy is {}{lobe}.", self.power_formula())
-        } else {
-            "Edges are sharp: the width jumps where a ray passes from one plane to the next.".into()
-        });
+        if !self.lookup.smooth {
+            let jumps = "Edges are sharp: the width jumps where a ray passes from one plane to the next.";
+            lines.push(jumps.into());
+        }
         lines.extend(self.frame());
         lines.push(self.sum());
         if self.lookup.is_fitted() {
@@ -136,28 +144,35 @@ impl Wanted {
         lines
     }
 
-    /// The power of smooth edges, a formula of the lobe's width: of alpha, or of the `width` that
-    /// the fitted lobe has.
-    pub fn power_formula(&self) -> String {
-        let formula = self.power.formula();
-        if self.lookup.is_fitted() { formula.replace("alpha", "width") } else { formula }
+    /// Those of a lookup of what the engine has hit.
+    fn hit_lines(&self) -> Vec<String> {
+        let [low, high] = self.rho;
+        vec![
+            "What to fetch from a probe for a lobe of width alpha about a ray: offset, of any length, and the level (w) or width.".into(),
+            "The engine has found what the ray hits: offset is from the probe to there, distance from the shading point to there.".into(),
+            "The width follows the ratio of the distances, which does not jump at edges, and ignores slants.".into(),
+            format!("Domain: alpha in [0, 1], distances of 0 or more; their ratio is clamped to [{low}, {high}]."),
+            self.sum(),
+        ]
+    }
+
+    /// What smooth edges are rounded over, a formula of the lobe's width: of alpha, or of the
+    /// `width` that the fitted lobe has.
+    pub fn rounding(&self) -> String {
+        Eased::formula(if self.lookup.is_fitted() { "width" } else { "alpha" })
     }
 
     /// What the arguments must be.
     fn frame(&self) -> Vec<String> {
-        let (body, bound) = match self.lookup.planes {
-            None => ("low, high", ""),
-            Some(_) => ("planes", ", whose planes bound a body"),
-        };
+        let body = if self.lookup.planes.is_none() { "low, high" } else { "planes" };
         let (mut lines, ray) = match self.lookup.lobe {
             SurfaceLobe::Fitted => (lobe::lines(self.lookup.taps), "normal, view"),
             SurfaceLobe::Mirror => (MIRROR.map(String::from).to_vec(), "ray"),
         };
         lines.extend([
             format!("place, {body}, probe, {ray} are in one frame and one unit of length; the cubemap's axes are the frame's."),
-            format!("probe is strictly inside the proxy{bound}: else values are not finite."),
-            "Domain: alpha in [0, 1], a place inside. As the place comes to the wall that the ray meets, the width goes".into(),
-            "to 0; a place outside is taken as on the wall. Cosines with the proxy's normal below 0.02 count as that.".into(),
+            "probe is strictly inside the proxy. Domain: alpha in [0, 1], places anywhere: a wall that the place is outside of".into(),
+            format!("counts as being as far ahead as it is behind, and rho is clamped to [{}, {}].", self.rho[0], self.rho[1]),
         ]);
         lines
     }
@@ -199,10 +214,12 @@ impl Wanted {
     pub fn source(&self) -> Result<Source, ShadeError> {
         let several = self.lookup.taps > 1;
         let level = self.level.as_ref().map_or("", |level| &level.text);
+        if self.lookup.hit {
+            return Source::parse("probe.wgsl", &(level.to_string() + &single::hit(self)));
+        }
         let text = [
             lobe::constants(self.lookup.taps),
             rule::constants(&self.rule),
-            self.width.text.clone(),
             level.to_string(),
             meet::source(self.lookup),
             single::fetch(self),
@@ -215,6 +232,9 @@ impl Wanted {
     /// Its text with what it shares, in a language.
     fn print(&self, language: Language) -> Result<Vec<String>, CodeError> {
         let source = self.source()?;
+        if self.lookup.hit {
+            return Ok(vec![source.print(language, &self.name, &self.header)?]);
+        }
         let fetched = if self.level.is_some() { "level" } else { "width" };
         let fetch = format!(
             "One fetch of the lookups below, along a ray, of a lobe of width alpha: direction and {fetched}."
@@ -259,25 +279,25 @@ mod tests {
     /// Every combination is a source of the dialect, and its names are words of no language.
     #[test]
     fn lookups_are_printed_in_every_language() {
-        let called = |name: &str, input: &str| Called {
+        let level = |name: &str, input: &str| Level {
             name: name.into(),
-            inputs: vec![input.into()],
             text: format!("fn {name}({input}: f32) -> f32 {{ return {input}; }}\n"),
+            chain: MipChain::Given(vec![0.0, 1.0]),
         };
         for i in 0..24 {
             let planes = (i % 2 == 1).then_some(9);
             let lobe = if i / 4 % 2 == 0 { SurfaceLobe::Mirror } else { SurfaceLobe::Fitted };
-            let lookup = ProbeLookup { planes, smooth: i / 2 % 2 == 0, taps: 1 + i / 8, lobe };
+            let lookup = ProbeLookup { hit: false, planes, smooth: i / 2 % 2 == 0, taps: 1 + i / 8, lobe };
             let wanted = Wanted {
                 name: "lookup".into(),
                 fetch: "one_fetch".into(),
                 lookup,
                 rule: [TapRule::one(), TapRule::two(), TapRule::three()][lookup.taps as usize - 1],
                 header: Vec::new(),
-                width: called("f", "alpha"),
-                level: (i % 3 == 0).then(|| called("g", "alpha")),
+                flow: 1.05,
+                rho: [0.0625, 8.0],
+                level: (i % 3 == 0).then(|| level("g", "roughness")),
                 alpha_map: AlphaMap::RoughnessSquared,
-                power: Tie { over: 4.0, power: 1.0 },
             };
             assert!(wanted.operations().expect("a source") > 20, "{lookup:?}");
             for language in Language::ALL {

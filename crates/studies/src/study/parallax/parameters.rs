@@ -7,7 +7,7 @@ use crate::study::Size;
 
 /// Raised whenever the study's method changes without its parameters: results of another method
 /// then have another recipe.
-const METHOD: u32 = 4;
+const METHOD: u32 = 5;
 
 /// Everything that the recipe covers beside the tool's version and the formulas, a field for each
 /// part.

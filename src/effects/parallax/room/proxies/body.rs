@@ -4,9 +4,9 @@ use super::super::lookup::{Meeting, Proxy};
 use super::super::shape::{Convex, Plane};
 use lobefit_math::vector::{Vec3, dot, plus, scaled};
 
-/// Distance of a plane that a shading point is on or outside of, over the probe's distance to it:
-/// far above the rounding of f32 coordinates (6e-8 of a room), far below what is seen.
-pub const NEAREST: f64 = 1e-4;
+/// Least distance of a plane from a shading point, in the scene's unit of length: nothing is
+/// divided by 0, and ratios of distances that are certified begin far above it.
+pub const NEAREST: f64 = 1e-5;
 
 /// A convex body with a probe inside. As a proxy it is met on its planes: continuous, with a kink
 /// in the looked-up direction and a jump in the normal at its edges.
@@ -22,7 +22,7 @@ pub struct Body {
 pub struct Facing {
     /// Its normal.
     pub normal: Vec3,
-    /// Its distance from the shading point, at least [`NEAREST`] of that from the probe.
+    /// Its distance from the shading point on either side, at least [`NEAREST`].
     pub depth: f64,
     /// Cosine between ray and normal.
     pub approach: f64,
@@ -54,9 +54,9 @@ impl Body {
 
     /// All planes.
     pub fn facing(&self, from: Vec3, towards: Vec3) -> impl Iterator<Item = Facing> {
-        self.planes.iter().zip(&self.heights).map(move |(plane, height)| Facing {
+        self.planes.iter().map(move |plane| Facing {
             normal: plane.normal,
-            depth: plane.depth(from).max(NEAREST * height),
+            depth: plane.depth(from).abs().max(NEAREST),
             approach: dot(plane.normal, towards),
         })
     }

@@ -25,7 +25,7 @@ fn laws(proxies: &ProxiesFindings) -> Result<Section, ReportError> {
         &columns,
         proxies.families.iter().map(row).collect(),
         "Laws fitted for the smallest mean logarithm of the error over all roughnesses; a factor of 0 is the planes themselves: nothing gains. The \
-         emitted law of tied powers is sharper than the error alone asks for where lobes are wide: it was chosen by the creases of pictures of the practice \
+         law of tied powers by creases is sharper than the error alone asks for where lobes are wide: it was chosen by the creases of pictures of the practice \
          room, and the powers near 1 that the error likes there do not carry over to other rooms (below). The most that any value gains: on the planes’ \
          error, at the roughness where that is most.",
     );
@@ -140,7 +140,7 @@ const OUTSIDE: &str = "A place in a rounded-off corner is outside the rounded bo
 
 /// Proxies that gain nothing have lines above and no column.
 fn tabulated(name: &str) -> bool {
-    ["smooth", "tied", "rounded"].iter().any(|kept| name.starts_with(kept))
+    ["smooth", "tied", "eased", "rounded"].iter().any(|kept| name.starts_with(kept))
 }
 
 fn ratios(proxies: &ProxiesFindings, room: &str, names: &[String]) -> Curves {

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::rooms::points;
 use crate::study::parallax::findings::{ProxiesFindings, ProxyCrossing, ProxyFamily, ProxyGain};
-use crate::study::parallax::room::proxies::{Body, Law, Smooth, Tied};
+use crate::study::parallax::room::proxies::{Body, Eased, Law, Smooth, Tied};
 use crate::study::parallax::room::{Patches, Proxy, Room, octagon, practice, room_a, room_b};
 use crate::study::{Size, StudyError};
 use errors::{Off, Sample};
@@ -74,17 +74,17 @@ pub(super) fn findings(
     for (k, family) in parameters.families.iter().enumerate() {
         let landscape = landscape(parameters, *family, &cells, k);
         let law = landscape.law();
-        laws.push(Judged { name: family.name().into(), family: *family, law });
+        laws.push(Judged { name: family.name().into(), form: Form::Law(*family, law) });
         families.push(of_family(&landscape, law));
     }
-    let emitted =
-        Law::Inverse { over: Tied::FITTED.over, power: Tied::FITTED.power, least: 0.0, most: 512.0 };
+    let tied = Law::Inverse { over: Tied::FITTED.over, power: Tied::FITTED.power, least: 0.0, most: 512.0 };
     let others = [
-        ("tied, as emitted", Family::Tied, emitted),
-        ("smooth by α", Family::Smooth, Smooth::FITTED),
-        ("smooth by eye", Family::Smooth, Smooth::BY_EYE),
+        ("eased, as emitted", Form::Eased),
+        ("tied, by creases", Form::Law(Family::Tied, tied)),
+        ("smooth by α", Form::Law(Family::Smooth, Smooth::FITTED)),
+        ("smooth by eye", Form::Law(Family::Smooth, Smooth::BY_EYE)),
     ];
-    laws.extend(others.map(|(name, family, law)| Judged { name: name.into(), family, law }));
+    laws.extend(others.map(|(name, form)| Judged { name: name.into(), form }));
     Ok(ProxiesFindings {
         roughness: parameters.roughness.clone(),
         points: [parameters.fitted.count, parameters.judged.count],
@@ -134,11 +134,29 @@ fn of_family(landscape: &Landscape, law: Law) -> ProxyFamily {
     }
 }
 
-/// A family with a law.
+/// A proxy with soft edges.
 struct Judged {
     name: String,
-    family: Family,
-    law: Law,
+    form: Form,
+}
+
+/// What it is.
+#[derive(Clone, Copy)]
+enum Form {
+    /// That of emitted lookups.
+    Eased,
+    /// A family with a law.
+    Law(Family, Law),
+}
+
+impl Judged {
+    /// The proxy of a room; none where the probe is not inside.
+    fn proxy(&self, room: &Room) -> Option<Box<dyn Proxy>> {
+        match self.form {
+            Form::Eased => Some(Box::new(Eased { body: Body::new(&room.shape(), room.probe)? })),
+            Form::Law(family, law) => family.proxy(room, law),
+        }
+    }
 }
 
 /// What laws gain in rooms that they were not fitted in.
@@ -152,9 +170,9 @@ fn gains(parameters: &Parameters, laws: &[Judged]) -> Vec<ProxyGain> {
             };
             let Some(body) = Body::new(&room.shape(), room.probe) else { continue };
             let planes = sample.off(&body);
-            let of = |Judged { name, family, law }: &Judged| {
-                let off = sample.off(&*family.proxy(room, *law)?);
-                Some((name.clone(), [off.all, off.edges]))
+            let of = |judged: &Judged| {
+                let off = sample.off(&*judged.proxy(room)?);
+                Some((judged.name.clone(), [off.all, off.edges]))
             };
             gains.push(ProxyGain {
                 room: room.name.clone(),
@@ -175,7 +193,7 @@ fn crossed(parameters: &Parameters, laws: &[Judged]) -> Vec<ProxyCrossing> {
     for roughness in &parameters.roughness {
         let alpha = roughness * roughness;
         let planes = Body::new(&room.shape(), room.probe).map(|body| Box::new(body) as Box<dyn Proxy>);
-        let soft = laws.iter().map(|one| (one.name.clone(), one.family.proxy(room, one.law)));
+        let soft = laws.iter().map(|one| (one.name.clone(), one.proxy(room)));
         for (name, proxy) in std::iter::once(("planes".to_string(), planes)).chain(soft) {
             let found = proxy.and_then(|proxy| crossings::crossings(room, parameters.place, &*proxy, alpha));
             rows.extend(found.map(|row| ProxyCrossing { proxy: name, ..row }));

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::study::StudyError;
-use crate::study::parallax::room::proxies::{Body, Smooth, Tied};
+use crate::study::parallax::room::proxies::{Body, Eased, Smooth, Tied};
 use crate::study::parallax::room::{Lookup, Proxy, Room};
 use lobefit::effects::parallax::{Corrected, LobeFit, Ratio, Shading, TapRule, Uncorrected, Width};
 
@@ -15,8 +15,10 @@ pub(in crate::study::parallax) enum Taken {
     Infinite,
     /// The room's own planes.
     Planes,
-    /// Their p-norm, with the power of the emitted lookups, which is tied to the footprint.
+    /// The same with edges rounded as those of the emitted lookups.
     Smooth,
+    /// Their p-norm, with the power of the lookups emitted before, which is tied to the footprint.
+    Tied,
     /// The same with a power by alpha alone, 0.39/alpha^1.5.
     ByAlpha,
     /// The same with the power by eye, max(4, 0.6/alpha).
@@ -48,7 +50,8 @@ impl Method {
         Ok(match self.taken {
             Taken::Infinite => Box::new(Uncorrected { shading: self.shading }),
             Taken::Planes => self.corrected(body, room),
-            Taken::Smooth => self.corrected(Tied { body, tie: Tied::FITTED }, room),
+            Taken::Smooth => self.corrected(Eased { body }, room),
+            Taken::Tied => self.corrected(Tied { body, tie: Tied::FITTED }, room),
             Taken::ByAlpha => self.corrected(Smooth { body, power: Smooth::FITTED }, room),
             Taken::ByEye => self.corrected(Smooth { body, power: Smooth::BY_EYE }, room),
         })
@@ -82,7 +85,7 @@ const CHOSEN: [&str; 7] = [
 /// A number of fetches through the smooth proxy, of a round lobe.
 pub(in crate::study::parallax) fn smooth(fetches: usize) -> Method {
     let (taken, shading) = (Taken::Smooth, Shading::Mirror);
-    let (ratio, width) = (Ratio::Area, Width::Rational);
+    let (ratio, width) = (Ratio::Area, Width::EMITTED);
     Method { name: String::new(), taken, shading, fetches, ratio, width, chosen: false }
 }
 
@@ -90,8 +93,9 @@ pub(in crate::study::parallax) fn smooth(fetches: usize) -> Method {
 pub(in crate::study::parallax) fn methods() -> Vec<Method> {
     use Ratio::{Area, Distance};
     use Shading::{Dominant, Mirror, RootCosine};
-    use Taken::{ByAlpha, ByEye, Infinite, Planes, Smooth};
-    use Width::{Frostbite, Rational, Same, Scaled};
+    use Taken::{ByAlpha, ByEye, Infinite, Planes, Smooth, Tied};
+    use Width::{Frostbite, Same, Scaled};
+    let rational = Width::EMITTED;
     let method = |name: &str, taken, shading, fetches, ratio, width| Method {
         name: name.into(),
         taken,
@@ -108,22 +112,24 @@ pub(in crate::study::parallax) fn methods() -> Vec<Method> {
         method("Frostbite", Planes, Mirror, 1, Distance, Frostbite),
         method("Frostbite, dominant direction", Planes, Dominant, 1, Distance, Frostbite),
         method("min(1, ρ α)", Planes, Mirror, 1, Distance, Scaled),
-        method("rational, distances", Planes, Mirror, 1, Distance, Rational),
-        method("rational, areas", Planes, Mirror, 1, Area, Rational),
-        method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, Rational),
-        method("rational, areas, dominant direction", Planes, Dominant, 1, Area, Rational),
-        method("rational, areas, smooth", Smooth, Mirror, 1, Area, Rational),
-        method("rational, areas, smooth by α", ByAlpha, Mirror, 1, Area, Rational),
-        method("rational, areas, smooth by eye", ByEye, Mirror, 1, Area, Rational),
-        method("2 fetches", Planes, Mirror, 2, Area, Rational),
-        method("3 fetches", Planes, Mirror, 3, Area, Rational),
-        method("3 fetches, dominant direction", Planes, Dominant, 3, Area, Rational),
-        method("2 fetches, smooth", Smooth, Mirror, 2, Area, Rational),
-        method("3 fetches, smooth by α", ByAlpha, Mirror, 3, Area, Rational),
-        method("3 fetches, smooth", Smooth, Mirror, 3, Area, Rational),
-        method("3 fetches, dominant direction, smooth", Smooth, Dominant, 3, Area, Rational),
-        method("1 fetch, fitted lobe, smooth", Smooth, fitted[0], 1, Area, Rational),
-        method("2 fetches, fitted lobe, smooth", Smooth, fitted[1], 2, Area, Rational),
-        method("3 fetches, fitted lobe, smooth", Smooth, fitted[2], 3, Area, Rational),
+        method("rational, distances", Planes, Mirror, 1, Distance, rational),
+        method("rational, areas", Planes, Mirror, 1, Area, rational),
+        method("rational, areas √(n·v)", Planes, RootCosine, 1, Area, rational),
+        method("rational, areas, dominant direction", Planes, Dominant, 1, Area, rational),
+        method("rational, areas, smooth", Smooth, Mirror, 1, Area, rational),
+        method("rational, areas, smooth by p-norm", Tied, Mirror, 1, Area, rational),
+        method("rational, areas, smooth by α", ByAlpha, Mirror, 1, Area, rational),
+        method("rational, areas, smooth by eye", ByEye, Mirror, 1, Area, rational),
+        method("2 fetches", Planes, Mirror, 2, Area, rational),
+        method("3 fetches", Planes, Mirror, 3, Area, rational),
+        method("3 fetches, dominant direction", Planes, Dominant, 3, Area, rational),
+        method("2 fetches, smooth", Smooth, Mirror, 2, Area, rational),
+        method("3 fetches, smooth by α", ByAlpha, Mirror, 3, Area, rational),
+        method("3 fetches, smooth by p-norm", Tied, Mirror, 3, Area, rational),
+        method("3 fetches, smooth", Smooth, Mirror, 3, Area, rational),
+        method("3 fetches, dominant direction, smooth", Smooth, Dominant, 3, Area, rational),
+        method("1 fetch, fitted lobe, smooth", Smooth, fitted[0], 1, Area, rational),
+        method("2 fetches, fitted lobe, smooth", Smooth, fitted[1], 2, Area, rational),
+        method("3 fetches, fitted lobe, smooth", Smooth, fitted[2], 3, Area, rational),
     ]
 }

@@ -11,7 +11,7 @@ mod view;
 use serde::Serialize;
 
 use crate::study::parallax::findings::RoomsFindings;
-use crate::study::parallax::room::proxies::{Tie, Tied};
+use crate::study::parallax::room::proxies::Eased;
 use crate::study::parallax::room::{Room, octagon, room_a, room_b};
 use crate::study::{Size, StudyError};
 use lobefit::bake::Progress;
@@ -25,8 +25,8 @@ pub(super) struct Parameters {
     methods: Vec<methods::Method>,
     /// The rules of several fetches.
     rules: [TapRule; 2],
-    /// The power of the smooth proxy.
-    power: Tie,
+    /// Widths of the lobe that smooth edges are rounded over.
+    reach: f64,
     random: random::Parameters,
     lobes: lobes::Parameters,
     images: images::Parameters,
@@ -39,7 +39,7 @@ impl Parameters {
             rooms: vec![room_a(), room_b(), octagon()],
             methods: methods::methods(),
             rules: [TapRule::two(), TapRule::three()],
-            power: Tied::FITTED,
+            reach: Eased::REACH,
             random: random::Parameters::of(size),
             lobes: lobes::Parameters::of(size),
             images: images::Parameters::of(size),

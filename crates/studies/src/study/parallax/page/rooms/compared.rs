@@ -5,7 +5,7 @@ use lobefit::report::Section;
 use lobefit::report::words;
 
 /// Parts of a lookup's name, what each does, and whose it is.
-const PARTS: [(&str, &str, &str); 14] = [
+const PARTS: [(&str, &str, &str); 15] = [
     ("no parallax", "the mirror direction, the width α", "-"),
     (
         "parallax only",
@@ -18,7 +18,7 @@ const PARTS: [(&str, &str, &str); 14] = [
         "Lagarde and de Rousiers 2014, listing 25",
     ),
     ("min(1, ρ α)", "the same; α′ = min(1, ρ α), ρ the ratio of distances", "-"),
-    ("rational", "α′ = ρ α / max(1 + α − ρ α, ρ α)", "the emitted parallax_1 without its constant"),
+    ("rational", "α′ = ρ α / max(1 + k (α − ρ α), ρ α)", "emitted lookups: parallax_1"),
     (
         "distances, areas",
         "ρ = d_s/d_p, the ratio of distances to the wall from shading point and probe; or that times √(cos ψ_p/cos ψ_s), the root of the ratio of solid angles",
@@ -32,10 +32,15 @@ const PARTS: [(&str, &str, &str); 14] = [
     ),
     (
         "smooth",
-        "the walls blended by a p-norm, the power tied to how far the lobe reaches over an edge (below)",
+        "edges of the walls rounded by how far the lobe reaches over them (below)",
         "emitted lookups with smooth edges",
     ),
-    ("smooth by α", "the same with p = clamp(0.39/α^1.5, 2, 256)", "emitted before"),
+    (
+        "smooth by p-norm",
+        "the walls blended by a p-norm, the power tied to how far the lobe reaches over an edge; more than twice the operations",
+        "emitted before",
+    ),
+    ("smooth by α", "the same with p = clamp(0.39/α^1.5, 2, 256)", "-"),
     ("smooth by eye", "the same with p = max(4, 0.6/α)", "-"),
     (
         "2 fetches, 3 fetches",

@@ -1,7 +1,7 @@
 //! Planes blended by a p-norm whose power is tied to the lobe's footprint.
 
-use super::super::lookup::{Meeting, Proxy};
-use super::body::Body;
+use super::super::{Meeting, Proxy};
+use super::Body;
 use lobefit_math::ops;
 use lobefit_math::vector::{Vec3, dot, normalise, plus, scaled};
 
@@ -48,18 +48,6 @@ impl Tie {
         let power = if power == 1.0 { String::new() } else { format!("^{power}") };
         format!("clamp({over} / (alpha{power} s), {}, {})", Tie::LEAST, Tie::MOST)
     }
-
-    /// alpha^power/over in a shader's arithmetic on f32.
-    pub fn source(self, alpha: &str) -> String {
-        let powered = match self.power {
-            1.0 => alpha.to_string(),
-            1.25 => format!("{alpha} * sqrt(sqrt({alpha}))"),
-            1.5 => format!("{alpha} * sqrt({alpha})"),
-            2.0 => format!("{alpha} * {alpha}"),
-            power => format!("pow(max({alpha}, 1e-6), {:?})", power as f32),
-        };
-        format!("{powered} * {:?}", (1.0 / self.over) as f32)
-    }
 }
 
 /// The planes [`blended`] with a power that is tied to how far the lobe reaches over edges.
@@ -72,7 +60,7 @@ pub struct Tied {
 }
 
 impl Tied {
-    /// That of emitted lookups, chosen in the practice room: the power of alpha between that of the
+    /// That of the lookups that were emitted before, chosen in the practice room: the power of alpha between that of the
     /// smallest error of one fetch (1.5) and that of the lobe's own width (1), the numerator the
     /// largest, which bends least, that leaves creases of its pictures on edges about 1.3 times
     /// those elsewhere at most.
