@@ -3,7 +3,8 @@
 use crate::emit_support::compilers::includes_in_cpp;
 use crate::emit_support::languages::{FAMILY, compile};
 use crate::emit_support::programs::compile_library;
-use crate::lookup_support::{EMITTED, found, text};
+use crate::lookup_support::{EMITTED, RHO, found, text};
+use lobefit_math::vector::length;
 use lobefit_shade::code::Language;
 
 #[test]
@@ -21,6 +22,30 @@ fn lookups_fetch_in_every_language_what_those_of_the_study_do() {
         for language in FAMILY {
             let Some(found) = found(language, emitted, &points) else { continue };
             emitted.agrees(language.name(), &points, &found);
+        }
+    }
+}
+
+/// From places outside of the proxy and on its walls a rough surface stays rough: no width is below
+/// that of the least ratio that is certified.
+#[test]
+fn outside_of_the_proxy_widths_are_those_of_certified_ratios() {
+    let rust = text(Language::Rust);
+    for emitted in EMITTED.iter().filter(|one| one.lookup.taps == 1 && !one.lookup.is_fitted()) {
+        let mut points = emitted.points();
+        points.retain(|point| emitted.is_outside(point));
+        assert!(points.len() > 500, "{}", points.len());
+        let found = emitted.run_in_rust(&rust, &points);
+        for (point, found) in points.iter().zip(found.chunks_exact(4)) {
+            let [x, y, z, width] = [0, 1, 2, 3].map(|k| f64::from(found[k]));
+            let width = if emitted.entry["gives"] == "mip" { (width / 6.0) * (width / 6.0) } else { width };
+            let least = emitted.width_at(f64::from(point[9]), RHO[0]);
+            assert!(
+                width >= 0.999 * least && width <= 1.0 + 1e-6,
+                "{} at {point:?}: {width}",
+                emitted.name()
+            );
+            assert!((length([x, y, z]) - 1.0).abs() < 1e-5, "{} at {point:?}", emitted.name());
         }
     }
 }

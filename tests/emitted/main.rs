@@ -20,6 +20,7 @@ mod furnace;
 mod furnace_coupling;
 mod languages;
 mod lookup_heads;
+mod lookup_hit;
 mod lookup_pictures;
 mod lookups;
 mod parallax;

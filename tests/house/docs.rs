@@ -226,6 +226,43 @@ fn the_total_variation_of_a_width_is_the_reports() {
     }
 }
 
+/// What chooses a lookup, and the study's name of it.
+const CHOICES: [(&str, &str); 5] = [
+    ("{ \"hit\": true }", "what the engine hit, 1 fetch"),
+    ("{ \"edges\": \"sharp\" }", "a box with sharp edges, 1 fetch"),
+    ("{}", "a box with smooth edges, 1 fetch"),
+    ("{ \"taps\": 2 }", "a box with smooth edges, 2 fetches"),
+    ("{ \"taps\": 3 }", "a box with smooth edges, 3 fetches"),
+];
+
+/// Geometric means over roughness and rooms, as the study's page has them.
+#[test]
+fn the_errors_of_lookups_are_the_studys() {
+    let rooms = json("reports/studies/parallax/results.json")["rooms"].clone();
+    let mean = |method: &Value, lookup: &str| {
+        let measured = rooms["random"].as_array().expect("rooms").iter();
+        let measured = measured.filter(|room| lookup.starts_with("what") || room["room"] != "octagon");
+        let of = |room: &Value| {
+            let row = find(&room["references"][0]["rows"], "name", method.as_str().expect("a name")).clone();
+            row["l2"]
+                .as_array()
+                .expect("errors")
+                .iter()
+                .map(|error| lobefit_math::ops::log(number(error)))
+                .collect::<Vec<f64>>()
+        };
+        let logarithms: Vec<f64> = measured.flat_map(of).collect();
+        lobefit_math::ops::exp(logarithms.iter().sum::<f64>() / logarithms.len() as f64)
+    };
+    let row = |(scene, lookup): (&str, &str)| {
+        let cost = find(&rooms["costs"], "lookup", lookup);
+        let own = mean(&cost["method"], lookup);
+        let [listing, none] = ["Frostbite", "no parallax"].map(|name| mean(&Value::from(name), lookup) / own);
+        format!("| `{scene}` | {lookup} | {} | {own:.3} | {listing:.2} | {none:.2} |", cost["operations"])
+    };
+    assert_rows("docs/probes.md", &["| `{"], &CHOICES.map(row));
+}
+
 /// A page's name of a lookup of the study, and the study's.
 const LOOKUPS: [(&str, &str); 5] = [
     ("min(1, rho alpha), sharp edges", "min(1, ρ α)"),

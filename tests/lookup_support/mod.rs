@@ -230,7 +230,7 @@ pub struct Expected {
 }
 
 /// Ratios of distances where the scene gives none: lookups clamp theirs to them.
-const RHO: [f64; 2] = [0.0625, 8.0];
+pub const RHO: [f64; 2] = [0.0625, 8.0];
 
 /// The rounding of a place in a room of f32 coordinates, with that of the operations on it.
 const ROUNDING: f64 = 2e-6;
@@ -245,7 +245,7 @@ impl Emitted {
         let here = dot(normal, ray);
         let slanted = dot(normal, towards).max(0.0) / here;
         let rho = (distance / length(away) * slanted.sqrt()).clamp(RHO[0], RHO[1]);
-        let width = self.width.tape().evaluate(&[vec![alpha], vec![rho]], &[]).expect("a width")[0];
+        let width = self.width_at(alpha, rho);
         // a plane's distance carries the rounding of coordinates: relative to that distance it
         // moves the place met along the ray, and tilts the normal of a smooth body by as much, p
         // times
@@ -268,6 +268,17 @@ impl Emitted {
         let allowed =
             ROUNDING + unsure * distance / length(away) + 0.5 * power * unsure / here + power * ROUNDING;
         Some(Expected { towards, width, weight: 1.0, allowed })
+    }
+
+    /// The width of a fetch.
+    pub fn width_at(&self, alpha: f64, rho: f64) -> f64 {
+        self.width.tape().evaluate(&[vec![alpha], vec![rho]], &[]).expect("a width")[0]
+    }
+
+    /// Whether a point is outside of a wall of the room, or on it.
+    pub fn is_outside(&self, point: &Point) -> bool {
+        let place = [0, 1, 2].map(|k| f64::from(point[k]));
+        self.room.walls.iter().any(|wall| wall.plane.depth(place) < 1e-6)
     }
 
     /// The fetches at a point; none where f32 may decide otherwise: which of two planes as near,

@@ -277,6 +277,7 @@ fn it_names_and_describes_every_field() {
             "fit",
             "format",
             "formats",
+            "hit",
             "hypotheses",
             "ior",
             "kernel",

@@ -39,6 +39,10 @@ fn not_a_probe() -> Vec<Case> {
             "probes[0].lookups[1]: a box with smooth edges, 1 fetch is in the list already",
         ),
         case(
+            top("\"probes\":[{\"name\":\"p\",\"lookups\":[{\"hit\":true,\"taps\":1}]}]"),
+            "probes[0].lookups[0].hit: what the engine hits has no proxy, and one fetch of the mirror lobe",
+        ),
+        case(
             top("\"probes\":[{\"name\":\"p\",\"lookups\":[{\"taps\":4}]}]"),
             "probes[0].lookups[0].taps: 4 is outside [1, 3]",
         ),

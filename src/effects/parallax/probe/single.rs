@@ -51,7 +51,7 @@ pub(super) fn function(name: &str, points: &[&str], bend: bool, wanted: &Wanted,
 /// larger of 1 and (1 + K alpha)/(rho alpha) - K.
 const WIDTH: &str = "
 let seen = clamp(ratio * ratio * dot(met.xyz, towards), LEAST_RHO, MOST_RHO) * (alpha * alpha);
-let narrow = max((1.0 + FLOW * alpha) * inverseSqrt(max(seen, 1e-20)) - FLOW, 1.0);
+let narrow = max((1.0 + FLOW * alpha) * inverseSqrt(max(seen, 1e-24)) - FLOW, 1.0);
 ";
 
 /// The width by the distances of what the engine has hit, as 1 over it.

@@ -15,7 +15,8 @@ use lobefit_math::vector::{Vec3, dot, length, plus, scaled};
 /// gradient gives the normal: continuous, also where a plane comes ahead (s_i = 0), as k <= m.
 /// Turning the ray by an angle e changes s_i by n_i.e/h_i: a lobe that is alpha wide reaches over
 /// alpha/h_i of it, so that k = min([`Eased::REACH`] alpha max(1/h_a, 1/h_b), m) is what it reaches
-/// over at the edge. 1/h_a of planes that are joined is the largest of theirs, each by its part.
+/// over at the edge. 1/h_a of planes that are joined is the largest of theirs, each by its part; the
+/// normal is the gradient at a fixed k.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Eased {
     /// The planes.
@@ -57,7 +58,7 @@ impl Proxy for Eased {
             let top = both.max(along);
             let base = top - (bend * close.max(near)).min(top);
             let [over, ahead] = [both, along].map(|s| (s - base).max(0.0));
-            let joined = over.hypot(ahead);
+            let joined = (over * over + ahead * ahead).sqrt();
             both = base + joined;
             close = (over * close).max(ahead * near) / joined;
             normal = scaled(plus(scaled(normal, over), scaled(plane.normal, ahead * near)), 1.0 / joined);

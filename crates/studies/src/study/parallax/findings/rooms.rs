@@ -184,4 +184,6 @@ pub struct LookupCost {
     pub fetches: u32,
     /// Operations, as the manifest counts them.
     pub operations: u32,
+    /// The method that measures it, where one does.
+    pub method: Option<String>,
 }

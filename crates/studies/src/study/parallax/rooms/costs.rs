@@ -2,12 +2,12 @@
 
 use crate::study::StudyError;
 use crate::study::parallax::findings::LookupCost;
-use lobefit::data::{AlphaMap, ProbeLookup, SurfaceLobe};
-use lobefit::effects::parallax::probe::Wanted;
+use lobefit::data::{AlphaMap, MipChain, MipMap, ProbeLookup, SurfaceLobe};
+use lobefit::effects::parallax::probe::{Level, Wanted};
 use lobefit::effects::parallax::{Ratio, TapRule};
 
 /// Of boxes and of the octagon's planes, sharp and smooth, with one to three fetches, of the mirror
-/// lobe and of the fitted one; of widths, without a chain.
+/// lobe and of the fitted one; with the level of a logarithmic chain.
 pub(super) fn costs(planes: u32) -> Result<Vec<LookupCost>, StudyError> {
     let shapes =
         [None, Some(planes)].into_iter().flat_map(|planes| [false, true].map(|smooth| (planes, smooth)));
@@ -22,6 +22,7 @@ pub(super) fn costs(planes: u32) -> Result<Vec<LookupCost>, StudyError> {
 }
 
 fn cost(lookup: ProbeLookup, rule: TapRule) -> Result<LookupCost, StudyError> {
+    let chain = MipChain::Mapped { map: MipMap::Log, count: 7 };
     let wanted = Wanted {
         name: "lookup".into(),
         fetch: "fetch".into(),
@@ -30,8 +31,22 @@ fn cost(lookup: ProbeLookup, rule: TapRule) -> Result<LookupCost, StudyError> {
         header: Vec::new(),
         flow: 1.0,
         rho: Ratio::CERTIFIED,
-        level: None,
+        level: Some(Level { name: "level".into(), text: String::new(), chain }),
         alpha_map: AlphaMap::RoughnessSquared,
     };
-    Ok(LookupCost { lookup: lookup.text(), fetches: lookup.taps, operations: wanted.operations()? })
+    let (method, operations) = (method(lookup), wanted.operations()?);
+    Ok(LookupCost { lookup: lookup.text(), fetches: lookup.taps, operations, method })
+}
+
+/// The method that measures it in rooms, where one does.
+fn method(lookup: ProbeLookup) -> Option<String> {
+    let ProbeLookup { hit, smooth, taps, .. } = lookup;
+    let edges = if smooth { ", smooth" } else { "" };
+    let fetches = if taps == 1 { "1 fetch".into() } else { format!("{taps} fetches") };
+    match (hit, lookup.is_fitted(), taps) {
+        (true, ..) => Some("rational, distances".into()),
+        (false, false, 1) => Some(format!("rational, areas{edges}")),
+        (false, false, _) => Some(format!("{fetches}{edges}")),
+        (false, true, _) => smooth.then(|| format!("{fetches}, fitted lobe, smooth")),
+    }
 }
