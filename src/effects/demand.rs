@@ -12,9 +12,6 @@ use crate::scene::{Goals, Output, Scene, smallest_rough};
 /// small beside the curvature of E in roughness.
 pub const ROUGHNESS_WIDTH_MIN: f64 = 0.01;
 
-/// Range of mu over which every table is measured, whatever the fits' domain is.
-pub const JUDGED_MU: [f64; 2] = [1e-3, 1.0];
-
 /// Range by input.
 pub type Ranges = BTreeMap<&'static str, [f64; 2]>;
 

@@ -80,6 +80,11 @@ impl ValueFits<'_> {
     /// A formula or a domain that is refused; a truth that cannot be integrated.
     pub fn bake(&self, called: &Called, context: &Context) -> Result<Made, BakeError> {
         let job = called.only_job()?;
+        let table = self.table.as_ref().map(|table| table.bake(job, context)).transpose()?;
+        let (tables, broken) = table.unwrap_or_default();
+        if !broken.is_empty() {
+            return Ok(Made { broken, ..Made::new(called, None, "") });
+        }
         context.progress.stage(&format!("fits of {}", self.of));
         let region = job.region(context.scene.alpha)?;
         let FitSet { fits, dropped, nearest } =
@@ -91,11 +96,7 @@ impl ValueFits<'_> {
             return Ok(made);
         }
         made.code(context, |language| code::functions(language, &fits, false))?;
-        if let Some(table) = &self.table {
-            let (tables, broken) = table.bake(job, context)?;
-            made.broken.extend(broken);
-            made.tables(context, tables)?;
-        }
+        made.tables(context, tables)?;
         if context.reports(called.effect) {
             let findings = self.findings(&made, context, &region, (&fits, &dropped))?;
             made.findings(&findings)?;

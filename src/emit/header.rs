@@ -1,7 +1,7 @@
 //! The header that every emitted file bears, as plain lines; each format puts its comment marks
 //! before them.
 
-use crate::data::{ARGUMENT_NAMES, Axis, Certificate, Place, Table};
+use crate::data::{ARGUMENT_NAMES, Axis, Certificate, Place, Smith, Table};
 use lobefit_truth::quantity::{self, Fresnel, Quantity};
 
 /// What made a file: enough to make it again, and nothing that changes from run to run.
@@ -87,9 +87,16 @@ fn printed(name: &str) -> &str {
     ARGUMENT_NAMES.iter().find(|(input, _)| *input == name).map_or(name, |(_, printed)| printed)
 }
 
-/// The shadowing form of a table's quantity: `smith: correlated; `.
+/// The shadowing form of a table's quantity: `smith: correlated; `. Of glass it says the G2 of the
+/// transmitted lobe too, for which renderers have different forms.
 fn smith(table: &Table) -> String {
-    table.smith.map_or_else(String::new, |smith| format!("smith: {}; ", smith.name()))
+    let glass = fresnel_of(&table.quantity) == Some(Fresnel::Dielectric);
+    let both = |smith: Smith| match smith {
+        _ if !glass => "",
+        Smith::Correlated => ", G2 = 1/(1 + Lambda_v + Lambda_l) in both lobes",
+        Smith::Separable => ", G2 = G1_v G1_l in both lobes",
+    };
+    table.smith.map_or_else(String::new, |smith| format!("smith: {}{}; ", smith.name(), both(smith)))
 }
 
 /// What the channels of a texel are: `x = loss, y = bias`.
@@ -102,9 +109,13 @@ fn parts(table: &Table) -> String {
 /// What the axes of a table are, in order.
 const AXES: [&str; 3] = ["columns (x)", "rows (y, first row at the top)", "slices (z)"];
 
+fn fresnel_of(quantity: &str) -> Option<Fresnel> {
+    quantity::find(quantity).and_then(Quantity::fresnel)
+}
+
 /// The Fresnel term in a quantity's albedo.
 fn fresnel(quantity: &str) -> &'static str {
-    match quantity::find(quantity).and_then(Quantity::fresnel) {
+    match fresnel_of(quantity) {
         Some(Fresnel::One) => ", F = 1",
         Some(Fresnel::Dielectric) => ", exact dielectric Fresnel",
         None => "",

@@ -69,7 +69,7 @@ struct SceneFile {
     #[serde(default)]
     alpha: Maybe<Word<AlphaMap>>,
     /// Range [lo, hi] of the cosine of the view angle over which fits are made and certified;
-    /// default [0.01, 1]. Tables are judged over [0.001, 1] whatever it is.
+    /// default [0.01, 1]. Tables have their own, `n_dot_v`.
     #[serde(default)]
     mu: Maybe<Span<Cosine, false>>,
     /// File formats in which every table is written; default EXR alone.

@@ -108,3 +108,6 @@ mod tests {
         assert_eq!(add_texels((0, u64::MAX), (0, u64::MAX)), None);
     }
 }
+
+/// Range of mu over which a table is measured where the scene does not say.
+pub const TABLE_MU: [f64; 2] = [1e-3, 1.0];

@@ -4,9 +4,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::limits::{AXIS_MAX, AXIS_MIN, SLICED_AXIS_MAX, SLICED_AXIS_MIN, SLICED_CELLS, SLICED_LINES};
+use super::limits::{
+    AXIS_MAX, AXIS_MIN, SLICED_AXIS_MAX, SLICED_AXIS_MIN, SLICED_CELLS, SLICED_LINES, TABLE_MU,
+};
 use super::material::Lobe;
-use super::number::{AxisSize, ErrorLimit, In, Whole};
+use super::number::{AxisSize, Cosine, ErrorLimit, In, Span, Whole};
 use super::value::{List, Maybe, Word, about, from_file};
 use crate::data::{AXES, TexelFormat};
 pub use crate::data::{Layout, Serves};
@@ -53,6 +55,14 @@ pub struct TableWant {
     /// Largest lookup error that the bake may deliver; always given where `size` is `None`, never
     /// in the path tracer's layout.
     pub max_error: Option<f64>,
+    /// The cosine of the view over which its error is measured.
+    // Absent at its default: the hash of a scene without it is that of the versions before it.
+    #[serde(skip_serializing_if = "is_usual")]
+    pub n_dot_v: [f64; 2],
+}
+
+fn is_usual(n_dot_v: &[f64; 2]) -> bool {
+    *n_dot_v == TABLE_MU
 }
 
 /// A wanted table; what the lobe decides is open.
@@ -62,6 +72,7 @@ pub(super) struct OpenTable {
     format: TexelFormat,
     serves: Option<Serves>,
     max_error: Option<f64>,
+    n_dot_v: [f64; 2],
 }
 
 /// A table of the albedo: over mu and roughness; with the anisotropy as a third axis, as the mean
@@ -106,6 +117,9 @@ struct TableFile {
     /// 0.001 for `albedo`, 0.003 for `split-sum`, with a third axis 0.002, with the azimuth 0.01;
     /// with `size`: no limit.
     max_error: Maybe<In<ErrorLimit>>,
+    /// Range [lo, hi] of the cosine of the view over which the error is measured and texels are
+    /// optimised; default [0.001, 1]. A plain layout cannot follow the lobe at grazing views.
+    n_dot_v: Maybe<Span<Cosine, false>>,
 }
 
 impl TryFrom<TableFile> for OpenTable {
@@ -118,6 +132,7 @@ impl TryFrom<TableFile> for OpenTable {
             format: file.format.0.map_or(TexelFormat::F16, |w| w.0),
             serves: file.serves.0.map(|w| w.0),
             max_error: file.max_error.0.map(|e| e.0),
+            n_dot_v: file.n_dot_v.0.map_or(TABLE_MU, |s| s.0),
         })
     }
 }
@@ -145,6 +160,9 @@ impl OpenTable {
         if let Some(size) = &self.size {
             check_size(layout, size)?;
         }
+        if self.n_dot_v[0] >= self.n_dot_v[1] {
+            return Err(about("n_dot_v", "a range of one value; give [lo, hi] with lo below hi"));
+        }
         let serves = self.serves.unwrap_or_default();
         if layout.axes() > 2 && serves != Serves::Albedo {
             let message = format!(
@@ -156,7 +174,7 @@ impl OpenTable {
         let default_limit = || if self.size.is_none() { default_limit(layout, serves) } else { None };
         let max_error = self.max_error.or_else(default_limit);
         let size = self.size.or_else(|| default_size(lobe, layout));
-        Ok(TableWant { layout, size, format: self.format, serves, max_error })
+        Ok(TableWant { layout, size, format: self.format, serves, max_error, n_dot_v: self.n_dot_v })
     }
 }
 

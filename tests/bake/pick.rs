@@ -158,3 +158,50 @@ fn outputs_that_are_no_words_are_refused() {
         assert!(error.contains(part), "`{part}` in {error}");
     }
 }
+
+/// Functions of tables are named by role whatever their size, layout and Smith form; the first of a
+/// role has its name, others append what tells them apart. They take the width as the scene asks.
+#[test]
+fn functions_of_tables_are_named_by_role() {
+    let wants = r#"{"tables": [{"size": [8, 8]}, {"size": [12, 8], "serves": "split-sum"},
+        {"size": [16, 16], "layout": "plain", "format": "f32"}]}"#;
+    let material =
+        format!(r#"{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.3, 1], "wants": {wants}}}"#);
+    for (smith, arguments, given) in [
+        ("correlated", "roughness", &["roughness", "n_dot_v"][..]),
+        ("separable", "alpha", &["alpha", "n_dot_v"]),
+        ("separable", "both", &["roughness", "alpha", "n_dot_v"]),
+    ] {
+        let fields = format!(r#""smith": "{smith}", "arguments": "{arguments}", "languages": ["wgsl"],"#);
+        let baked = baked(&fields, &material);
+        let stems = ["ggx_albedo", "ggx_dfg", "ggx_albedo_16x16_f32_plain"];
+        let three = |stem: &&str| [format!("{stem}_uv"), format!("{stem}_decode"), stem.to_string()];
+        let of_tables = functions(&baked).into_iter().filter(|name| !name.starts_with("ggx_compensate"));
+        assert_eq!(of_tables.collect::<Vec<_>>(), stems.iter().flat_map(three).collect::<Vec<_>>());
+        let manifest = manifest(&baked);
+        for (table, stem) in manifest["tables"].as_array().expect("a list").iter().zip(stems) {
+            assert_eq!((&table["function"], &table["inputs"]), (&stem.into(), &given.into()));
+        }
+        let called =
+            manifest["calls"].as_array().expect("a list").iter().map(|call| call["function"].clone());
+        assert_eq!(called.collect::<Vec<_>>(), stems);
+        let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+        let declared: Vec<String> = given.iter().map(|name| format!("{name}: f32")).collect();
+        assert!(
+            text.contains(&format!("linear_clamp: sampler, {}) -> vec3<f32>", declared.join(", "))),
+            "{text}"
+        );
+    }
+}
+
+/// Both sides of glass share what they have in common.
+#[test]
+fn both_sides_of_glass_have_one_function_of_coordinates() {
+    let material = r#"{"name": "g", "kind": "glass", "ior": [1.3, 1.6], "roughness": [0.3, 1], "wants": {"tables": [{"size": [8, 8, 4]}]}}"#;
+    let baked = baked(r#""languages": ["wgsl"],"#, material);
+    let names = ["_uvw", "_decode", "_outside", "_inside"].map(|part| format!("ggx_glass_albedo{part}"));
+    let of_tables = functions(&baked).into_iter().filter(|name| !name.starts_with("ggx_compensate"));
+    assert_eq!(of_tables.collect::<Vec<_>>(), names);
+    let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
+    assert!(text.contains("G2 = 1/(1 + Lambda_v + Lambda_l) in both lobes"), "{text}");
+}

@@ -104,6 +104,36 @@ fn an_open_size_is_the_smallest_that_keeps_the_limit() {
     assert!(tight.broken.is_empty() && tight.tables[0].errors.lookup.max <= 0.002);
 }
 
+/// A limit that a table cannot keep ends the bake before the fits, and the message says what keeps
+/// it.
+#[test]
+fn a_limit_of_a_table_fails_before_the_fits_and_names_what_keeps_it() {
+    let wants = r#"{"tables":[{"size": [32, 32], "layout": "plain", "max_error": 0.004, "n_dot_v": [0.05, 1]}],
+        "fit": {"norms": ["max"]}}"#;
+    let said = baked(&metal("[0.3, 1]", wants));
+    assert!(said.fits.is_empty(), "nothing is fitted");
+    let [text] = &said.broken[..] else { panic!("{:?}", said.broken) };
+    for part in
+        ["exceeds the max_error 0.004 of m", "64x64: 0.0", "keeps it", "layout `homogeneous` at 32x32: 0.0"]
+    {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(text.ends_with("without `size` lobefit chooses one that keeps it"), "{text}");
+}
+
+/// The cosines over which a table is judged stand in the manifest and above its function.
+#[test]
+fn a_table_may_state_the_cosines_that_it_is_judged_over() {
+    let wants = |range: &str| format!(r#"{{"tables":[{{"size": [16, 16], "layout": "plain"{range}}}]}}"#);
+    let narrow = baked(&metal("[0.3, 1]", &wants(r#", "n_dot_v": [0.05, 1]"#)));
+    let wide = baked(&metal("[0.3, 1]", &wants("")));
+    let domain = |b: &Baked| b.tables[0].approximation.certificate.domain["mu"];
+    assert_eq!((domain(&narrow), domain(&wide)), ([0.05, 1.0], [0.001, 1.0]));
+    assert!(narrow.tables[0].errors.lookup.max < 0.5 * wide.tables[0].errors.lookup.max);
+    let text = String::from_utf8_lossy(&narrow.files["fits/lobefit.wgsl"]).into_owned();
+    assert!(text.contains("over n_dot_v [0.05, 1], roughness [0.3, 1]"), "{text}");
+}
+
 #[test]
 fn promises_that_are_not_kept_are_told() {
     let table = baked(&metal("[0.1, 1]", r#"{"tables":[{"size": [8, 8], "max_error": 1e-6}]}"#));

@@ -5,7 +5,7 @@ use lobefit::approximate::{Counter, Region, certification};
 use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
 use lobefit::effects::Albedo;
 use lobefit::effects::reflection::build;
-use lobefit::effects::table::{Errors, LookupPoints, Spec, Truth, measure};
+use lobefit::effects::table::{Errors, Lookup, LookupPoints, Point, Spec, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 use lobefit_truth::quantity::TRUTH_ERROR;
 
@@ -51,25 +51,30 @@ fn plain_layouts_are_what_engines_have() {
     assert!(squared.lookup.max < plain.lookup.max && squared.lookup.max > 5e-3, "{:?}", squared.lookup);
 }
 
+/// E of a fully rough surface, by the lookup of a plain table of 32 texels, at the grazing end,
+/// where a lookup clamps to the first texel. The truth rises from 0.307 to 0.326 before it.
 #[test]
-fn plain_texels_are_the_truth_at_their_centres() {
-    let spec = spec(8, Layout::PlainSquared, Serves::SplitSum, TexelFormat::F32);
-    let table = build(&spec, &Counter::default()).expect("a table").remove(0);
-    for row in 0..8 {
-        for column in 0..8 {
-            let (u, roughness) = ((column as f64 + 0.5) / 8.0, (row as f64 + 0.5) / 8.0);
-            let truth = reflection(Smith::Correlated, roughness * roughness, u * u, TOLERANCE)
-                .expect("in the domain");
-            assert!(
-                (table.channels[0].texels[row * 8 + column] - truth.a).abs() < 1e-12,
-                "A at {column} {row}"
-            );
-            assert!(
-                (table.channels[1].texels[row * 8 + column] - truth.b).abs() < 1e-12,
-                "B at {column} {row}"
-            );
-        }
+fn plain_texels_are_balanced_where_the_lookup_clamps() {
+    let spec = spec(32, Layout::Plain, Serves::Albedo, TexelFormat::F16);
+    let table = build(&spec, &Counter::default()).expect("a table").remove(0).quantised();
+    let lookup = Lookup::new(&table, Decode::Albedo).expect("a table");
+    for mu in [0.001, 0.004, 0.01, 1.0 / 64.0, 0.02, 0.1, 0.5, 1.0] {
+        let point = Point { roughness: 1.0, alpha: 1.0, mu, ..Point::default() };
+        let truth = reflection(Smith::Correlated, 1.0, f64::from(mu), TOLERANCE).expect("in the domain");
+        let (e, truth) = (f64::from(lookup.at(&point).e), truth.a + truth.b);
+        assert!((e - truth).abs() < 0.0105, "{mu}: {e} {truth}");
     }
+}
+
+/// Where grazing views are not judged, the texels are the better elsewhere.
+#[test]
+fn a_range_of_cosines_is_what_texels_are_optimised_for() {
+    let wide = spec(32, Layout::Plain, Serves::SplitSum, TexelFormat::F16);
+    let mut narrow = wide.clone();
+    narrow.region.mu = [0.05, 1.0];
+    narrow.region.roughness = [0.3, 1.0];
+    let (wide, narrow) = (errors(&wide), errors(&narrow));
+    assert!(narrow.lookup.max < 0.006 && wide.lookup.max > 0.05, "{:?} {:?}", narrow.lookup, wide.lookup);
 }
 
 #[test]

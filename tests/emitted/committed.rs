@@ -6,6 +6,7 @@ use lobefit::bake::{BUILD_FILE, Selection, Silent, bake};
 use lobefit::effects::parallax::Width;
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
+use lobefit_shade::code::Language;
 use serde_json::Value;
 
 use crate::emit_support::{baked, say};
@@ -22,6 +23,16 @@ fn the_width_of_emitted_lookups_is_the_studys() {
     let constant = fit["coefficients"][0][1].as_f64().expect("a number") as f32;
     let Width::Cubic { k, c: 0.0, d: 0.0 } = Width::EMITTED else { panic!("another formula") };
     assert_eq!(k as f32, constant);
+}
+
+/// An include file is read from its top to its end.
+#[test]
+fn the_built_in_include_files_are_short() {
+    for language in Language::ALL {
+        let name = format!("fits/lobefit.{}", language.extension());
+        let lines = String::from_utf8_lossy(&baked().0.files[&name]).lines().count();
+        assert!(lines < 600, "{name}: {lines} lines");
+    }
 }
 
 /// What `bake` writes; folders below hold what other commands and people write.

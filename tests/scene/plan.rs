@@ -82,12 +82,9 @@ fn the_built_in_scene_calls_for_two_tables_a_fit_and_the_path_tracers_workload()
             "ggx-dfg-correlated-32x32",
             "ggx-dfg-correlated-64x64-split-sum",
             "ggx-aniso-correlated-64x64x32",
-            "path-tracer-reflection-separable-64x64x32",
             "ggx-aniso-azimuth-correlated-64x16x16",
             "ggx-glass-outside-correlated-128x128x32",
             "ggx-glass-inside-correlated-128x128x32",
-            "path-tracer-glass-outside-separable-128x128x32",
-            "path-tracer-glass-inside-separable-128x128x32",
         ]
     );
     assert_eq!(plan.effects[0].bytes, 32 * 32 * 2 + 64 * 64 * 2 * 2);

@@ -16,6 +16,8 @@ pub struct Lattice {
     pub size: Vec<usize>,
     /// Samples from one texel to the next along each axis, one or more.
     pub per_cell: Vec<usize>,
+    /// Samples before the first and after the last texel of each axis, where a lookup clamps to it.
+    pub beyond: Vec<usize>,
 }
 
 impl Lattice {
@@ -24,14 +26,14 @@ impl Lattice {
         (0..self.size.len()).map(|axis| self.along(axis)).collect()
     }
 
-    /// Position in texels of a sample along an axis.
+    /// Position in texels of a sample along an axis: below 0 before the first texel.
     pub fn position(&self, axis: usize, sample: usize) -> f64 {
-        sample as f64 / self.per_cell[axis] as f64
+        (sample as f64 - self.beyond[axis] as f64) / self.per_cell[axis] as f64
     }
 
     /// Samples along an axis.
     fn along(&self, axis: usize) -> usize {
-        (self.size[axis] - 1) * self.per_cell[axis] + 1
+        (self.size[axis] - 1) * self.per_cell[axis] + 1 + 2 * self.beyond[axis]
     }
 
     /// Number of samples of one step along an axis: those of all axes before it.
@@ -41,14 +43,19 @@ impl Lattice {
 
     /// The texel before a sample and the fraction to the next.
     fn cell(&self, axis: usize, sample: usize) -> (usize, f64) {
-        let base = (sample / self.per_cell[axis]).min(self.size[axis] - 2);
-        (base, (sample - base * self.per_cell[axis]) as f64 / self.per_cell[axis] as f64)
+        let (step, size) = (self.per_cell[axis], self.size[axis]);
+        let sample = sample.saturating_sub(self.beyond[axis]).min((size - 1) * step);
+        let base = (sample / step).min(size - 2);
+        (base, (sample - base * step) as f64 / step as f64)
     }
 
     /// Samples that a texel takes part in.
     fn support(&self, axis: usize, texel: usize) -> std::ops::Range<usize> {
-        let (middle, reach) = (texel * self.per_cell[axis], self.per_cell[axis] - 1);
-        middle.saturating_sub(reach)..(middle + reach + 1).min(self.along(axis))
+        let (step, beyond) = (self.per_cell[axis], self.beyond[axis]);
+        let middle = beyond + texel * step;
+        let first = if texel == 0 { 0 } else { middle - (step - 1) };
+        let last = texel + 1 == self.size[axis];
+        first..if last { self.along(axis) } else { middle + step }
     }
 }
 
@@ -73,7 +80,7 @@ const DAMPING: f64 = 0.7;
 /// If a slice's length is not that of the lattice, or the lattice is thinner than two texels.
 pub fn optimise(lattice: &Lattice, start: &[f64], wanted: &Wanted, rounds: usize) -> (Vec<f64>, f64) {
     let count: usize = lattice.samples().iter().product();
-    assert_eq!(lattice.size.len(), lattice.per_cell.len(), "axes");
+    assert_eq!([lattice.per_cell.len(), lattice.beyond.len()], [lattice.size.len(); 2], "axes");
     assert!(lattice.size.iter().all(|n| *n >= 2) && lattice.per_cell.iter().all(|n| *n >= 1));
     assert_eq!(start.len(), lattice.size.iter().product::<usize>(), "texels");
     assert_eq!((wanted.targets.len(), wanted.weights.len()), (count, count), "samples");
@@ -199,13 +206,15 @@ mod tests {
     use super::*;
 
     fn lattice(size: &[usize], per_cell: &[usize]) -> Lattice {
-        Lattice { size: size.to_vec(), per_cell: per_cell.to_vec() }
+        Lattice { size: size.to_vec(), per_cell: per_cell.to_vec(), beyond: vec![0; size.len()] }
     }
 
     /// Values of a function of positions in texels at the texels, and at the samples.
     fn wanted(lattice: &Lattice, f: impl Fn(&[f64]) -> f64) -> (Vec<f64>, Wanted) {
         let values = |per_cell: &[usize]| -> Vec<f64> {
-            let grid = Lattice { size: lattice.size.clone(), per_cell: per_cell.to_vec() };
+            let beyond =
+                if per_cell == lattice.per_cell { lattice.beyond.clone() } else { vec![0; per_cell.len()] };
+            let grid = Lattice { size: lattice.size.clone(), per_cell: per_cell.to_vec(), beyond };
             let place = |mut i: usize| -> Vec<f64> {
                 let along = |(axis, n): (usize, usize)| {
                     let at = grid.position(axis, i % n);
@@ -256,6 +265,22 @@ mod tests {
                 (before - 2.0 * least).abs() < 1e-12 && (least..1.003 * least).contains(&after),
                 "{after}"
             );
+        }
+    }
+
+    /// Beyond the first and the last texel a lookup clamps: half of the slope's rise over half a
+    /// cell is left there, where exact texels leave all of it.
+    #[test]
+    fn a_clamped_end_is_balanced() {
+        for lattice in [lattice(&[9], &[8]), lattice(&[9, 5], &[8, 4])] {
+            let beyond = lattice.per_cell.iter().map(|n| n / 2).collect();
+            let lattice = Lattice { beyond, ..lattice };
+            assert_eq!((lattice.position(0, 0), lattice.samples()[0]), (-0.5, 73));
+            let (start, wanted) = wanted(&lattice, |x| (-x[0]).exp());
+            let (_, before) = optimise(&lattice, &start, &wanted, 0);
+            let (_, after) = optimise(&lattice, &start, &wanted, 60);
+            assert!((before - (0.5_f64.exp() - 1.0)).abs() < 1e-12, "{before}");
+            assert!((after - 0.5 * before).abs() < 0.1 * before, "{after} {before}");
         }
     }
 

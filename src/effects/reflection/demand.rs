@@ -9,7 +9,7 @@ use crate::effects::demand::{Demand, Job, Span};
 use crate::effects::table::{self, TableJob};
 use crate::effects::who::{about, is_rough, named, reasons, rough, stay_smooth, verb};
 use crate::emit::compensation;
-use crate::scene::{Kind, Layout, Lobe, Material, Scene, Serves};
+use crate::scene::{Kind, Lobe, Material, Scene, Serves};
 use lobefit_shade::ShadeError;
 
 /// Seconds of one truth E.
@@ -193,13 +193,11 @@ pub(super) fn table_seconds(i: usize, jobs: &[TableJob]) -> f64 {
     own + JUDGED * if jobs.iter().any(split) { SPLIT_S } else { E_S }
 }
 
-/// Seconds of a texel: optimised in the homogeneous layout, one sample in the plain ones.
+/// Seconds of an optimised texel.
 fn texel_seconds(job: &TableJob) -> f64 {
-    match (job.layout == Layout::Homogeneous, job.serves) {
-        (true, Serves::Albedo) => TEXEL_E_S,
-        (true, Serves::SplitSum) => TEXEL_SPLIT_S,
-        (false, Serves::Albedo) => E_S,
-        (false, Serves::SplitSum) => SPLIT_S,
+    match job.serves {
+        Serves::Albedo => TEXEL_E_S,
+        Serves::SplitSum => TEXEL_SPLIT_S,
     }
 }
 

@@ -22,7 +22,7 @@ pub use catalogue::{AVERAGES, BLENDS, NORMALISATIONS, SEEDS};
 pub use demand::{FitJob, NORMALISATION};
 pub use fits::{FitSpec, fit_all};
 pub use published::{PUBLISHED, PUBLISHED_AVERAGES, PUBLISHED_BLENDS};
-pub use table::{Dfg, build};
+pub use table::{Dfg, build, sampled};
 
 /// The effect.
 pub struct Reflection;

@@ -29,6 +29,10 @@ impl Family for Dfg {
         }
     }
 
+    fn layouts(&self) -> &'static [Layout] {
+        &[Layout::Homogeneous, Layout::PlainSquared, Layout::Plain]
+    }
+
     fn described(&self, job: &TableJob, _: Option<Side>) -> String {
         format!("for {}", job.serves.name())
     }
@@ -66,9 +70,21 @@ impl Family for Dfg {
 /// # Errors
 /// A layout with slices; texels that are not finite.
 pub fn build(spec: &Spec, counter: &Counter) -> Result<Vec<Table>, BuildError> {
-    counter.add(flat::samples(spec));
+    made(spec, flat::ROUNDS, counter)
+}
+
+/// The table as it is usually made: samples at the texels.
+///
+/// # Errors
+/// As [`build`].
+pub fn sampled(spec: &Spec, counter: &Counter) -> Result<Vec<Table>, BuildError> {
+    made(spec, 0, counter)
+}
+
+fn made(spec: &Spec, rounds: usize, counter: &Counter) -> Result<Vec<Table>, BuildError> {
+    counter.add(flat::samples(spec, rounds));
     let split_sum = spec.serves == Serves::SplitSum;
-    let many = spec.layout == Layout::Homogeneous && flat::per_cell(spec) > 1;
+    let many = flat::per_cell(spec, rounds) > 1;
     let known = (many && split_sum).then(|| GGX_REFLECTION.interpolant(spec.smith, true));
     let effort = &Effort::ladder()[1];
     let at = |&(alpha, mu): &(f64, f64)| match known.and_then(|known| known.at(alpha, mu)) {
@@ -76,7 +92,7 @@ pub fn build(spec: &Spec, counter: &Counter) -> Result<Vec<Table>, BuildError> {
         None if split_sum => split(spec.smith, alpha, mu, effort),
         None => (albedo(spec.smith, alpha, mu, &effort.outer), 0.0),
     };
-    flat::build("ggx-reflection", spec, &|places| {
+    flat::build("ggx-reflection", spec, rounds, &|places| {
         known.inspect(|known| known.cover(places));
         Ok(places.par_iter().map(at).collect())
     })

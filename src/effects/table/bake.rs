@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::instead::instead;
 use super::{Errors, Family, LookupError, LookupPoints, Made, Region, Spec, TableJob, Truth, measure};
 use crate::data::{
     Approximation, Certificate, Channel, Cost, Decode, Form, Layout, Smith, Source, Table, Use, lookup_ops,
@@ -9,7 +10,6 @@ use crate::data::{
 use crate::effects::Albedo;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
-use crate::effects::demand::JUDGED_MU;
 use crate::emit::lookup::TableNames;
 use lobefit_shade::round_up;
 use lobefit_truth::integrate::glass::Side;
@@ -113,7 +113,12 @@ pub fn bake(
             }
         };
         let tables = bake_job(family, job, (&jobs[..i], &judge), context)?;
-        broken.extend(tables.iter().filter_map(|table| unkept(job, table)));
+        let mut unkept: Vec<String> = tables.iter().filter_map(|table| unkept(job, table)).collect();
+        if let (Some(last), Some(table), Some(limit)) = (unkept.last_mut(), tables.first(), job.max_error) {
+            let size: Vec<usize> = table.table().into_iter().flat_map(|t| &t.axes).map(|a| a.size).collect();
+            *last += &format!("; {}", instead(family, (job, &size), &judge, limit, context)?);
+        }
+        broken.extend(unkept);
         broken.extend(tables.iter().filter_map(|table| unjudged(job, table)));
         baked.extend(tables);
     }
@@ -166,11 +171,12 @@ fn unjudged(job: &TableJob, baked: &BakedTable) -> Option<String> {
 impl TableJob {
     /// Where the job's lookups must hold.
     pub fn region(&self) -> Region {
-        let TableJob { roughness, slices, alpha_map, .. } = *self;
-        Region { roughness, mu: JUDGED_MU, slices, alpha_map }
+        let TableJob { roughness, mu, slices, alpha_map, .. } = *self;
+        Region { roughness, mu, slices, alpha_map }
     }
 
-    fn spec(&self, size: Vec<usize>) -> Spec {
+    /// What to build of it in a size.
+    pub(super) fn spec(&self, size: Vec<usize>) -> Spec {
         let text = super::job::size_text(&size);
         Spec {
             names: self.names.iter().map(|name| name.replace("auto", &text)).collect(),

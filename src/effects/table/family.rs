@@ -21,6 +21,12 @@ pub trait Family: Sync {
     /// `ggx_albedo`. It stays when size, format or warp do not.
     fn role(&self, layout: Layout, serves: Serves) -> &'static str;
 
+    /// The layouts of one kind of table, of which a message names those that keep a limit; none
+    /// where there is one alone.
+    fn layouts(&self) -> &'static [Layout] {
+        &[]
+    }
+
     /// The sides for which there is a table each: one without a side, or of glass outside and
     /// inside.
     fn sides(&self) -> &'static [Option<Side>] {

@@ -12,8 +12,9 @@
 //! texels are not samples: they are optimised so that the largest error of the bilinear lookup is
 //! smallest ([`lobefit_fit::texels`]).
 //!
-//! The plain layouts hold what engines hold today, E or (A, B) sampled at texel centres over the
-//! whole of roughness [0, 1].
+//! The plain layouts hold what engines hold today, E or (A, B) at texel centres over the whole of
+//! roughness [0, 1]. Their texels are optimised too: before the first texel and after the last a
+//! lookup clamps, and E changes fast at grazing views, so that sampled texels leave twice the error.
 
 use super::{BuildError, Spec};
 use crate::data::{Axis, Channel, Layout, Registration, Serves, Surface, Table, Warp};
@@ -25,34 +26,39 @@ pub type Truth<'a> = dyn Fn(&[(f64, f64)]) -> Result<Vec<(f64, f64)>, IntegrateE
 
 /// Samples per cell and axis that the texels are optimised on: fewer in large tables, whose cells
 /// hold less curvature and whose samples would fill the memory (a 512 x 512 table has a million at
-/// 2).
-pub fn per_cell(spec: &Spec) -> usize {
+/// 2). Even in the plain layouts, whose ends lie half a cell beyond the texels.
+pub fn per_cell(spec: &Spec, rounds: usize) -> usize {
     match spec.size.iter().product::<usize>() {
-        _ if spec.layout != Layout::Homogeneous => 1,
+        _ if rounds == 0 => 1,
         0..=20_000 => 4,
         20_001..=300_000 => 2,
-        _ => 1,
+        _ if spec.layout == Layout::Homogeneous => 1,
+        _ => 2,
     }
 }
 
 /// Rounds of relaxation after which the error of these tables stands still.
-const ROUNDS: usize = 100;
+pub const ROUNDS: usize = 100;
 
-/// The lattice of samples that texels are made from: the texels themselves in the plain layouts.
-fn lattice(spec: &Spec) -> Lattice {
-    Lattice { size: spec.size.clone(), per_cell: vec![per_cell(spec); 2] }
+/// The lattice of samples that texels are made from: with 0 rounds the texels themselves. It ends
+/// where the axes end: at the texels, or in the plain layouts half a cell beyond them.
+fn lattice(spec: &Spec, rounds: usize) -> Lattice {
+    let per_cell = per_cell(spec, rounds);
+    let beyond = if spec.layout == Layout::Homogeneous { 0 } else { per_cell / 2 };
+    Lattice { size: spec.size.clone(), per_cell: vec![per_cell; 2], beyond: vec![beyond; 2] }
 }
 
 /// Number of the samples.
-pub fn samples(spec: &Spec) -> usize {
-    lattice(spec).samples().iter().product()
+pub fn samples(spec: &Spec, rounds: usize) -> usize {
+    lattice(spec, rounds).samples().iter().product()
 }
 
-/// The table of a quantity, texels not yet rounded.
+/// The table of a quantity, texels not yet rounded: optimised in so many rounds, or with 0 rounds
+/// exact at the texels.
 ///
 /// # Errors
 /// A layout with slices; a truth that cannot be integrated; texels that are not finite.
-pub fn build(quantity: &str, spec: &Spec, truth: &Truth) -> Result<Vec<Table>, BuildError> {
+pub fn build(quantity: &str, spec: &Spec, rounds: usize, truth: &Truth) -> Result<Vec<Table>, BuildError> {
     let (registration, warp, roughness) = match spec.layout {
         Layout::Homogeneous => (Registration::Endpoint, Warp::Homogeneous, spec.region.roughness),
         Layout::Plain => (Registration::Centre, Warp::Linear, [0.0, 1.0]),
@@ -63,21 +69,18 @@ pub fn build(quantity: &str, spec: &Spec, truth: &Truth) -> Result<Vec<Table>, B
     let axes =
         [Axis::ends("mu", columns, warp, [0.0, 1.0]), Axis::ends("roughness", rows, Warp::Linear, roughness)]
             .map(|axis| Axis { registration, ..axis });
-    let lattice = lattice(spec);
+    let lattice = lattice(spec, rounds);
     let nodes = nodes(spec, &axes, &lattice, truth)?;
-    let channels = match (spec.layout, spec.serves) {
-        (Layout::Homogeneous, _) => optimised(spec, &lattice, &nodes),
-        (_, Serves::Albedo) => vec![Channel::new("E", nodes.iter().map(|n| n.e).collect())],
-        (_, Serves::SplitSum) => vec![
-            Channel::new("A", nodes.iter().map(|n| n.e - n.b).collect()),
-            Channel::new("B", nodes.iter().map(|n| n.b).collect()),
-        ],
+    let channels = match spec.layout {
+        Layout::Homogeneous => losses(spec, (&lattice, rounds), &nodes),
+        _ => albedos(spec, (&lattice, rounds), &nodes),
     };
     spec.tables(quantity, &axes, vec![channels])
 }
 
 /// A point of the domain with its truth.
 struct Node {
+    roughness: f64,
     mu: f64,
     e: f64,
     b: f64,
@@ -98,35 +101,76 @@ fn unit(axis: &Axis, position: f64) -> f64 {
     }
 }
 
-fn optimised(spec: &Spec, lattice: &Lattice, dense: &[Node]) -> Vec<Channel> {
-    let columns = lattice.samples()[0];
-    let at_texels = |values: &[f64]| -> Vec<f64> {
-        let step = lattice.per_cell[0];
-        let rows = values.chunks_exact(columns).step_by(step);
-        rows.flat_map(|row| row.iter().copied().step_by(step)).collect()
-    };
-    // Below the region's mu nothing is looked up.
-    let seen = |n: &Node| if n.mu >= spec.region.mu[0] { 1.0 } else { 0.0 };
-    let losses: Vec<f64> = dense.iter().map(|n| 1.0 - n.e).collect();
-    let start = at_texels(&losses);
-    let wanted = Wanted { targets: losses, weights: dense.iter().map(seen).collect() };
-    let (loss, _) = texels::optimise(lattice, &start, &wanted, ROUNDS);
-    let mut channels = vec![Channel::new("loss", loss)];
-    if spec.serves == Serves::SplitSum {
-        // The bias is fitted to the albedo as looked up, so that their errors cancel in B where
-        // they can.
-        let albedos: Vec<f64> =
-            texels::looked_up(lattice, &channels[0].texels).into_iter().map(|loss| 1.0 - loss).collect();
-        let start = at_texels(&dense.iter().map(|n| n.bias(n.e)).collect::<Vec<_>>());
-        let pairs = || dense.iter().zip(&albedos);
-        let wanted = Wanted {
-            targets: pairs().map(|(n, e)| n.bias(*e)).collect(),
-            weights: pairs().map(|(n, e)| seen(n) * e).collect(),
-        };
-        let (bias, _) = texels::optimise(lattice, &start, &wanted, ROUNDS);
-        channels.push(Channel::new("bias", bias));
+/// Weight of an error where no lookup is judged, in plain layouts, whose rows span all roughness:
+/// texels there stay close to the truth, and yield where a judged lookup reads them too.
+const UNJUDGED: f64 = 1e-3;
+
+/// How much the error at a sample counts.
+fn weight(spec: &Spec, node: &Node) -> f64 {
+    let inside = |x: f64, [low, high]: [f64; 2]| (low - 1e-9..=high + 1e-9).contains(&x);
+    let seen = inside(node.mu, spec.region.mu) && inside(node.roughness, spec.region.roughness);
+    match (seen, spec.layout) {
+        (true, _) => 1.0,
+        (false, Layout::Homogeneous) => 0.0,
+        (false, _) => UNJUDGED,
     }
-    channels
+}
+
+/// The texels that leave the smallest largest error of weight |lookup - target|.
+fn channel(
+    name: &str,
+    (lattice, rounds): (&Lattice, usize),
+    targets: Vec<f64>,
+    weights: Vec<f64>,
+) -> Channel {
+    let columns = lattice.samples()[0];
+    let [x, y] = [0, 1].map(|axis| lattice.beyond[axis]);
+    let step = lattice.per_cell[0];
+    let rows = targets.chunks_exact(columns).skip(y).step_by(step).take(lattice.size[1]);
+    let start: Vec<f64> =
+        rows.flat_map(|row| row.iter().copied().skip(x).step_by(step).take(lattice.size[0])).collect();
+    let (texels, _) = texels::optimise(lattice, &start, &Wanted { targets, weights }, rounds);
+    Channel::new(name, texels)
+}
+
+/// The channels of the homogeneous layout.
+fn losses(spec: &Spec, lattice: (&Lattice, usize), dense: &[Node]) -> Vec<Channel> {
+    let weights: Vec<f64> = dense.iter().map(|n| weight(spec, n)).collect();
+    let loss = channel("loss", lattice, dense.iter().map(|n| 1.0 - n.e).collect(), weights.clone());
+    if spec.serves == Serves::Albedo {
+        return vec![loss];
+    }
+    // The bias is fitted to the albedo as looked up, so that their errors cancel in B where they can.
+    let looked_up = texels::looked_up(lattice.0, &loss.texels);
+    let albedos = || looked_up.iter().map(|loss| 1.0 - loss);
+    let targets = dense.iter().zip(albedos()).map(|(n, e)| n.bias(e)).collect();
+    let weights = weights.iter().zip(albedos()).map(|(weight, e)| weight * e).collect();
+    vec![loss, channel("bias", lattice, targets, weights)]
+}
+
+/// The channels of the plain layouts.
+fn albedos(spec: &Spec, lattice: (&Lattice, usize), dense: &[Node]) -> Vec<Channel> {
+    let weights: Vec<f64> = dense.iter().map(|n| weight(spec, n)).collect();
+    if spec.serves == Serves::Albedo {
+        return vec![channel("E", lattice, dense.iter().map(|n| n.e).collect(), weights)];
+    }
+    let b = channel("B", lattice, dense.iter().map(|n| n.b).collect(), weights.clone());
+    // A is fitted to what the lookup of B leaves of E, so that E = A + B is as good as B.
+    let looked_up = texels::looked_up(lattice.0, &b.texels);
+    let rest = dense.iter().zip(looked_up).map(|(n, b)| n.e - b).collect();
+    vec![channel("A", lattice, rest, weights), b]
+}
+
+/// Smallest alpha and mu of samples in the plain layouts, whose axes begin at 0: the smallest that
+/// integrals at a fixed number of nodes are good for. Nothing smaller is judged.
+const SMALLEST: f64 = 1e-4;
+
+/// The value that a sample of an axis stands for. Before the first texel of a plain layout a lookup
+/// does not change: what is judged there begins at the end of the judged range.
+fn judged(axis: &Axis, [low, _]: [f64; 2], x: f64) -> f64 {
+    let clamps = axis.registration == Registration::Centre;
+    let first = axis.node(0, Surface::<f64>::rough(0.0));
+    if clamps && x < low && low <= first { low } else { x }
 }
 
 /// Truths at the samples of a lattice.
@@ -137,13 +181,18 @@ fn nodes(
     truth: &Truth,
 ) -> Result<Vec<Node>, IntegrateError> {
     let [columns, rows] = [0, 1].map(|axis| lattice.samples()[axis]);
+    let plain = spec.layout != Layout::Homogeneous;
     let place = |i: usize| {
         let [u, v] =
             [(0, i % columns), (1, i / columns)].map(|(k, i)| unit(&axes[k], lattice.position(k, i)));
-        let alpha = spec.region.alpha_map.alpha(axes[1].physical(v, Surface::<f64>::rough(0.0)));
-        (alpha, axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0))
+        let roughness = axes[1].physical(v, Surface::<f64>::rough(0.0));
+        let roughness = judged(&axes[1], spec.region.roughness, roughness);
+        let alpha = spec.region.alpha_map.alpha(roughness);
+        let mu = axes[0].physical(u, Surface::<f64>::rough(alpha)).clamp(0.0, 1.0);
+        let place = (alpha, judged(&axes[0], spec.region.mu, mu));
+        (roughness, if plain { (place.0.max(SMALLEST), place.1.max(SMALLEST)) } else { place })
     };
-    let places: Vec<(f64, f64)> = (0..columns * rows).map(place).collect();
-    let truths = truth(&places)?;
-    Ok(places.iter().zip(truths).map(|(&(_, mu), (e, b))| Node { mu, e, b }).collect())
+    let (roughness, places): (Vec<f64>, Vec<(f64, f64)>) = (0..columns * rows).map(place).unzip();
+    let truths = roughness.into_iter().zip(&places).zip(truth(&places)?);
+    Ok(truths.map(|((roughness, &(_, mu)), (e, b))| Node { roughness, mu, e, b }).collect())
 }

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::{Family, SliceAxis, Sliced, Slices};
 use crate::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
-use crate::effects::demand::{Demand, JUDGED_MU, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
+use crate::effects::demand::{Demand, Job, ROUGHNESS_WIDTH_MIN, Span, listed, range_text};
 use crate::effects::who::rough;
 use crate::effects::{BakeError, JobSummary};
 use crate::emit::lookup::TableNames;
@@ -18,7 +18,7 @@ use lobefit_truth::integrate::glass::Side;
 pub const SLICES_WIDTH_MIN: f64 = 0.01;
 
 /// Side of the largest square that is tried for an open size.
-const AUTO_SIDE: usize = 128;
+pub(super) const AUTO_SIDE: usize = 128;
 
 /// The tables to bake for all materials that want the same layout, size, format and use: one of a
 /// lobe that reflects, of rough glass one for each side.
@@ -45,6 +45,8 @@ pub struct TableJob {
     /// Roughness that the rows span: the hull of the materials' rough ranges, at least
     /// `ROUGHNESS_WIDTH_MIN` wide; with slices from alpha = 4e-4 on.
     pub roughness: [f64; 2],
+    /// The cosine of the view over which its error is measured: the hull of the materials' ranges.
+    pub mu: [f64; 2],
     /// What the slices span, where there are any: the hull of the materials' ranges, at least
     /// `SLICES_WIDTH_MIN` wide.
     pub slices: Option<Slices>,
@@ -121,7 +123,7 @@ pub fn demand(
     let (smith, alpha_map) = conventions(scene, want.layout);
     let (slices, range) = (slices(material, want.layout), material.rough_range(alpha_map)?);
     let rows = if slices.is_some() { rows(range, alpha_map) } else { Span::roughness(range, alpha_map) };
-    let mut spans = BTreeMap::from([("mu", Span::new(JUDGED_MU)), ("roughness", rows)]);
+    let mut spans = BTreeMap::from([("mu", Span::new(want.n_dot_v)), ("roughness", rows)]);
     spans.extend(slices.map(|slices| (slices.axis.name(), wide(slices, want.layout))));
     if want.layout == Layout::Azimuth {
         // The albedo is even about both tangents.
@@ -170,6 +172,7 @@ impl TableJob {
             size: want.size.clone(),
             format: want.format,
             roughness: job.range("roughness")?,
+            mu: job.range("mu")?,
             slices: slices.map(over).transpose()?,
             max_error: job.goals.max_error,
             limited_by: job.limited_by(),

@@ -17,6 +17,7 @@ mod findings;
 pub mod flat;
 mod furnaces;
 mod grid;
+mod instead;
 mod job;
 mod lookup;
 mod measure;

@@ -48,7 +48,7 @@ impl TexelPlan {
     ) -> TexelPlan {
         assert!(axes[1].min > 0.0, "a table of three axes begins at a roughness above 0");
         let size = axes.iter().map(|axis| axis.size).collect();
-        let lattice = Lattice { size, per_cell: per_cell.to_vec() };
+        let lattice = Lattice { size, per_cell: per_cell.to_vec(), beyond: vec![0; 3] };
         let [low, high] = [axes[1].min, axes[1].max].map(|r| alpha_map.alpha(r));
         let ends = [low, high];
         let mut nodes: Vec<f64> =

@@ -10,6 +10,7 @@ use crate::data::{Layout, Serves, Smith, Table, TexelFormat};
 use crate::effects::context::Context;
 use crate::effects::demand::Job;
 use crate::effects::{Albedo, BakeError, JobSummary};
+use crate::scene::limits::TABLE_MU;
 use lobefit_truth::integrate::IntegrateError;
 use lobefit_truth::integrate::glass::Side;
 use lobefit_truth::points;
@@ -86,6 +87,7 @@ impl ValueTable {
             size: Some(self.size.to_vec()),
             format: self.format,
             roughness: job.range("roughness")?,
+            mu: TABLE_MU,
             slices: None,
             max_error: job.goals.max_error,
             limited_by: job.limited_by(),
@@ -160,7 +162,7 @@ impl Family for ValueTable {
 
     fn build(&self, spec: &Spec, counter: &Counter) -> Result<(Vec<Table>, Made), BuildError> {
         let integration = Cell::new(0.0);
-        let mut tables = flat::build(self.quantity.name(), spec, &|places| {
+        let mut tables = flat::build(self.quantity.name(), spec, flat::ROUNDS, &|places| {
             let (alpha, mu) = places.iter().copied().unzip();
             let (values, error) = self.truth(spec.smith, [alpha, mu], counter)?;
             integration.set(error);

@@ -20,24 +20,26 @@ use lobefit_shade::code::CodeError;
 
 /// Bakes the effect.
 pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError> {
-    // Fits first: a hypothesis that is refused must not cost the tables.
+    // Tables first: they take less time than fits, and a limit that none keeps ends the bake.
     let (jobs, fit) = parted(&called.work);
+    let jobs = TableJob::all(context.scene, jobs)?;
+    let (tables, broken) = table::bake(&Dfg, &jobs, context)?;
+    let mut made = Made { broken, ..Made::new(called, None, "") };
+    if !made.broken.is_empty() {
+        return Ok(made);
+    }
     let FitSet { fits, dropped, nearest } = match fit {
         Some(job) => bake_fits(job, context)?,
         None => FitSet { fits: Vec::new(), dropped: Vec::new(), nearest: None },
     };
-    let mut made = Made::new(called, None, "");
     if let Some(job) = fit {
         made.promised(&job.promises, (&fits, &nearest), "fit", Use::NORMALISATION);
         if !made.broken.is_empty() {
             return Ok(made);
         }
     }
-    let jobs = TableJob::all(context.scene, jobs)?;
-    let (tables, broken) = table::bake(&Dfg, &jobs, context)?;
     let (measured, metric) = findings::measured(&tables, &fits);
     made.part.finding = called.finding(measured, metric);
-    made.broken.extend(broken);
     let coloured = fit.is_some_and(|job| FitJob::of(context.scene, job).coloured);
     made.code(context, |language| functions(language, &fits, coloured))?;
     made.tables(context, tables)?;

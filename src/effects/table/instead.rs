@@ -1,0 +1,69 @@
+//! What keeps a limit that a table does not: larger sizes and other layouts, measured.
+
+use std::sync::Arc;
+
+use super::bake::finish;
+use super::job::{AUTO_SIDE, size_text};
+use super::{Family, Judge, TableJob};
+use crate::data::Layout;
+use crate::effects::BakeError;
+use crate::effects::context::Context;
+
+/// Most texels of a table that is measured to say what keeps a limit: of two axes, and of three.
+/// Larger tables take more seconds than an error message is worth.
+const TEXELS: [usize; 2] = [1 << 16, 1 << 20];
+
+/// In words, what keeps the limit of a job whose tables of this size do not: sizes doubled until
+/// one keeps it, and the other layouts of its kind at the job's size. `judge` has the truth of the
+/// job.
+///
+/// # Errors
+/// A truth that cannot be integrated.
+pub(super) fn instead(
+    family: &dyn Family,
+    (job, size): (&TableJob, &[usize]),
+    judge: &Arc<Judge>,
+    limit: f64,
+    context: &Context,
+) -> Result<String, BakeError> {
+    let texels = TEXELS[usize::from(size.len() > 2)];
+    let error = |layout: Layout, size: &[usize]| measured(family, (job, layout, size), judge, context);
+    let words = |size: &[usize], error: f64| {
+        format!("{}: {error}{}", size_text(size), if error <= limit { " keeps it" } else { "" })
+    };
+    let mut parts = Vec::new();
+    let (mut size, mut kept) = (size.to_vec(), false);
+    let own = size.clone();
+    while !kept && doubled(&size).iter().product::<usize>() <= texels {
+        size = doubled(&size);
+        let error = error(job.layout, &size)?;
+        kept = error <= limit;
+        parts.push(words(&size, error));
+    }
+    for &layout in family.layouts().iter().filter(|layout| **layout != job.layout) {
+        parts.push(format!("layout `{}` at {}", layout.name(), words(&own, error(layout, &own)?)));
+    }
+    let chosen = job.size.is_some() && size.len() == 2 && kept && size.iter().all(|n| *n <= AUTO_SIDE);
+    parts.extend(chosen.then(|| "without `size` lobefit chooses one that keeps it".to_string()));
+    Ok(format!("measured instead: {}", if parts.is_empty() { "nothing".into() } else { parts.join("; ") }))
+}
+
+fn doubled(size: &[usize]) -> Vec<usize> {
+    size.iter().map(|n| 2 * n).collect()
+}
+
+/// The largest lookup error of the tables of a job in another layout and size.
+fn measured(
+    family: &dyn Family,
+    (job, layout, size): (&TableJob, Layout, &[usize]),
+    judge: &Arc<Judge>,
+    context: &Context,
+) -> Result<f64, BakeError> {
+    let spec = TableJob { layout, ..job.clone() }.spec(size.to_vec());
+    let (tables, made) = family.build(&spec, &context.counter)?;
+    let mut worst = 0.0_f64;
+    for (i, table) in tables.iter().enumerate() {
+        worst = worst.max(finish(&spec, table, made, (judge, i))?.errors.lookup.max);
+    }
+    Ok(worst)
+}
