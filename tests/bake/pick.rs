@@ -205,3 +205,23 @@ fn both_sides_of_glass_have_one_function_of_coordinates() {
     let text = String::from_utf8_lossy(&baked.files["fits/lobefit.wgsl"]).into_owned();
     assert!(text.contains("G2 = 1/(1 + Lambda_v + Lambda_l) in both lobes"), "{text}");
 }
+
+/// A size that the bake chooses may be a size that another table asks for.
+#[test]
+fn a_chosen_size_does_not_take_the_name_of_another_table() {
+    let wants = r#"{"tables": [{"size": [8, 8], "format": "f32"}, {"max_error": 0.5}, {"size": [16, 16]}]}"#;
+    let material =
+        format!(r#"{{"name": "m", "kind": "metal", "f0": 0.9, "roughness": [0.3, 1], "wants": {wants}}}"#);
+    let baked = baked(r#""languages": ["wgsl"],"#, &material);
+    let manifest = manifest(&baked);
+    let tables = manifest["tables"].as_array().expect("a list").iter();
+    let named: Vec<(&str, &str)> = tables
+        .map(|t| (t["name"].as_str().expect("a name"), t["function"].as_str().expect("a name")))
+        .collect();
+    let wanted = [
+        ("ggx-dfg-correlated-8x8-f32", "ggx_albedo"),
+        ("ggx-dfg-correlated-16x16-auto", "ggx_albedo_16x16_auto"),
+        ("ggx-dfg-correlated-16x16", "ggx_albedo_16x16"),
+    ];
+    assert_eq!(named, wanted);
+}

@@ -2,10 +2,10 @@
 //! set.
 
 use lobefit::approximate::{Counter, Region, certification};
-use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, TexelFormat};
+use lobefit::data::{AlphaMap, Decode, Layout, Serves, Smith, Table, TexelFormat};
 use lobefit::effects::Albedo;
-use lobefit::effects::reflection::build;
-use lobefit::effects::table::{Errors, Lookup, LookupPoints, Point, Spec, Truth, measure};
+use lobefit::effects::reflection::{build, sampled};
+use lobefit::effects::table::{BuildError, Errors, Lookup, LookupPoints, Point, Spec, Truth, measure};
 use lobefit_truth::integrate::reflection::{TOLERANCE, reflection};
 use lobefit_truth::quantity::TRUTH_ERROR;
 
@@ -51,19 +51,25 @@ fn plain_layouts_are_what_engines_have() {
     assert!(squared.lookup.max < plain.lookup.max && squared.lookup.max > 5e-3, "{:?}", squared.lookup);
 }
 
-/// E of a fully rough surface, by the lookup of a plain table of 32 texels, at the grazing end,
-/// where a lookup clamps to the first texel. The truth rises from 0.307 to 0.326 before it.
+/// E of a fully rough surface seen from above is 0.307, and by sampled texels of a plain 32x32 table
+/// 0.326, since a lookup clamps to the last row: balanced texels halve the error.
 #[test]
 fn plain_texels_are_balanced_where_the_lookup_clamps() {
     let spec = spec(32, Layout::Plain, Serves::Albedo, TexelFormat::F16);
-    let table = build(&spec, &Counter::default()).expect("a table").remove(0).quantised();
-    let lookup = Lookup::new(&table, Decode::Albedo).expect("a table");
-    for mu in [0.001, 0.004, 0.01, 1.0 / 64.0, 0.02, 0.1, 0.5, 1.0] {
-        let point = Point { roughness: 1.0, alpha: 1.0, mu, ..Point::default() };
-        let truth = reflection(Smith::Correlated, 1.0, f64::from(mu), TOLERANCE).expect("in the domain");
-        let (e, truth) = (f64::from(lookup.at(&point).e), truth.a + truth.b);
-        assert!((e - truth).abs() < 0.0105, "{mu}: {e} {truth}");
-    }
+    let (optimised, sampled) = (build(&spec, &Counter::default()), sampled(&spec, &Counter::default()));
+    let worst = |tables: Result<Vec<Table>, BuildError>| {
+        let table = tables.expect("a table").remove(0).quantised();
+        let lookup = Lookup::new(&table, Decode::Albedo).expect("a table");
+        let error = |roughness: f32| {
+            let alpha = roughness * roughness;
+            let point = Point { roughness, alpha, mu: 1.0, ..Point::default() };
+            let truth = reflection(Smith::Correlated, f64::from(alpha), 1.0, TOLERANCE).expect("inside");
+            (f64::from(lookup.at(&point).e) - truth.a - truth.b).abs()
+        };
+        [0.9, 0.95, 0.97, 63.0 / 64.0, 0.99, 1.0].map(error).into_iter().fold(0.0, f64::max)
+    };
+    let (optimised, sampled) = (worst(optimised), worst(sampled));
+    assert!(sampled > 0.018 && optimised < 0.55 * sampled, "{optimised} {sampled}");
 }
 
 /// Where grazing views are not judged, the texels are the better elsewhere.
@@ -74,7 +80,7 @@ fn a_range_of_cosines_is_what_texels_are_optimised_for() {
     narrow.region.mu = [0.05, 1.0];
     narrow.region.roughness = [0.3, 1.0];
     let (wide, narrow) = (errors(&wide), errors(&narrow));
-    assert!(narrow.lookup.max < 0.006 && wide.lookup.max > 0.05, "{:?} {:?}", narrow.lookup, wide.lookup);
+    assert!(narrow.lookup.max < 0.011 && wide.lookup.max > 0.05, "{:?} {:?}", narrow.lookup, wide.lookup);
 }
 
 #[test]

@@ -112,7 +112,7 @@ pub fn bake(
                 judge
             }
         };
-        let tables = bake_job(family, job, (&jobs[..i], &judge), context)?;
+        let tables = bake_job(family, (jobs, i), &judge, context)?;
         let mut unkept: Vec<String> = tables.iter().filter_map(|table| unkept(job, table)).collect();
         if let (Some(last), Some(table), Some(limit)) = (unkept.last_mut(), tables.first(), job.max_error) {
             let size: Vec<usize> = table.table().into_iter().flat_map(|t| &t.axes).map(|a| a.size).collect();
@@ -125,20 +125,21 @@ pub fn bake(
     Ok((baked, broken))
 }
 
-/// The tables of a job, which others come before; where the size is open, the smallest that keep
-/// the limit.
+/// The tables of job `i`; where the size is open, the smallest that keep the limit.
 fn bake_job(
     family: &dyn Family,
-    job: &TableJob,
-    (before, judge): (&[TableJob], &Arc<Judge>),
+    (jobs, i): (&[TableJob], usize),
+    judge: &Arc<Judge>,
     context: &Context,
 ) -> Result<Vec<BakedTable>, BakeError> {
+    let job = &jobs[i];
     let sizes = job.size.clone().map_or_else(|| SIZES.map(|n| vec![n, n]).to_vec(), |size| vec![size]);
     let mut last = Vec::new();
     for size in sizes {
-        let spec = job.spec(size);
+        let text = job.sized(&size, jobs);
+        let spec = job.spec(size, &text);
         let (tables, made) = family.build(&spec, &context.counter)?;
-        let names = job.functions(family, &spec.size, before);
+        let names = job.functions(family, &text, &jobs[..i]);
         let parts = tables.into_iter().zip(family.sides()).zip(names).enumerate();
         let finished = parts.map(|(i, ((table, side), names))| {
             let baked = finish(&spec, &table, made, (judge, i))?;
@@ -175,11 +176,10 @@ impl TableJob {
         Region { roughness, mu, slices, alpha_map }
     }
 
-    /// What to build of it in a size.
-    pub(super) fn spec(&self, size: Vec<usize>) -> Spec {
-        let text = super::job::size_text(&size);
+    /// What to build of it in a size, which names have as `text`.
+    pub(super) fn spec(&self, size: Vec<usize>, text: &str) -> Spec {
         Spec {
-            names: self.names.iter().map(|name| name.replace("auto", &text)).collect(),
+            names: self.names.iter().map(|name| name.replace("auto", text)).collect(),
             smith: self.smith,
             size,
             format: self.format,

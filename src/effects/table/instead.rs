@@ -59,7 +59,7 @@ fn measured(
     judge: &Arc<Judge>,
     context: &Context,
 ) -> Result<f64, BakeError> {
-    let spec = TableJob { layout, ..job.clone() }.spec(size.to_vec());
+    let spec = TableJob { layout, ..job.clone() }.spec(size.to_vec(), &size_text(size));
     let (tables, made) = family.build(&spec, &context.counter)?;
     let mut worst = 0.0_f64;
     for (i, table) in tables.iter().enumerate() {

@@ -189,17 +189,21 @@ impl TableJob {
         jobs.iter().map(|job| TableJob::of(scene, job)).collect()
     }
 
+    /// A size as its tables' names have it. Where the bake chose the size, and another of the jobs
+    /// asks for it by name, the size says so.
+    pub(super) fn sized(&self, size: &[usize], jobs: &[TableJob]) -> String {
+        let text = size_text(size);
+        let named = |text: &str| self.names.iter().map(|name| name.replace("auto", text)).collect::<Vec<_>>();
+        let taken = self.size.is_none() && jobs.iter().any(|other| other.names == named(&text));
+        if taken { format!("{text}-auto") } else { text }
+    }
+
     /// Names of the functions of its tables, baked in a size: by their role, to which tables that
     /// are not the first of it among the jobs append what tells them apart.
-    pub(super) fn functions(
-        &self,
-        family: &dyn Family,
-        size: &[usize],
-        before: &[TableJob],
-    ) -> Vec<TableNames> {
+    pub(super) fn functions(&self, family: &dyn Family, size: &str, before: &[TableJob]) -> Vec<TableNames> {
         let role = |job: &TableJob| family.role(job.layout, job.serves);
         let stem = match before.iter().any(|other| role(other) == role(self)) {
-            true => format!("{}_{}", role(self), shape(&size_text(size), self.format, self.layout)),
+            true => format!("{}_{}", role(self), shape(size, self.format, self.layout)),
             false => role(self).to_string(),
         };
         let stem = stem.replace('-', "_");
