@@ -83,7 +83,9 @@ impl ValueFits<'_> {
         let table = self.table.as_ref().map(|table| table.bake(job, context)).transpose()?;
         let (tables, broken) = table.unwrap_or_default();
         if !broken.is_empty() {
-            return Ok(Made { broken, ..Made::new(called, None, "") });
+            let mut made = Made::new(called, None, "");
+            made.broken = broken;
+            return Ok(made);
         }
         context.progress.stage(&format!("fits of {}", self.of));
         let region = job.region(context.scene.alpha)?;

@@ -24,7 +24,8 @@ pub(super) fn bake(called: &Called, context: &Context) -> Result<Made, BakeError
     let (jobs, fit) = parted(&called.work);
     let jobs = TableJob::all(context.scene, jobs)?;
     let (tables, broken) = table::bake(&Dfg, &jobs, context)?;
-    let mut made = Made { broken, ..Made::new(called, None, "") };
+    let mut made = Made::new(called, None, "");
+    made.broken = broken;
     if !made.broken.is_empty() {
         return Ok(made);
     }
