@@ -45,6 +45,11 @@ struct Live {
     /// The same of the sphere without an approximation.
     grey: u32,
     shown: Vec<Shown>,
+    /// What stands below the spheres with the pointer on the middle one.
+    pointed: String,
+    /// Roughness, 0.5 before, and the address of the page after an arrow key.
+    roughness: f64,
+    address: String,
 }
 
 /// What the live page finds of an approximation.
@@ -205,6 +210,13 @@ fn is_the_truth([roughness, mu, found]: [f64; 3], one: &Shown) {
 fn agrees(live: &Live) {
     assert!(live.white <= 1, "a sphere with the truth is off by {} of 255", live.white);
     assert!(live.grey > 20, "a sphere without compensation is off by {} of 255 only", live.grey);
+    assert!(live.pointed.starts_with("mu 1, roughness 0.5: truth "), "{}", live.pointed);
+    assert!((live.roughness - 0.51).abs() < 1e-9, "an arrow key: roughness {}", live.roughness);
+    assert!(
+        live.address.contains("lobe=metal") && live.address.contains("roughness=0.51"),
+        "{}",
+        live.address
+    );
     assert!(live.shown.len() > 5, "{} approximations", live.shown.len());
     for one in &live.shown {
         let what = format!("{}, {}: {} drawn, {} certified", one.lobe, one.name, one.anywhere, one.certified);
