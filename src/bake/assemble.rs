@@ -42,7 +42,8 @@ pub fn assemble(plan: &Plan, parts: Vec<Part>, context: &Context) -> Result<File
     let mut pages = Vec::new();
     if context.scene.output.reports {
         if !explored.is_empty() {
-            pages.push(report::explore(ExplorePage { origin: context.origin(), effects: explored })?);
+            let page = ExplorePage { origin: context.origin(), effects: explored };
+            pages.push(report::explore(page, (&manifest, &files))?);
         }
         pages.extend(report::index(context.origin(), answers, (&manifest, &files))?);
     }

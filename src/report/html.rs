@@ -17,11 +17,8 @@ pub fn html(page: &Page) -> String {
     bar(&mut out, page);
     let (title, lead) = (Broken(&page.title), Broken(&page.lead));
     put(&mut out, format_args!("<header>\n<h1>{title}</h1>\n<p>{lead}</p>\n</header>\n"));
-    out.push_str("<nav aria-label=\"Contents\">\n<ol>\n");
-    for Section { id, title, .. } in &page.sections {
-        put(&mut out, format_args!("<li><a href=\"#{}\">{}</a></li>\n", Escaped(id), Escaped(title)));
-    }
-    out.push_str("</ol>\n</nav>\n<main>\n");
+    contents(&mut out, page);
+    out.push_str("<main>\n");
     for (section, blocks) in page.sections.iter().zip(fold::fitted(page)) {
         let (id, title) = (Escaped(&section.id), Broken(&section.title));
         put(&mut out, format_args!("<section id=\"{id}\">\n<h2>{title}</h2>\n"));
@@ -37,6 +34,18 @@ pub fn html(page: &Page) -> String {
     footer(&mut out, page);
     put(&mut out, format_args!("<script>\n{}</script>\n</body>\n</html>\n", include_str!("assets/page.js")));
     out
+}
+
+/// Links to the sections, where there are several.
+fn contents(out: &mut String, page: &Page) {
+    if page.sections.len() < 2 {
+        return;
+    }
+    out.push_str("<nav aria-label=\"Contents\">\n<ol>\n");
+    for Section { id, title, .. } in &page.sections {
+        put(out, format_args!("<li><a href=\"#{}\">{}</a></li>\n", Escaped(id), Escaped(title)));
+    }
+    out.push_str("</ol>\n</nav>\n");
 }
 
 /// Links to the pages that are written with this one.

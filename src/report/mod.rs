@@ -135,12 +135,17 @@ pub fn index(
     Ok(made)
 }
 
-/// The live page.
+/// The live page, with times of functions that are recorded as they are emitted here.
 ///
 /// # Errors
-/// As [`files`].
-pub fn explore(page: explore::ExplorePage) -> Result<File, ReportError> {
-    Ok(file(explore::EXPLORE, html(&sections::of_explore(page)?).into_bytes()))
+/// As [`draft`].
+pub fn explore(
+    page: explore::ExplorePage,
+    (manifest, files): (&Manifest, &Files),
+) -> Result<File, ReportError> {
+    let record = gpu::recorded()?;
+    let drawn = sections::answers::Drawn { manifest, files, record: Some(&record) };
+    Ok(file(explore::EXPLORE, html(&sections::of_explore(page, &drawn)?).into_bytes()))
 }
 
 /// `reports/timings.html` and `reports/timings.json` of a measurement.

@@ -58,11 +58,11 @@ document.querySelectorAll(".wide table").forEach((table) => {
 });
 document.querySelectorAll("pre").forEach((pre) => {
   if (!navigator.clipboard) return;
-  const text = pre.textContent;
+  const code = pre.firstElementChild || pre;
   const button = document.createElement("button");
   button.textContent = pre.dataset.language ? `copy ${pre.dataset.language}` : "copy";
   button.addEventListener("click", async () => {
-    await navigator.clipboard.writeText(text);
+    await navigator.clipboard.writeText(code.textContent);
     button.textContent = "copied";
   });
   pre.append(button);

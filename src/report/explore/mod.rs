@@ -3,6 +3,8 @@
 
 mod truth;
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::{Furnace, Origin, ReportError, check};
@@ -153,13 +155,23 @@ pub struct TableTexels {
     pub data: String,
 }
 
+/// Recorded times of emitted functions, one call for each pixel of 3840 by 2160.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Times {
+    /// The graphics processor.
+    pub device: String,
+    /// By function.
+    pub microseconds: BTreeMap<String, f64>,
+}
+
 /// Begins the data in the page.
 const OPEN: &str = "<script type=\"application/json\" id=\"explored\">";
 
-/// The data of the page: colours of signed values as base64, and what the effects draw.
+/// The data of the page: colours of signed values as base64, times, and what the effects draw.
 #[derive(Serialize)]
 struct Written<'a> {
     ramp: &'a str,
+    times: &'a Times,
     effects: &'a [ExploredEffect],
 }
 
@@ -173,13 +185,13 @@ struct Read {
 ///
 /// # Errors
 /// A number that is not finite.
-pub fn document(ramp: &str, effects: &[ExploredEffect]) -> Result<String, ReportError> {
+pub fn document(ramp: &str, times: &Times, effects: &[ExploredEffect]) -> Result<String, ReportError> {
     let refused =
         |e: serde_json::Error| ReportError::Drawing { section: EXPLORE.into(), reason: e.to_string() };
     for explored in effects.iter().flat_map(|effect| &effect.shown) {
         check::finite(EXPLORE, &format!("{}: truth.error", explored.name), explored.truth.error)?;
     }
-    let json = serde_json::to_string(&Written { ramp, effects }).map_err(refused)?;
+    let json = serde_json::to_string(&Written { ramp, times, effects }).map_err(refused)?;
     Ok(format!("{OPEN}{}</script>\n", json.replace('<', "\\u003c")))
 }
 

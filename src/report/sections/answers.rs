@@ -107,7 +107,7 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
         role: offer.role.name().into(),
         recommended: offer.role == crate::report::Role::Recommended,
         call: shown,
-        facts: facts(offer, purpose, time(offer, drawn.record, include)),
+        facts: facts(offer, purpose, time(function, drawn.record, include)),
         note,
         code,
     }
@@ -128,8 +128,12 @@ fn called(function: &str, drawn: &Drawn) -> (Option<String>, Vec<(String, String
 }
 
 /// Microseconds for a screen, if the function is recorded as it is emitted here.
-fn time(offer: &Offer, record: Option<&GpuRecord>, include: Option<&Include>) -> Option<f64> {
-    let function = offer.function.as_deref()?;
+pub(super) fn time(
+    function: Option<&str>,
+    record: Option<&GpuRecord>,
+    include: Option<&Include>,
+) -> Option<f64> {
+    let function = function?;
     let code = include?.hash(function)?;
     let rows = record?.rows.iter();
     let own =

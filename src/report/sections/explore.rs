@@ -3,16 +3,26 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use super::answers::{self, Drawn};
 use super::figures;
-use crate::report::explore::{ExplorePage, Explored, document};
+use crate::emit::include::Include;
+use crate::report::explore::{ExplorePage, Explored, ExploredApproximation, Times, document};
 use crate::report::{Block, Page, ReportError, Section, Shade, SphereRow, Spheres, Spread};
 
 /// Radiance of white: above 1, so that gains show too.
 const WHITE: f64 = 1.25;
 
-pub(super) fn page(explore: ExplorePage) -> Result<Page, ReportError> {
+pub(super) fn page(explore: ExplorePage, drawn: &Drawn) -> Result<Page, ReportError> {
     let ramp = STANDARD.encode(Shade::Signed { limit: 1.0, spread: Spread::Linear }.palette());
-    let data = document(&ramp, &explore.effects)?;
+    let include = Include::with(drawn.files, Some(drawn.manifest));
+    let shown = explore.effects.iter().flat_map(|effect| &effect.shown).flat_map(|one| &one.approximations);
+    let time = |one: &ExploredApproximation| {
+        let time = answers::time(Some(&one.name), drawn.record, include.as_ref())?;
+        Some((one.name.clone(), (10.0 * time).round() / 10.0))
+    };
+    let device = drawn.record.map_or("", |record| &record.device.adapter);
+    let times = Times { device: device.into(), microseconds: shown.filter_map(time).collect() };
+    let data = document(&ramp, &times, &explore.effects)?;
     let first = explore.effects.iter().flat_map(|effect| &effect.shown).next();
     let still = first.map(still).transpose()?.into_iter().collect();
     let spheres = Section {

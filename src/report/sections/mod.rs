@@ -21,7 +21,7 @@ pub mod words;
 use super::{
     Answer, Block, Figure, Findings, FitPage, GpuRecord, Origin, Page, ReportError, SearchPage, Timings,
 };
-use crate::report::explore::ExplorePage;
+use crate::report::explore::{EXPLORE, ExplorePage};
 
 /// The page of an effect. Sections that the scene called for nothing in are left out.
 pub(crate) fn of_findings(effect: &str, findings: &Findings) -> Result<Page, ReportError> {
@@ -51,7 +51,13 @@ pub(crate) fn of_index(
 ) -> Result<Page, ReportError> {
     let mut sections = Vec::new();
     if answers.iter().any(|answer| !answer.purposes.is_empty()) {
-        sections.push(answers::cards(answers, drawn)?);
+        let mut cards = answers::cards(answers, drawn)?;
+        let live = origin.pages.iter().find(|(_, file)| EXPLORE.ends_with(file.as_str()));
+        let link = |(_, file): &(String, String)| {
+            ("Spheres drawn by the emitted GLSL, beside the truth".into(), file.clone())
+        };
+        cards.blocks.splice(0..0, live.map(|page| Block::Links { rows: vec![link(page)] }));
+        sections.push(cards);
         sections.extend(answers::frontier(answers)?);
     }
     sections.extend(index::sections(drawn.manifest));
@@ -64,8 +70,8 @@ pub(crate) fn of_index(
 }
 
 /// The live page.
-pub(crate) fn of_explore(page: ExplorePage) -> Result<Page, ReportError> {
-    explore::page(page)
+pub(crate) fn of_explore(page: ExplorePage, drawn: &answers::Drawn) -> Result<Page, ReportError> {
+    explore::page(page, drawn)
 }
 
 /// The page of a measurement of time.
