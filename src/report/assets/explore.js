@@ -23,7 +23,7 @@
     element.textContent = text;
     return within.appendChild(element);
   };
-  const figure = (x) => (x === 0 ? "0" : Math.abs(x) < 1e-4 ? x.toExponential(1) : Number(x.toPrecision(3)).toString()).replace("-", "\u2212");
+  const figure = (x) => (x === 0 ? "0" : Math.abs(x) < 1e-4 ? x.toExponential(1) : Number(x.toPrecision(4)).toString()).replace("-", "\u2212");
   const signed = (x) => (x > 0 ? "+" : "") + figure(x);
 
   // What the page shows; the address has the same.
