@@ -106,7 +106,7 @@ pub fn bake(
     let made: Vec<_> =
         wanted.par_iter().with_max_len(1).map(|called| called.by.bake(called, &context)).collect();
     for made in made {
-        parts.push(baked.take(made?.finished()));
+        parts.push(baked.take(made?.finished()?));
     }
     parts.sort_by_key(|part| plan.catalogue.iter().position(|effect| *effect == part.by));
     baked.files = assemble::assemble(plan, parts, &context)?;

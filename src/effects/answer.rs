@@ -236,8 +236,12 @@ fn strip(purpose: &Purpose, furnaces: &[Furnace]) -> Option<Furnace> {
         Some(FurnaceRow { name: offer.role.name().into(), ..own.clone() })
     };
     let furnace = furnaces.iter().find(|f| purpose.choices.iter().any(|choice| row(f, choice).is_some()))?;
-    let before = furnace.rows.first().filter(|row| row.of.is_empty()).cloned();
-    let before = before.map(|row| FurnaceRow { name: "uncompensated".into(), ..row });
+    // What there is without a choice: nothing, or the first published factor.
+    let offered = |row: &&FurnaceRow| purpose.choices.iter().any(|choice| choice.name == row.of);
+    let before = furnace.rows.first().filter(|row| !offered(row)).cloned().map(|row| match row.of.as_str() {
+        "" => FurnaceRow { name: "uncompensated".into(), ..row },
+        _ => row,
+    });
     let rows = before.into_iter().chain(purpose.choices.iter().filter_map(|choice| row(furnace, choice)));
     let n = furnace.roughness.len();
     let columns: Vec<usize> = if n <= SPHERES {
@@ -271,7 +275,10 @@ pub(super) fn answer(made: &Made) -> Answer {
     for purpose in &mut purposes {
         purpose.furnace = strip(purpose, &made.furnaces);
     }
-    let conclusion = purposes.first().map_or_else(String::new, conclusion);
+    // What has no error of its own is followed by what it is made of.
+    let judged = |purpose: &Purpose| purpose.choices.iter().any(|choice| choice.error.is_some());
+    let last = purposes.iter().position(judged).map_or(purposes.len(), |i| i + 1);
+    let conclusion = purposes[..last].iter().map(conclusion).collect::<Vec<_>>().join(" ");
     Answer { effect: made.part.by.name().into(), conclusion, purposes }
 }
 

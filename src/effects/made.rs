@@ -83,16 +83,19 @@ impl Made {
     }
 
     /// The part that is done: the answer to what the effect was called for, and the page with it.
-    pub fn finished(mut self) -> Made {
-        let Some(draft) = self.draft.take() else { return self };
-        self.part.answer = answer::answer(&self);
+    ///
+    /// # Errors
+    /// Figures that are not finite.
+    pub fn finished(mut self) -> Result<Made, BakeError> {
+        let Some(draft) = self.draft.take() else { return Ok(self) };
+        self.part.answer = report::settled(answer::answer(&self))?;
         let effect = self.part.by.name();
         for file in draft.files(&self.part.answer.conclusion) {
             let entry = Report { effect: Some(effect.into()), file: file.path.clone() };
             self.part.entries.reports.push(entry);
             self.part.files.insert(file.path, file.bytes);
         }
-        self
+        Ok(self)
     }
 
     /// Enters the emitted fits of a job, with what `more` adds to the entry of the fit at an index,

@@ -16,8 +16,8 @@ const LETTER: f64 = 7.8;
 const LONG: f64 = 900.0;
 
 /// Pixels of what stands before the sections and after them, and of a section without its blocks.
-const FRAME: f64 = 420.0;
-const HEAD: f64 = 150.0;
+const FRAME: f64 = 380.0;
+const HEAD: f64 = 130.0;
 
 /// Blocks behind a line that says what they are, and how many.
 pub fn folded(what: &str, blocks: Vec<Block>) -> Block {
@@ -55,7 +55,9 @@ fn count(blocks: &[Block], counts: &mut [usize; 2]) {
 
 /// The blocks of each section: those that find room, then a fold with the others.
 pub(super) fn fitted(page: &Page) -> Vec<Vec<Block>> {
-    let mut left = TALL - FRAME - HEAD * page.sections.len() as f64;
+    let head = |section: &Section| HEAD + 24.0 * lines(&section.lead, 700.0);
+    let contents = 12.0 * page.sections.len() as f64 + 24.0 * lines(&page.lead, 700.0);
+    let mut left = TALL - FRAME - contents - page.sections.iter().map(head).sum::<f64>();
     let fit = |section: &Section| {
         let mut open = 0;
         let all: Vec<Block> = section.blocks.iter().map(shortened).collect();
@@ -91,9 +93,13 @@ fn shortened(block: &Block) -> Block {
     }
 }
 
+/// Lines that a text takes in a width.
+fn lines(text: &str, width: f64) -> f64 {
+    (text.chars().count() as f64 * LETTER / width).ceil().max(1.0)
+}
+
 /// About as many pixels as a block is tall.
 fn height(block: &Block) -> f64 {
-    let lines = |text: &str, per_line: f64| (text.chars().count() as f64 * LETTER / per_line).ceil().max(1.0);
     match block {
         Block::Text { text } => 24.0 * lines(text, 700.0) + 16.0,
         Block::Heading { .. } => 56.0,

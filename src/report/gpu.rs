@@ -15,9 +15,12 @@ const RECORDED: &str = include_str!("../../reports/gpu/nvidia-h200.json");
 /// # Errors
 /// A record of another version: a defect of this program.
 pub(super) fn recorded() -> Result<GpuRecord, ReportError> {
-    let refused =
-        |e: serde_json::Error| ReportError::Drawing { section: "index".into(), reason: e.to_string() };
-    serde_json::from_str(RECORDED).map_err(refused)
+    serde_json::from_str(RECORDED).map_err(|e| refused("index", &e))
+}
+
+/// Data that its own type does not read.
+pub(super) fn refused(section: &str, error: &serde_json::Error) -> ReportError {
+    ReportError::Drawing { section: section.into(), reason: error.to_string() }
 }
 
 /// Times of a bake's emitted functions on one graphics processor.

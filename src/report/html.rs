@@ -5,8 +5,11 @@ use std::fmt::{self, Display, Formatter, Write};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use super::fold;
 use super::page::{Block, Card, Choice, Page, Section, TextTable};
-use super::{fold, plot};
+
+/// The font of the drawings, that of the plots in the container of the web: its tables are packed.
+const FONT: &[u8] = include_bytes!("assets/DejaVuSans-subset.woff");
 
 /// The page as HTML: one self-contained file without network. What makes it longer than a few
 /// screens is folded. A script sorts and filters its tables, copies its code and says the values
@@ -65,7 +68,7 @@ fn head(out: &mut String, page: &Page) {
     let (tool, command) = (Escaped(&origin.tool), Escaped(&origin.command));
     let (recipe, title) = (Escaped(&origin.recipe), Escaped(&page.title));
     let css = include_str!("assets/page.css");
-    let font = STANDARD.encode(plot::FONT_BYTES);
+    let font = STANDARD.encode(FONT);
     put(
         out,
         format_args!(
@@ -80,7 +83,7 @@ fn head(out: &mut String, page: &Page) {
 <meta name="color-scheme" content="light dark">
 <title>{title}</title>
 <style>
-@font-face {{ font-family: lobefit; src: url(data:font/ttf;base64,{font}) format("truetype"); }}
+@font-face {{ font-family: lobefit; src: url(data:font/woff;base64,{font}) format("woff"); }}
 {css}
 </style>
 </head>

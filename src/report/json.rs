@@ -11,7 +11,7 @@ use super::numbers::rounded;
 use super::{ReportError, check};
 
 /// Digits of a number that a picture is drawn from: a pixel tells no more.
-const DRAWN: usize = 5;
+const DRAWN: usize = 4;
 
 /// What pictures are drawn from, in the digits that they show.
 pub(super) fn drawn<S: Serializer>(

@@ -114,6 +114,15 @@ pub struct Answers {
     pub answers: Vec<Answer>,
 }
 
+/// An answer in the digits of its file, so that the overview is the same whether it was read back.
+///
+/// # Errors
+/// A figure that is not finite.
+pub fn settled(answer: Answer) -> Result<Answer, ReportError> {
+    let bytes = json::document("index.json", &answer)?;
+    serde_json::from_slice(&bytes).map_err(|e| gpu::refused("index", &e))
+}
+
 /// `reports/index.html`: what to take of a bake, with links to the pages of its effects; and, where
 /// there is anything to take, the answers as `reports/index.json`.
 ///

@@ -10,5 +10,6 @@ mod floors;
 mod from_outside;
 mod languages;
 mod readme;
+mod reports;
 mod texts;
 mod toy_effect;

@@ -241,12 +241,50 @@ pub(crate) fn escape(text: &str) -> String {
 }
 
 /// Drops what plotters writes for every element and the style sheet or the SVG default says
-/// already.
+/// already, and draws lines of one kind that follow one another, as those of a grid, as one path.
 fn tidy(body: &str) -> String {
-    body.replace(" opacity=\"1\"", "")
+    let short = body
+        .replace(" opacity=\"1\"", "")
         .replace(" stroke=\"none\"", "")
         .replace(" font-family=\"lobefit\"", "")
-        .replace(">\n<", "><")
+        .replace(">\n<", "><");
+    let mut out = String::with_capacity(short.len());
+    // What a path is open for: the attributes of its lines.
+    let mut open: Option<&str> = None;
+    let mut rest = short.as_str();
+    while !rest.is_empty() {
+        let end = rest[1..].find('<').map_or(rest.len(), |at| at + 1);
+        let (element, after) = rest.split_at(end);
+        match straight(element) {
+            Some((kind, from, to)) => {
+                if open != Some(kind) {
+                    out += &format!("{}<path{kind} d=\"", if open.is_some() { "\"/>" } else { "" });
+                    open = Some(kind);
+                }
+                out += &format!("M{from}L{to}");
+            }
+            None => {
+                if open.take().is_some() {
+                    out += "\"/>";
+                }
+                out += element;
+            }
+        }
+        rest = after;
+    }
+    if open.is_some() {
+        out += "\"/>";
+    }
+    out
+}
+
+/// Attributes and ends of a thin straight line: of a grid, a tick, a leader.
+fn straight(element: &str) -> Option<(&str, &str, &str)> {
+    let (kind, points) = element.strip_prefix("<polyline")?.split_once(" points=\"")?;
+    let points = points.trim_end().strip_suffix("\"/>")?.trim_end();
+    let (from, to) = points.split_once(' ')?;
+    let thin = kind.ends_with("stroke-width=\"8\"") || kind.ends_with("stroke-width=\"10\"");
+    (thin && !to.contains(' ')).then_some((kind, from, to))
 }
 
 fn refused(figure: &str, error: &impl std::fmt::Display) -> ReportError {

@@ -16,9 +16,6 @@ const HEAD: f64 = 36.0;
 const LINE: f64 = 14.0;
 const HEAD_LINES: usize = 3;
 
-/// Fewest pixels of a picture per pixel of the page.
-const DENSEST: f64 = 1.0;
-
 /// Grey of a place without a picture.
 const NOTHING: [u8; 3] = [0xd8; 3];
 
@@ -60,7 +57,7 @@ pub enum Tile {
 
 impl Tile {
     /// Encoded colour of the mean of some pixels.
-    fn pixel(&self, at: &[usize], shade: Shade, palette: &[u8]) -> [u8; 3] {
+    fn pixel(&self, at: &[(usize, f64)], shade: Shade, palette: &[u8]) -> [u8; 3] {
         match self {
             Tile::Colours(image) => mean(at, |i| image.pixels[i]).map(byte),
             Tile::Values(values) => {
@@ -177,18 +174,23 @@ impl Gallery {
         }
     }
 
-    /// Pixels along a side of a cell, and how many of a picture's, across and down, make one of them:
-    /// a picture finer than the page is shown by the means of its pixels.
-    fn shown(&self) -> [usize; 2] {
-        let fits =
-            |by: &usize| self.side.is_multiple_of(*by) && (self.side / by) as f64 >= DENSEST * self.cell;
-        let by = (1..=self.side).rev().find(fits).unwrap_or(1);
-        [self.side / by, by]
+    /// Pixels along a side of a picture as shown: no more than the page has.
+    fn shown(&self) -> usize {
+        self.side.min(self.cell.ceil() as usize)
+    }
+
+    /// The pixels of a picture that one of those shown covers along an axis, with their parts of it.
+    fn covered(&self, i: usize) -> Vec<(usize, f64)> {
+        let ratio = self.side as f64 / self.shown() as f64;
+        let (from, to) = (i as f64 * ratio, (i + 1) as f64 * ratio);
+        let part = |k: usize| (to.min((k + 1) as f64) - from.max(k as f64)) / ratio;
+        let pixels = (from.floor() as usize..to.ceil() as usize).filter(|&k| k < self.side);
+        pixels.map(|k| (k, part(k))).filter(|(_, part)| *part > 1e-9).collect()
     }
 
     /// The pictures as markup, and the space at their right that a colour bar takes.
     fn pictures(&self, frame: Frame) -> Result<(String, f64), ReportError> {
-        let [side, _] = self.shown();
+        let side = self.shown();
         let size = (self.columns.len() * side, self.rows.len() * side);
         match &self.cells {
             Cells::Colours(cells) => {
@@ -212,12 +214,16 @@ impl Gallery {
         }
     }
 
-    /// Pixels of all pictures as one, each of some of a picture's.
-    fn joined<T, P>(&self, cells: &[Vec<T>], pixel: impl Fn(&T, &[usize]) -> P) -> Vec<P> {
-        let [side, by] = self.shown();
-        let of = |line: usize, column: usize| -> Vec<usize> {
-            let places = (0..by * by).map(|k| (line * by + k / by) * self.side + column * by + k % by);
-            places.collect()
+    /// Pixels of all pictures as one, each of some of a picture's with their weights.
+    fn joined<T, P>(&self, cells: &[Vec<T>], pixel: impl Fn(&T, &[(usize, f64)]) -> P) -> Vec<P> {
+        let side = self.shown();
+        let covered: Vec<Vec<(usize, f64)>> = (0..side).map(|i| self.covered(i)).collect();
+        let of = |line: usize, column: usize| -> Vec<(usize, f64)> {
+            let across = |(row, a): &(usize, f64)| {
+                let (row, a) = (*row * self.side, *a);
+                covered[column].iter().map(move |(column, b)| (row + column, a * b))
+            };
+            covered[line].iter().flat_map(across).collect()
         };
         let mut all = Vec::with_capacity(side * side * self.rows.len() * self.columns.len());
         for row in cells {
@@ -266,16 +272,20 @@ fn all<T>(
     places.into_iter().try_for_each(|(i, j, cell)| each(i, j, cell))
 }
 
-/// Mean of values at some places.
-fn mean<const N: usize>(at: &[usize], value: impl Fn(usize) -> [f64; N]) -> [f64; N] {
+/// Weighted mean of values at some places; the weights sum to 1.
+fn mean<const N: usize>(at: &[(usize, f64)], value: impl Fn(usize) -> [f64; N]) -> [f64; N] {
     let mut sum = [0.0; N];
-    for &i in at {
-        sum.iter_mut().zip(value(i)).for_each(|(sum, x)| *sum += x);
+    for &(i, weight) in at {
+        sum.iter_mut().zip(value(i)).for_each(|(sum, x)| *sum += weight * x);
     }
-    sum.map(|x| x / at.len() as f64)
+    sum
 }
+
+/// Steps between the shades of a channel: 86 shades, which the eye cannot tell from 256 in pictures
+/// as small as these and which take half the bytes.
+const STEP: f64 = 3.0;
 
 /// A byte of sRGB (IEC 61966-2-1) from linear light, cut to [0, 1].
 fn byte(x: f64) -> u8 {
-    (255.0 * encoded(x)).round() as u8
+    (STEP * (255.0 / STEP * encoded(x)).round()) as u8
 }

@@ -22,7 +22,6 @@ pub use bars::{Bar, Bars};
 pub(crate) use colour::LINES;
 pub use colour::Shade;
 pub use curves::{Annotation, Curves, Series, Style};
-pub(crate) use font::BYTES as FONT_BYTES;
 pub use gallery::{Cells, Gallery, Tile};
 pub use heat_map::{HeatMap, Worst, signed};
 pub(crate) use scale::Scale;

@@ -49,6 +49,8 @@ pub struct Frontiers {
     pub y: (String, Spread),
     /// Name and points of each; neighbours of one name share a colour.
     pub groups: Vec<(String, Vec<Dot>)>,
+    /// Names of the points that have them beside them.
+    pub named: Vec<String>,
     /// Size of the plotted area in pixels.
     pub size: (f64, f64),
 }
@@ -81,7 +83,11 @@ impl Figure for Scatter {
         add(has(true, false), "published: formula", GREY, Key::Disc);
         add(has(true, true), "published: table", GREY, Key::Square);
         add(has(false, false), "frontier of our formulas", LINES[0], Key::Line(1.6));
-        let group = Group { dots: &self.dots, colour: LINES[1], line: LINES[0] };
+        let best = frontier(&self.dots);
+        let all = self.dots.iter().enumerate();
+        let named = all.filter(|(i, dot)| best.contains(i) || dot.table && !dot.published);
+        let named: Vec<String> = named.map(|(_, dot)| dot.name.clone()).collect();
+        let group = Group { dots: &self.dots, named: &named, colour: LINES[1], line: LINES[0] };
         chart(&self.title, (&self.x, &self.y), self.size, (entries, &[group]))
     }
 }
@@ -102,7 +108,8 @@ impl Figure for Frontiers {
             entries.push(("published".into(), GREY, Key::Disc));
         }
         let groups = self.groups.iter().map(|(name, dots)| (dots, colour(name)));
-        let groups: Vec<Group> = groups.map(|(dots, colour)| Group { dots, colour, line: colour }).collect();
+        let groups: Vec<Group> =
+            groups.map(|(dots, colour)| Group { dots, named: &self.named, colour, line: colour }).collect();
         chart(&self.title, (&self.x, &self.y), self.size, (entries, &groups))
     }
 }
@@ -110,6 +117,7 @@ impl Figure for Frontiers {
 /// Points that share a frontier.
 struct Group<'a> {
     dots: &'a [Dot],
+    named: &'a [String],
     colour: RGBColor,
     line: RGBColor,
 }
@@ -162,7 +170,7 @@ fn checked(title: &str, dots: &[&Dot], [x, y]: [Spread; 2]) -> Result<(), Report
     Ok(())
 }
 
-/// Stairs, marks, and the names of what is on a frontier and of our tables.
+/// Stairs, marks and names.
 fn draw(
     canvas: &Canvas,
     frame: Frame,
@@ -177,10 +185,9 @@ fn draw(
             canvas.line(&steps, group.line, 1.6)?;
         }
         lines.extend(steps.windows(2).map(|w| thin(w[0], w[1])));
-        for (i, dot) in group.dots.iter().enumerate() {
-            let named = best.contains(&i) || dot.table && !dot.published;
+        for dot in group.dots {
             pixels.push(pixel(dot));
-            names.push(if named { dot.name.clone() } else { String::new() });
+            names.push(if group.named.contains(&dot.name) { dot.name.clone() } else { String::new() });
         }
     }
     let labels = labels::place(&pixels, &names, frame, &lines)?;

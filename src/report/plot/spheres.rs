@@ -13,7 +13,7 @@ use super::{Figure, Shade, colour_bar, font, raster};
 use crate::report::{ReportError, check, numbers};
 
 /// Pixels of the picture per pixel of the page.
-const DENSITY: usize = 2;
+const DENSITY: usize = 1;
 
 /// Radius of a sphere over the side of its cell.
 const RADIUS: f64 = 0.45;

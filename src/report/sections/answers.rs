@@ -5,8 +5,8 @@ use crate::emit::include::{Include, call};
 use crate::emit::manifest::Manifest;
 use crate::report::numbers::{grouped, significant};
 use crate::report::{
-    Answer, Block, Card, Choice, Dot, Figure, Frontiers, Furnace, GpuRecord, Offer, Purpose, ReportError,
-    Section, Shade, SphereRow, Spheres, Spread,
+    Answer, Block, Card, Choice, Dot, Figure, Frontiers, Furnace, GpuRecord, Measured, Offer, Purpose,
+    ReportError, Section, Shade, SphereRow, Spheres, Spread,
 };
 use crate::store::Files;
 use lobefit_shade::code::Language;
@@ -170,18 +170,24 @@ fn strip(furnace: &Furnace) -> Result<String, ReportError> {
         mu: &furnace.mu,
         rows: furnace.rows.iter().map(|r| SphereRow { name: r.name.clone(), factors: &r.factors }).collect(),
         shade: Shade::Departure { limit: 1.0 / furnace.amplification },
-        unit: "departure".into(),
+        unit: String::new(),
         cell: CELL,
     };
     spheres.svg()
+}
+
+/// The function of what is offered, else the name.
+fn called_as<'a>(purpose: &'a Purpose, measured: &'a Measured) -> &'a str {
+    let offer = purpose.choices.iter().find(|offer| offer.name == measured.name);
+    offer.and_then(|offer| offer.function.as_deref()).unwrap_or(&measured.name)
 }
 
 /// Everything that was measured, by its largest and by its RMS error.
 pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportError> {
     let dots = |purpose: &Purpose, of: usize| -> Vec<Dot> {
         let positive = purpose.measured.iter().filter(|m| m.error.iter().all(|&e| e > 0.0));
-        let dot = |m: &crate::report::Measured| Dot {
-            name: m.name.clone(),
+        let dot = |m: &Measured| Dot {
+            name: called_as(purpose, m).into(),
             x: f64::from(m.ops),
             y: m.error[of],
             published: m.published,
@@ -190,6 +196,11 @@ pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportErro
         positive.map(dot).collect()
     };
     let purposes = || answers.iter().flat_map(|a| a.purposes.iter().map(move |p| (&a.effect, p)));
+    let of_purpose = |p: &Purpose| -> Vec<String> {
+        let offers = p.choices.iter().filter(|offer| offer.error.is_some());
+        offers.map(|offer| offer.function.as_ref().unwrap_or(&offer.name).clone()).collect()
+    };
+    let offered: Vec<String> = purposes().flat_map(|(_, p)| of_purpose(p)).collect();
     let chart = |of: usize, what: &str| {
         // One colour for an effect: its purposes have frontiers of their own.
         let groups: Vec<(String, Vec<Dot>)> =
@@ -199,10 +210,11 @@ pub(super) fn frontier(answers: &[Answer]) -> Result<Option<Section>, ReportErro
             x: ("operations (square-root scale; fetches not counted)".into(), Spread::Root),
             y: (what.into(), Spread::Log),
             groups,
+            named: offered.clone(),
             size: CHART,
         };
         let caption = "Stairs join the formulas of ours, for one purpose each, that no other of them beats in both; \
-                       published formulas are grey, tables square. The error is that of the purpose.";
+                       published formulas are grey, tables square. Named are the choices above. The error is that of the purpose.";
         figures(&[chart], caption)
     };
     if purposes().all(|(_, p)| dots(p, 0).is_empty()) {

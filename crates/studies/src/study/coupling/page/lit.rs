@@ -79,7 +79,7 @@ fn gallery(strip: &LitStrip, rows: &[&LitRow], cells: Cells) -> Gallery {
         columns: strip.roughness.iter().map(|&r| place(r)).collect(),
         rows: rows.iter().map(|r| labelled(strip, r)).collect(),
         side,
-        cell: 62.0,
+        cell: 48.0,
         cells,
     }
 }
