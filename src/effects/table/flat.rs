@@ -116,49 +116,54 @@ fn weight(spec: &Spec, node: &Node) -> f64 {
     }
 }
 
-/// The texels that leave the smallest largest error of weight |lookup - target|.
-fn channel(
-    name: &str,
-    (lattice, rounds): (&Lattice, usize),
-    targets: Vec<f64>,
-    weights: Vec<f64>,
-) -> Channel {
+/// The texels that leave the smallest largest error of weight |lookup - target|, beginning with
+/// those of the exact values.
+fn channel(name: &str, (lattice, rounds): (&Lattice, usize), exact: &[f64], wanted: &Wanted) -> Channel {
     let columns = lattice.samples()[0];
     let [x, y] = [0, 1].map(|axis| lattice.beyond[axis]);
     let step = lattice.per_cell[0];
-    let rows = targets.chunks_exact(columns).skip(y).step_by(step).take(lattice.size[1]);
+    let rows = exact.chunks_exact(columns).skip(y).step_by(step).take(lattice.size[1]);
     let start: Vec<f64> =
         rows.flat_map(|row| row.iter().copied().skip(x).step_by(step).take(lattice.size[0])).collect();
-    let (texels, _) = texels::optimise(lattice, &start, &Wanted { targets, weights }, rounds);
-    Channel::new(name, texels)
+    Channel::new(name, texels::optimise(lattice, &start, wanted, rounds).0)
 }
 
 /// The channels of the homogeneous layout.
 fn losses(spec: &Spec, lattice: (&Lattice, usize), dense: &[Node]) -> Vec<Channel> {
     let weights: Vec<f64> = dense.iter().map(|n| weight(spec, n)).collect();
-    let loss = channel("loss", lattice, dense.iter().map(|n| 1.0 - n.e).collect(), weights.clone());
+    let wanted = Wanted { targets: dense.iter().map(|n| 1.0 - n.e).collect(), weights };
+    let loss = channel("loss", lattice, &wanted.targets, &wanted);
     if spec.serves == Serves::Albedo {
         return vec![loss];
     }
     // The bias is fitted to the albedo as looked up, so that their errors cancel in B where they can.
     let looked_up = texels::looked_up(lattice.0, &loss.texels);
     let albedos = || looked_up.iter().map(|loss| 1.0 - loss);
-    let targets = dense.iter().zip(albedos()).map(|(n, e)| n.bias(e)).collect();
-    let weights = weights.iter().zip(albedos()).map(|(weight, e)| weight * e).collect();
-    vec![loss, channel("bias", lattice, targets, weights)]
+    let exact: Vec<f64> = dense.iter().map(|n| n.bias(n.e)).collect();
+    let wanted = Wanted {
+        targets: dense.iter().zip(albedos()).map(|(n, e)| n.bias(e)).collect(),
+        weights: wanted.weights.iter().zip(albedos()).map(|(weight, e)| weight * e).collect(),
+    };
+    vec![loss, channel("bias", lattice, &exact, &wanted)]
 }
 
 /// The channels of the plain layouts.
 fn albedos(spec: &Spec, lattice: (&Lattice, usize), dense: &[Node]) -> Vec<Channel> {
-    let weights: Vec<f64> = dense.iter().map(|n| weight(spec, n)).collect();
+    let wanted = |targets: Vec<f64>| {
+        let weights = dense.iter().map(|n| weight(spec, n)).collect();
+        Wanted { targets, weights }
+    };
     if spec.serves == Serves::Albedo {
-        return vec![channel("E", lattice, dense.iter().map(|n| n.e).collect(), weights)];
+        let e = wanted(dense.iter().map(|n| n.e).collect());
+        return vec![channel("E", lattice, &e.targets, &e)];
     }
-    let b = channel("B", lattice, dense.iter().map(|n| n.b).collect(), weights.clone());
+    let of_b = wanted(dense.iter().map(|n| n.b).collect());
+    let b = channel("B", lattice, &of_b.targets, &of_b);
     // A is fitted to what the lookup of B leaves of E, so that E = A + B is as good as B.
     let looked_up = texels::looked_up(lattice.0, &b.texels);
-    let rest = dense.iter().zip(looked_up).map(|(n, b)| n.e - b).collect();
-    vec![channel("A", lattice, rest, weights), b]
+    let exact: Vec<f64> = dense.iter().map(|n| n.e - n.b).collect();
+    let rest = wanted(dense.iter().zip(looked_up).map(|(n, b)| n.e - b).collect());
+    vec![channel("A", lattice, &exact, &rest), b]
 }
 
 /// Smallest alpha and mu of samples in the plain layouts, whose axes begin at 0: the smallest that

@@ -8,6 +8,7 @@ use super::{Family, Judge, TableJob};
 use crate::data::Layout;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
+use crate::scene::limits::{AXIS_MAX, SLICED_AXIS_MAX, SLICED_LINES};
 
 /// Most texels of a table that is measured to say what keeps a limit: of two axes, and of three.
 /// Larger tables take more seconds than an error message is worth.
@@ -26,7 +27,6 @@ pub(super) fn instead(
     limit: f64,
     context: &Context,
 ) -> Result<String, BakeError> {
-    let texels = TEXELS[usize::from(size.len() > 2)];
     let error = |layout: Layout, size: &[usize]| measured(family, (job, layout, size), judge, context);
     let words = |size: &[usize], error: f64| {
         format!("{}: {error}{}", size_text(size), if error <= limit { " keeps it" } else { "" })
@@ -34,7 +34,7 @@ pub(super) fn instead(
     let mut parts = Vec::new();
     let (mut size, mut kept) = (size.to_vec(), false);
     let own = size.clone();
-    while !kept && doubled(&size).iter().product::<usize>() <= texels {
+    while !kept && is_measured(&doubled(&size)) {
         size = doubled(&size);
         let error = error(job.layout, &size)?;
         kept = error <= limit;
@@ -50,6 +50,18 @@ pub(super) fn instead(
 
 fn doubled(size: &[usize]) -> Vec<usize> {
     size.iter().map(|n| 2 * n).collect()
+}
+
+/// Whether a size is one that a scene may ask for, and small enough.
+fn is_measured(size: &[usize]) -> bool {
+    let texels = size.iter().product::<usize>();
+    match size {
+        [columns, _, slices] => {
+            let axes = size.iter().all(|n| *n <= SLICED_AXIS_MAX);
+            axes && columns * slices <= SLICED_LINES && texels <= TEXELS[1]
+        }
+        _ => size.iter().all(|n| *n <= AXIS_MAX) && texels <= TEXELS[0],
+    }
 }
 
 /// The largest lookup error of the tables of a job in another layout and size.
