@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use crate::scene::Output;
 use crate::store::{Files, MANIFEST};
 
 /// Most changes that are named.
@@ -17,13 +18,22 @@ pub(super) fn changes(found: &Files, baked: &Files) -> Vec<String> {
         return Vec::new();
     }
     let mut all = Vec::new();
-    compare("", &old["made_from"], &new["made_from"], &mut all);
+    compare("", &whole(&old["made_from"]), &whole(&new["made_from"]), &mut all);
     if all.len() > NAMED {
         let more = all.len() - NAMED;
         all.truncate(NAMED);
         all.push(format!("and {more} more"));
     }
     all
+}
+
+/// A scene with what it leaves out where nothing was asked for.
+fn whole(scene: &Value) -> Value {
+    let mut scene = scene.clone();
+    if let (Value::Object(fields), Ok(output)) = (&mut scene, serde_json::to_value(Output::default())) {
+        fields.entry("output").or_insert(output);
+    }
+    scene
 }
 
 fn compare(path: &str, old: &Value, new: &Value, all: &mut Vec<String>) {
