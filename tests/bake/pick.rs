@@ -1,5 +1,7 @@
 //! What a scene gets: for each job one function by its role, those on the frontier, or all.
 
+use std::sync::OnceLock;
+
 use lobefit::bake::{Baked, Selection, Silent, bake};
 use lobefit::plan::plan;
 use lobefit::scene::Scene;
@@ -41,6 +43,12 @@ fn emitted(baked: &Baked) -> Vec<(u64, f64)> {
     fits.iter().map(figures).collect()
 }
 
+/// Every formula for a metal.
+fn every() -> &'static [(u64, f64)] {
+    static EVERY: OnceLock<Vec<(u64, f64)>> = OnceLock::new();
+    EVERY.get_or_init(|| emitted(&baked(r#""pick": "all","#, &metal("m", "{}"))))
+}
+
 #[test]
 fn a_metal_gets_one_function_and_its_form_for_colours() {
     let baked = baked(r#""languages": ["wgsl"],"#, &metal("steel", r#"{"max_error": 0.03}"#));
@@ -64,7 +72,7 @@ fn a_metal_gets_one_function_and_its_form_for_colours() {
 
 #[test]
 fn the_best_is_the_cheapest_of_all_that_keeps_the_error_or_the_most_accurate_within_the_budget() {
-    let every = emitted(&baked(r#""pick": "all","#, &metal("m", "{}")));
+    let every = every();
     for limit in [0.2, 0.05, 0.0151, 0.005] {
         let best = emitted(&baked("", &metal("m", &format!(r#"{{"max_error": {limit}}}"#))));
         let cheapest = every.iter().filter(|(_, error)| *error <= limit).map(|(ops, _)| *ops).min();
@@ -86,7 +94,7 @@ fn the_best_is_the_cheapest_of_all_that_keeps_the_error_or_the_most_accurate_wit
 
 #[test]
 fn the_frontier_is_what_none_beats_and_its_names_say_the_cost() {
-    let every = emitted(&baked(r#""pick": "all","#, &metal("m", "{}")));
+    let every = every();
     let scene = baked(r#""pick": "frontier","#, &metal("m", "{}"));
     let frontier = emitted(&scene);
     for (ops, error) in &frontier {
