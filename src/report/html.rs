@@ -18,8 +18,13 @@ pub fn html(page: &Page) -> String {
     let mut out = String::new();
     head(&mut out, page);
     bar(&mut out, page);
-    let (title, lead) = (Broken(&page.title), Broken(&page.lead));
-    put(&mut out, format_args!("<header>\n<h1>{title}</h1>\n<p>{lead}</p>\n</header>\n"));
+    put(&mut out, format_args!("<header>\n<h1>{}</h1>\n", Broken(&page.title)));
+    let several = page.lead.contains('\n');
+    for (i, paragraph) in page.lead.lines().enumerate() {
+        let class = if several && i == 0 { " class=\"conclusion\"" } else { "" };
+        put(&mut out, format_args!("<p{class}>{}</p>\n", Broken(paragraph)));
+    }
+    out.push_str("</header>\n");
     contents(&mut out, page);
     out.push_str("<main>\n");
     for (section, blocks) in page.sections.iter().zip(fold::fitted(page)) {

@@ -72,7 +72,7 @@ impl Draft {
     /// `reports/<effect>.html`, its lead after a conclusion, and the files beside it.
     pub fn files(self, conclusion: &str) -> Vec<File> {
         let path = format!("reports/{}.html", self.effect);
-        let lead = [conclusion, &self.page.lead].join(" ").trim().to_string();
+        let lead = [conclusion, &self.page.lead].join("\n").trim().to_string();
         let text = html(&Page { lead, ..self.page });
         std::iter::once(file(&path, text.into_bytes())).chain(self.beside).collect()
     }

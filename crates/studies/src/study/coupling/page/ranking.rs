@@ -157,7 +157,7 @@ pub(super) fn conclusion(study: &CouplingStudy) -> String {
     let Some((best, theirs)) = least(true).zip(least(false)) else { return String::new() };
     format!(
         "Under the lobe {}, {} takes {} operations, {} times less seen (mean FLIP {}) and {} times less lost at worst than {}, the best \
-         published coupling that reads no table and is not exact. ",
+         published coupling that reads no table and is not exact.\n",
         ranking.lobe,
         best.name,
         best.ops,

@@ -61,7 +61,7 @@ pub(in super::super) fn conclusion(rooms: &RoomsFindings) -> String {
     let best = all.max_by(|a, b| a.1.total_cmp(&b.1));
     best.map_or_else(String::new, |(name, gain, worse, of)| {
         format!(
-            "{name}: {gain:.1} times less error than Frostbite’s listing, worse in {worse} of {of} cases. "
+            "{name}: {gain:.1} times less error than Frostbite’s listing, worse in {worse} of {of} cases.\n"
         )
     })
 }
