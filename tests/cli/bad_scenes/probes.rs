@@ -32,7 +32,7 @@ fn not_a_probe() -> Vec<Case> {
         case(top("\"probes\":[{\"name\":\"p\",\"norms\":[]}]"), "probes[0].norms: the list is empty"),
         case(
             top("\"probes\":[{\"name\":\"p\",\"lookups\":[]}]"),
-            "probes[0].lookups: the list is empty; leave the field out where none is wanted",
+            "probes[0].lookups: the list is empty; leave the field out for no lookup",
         ),
         case(
             top("\"probes\":[{\"name\":\"p\",\"lookups\":[{},{\"taps\":1}]}]"),
