@@ -117,7 +117,12 @@ vec3 sky(float up, float roughness) {
 // The lobe of a round light of radiance one over a small angle, and the base below it.
 vec3 lit(vec3 n, float roughness, float mu, vec2 eb, vec3 value) {
     float alpha = alpha_of(roughness), a2 = alpha * alpha, nl = max(dot(n, light), 0.0);
+#ifdef BASE
+    // the base sees the whole sky, and is shown half as bright for it is white
+    vec3 back = sky(2.0 * n.z * n.y, roughness) * (1.0 - three(1, roughness, mu, eb, false)) + sky(n.y, 1.0) * value;
+#else
     vec3 back = sky(2.0 * n.z * n.y, roughness) * three(column, roughness, mu, eb, true);
+#endif
 #if defined(COMPENSATION) || defined(BASE)
     vec3 h = normalize(light + vec3(0.0, 0.0, 1.0));
     float nh = dot(n, h), t = nh * nh * (a2 - 1.0) + 1.0, d = a2 / (PI * t * t);
@@ -138,6 +143,9 @@ vec3 lit(vec3 n, float roughness, float mu, vec2 eb, vec3 value) {
     lobe += value / PI;
 #endif
     back += lobe * nl * 1.3;
+#endif
+#ifdef BASE
+    back *= 0.5;
 #endif
     return back;
 }

@@ -212,8 +212,7 @@
       const group = select.appendChild(document.createElement("optgroup"));
       group.label = label;
       for (const { name, cost, certificate } of all) {
-        const fetches = cost.fetches ? `, ${cost.fetches} fetch` : "";
-        make("option", certificate ? `${name}: ${cost.ops} operations${fetches}, error ${figure(certificate.max_abs)}` : name, group).value = name;
+        make("option", certificate ? `${name}: ${cost.ops} ops, ${figure(certificate.max_abs)}` : name, group).value = name;
       }
     }
   };
