@@ -96,9 +96,7 @@ fn offer(role: Role, fit: &Fit, languages: &[Language]) -> Result<Offer, BakeErr
         let printed = code::print(*language, &fit.hypothesis, &fit.coefficients(), &[])?;
         Ok((language.title().to_string(), printed.text.trim_end().to_string()))
     };
-    let wgsl = languages.iter().filter(|language| **language == Language::Wgsl);
-    let others = languages.iter().filter(|language| **language != Language::Wgsl);
-    let printed = wgsl.chain(others).map(print).collect::<Result<Vec<_>, BakeError>>();
+    let printed = languages.iter().map(print).collect::<Result<Vec<_>, BakeError>>();
     Ok(Offer {
         role,
         name: a.name.clone(),

@@ -91,9 +91,9 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
-/// A line that calls a function with the arguments that an include file in a language declares:
+/// A line that calls a function with the arguments that an include file declares:
 /// `let value = ggx_average_albedo(roughness);`. None where the file does not declare it.
-pub fn call(language: Language, text: &str, function: &str) -> Option<String> {
+pub fn call(text: &str, function: &str) -> Option<String> {
     let head = format!(" {function}(");
     let start = text.match_indices(&head).map(|(at, _)| at).find(|&at| {
         let line = text[..at].rfind('\n').map_or(0, |end| end + 1);
@@ -106,15 +106,19 @@ pub fn call(language: Language, text: &str, function: &str) -> Option<String> {
         depth += i32::from("([<".contains(c)) - i32::from(")]>".contains(c));
         depth == 0
     })?;
-    let arguments: Vec<&str> = parts(&rest[..end]).iter().map(|part| named(language, part)).collect();
+    let arguments: Vec<&str> = parts(&rest[..end]).iter().map(|part| named(part)).collect();
     let call = format!("{function}({})", arguments.join(", "));
-    Some(match language {
-        Language::Wgsl | Language::Rust => format!("let value = {call};"),
-        Language::Hlsl | Language::Glsl | Language::Msl | Language::C => {
-            let result = text[line..start].rsplit(' ').next().unwrap_or_default();
-            format!("{result} value = {call};")
-        }
+    let result = text[line..start].rsplit(' ').next().unwrap_or_default();
+    Some(if typed_after(result) {
+        format!("let value = {call};")
+    } else {
+        format!("{result} value = {call};")
     })
+}
+
+/// Whether types stand after names: whether this word is before the name of a function.
+fn typed_after(word: &str) -> bool {
+    word == "fn"
 }
 
 /// Parameters between commas that no bracket holds.
@@ -128,12 +132,10 @@ fn parts(text: &str) -> Vec<&str> {
 }
 
 /// The name of a declared parameter.
-fn named(language: Language, parameter: &str) -> &str {
-    match language {
-        Language::Wgsl | Language::Rust => parameter.split(':').next().unwrap_or_default().trim(),
-        Language::Hlsl | Language::Glsl | Language::Msl | Language::C => {
-            parameter.rsplit([' ', '*']).next().unwrap_or_default()
-        }
+fn named(parameter: &str) -> &str {
+    match parameter.split_once(':') {
+        Some((name, _)) => name.trim(),
+        None => parameter.rsplit([' ', '*']).next().unwrap_or_default(),
     }
 }
 
@@ -144,12 +146,12 @@ mod tests {
     #[test]
     fn a_call_has_the_declared_arguments() {
         let wgsl = "// f(\nfn f(\n    table: texture_2d<f32>,\n    f0: vec3<f32>,\n) -> vec3<f32> {\n    return f(1);\n}\n";
-        assert_eq!(call(Language::Wgsl, wgsl, "f").as_deref(), Some("let value = f(table, f0);"));
+        assert_eq!(call(wgsl, "f").as_deref(), Some("let value = f(table, f0);"));
         let rust = "pub fn f(texels: &[[f32; 2]], mu: f32) -> [f32; 3] {";
-        assert_eq!(call(Language::Rust, rust, "f").as_deref(), Some("let value = f(texels, mu);"));
+        assert_eq!(call(rust, "f").as_deref(), Some("let value = f(texels, mu);"));
         let c = "static inline lobefit_float3 f(const float *texels, float mu) {";
         let expected = "lobefit_float3 value = f(texels, mu);";
-        assert_eq!(call(Language::C, c, "f").as_deref(), Some(expected));
-        assert_eq!(call(Language::Glsl, "    float x = f(1.0);", "f"), None);
+        assert_eq!(call(c, "f").as_deref(), Some(expected));
+        assert_eq!(call("    float x = f(1.0);", "f"), None);
     }
 }

@@ -14,6 +14,9 @@ use lobefit_shade::code::Language;
 /// Pixels of a screen of 3840 by 2160.
 const SCREEN: f64 = 3840.0 * 2160.0;
 
+/// The language of the code that is seen at once.
+const FIRST: Language = Language::Wgsl;
+
 /// Side of a sphere's cell in a strip.
 const CELL: usize = 34;
 
@@ -86,7 +89,11 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
     let function = offer.function.as_deref();
     let (calls, code) = match function {
         Some(function) => called(function, drawn),
-        None => (None, offer.code.clone()),
+        None => {
+            let mut code = offer.code.clone();
+            code.sort_by_key(|(language, _)| language != FIRST.title());
+            (None, code)
+        }
     };
     let wider =
         drawn.manifest.entries.calls.iter().find(|call| {
@@ -119,9 +126,9 @@ fn called(function: &str, drawn: &Drawn) -> (Option<String>, Vec<(String, String
     for include in &drawn.manifest.includes {
         let Some(language) = Language::parse(&include.language) else { continue };
         let text = drawn.files.get(&include.file).map(|bytes| String::from_utf8_lossy(bytes));
-        lines.extend(text.and_then(|text| call(language, &text, function)).map(|line| (language, line)));
+        lines.extend(text.and_then(|text| call(&text, function)).map(|line| (language, line)));
     }
-    lines.sort_by_key(|(language, _)| *language != Language::Wgsl);
+    lines.sort_by_key(|(language, _)| *language != FIRST);
     let first = lines.first().and_then(|(_, line)| line.split_once(" = "));
     let shown = first.map(|(_, call)| call.trim_end_matches(';').to_string());
     (shown, lines.into_iter().map(|(language, line)| (language.title().to_string(), line)).collect())
