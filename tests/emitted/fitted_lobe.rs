@@ -46,6 +46,9 @@ fn sides() -> [Vec3; 2] {
 }
 
 /// Widths of the surface on a path.
+/// Width at alpha = 0: the emitted form takes a reciprocal root of at least 1e-24.
+const FLOOR: f64 = 1e-12;
+
 const ALPHAS: [f64; 7] = [0.0, 0.01, 0.03, 0.1, 0.4, 0.7, 1.0];
 
 /// A path for every width: the view that is `turn` away from an angle above the surface, or on the
@@ -122,7 +125,8 @@ fn narrow_lobes_are_mirrors() {
         let found = fetched(emitted, &points);
         for (above, found) in views.iter().zip(found.chunks_exact(alphas.len())) {
             let mirror = found[alphas.len() - 1];
-            assert_eq!(mirror.1, 0.0, "{}", emitted.name());
+            // The level is a logarithm of the width, which has a floor.
+            assert!(mirror.1 <= FLOOR, "{}: {}", emitted.name(), mirror.1);
             for (alpha, (direction, width)) in alphas.iter().zip(found).skip(1) {
                 let off = length(minus(*direction, mirror.0));
                 let text = format!("{}, {above}, alpha {alpha}: {off}, {width}", emitted.name());

@@ -8,11 +8,11 @@ use lobefit::scene::Scene;
 fn the_built_in_scene_is_estimated_within_a_factor_of_one_and_a_half() {
     let plan = plan(&Scene::built_in().expect("the built-in scene"));
     let measured = [
-        ("reflection", 8.2),
-        ("anisotropy", 5.6),
-        ("glass", 8.8),
-        ("diffuse-coupling", 2.4),
-        ("parallax", 0.7),
+        ("reflection", 5.9),
+        ("anisotropy", 4.3),
+        ("glass", 7.6),
+        ("diffuse-coupling", 2.2),
+        ("parallax", 0.6),
     ];
     let within = |estimate: f64, measured: f64| (measured / 1.5..measured * 1.5).contains(&estimate);
     assert_eq!(plan.effects.len(), measured.len());
@@ -21,7 +21,7 @@ fn the_built_in_scene_is_estimated_within_a_factor_of_one_and_a_half() {
         assert!(within(effect.seconds, seconds), "{name}: {} for {seconds}", effect.seconds);
     }
     let all: f64 = plan.effects.iter().map(|effect| effect.seconds).sum();
-    assert!(within(all, 25.7), "{all}");
+    assert!(within(all, 20.6), "{all}");
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn more_work_takes_longer() {
     let table = |size: &str, more: &str| job(&format!(r#"{{"tables":[{{"size":{size}{more}}}]}}"#));
     assert!(table("[32,32]", "") < table("[64,64]", ""));
     assert!(table("[32,32]", "") < table("[32,32]", r#","serves":"split-sum""#));
-    assert!(table("[512,512]", r#","layout":"plain""#) < table("[512,512]", ""));
+    assert!(table("[256,256]", r#","layout":"plain""#) < table("[512,512]", r#","layout":"plain""#));
     let fit = |more: &str| job(&format!(r#"{{"fit":{{{more}}}}}"#));
     assert!(fit(r#""norms":["max"]"#) < fit(r#""norms":["max","rms"]"#));
     assert!(fit("") < fit(r#""average":true"#));

@@ -300,6 +300,7 @@ fn it_names_and_describes_every_field() {
             "max_ops",
             "mips",
             "mu",
+            "n_dot_v",
             "name",
             "name",
             "name",

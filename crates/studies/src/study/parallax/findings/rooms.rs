@@ -185,5 +185,6 @@ pub struct LookupCost {
     /// Operations, as the manifest counts them.
     pub operations: u32,
     /// The method that measures it, where one does.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub method: Option<String>,
 }
