@@ -45,10 +45,10 @@ fn sides() -> [Vec3; 2] {
     [side, cross(NORMAL, side)]
 }
 
-/// Widths of the surface on a path.
-/// Width at alpha = 0: the emitted form takes a reciprocal root of at least 1e-24.
+/// Width at alpha = 0: the emitted form takes the reciprocal root of at least 1e-24.
 const FLOOR: f64 = 1e-12;
 
+/// Widths of the surface on a path.
 const ALPHAS: [f64; 7] = [0.0, 0.01, 0.03, 0.1, 0.4, 0.7, 1.0];
 
 /// A path for every width: the view that is `turn` away from an angle above the surface, or on the
