@@ -35,7 +35,9 @@ fn run_on(scene: &[u8], folder: &Path, arguments: &[&str]) -> (i32, String, Stri
 }
 
 fn row(name: &str, function: Option<&str>, code: Option<String>) -> GpuRow {
-    let spread = |median: f64| GpuSpread { low: 0.9 * median, median, high: 1.1 * median };
+    // As files hold them: in nine digits.
+    let digits = |x: f64| format!("{x:.8e}").parse::<f64>().expect("a number");
+    let spread = |median: f64| GpuSpread { low: digits(0.9 * median), median, high: digits(1.1 * median) };
     GpuRow {
         name: name.into(),
         kind: if function.is_some() { GpuKind::Fit } else { GpuKind::Fetch },

@@ -275,7 +275,10 @@ fn the_json_of_a_plan_has_the_fields_of_the_contract() {
     let lobe =
         "brushed aluminium: metal with a rough anisotropic lobe (roughness 0.15 to 1; anisotropy 0 to 1)";
     assert!(because.starts_with(lobe), "{because}");
-    assert!(because.ends_with(" wants tables in the optimised, azimuth and path-tracer layouts"), "{because}");
+    assert!(
+        because.ends_with(" wants tables in the optimised, azimuth and path-tracer layouts"),
+        "{because}"
+    );
     assert_eq!(effect["ranges"]["anisotropy"], json!([0.0, 1.0]));
     assert_eq!(effect["ranges"]["roughness"], json!([0.15, 1.0]));
     assert_eq!(effect["ranges"]["phi"], json!([0.0, std::f64::consts::FRAC_PI_2]));

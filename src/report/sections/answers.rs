@@ -18,7 +18,7 @@ const SCREEN: f64 = 3840.0 * 2160.0;
 const FIRST: Language = Language::Wgsl;
 
 /// Side of a sphere's cell in a strip.
-const CELL: usize = 34;
+const CELL: usize = 31;
 
 /// Plotted size of the chart: the whole width of a page.
 const CHART: (f64, f64) = (1050.0, 470.0);
@@ -163,7 +163,7 @@ fn facts(offer: &Offer, purpose: &Purpose, time: Option<f64>) -> Vec<(String, St
     if let Some([max, rms]) = offer.error {
         let metric = if offer.metric.is_empty() { &purpose.metric } else { &offer.metric };
         rows.push(("Error".into(), format!("max {}, RMS {}", words::max(max), words::mean(rms))));
-        rows.push(("of".into(), metric.clone()));
+        rows.push(("Measure".into(), metric.clone()));
     }
     rows
 }
