@@ -87,6 +87,9 @@ fn within(cells: u64, bytes: u64) -> Option<(u64, u64)> {
     (cells <= CELLS && bytes <= TEXEL_BYTES).then_some((cells, bytes))
 }
 
+/// Range of mu over which a table is measured where the scene does not say.
+pub const TABLE_MU: [f64; 2] = [1e-3, 1.0];
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,6 +111,3 @@ mod tests {
         assert_eq!(add_texels((0, u64::MAX), (0, u64::MAX)), None);
     }
 }
-
-/// Range of mu over which a table is measured where the scene does not say.
-pub const TABLE_MU: [f64; 2] = [1e-3, 1.0];
