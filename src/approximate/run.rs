@@ -152,7 +152,8 @@ impl<'a> Stage<'a> {
             let error = fit.approximation.certificate.max_abs;
             if error <= limit {
                 let ops = h.tape().cost_ops() + emission.beside;
-                return Ok(format!("{} keeps it: error {error} with {ops} operations", h.name()));
+                let keeps = if limit.is_finite() { "keeps it" } else { "is the cheapest" };
+                return Ok(format!("{} {keeps}: error {error} with {ops} operations", h.name()));
             }
         }
         Ok("no formula of the catalogue keeps it in this region: widen max_error, or take a table".into())

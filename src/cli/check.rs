@@ -254,7 +254,8 @@ fn again(options: &Options) -> String {
         options.scene.scene.as_ref().map_or_else(String::new, |scene| format!(" {}", scene.display()));
     let out =
         if options.against == Path::new(".") { String::new() } else { format!(" --out {}", shown(options)) };
-    format!("lobefit bake{scene}{out}")
+    let pages = if options.pages.no_reports { " --no-reports" } else { "" };
+    format!("lobefit bake{scene}{out}{pages}")
 }
 
 /// The folder as the user named it.

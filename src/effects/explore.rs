@@ -13,6 +13,7 @@ use crate::emit::lookup::Readable;
 use crate::report::explore::{
     Drawn, Explored, ExploredApproximation, ROWS, SIDE, Standing, TableTexels, TruthTexels, between, view,
 };
+use crate::report::numbers::rounded;
 use crate::report::{Furnace, FurnaceRow};
 use lobefit_shade::code::{self, Language, helpers};
 use lobefit_shade::round_up;
@@ -205,8 +206,8 @@ impl Exploring<'_> {
             columns => Parts::new(columns[0][i], 0.0),
         };
         let row = |name: &str, values: &[f64]| {
-            // four digits are more than a picture shows
-            let light = |(i, value)| (self.drawn.light(value, of(i), self.f0) * 1e4).round() / 1e4;
+            // as the page keeps them: four digits are more than a picture shows
+            let light = |(i, value)| rounded(self.drawn.light(value, of(i), self.f0), 4);
             let light: Vec<f64> = values.iter().copied().enumerate().map(light).collect();
             FurnaceRow { name: name.into(), of: String::new(), factors: grid.by_roughness(&light) }
         };

@@ -1,4 +1,5 @@
-//! Who made a bake, and from what: tool, recipe and scene, which every file names.
+//! Who made a bake, and from what: tool and recipe, which every file names. The hash of the scene
+//! stays: a scene that changed is another.
 
 use std::borrow::Cow;
 
@@ -11,7 +12,6 @@ use crate::store::{Files, MANIFEST};
 struct Provenance {
     tool: String,
     recipe: String,
-    scene: String,
 }
 
 /// What stands in the found files, and what the recipe writes in its place.
@@ -22,7 +22,7 @@ impl Restated {
     /// it.
     pub fn new(expected: &Files, found: &Files) -> Restated {
         let (Some(new), Some(old)) = (read(expected), read(found)) else { return Restated(Vec::new()) };
-        let mut pairs = vec![(old.recipe, new.recipe), (old.scene, new.scene)];
+        let mut pairs = vec![(old.recipe, new.recipe)];
         // Headers name the tool with its version, the data of the report its version alone.
         if let (Some((_, a)), Some((_, b))) = (old.tool.split_once(' '), new.tool.split_once(' ')) {
             pairs.push((format!("\"tool\": \"{a}\""), format!("\"tool\": \"{b}\"")));

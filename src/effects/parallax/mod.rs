@@ -157,8 +157,8 @@ pub fn fit_all(spec: &ParallaxSpec, counter: &Counter) -> Result<FitSet, FitStag
     Ok(set)
 }
 
-/// The name of a function for chains of a kernel: that of the usual one is not told, any other
-/// follows the effect's.
+/// The name of a function for chains of a kernel: the usual kernel is not named, any other kernel
+/// follows the name of the effect.
 pub fn named(kernel: &Kernel, name: &str) -> String {
     if *kernel == Kernel::default() {
         return name.into();

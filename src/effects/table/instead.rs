@@ -45,7 +45,10 @@ pub(super) fn instead(
     }
     let chosen = job.size.is_some() && size.len() == 2 && kept && size.iter().all(|n| *n <= AUTO_SIDE);
     parts.extend(chosen.then(|| "without `size` lobefit chooses one that keeps it".to_string()));
-    Ok(format!("measured instead: {}", if parts.is_empty() { "nothing".into() } else { parts.join("; ") }))
+    if parts.is_empty() {
+        return Ok("a larger size is not measured: raise max_error, or the lower end of roughness".into());
+    }
+    Ok(format!("measured instead: {}", parts.join("; ")))
 }
 
 fn doubled(size: &[usize]) -> Vec<usize> {

@@ -132,7 +132,7 @@ vec3 lit(vec3 n, float roughness, float mu, vec2 eb, vec3 value) {
 #else
     float v = 1.0 / max((mu + lv) * (nl + ll), 1e-6);
 #endif
-    vec3 lobe = d * v * (f0 + (1.0 - f0) * pow(1.0 - max(h.z, 0.0), 5.0));
+    vec3 lobe = d * v * (f0 + (1.0 - f0) * pow(clamp(1.0 - h.z, 0.0, 1.0), 5.0));
 #if defined(COMPENSATION)
     lobe *= 1.0 + f0 * (value - 1.0);
 #elif defined(NORMALISED)

@@ -167,7 +167,7 @@
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     return new Float32Array(bits.buffer);
   };
-  const largest = (four) => four.reduce((most, x, i) => (i % 4 === 2 && !(Math.abs(x) <= most) ? Math.abs(x) : most), 0);
+  const largest = (four) => four.reduce((most, x, i) => (i % 4 === 2 && !(Math.abs(x) <= most || Number.isNaN(most)) ? Math.abs(x) : most), 0);
   // Places of mu in [0, 1], and the domain of a certificate.
   const place = (mu) => {
     const [from, to] = lobe().truth.mu;

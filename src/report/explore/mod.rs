@@ -96,7 +96,9 @@ impl Drawn {
     pub fn without(self) -> Option<(&'static str, &'static str)> {
         match self {
             Drawn::Compensation => Some(("single scattering", "1.0")),
-            Drawn::Albedo => Some(("Schlick's Fresnel alone", "f0 + (1.0 - f0) * pow(1.0 - mu, 5.0)")),
+            Drawn::Albedo => {
+                Some(("Schlick's Fresnel alone", "f0 + (1.0 - f0) * pow(max(1.0 - mu, 0.0), 5.0)"))
+            }
             Drawn::Base(_) => Some(("base added to the lobe", "1.0")),
             Drawn::Value => None,
         }

@@ -100,10 +100,7 @@ fn choice(offer: &Offer, purpose: &Purpose, drawn: &Drawn, include: Option<&Incl
             call.name == offer.name && function.is_some_and(|function| call.function != function)
         });
     let note = match (function, wider) {
-        (None, _) => format!(
-            "This scene does not emit it: copy it from here, or state \"max_ops\": {} for the material.",
-            offer.cost.ops
-        ),
+        (None, _) => "This scene does not emit it: copy it from here.".to_string(),
         (_, Some(call)) => {
             format!("In colour: {}, {}.", call.function, words::operations(call.cost.ops))
         }

@@ -4,6 +4,7 @@ use super::Lobe;
 use super::entries::place;
 use super::lookups::Lookup;
 use crate::approximate::{Fit, FitStageError};
+use crate::data::Source;
 use crate::effects::BakeError;
 use crate::effects::context::Context;
 use crate::effects::page::left_out;
@@ -81,7 +82,7 @@ fn shown<'a>(lobe: &'a Lobe) -> Vec<&'a Fit> {
 fn of_fit(fit: &Fit, variation: &Variation) -> VariationFinding {
     VariationFinding {
         name: fit.approximation.name.clone(),
-        published: !fit.emitted,
+        published: fit.approximation.source != Source::Fitted,
         ops: Some(fit.approximation.cost.ops),
         nearer: variation.nearer.map(row),
         farther: variation.farther.map(row),

@@ -26,7 +26,7 @@ pub(super) struct Lookup {
 
 /// Those that the probes want, by the fit of one constant; none where no fit is emitted.
 pub(super) fn of(lobe: &Lobe, identifiers: &[(MipChain, String)]) -> Result<Vec<Lookup>, BakeError> {
-    let Some(flow) = lobe.flow() else { return Ok(Vec::new()) };
+    let Some((flow, _)) = lobe.flow() else { return Ok(Vec::new()) };
     let one = |(lookup, chain): &(ProbeLookup, Option<MipChain>)| {
         one(lobe, flow, *lookup, chain.as_ref(), identifiers)
     };
@@ -54,7 +54,7 @@ fn one(
         rule: TapRule::of(&lobe.spec.kernel, fetches)
             .ok_or(BakeError::NoRule { kernel: lobe.spec.kernel.word().into(), fetches })?,
         header: Vec::new(),
-        flow: flow.coefficients().first().copied().map_or(1.0, f64::from),
+        flow: constant(flow)?,
         rho: lobe.spec.rho,
         level: level.map(|f| Level::new(&f.hypothesis, &f.chain)).transpose()?,
         alpha_map: lobe.spec.alpha_map,
@@ -63,6 +63,18 @@ fn one(
     wanted.header = header(lobe, &wanted, flow, chain, ops);
     let (fit, max_error) = (flow.approximation.name.clone(), flow.approximation.certificate.max_abs);
     Ok(Lookup { inputs: wanted.inputs()?, wanted, chain: chain.cloned(), ops, fit, max_error })
+}
+
+/// The constant of the width of lookups.
+fn constant(flow: &Fit) -> Result<f64, BakeError> {
+    match flow.coefficients().as_slice() {
+        [one] => Ok(f64::from(*one)),
+        all => Err(BakeError::Internal(format!(
+            "{}: {} constants where lookups have one",
+            flow.approximation.name,
+            all.len()
+        ))),
+    }
 }
 
 /// What it does, what it must be paired with, what it costs, and what it is off by.

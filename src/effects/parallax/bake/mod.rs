@@ -23,6 +23,9 @@ const GRID: [usize; 2] = [19, 29];
 /// within the budget is taken.
 const WIDTH: &str = "parallax_width";
 
+/// The formula that lookups have in them.
+const FLOW: &str = "parallax_1.wgsl";
+
 /// What was made for the chains of one kind of lobe.
 struct Lobe<'a> {
     scene: &'a Scene,
@@ -186,11 +189,14 @@ impl<'a> Lobe<'a> {
         emitted.min_by(|a, b| rank(a).0.total_cmp(&rank(b).0).then(rank(a).1.cmp(&rank(b).1)))
     }
 
-    /// The fit of one constant, which lookups take the width from: none where no fit is emitted.
-    fn flow(&self) -> Option<&Fit> {
-        self.best()?;
-        let fitted = self.fits.iter().filter(|fit| fit.approximation.source == Source::Fitted);
-        fitted.min_by_key(|fit| (fit.hypothesis.parameters().len(), fit.approximation.cost.ops))
+    /// The fit whose formula lookups have in them, with its total variation: the most accurate in
+    /// any norm; none where it was dropped.
+    fn flow(&self) -> Option<(&Fit, &Variation)> {
+        let own = self
+            .measured()
+            .filter(|(fit, _)| fit.approximation.source == Source::Fitted && fit.hypothesis.file() == FLOW);
+        let error = |fit: &Fit| fit.approximation.certificate.max_abs;
+        own.min_by(|a, b| error(a.0).total_cmp(&error(b.0)))
     }
 
     /// The least of the largest total variations of the emitted fits of at most so many operations,
@@ -203,10 +209,10 @@ impl<'a> Lobe<'a> {
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// What says that lookups are wanted and no fit is emitted that they could take the width from:
-    /// every lookup is a promise.
+    /// What says that lookups are wanted and the fit of their width is not there: every lookup is a
+    /// promise.
     fn without_lookups(&self) -> Option<String> {
-        if self.wants.lookups.is_empty() || self.best().is_some() {
+        if self.wants.lookups.is_empty() || self.flow().is_some() {
             return None;
         }
         let kernel = &self.spec.kernel;
@@ -220,7 +226,7 @@ impl<'a> Lobe<'a> {
             None => "widen the ranges of roughness and rho".into(),
         };
         Some(format!(
-            "parallax of {} chains: no fit of the width is emitted, and so no lookup, wanted by {}: {limit}",
+            "parallax of {} chains: no fit of the width of lookups, and so no lookup, wanted by {}: {limit}",
             kernel.name(),
             names.join(", ")
         ))
@@ -237,7 +243,19 @@ impl<'a> Lobe<'a> {
                     "parallax of {kernel} chains: the best is {name} with total variation {max:.4}: {wanted}"
                 ))
             }
-            Some(_) => None,
+            Some(_) => self.unkept_by_lookups(promise),
         }
+    }
+
+    /// The same of the fit that lookups take the width from.
+    fn unkept_by_lookups(&self, promise: &Promise) -> Option<String> {
+        let (fit, variation) = self.flow().filter(|_| !self.wants.lookups.is_empty())?;
+        let max = variation.max().filter(|max| *max > promise.max_error)?;
+        Some(format!(
+            "parallax of {} chains: lookups take the width of {} with total variation {max:.4}: {}",
+            self.spec.kernel.name(),
+            fit.approximation.name,
+            promise.text()
+        ))
     }
 }
