@@ -11,7 +11,7 @@ pub const SIDE: usize = 64;
 pub const ROWS: usize = 4;
 
 /// The truth over roughness and mu. Row j lies at roughness `low + (high - low) (j/(rows - 1))^2`,
-/// for narrow lobes change fastest; column i where [`across`] is i/(columns - 1). Between texels the
+/// for narrow lobes change fastest; column i where `across` is i/(columns - 1). Between texels the
 /// page takes cubics through the four nearest along each axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TruthTexels {

@@ -64,20 +64,20 @@ fn parallax_meet_planes_COUNT_smooth(
     var wall_z = 0.0;
     for (var i = 0; i < COUNT; i++) {
         let plane = planes[i];
-        let near = 1.0 / max(abs(plane.w - dot(plane.xyz, offset)), NEAREST);
-        let along = max(dot(plane.xyz, ray), 0.0) * near;
+        let nearness = 1.0 / max(abs(plane.w - dot(plane.xyz, offset)), NEAREST);
+        let along = max(dot(plane.xyz, ray), 0.0) * nearness;
         let top = max(both, along);
-        let base = top - min(bend * max(close, near), top);
+        let base = top - min(bend * max(close, nearness), top);
         let over = max(both - base, 0.0);
         let ahead = max(along - base, 0.0);
         let square = max(over * over + ahead * ahead, 1e-30);
         let unit = inverseSqrt(square);
         both = base + square * unit;
         steep = unit * (over * steep + ahead * along);
-        close = unit * max(over * close, ahead * near);
-        wall_x = unit * (over * wall_x + ahead * near * plane.x);
-        wall_y = unit * (over * wall_y + ahead * near * plane.y);
-        wall_z = unit * (over * wall_z + ahead * near * plane.z);
+        close = unit * max(over * close, ahead * nearness);
+        wall_x = unit * (over * wall_x + ahead * nearness * plane.x);
+        wall_y = unit * (over * wall_y + ahead * nearness * plane.y);
+        wall_z = unit * (over * wall_z + ahead * nearness * plane.z);
     }
     let scale = 1.0 / steep;
     return vec4f(wall_x * scale, wall_y * scale, wall_z * scale, 1.0 / both);
